@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+# coppermoon_stage(NAME HEADERS … SOURCES … TABLES … NEEDS earlier stages … USES libraries … PRIVATELY libraries …)
+# makes folder NAME a static library with the alias coppermoon::NAME. TABLES are CSV (or other text) files under
+# data/, compiled in: NAME/tables.h declares `std::string_view <file name without ending>()`. LABELS as in tests.
+function(coppermoon_stage name)
+  cmake_parse_arguments(STAGE "" "ROOT" "HEADERS;SOURCES;TABLES;NEEDS;USES;PRIVATELY" ${ARGN})
+  if(NOT STAGE_ROOT)
+    set(STAGE_ROOT ${CMAKE_CURRENT_SOURCE_DIR})
+  endif()
+  cmake_path(GET STAGE_ROOT PARENT_PATH base)
+  set(generated)
+  if(STAGE_TABLES)
+    coppermoon_tables(${name} ${STAGE_ROOT} generated ${STAGE_TABLES})
+  endif()
+  list(TRANSFORM STAGE_HEADERS PREPEND ${STAGE_ROOT}/)
+  list(TRANSFORM STAGE_SOURCES PREPEND ${STAGE_ROOT}/)
+  list(TRANSFORM STAGE_NEEDS PREPEND coppermoon::)
+  add_library(coppermoon_${name} STATIC ${STAGE_SOURCES} ${generated})
+  add_library(coppermoon::${name} ALIAS coppermoon_${name})
+  target_sources(coppermoon_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${base} FILES ${STAGE_HEADERS})
+  target_include_directories(coppermoon_${name} PRIVATE ${PROJECT_BINARY_DIR}/generated)
+  target_link_libraries(coppermoon_${name} PUBLIC ${STAGE_NEEDS} ${STAGE_USES} PRIVATE ${STAGE_PRIVATELY})
+  target_compile_features(coppermoon_${name} PUBLIC cxx_std_20)
+  set_target_properties(coppermoon_${name} PROPERTIES EXPORT_NAME ${name} VERIFY_INTERFACE_HEADER_SETS ON)
+  coppermoon_warnings(coppermoon_${name})
+  install(TARGETS coppermoon_${name} EXPORT coppermoon ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/coppermoon)
+endfunction()
+
+function(coppermoon_tables name root out)
+  set(dir ${PROJECT_BINARY_DIR}/generated/${name})
+  set(declarations "// Generated from ${name}/data.\n#pragma once\n#include <string_view>\nnamespace coppermoon::${name}::tables {\n")
+  set(sources)
+  foreach(table ${ARGN})
+    get_filename_component(stem ${table} NAME_WE)
+    string(APPEND declarations "std::string_view ${stem}();\n")
+    set(source ${dir}/${stem}.cpp)
+    add_custom_command(OUTPUT ${source}
+      COMMAND ${CMAKE_COMMAND} -DIN=${root}/data/${table} -DOUT=${source} -DSPACE=coppermoon::${name}::tables
+              -DSTEM=${stem} -P ${PROJECT_SOURCE_DIR}/.cmake/embed.cmake
+      DEPENDS ${root}/data/${table} ${PROJECT_SOURCE_DIR}/.cmake/embed.cmake VERBATIM)
+    list(APPEND sources ${source})
+  endforeach()
+  file(CONFIGURE OUTPUT ${dir}/tables.h CONTENT "${declarations}}\n" @ONLY)
+  set(${out} ${sources} PARENT_SCOPE)
+endfunction()
+
+function(coppermoon_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+  if(COPPERMOON_STRICT)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+endfunction()

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "algebra/table.h"
+
+#include <charconv>
+
+#include "algebra/error.h"
+
+namespace coppermoon::algebra {
+namespace {
+
+struct Line {
+  int number;
+  std::vector<std::string> cells;
+};
+
+std::vector<std::string> cells_of(std::string_view line) {
+  std::vector<std::string> cells;
+  for (;;) {
+    const auto comma = line.find(',');
+    cells.emplace_back(line.substr(0, comma));
+    if (comma == std::string_view::npos) return cells;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+std::vector<Line> lines_of(std::string_view text) {
+  std::vector<Line> lines;
+  for (int number = 1; !text.empty(); ++number) {
+    const auto end = text.find('\n');
+    auto line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (!line.empty() && line.front() != '#') lines.push_back({number, cells_of(line)});
+  }
+  return lines;
+}
+
+}  // namespace
+
+const std::vector<double>& Table::operator[](std::string_view column) const {
+  const auto found = columns.find(column);
+  if (found == columns.end()) throw Error(fmt::format("table has no column {}", column));
+  return found->second;
+}
+
+Table parse_table(std::string_view text, std::string_view name) {
+  const auto lines = lines_of(text);
+  if (lines.empty()) throw Error(fmt::format("{}: empty table", name));
+  const auto& header = lines.front().cells;
+  Table table;
+  for (std::size_t r = 1; r < lines.size(); ++r) {
+    const auto& [number, cells] = lines[r];
+    if (cells.size() != header.size())
+      throw Error(
+          fmt::format("{}:{}: {} cells, expected {}", name, number, cells.size(), header.size()));
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      double value = 0;
+      const auto* end = cells[c].data() + cells[c].size();
+      if (std::from_chars(cells[c].data(), end, value).ptr != end || cells[c].empty())
+        throw Error(fmt::format("{}:{}: \"{}\" is no number", name, number, cells[c]));
+      table.columns[header[c]].push_back(value);
+    }
+  }
+  return table;
+}
+
+std::vector<std::vector<std::string>> parse_text_table(std::string_view text) {
+  std::vector<std::vector<std::string>> rows;
+  for (auto& line : lines_of(text)) rows.push_back(std::move(line.cells));
+  return rows;
+}
+
+}  // namespace coppermoon::algebra

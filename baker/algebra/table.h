@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace coppermoon::algebra {
+
+/// A table of numbers with named columns, read from comma-separated text.
+struct Table {
+  std::map<std::string, std::vector<double>, std::less<>> columns;
+
+  /// Throws Error when there is no such column.
+  const std::vector<double>& operator[](std::string_view column) const;
+};
+
+/// Reads comma-separated text: lines that begin with `#` are comments, the first other line names
+/// the columns, all further lines are numbers.
+///
+/// Given     text   the table; name: what to call it in errors
+/// Throws    Error  "<name>:<line>: …" for a cell that is no number or a line of the wrong length
+Table parse_table(std::string_view text, std::string_view name);
+
+/// As parse_table, every cell kept as text: [row][column], the header row first.
+std::vector<std::vector<std::string>> parse_text_table(std::string_view text);
+
+}  // namespace coppermoon::algebra

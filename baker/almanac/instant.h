@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace coppermoon::almanac {
+
+/// A moment: a two-part Julian date in TT (day at noon or midnight, plus the fraction), as ERFA keeps it.
+struct Instant {
+  double tt_day = 0, tt_fraction = 0;
+};
+
+/// The moment that an ISO 8601 UTC text names.
+///
+/// Given   text   "2008-02-21T03:08:26Z"; the Z, the seconds and their decimals may be left out, and
+///                the time of day too (midnight); years −1999 to 3000, signed years as "-0584-05-28"
+/// Throws  Error  when the text is no such date: names the text and an example
+Instant instant_from_utc(std::string_view text);
+
+/// ISO 8601 UTC, rounded to `decimals` decimals of a second (0 to 3): "2008-02-21T03:26:05Z".
+std::string utc_text(const Instant& instant, int decimals = 0);
+
+/// TT − UT1 [s].
+///
+/// 1972 to the end of ERFA's table of leap seconds: UTC stands for UT1 (they differ by under 0.9 s).
+/// Before: the polynomials of Espenak & Meeus (2006), with UTC read as UT1. After: a parabola that
+/// continues the last value.
+double delta_t_s(const Instant& instant);
+
+/// The moment that many seconds later (earlier when negative).
+Instant later(const Instant& instant, double seconds);
+
+/// `to` − `from` [s].
+double seconds_between(const Instant& from, const Instant& to);
+
+}  // namespace coppermoon::almanac

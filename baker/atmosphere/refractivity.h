@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "algebra/quantity.h"
+
+namespace coppermoon::atmosphere {
+
+/// Shortest and longest wavelength the air is modelled for [nm].
+inline constexpr double shortest_nm = 380, longest_nm = 780;
+
+/// Refractivity n₀ − 1 of air at sea level, 15 °C.
+///
+///     n₀ − 1 = 2.72643e-4 + 1.2288/λ² + 3.555e4/λ⁴        λ in nm
+///
+/// Given     wavelength  380 to 780 nm
+/// Returned  n₀ − 1      2.770937e-4 at 550 nm
+/// Accuracy  0.15 to 0.38 % below Ciddor (1996) from 780 to 380 nm
+/// Throws    Error       when the wavelength is outside its range
+/// Source    CRC Handbook of Chemistry and Physics (1984), E-231. Eq. 4 of Yapo & Cutler (2009) misprints
+///           the first two coefficients; these are the handbook's.
+double sea_level_refractivity_crc(algebra::Wavelength wavelength);
+
+}  // namespace coppermoon::atmosphere

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "algebra/quantity.h"
+#include "almanac/sky.h"
+
+namespace coppermoon::eclipse {
+
+/// The line from the Sun's centre through the Earth's, with the frame that goes with it:
+/// X towards celestial east, Y towards celestial north, Z away from the Sun; right-handed, origin at the
+/// Earth's centre.
+struct ShadowAxis {
+  glm::dmat3 shadow_from_gcrs;
+  algebra::Length sun_distance;
+};
+
+ShadowAxis shadow_axis(const almanac::SkyState& sky);
+
+/// Where a point stands in the shadow.
+struct ShadowPlace {
+  algebra::Length axis_distance;   ///< distance from the shadow axis
+  algebra::Angle position_angle;   ///< about the axis, from celestial north through east, 0 to 2π
+  algebra::Length depth;           ///< distance beyond the Earth's centre along the axis; negative: sunward
+};
+
+/// Given  position_m  geocentric, GCRS axes [m]
+ShadowPlace place_in_shadow(const ShadowAxis& axis, const glm::dvec3& position_m);
+
+}  // namespace coppermoon::eclipse

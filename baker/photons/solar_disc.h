@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+#include "algebra/random.h"
+
+namespace coppermoon::photons {
+
+/// Radius of the Sun [m].
+///
+/// Source  Yapo & Cutler (2009) §2.2
+inline constexpr double solar_radius_m = 6.955e8;
+
+/// The astronomical unit [m] (IAU 2012).
+inline constexpr double astronomical_unit_m = 149597870700;
+
+/// Spectral irradiance of the unobstructed Sun at 1 au: the mean over each band.
+///
+/// Given     edges_nm  n + 1 increasing wavelengths, 379 to 781 nm
+/// Returned  [n]       W m⁻² nm⁻¹, on a surface that faces the Sun
+/// Throws    Error     when an edge is outside its range
+/// Source    ASTM E490-00a (2000)
+std::vector<double> solar_irradiance(std::span<const double> edges_nm);
+
+/// A random place on the uniform disc of the Sun, in solar radii: pdf 1/π.
+glm::dvec2 random_place_on_disc(algebra::Random& random);
+
+}  // namespace coppermoon::photons

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "shadow/lookup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace coppermoon::shadow {
+namespace {
+
+/// Two neighbours in a list and how far the second counts.
+struct Between {
+  std::size_t low, high;
+  double part;
+};
+
+/// The end values hold outside.
+Between between(std::span<const double> x, double at) {
+  const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
+  if (above == 0) return {0, 0, 0};
+  if (above == x.size()) return {above - 1, above - 1, 0};
+  return {above - 1, above, (at - x[above - 1]) / (x[above] - x[above - 1])};
+}
+
+std::vector<double> row_sums(const ChannelWeights& weights) {
+  std::vector<double> sums;
+  for (std::size_t c = 0; c < weights.rows(); ++c) {
+    double sum = 0;
+    for (const double w : weights.row(c)) sum += w;
+    sums.push_back(sum);
+  }
+  return sums;
+}
+
+}  // namespace
+
+Lookup::Lookup(const ChannelWeights& weights) : sunlight_(row_sums(weights)) {}
+
+Lookup::Lookup(const RefractedLight& light, double opaque_radius_m, const ChannelWeights& weights,
+               double axis_spacing_m)
+    : depths_m_(light.arrangement.depths_m),
+      sunlight_(row_sums(weights)),
+      sectors_(light.sectors),
+      spacing_m_(axis_spacing_m) {
+  const double sun_m = light.arrangement.sun_distance_m, deepest = depths_m_.back();
+  const double reach = landing_m(opaque_radius_m, 0, sun_m, deepest) +
+                       projected_solar_radius_m(light.arrangement, deepest);
+  nodes_ = static_cast<std::size_t>(std::ceil(reach / spacing_m_)) + 1;
+  const std::size_t grids = depths_m_.size() * sectors_;
+  values_ = errors_ = algebra::Grid<double>(grids * nodes_, channels());
+  for (std::size_t g = 0; g < grids; ++g)
+    for (std::size_t n = 0; n < nodes_; ++n) {
+      const double at_m = static_cast<double>(n) * spacing_m_;
+      const auto [low, high, part] = between(light.axis_distances_m, at_m);
+      const double direct = direct_ratio(at_m, depths_m_[g / sectors_], sun_m, opaque_radius_m);
+      const double end = light.axis_distances_m.back() + (light.axis_distances_m.back() -
+                          light.axis_distances_m[light.axis_distances_m.size() - 2]) / 2;
+      for (std::size_t c = 0; c < channels(); ++c) {
+        double value = direct * sunlight_[c], variance = 0;
+        for (std::size_t w = 0; at_m < end && w < weights.columns(); ++w) {
+          value += weights(c, w) * std::lerp(light.ratio[g](low, w), light.ratio[g](high, w), part);
+          const double error = weights(c, w) * std::lerp(light.standard_error[g](low, w),
+                                                         light.standard_error[g](high, w), part);
+          variance += error * error;
+        }
+        values_(g * nodes_ + n, c) = value;
+        errors_(g * nodes_ + n, c) = std::sqrt(variance);
+      }
+    }
+}
+
+std::span<const double> Lookup::entry(std::size_t plane, std::size_t sector, std::size_t node) const {
+  return values_.row((plane * sectors_ + sector) * nodes_ + node);
+}
+
+void Lookup::read(const eclipse::ShadowPlace& place, std::span<double> values) const {
+  const double node = algebra::in_metres(place.axis_distance) / spacing_m_;
+  const double depth_m = algebra::in_metres(place.depth);
+  if (nodes_ == 0 || depth_m <= 0 || node >= static_cast<double>(nodes_ - 1)) {
+    std::copy(sunlight_.begin(), sunlight_.end(), values.begin());
+    return;
+  }
+  const auto n = static_cast<std::size_t>(node);
+  const double along = node - static_cast<double>(n);
+  const auto plane = between(depths_m_, depth_m);
+  const double turn = algebra::in_radians(place.position_angle) / (2 * std::numbers::pi) *
+                      static_cast<double>(sectors_);
+  const double first = std::floor(turn), around = turn - first;
+  const auto s0 = static_cast<std::size_t>(first) % sectors_, s1 = (s0 + 1) % sectors_;
+  const auto on_plane = [&](std::size_t p, std::size_t c) {
+    const double a = std::lerp(entry(p, s0, n)[c], entry(p, s0, n + 1)[c], along);
+    if (sectors_ == 1) return a;
+    return std::lerp(a, std::lerp(entry(p, s1, n)[c], entry(p, s1, n + 1)[c], along), around);
+  };
+  for (std::size_t c = 0; c < channels(); ++c)
+    values[c] = std::lerp(on_plane(plane.low, c), on_plane(plane.high, c), plane.part);
+}
+
+void Lookup::transform(const std::function<void(std::span<double>)>& change) {
+  for (std::size_t i = 0; i < values_.rows(); ++i) change(values_.row(i));
+  change(sunlight_);
+}
+
+double Lookup::worst_relative_error(std::size_t channel, double from_m, double within_m) const {
+  double worst = 0;
+  for (std::size_t i = 0; i < values_.rows(); ++i) {
+    const double at_m = static_cast<double>(i % nodes_) * spacing_m_;
+    if (at_m < from_m || at_m > within_m) continue;
+    if (values_(i, channel) > 0) worst = std::max(worst, errors_(i, channel) / values_(i, channel));
+  }
+  return worst;
+}
+
+}  // namespace coppermoon::shadow

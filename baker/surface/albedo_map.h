@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include "algebra/grid.h"
+#include "almanac/sky.h"
+
+namespace coppermoon::surface {
+
+/// An albedo map is a Grid<float> in plate carrée: twice as many columns as rows, row 0 in the north,
+/// longitude 0 in the middle, east to the right. Texels are areas; this is the place of a texel's centre.
+///
+/// Given  row, column  of the texel; rows: of the map, which has 2 rows columns
+almanac::SelenographicPoint texel_centre(std::size_t row, std::size_t column, std::size_t rows);
+
+/// The map's value at a place: bilinear between texel centres, around the seam at longitude 180, and
+/// held beyond the last row's centre at the poles.
+///
+/// Given   at     any longitude; latitudes beyond the poles count as the pole
+/// Throws  Error  when the map is empty
+double sampled(const algebra::Grid<float>& map, const almanac::SelenographicPoint& at);
+
+/// The map scaled so that the full Moon it makes has a given geometric albedo:
+///
+///     mean over the disc of A f(mu) = p        f = radiance_factor_yapo_cutler
+///
+/// with the disc as seen from above latitude 0, longitude 0, lit from there too.
+///
+/// Given     geometric_albedo  p, 0.01 to 1; the Moon's is 0.12 in V
+/// Returned  normal albedo A at each texel
+/// Accuracy  1e-3 of p for a map of any size: the disc is summed over at least 180 rows
+/// Throws    Error  when p is outside its range, the map is not 2:1, or its near side is black
+/// Source    0.12: Allen's Astrophysical Quantities
+algebra::Grid<float> normalised_to_geometric_albedo(algebra::Grid<float> map,
+                                                    double geometric_albedo = 0.12);
+
+/// The mean over the disc of A f(mu) in the expression above: the geometric albedo of the map as it is.
+double geometric_albedo(const algebra::Grid<float>& map);
+
+}  // namespace coppermoon::surface
