@@ -46,7 +46,9 @@ std::vector<double> pieces_above(double bottom_m, const Column& column, double t
   for (const double h : atmosphere::density_breaks_m()) breaks.push_back(h);
   for (double h = 8e3; h < top_m; h += 8e3) breaks.push_back(h);
   std::sort(breaks.begin(), breaks.end());
-  std::erase_if(breaks, [&](double h) { return h < bottom_m || h > top_m; });
+  std::erase_if(breaks, [&](double h) {  // a millimetre above the bottom drowns in rounding
+    return h != bottom_m && (h < bottom_m + 1e-3 || h > top_m);
+  });
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   return breaks;
 }
