@@ -2,6 +2,7 @@
 #include "algebra/table.h"
 
 #include <charconv>
+#include <system_error>
 
 #include "algebra/error.h"
 
@@ -56,7 +57,8 @@ Table parse_table(std::string_view text, std::string_view name) {
     for (std::size_t c = 0; c < cells.size(); ++c) {
       double value = 0;
       const auto* end = cells[c].data() + cells[c].size();
-      if (std::from_chars(cells[c].data(), end, value).ptr != end || cells[c].empty())
+      const auto read = std::from_chars(cells[c].data(), end, value);
+      if (read.ec != std::errc{} || read.ptr != end)
         throw Error(fmt::format("{}:{}: \"{}\" is no number", name, number, cells[c]));
       table.columns[header[c]].push_back(value);
     }

@@ -14,19 +14,31 @@ struct Instant {
 /// The moment that an ISO 8601 UTC text names.
 ///
 /// Given   text   "2008-02-21T03:08:26Z"; the Z, the seconds and their decimals may be left out, and
-///                the time of day too (midnight); years −1999 to 3000, signed years as "-0584-05-28"
+///                the time of day too (midnight); years −1999 to 3000, signed years as "-0584-05-22".
+///                The calendar is Gregorian throughout, as ISO 8601 has it: before 15 October 1582
+///                books of history give Julian dates (that eclipse of Thales is their −584 May 28)
 /// Throws  Error  when the text is no such date: names the text and an example
 Instant instant_from_utc(std::string_view text);
 
 /// ISO 8601 UTC, rounded to `decimals` decimals of a second (0 to 3): "2008-02-21T03:26:05Z".
+///
+/// Throws  Error  when the decimals are outside their range
 std::string utc_text(const Instant& instant, int decimals = 0);
 
 /// TT − UT1 [s].
 ///
-/// 1972 to the end of ERFA's table of leap seconds: UTC stands for UT1 (they differ by under 0.9 s).
-/// Before: the polynomials of Espenak & Meeus (2006), with UTC read as UT1. After: a parabola that
-/// continues the last value.
+/// 1972 to the end of ERFA's table of leap seconds (2026 with ERFA 2.0.0): UTC stands for UT1; they
+/// differ by under 0.9 s. Before: the polynomials of Espenak & Meeus (2006), with UTC read as UT1.
+/// After: the last value plus 32.5 s times the square of the centuries since, so that the curve is
+/// continuous and bends as the tidal braking of the last 27 centuries does.
+///
+/// Accuracy  1 s from 1972 to 2026, some seconds to 1700, minutes at year 0, an hour at −1999
+/// Source    Espenak & Meeus (2006), Five Millennium Canon of Solar Eclipses, NASA/TP-2006-214141;
+///           32.5 s: Stephenson, Morrison & Hohenkerk (2016), Proc. R. Soc. A 472, 20160404
 double delta_t_s(const Instant& instant);
+
+/// Whether ΔT at that moment is a prediction: after the end of ERFA's table of leap seconds.
+bool delta_t_is_predicted(const Instant& instant);
 
 /// The moment that many seconds later (earlier when negative).
 Instant later(const Instant& instant, double seconds);

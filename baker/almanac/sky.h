@@ -5,14 +5,11 @@
 #include <glm/vec3.hpp>
 
 #include "algebra/quantity.h"
+#include "almanac/ephemeris.h"
 #include "almanac/instant.h"
+#include "almanac/lunar_orientation.h"
 
 namespace coppermoon::almanac {
-
-/// A place on the Moon: mean-Earth/polar-axis frame, latitude north, longitude east positive.
-struct SelenographicPoint {
-  algebra::Angle latitude, longitude;
-};
 
 /// Where everything is, seen from the Earth's centre at one moment.
 struct SkyState {
@@ -24,9 +21,10 @@ struct SkyState {
   algebra::Angle axis_position_angle;  ///< of the Moon's north pole, from north of date through east
 };
 
-/// Theories of the Moon's motion: `moon98` (ERFA's; 2.9″ RMS, fast) or the full `elp_2000_82b` (libnova).
-enum class LunarTheory { moon98, elp_2000_82b };
-
+/// The sky at a moment, by one of the two lunar theories (ephemeris.h).
+///
+/// Accuracy  libration, sub-solar point and axis 0.01° (1900 to 2100)
+/// Source    precession and nutation: IAU 2006/2000A (ERFA eraPnm06a)
 SkyState sky_at(const Instant& instant, LunarTheory theory = LunarTheory::elp_2000_82b);
 
 /// Apparent right ascension (0 to 2π), declination and distance of a GCRS position, for the equator of date.
@@ -35,5 +33,15 @@ struct EquatorialPlace {
   algebra::Length distance;
 };
 EquatorialPlace equatorial_place(const SkyState& sky, const glm::dvec3& position_m);
+
+/// True equator and equinox of date from GCRS axes. The bottom row is the celestial pole of date.
+glm::dmat3 equator_from_gcrs(const Instant& instant);
+
+/// The angle at `direction` on the sky from north through east to `target`, −π to π.
+///
+/// Given   direction   where one looks; target: the direction pointed to; north: the celestial pole, a
+///                     unit vector. All in the same axes; lengths of the first two do not matter
+algebra::Angle position_angle(const glm::dvec3& direction, const glm::dvec3& target,
+                              const glm::dvec3& north);
 
 }  // namespace coppermoon::almanac

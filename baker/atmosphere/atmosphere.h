@@ -20,7 +20,7 @@ struct Column {
 /// The position angle is measured at the Earth, about the shadow axis, from celestial north through east.
 struct Region {
   algebra::Angle from, to;
-  Column column;
+  Column column{};
 };
 
 /// The Earth and its air: a sphere with a shell, alike all around but for its regions (the first that holds
@@ -28,8 +28,8 @@ struct Region {
 struct Atmosphere {
   double earth_radius_m = 6.378e6;
   double top_m = 42e3;  ///< where the air ends; 0: no air at all
-  Column column;
-  std::vector<Region> regions;
+  Column column{};
+  std::vector<Region> regions{};
 
   bool symmetric() const { return regions.empty(); }
   double top_radius_m() const { return earth_radius_m + top_m; }

@@ -13,7 +13,7 @@ inline constexpr double shortest_nm = 380, longest_nm = 780;
 ///     n₀ − 1 = 2.72643e-4 + 1.2288/λ² + 3.555e4/λ⁴        λ in nm
 ///
 /// Given     wavelength  380 to 780 nm
-/// Returned  n₀ − 1      2.770937e-4 at 550 nm
+/// Returned  n₀ − 1      2.770936e-4 at 550 nm
 /// Accuracy  0.15 to 0.38 % below Ciddor (1996) from 780 to 380 nm
 /// Throws    Error       when the wavelength is outside its range
 /// Source    CRC Handbook of Chemistry and Physics (1984), E-231. Eq. 4 of Yapo & Cutler (2009) misprints

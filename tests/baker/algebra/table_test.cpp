@@ -1,2 +1,76 @@
 // SPDX-License-Identifier: MIT
-#include "support/within.h"
+#include "algebra/table.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "algebra/error.h"
+
+namespace coppermoon::algebra {
+namespace {
+
+std::string error_of(std::string_view text) {
+  try {
+    parse_table(text, "air.csv");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(ParseTable, ReadsColumnsByName) {
+  const auto table = parse_table("# source: none\nh_m,T_K\n0,288.15\n11e3,-2.5e-1\n", "air.csv");
+  EXPECT_EQ(table["h_m"], (std::vector<double>{0, 11000}));
+  EXPECT_EQ(table["T_K"], (std::vector<double>{288.15, -0.25}));
+}
+
+TEST(ParseTable, SkipsCommentsAndEmptyLinesAnywhere) {
+  const auto table = parse_table("\n# a\nx\n1\n# b\n\n2", "air.csv");
+  EXPECT_EQ(table["x"], (std::vector<double>{1, 2}));
+}
+
+TEST(ParseTable, TakesLineEndsOfBothKinds) {
+  EXPECT_EQ(parse_table("x,y\r\n1,2\r\n", "air.csv")["y"], std::vector<double>{2});
+}
+
+TEST(ParseTable, NamesFileAndLineOfACellThatIsNoNumber) {
+  EXPECT_EQ(error_of("# c\nx,y\n1,2\n3,four\n"), "air.csv:4: \"four\" is no number");
+  EXPECT_EQ(error_of("x,y\n1,\n"), "air.csv:2: \"\" is no number");
+  EXPECT_EQ(error_of("x\n1.5km\n"), "air.csv:2: \"1.5km\" is no number");
+}
+
+TEST(ParseTable, RefusesANumberTooLargeToKeep) {
+  EXPECT_EQ(error_of("x\n1e999\n"), "air.csv:2: \"1e999\" is no number");
+}
+
+TEST(ParseTable, NamesFileAndLineOfALineOfTheWrongLength) {
+  EXPECT_EQ(error_of("x,y\n1,2\n3\n"), "air.csv:3: 1 cells, expected 2");
+  EXPECT_EQ(error_of("x,y\n1,2,3\n"), "air.csv:2: 3 cells, expected 2");
+}
+
+TEST(ParseTable, RefusesAnEmptyText) {
+  EXPECT_EQ(error_of(""), "air.csv: empty table");
+  EXPECT_EQ(error_of("# only a comment\n"), "air.csv: empty table");
+}
+
+TEST(Table, NamesAColumnItDoesNotHave) {
+  const auto table = parse_table("x\n1\n", "air.csv");
+  try {
+    table["z"];
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "table has no column z");
+  }
+}
+
+TEST(ParseTextTable, KeepsCellsAsTextHeaderFirst) {
+  const auto rows = parse_text_table("# c\nname,kind\nTycho,ray crater\n,\n");
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"name", "kind"}));
+  EXPECT_EQ(rows[1], (std::vector<std::string>{"Tycho", "ray crater"}));
+  EXPECT_EQ(rows[2], (std::vector<std::string>{"", ""}));
+}
+
+}  // namespace
+}  // namespace coppermoon::algebra

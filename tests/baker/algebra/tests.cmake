@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
-foreach(noun interpolation quadrature quantity random table)
+foreach(noun error grid interpolation quadrature quantity random table)
   coppermoon_test(baker/algebra/${noun} LINKS algebra)
 endforeach()

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "algebra/quantity.h"
+#include "almanac/instant.h"
+
+namespace coppermoon::almanac {
+
+/// A place on the Moon: mean-Earth/polar-axis frame, latitude north, longitude east positive.
+struct SelenographicPoint {
+  algebra::Angle latitude, longitude;
+};
+
+/// How the Moon is turned: from GCRS axes to the Moon-fixed mean-Earth/polar-axis frame, X to 0°,
+/// Y to 90° E, Z north.
+///
+///     R = Rz(W) Rx(90° − δ₀) Rz(90° + α₀)        pole (α₀, δ₀), prime meridian W, in the ICRF
+///
+/// Given     instant   when the light left the Moon
+/// Accuracy  150 m on the Moon's surface, 0.005° of libration
+/// Source    Archinal et al. (2011), Celest. Mech. Dyn. Astron. 109, 101 (IAU WGCCRE 2009)
+glm::dmat3 selenographic_from_gcrs(const Instant& instant);
+
+/// The point of the Moon's surface under a direction.
+///
+/// Given   position   from the Moon's centre, Moon-fixed frame, any length
+SelenographicPoint selenographic_point(const glm::dvec3& position);
+
+}  // namespace coppermoon::almanac

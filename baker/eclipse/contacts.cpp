@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "eclipse/contacts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "algebra/error.h"
+#include "eclipse/lunation.h"
+
+namespace coppermoon::eclipse {
+namespace {
+
+using almanac::Instant;
+using almanac::LunarTheory;
+
+enum class Edge { umbra, penumbra };
+enum class Touch { outside, inside };
+
+/// How far, as an angle, the Moon still is from touching: positive before and after the contact's phase.
+double gap(const Sighting& sighting, ShadowConvention convention, Edge edge, Touch touch) {
+  const auto radii = shadow_radii(convention, sighting.axis, sighting.moon);
+  const double shadow = algebra::in_radians(edge == Edge::umbra ? radii.umbra : radii.penumbra);
+  const double moon = algebra::in_radians(lunar_semidiameter(sighting.moon));
+  const double separation = std::atan2(algebra::in_metres(sighting.moon.axis_distance),
+                                       algebra::in_metres(sighting.moon.depth));
+  return separation - shadow - (touch == Touch::outside ? moon : -moon);
+}
+
+/// A zero of f between a and b, where its signs differ, to 1 ms: false position, Illinois variant.
+template <class Function>
+double zero_between(Function f, double a, double b) {
+  double fa = f(a), fb = f(b);
+  for (int round = 0; round < 60; ++round) {
+    const double c = b - fb * (b - a) / (fb - fa), fc = f(c);
+    if (std::abs(c - b) < 1e-3) return c;
+    if ((fc < 0) != (fb < 0)) {
+      a = b;
+      fa = fb;
+    } else {
+      fa /= 2;
+    }
+    b = c;
+    fb = fc;
+  }
+  return b;
+}
+
+struct Pass {
+  const Lunation& lunation;
+  ShadowConvention convention;
+  double greatest_s;
+};
+
+/// Both moments of one contact, or neither when the Moon never comes that deep.
+struct Pair {
+  std::optional<Instant> first, last;
+};
+
+Pair contact_pair(const Pass& pass, Edge edge, Touch touch) {
+  constexpr double longest_half_s = 4 * 3600;  // the longest eclipses last 6.3 h
+  const auto f = [&](double seconds) {
+    return gap(sighting_at(pass.lunation, seconds), pass.convention, edge, touch);
+  };
+  if (f(pass.greatest_s) >= 0) return {};
+  const auto contact = [&](double side_s) {
+    const double s = zero_between(f, pass.greatest_s, pass.greatest_s + side_s);
+    return almanac::later(pass.lunation.middle, s);
+  };
+  return {contact(-longest_half_s), contact(longest_half_s)};
+}
+
+Contacts contacts_of(const Pass& pass) {
+  const auto [P1, P4] = contact_pair(pass, Edge::penumbra, Touch::outside);
+  const auto [U1, U4] = contact_pair(pass, Edge::umbra, Touch::outside);
+  const auto [U2, U3] = contact_pair(pass, Edge::umbra, Touch::inside);
+  return {P1, U1, U2, U3, U4, P4};
+}
+
+double magnitude(const Sighting& sighting, ShadowConvention convention, Edge edge) {
+  return -gap(sighting, convention, edge, Touch::outside) /
+         (2 * algebra::in_radians(lunar_semidiameter(sighting.moon)));
+}
+
+EclipseType type_of(const Contacts& contacts) {
+  if (contacts.U2) return EclipseType::total;
+  return contacts.U1 ? EclipseType::partial : EclipseType::penumbral;
+}
+
+double signed_gamma(const ShadowPlace& moon) {
+  const double distance = algebra::in_metres(moon.axis_distance) / earth_radius_m;
+  return std::copysign(distance, std::cos(algebra::in_radians(moon.position_angle)));
+}
+
+std::optional<Eclipse> eclipse_near(const Instant& middle, ShadowConvention convention,
+                                    LunarTheory theory) {
+  const Lunation lunation = lunation_around(middle, theory);
+  const double greatest_s = least_axis_distance_s(lunation);
+  const Sighting sighting = sighting_at(lunation, greatest_s);
+  const double penumbral = magnitude(sighting, convention, Edge::penumbra);
+  if (penumbral <= 0) return std::nullopt;
+  const Contacts contacts = contacts_of({lunation, convention, greatest_s});
+  return Eclipse{almanac::later(middle, greatest_s), type_of(contacts),
+                 signed_gamma(sighting.moon), magnitude(sighting, convention, Edge::umbra),
+                 penumbral, contacts};
+}
+
+/// Spares the slow theory where moon98 leaves no doubt: 0.05 of the Moon's diameter is 90″.
+bool is_candidate(const Instant& middle, ShadowConvention convention) {
+  const Lunation lunation = lunation_around(middle, LunarTheory::moon98);
+  return magnitude(sighting_at(lunation, 0), convention, Edge::penumbra) > -0.05;
+}
+
+std::optional<Eclipse> eclipse_of_full_moon(int number, ShadowConvention convention,
+                                            LunarTheory theory) {
+  if (!eclipse_is_possible(number)) return std::nullopt;
+  const Instant middle = nearest_to_axis(number);
+  if (!is_candidate(middle, convention)) return std::nullopt;
+  return eclipse_near(middle, convention, theory);
+}
+
+double seconds_apart(const Instant& a, const Instant& b) {
+  return std::abs(almanac::seconds_between(a, b));
+}
+
+}  // namespace
+
+std::vector<Eclipse> eclipses_between(const Instant& from, const Instant& to,
+                                      ShadowConvention convention, LunarTheory theory) {
+  if (almanac::seconds_between(from, to) < 0)
+    throw algebra::Error(fmt::format("dates from {} to {}: the second is before the first",
+                                     almanac::utc_text(from), almanac::utc_text(to)));
+  std::vector<Eclipse> eclipses;
+  const int first = full_moon_number(from) - 1, last = full_moon_number(to) + 1;
+  for (int number = first; number <= last; ++number) {
+    const auto eclipse = eclipse_of_full_moon(number, convention, theory);
+    if (eclipse && almanac::seconds_between(from, eclipse->greatest) >= 0 &&
+        almanac::seconds_between(eclipse->greatest, to) >= 0)
+      eclipses.push_back(*eclipse);
+  }
+  return eclipses;
+}
+
+std::optional<Eclipse> eclipse_at(const Instant& instant, ShadowConvention convention,
+                                  LunarTheory theory) {
+  const int number = full_moon_number(instant);
+  const auto eclipse = eclipse_of_full_moon(number, convention, theory);
+  if (!eclipse) return std::nullopt;
+  const bool under_way = almanac::seconds_between(*eclipse->contacts.P1, instant) >= 0 &&
+                         almanac::seconds_between(instant, *eclipse->contacts.P4) >= 0;
+  return under_way ? eclipse : std::nullopt;
+}
+
+Eclipse nearest_eclipse(const Instant& instant, ShadowConvention convention, LunarTheory theory) {
+  constexpr int longest_gap = 12;  // full Moons; two eclipses are never more than six apart
+  const int number = full_moon_number(instant);
+  std::vector<Instant> middles;
+  for (int i = number - longest_gap; i <= number + longest_gap; ++i)
+    if (eclipse_is_possible(i)) middles.push_back(nearest_to_axis(i));
+  std::ranges::sort(middles, {}, [&](const Instant& m) { return seconds_apart(m, instant); });
+  for (const Instant& middle : middles) {
+    if (!is_candidate(middle, convention)) continue;
+    if (const auto eclipse = eclipse_near(middle, convention, theory)) return *eclipse;
+  }
+  throw algebra::Error(fmt::format("no eclipse within a year of {}", almanac::utc_text(instant)));
+}
+
+}  // namespace coppermoon::eclipse

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+
+#include "almanac/ephemeris.h"
+#include "almanac/instant.h"
+#include "eclipse/shadow_axis.h"
+
+namespace coppermoon::eclipse {
+
+/// The number of the full Moon nearest to a moment, 0 being that of 21 January 2000.
+int full_moon_number(const almanac::Instant& instant);
+
+/// Whether the Moon may touch the penumbra at that full Moon: its mean argument of latitude is within 21°
+/// of a node.
+///
+/// Source  Meeus (1998), Astronomical Algorithms, chapter 54
+bool eclipse_is_possible(int number);
+
+/// When the Moon is nearest to the shadow axis at that full Moon, by moon98; good to a minute.
+almanac::Instant nearest_to_axis(int number);
+
+/// The hours around one full Moon, quick to read: the Sun as a parabola through three samples, the Moon
+/// as moon98 and, for the other theory, a parabola through three samples of what that theory adds.
+struct Lunation {
+  almanac::Instant middle;
+  glm::dvec3 celestial_pole;
+  std::array<glm::dvec3, 3> sun_m, added_to_moon98_m;  ///< at −3 h, 0 and +3 h from the middle
+};
+
+/// Accuracy  0.01″ within 4 h of the middle
+Lunation lunation_around(const almanac::Instant& middle, almanac::LunarTheory theory);
+
+/// The Moon in the shadow at one moment.
+struct Sighting {
+  ShadowAxis axis;
+  ShadowPlace moon;
+};
+
+Sighting sighting_at(const Lunation& lunation, double seconds_after_middle);
+
+/// The moment of least axis distance, in seconds after the middle.
+double least_axis_distance_s(const Lunation& lunation);
+
+}  // namespace coppermoon::eclipse

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace coppermoon::texture {
+
+/// Texels of any number of named channels, row by row from the top, a texel's channels together.
+struct Image {
+  std::size_t width = 0, height = 0;
+  std::vector<std::string> channels;
+  std::vector<float> values;  ///< [row][column][channel]
+
+  Image() = default;
+  /// An image of zeros.
+  Image(std::size_t columns, std::size_t rows, std::vector<std::string> names)
+      : width(columns),
+        height(rows),
+        channels(std::move(names)),
+        values(columns * rows * channels.size()) {}
+
+  float& operator()(std::size_t row, std::size_t column, std::size_t channel) {
+    return values[index(row, column, channel)];
+  }
+  float operator()(std::size_t row, std::size_t column, std::size_t channel) const {
+    return values[index(row, column, channel)];
+  }
+
+ private:
+  std::size_t index(std::size_t row, std::size_t column, std::size_t channel) const {
+    assert(row < height && column < width && channel < channels.size());
+    return (row * width + column) * channels.size() + channel;
+  }
+};
+
+/// What an image file's header says beside the texels.
+using Attribute = std::variant<std::string, float, int, std::vector<float>>;
+
+/// By name. OpenEXR's standard names mean what OpenEXR says they mean: `capDate`, `utcOffset` [s],
+/// `longitude`, `latitude` [degrees], `altitude` [m], `expTime` [s], `aperture`, `isoSpeed`,
+/// `whiteLuminance` [cd/m²], `chromaticities` (8 numbers), `framesPerSecond`, `owner`, `comments`.
+using Attributes = std::map<std::string, Attribute, std::less<>>;
+
+}  // namespace coppermoon::texture

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "texture/read_image.h"
+
+#include <OpenImageIO/imageio.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <functional>
+#include <cstdio>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+#include "algebra/error.h"
+#include "texture/oiio_attributes.h"
+
+namespace coppermoon::texture {
+namespace {
+
+namespace fs = std::filesystem;
+using algebra::Error;
+
+Error cannot_read(const fs::path& path, std::string_view reason) {
+  return Error(fmt::format("{}: cannot be read: {}", path.string(), reason));
+}
+
+/// The first line of what OpenImageIO says; asked in any case, or it would print it at the end.
+std::string reason_of(OIIO::ImageInput* input) {
+  auto text = input ? input->geterror() : std::string();
+  const auto pending = OIIO::geterror();
+  if (text.empty()) text = pending;
+  text = text.substr(0, text.find('\n'));
+  return text.empty() ? "no image, or one of an unknown kind" : text;
+}
+
+void require_readable_file(const fs::path& path) {
+  std::error_code failed;
+  const auto status = fs::status(path, failed);
+  if (status.type() == fs::file_type::not_found) throw cannot_read(path, "no such file");
+  if (failed) throw cannot_read(path, failed.message());
+  if (fs::is_directory(status)) throw cannot_read(path, "it is a directory");
+  if (!fs::is_regular_file(status)) throw cannot_read(path, "it is no regular file");
+  if (fs::file_size(path, failed) == 0 && !failed) throw cannot_read(path, "it is empty");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             &std::fclose);
+  if (!file) throw cannot_read(path, std::generic_category().message(errno));
+}
+
+std::unique_ptr<OIIO::ImageInput> opened(const fs::path& path) {
+  require_readable_file(path);
+  auto input = OIIO::ImageInput::open(path.string());
+  if (!input) throw cannot_read(path, reason_of(nullptr));
+  const auto& spec = input->spec();
+  if (spec.deep || spec.depth > 1 || spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
+    throw cannot_read(path, "not a flat image with texels");
+  return input;
+}
+
+/// Some rows of an image, all its channels.
+struct Band {
+  std::size_t first_row, rows;
+  std::vector<float> values;
+};
+
+/// Reads some 64 rows at a time, whole rows of tiles where there are tiles: memory stays small.
+void for_each_band(OIIO::ImageInput& input, const fs::path& path,
+                   const std::function<void(const Band&)>& act) {
+  const auto spec = input.spec();
+  const bool tiled = spec.tile_width > 0;
+  const int step = tiled ? spec.tile_height * std::max(1, 64 / spec.tile_height) : 64;
+  Band band;
+  for (int y = 0; y < spec.height; y += step) {
+    const int begin = spec.y + y, end = spec.y + std::min(y + step, spec.height);
+    band.first_row = static_cast<std::size_t>(y);
+    band.rows = static_cast<std::size_t>(end - begin);
+    band.values.resize(band.rows * static_cast<std::size_t>(spec.width) *
+                       static_cast<std::size_t>(spec.nchannels));
+    const bool read =
+        tiled ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, 0, 1, 0,
+                                 spec.nchannels, OIIO::TypeDesc::FLOAT, band.values.data())
+              : input.read_scanlines(0, 0, begin, end, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT,
+                                     band.values.data());
+    if (!read) throw cannot_read(path, reason_of(&input));
+    act(band);
+  }
+}
+
+/// A header may claim any size: what does not fit into memory is an error of the file's.
+template <class Make>
+auto within_memory(const fs::path& path, const OIIO::ImageSpec& spec, Make make) {
+  try {
+    return make();
+  } catch (const std::bad_alloc&) {
+  } catch (const std::length_error&) {
+  }
+  throw cannot_read(path, fmt::format("no memory for {} x {} texels", spec.width, spec.height));
+}
+
+/// The curve from the file's numbers to linear light: a power, or sRGB.
+struct Curve {
+  bool srgb;
+  float power;
+};
+
+Curve curve_of(const OIIO::ImageSpec& spec, Coding coding) {
+  const std::string says = spec.get_string_attribute("oiio:ColorSpace");
+  if (coding == Coding::srgb) return {true, 1};
+  if (coding == Coding::linear || says == "linear" || says == "Linear") return {false, 1};
+  if (says.starts_with("Gamma")) return {false, spec.get_float_attribute("oiio:Gamma", 2.2F)};
+  return {says == "sRGB" || !spec.format.is_floating_point(), 1};
+}
+
+float linear(float v, Curve curve) {
+  if (curve.srgb) return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
+  return curve.power == 1 ? v : std::pow(v, curve.power);
+}
+
+/// Which channels are red, green and blue: by name, else the first three; all the same for grey.
+std::array<std::size_t, 3> rgb_channels(const OIIO::ImageSpec& spec) {
+  if (spec.nchannels < 3) return {0, 0, 0};
+  const std::array found{spec.channelindex("R"), spec.channelindex("G"), spec.channelindex("B")};
+  if (*std::min_element(found.begin(), found.end()) < 0) return {0, 1, 2};
+  return {static_cast<std::size_t>(found[0]), static_cast<std::size_t>(found[1]),
+          static_cast<std::size_t>(found[2])};
+}
+
+void add_luminance(const Band& band, const OIIO::ImageSpec& spec, Curve curve,
+                   algebra::Grid<float>& map) {
+  const auto [r, g, b] = rgb_channels(spec);
+  const auto stride = static_cast<std::size_t>(spec.nchannels);
+  tbb::parallel_for(std::size_t{0}, band.rows, [&, r = r, g = g, b = b](std::size_t row) {
+    const float* texel = band.values.data() + row * map.columns() * stride;
+    for (float& value : map.row(band.first_row + row)) {
+      value = r == g ? linear(texel[r], curve)
+                     : 0.2126F * linear(texel[r], curve) + 0.7152F * linear(texel[g], curve) +
+                           0.0722F * linear(texel[b], curve);
+      texel += stride;
+    }
+  });
+}
+
+void require_two_to_one(const fs::path& path, const OIIO::ImageSpec& spec) {
+  if (spec.width != 2 * spec.height)
+    throw cannot_read(path, fmt::format("albedo map of {} x {} texels, allowed 2:1", spec.width,
+                                        spec.height));
+  if (spec.full_width != spec.width || spec.full_height != spec.height)
+    throw cannot_read(path, fmt::format("albedo map cropped from {} x {} texels, allowed whole ones",
+                                        spec.full_width, spec.full_height));
+}
+
+void require_albedo(const fs::path& path, const algebra::Grid<float>& map) {
+  const auto values = map.values();
+  const auto wrong = std::find_if(values.begin(), values.end(),
+                                  [](float v) { return !(v >= 0 && std::isfinite(v)); });
+  if (wrong == values.end()) return;
+  const auto at = static_cast<std::size_t>(wrong - values.begin());
+  throw cannot_read(path, fmt::format("albedo at row {}, column {} = {:g}, allowed 0 or more",
+                                      at / map.columns(), at % map.columns(), *wrong));
+}
+
+}  // namespace
+
+Image read_image(const fs::path& path) {
+  const auto input = opened(path);
+  const auto& spec = input->spec();
+  return within_memory(path, spec, [&] {
+    Image image(static_cast<std::size_t>(spec.width), static_cast<std::size_t>(spec.height),
+                spec.channelnames);
+    for_each_band(*input, path, [&](const Band& band) {
+      const auto start = band.first_row * image.width * image.channels.size();
+      std::copy(band.values.begin(), band.values.end(),
+                image.values.begin() + static_cast<std::ptrdiff_t>(start));
+    });
+    return image;
+  });
+}
+
+std::optional<std::string> read_attribute(const fs::path& path, std::string_view name) {
+  const auto input = opened(path);
+  const auto* found = input->spec().find_attribute(oiio_name(name));
+  if (!found) return std::nullopt;
+  return found->get_string();
+}
+
+algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding) {
+  const auto input = opened(path);
+  const auto& spec = input->spec();
+  require_two_to_one(path, spec);
+  const auto curve = curve_of(spec, coding);
+  return within_memory(path, spec, [&] {
+    algebra::Grid<float> map(static_cast<std::size_t>(spec.height),
+                             static_cast<std::size_t>(spec.width));
+    for_each_band(*input, path,
+                  [&](const Band& band) { add_luminance(band, spec, curve, map); });
+    require_albedo(path, map);
+    return map;
+  });
+}
+
+}  // namespace coppermoon::texture

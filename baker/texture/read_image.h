@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "algebra/grid.h"
+#include "texture/image.h"
+
+namespace coppermoon::texture {
+
+/// Every texel of an image file of any kind: floating-point formats as they are, integer formats 0 to
+/// 1, still coded as in the file.
+///
+/// Throws  Error  one line with the path: no such file, not permitted, a directory, empty, no image,
+///                or an image that ends early
+Image read_image(const std::filesystem::path& path);
+
+/// One attribute of an image file's header, as text; empty when there is none of that name.
+///
+/// Given   name   as in Attributes
+/// Throws  Error  as read_image
+std::optional<std::string> read_attribute(const std::filesystem::path& path, std::string_view name);
+
+/// How the numbers of an integer format stand for light. Not every file says it: a TIFF never does.
+enum class Coding {
+  as_file_says,  ///< and where it says nothing: integers are sRGB, floating point is linear
+  srgb,
+  linear,
+};
+
+/// An albedo map: the luminance of an image, row 0 in the north.
+///
+///     Y = 0.2126 R + 0.7152 G + 0.0722 B        of linear R, G, B; one channel stands for itself
+///
+/// Given     path    of any image 2:1, longitude 0 in the middle, east to the right
+/// Returned  linear, in the image's own scale; normalise it before use
+/// Omits     chromaticities other than Rec. 709, alpha
+/// Throws    Error   as read_image, and when it is not 2:1 or a texel is negative, infinite or no number
+/// Source    ITU-R BT.709, IEC 61966-2-1
+algebra::Grid<float> read_albedo_map(const std::filesystem::path& path,
+                                     Coding coding = Coding::as_file_says);
+
+}  // namespace coppermoon::texture

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "texture/whole_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "algebra/error.h"
+
+namespace coppermoon::texture {
+namespace {
+
+namespace fs = std::filesystem;
+
+algebra::Error cannot_write(const fs::path& path, int reason) {
+  return algebra::Error(fmt::format("{}: cannot be written: {}", path.string(),
+                                    std::generic_category().message(reason)));
+}
+
+/// A new file beside the final one; gone at the end unless it was renamed.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const fs::path& final_path) : final_(final_path) {
+    for (int n = 0; descriptor_ < 0; ++n) {
+      path_ = final_.parent_path() /
+              fmt::format(".{}.{}-{}.tmp", final_.filename().string(), ::getpid(), n);
+      descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (descriptor_ < 0 && errno != EEXIST) throw cannot_write(final_, errno);
+    }
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!path_.empty()) ::unlink(path_.c_str());
+  }
+
+  int descriptor() const { return descriptor_; }
+
+  void rename_to_final() {
+    if (::fsync(descriptor_) != 0) throw cannot_write(final_, errno);
+    if (::close(std::exchange(descriptor_, -1)) != 0) throw cannot_write(final_, errno);
+    if (::rename(path_.c_str(), final_.c_str()) != 0) throw cannot_write(final_, errno);
+    path_.clear();
+  }
+
+ private:
+  fs::path final_, path_;
+  int descriptor_ = -1;
+};
+
+/// Where the file will stand: links resolved, the folder made explicit.
+fs::path destination(const fs::path& path) {
+  if (path.filename().empty() || fs::is_directory(path)) throw cannot_write(path, EISDIR);
+  std::error_code failed;
+  auto resolved = fs::weakly_canonical(fs::absolute(path), failed);
+  if (failed) throw cannot_write(path, failed.value());
+  if (fs::exists(resolved, failed) && !fs::is_regular_file(resolved, failed))
+    throw algebra::Error(fmt::format("{}: cannot be written: not a regular file", path.string()));
+  return resolved;
+}
+
+/// The rename itself must outlive a power cut; some file systems cannot promise it, so no error.
+void flush_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+void write_all(int descriptor, std::string_view bytes, const fs::path& path) {
+  while (!bytes.empty()) {
+    const auto written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) throw cannot_write(path, errno);
+    if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+}  // namespace
+
+void write_whole(const fs::path& path, const std::function<void(int)>& fill) {
+  const auto target = destination(path);
+  TemporaryFile file(target);
+  fill(file.descriptor());
+  file.rename_to_final();
+  flush_folder(target.parent_path());
+}
+
+void write_whole(const fs::path& path, std::string_view text) {
+  write_whole(path, [&](int descriptor) { write_all(descriptor, text, path); });
+}
+
+}  // namespace coppermoon::texture

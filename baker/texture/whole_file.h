@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+namespace coppermoon::texture {
+
+/// Writes a file that appears whole or not at all: under a temporary name in the same folder, flushed
+/// to the disk, then renamed. Whatever stops it, the temporary file goes and the old file stays.
+///
+/// Given   path   of a file, new or to be replaced; a symbolic link is followed
+///         fill   told a file descriptor open for writing; whatever it throws ends the writing
+/// Throws  Error  one line with the path: no such folder, not permitted, the disk full, a directory
+void write_whole(const std::filesystem::path& path, const std::function<void(int)>& fill);
+
+/// The same for text.
+void write_whole(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace coppermoon::texture

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "texture/image.h"
+
+namespace coppermoon::texture {
+
+/// How a texel is stored: `half` has 11 bits, steps of 6e-8 near 0, and ends at 65504.
+enum class ExrType { half, floating };
+
+/// What an OpenEXR file is to be like.
+struct ExrOptions {
+  ExrType type = ExrType::half;  ///< half is packed with PIZ, floating with ZIP, both without loss
+  bool allow_negative = false;   ///< light is never negative, colours outside a gamut are
+};
+
+/// Writes scene-linear texels to an OpenEXR file, whole or not at all. The same image and attributes
+/// give the same bytes, whatever the time and the number of threads.
+///
+/// Given   image       channels of any names, each once
+///         attributes  standard ones get their standard types; without `capDate` that one is empty
+/// Throws  Error       a texel that is no number, infinite, negative or beyond the type's range, with
+///                     its place and channel; an image without texels; a file that cannot be written
+void write_exr(const std::filesystem::path& path, const Image& image, const Attributes& attributes,
+               const ExrOptions& options = {});
+
+/// Writes a display-referred image (sRGB-coded, 0 to 1, grey or RGB) to a PNG file, whole or not at all.
+///
+/// Given   bits        8 or 16
+///         attributes  written as text
+/// Throws  Error       values outside 0 to 1, a number of channels other than 1 or 3, other bits; a
+///                     file that cannot be written
+void write_png(const std::filesystem::path& path, const Image& image, int bits,
+               const Attributes& attributes = {});
+
+}  // namespace coppermoon::texture

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "algebra/error.h"
+#include "texture/read_image.h"
+#include "verbs/develop_options.h"
+#include "verbs/moon_options.h"
+#include "verbs/recipe.h"
+#include "verbs/verbs.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+struct Options {
+  DevelopOptions develop;
+  std::string frame, output, space;
+  bool json = false;
+};
+
+/// The space the file's header or name says; else linear Rec.709.
+colour::WorkingSpace space_of(const Options& options) {
+  if (!options.space.empty()) return colour::working_space(options.space);
+  if (const auto told = texture::read_attribute(options.frame, "coppermoon:colour_space"))
+    return colour::working_space(*told);
+  using enum colour::WorkingSpace;
+  const auto stem = std::filesystem::path(options.frame).stem().string();
+  for (const auto space : {linear_rec709, acescg, ciexyz_d65})
+    for (const auto alias : colour::aliases(space))
+      if (stem.find(alias) != std::string::npos) return space;
+  return linear_rec709;
+}
+
+void run(const Options& options) {
+  require_sound(options.develop, options.output);
+  require_place_for(options.output);
+  const auto frame = texture::read_image(options.frame);
+  const auto space = space_of(options);
+  const auto exposure = exposure_for(options.develop, frame, space);
+  write_developed(options.develop, exposure, frame, space, options.output, {});
+  const nlohmann::ordered_json all{{"file", options.output},
+                                   {"colour_space", colour::name(space)},
+                                   {"time_s", exposure.time_s},
+                                   {"f_number", exposure.f_number},
+                                   {"iso", exposure.iso}};
+  if (options.json) fmt::print("{}\n", all.dump(2));
+  else
+    fmt::print("{}: {:.3g} s, f/{:g}, ISO {:g}\n", options.output, exposure.time_s, exposure.f_number,
+               exposure.iso);
+}
+
+}  // namespace
+
+void add_develop(CLI::App& program) {
+  auto* verb = program.add_subcommand("develop", "Exposure and view: a scene-linear frame becomes a picture");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("frame,--frame", options->frame, "scene-linear [cd/m²], .exr")->required();
+  verb->add_option("-o,--output", options->output, "the picture, .png")->required();
+  verb->add_option("--space", options->space,
+                   "lin_rec709, acescg or lin_ciexyzd65_scene; without: as the file's header or name says");
+  add_develop_options(*verb, options->develop);
+  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_recipe_option(*verb);
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/develop_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+
+#include "algebra/error.h"
+#include "colour/display.h"
+#include "texture/write_image.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+double seconds_from(const std::string& text) {
+  double seconds = 0;
+  if (!CLI::detail::lexical_cast(text, seconds))
+    throw algebra::Error(fmt::format("exposure time = {}, allowed auto or 1e-6 to 1e5 s", text));
+  return seconds;
+}
+
+/// Luminance above which a hundredth of all lit pixels are; 0 when none is.
+double bright_luminance(const texture::Image& frame, colour::WorkingSpace space) {
+  std::vector<double> lit;
+  for (std::size_t r = 0; r < frame.height; ++r)
+    for (std::size_t c = 0; c < frame.width; ++c) {
+      const std::array<double, 3> pixel{frame(r, c, 0), frame(r, c, 1), frame(r, c, 2)};
+      if (const double y = colour::luminance(space, pixel); y > 0) lit.push_back(y);
+    }
+  if (lit.empty()) return 0;
+  const auto bright = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() * 99 / 100);
+  std::nth_element(lit.begin(), bright, lit.end());
+  return *bright;
+}
+
+colour::Image pixels_of(const texture::Image& frame) {
+  if (frame.channels.size() < 3)
+    throw algebra::Error(fmt::format("the frame has {} channels, allowed 3 or more", frame.channels.size()));
+  colour::Image pixels(frame.height, frame.width);
+  for (std::size_t r = 0; r < frame.height; ++r)
+    for (std::size_t c = 0; c < frame.width; ++c)
+      pixels(r, c) = {frame(r, c, 0), frame(r, c, 1), frame(r, c, 2)};
+  return pixels;
+}
+
+}  // namespace
+
+void add_develop_options(CLI::App& verb, DevelopOptions& options) {
+  const std::string group = "The camera and the picture";
+  verb.add_option("--time", options.time, "exposure time [s], or auto")->group(group);
+  verb.add_option("--f-number", options.f_number, "focal length over aperture")->group(group);
+  verb.add_option("--iso", options.iso, "ISO 12232 saturation-based speed")->group(group);
+  verb.add_option("--view", options.view, "of the OpenColorIO configuration")->group(group);
+  verb.add_option("--display", options.display, "of the OpenColorIO configuration")->group(group);
+  verb.add_option("--config", options.config, "an OpenColorIO configuration instead of the built-in one")
+      ->group(group);
+  verb.add_option("--bits", options.bits, "of the picture, 8 or 16")
+      ->check(CLI::IsMember({8, 16}))
+      ->group(group);
+}
+
+colour::Exposure exposure_for(const DevelopOptions& options, const texture::Image& frame,
+                              colour::WorkingSpace space) {
+  constexpr double brightest = 0.8;
+  colour::Exposure exposure{1, options.f_number, options.iso};
+  if (options.time != "auto") {
+    exposure.time_s = seconds_from(options.time);
+  } else if (const double bright = bright_luminance(frame, space); bright > 0) {
+    exposure.time_s = std::clamp(brightest / (bright * colour::exposure_scale(exposure)), 1e-6, 1e5);
+  }
+  return exposure;
+}
+
+void require_sound(const DevelopOptions& options, const std::filesystem::path& picture) {
+  if (picture.extension() != ".png")
+    throw algebra::Error(fmt::format("{}: a picture ends in .png", picture.string()));
+  colour::exposure_scale({options.time == "auto" ? 1 : seconds_from(options.time), options.f_number, options.iso});
+  const auto views = colour::views(options.display, options.config);
+  if (std::find(views.begin(), views.end(), options.view) == views.end())
+    throw algebra::Error(fmt::format("view = {}, allowed {}", options.view, fmt::join(views, ", ")));
+}
+
+void write_developed(const DevelopOptions& options, const colour::Exposure& exposure,
+                     const texture::Image& frame, colour::WorkingSpace space,
+                     const std::filesystem::path& picture, texture::Attributes attributes) {
+  const auto shown = colour::developed(
+      pixels_of(frame), space,
+      {colour::exposure_scale(exposure), options.view, options.display, options.config});
+  texture::Image image(frame.width, frame.height, {"R", "G", "B"});
+  for (std::size_t r = 0; r < frame.height; ++r)
+    for (std::size_t c = 0; c < frame.width; ++c)
+      for (std::size_t k = 0; k < 3; ++k) image(r, c, k) = std::clamp(shown(r, c)[k], 0.F, 1.F);
+  attributes["coppermoon:view"] = options.display + ", " + options.view;
+  attributes["expTime"] = static_cast<float>(exposure.time_s);
+  attributes["aperture"] = static_cast<float>(exposure.f_number);
+  attributes["isoSpeed"] = static_cast<float>(exposure.iso);
+  texture::write_png(picture, image, options.bits, attributes);
+}
+
+}  // namespace coppermoon::verbs

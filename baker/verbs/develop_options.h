@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <string>
+
+#include "colour/exposure.h"
+#include "colour/working_space.h"
+#include "texture/image.h"
+
+namespace coppermoon::verbs {
+
+/// How the camera is set and its frame developed.
+struct DevelopOptions {
+  std::string time = "auto";
+  double f_number = 12.1, iso = 800;
+  std::string view = "Un-tone-mapped", display = "sRGB", config;
+  int bits = 8;
+};
+
+void add_develop_options(CLI::App& verb, DevelopOptions& options);
+
+/// The camera's settings; "auto" becomes the time at which the brightest hundredth of what is lit in the frame comes
+/// to 0.8 of saturation, or 1 s when nothing is.
+///
+/// Throws Error when a setting is outside its range
+colour::Exposure exposure_for(const DevelopOptions& options, const texture::Image& frame,
+                              colour::WorkingSpace space);
+
+/// Throws Error when the options cannot be met whatever the frame holds: a setting outside its range, a picture that
+/// does not end in .png, a view there is not
+void require_sound(const DevelopOptions& options, const std::filesystem::path& picture);
+
+/// Develops a scene-linear frame [cd/m²] and writes the picture.
+void write_developed(const DevelopOptions& options, const colour::Exposure& exposure,
+                     const texture::Image& frame, colour::WorkingSpace space,
+                     const std::filesystem::path& picture, texture::Attributes attributes);
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/moon_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+
+#include "algebra/error.h"
+#include "surface/albedo_map.h"
+#include "surface/built_in_moon.h"
+#include "texture/bake.h"
+#include "texture/read_image.h"
+#include "verbs/progress_bar.h"
+#include "verbs/spectral_bands.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+constexpr const char* stellarium_map = "/usr/share/stellarium/textures/moon_4k.jpg";
+
+/// What "auto" stands for here.
+std::string map_chosen(const MoonOptions& options) {
+  if (options.albedo_map != "auto") return options.albedo_map;
+  return std::filesystem::exists(stellarium_map) ? stellarium_map : "built-in";
+}
+
+/// "2008-02-21T03:08:26Z" as OpenEXR writes it: "2008:02:21 03:08:26".
+std::string capture_date(const almanac::Instant& instant) {
+  std::string text = almanac::utc_text(instant).substr(0, 19);
+  std::replace(text.begin(), text.end(), '-', ':');
+  std::replace(text.begin(), text.end(), 'T', ' ');
+  return text;
+}
+
+std::vector<std::string> channel_names(colour::WorkingSpace space) {
+  if (space == colour::WorkingSpace::ciexyz_d65) return {"X", "Y", "Z"};
+  return {"R", "G", "B"};
+}
+
+texture::Attributes header(const MoonOptions& options, const almanac::SkyState& sky,
+                           colour::WorkingSpace space, const std::string& recipe, double error) {
+  const auto xy = colour::chromaticities(space);
+  return {{"chromaticities", std::vector<float>(xy.begin(), xy.end())},
+          {"whiteLuminance", 1.F},
+          {"capDate", capture_date(sky.when)},
+          {"utcOffset", 0.F},
+          {"coppermoon:version", std::string(COPPERMOON_VERSION)},
+          {"coppermoon:colour_space", std::string(colour::name(space))},
+          {"coppermoon:unit", std::string("cd/m^2")},
+          {"coppermoon:albedo_map", map_chosen(options)},
+          {"coppermoon:relative_error", static_cast<float>(error)},
+          {"coppermoon:recipe", recipe}};
+}
+
+}  // namespace
+
+void add_moon_options(CLI::App& verb, MoonOptions& options) {
+  verb.add_option("instant,--instant", options.instant,
+                  "ISO 8601 UTC, as 2008-02-21T03:08:26Z; or an .exr that coppermoon made, to make it again")
+      ->required();
+  verb.add_option("--albedo-map", options.albedo_map,
+                  "any image 2:1, longitude 0 in the middle; auto; built-in");
+  verb.add_option("--texture-width", options.texture_width, "in texels, even, 4 to 32768");
+  verb.add_flag("--unshadowed", options.unshadowed, "light the Moon as if the Earth were away");
+  add_light_options(verb, options.light);
+}
+
+algebra::Grid<float> normal_albedo(const MoonOptions& options) {
+  const auto map = map_chosen(options);
+  if (map == "built-in")
+    return surface::normalised_to_geometric_albedo(surface::built_in_moon(options.texture_width / 2));
+  return surface::normalised_to_geometric_albedo(texture::read_albedo_map(map));
+}
+
+BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
+                     colour::WorkingSpace space, std::optional<algebra::Angle> altitude,
+                     const std::string& recipe) {
+  const auto start = std::chrono::steady_clock::now();
+  if (options.texture_width % 2 != 0)
+    throw algebra::Error(fmt::format("texture width [texels] = {}, allowed even numbers, 4 to 32768",
+                                     options.texture_width));
+  algebra::require_within("texture width [texels]", static_cast<double>(options.texture_width), 4,
+                          32768);
+  const auto albedo = normal_albedo(options);
+  const auto weights = moonlight_weights(colour::channel_weights(space, band_edges_nm()), altitude);
+  auto light = light_on_the_moon(options.light, sky, options.unshadowed, weights);
+  light.transform([&](std::span<double> colour) { colour::into_gamut(space, colour); });
+  ProgressBar bar("bake");
+  BakedMoon moon{texture::bake(albedo, sky, light, channel_names(space), options.texture_width / 2,
+                               bar.progress()),
+                 {}, 0, 0};
+  if (!options.unshadowed) moon.relative_error = relative_error(options.light, sky, light, 1);
+  moon.attributes = header(options, sky, space, recipe, moon.relative_error);
+  moon.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return moon;
+}
+
+void require_place_for(const std::filesystem::path& file) {
+  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  if (!std::filesystem::is_directory(folder))
+    throw algebra::Error(fmt::format("{}: no such directory", folder.string()));
+  if (std::filesystem::is_directory(file))
+    throw algebra::Error(fmt::format("{}: is a directory", file.string()));
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "almanac/observer.h"
+#include "almanac/sky.h"
+#include "colour/working_space.h"
+#include "texture/image.h"
+#include "verbs/light_options.h"
+
+namespace coppermoon::verbs {
+
+/// Which Moon is baked.
+struct MoonOptions {
+  std::string instant;
+  LightOptions light;
+  std::string albedo_map = "auto";
+  std::size_t texture_width = 4096;
+  bool unshadowed = false;
+};
+
+void add_moon_options(CLI::App& verb, MoonOptions& options);
+
+/// The normal albedo of the ground, so that the full Moon has the geometric albedo 0.12: the map named, or with
+/// "auto" Stellarium's where it is installed, else the built-in one.
+///
+/// Throws Error as texture::read_albedo_map
+algebra::Grid<float> normal_albedo(const MoonOptions& options);
+
+/// A baked Moon and what its file's header says.
+struct BakedMoon {
+  texture::Image texture;
+  texture::Attributes attributes;
+  double seconds, relative_error;
+};
+
+/// The texture in a working space, cd/m².
+///
+/// Given   altitude  of the Moon for an observer whose air reddens it
+///         recipe    that makes it again, for the header
+BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
+                     colour::WorkingSpace space, std::optional<algebra::Angle> altitude,
+                     const std::string& recipe);
+
+/// Throws Error when a file could not be put there: its folder is missing, or it is a folder itself. Said before
+/// the work is done.
+void require_place_for(const std::filesystem::path& file);
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "almanac/observer.h"
+#include "povray_scenes/camera.h"
+
+namespace coppermoon::verbs {
+
+/// A place on Earth as written on the command line: "LAT,LON" or "LAT,LON,ELEVATION" in degrees and metres.
+///
+/// Throws Error when the text is no such place
+almanac::Observer observer_from(const std::string& text);
+
+/// From where, and through what, the Moon is seen.
+struct ViewOptions {
+  std::string at;  ///< empty: from the Earth's centre, without air
+  double focal_length_mm = 1540, sensor_width_mm = 22.7;
+  std::optional<double> field_deg;
+  std::size_t width = 1500, height = 1000;
+  std::string up = "celestial-north", reddening = "on";
+};
+
+void add_view_options(CLI::App& verb, ViewOptions& options);
+
+/// A view of the Moon: the camera, and where the Moon stands for who holds it.
+struct View {
+  povray_scenes::Camera camera;
+  std::optional<almanac::Observer> observer;
+  std::optional<algebra::Angle> reddening_altitude;  ///< where the observer's air reddens the Moon
+};
+
+/// Throws Error when the Moon is below the observer's horizon: says by how much
+View view_of(const ViewOptions& options, const almanac::SkyState& sky);
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/recipe.h"
+
+#include <toml++/toml.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <filesystem>
+#include <numeric>
+#include <sstream>
+
+#include "algebra/error.h"
+#include "texture/read_image.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+/// Number of letters to insert, drop or change to make one word of the other (Levenshtein).
+std::size_t letters_apart(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0U);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t change = diagonal + (a[i] != b[j]);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({change, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string nearest(std::string_view word, const std::vector<std::string>& known) {
+  return *std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
+    return letters_apart(word, a) < letters_apart(word, b);
+  });
+}
+
+/// An unknown word on the command line: exit status 2.
+struct UnknownWord : CLI::ParseError {
+  explicit UnknownWord(const std::string& text)
+      : CLI::ParseError("UnknownWord", text, CLI::ExitCodes::ExtrasError) {}
+};
+
+std::vector<std::string> long_flags(const CLI::App& verb) {
+  std::vector<std::string> flags;
+  for (const auto* option : verb.get_options())
+    for (const auto& name : option->get_lnames()) flags.push_back(name);
+  return flags;
+}
+
+void require_flag(const CLI::App& verb, const std::string& flag, const std::string& where,
+                  const std::string& dashes) {
+  const auto flags = long_flags(verb);
+  if (std::find(flags.begin(), flags.end(), flag) != flags.end()) return;
+  throw UnknownWord(fmt::format("{}{}{}: {} has no such {}; the nearest is {}{}", where, dashes, flag,
+                                verb.get_name(), dashes.empty() ? "key" : "flag", dashes,
+                                nearest(flag, flags)));
+}
+
+const CLI::App& verb_named(const CLI::App& program, const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto* verb : program.get_subcommands({})) {
+    if (verb->get_name() == name) return *verb;
+    names.push_back(verb->get_name());
+  }
+  throw UnknownWord(fmt::format("{}: no such word; the nearest is {}", name, nearest(name, names)));
+}
+
+std::string as_text(const toml::node& value, const std::string& where) {
+  std::ostringstream text;
+  text.precision(17);
+  if (const auto* word = value.as_string()) return word->get();
+  if (const auto* integer = value.as_integer()) text << integer->get();
+  else if (const auto* number = value.as_floating_point()) text << number->get();
+  else if (const auto* truth = value.as_boolean()) text << (truth->get() ? "true" : "false");
+  else if (const auto* when = value.as_date_time()) text << when->get();
+  else if (const auto* list = value.as_array()) {
+    for (const auto& item : *list) text << (text.tellp() > 0 ? "," : "") << as_text(item, where);
+  } else {
+    throw algebra::Error(fmt::format("{}: allowed are texts, numbers, dates, true, false and lists", where));
+  }
+  return text.str();
+}
+
+std::string recipe_text(const std::string& path) {
+  if (std::filesystem::path(path).extension() != ".exr") {
+    std::ifstream file(path);
+    if (!file || std::filesystem::is_directory(path))
+      throw algebra::Error(fmt::format("{}: cannot be read", path));
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  const auto text = texture::read_attribute(path, "coppermoon:recipe");
+  if (!text) throw algebra::Error(fmt::format("{}: has no recipe in its header", path));
+  return *text;
+}
+
+toml::table parsed(const std::string& path) {
+  try {
+    return toml::parse(recipe_text(path), path);
+  } catch (const toml::parse_error& error) {
+    throw algebra::Error(
+        fmt::format("{}:{}: {}", path, error.source().begin.line, error.description()));
+  }
+}
+
+/// `on` and `off` may be written true and false.
+std::string spelt(const CLI::App& verb, const std::string& key, const toml::node& value,
+                  const std::string& text) {
+  const auto* option = verb.get_option_no_throw("--" + key);
+  const bool flag = option != nullptr && option->get_items_expected_max() == 0;
+  if (!value.is_boolean() || flag) return text;
+  return text == "true" ? "on" : "off";
+}
+
+std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path) {
+  std::vector<std::string> flags;
+  // A recipe that another verb wrote into a file may know more than this one asks for.
+  const bool lenient = std::filesystem::path(path).extension() == ".exr";
+  const auto known = long_flags(verb);
+  for (const auto& [key, value] : parsed(path)) {
+    const std::string name(key.str());
+    if (lenient && std::find(known.begin(), known.end(), name) == known.end()) continue;
+    const std::string where = fmt::format("{}:{}: ", path, value.source().begin.line);
+    require_flag(verb, name, where, "");
+    flags.push_back(fmt::format("--{}={}", name, spelt(verb, name, value, as_text(value, where + name))));
+  }
+  return flags;
+}
+
+bool is_a_number(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() && std::isdigit(text.back());
+}
+
+std::string toml_text(const std::string& text) {
+  if (is_a_number(text)) return text;
+  std::ostringstream quoted;
+  quoted << toml::value<std::string>(text);
+  return quoted.str();
+}
+
+/// Takes `--recipe FILE` or `--recipe=FILE` out of the arguments.
+std::string taken_recipe(std::vector<std::string>& arguments) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    std::string path;
+    if (arguments[i].starts_with("--recipe=")) path = arguments[i].substr(9);
+    else if (arguments[i] == "--recipe" && i + 1 < arguments.size()) {
+      path = arguments[i + 1];
+      arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i));
+    } else {
+      continue;
+    }
+    arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i));
+    return path;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::string> arguments) {
+  const auto word = std::find_if(arguments.begin(), arguments.end(),
+                                 [](const auto& a) { return !a.starts_with("-"); });
+  if (word == arguments.end()) return arguments;
+  const CLI::App& verb = verb_named(program, *word);
+  std::vector<std::string> mine(word + 1, arguments.end());
+  arguments.erase(word + 1, arguments.end());
+  for (const auto& argument : mine)
+    if (argument.starts_with("--") && argument.size() > 2)
+      require_flag(verb, argument.substr(2, argument.find('=') - 2), "", "--");
+  std::string path = taken_recipe(mine);
+  const bool takes_instant = verb.get_option_no_throw("--instant") != nullptr;
+  if (path.empty() && takes_instant && !mine.empty() && mine[0].ends_with(".exr")) {
+    path = mine[0];
+    mine.erase(mine.begin());
+  }
+  if (!path.empty())
+    for (auto& flag : flags_of_recipe(verb, path)) arguments.push_back(std::move(flag));
+  arguments.insert(arguments.end(), mine.begin(), mine.end());
+  return arguments;
+}
+
+std::string recipe_of(const CLI::App& verb) {
+  std::string text;
+  for (const auto* option : verb.get_options()) {
+    if (option->get_lnames().empty()) continue;
+    const std::string& name = option->get_lnames().front();
+    if (name == "help" || name == "recipe" || name == "json" || name == "output" || name == "threads")
+      continue;
+    if (option->get_items_expected_max() == 0) {
+      if (option->count() > 0) text += name + " = true\n";
+      continue;
+    }
+    const std::string value =
+        option->count() > 0 ? option->results().back() : option->get_default_str();
+    if (!value.empty()) text += name + " = " + toml_text(value) + "\n";
+  }
+  return text;
+}
+
+void add_recipe_option(CLI::App& verb) {
+  verb.add_option_function<std::string>("--recipe", [](const std::string&) {},
+                                        "TOML file of flags without their dashes, or an .exr made by coppermoon");
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "algebra/error.h"
+#include "algebra/interpolation.h"
+#include "almanac/instant.h"
+#include "eclipse/shadow_axis.h"
+#include "verbs/light_options.h"
+#include "verbs/moon_options.h"
+#include "verbs/recipe.h"
+#include "verbs/verbs.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+struct Options {
+  std::string instant, plot;
+  LightOptions light;
+  std::vector<double> wavelengths_nm{450, 550, 650}, axis_distances_km;
+  std::optional<double> moon_distance_km, sun_distance_km;
+  bool json = false;
+};
+
+/// The ratio and its standard error over (axis distance, wavelength), direct light included.
+struct Across {
+  std::vector<double> axis_distances_m;
+  algebra::Grid<double> ratio, standard_error;
+};
+
+shadow::Arrangement arrangement_of(const Options& options) {
+  if (options.moon_distance_km && options.sun_distance_km)
+    return {*options.sun_distance_km * 1e3, {*options.moon_distance_km * 1e3}};
+  if (options.instant.empty())
+    throw CLI::RequiredError("instant, or both --moon-distance-km and --sun-distance-km");
+  const auto sky = almanac::sky_at(almanac::instant_from_utc(options.instant));
+  const auto axis = eclipse::shadow_axis(sky);
+  const double depth_km = algebra::in_kilometres(eclipse::place_in_shadow(axis, sky.moon_m).depth);
+  if (!options.moon_distance_km && depth_km <= 0)
+    throw algebra::Error(fmt::format(
+        "at {} the Moon is on the Sun's side of the Earth; --moon-distance-km says how far the shadow is cut",
+        options.instant));
+  return {options.sun_distance_km.value_or(algebra::in_kilometres(axis.sun_distance)) * 1e3,
+          {options.moon_distance_km.value_or(depth_km) * 1e3}};
+}
+
+std::vector<double> distances_of(const Options& options, const shadow::Arrangement& arrangement) {
+  std::vector<double> distances;
+  for (const double km : options.axis_distances_km) {
+    algebra::require_within("axis distance [km]", km, 0, 1e5);
+    if (!distances.empty() && km * 1e3 <= distances.back())
+      throw algebra::Error(fmt::format("axis distance [km] = {:g}, allowed above {:g}, the one before", km,
+                                       distances.back() / 1e3));
+    distances.push_back(km * 1e3);
+  }
+  if (!distances.empty()) return distances;
+  constexpr double spacing_m = 100e3;
+  const double reach = shadow::refracted_reach_m(arrangement, atmosphere_of(options.light),
+                                                 arrangement.depths_m[0]);
+  for (double d = 0; d < reach + spacing_m; d += spacing_m) distances.push_back(d);
+  return distances;
+}
+
+/// One column of a solver's result at other distances: straight lines, nothing beyond the last.
+double at(const shadow::RefractedLight& light, const algebra::Grid<double>& values, std::size_t wave,
+          double distance_m) {
+  if (distance_m > light.axis_distances_m.back()) return 0;
+  std::vector<double> column;
+  for (std::size_t d = 0; d < values.rows(); ++d) column.push_back(values(d, wave));
+  return algebra::interpolated(light.axis_distances_m, column, distance_m);
+}
+
+Across across(const Options& options, const shadow::Arrangement& arrangement) {
+  Across result{distances_of(options, arrangement), {}, {}};
+  const auto light = refracted_light(options.light, arrangement, options.wavelengths_nm,
+                                     result.axis_distances_m);
+  const std::size_t waves = options.wavelengths_nm.size(), count = result.axis_distances_m.size();
+  result.ratio = result.standard_error = algebra::Grid<double>(count, waves);
+  const double opaque_m = atmosphere_of(options.light).top_radius_m();
+  for (std::size_t d = 0; d < count; ++d)
+    for (std::size_t w = 0; w < waves; ++w) {
+      const double here = result.axis_distances_m[d];
+      result.ratio(d, w) =
+          at(light, light.ratio[0], w, here) +
+          shadow::direct_ratio(here, arrangement.depths_m[0], arrangement.sun_distance_m, opaque_m);
+      result.standard_error(d, w) = at(light, light.standard_error[0], w, here);
+    }
+  return result;
+}
+
+nlohmann::ordered_json rows_of(const algebra::Grid<double>& grid) {
+  auto rows = nlohmann::ordered_json::array();
+  for (std::size_t r = 0; r < grid.rows(); ++r)
+    rows.push_back(std::vector<double>(grid.row(r).begin(), grid.row(r).end()));
+  return rows;
+}
+
+std::vector<double> in_kilometres(const std::vector<double>& metres) {
+  std::vector<double> kilometres;
+  for (const double m : metres) kilometres.push_back(m / 1e3);
+  return kilometres;
+}
+
+std::string as_csv(const Options& options, const Across& result) {
+  std::string text = "axis_distance_km";
+  for (const double nm : options.wavelengths_nm)
+    text += fmt::format(",irradiance_ratio_{:g}nm,standard_error_{:g}nm", nm, nm);
+  text += '\n';
+  for (std::size_t d = 0; d < result.axis_distances_m.size(); ++d) {
+    text += fmt::format("{:g}", result.axis_distances_m[d] / 1e3);
+    for (std::size_t w = 0; w < options.wavelengths_nm.size(); ++w)
+      text += fmt::format(",{:.6g},{:.3g}", result.ratio(d, w), result.standard_error(d, w));
+    text += '\n';
+  }
+  return text;
+}
+
+/// gnuplot's picture of it, whole or not at all.
+void write_plot(const Options& options, const Across& result) {
+  const std::string temporary = fmt::format("{}.tmp.{}", options.plot, getpid());
+  FILE* gnuplot = popen("gnuplot 2>/dev/null", "w");
+  if (gnuplot == nullptr) throw algebra::Error("gnuplot: cannot be run");
+  fmt::print(gnuplot, "set terminal pngcairo size 1000,640\nset output '{}'\n", temporary);
+  fmt::print(gnuplot, "set logscale y\nset format y '10^{{%L}}'\nset grid\nset key bottom right\n");
+  fmt::print(gnuplot, "set xlabel 'distance from the shadow axis [km]'\nset ylabel 'irradiance over sunlight'\n");
+  fmt::print(gnuplot, "$data << EOD\n{}EOD\nset datafile separator ','\nplot", as_csv(options, result).substr(as_csv(options, result).find('\n') + 1));
+  for (std::size_t w = 0; w < options.wavelengths_nm.size(); ++w)
+    fmt::print(gnuplot, "{} $data using 1:{} with lines linewidth 2 title '{:g} nm'", w == 0 ? "" : ",",
+               2 * w + 2, options.wavelengths_nm[w]);
+  fmt::print(gnuplot, "\n");
+  if (pclose(gnuplot) != 0) {
+    std::filesystem::remove(temporary);
+    throw algebra::Error("gnuplot failed; install the package gnuplot-nox");
+  }
+  std::filesystem::rename(temporary, options.plot);
+}
+
+void run(const Options& options) {
+  if (options.wavelengths_nm.empty()) throw CLI::RequiredError("--wavelengths");
+  if (!options.plot.empty()) require_place_for(options.plot);
+  const auto start = std::chrono::steady_clock::now();
+  const auto arrangement = arrangement_of(options);
+  const auto result = across(options, arrangement);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!options.plot.empty()) write_plot(options, result);
+  if (!options.json) {
+    fmt::print("{}", as_csv(options, result));
+    return;
+  }
+  const nlohmann::ordered_json all{{"moon_distance_km", arrangement.depths_m[0] / 1e3},
+                                   {"sun_distance_km", arrangement.sun_distance_m / 1e3},
+                                   {"solver", options.light.solver},
+                                   {"seconds", seconds},
+                                   {"wavelengths_nm", options.wavelengths_nm},
+                                   {"axis_distance_km", in_kilometres(result.axis_distances_m)},
+                                   {"irradiance_ratio", rows_of(result.ratio)},
+                                   {"standard_error", rows_of(result.standard_error)}};
+  fmt::print("{}\n", all.dump(2));
+}
+
+}  // namespace
+
+void add_shadow(CLI::App& program) {
+  auto* verb = program.add_subcommand("shadow", "Irradiance across the shadow, over unobstructed sunlight");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("instant,--instant", options->instant, "ISO 8601 UTC, for the distances of that moment");
+  verb->add_option("--wavelengths", options->wavelengths_nm, "[nm], 380 to 780, with commas between")
+      ->delimiter(',');
+  verb->add_option("--axis-distances", options->axis_distances_km, "[km], increasing, with commas between")
+      ->delimiter(',');
+  verb->add_option("--moon-distance-km", options->moon_distance_km,
+                   "from the Earth's centre, along the shadow axis");
+  verb->add_option("--sun-distance-km", options->sun_distance_km, "from the Earth's centre");
+  verb->add_option("--plot", options->plot, "a .png that gnuplot draws");
+  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_light_options(*verb, options->light);
+  add_recipe_option(*verb);
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "almanac/instant.h"
+#include "almanac/observer.h"
+#include "almanac/sky.h"
+#include "eclipse/shadow_axis.h"
+#include "photons/solar_disc.h"
+#include "verbs/observer_options.h"
+#include "verbs/recipe.h"
+#include "verbs/verbs.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+using algebra::in_degrees;
+using algebra::in_kilometres;
+
+struct Options {
+  std::string instant, at;
+  bool json = false;
+};
+
+void add_view(nlohmann::ordered_json& all, const std::string& at, const almanac::SkyState& sky) {
+  const auto view = almanac::view_from(observer_from(at), sky);
+  all["altitude_deg"] = in_degrees(view.altitude);
+  all["azimuth_deg"] = in_degrees(view.azimuth);
+  all["parallactic_angle_deg"] = in_degrees(view.parallactic_angle);
+  all["observer_moon_distance_km"] = in_kilometres(view.moon_distance);
+  all["sub_observer_latitude_deg"] = in_degrees(view.sub_observer.latitude);
+  all["sub_observer_longitude_deg"] = in_degrees(view.sub_observer.longitude);
+}
+
+nlohmann::ordered_json described(const Options& options) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc(options.instant));
+  const auto moon = almanac::equatorial_place(sky, sky.moon_m);
+  const auto shadow = eclipse::place_in_shadow(eclipse::shadow_axis(sky), sky.moon_m);
+  nlohmann::ordered_json all{
+      {"instant", almanac::utc_text(sky.when, 3)},
+      {"delta_t_s", almanac::delta_t_s(sky.when)},
+      {"moon_ra_deg", in_degrees(moon.right_ascension)},
+      {"moon_dec_deg", in_degrees(moon.declination)},
+      {"moon_distance_km", in_kilometres(moon.distance)},
+      {"sun_distance_au", glm::length(sky.sun_m) / photons::astronomical_unit_m},
+      {"sub_earth_latitude_deg", in_degrees(sky.sub_earth.latitude)},
+      {"sub_earth_longitude_deg", in_degrees(sky.sub_earth.longitude)},
+      {"sub_solar_latitude_deg", in_degrees(sky.sub_solar.latitude)},
+      {"sub_solar_longitude_deg", in_degrees(sky.sub_solar.longitude)},
+      {"axis_position_angle_deg", in_degrees(sky.axis_position_angle)},
+      {"axis_distance_km", in_kilometres(shadow.axis_distance)}};
+  if (!options.at.empty()) add_view(all, options.at, sky);
+  return all;
+}
+
+void run(const Options& options) {
+  const auto all = described(options);
+  if (options.json) {
+    fmt::print("{}\n", all.dump(2));
+    return;
+  }
+  for (const auto& [key, value] : all.items())
+    fmt::print("{:<30}{}\n", key,
+               value.is_number() ? fmt::format("{:.6f}", value.get<double>()) : value.get<std::string>());
+}
+
+}  // namespace
+
+void add_sky(CLI::App& program) {
+  auto* verb = program.add_subcommand("sky", "Where everything is, and how the Moon is turned");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("instant,--instant", options->instant, "ISO 8601 UTC, as 2008-02-21T03:08:26Z")
+      ->required();
+  verb->add_option("--at", options->at, "LAT,LON[,ELEV] of an observer [degrees north, east; m]");
+  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_recipe_option(*verb);
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <memory>
+
+#include "algebra/error.h"
+#include "povray_scenes/render.h"
+#include "texture/read_image.h"
+#include "texture/write_image.h"
+#include "verbs/develop_options.h"
+#include "verbs/lit_scene.h"
+#include "verbs/progress_bar.h"
+#include "verbs/recipe.h"
+#include "verbs/report.h"
+#include "verbs/verbs.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+constexpr auto space = colour::WorkingSpace::linear_rec709;
+
+struct Options {
+  MoonOptions moon;
+  ViewOptions view;
+  DevelopOptions develop;
+  std::string output, frame;
+  bool json = false;
+};
+
+/// A folder that is there for as long as this is.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "coppermoon-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw algebra::Error(fmt::format("{}: cannot be made", name));
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+texture::Image rendered(const LitScene& scene) {
+  const TemporaryFolder folder;
+  write_lit_scene(folder.path(), scene);
+  ProgressBar bar("render");
+  return texture::read_image(povray_scenes::render(folder.path(), {}, bar.progress()));
+}
+
+void run(const CLI::App& verb, const Options& options) {
+  require_sound(options.develop, options.output);
+  require_place_for(options.output);
+  if (!options.frame.empty()) require_place_for(options.frame);
+  const auto recipe = recipe_of(verb);
+  const auto scene = lit_scene(options.moon, options.view, recipe);
+  const auto frame = rendered(scene);
+  const auto exposure = exposure_for(options.develop, frame, space);
+  if (!options.frame.empty()) texture::write_exr(options.frame, frame, scene.moon.attributes);
+  write_developed(options.develop, exposure, frame, space, options.output,
+                  {{"coppermoon:recipe", recipe}, {"coppermoon:version", std::string(COPPERMOON_VERSION)}});
+  report({options.output, recipe, scene.moon.seconds, scene.moon.relative_error}, options.json);
+}
+
+}  // namespace
+
+void add_still(CLI::App& program) {
+  auto* verb = program.add_subcommand("still", "Bake, scene, POV-Ray and develop: a picture");
+  const auto options = std::make_shared<Options>();
+  add_moon_options(*verb, options->moon);
+  add_view_options(*verb, options->view);
+  add_develop_options(*verb, options->develop);
+  verb->add_option("-o,--output", options->output, "the picture, .png")->required();
+  verb->add_option("--frame", options->frame, "also the scene-linear frame [cd/m²], .exr");
+  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_recipe_option(*verb);
+  verb->callback([verb, options] { run(*verb, *options); });
+}
+
+}  // namespace coppermoon::verbs

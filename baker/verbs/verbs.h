@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace coppermoon::verbs {
+
+/// Each adds one word to the command line: its flags, and what it does once they are read.
+/// What it does throws algebra::Error when it cannot, CLI::ParseError when the usage is wrong.
+void add_almanac(CLI::App& program);
+void add_sky(CLI::App& program);
+void add_shadow(CLI::App& program);
+void add_brightness(CLI::App& program);
+void add_bake(CLI::App& program);
+void add_scene(CLI::App& program);
+void add_still(CLI::App& program);
+void add_develop(CLI::App& program);
+
+}  // namespace coppermoon::verbs

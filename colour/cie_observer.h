@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "algebra/grid.h"
+
+namespace coppermoon::colour {
+
+/// Lumens in a watt of green light (555 nm) [lm/W].
+///
+/// Source  BIPM, The International System of Units (2019), K_cd
+inline constexpr double luminous_efficacy_lm_per_W = 683;
+
+/// What turns band means of a spectral radiance into absolute CIE XYZ, for the 1931 2° observer.
+///
+///     X = 683 Σ_b L_b ∫_b x̄(λ) dλ        [cd/m²]; likewise Y (the luminance) and Z
+///
+/// Given     edges_nm  of the bands, increasing: one more than there are bands. Wavelengths outside
+///                     360 to 830 nm are not seen
+/// Returned  weights   [X Y Z][band], cd/m² per W m⁻² sr⁻¹ nm⁻¹
+/// Throws    Error     when there is no band, or an edge is not above the one before it
+/// Source    CIE 15: the colour matching functions, every 1 nm, straight lines between
+algebra::Grid<double> xyz_weights(std::span<const double> edges_nm);
+
+}  // namespace coppermoon::colour

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "colour/display.h"
+
+#include <OpenColorIO/OpenColorIO.h>
+#include <fmt/ranges.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "algebra/error.h"
+#include "colour/tables.h"
+
+namespace ocio = OCIO_NAMESPACE;
+
+namespace coppermoon::colour {
+namespace {
+
+using algebra::Error;
+
+ocio::ConstConfigRcPtr config_at(const std::filesystem::path& path) try {
+  if (!path.empty()) return ocio::Config::CreateFromFile(path.c_str());
+  std::istringstream text{std::string(config_text())};
+  return ocio::Config::CreateFromStream(text);
+} catch (const ocio::Exception& problem) {
+  throw Error(fmt::format("{}: {}", path.empty() ? "config.ocio" : path.string(), problem.what()));
+}
+
+std::vector<std::string> displays_in(const ocio::Config& config) {
+  std::vector<std::string> names;
+  for (int i = 0; i < config.getNumDisplays(); ++i) names.emplace_back(config.getDisplay(i));
+  return names;
+}
+
+std::vector<std::string> views_in(const ocio::Config& config, const std::string& display) {
+  std::vector<std::string> names;
+  for (int i = 0; i < config.getNumViews(display.c_str()); ++i)
+    names.emplace_back(config.getView(display.c_str(), i));
+  return names;
+}
+
+void require_one_of(std::string_view what, const std::string& name,
+                    const std::vector<std::string>& allowed) {
+  if (std::ranges::find(allowed, name) == allowed.end())
+    throw Error(fmt::format("{} \"{}\", allowed \"{}\"", what, name, fmt::join(allowed, "\", \"")));
+}
+
+/// The first of the space's names that the configuration knows.
+std::string known_name(const ocio::Config& config, WorkingSpace space) {
+  for (const auto alias : aliases(space))
+    if (config.getColorSpace(std::string(alias).c_str())) return std::string(alias);
+  throw Error(
+      fmt::format("the configuration names no colour space {}", fmt::join(aliases(space), " or ")));
+}
+
+ocio::ConstCPUProcessorRcPtr processor(WorkingSpace space, const Development& development) try {
+  const auto config = config_at(development.config);
+  require_one_of("display", development.display, displays_in(*config));
+  require_one_of("view", development.view, views_in(*config, development.display));
+  const auto transform = ocio::DisplayViewTransform::Create();
+  transform->setSrc(known_name(*config, space).c_str());
+  transform->setDisplay(development.display.c_str());
+  transform->setView(development.view.c_str());
+  return config->getProcessor(transform)->getDefaultCPUProcessor();
+} catch (const ocio::Exception& problem) {
+  throw Error(fmt::format("view \"{}\": {}", development.view, problem.what()));
+}
+
+void expose_row(Image& image, std::size_t row, double scale) {
+  for (std::size_t column = 0; column < image.columns(); ++column)
+    for (float& channel : image(row, column)) {
+      const float exposed = static_cast<float>(channel * scale);
+      if (!std::isfinite(exposed))
+        throw Error(fmt::format("row {}, column {}: {:g} exposed by {:g} is not finite", row,
+                                column, channel, scale));
+      channel = exposed;
+    }
+}
+
+}  // namespace
+
+std::string_view config_text() { return tables::config(); }
+
+std::vector<std::string> displays(const std::filesystem::path& config) {
+  return displays_in(*config_at(config));
+}
+
+std::vector<std::string> views(const std::string& display, const std::filesystem::path& config) {
+  const auto read = config_at(config);
+  require_one_of("display", display, displays_in(*read));
+  return views_in(*read, display);
+}
+
+Image developed(const Image& scene_linear, WorkingSpace space, const Development& development) {
+  if (!(development.scale > 0 && std::isfinite(development.scale)))
+    throw Error(fmt::format("exposure scale = {:g}, allowed above 0", development.scale));
+  const auto view = processor(space, development);
+  Image picture = scene_linear;
+  const auto develop_rows = [&](const tbb::blocked_range<std::size_t>& rows) {
+    for (auto row = rows.begin(); row != rows.end(); ++row) {
+      expose_row(picture, row, development.scale);
+      ocio::PackedImageDesc pixels(picture.row(row).data(), static_cast<long>(picture.columns()), 1,
+                                   3);
+      view->apply(pixels);
+    }
+  };
+  if (!picture.empty())
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, picture.rows(), 8), develop_rows);
+  return picture;
+}
+
+}  // namespace coppermoon::colour

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "colour/working_space.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "algebra/error.h"
+#include "colour/cie_observer.h"
+
+namespace coppermoon::colour {
+namespace {
+
+constexpr std::array all_spaces{WorkingSpace::linear_rec709, WorkingSpace::acescg,
+                                WorkingSpace::ciexyz_d65};
+
+struct Primaries {
+  glm::dvec2 red, green, blue, white;
+};
+
+constexpr glm::dvec2 d65{0.3127, 0.3290};
+
+Primaries primaries_of(WorkingSpace space) {
+  switch (space) {
+    case WorkingSpace::linear_rec709:
+      return {{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, d65};
+    case WorkingSpace::acescg:
+      return {{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, {0.32168, 0.33767}};
+    case WorkingSpace::ciexyz_d65:
+      break;
+  }
+  return {{1, 0}, {0, 1}, {0, 0}, {1.0 / 3, 1.0 / 3}};
+}
+
+glm::dvec3 direction_of(glm::dvec2 xy) { return {xy.x, xy.y, 1 - xy.x - xy.y}; }
+
+/// XYZ of luminance 1.
+glm::dvec3 unit_xyz(glm::dvec2 xy) { return direction_of(xy) / xy.y; }
+
+glm::dmat3 xyz_from_rgb(const Primaries& p) {
+  const glm::dmat3 axes(direction_of(p.red), direction_of(p.green), direction_of(p.blue));
+  const glm::dvec3 scale = glm::inverse(axes) * unit_xyz(p.white);
+  return {axes[0] * scale.x, axes[1] * scale.y, axes[2] * scale.z};
+}
+
+/// Chromatic adaptation by Bradford's cone responses.
+glm::dmat3 adaptation(glm::dvec2 from_white, glm::dvec2 to_white) {
+  const glm::dmat3 cones = glm::transpose(
+      glm::dmat3{0.8951, 0.2664, -0.1614, -0.7502, 1.7135, 0.0367, 0.0389, -0.0685, 1.0296});
+  const auto gain = (cones * unit_xyz(to_white)) / (cones * unit_xyz(from_white));
+  return glm::inverse(cones) * glm::dmat3{gain.x, 0, 0, 0, gain.y, 0, 0, 0, gain.z} * cones;
+}
+
+struct Matrices {
+  glm::dmat3 channels_from_xyz, xyz_from_channels;
+};
+
+Matrices derived(WorkingSpace space) {
+  if (space == WorkingSpace::ciexyz_d65) return {glm::dmat3(1), glm::dmat3(1)};
+  const auto primaries = primaries_of(space);
+  const auto rgb_from_xyz =
+      glm::inverse(xyz_from_rgb(primaries)) * adaptation(d65, primaries.white);
+  return {rgb_from_xyz, glm::inverse(rgb_from_xyz)};
+}
+
+const Matrices& matrices(WorkingSpace space) {
+  static const std::array<Matrices, 3> each{derived(all_spaces[0]), derived(all_spaces[1]),
+                                            derived(all_spaces[2])};
+  return each[static_cast<std::size_t>(space)];
+}
+
+glm::dvec3 vector_of(std::span<const double> channels) {
+  assert(channels.size() == 3);
+  return {channels[0], channels[1], channels[2]};
+}
+
+/// How far to go from a colour (0) to the grey (1) so that no channel is negative.
+double share_of_grey(const glm::dvec3& colour, const glm::dvec3& grey) {
+  double share = 0;
+  for (int i = 0; i < 3; ++i)
+    if (colour[i] < 0) share = std::max(share, colour[i] / (colour[i] - grey[i]));
+  return share;
+}
+
+}  // namespace
+
+std::span<const std::string_view> aliases(WorkingSpace space) {
+  static constexpr std::array<std::string_view, 3> rec709{"lin_rec709", "lin_rec709_scene",
+                                                          "lin_srgb"};
+  static constexpr std::array<std::string_view, 3> acescg{"acescg", "lin_ap1", "lin_ap1_scene"};
+  static constexpr std::array<std::string_view, 2> xyz{"lin_ciexyzd65_scene", "ciexyzd65"};
+  switch (space) {
+    case WorkingSpace::linear_rec709:
+      return rec709;
+    case WorkingSpace::acescg:
+      return acescg;
+    case WorkingSpace::ciexyz_d65:
+      break;
+  }
+  return xyz;
+}
+
+std::string_view name(WorkingSpace space) { return aliases(space).front(); }
+
+WorkingSpace working_space(std::string_view name_or_alias) {
+  for (const auto space : all_spaces)
+    for (const auto alias : aliases(space))
+      if (alias == name_or_alias) return space;
+  throw algebra::Error(fmt::format("working space \"{}\", allowed {}, {} or {}", name_or_alias,
+                                   name(all_spaces[0]), name(all_spaces[1]), name(all_spaces[2])));
+}
+
+glm::dmat3 channels_from_xyz(WorkingSpace space) { return matrices(space).channels_from_xyz; }
+
+algebra::Grid<double> channel_weights(WorkingSpace space, std::span<const double> edges_nm) {
+  auto weights = xyz_weights(edges_nm);
+  const auto& matrix = matrices(space).channels_from_xyz;
+  for (std::size_t band = 0; band < weights.columns(); ++band) {
+    const auto channels = matrix * glm::dvec3(weights(0, band), weights(1, band), weights(2, band));
+    for (int i = 0; i < 3; ++i) weights(static_cast<std::size_t>(i), band) = channels[i];
+  }
+  return weights;
+}
+
+std::array<float, 8> chromaticities(WorkingSpace space) {
+  const auto p = primaries_of(space);
+  std::array<float, 8> xy{};
+  std::size_t i = 0;
+  for (const auto& point : {p.red, p.green, p.blue, p.white})
+    for (const double coordinate : {point.x, point.y}) xy[i++] = static_cast<float>(coordinate);
+  return xy;
+}
+
+double luminance(WorkingSpace space, std::span<const double> channels) {
+  return (matrices(space).xyz_from_channels * vector_of(channels)).y;
+}
+
+void into_gamut(WorkingSpace space, std::span<double> channels) {
+  const auto colour = vector_of(channels);
+  for (const double c : channels)
+    if (!std::isfinite(c))
+      throw algebra::Error(fmt::format("colour channel = {}, allowed finite", c));
+  if (std::ranges::min(channels) >= 0) return;
+  const double Y = luminance(space, channels);
+  if (Y < 0) throw algebra::Error(fmt::format("luminance [cd/m²] = {:g}, allowed 0 or more", Y));
+  const auto grey = matrices(space).channels_from_xyz * (Y * unit_xyz(d65));
+  const double share = share_of_grey(colour, grey);
+  for (int i = 0; i < 3; ++i)
+    channels[static_cast<std::size_t>(i)] = std::max(
+        0.0, colour[i] + share * (grey[i] - colour[i]));  // a rounding error below 0 at most
+}
+
+}  // namespace coppermoon::colour

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "povray_scenes/camera.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <limits>
+#include <numbers>
+
+#include "algebra/error.h"
+
+namespace coppermoon::povray_scenes {
+namespace {
+
+using algebra::require_within;
+
+glm::dvec3 celestial_north(const almanac::SkyState& sky) {
+  return glm::transpose(sky.equator_from_gcrs) * glm::dvec3(0, 0, 1);
+}
+
+glm::dvec3 unit_vector(const almanac::SelenographicPoint& place) {
+  const double latitude = in_radians(place.latitude), longitude = in_radians(place.longitude);
+  return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+          std::sin(latitude)};
+}
+
+Camera looking_from(const almanac::SkyState& sky, const glm::dvec3& position_m,
+                    const glm::dvec3& up_gcrs, Up up, Camera camera) {
+  camera.position =
+      sky.selenographic_from_gcrs * ((position_m - sky.moon_m) / in_metres(lunar_radius));
+  camera.up = up == Up::moon_north ? glm::dvec3(0, 0, 1) : sky.selenographic_from_gcrs * up_gcrs;
+  require_sound(camera);
+  return camera;
+}
+
+}  // namespace
+
+algebra::Angle field_of_view(algebra::Length focal_length, algebra::Length sensor_width) {
+  constexpr double least = std::numeric_limits<double>::min(), most = 1e9;
+  require_within("focal length [m]", in_metres(focal_length), least, most);
+  require_within("sensor width [m]", in_metres(sensor_width), least, most);
+  return algebra::radians(2 * std::atan(0.5 * (sensor_width / focal_length)));
+}
+
+Camera camera_at(const almanac::SkyState& sky, const almanac::ObserverView& view, Up up,
+                 algebra::Angle field, std::size_t width, std::size_t height) {
+  return looking_from(sky, view.position_m, up == Up::zenith ? view.zenith : celestial_north(sky),
+                      up, {{}, {}, field, width, height});
+}
+
+Camera camera_at(const almanac::SkyState& sky, Up up, algebra::Angle field, std::size_t width,
+                 std::size_t height) {
+  if (up == Up::zenith)
+    throw algebra::Error(
+        "up = zenith, which the Earth's centre has not: celestial_north or moon_north");
+  return looking_from(sky, {0, 0, 0}, celestial_north(sky), up, {{}, {}, field, width, height});
+}
+
+std::optional<glm::dvec2> pixel_of(const Camera& camera, const almanac::SelenographicPoint& place) {
+  require_sound(camera);
+  const glm::dvec3 at = unit_vector(place);
+  if (glm::dot(at, camera.position) <= 1) return std::nullopt;
+  const glm::dvec3 forward = -glm::normalize(camera.position);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
+  const glm::dvec3 upward = glm::cross(right, forward);
+  const double half_width = 0.5 * static_cast<double>(camera.width);
+  const double half_height = 0.5 * static_cast<double>(camera.height);
+  const double depth = glm::dot(at - camera.position, forward);
+  const double scale = half_width / std::tan(0.5 * in_radians(camera.horizontal_field)) / depth;
+  const double x = scale * glm::dot(at, right) * (camera.mirrored ? -1 : 1);
+  return glm::dvec2(half_width + x, half_height - scale * glm::dot(at, upward));
+}
+
+void require_sound(const Camera& camera) {
+  const double distance = glm::length(camera.position);
+  require_within("distance of the camera [lunar radii]", distance, 1 + 1e-9, 1e6);
+  require_within("field of view [degrees]", in_degrees(camera.horizontal_field), 1e-8, 179.9);
+  require_within("width [pixels]", static_cast<double>(camera.width), 1, 65535);
+  require_within("height [pixels]", static_cast<double>(camera.height), 1, 65535);
+  const glm::dvec3 sight = camera.position / distance;
+  const double off_sight =
+      std::atan2(glm::length(glm::cross(sight, camera.up)), std::abs(glm::dot(sight, camera.up)));
+  require_within("angle between up and the line of sight [radians]", off_sight, 1e-6,
+                 std::numbers::pi / 2);
+}
+
+}  // namespace coppermoon::povray_scenes

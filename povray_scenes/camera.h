@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "algebra/quantity.h"
+#include "almanac/observer.h"
+#include "almanac/sky.h"
+
+namespace coppermoon::povray_scenes {
+
+/// The Moon's mean radius: the unit of length of every camera here.
+inline constexpr algebra::Length lunar_radius = algebra::kilometres(1737.4);
+
+/// Which way is up in the picture.
+enum class Up {
+  celestial_north,  ///< as on a chart: north up, east to the left
+  zenith,           ///< as the eye sees it, standing there
+  moon_north        ///< the Moon's own north pole up
+};
+
+/// A pinhole camera that looks at the Moon's centre, pixels square.
+struct Camera {
+  glm::dvec3 position;              ///< Moon-fixed (X to 0°, Y to 90° E, Z north), in lunar radii
+  glm::dvec3 up;                    ///< Moon-fixed, any length; not along the line of sight
+  algebra::Angle horizontal_field;  ///< the whole width of the picture
+  std::size_t width, height;        ///< in pixels
+  bool mirrored = false;            ///< left and right exchanged, as behind one flat mirror
+};
+
+/// The angle that a camera takes in across its sensor.
+///
+///     2 atan(w / 2f)
+///
+/// Given   focal_length  f, above 0;  sensor_width  w, above 0
+/// Throws  Error  when either is not above 0
+algebra::Angle field_of_view(algebra::Length focal_length, algebra::Length sensor_width);
+
+/// The Moon as a place on Earth sees it, east to the left when north is up (not mirrored).
+///
+/// Given   sky, view         the moment, and that place's view of it
+///         field             of the picture's width; the Moon's disc is about 0.52 degrees
+///         width, height     in pixels
+/// Omits   refraction in the observer's air: it lifts the Moon and flattens it near the horizon
+/// Throws  Error  when the camera would not be sound (see require_sound)
+Camera camera_at(const almanac::SkyState& sky, const almanac::ObserverView& view, Up up,
+                 algebra::Angle field, std::size_t width, std::size_t height);
+
+/// The same from the Earth's centre.
+///
+/// Throws  Error  also for Up::zenith, which the Earth's centre does not have
+Camera camera_at(const almanac::SkyState& sky, Up up, algebra::Angle field, std::size_t width,
+                 std::size_t height);
+
+/// Where a place on the Moon (a sphere) appears in the picture.
+///
+/// Given     place     longitudes of any turn
+/// Returned  x to the right, y down, in pixels from the upper left corner: the first pixel's centre
+/// is
+///           (0.5, 0.5); also outside the frame. Nothing for a place behind the limb
+/// Accuracy  0.25 pixel against POV-Ray's own frames, fields of 0.02 to 120 degrees
+/// Throws    Error  when the camera is not sound
+std::optional<glm::dvec2> pixel_of(const Camera& camera, const almanac::SelenographicPoint& place);
+
+/// Throws  Error  unless the camera stands outside the Moon and within 1e6 lunar radii, its field
+/// is 1e-8
+///                to 179.9 degrees, its sides 1 to 65535 pixels, and `up` is off the line of sight
+///                by at least 1e-6 radians
+void require_sound(const Camera& camera);
+
+}  // namespace coppermoon::povray_scenes

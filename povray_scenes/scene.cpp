@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "povray_scenes/scene.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <string_view>
+
+#include "algebra/error.h"
+
+namespace coppermoon::povray_scenes {
+namespace {
+
+bool plain_ascii(std::string_view name) {
+  constexpr std::string_view special = "\"\\/";
+  return std::ranges::all_of(name, [&](char c) {
+    return c >= ' ' && c <= '~' && special.find(c) == std::string_view::npos;
+  });
+}
+
+void require_texture_name(const std::string& name) {
+  if (!plain_ascii(name) || name.size() < 5 || !name.ends_with(".exr"))
+    throw algebra::Error(fmt::format(
+        "texture = '{}', allowed: an ASCII file name in the scene's folder that ends in .exr",
+        name));
+}
+
+void require_one_line(std::string_view caption) {
+  const auto control = [](char c) { return static_cast<unsigned char>(c) < ' '; };
+  if (std::ranges::any_of(caption, control))
+    throw algebra::Error(fmt::format("caption = '{}', allowed: one line of text", caption));
+}
+
+void require_renderable(const Scene& scene) {
+  require_sound(scene.camera);
+  require_texture_name(scene.texture);
+  require_one_line(scene.caption);
+  algebra::require_within("moon_radius [units]", scene.moon_radius, 1e-2, 1e5);
+  algebra::require_within("distance of the camera [units]",
+                          scene.moon_radius * glm::length(scene.camera.position), 0, 0.99e7);
+  algebra::require_within("sampling depth", scene.sampling_depth, 0, 9);
+}
+
+std::string left_handed(const glm::dvec3& v) { return fmt::format("<{}, {}, {}>", v.x, v.z, v.y); }
+
+void write_whole(const std::filesystem::path& file, const std::string& text) {
+  auto draft = file;
+  draft += fmt::format(".tmp.{}", ::getpid());
+  std::ofstream out(draft, std::ios::binary);
+  out << text;
+  out.close();
+  std::error_code failure;
+  if (out) std::filesystem::rename(draft, file, failure);
+  if (out && !failure) return;
+  std::error_code ignored;
+  std::filesystem::remove(draft, ignored);
+  throw algebra::Error(fmt::format("{}: cannot be written", file.string()));
+}
+
+}  // namespace
+
+std::string to_pov(const Scene& scene) {
+  require_renderable(scene);
+  const Camera& camera = scene.camera;
+  return fmt::format(
+      R"(// {caption}
+// Emission only: the frame has the texture's own values, scene-linear [cd/m2].
+// The Moon-fixed axes X (longitude 0), Y (90 east), Z (north) are x, z, y here.
+#version 3.7;
+global_settings {{ assumed_gamma 1.0 charset utf8 }}
+background {{ rgb 0 }}
+camera {{
+  perspective
+  location {location}
+  direction z
+  right {mirror}x*{width}/{height}
+  up y
+  sky {sky}
+  angle {field}
+  look_at <0, 0, 0>
+}}
+sphere {{
+  <0, 0, 0>, {radius}
+  pigment {{ image_map {{ exr "{texture}" map_type 1 interpolate 2 }} }}
+  finish {{ ambient 0 diffuse 0 emission 1 }}
+  rotate y*180
+}}
+)",
+      fmt::arg("caption", scene.caption.empty() ? "The eclipsed Moon" : scene.caption),
+      fmt::arg("location", left_handed(scene.moon_radius * camera.position)),
+      fmt::arg("mirror", camera.mirrored ? "-" : ""), fmt::arg("width", camera.width),
+      fmt::arg("height", camera.height), fmt::arg("sky", left_handed(glm::normalize(camera.up))),
+      fmt::arg("field", in_degrees(camera.horizontal_field)), fmt::arg("radius", scene.moon_radius),
+      fmt::arg("texture", scene.texture));
+}
+
+std::string to_ini(const Scene& scene) {
+  require_renderable(scene);
+  return fmt::format(
+      R"(; {caption}
+; In this folder: povray {settings}
+Input_File_Name={input}
+Output_File_Name={output}
+Output_to_File=on
+Output_File_Type=E
+Output_Alpha=off
+Width={width}
+Height={height}
+Quality=9
+Antialias={antialias}
+Antialias_Threshold=0.0
+Sampling_Method=2
+Antialias_Depth={depth}
+Jitter=off
+Display=off
+Pause_When_Done=off
+Verbose=on
+)",
+      fmt::arg("caption", scene.caption.empty() ? "The eclipsed Moon" : scene.caption),
+      fmt::arg("settings", settings_file), fmt::arg("input", scene_file),
+      fmt::arg("output", frame_file), fmt::arg("width", scene.camera.width),
+      fmt::arg("height", scene.camera.height),
+      fmt::arg("antialias", scene.sampling_depth > 0 ? "on" : "off"),
+      fmt::arg("depth", std::max(scene.sampling_depth, 1)));
+}
+
+void write_scene(const std::filesystem::path& folder, const Scene& scene) {
+  const std::string pov = to_pov(scene), ini = to_ini(scene);
+  std::error_code failure;
+  std::filesystem::create_directory(folder, failure);
+  if (!std::filesystem::is_directory(folder, failure))
+    throw algebra::Error(fmt::format("{}: cannot be made a folder", folder.string()));
+  write_whole(folder / scene_file, pov);
+  write_whole(folder / settings_file, ini);
+}
+
+}  // namespace coppermoon::povray_scenes

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "povray_scenes/camera.h"
+
+namespace coppermoon::povray_scenes {
+
+/// The names of what stands in a scene's folder, beside the texture.
+inline constexpr const char* scene_file = "eclipse.pov";
+inline constexpr const char* settings_file = "eclipse.ini";
+inline constexpr const char* frame_file = "frame.exr";
+
+/// The textured Moon before a black sky. Nothing lights it: the texture is the luminance itself, so
+/// the frame is in the texture's unit (cd/m²), scene-linear, in its primaries.
+struct Scene {
+  Camera camera;
+  std::string texture;     ///< an .exr in the scene's folder: a plain ASCII file name
+  double moon_radius = 1;  ///< in the scene's own units: 1737.4 makes a scene in kilometres
+  int sampling_depth = 2;  ///< pixels are means of (2^depth + 1)² rays; 0: one ray, to the centre
+  std::string caption = {};  ///< one line, written as a comment at the head of both files
+};
+
+/// The scene in POV-Ray's language, with nothing included.
+///
+/// Frames: the Moon-fixed X, Y, Z are POV-Ray's x, z, y, since its axes are left-handed.
+/// Accuracy  POV-Ray reads the texture and writes the frame as half floats: 5e-4 relative
+/// above 6.1e-5,
+///           3e-8 below; infinite above 65504
+/// Throws    Error  when the camera is not sound, the moon_radius outside 1e-2 to 1e5, the camera
+/// beyond
+///                  1e7 units (POV-Ray renders black there), the texture's name not plain, not
+///                  ASCII or not .exr, the sampling depth outside 0 to 9, or the caption not one
+///                  line
+std::string to_pov(const Scene& scene);
+
+/// POV-Ray's settings for it: size, file names and anti-aliasing that also works in the dark (the
+/// threshold is 0, since POV-Ray compares absolute values) and repeats exactly (no jitter).
+/// No range of frames: POV-Ray's clock is not a number in a range of one.
+///
+/// Throws  Error  as to_pov
+std::string to_ini(const Scene& scene);
+
+/// Writes eclipse.pov and eclipse.ini, each whole or not at all; with the texture put beside them,
+/// `povray eclipse.ini` in that folder makes frame.exr.
+///
+/// Given   folder  made when only its last part is missing
+/// Throws  Error   as to_pov, before anything is written; or when the folder or a file cannot be
+/// made
+void write_scene(const std::filesystem::path& folder, const Scene& scene);
+
+}  // namespace coppermoon::povray_scenes

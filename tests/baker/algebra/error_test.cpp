@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "algebra/error.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace coppermoon::algebra {
+namespace {
+
+TEST(RequireWithin, LetsTheEndsOfTheRangePass) {
+  EXPECT_NO_THROW(require_within("x", 380, 380, 780));
+  EXPECT_NO_THROW(require_within("x", 780, 380, 780));
+}
+
+TEST(RequireWithin, NamesTheValueItsUnitAndWhatIsAllowed) {
+  try {
+    require_within("wavelength [nm]", 100, 380, 780);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "wavelength [nm] = 100, allowed 380 to 780");
+  }
+}
+
+TEST(RequireWithin, NeverHoldsANaNForInside) {
+  EXPECT_THROW(require_within("x", std::numeric_limits<double>::quiet_NaN(), 0, 1), Error);
+  EXPECT_THROW(require_within("x", std::numeric_limits<double>::infinity(), 0, 1), Error);
+}
+
+}  // namespace
+}  // namespace coppermoon::algebra

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "atmosphere/refractivity.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "algebra/error.h"
+#include "baker/atmosphere/published_table.h"
+#include "support/within.h"
+
+namespace coppermoon::atmosphere {
+namespace {
+
+using algebra::nanometres;
+
+const auto ciddor = published_table("baker/atmosphere/data/refractivity_ciddor_1996.csv");
+
+double below_ciddor(std::size_t i) {
+  const double reference = ciddor["refractivity_e8"][i] * 1e-8;
+  return 1 - sea_level_refractivity_crc(nanometres(ciddor["wavelength_nm"][i])) / reference;
+}
+
+TEST(SeaLevelRefractivityCrc, LiesBelowCiddorByWhatItsDocumentationStates) {
+  const auto last = ciddor["wavelength_nm"].size() - 1;
+  EXPECT_WITHIN(below_ciddor(0), 0.0038, 5e-5, "0.38 % at 380 nm, stated to two digits");
+  EXPECT_WITHIN(below_ciddor(last), 0.0015, 5e-5, "0.15 % at 780 nm, stated to two digits");
+  for (std::size_t i = 1; i <= last; ++i) {
+    EXPECT_LT(below_ciddor(i), below_ciddor(i - 1)) << ciddor["wavelength_nm"][i] << " nm";
+  }
+}
+
+TEST(SeaLevelRefractivityCrc, HasTheFigureItsDocumentationStates) {
+  EXPECT_WITHIN(sea_level_refractivity_crc(nanometres(550)), 2.770936e-4, 5.5e-11,
+                "stated to 7 digits");
+}
+
+// A misprint of the dispersion's coefficient by ten shows here: it leaves a quarter.
+TEST(SeaLevelRefractivityCrc, DispersesAsCiddorDoes) {
+  const auto &nm = ciddor["wavelength_nm"], &n = ciddor["refractivity_e8"];
+  ASSERT_EQ(nm[1], 400);
+  ASSERT_EQ(nm[16], 700);
+  const double dispersion = sea_level_refractivity_crc(nanometres(400)) -
+                            sea_level_refractivity_crc(nanometres(700));
+  EXPECT_WITHIN_RELATIVE(dispersion, (n[1] - n[16]) * 1e-8, 0.08, "the handbook's data of 1919");
+}
+
+TEST(SeaLevelRefractivityCrc, RefusesWavelengthsOutsideItsRange) {
+  EXPECT_NO_THROW(sea_level_refractivity_crc(nanometres(380)));
+  EXPECT_NO_THROW(sea_level_refractivity_crc(nanometres(780)));
+  EXPECT_THROW(sea_level_refractivity_crc(nanometres(379.99)), algebra::Error);
+  EXPECT_THROW(sea_level_refractivity_crc(nanometres(780.01)), algebra::Error);
+  EXPECT_THROW(sea_level_refractivity_crc(nanometres(std::numeric_limits<double>::quiet_NaN())),
+               algebra::Error);
+}
+
+}  // namespace
+}  // namespace coppermoon::atmosphere

@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: MIT
+foreach(noun contacts shadow_axis shadow_cone)
+  coppermoon_test(baker/eclipse/${noun} LINKS eclipse)
+endforeach()

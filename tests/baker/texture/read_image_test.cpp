@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "texture/read_image.h"
+
+#include <cstring>
+
+#include "baker/texture/scratch_folder.h"
+#include "support/within.h"
+#include "texture/write_image.h"
+
+namespace {
+
+using namespace coppermoon::texture;
+
+using ReadImage = ScratchFolder;
+using ReadAlbedoMap = ScratchFolder;
+
+/// A portable float map, written by hand: rows from the bottom, little endian.
+std::string float_map(int width, int height, const std::vector<float>& grey) {
+  std::string bytes = "Pf\n" + std::to_string(width) + " " + std::to_string(height) + "\n-1\n";
+  bytes.append(reinterpret_cast<const char*>(grey.data()), grey.size() * sizeof(float));
+  return bytes;
+}
+
+TEST_F(ReadImage, GivesIntegersAsFractions) {
+  const auto image = read_image(file("a.ppm", "P6\n2 1\n255\n\xFF\x80\x01\x02\x03\x04"));
+  EXPECT_EQ(image.width, 2);
+  EXPECT_EQ(image.height, 1);
+  EXPECT_EQ(image.channels, (std::vector<std::string>{"R", "G", "B"}));
+  EXPECT_WITHIN(image(0, 0, 1), 128.0 / 255, 1e-7, "a float's rounding");
+  EXPECT_WITHIN(image(0, 1, 2), 4.0 / 255, 1e-7, "a float's rounding");
+}
+
+TEST_F(ReadImage, ReadsManyBandsOfRows) {
+  Image tall(3, 1000, {"Y"});
+  for (std::size_t i = 0; i < tall.values.size(); ++i) tall.values[i] = static_cast<float>(i);
+  write_exr(in_folder("a.exr"), tall, {}, {.type = ExrType::floating});
+  EXPECT_EQ(read_image(in_folder("a.exr")).values, tall.values);
+}
+
+TEST_F(ReadImage, SaysWhatIsWrongWithAFile) {
+  EXPECT_ERROR(read_image(in_folder("no.exr")), "no.exr: cannot be read: no such file");
+  EXPECT_ERROR(read_image(in_folder("")), "it is a directory");
+  EXPECT_ERROR(read_image(file("empty.exr", "")), "empty.exr: cannot be read: it is empty");
+  EXPECT_ERROR(read_image(file("text.exr", "not an image\n")), "text.exr: cannot be read: ");
+  EXPECT_ERROR(read_image(file("text.what", "not an image\n")), "text.what: cannot be read: ");
+  EXPECT_ERROR(read_image("/dev/null"), "/dev/null: cannot be read: it is no regular file");
+}
+
+TEST_F(ReadImage, SaysThatAFileEndsEarly) {
+  Image image(64, 32, {"R", "G", "B"});
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] = static_cast<float>(i * 7919 % 1000);
+  write_exr(in_folder("whole.exr"), image, {}, {.type = ExrType::floating});
+  const auto bytes = bytes_of(in_folder("whole.exr"));
+  const auto cut = file("cut.exr", std::string_view(bytes).substr(0, bytes.size() * 3 / 4));
+  EXPECT_ERROR(read_image(cut), "cut.exr: cannot be read: ");
+  EXPECT_ERROR(read_albedo_map(cut), "cut.exr: cannot be read: ");
+}
+
+TEST_F(ReadImage, FindsAttributesByTheirStandardNames) {
+  const Attributes attributes{{"capDate", "2008:02:21 03:26:05"}, {"expTime", 0.5F}};
+  write_exr(in_folder("a.exr"), Image(1, 1, {"Y"}), attributes);
+  EXPECT_EQ(read_attribute(in_folder("a.exr"), "capDate"), "2008:02:21 03:26:05");
+  EXPECT_EQ(read_attribute(in_folder("a.exr"), "expTime"), "0.5");
+  EXPECT_EQ(read_attribute(in_folder("a.exr"), "coppermoon:recipe"), std::nullopt);
+}
+
+TEST_F(ReadAlbedoMap, LinearisesEightBitsAsSrgb) {
+  const auto map = read_albedo_map(file("a.pgm", std::string("P5\n2 1\n255\n\x80\x08")));
+  // IEC 61966-2-1 by hand: ((128/255 + 0.055)/1.055)^2.4 = 0.215861; 8/255/12.92 = 0.00242822
+  EXPECT_WITHIN(map(0, 0), 0.215861, 1e-6, "six digits worked out");
+  EXPECT_WITHIN(map(0, 1), 0.00242822, 1e-8, "the straight part, as many digits");
+}
+
+TEST_F(ReadAlbedoMap, WeighsColoursByRec709) {
+  const auto red = read_albedo_map(file("a.ppm", std::string("P6\n2 1\n255\n\xFF\0\0\0\xFF\0", 17)));
+  EXPECT_WITHIN(red(0, 0), 0.2126, 1e-6, "the weight of red alone");
+  EXPECT_WITHIN(red(0, 1), 0.7152, 1e-6, "the weight of green alone");
+}
+
+TEST_F(ReadAlbedoMap, GreyIsItself) {
+  const auto grey = read_albedo_map(file("a.ppm", "P6\n2 1\n255\n\xFF\xFF\xFF\x80\x80\x80"));
+  EXPECT_WITHIN(grey(0, 0), 1, 1e-6, "the weights add up to 1");
+  EXPECT_WITHIN(grey(0, 1), 0.215861, 1e-6, "as one channel would be");
+}
+
+TEST_F(ReadAlbedoMap, TakesLinearFormatsAsTheyAre) {
+  Image image(4, 2, {"Y"});
+  image.values = {0, 0.1F, 0.2F, 0.3F, 0.4F, 0.5F, 7, 100};
+  write_exr(in_folder("a.exr"), image, {}, {.type = ExrType::floating});
+  const auto map = read_albedo_map(in_folder("a.exr"));
+  EXPECT_TRUE(std::equal(image.values.begin(), image.values.end(), map.values().begin()));
+  const auto floats = read_albedo_map(file("a.pfm", float_map(2, 1, {0.5F, 2.5F})));
+  EXPECT_EQ(floats(0, 0), 0.5F);
+  EXPECT_EQ(floats(0, 1), 2.5F);
+}
+
+TEST_F(ReadAlbedoMap, NorthIsTheFirstRow) {
+  const auto map = read_albedo_map(file("a.pgm", std::string("P5\n4 2\n255\n\xFF\0\0\0\0\0\0\0", 19)));
+  EXPECT_EQ(map.rows(), 2);
+  EXPECT_EQ(map.columns(), 4);
+  EXPECT_WITHIN(map(0, 0), 1, 1e-6, "white");
+  EXPECT_EQ(map(1, 0), 0);
+}
+
+TEST_F(ReadAlbedoMap, TheUserMaySayTheCoding) {
+  const auto path = file("a.pgm", "P5\n2 1\n255\n\x80\x80");
+  EXPECT_WITHIN(read_albedo_map(path, Coding::linear)(0, 0), 128.0 / 255, 1e-7, "untouched");
+  const auto floats = file("a.pfm", float_map(2, 1, {0.5F, 0.5F}));
+  // ((0.5 + 0.055)/1.055)^2.4 = 0.214041
+  EXPECT_WITHIN(read_albedo_map(floats, Coding::srgb)(0, 0), 0.214041, 1e-6, "six digits");
+}
+
+TEST_F(ReadAlbedoMap, PngIsSrgb) {
+  Image image(2, 1, {"Y"});
+  image.values = {0.5F, 1};
+  write_png(in_folder("a.png"), image, 16);
+  EXPECT_WITHIN(read_albedo_map(in_folder("a.png"))(0, 0), 0.214041, 2e-5, "half a step of 16 bits");
+}
+
+TEST_F(ReadAlbedoMap, MustBeTwiceAsWideAsHigh) {
+  EXPECT_ERROR(read_albedo_map(file("a.pgm", "P5\n3 2\n255\nabcdef")),
+               "a.pgm: cannot be read: albedo map of 3 x 2 texels, allowed 2:1");
+}
+
+TEST_F(ReadAlbedoMap, MustBeNumbersOfZeroOrMore) {
+  EXPECT_ERROR(read_albedo_map(file("a.pfm", float_map(2, 1, {1, NAN}))), "column 1 = nan");
+  EXPECT_ERROR(read_albedo_map(file("b.pfm", float_map(2, 1, {1, -1}))), "column 1 = -1");
+  EXPECT_ERROR(read_albedo_map(file("c.pfm", float_map(2, 1, {INFINITY, 1}))), "column 0 = inf");
+}
+
+}  // namespace

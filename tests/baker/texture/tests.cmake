@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: MIT
+foreach(noun read_image whole_file write_image)
+  coppermoon_test(baker/texture/${noun} LINKS texture LABELS files)
+endforeach()

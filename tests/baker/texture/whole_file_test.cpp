@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "texture/whole_file.h"
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "baker/texture/scratch_folder.h"
+
+namespace {
+
+using coppermoon::algebra::Error;
+using coppermoon::texture::write_whole;
+
+using WholeFile = ScratchFolder;
+
+/// No file may grow beyond so many bytes while this lives: what a full disk looks like to a program.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_;
+};
+
+TEST_F(WholeFile, HoldsWhatWasWritten) {
+  const auto path = in_folder("a.txt");
+  write_whole(path, "one\n");
+  EXPECT_EQ(bytes_of(path), "one\n");
+  EXPECT_EQ(files_in_folder(), 1);
+}
+
+TEST_F(WholeFile, ReplacesAnOldOne) {
+  const auto path = file("a.txt", "a much longer old text");
+  write_whole(path, "new");
+  EXPECT_EQ(bytes_of(path), "new");
+}
+
+TEST_F(WholeFile, HasThePermissionsOfAnOrdinaryNewFile) {
+  write_whole(in_folder("a"), "x");
+  file("b", "x");
+  struct stat ours, ordinary;
+  ASSERT_EQ(::stat(in_folder("a").c_str(), &ours), 0);
+  ASSERT_EQ(::stat(in_folder("b").c_str(), &ordinary), 0);
+  EXPECT_EQ(ours.st_mode, ordinary.st_mode);
+}
+
+TEST_F(WholeFile, FollowsASymbolicLink) {
+  const auto target = file("target", "old");
+  std::filesystem::create_symlink(target, in_folder("link"));
+  write_whole(in_folder("link"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(in_folder("link")));
+  EXPECT_EQ(bytes_of(target), "new");
+}
+
+TEST_F(WholeFile, LeavesTheOldOneWhenTheFillingFails) {
+  const auto path = file("a.txt", "old");
+  const auto fail = [](int descriptor) {
+    ASSERT_EQ(::write(descriptor, "half", 4), 4);
+    throw Error("stopped");
+  };
+  EXPECT_ERROR(write_whole(path, fail), "stopped");
+  EXPECT_EQ(bytes_of(path), "old");
+  EXPECT_EQ(files_in_folder(), 1) << "a temporary file stayed";
+}
+
+TEST_F(WholeFile, IsNotThereWhenTheDiskIsFull) {
+  const auto path = in_folder("a.txt");
+  {
+    const SmallDisk disk(1000);
+    EXPECT_ERROR(write_whole(path, std::string(5000, 'x')), "a.txt: cannot be written: File too");
+  }
+  EXPECT_EQ(files_in_folder(), 0);
+}
+
+TEST_F(WholeFile, NeedsItsFolder) {
+  EXPECT_ERROR(write_whole(in_folder("no/a.txt"), "x"),
+               "no/a.txt: cannot be written: No such file or directory");
+}
+
+TEST_F(WholeFile, IsNoDirectory) {
+  EXPECT_ERROR(write_whole(in_folder(""), "x"), "Is a directory");
+  std::filesystem::create_directory(in_folder("d"));
+  EXPECT_ERROR(write_whole(in_folder("d"), "x"), "d: cannot be written: Is a directory");
+}
+
+TEST_F(WholeFile, IsNoDevice) {
+  EXPECT_ERROR(write_whole("/dev/full", "x"), "/dev/full: cannot be written: not a regular file");
+}
+
+TEST_F(WholeFile, NeedsPermission) {
+  if (::geteuid() == 0) GTEST_SKIP() << "the superuser may write anywhere";
+  std::filesystem::permissions(in_folder(""), std::filesystem::perms::owner_read |
+                                                  std::filesystem::perms::owner_exec);
+  EXPECT_ERROR(write_whole(in_folder("a"), "x"), "Permission denied");
+  std::filesystem::permissions(in_folder(""), std::filesystem::perms::owner_all);
+}
+
+}  // namespace

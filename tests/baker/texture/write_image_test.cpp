@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "texture/write_image.h"
+
+#include <sys/resource.h>
+
+#include <cmath>
+#include <csignal>
+#include <limits>
+#include <thread>
+
+#include "baker/texture/exr_header.h"
+#include "baker/texture/scratch_folder.h"
+#include "support/within.h"
+#include "texture/read_image.h"
+
+namespace {
+
+using namespace coppermoon::texture;
+
+using WriteImage = ScratchFolder;
+
+/// Luminances over six decades, as an eclipse has them.
+Image eclipse_like(std::size_t height) {
+  Image image(2 * height, height, {"R", "G", "B"});
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] = std::pow(10.0F, -3 + 6 * static_cast<float>(i * 7919 % 1000) / 1000);
+  return image;
+}
+
+Image one_texel(float value) {
+  Image image(2, 1, {"R", "G", "B"});
+  image(0, 1, 2) = value;
+  return image;
+}
+
+TEST_F(WriteImage, HalfKeepsElevenBits) {
+  const auto image = eclipse_like(16);
+  write_exr(in_folder("a.exr"), image, {});
+  const auto back = read_image(in_folder("a.exr"));
+  ASSERT_EQ(back.channels, image.channels);
+  ASSERT_EQ(back.width, 32);
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    EXPECT_WITHIN_RELATIVE(back.values[i], image.values[i], 0x1p-11,
+                           "half a step of 11 bits; PIZ loses nothing");
+}
+
+TEST_F(WriteImage, FloatingKeepsEveryBit) {
+  const auto image = eclipse_like(16);
+  write_exr(in_folder("a.exr"), image, {}, {.type = ExrType::floating});
+  EXPECT_EQ(read_image(in_folder("a.exr")).values, image.values);
+}
+
+TEST_F(WriteImage, HalfIsPackedWithPiz) {
+  write_exr(in_folder("a.exr"), eclipse_like(4), {});
+  const auto header = exr_header(bytes_of(in_folder("a.exr")));
+  EXPECT_EQ(header.at("compression").bytes, "\x04") << "4 is PIZ in the file format's list";
+}
+
+TEST_F(WriteImage, KeepsTexelsInTheirPlaces) {
+  Image image(4, 2, {"X", "Y", "Z"});
+  image(0, 3, 0) = 1;
+  image(1, 0, 1) = 2;
+  image(1, 2, 2) = 3;
+  write_exr(in_folder("a.exr"), image, {});
+  const auto back = read_image(in_folder("a.exr"));
+  EXPECT_EQ(back.channels, image.channels);
+  EXPECT_EQ(back.values, image.values);
+}
+
+TEST_F(WriteImage, StandardAttributesHaveTheirStandardTypes) {
+  const std::vector<float> rec709{0.64F, 0.33F, 0.3F, 0.6F, 0.15F, 0.06F, 0.3127F, 0.329F};
+  const Attributes attributes{{"chromaticities", rec709},
+                              {"whiteLuminance", 1.0F},
+                              {"capDate", "2008:02:21 03:26:05"},
+                              {"utcOffset", 0.0F},
+                              {"latitude", 42.73F},
+                              {"longitude", -73.69F},
+                              {"altitude", 60},
+                              {"expTime", 0.5F},
+                              {"aperture", 8.0F},
+                              {"isoSpeed", 200.0F},
+                              {"owner", "someone"},
+                              {"comments", "a note"},
+                              {"framesPerSecond", 23.976F}};
+  write_exr(in_folder("a.exr"), eclipse_like(4), attributes);
+  const auto header = exr_header(bytes_of(in_folder("a.exr")));
+  EXPECT_EQ(header.at("chromaticities").type, "chromaticities");
+  for (std::size_t i = 0; i < 8; ++i)
+    EXPECT_EQ(header.at("chromaticities").at<float>(i), rec709[i]) << i;
+  for (const char* name : {"whiteLuminance", "utcOffset", "latitude", "longitude", "altitude",
+                           "expTime", "aperture", "isoSpeed"}) {
+    ASSERT_TRUE(header.contains(name)) << name;
+    EXPECT_EQ(header.at(name).type, "float") << name;
+  }
+  EXPECT_EQ(header.at("whiteLuminance").at<float>(0), 1.0F);
+  EXPECT_EQ(header.at("altitude").at<float>(0), 60.0F);
+  EXPECT_EQ(header.at("expTime").at<float>(0), 0.5F);
+  EXPECT_EQ(header.at("capDate").type, "string");
+  EXPECT_EQ(header.at("capDate").bytes, "2008:02:21 03:26:05");
+  EXPECT_EQ(header.at("owner").bytes, "someone");
+  EXPECT_EQ(header.at("comments").bytes, "a note");
+  EXPECT_EQ(header.at("framesPerSecond").type, "rational");
+  EXPECT_EQ(header.at("framesPerSecond").at<std::int32_t>(0), 24000);
+  EXPECT_EQ(header.at("framesPerSecond").at<std::uint32_t>(1), 1001U);
+}
+
+TEST_F(WriteImage, FrameRatesAreTheSimplestFraction) {
+  const auto rate = [&](float value) {
+    write_exr(in_folder("a.exr"), eclipse_like(1), {{"framesPerSecond", value}});
+    const auto found = exr_header(bytes_of(in_folder("a.exr"))).at("framesPerSecond");
+    return std::pair{found.at<std::int32_t>(0), found.at<std::int32_t>(1)};
+  };
+  EXPECT_EQ(rate(25), (std::pair{25, 1}));
+  EXPECT_EQ(rate(12.5), (std::pair{25, 2}));
+  EXPECT_EQ(rate(29.97F), (std::pair{30000, 1001}));
+  EXPECT_EQ(rate(0.1F), (std::pair{1, 10}));
+}
+
+TEST_F(WriteImage, TheRecipeComesBack) {
+  const std::string recipe = "instant = \"2008-02-21T03:26:05Z\"\nozone_du = 300\n# \xC2\xB5\n";
+  write_exr(in_folder("a.exr"), eclipse_like(4), {{"coppermoon:recipe", recipe}});
+  EXPECT_EQ(read_attribute(in_folder("a.exr"), "coppermoon:recipe"), recipe);
+  write_png(in_folder("a.png"), one_texel(0.5F), 8, {{"coppermoon:recipe", recipe}});
+  EXPECT_EQ(read_attribute(in_folder("a.png"), "coppermoon:recipe"), recipe);
+}
+
+TEST_F(WriteImage, SpectralChannelsKeepTheirNames) {
+  const std::vector<std::string> names{"S0.380,000000nm", "S0.550,000000nm", "S0.780,000000nm"};
+  Image image(2, 1, names);
+  image(0, 1, 1) = 5;
+  write_exr(in_folder("a.exr"), image, {{"spectralLayoutVersion", "1.0"}});
+  const auto back = read_image(in_folder("a.exr"));
+  EXPECT_EQ(back.channels, names);
+  EXPECT_EQ(back(0, 1, 1), 5.0F);
+}
+
+TEST_F(WriteImage, TheSameBytesAgainLater) {
+  const auto image = eclipse_like(64);
+  for (const char* name : {"a.exr", "b.exr"}) {
+    write_exr(in_folder(name), image, {{"isoSpeed", 100.0F}});
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // beyond a stamp of whole seconds
+  }
+  EXPECT_EQ(bytes_of(in_folder("a.exr")), bytes_of(in_folder("b.exr")));
+  for (const char* name : {"a.png", "b.png"}) {
+    write_png(in_folder(name), one_texel(0.5F), 16);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  }
+  EXPECT_EQ(bytes_of(in_folder("a.png")), bytes_of(in_folder("b.png")));
+}
+
+TEST_F(WriteImage, RefusesWhatHalfCannotHold) {
+  const auto path = in_folder("a.exr");
+  const auto place = "a.exr: texel row 0, column 1, channel B = ";
+  EXPECT_ERROR(write_exr(path, one_texel(65505), {}), place + std::string("65505, allowed 0 to 65504"));
+  EXPECT_ERROR(write_exr(path, one_texel(NAN), {}), place + std::string("nan"));
+  EXPECT_ERROR(write_exr(path, one_texel(INFINITY), {}), place + std::string("inf"));
+  EXPECT_ERROR(write_exr(path, one_texel(-1e-3F), {}), place + std::string("-0.001"));
+  EXPECT_EQ(files_in_folder(), 0);
+  EXPECT_EQ(error_of([&] { write_exr(path, one_texel(65504), {}); }), "");
+  EXPECT_EQ(read_image(path)(0, 1, 2), 65504.0F);
+}
+
+TEST_F(WriteImage, FloatingHoldsMoreButNoInfinity) {
+  const auto path = in_folder("a.exr");
+  const ExrOptions floating{.type = ExrType::floating};
+  write_exr(path, one_texel(1e30F), {}, floating);
+  EXPECT_EQ(read_image(path)(0, 1, 2), 1e30F);
+  EXPECT_ERROR(write_exr(path, one_texel(INFINITY), {}, floating), "channel B = inf");
+  EXPECT_ERROR(write_exr(path, one_texel(NAN), {}, floating), "channel B = nan");
+}
+
+TEST_F(WriteImage, NegativesPassWhenAllowed) {
+  const auto path = in_folder("a.exr");
+  write_exr(path, one_texel(-0.25F), {}, {.allow_negative = true});
+  EXPECT_EQ(read_image(path)(0, 1, 2), -0.25F);
+  EXPECT_ERROR(write_exr(path, one_texel(-70000), {}, {.allow_negative = true}), "-70000");
+}
+
+TEST_F(WriteImage, RefusesImagesThatDoNotHangTogether) {
+  const auto path = in_folder("a.exr");
+  EXPECT_ERROR(write_exr(path, Image(), {}), "0 x 0 texels");
+  auto short_one = one_texel(1);
+  short_one.values.pop_back();
+  EXPECT_ERROR(write_exr(path, short_one, {}), "5 values");
+  EXPECT_ERROR(write_exr(path, Image(1, 1, {"Y", "Y"}), {}), "channel \"Y\"");
+}
+
+TEST_F(WriteImage, RefusesAttributesThatWouldBeLost) {
+  const auto path = in_folder("a.exr");
+  const auto with = [&](const char* name, const Attribute& value) {
+    return error_of([&] { write_exr(path, one_texel(1), {{name, value}}); });
+  };
+  EXPECT_EQ(with("chromaticities", std::vector<float>(6)),
+            "image attribute chromaticities, allowed 8 numbers");
+  EXPECT_EQ(with("expTime", "1/2"), "image attribute expTime, allowed one number");
+  EXPECT_EQ(with("capDate", 2008), "image attribute capDate, allowed text");
+  EXPECT_NE(with("compression", "dwaa"), "");
+  EXPECT_NE(with("", "x"), "");
+}
+
+TEST_F(WriteImage, AFullDiskLeavesNothing) {
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before;
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  for (const rlim_t size : {0, 100, 20000}) {  // in the header, in the table of lines, in the texels
+    const rlimit small{size, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    EXPECT_ERROR(write_exr(in_folder("a.exr"), eclipse_like(128), {}),
+                 "a.exr: cannot be written: File too large");
+    EXPECT_ERROR(write_png(in_folder("a.png"), Image(2000, 2000, {"Y"}), 16),
+                 size < 20000 ? "a.png: cannot be written: File too large" : "");
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::filesystem::remove(in_folder("a.png"));
+    EXPECT_EQ(files_in_folder(), 0);
+  }
+}
+
+TEST_F(WriteImage, NeedsItsFolder) {
+  EXPECT_ERROR(write_exr(in_folder("no/a.exr"), one_texel(1), {}),
+               "no/a.exr: cannot be written: No such file or directory");
+}
+
+TEST_F(WriteImage, TheFileNameDoesNotChooseTheFormat) {
+  write_exr(in_folder("frame.0001"), one_texel(1), {});
+  EXPECT_EQ(bytes_of(in_folder("frame.0001")).substr(0, 4), "\x76\x2f\x31\x01");
+}
+
+TEST_F(WriteImage, PngRoundsToItsSteps) {
+  Image image(256, 1, {"R", "G", "B"});
+  for (std::size_t c = 0; c < 256; ++c) image(0, c, 0) = static_cast<float>(c) / 255;
+  for (const int bits : {8, 16}) {
+    write_png(in_folder("a.png"), image, bits);
+    const auto back = read_image(in_folder("a.png"));
+    for (std::size_t c = 0; c < 256; ++c)
+      EXPECT_WITHIN(back(0, c, 0), image(0, c, 0), 1e-6, "these are steps of both, but for rounding");
+  }
+}
+
+TEST_F(WriteImage, PngRefusesWhatItCannotHold) {
+  const auto path = in_folder("a.png");
+  EXPECT_ERROR(write_png(path, one_texel(1.01F), 8), "= 1.01, allowed 0 to 1");
+  EXPECT_ERROR(write_png(path, one_texel(NAN), 8), "= nan");
+  EXPECT_ERROR(write_png(path, one_texel(1), 12), "12 bits, allowed 8 or 16");
+  EXPECT_ERROR(write_png(path, Image(1, 1, {"a", "b"}), 8), "2 channels, allowed 1 or 3");
+}
+
+}  // namespace

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+#include "povray_scenes/render.h"
+
+#include <OpenImageIO/imagebuf.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "algebra/error.h"
+#include "povray_scenes/folder.h"
+#include "povray_scenes/meridian.h"
+#include "povray_scenes/scene.h"
+#include "support/within.h"
+
+namespace coppermoon::povray_scenes {
+namespace {
+
+using algebra::degrees;
+using algebra::Error;
+
+constexpr int columns = 1440, rows = 720;
+struct Texel {
+  int column, row;
+};
+
+almanac::SelenographicPoint centre(Texel texel) {
+  return place(90 - (texel.row + 0.5) * 180 / rows, (texel.column + 0.5) * 360 / columns - 180);
+}
+
+/// A black texture with these texels bright.
+OIIO::ImageBuf texture_with(const std::vector<Texel>& bright, float luminance = 1000) {
+  OIIO::ImageBuf texture(OIIO::ImageSpec(columns, rows, 3, OIIO::TypeHalf));
+  const float light[] = {luminance, luminance, luminance};
+  for (const auto& texel : bright) texture.setpixel(texel.column, texel.row, light);
+  return texture;
+}
+
+OIIO::ImageBuf uniform_texture(float luminance) {
+  OIIO::ImageBuf texture(OIIO::ImageSpec(64, 32, 3, OIIO::TypeHalf));
+  const float light[] = {luminance, luminance, luminance};
+  for (int row = 0; row < 32; ++row)
+    for (int column = 0; column < 64; ++column) texture.setpixel(column, row, light);
+  return texture;
+}
+
+struct Luminance {
+  OIIO::ImageBuf image;
+
+  explicit Luminance(const std::filesystem::path& file) : image(file.string()) {
+    if (!image.read(0, 0, true, OIIO::TypeFloat)) throw std::runtime_error(image.geterror());
+  }
+  double at(int x, int y) const { return image.getchannel(x, y, 0, 1); }
+  double total() const {
+    double sum = 0;
+    for (int y = 0; y < image.spec().height; ++y)
+      for (int x = 0; x < image.spec().width; ++x) sum += at(x, y);
+    return sum;
+  }
+};
+
+struct Spot {
+  double luminance = 0;
+  glm::dvec2 centroid{0, 0};
+};
+
+Spot spot_near(const Luminance& frame, const glm::dvec2& place, int reach = 5) {
+  Spot spot;
+  const int x0 = static_cast<int>(place.x), y0 = static_cast<int>(place.y);
+  for (int y = y0 - reach; y <= y0 + reach; ++y)
+    for (int x = x0 - reach; x <= x0 + reach; ++x) {
+      spot.luminance += frame.at(x, y);
+      spot.centroid += frame.at(x, y) * glm::dvec2(x + 0.5, y + 0.5);
+    }
+  if (spot.luminance > 0) spot.centroid /= spot.luminance;
+  return spot;
+}
+
+std::filesystem::path rendered(const std::filesystem::path& folder, const Camera& camera,
+                               const OIIO::ImageBuf& texture, double moon_radius = 1) {
+  write_scene(folder, {.camera = camera, .texture = "moon.exr", .moon_radius = moon_radius});
+  if (!texture.write((folder / "moon.exr").string())) throw std::runtime_error(texture.geterror());
+  return render(folder);
+}
+
+/// No symmetry: every reflection or turn of this pattern misses it.
+const std::vector<Texel> pattern = {{720, 360}, {860, 270}, {590, 310},
+                                    {700, 480}, {880, 380}, {670, 230}};
+
+void expect_pattern(const Camera& camera, double moon_radius = 1) {
+  const TemporaryFolder folder;
+  const Luminance frame(rendered(folder.path, camera, texture_with(pattern), moon_radius));
+  for (const auto& texel : pattern) {
+    const auto expected = pixel_of(camera, centre(texel));
+    ASSERT_TRUE(expected);
+    const auto spot = spot_near(frame, *expected);
+    ASSERT_GT(spot.luminance, 10) << texel.column << ", " << texel.row;
+    EXPECT_WITHIN(spot.centroid.x, expected->x, 0.25, "0.05 pixel rays, spots of about a pixel");
+    EXPECT_WITHIN(spot.centroid.y, expected->y, 0.25, "0.05 pixel rays, spots of about a pixel");
+  }
+}
+
+Camera seen_from(double latitude_deg, Up up = Up::zenith) {
+  return camera_at(moon_at_the_equinox(), on_the_meridian(degrees(latitude_deg)), up, degrees(0.6),
+                   240, 240);
+}
+
+TEST(Frame, ShowsPlacesWherePixelOfSaysFromTheNorth) { expect_pattern(seen_from(52)); }
+
+TEST(Frame, ShowsPlacesWherePixelOfSaysFromTheSouth) { expect_pattern(seen_from(-33)); }
+
+TEST(Frame, ShowsPlacesWherePixelOfSaysWithARolledCamera) {
+  auto camera = seen_from(52);
+  camera.position += glm::dvec3(0, 20, -12);  // librations of 5 and 3 degrees
+  camera.up = {0.3, 0.4, 0.8};
+  expect_pattern(camera);
+}
+
+TEST(Frame, ShowsPlacesWherePixelOfSaysInAMirror) {
+  auto camera = seen_from(52);
+  camera.mirrored = true;
+  expect_pattern(camera);
+}
+
+TEST(Frame, ShowsPlacesWherePixelOfSaysInAWideField) {
+  expect_pattern({{2.2, 0.1, 0.2}, {0, 0, 1}, degrees(120), 600, 400});
+}
+
+TEST(Frame, ShowsPlacesWherePixelOfSaysInKilometres) { expect_pattern(seen_from(52), 1737.4); }
+
+TEST(Frame, ShowsPlacesWherePixelOfSaysInANarrowField) {
+  // 0.02 degrees is 0.077 lunar radii: a texel is six pixels, a bright one a tent of twelve.
+  Camera camera{{221, 0, 0}, {0, 0, 1}, degrees(0.02), 100, 100};
+  const TemporaryFolder folder;
+  const Luminance frame(rendered(folder.path, camera, texture_with({{722, 357}})));
+  const auto expected = *pixel_of(camera, centre({722, 357}));
+  const auto spot = spot_near(frame, expected, 12);
+  EXPECT_WITHIN(spot.centroid.x, expected.x, 0.25, "a tent cut at whole pixels");
+  EXPECT_WITHIN(spot.centroid.y, expected.y, 0.25, "a tent cut at whole pixels");
+}
+
+TEST(Frame, ShowsAMirroredTextureMirrored) {
+  std::vector<Texel> mirrored;
+  for (const auto& texel : pattern) mirrored.push_back({columns - 1 - texel.column, texel.row});
+  const TemporaryFolder folder;
+  const auto camera = seen_from(52);
+  const Luminance frame(rendered(folder.path, camera, texture_with(mirrored)));
+  for (std::size_t i = 1; i < pattern.size(); ++i) {
+    EXPECT_EQ(spot_near(frame, *pixel_of(camera, centre(pattern[i]))).luminance, 0) << i;
+    EXPECT_GT(spot_near(frame, *pixel_of(camera, centre(mirrored[i]))).luminance, 10) << i;
+  }
+}
+
+TEST(Frame, HasTheTexturesLuminanceOverTheDiscThatGeometryGives) {
+  // From distance d the disc's radius is tan(asin(1/d)), of tan(field/2) to the edge.
+  const auto camera = seen_from(52);
+  for (const float luminance : {0.001f, 5000.f}) {
+    const TemporaryFolder folder;
+    const Luminance frame(rendered(folder.path, camera, uniform_texture(luminance)));
+    EXPECT_WITHIN_RELATIVE(frame.at(120, 120), luminance, 5e-4, "half floats");
+    EXPECT_EQ(frame.at(1, 1), 0);
+    const double tangent = 1 / std::sqrt(glm::dot(camera.position, camera.position) - 1);
+    const double radius = 120 * tangent / std::tan(degrees(0.3).si());
+    EXPECT_WITHIN_RELATIVE(frame.total(), luminance * std::numbers::pi * radius * radius, 1e-3,
+                           "limb pixels are means of 25 rays");
+  }
+}
+
+TEST(CoppermoonInc, GivesTheMoonAndThePlacesOfOurOwnScenes) {
+  const TemporaryFolder folder;
+  const auto camera =
+      Camera{{200 * std::cos(0.1), 0, 200 * std::sin(0.1)}, {0, 0, 1}, degrees(0.7), 240, 200};
+  write_scene(folder.path, {.camera = camera, .texture = "moon.exr"});
+  std::filesystem::copy(std::filesystem::path(COPPERMOON_INC_FOLDER) / "coppermoon.inc",
+                        folder.path);
+  std::ofstream(folder.path / "eclipse.pov")
+      << "#version 3.7; global_settings { assumed_gamma 1.0 }\n#include \"coppermoon.inc\"\n"
+         "camera { location 200*Coppermoon_Place(degrees(0.1), 0) right x*240/200 up y sky y\n"
+         "angle 0.7 look_at 0 }\nobject { Coppermoon_Moon(\"moon.exr\", 0.5) }\n";
+  texture_with(pattern).write((folder.path / "moon.exr").string());
+  const Luminance frame(render(folder.path));
+  for (const auto& texel : pattern) {
+    const auto expected = *pixel_of(camera, centre(texel));
+    const auto spot = spot_near(frame, expected);
+    EXPECT_WITHIN(spot.centroid.x, expected.x, 0.25, "0.05 pixel rays, spots of about a pixel");
+    EXPECT_WITHIN(spot.centroid.y, expected.y, 0.25, "0.05 pixel rays, spots of about a pixel");
+  }
+}
+
+/// A folder with spaces and letters outside ASCII, the scene in it, and what is put there for
+/// POV-Ray.
+struct SmallScene {
+  TemporaryFolder parent;
+  std::filesystem::path folder = parent.path / "Mönd und Schatten";
+
+  SmallScene() {
+    write_scene(folder,
+                {.camera = {{221, 0, 0}, {0, 0, 1}, degrees(0.6), 32, 24}, .texture = "moon.exr"});
+    texture_with(pattern).write((folder / "moon.exr").string());
+  }
+  std::string stand_in(const std::string& script) const {
+    const auto file = folder / "stand-in";
+    std::ofstream(file) << "#!/bin/sh\n" << script << "\n";
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+    return file.string();
+  }
+};
+
+std::string refusal(const SmallScene& scene, const RenderSettings& settings = {}) {
+  try {
+    render(scene.folder, settings);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Render, GivesTheFrameAndLeavesNothingElse) {
+  const SmallScene scene;
+  EXPECT_EQ(render(scene.folder), scene.folder / "frame.exr");
+  EXPECT_EQ(files_in(scene.folder), 4);
+}
+
+TEST(Render, TellsItsProgressUpToOne) {
+  const SmallScene scene;
+  std::vector<double> told;
+  render(scene.folder, {.threads = 1}, [&](double fraction) { told.push_back(fraction); });
+  ASSERT_GE(told.size(), 2u);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GT(told.front(), 0);
+  EXPECT_EQ(told.back(), 1);
+}
+
+TEST(Render, ReadsTheCountOfPixelsBetweenOtherWords) {
+  const SmallScene scene;
+  std::vector<double> told;
+  const auto povray = scene.stand_in(
+      "printf 'Hello\\nRendered 1 of 4 pixels (25%%)\\rRendered 3 of 4 pixels (75%%)\\r' >&2\n"
+      "echo frame > \"${2#+O}\"");
+  render(scene.folder, {.povray = povray}, [&](double fraction) { told.push_back(fraction); });
+  EXPECT_EQ(told, (std::vector<double>{0.25, 0.75, 1}));
+}
+
+TEST(Render, HandsOnTheNumberOfThreads) {
+  const SmallScene scene;
+  const auto povray = scene.stand_in("echo \"Error: $*\" >&2; exit 1");
+  EXPECT_NE(refusal(scene, {.threads = 3, .povray = povray}).find(" +WT3"), std::string::npos);
+  EXPECT_EQ(refusal(scene, {.threads = 0, .povray = povray}).find(" +WT"), std::string::npos);
+  EXPECT_NE(refusal(scene, {.threads = -1}).find("threads = -1, allowed 0 to 512"),
+            std::string::npos);
+}
+
+TEST(Render, MakesTheSameBitsOnAnyNumberOfThreads) {
+  const SmallScene scene;
+  const Luminance one(render(scene.folder, {.threads = 1})),
+      two(render(scene.folder, {.threads = 2}));
+  for (int y = 0; y < 24; ++y)
+    for (int x = 0; x < 32; ++x) EXPECT_EQ(one.at(x, y), two.at(x, y));
+}
+
+TEST(Render, SaysWhichPackageIsMissing) {
+  const SmallScene scene;
+  EXPECT_EQ(refusal(scene, {.povray = "povray-that-nobody-has"}),
+            "povray-that-nobody-has: not found; install the package povray");
+}
+
+TEST(Render, PassesOnPovRaysOwnWords) {
+  const SmallScene scene;
+  std::filesystem::remove(scene.folder / "moon.exr");
+  const auto words = refusal(scene);
+  EXPECT_TRUE(words.starts_with("povray: File 'eclipse.pov' line 1")) << words;
+  EXPECT_NE(words.find("Cannot find file 'moon.exr'"), std::string::npos) << words;
+  EXPECT_EQ(words.find('\n'), std::string::npos) << words;
+  EXPECT_EQ(files_in(scene.folder), 2);
+}
+
+TEST(Render, KeepsTheEarlierFrameWhenItFails) {
+  const SmallScene scene;
+  std::ofstream(scene.folder / "frame.exr") << "earlier";
+  const auto povray = scene.stand_in("echo half > \"${2#+O}\"; echo 'Out of ink' >&2; exit 1");
+  EXPECT_EQ(refusal(scene, {.povray = povray}), povray + ": Out of ink");
+  EXPECT_EQ(std::filesystem::file_size(scene.folder / "frame.exr"), 7u);
+  EXPECT_EQ(files_in(scene.folder), 5);
+}
+
+TEST(Render, DoesNotTakeSilenceForAFrame) {
+  const SmallScene scene;
+  EXPECT_NE(refusal(scene, {.povray = "true"}).find("true: wrote no"), std::string::npos);
+}
+
+TEST(Render, NamesTheSignalThatEndedPovRay) {
+  const SmallScene scene;
+  const auto povray = scene.stand_in("kill -9 $$");
+  EXPECT_EQ(refusal(scene, {.povray = povray}), povray + ": ended by signal 9");
+}
+
+TEST(Render, StopsPovRayWhenTheTimeIsUp) {
+  const SmallScene scene;
+  const auto povray = scene.stand_in("exec sleep 60");
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(refusal(scene, {.timeout_s = 0.2, .povray = povray}),
+            povray + ": not done after 0.2 s, the time allowed");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+}
+
+TEST(Render, StopsPovRayWhenTheListenerThrows) {
+  const SmallScene scene;
+  EXPECT_THROW(render(scene.folder, {}, [](double) { throw Error("enough"); }), Error);
+  EXPECT_EQ(files_in(scene.folder), 3);
+}
+
+TEST(Render, RefusesAFolderWithoutAScene) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(render(folder.path), Error);
+  EXPECT_THROW(render(folder.path / "none"), Error);
+}
+
+}  // namespace
+}  // namespace coppermoon::povray_scenes
