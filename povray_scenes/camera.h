@@ -58,17 +58,17 @@ Camera camera_at(const almanac::SkyState& sky, Up up, algebra::Angle field, std:
 /// Where a place on the Moon (a sphere) appears in the picture.
 ///
 /// Given     place     longitudes of any turn
-/// Returned  x to the right, y down, in pixels from the upper left corner: the first pixel's centre
-/// is
-///           (0.5, 0.5); also outside the frame. Nothing for a place behind the limb
+/// Returned  x to the right, y down, in pixels from the upper left corner: the first pixel's
+///           centre is (0.5, 0.5); also outside the frame. Nothing for a place behind the limb
 /// Accuracy  0.25 pixel against POV-Ray's own frames, fields of 0.02 to 120 degrees
 /// Throws    Error  when the camera is not sound
 std::optional<glm::dvec2> pixel_of(const Camera& camera, const almanac::SelenographicPoint& place);
 
+/// Refuses a camera that no picture can be taken with.
+///
 /// Throws  Error  unless the camera stands outside the Moon and within 1e6 lunar radii, its field
-/// is 1e-8
-///                to 179.9 degrees, its sides 1 to 65535 pixels, and `up` is off the line of sight
-///                by at least 1e-6 radians
+///                is 1e-8 to 179.9 degrees, its sides 1 to 65535 pixels, and `up` is off the line
+///                of sight by at least 1e-6 radians
 void require_sound(const Camera& camera);
 
 }  // namespace coppermoon::povray_scenes

@@ -57,7 +57,7 @@ struct FileDescriptor {
   }
 };
 
-/// A running program; killed if it is still wanted by nobody.
+/// A running program; killed when it is left before its end.
 struct Child {
   pid_t id = 0;
 

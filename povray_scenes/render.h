@@ -22,8 +22,7 @@ struct RenderSettings {
 /// Returned  the path of frame.exr, scene-linear half floats; it appears whole or not at all
 /// Accuracy  the same bits on any number of threads
 /// Throws    Error  when there is no scene, no POV-Ray, or it fails (with its own last words) or
-/// takes
-///                  longer than allowed; an earlier frame.exr is then left as it was
+///                  takes longer than allowed; an earlier frame.exr is then left as it was
 std::filesystem::path render(const std::filesystem::path& folder,
                              const RenderSettings& settings = {},
                              const algebra::Progress& progress = {});

@@ -26,14 +26,12 @@ struct Scene {
 /// The scene in POV-Ray's language, with nothing included.
 ///
 /// Frames: the Moon-fixed X, Y, Z are POV-Ray's x, z, y, since its axes are left-handed.
-/// Accuracy  POV-Ray reads the texture and writes the frame as half floats: 5e-4 relative
-/// above 6.1e-5,
-///           3e-8 below; infinite above 65504
-/// Throws    Error  when the camera is not sound, the moon_radius outside 1e-2 to 1e5, the camera
-/// beyond
-///                  1e7 units (POV-Ray renders black there), the texture's name not plain, not
-///                  ASCII or not .exr, the sampling depth outside 0 to 9, or the caption not one
-///                  line
+/// Accuracy  POV-Ray reads the texture and writes the frame as half floats: 5e-4 relative above
+///           6.1e-5, 3e-8 below; infinite above 65504
+/// Throws    Error  when the camera is not sound; when the moon_radius is outside 1e-2 to 1e5, or the
+///                  camera beyond 0.99e7 units (POV-Ray renders black from 1e7); when the texture's
+///                  name is not plain, not ASCII or not .exr; when the sampling depth is outside
+///                  0 to 9, or the caption not one line
 std::string to_pov(const Scene& scene);
 
 /// POV-Ray's settings for it: size, file names and anti-aliasing that also works in the dark (the

@@ -22,10 +22,15 @@ struct Piece {
 constexpr Piece pieces[] = {
     {-500, 1820, 100, {-20, 0, 32}},
     {500, 0, 100, {10583.6, -1014.41, 33.78311, -5.952053, -0.1798452, 0.022174192, 0.0090316521}},
-    {1600, 1000, 100, {1574.2, -556.01, 71.23472, 0.319781, -0.8503463, -0.005050998, 0.0083572073}},
+    {1600,
+     1000,
+     100,
+     {1574.2, -556.01, 71.23472, 0.319781, -0.8503463, -0.005050998, 0.0083572073}},
     {1700, 1600, 1, {120, -0.9808, -0.01532, 1 / 7129.0}},
     {1800, 1700, 1, {8.83, 0.1603, -0.0059285, 0.00013336, -1 / 1174000.0}},
-    {1860, 1800, 1,
+    {1860,
+     1800,
+     1,
      {13.72, -0.332447, 0.0068612, 0.0041116, -0.00037436, 0.0000121272, -0.0000001699,
       0.000000000875}},
     {1900, 1860, 1, {7.62, 0.5737, -0.251754, 0.01680668, -0.0004473624, 1 / 233174.0}},
@@ -41,7 +46,8 @@ double polynomial(std::span<const double> coefficients, double x) {
   return sum;
 }
 
-/// The last term refers the sum to a lunar secular acceleration of −25.858″/cy² in place of −26″/cy².
+/// The last term refers the sum to a lunar secular acceleration of −25.858″/cy² in place of
+/// −26″/cy².
 double espenak_meeus_2006_s(double year) {
   const Piece* piece = pieces;
   while (year >= piece->end_year) ++piece;
@@ -62,7 +68,8 @@ LeapSeconds leap_seconds(int year) {
   return leap;
 }
 
-/// The day on which ERFA's table of leap seconds ends: 1 January of the first year it calls dubious.
+/// The day on which ERFA's table of leap seconds ends: 1 January of the first year it calls
+/// dubious.
 double last_leap_second_day() {
   static const double end = [] {
     int year = 1972;

@@ -84,6 +84,9 @@ Instant normalised(double day, double fraction) {
 
 enum class Scale { utc, ut1 };  // UTC proper while ERFA has leap seconds, otherwise read as UT1
 
+constexpr int dubious_year =
+    1;  // ERFA's word for a day after its leap seconds: here the last one's end
+
 const char* name(Scale scale) { return scale == Scale::utc ? "UTC" : "UT1"; }
 
 Scale scale_in(int year) {
@@ -111,12 +114,14 @@ Instant from_ut1(double day, double fraction) {
 Instant instant_from_utc(std::string_view text) {
   const auto c = calendar_of(text);
   double day = 0, fraction = 0;
-  const bool good = c && eraDtf2d(name(scale_in(c->year)), c->year, c->month, c->day, c->hour,
-                                  c->minute, c->second, &day, &fraction) == 0;
-  if (!good)
-    throw algebra::Error(fmt::format("date \"{}\" is no ISO 8601 UTC date of the years -1999 to "
-                                     "3000, such as 2008-02-21T03:26:05Z",
-                                     text));
+  const int status = !c ? -1
+                        : eraDtf2d(name(scale_in(c->year)), c->year, c->month, c->day, c->hour,
+                                   c->minute, c->second, &day, &fraction);
+  if (status != 0 && status != dubious_year)
+    throw algebra::Error(
+        fmt::format("date \"{}\" is no ISO 8601 UTC date of the years -1999 to "
+                    "3000, such as 2008-02-21T03:26:05Z",
+                    text));
   return scale_in(c->year) == Scale::utc ? from_utc(day, fraction) : from_ut1(day, fraction);
 }
 

@@ -6,17 +6,20 @@
 
 namespace coppermoon::almanac {
 
-/// A moment: a two-part Julian date in TT (day at noon or midnight, plus the fraction), as ERFA keeps it.
+/// A moment: a two-part Julian date in TT (day at noon or midnight, plus the fraction), as ERFA
+/// keeps it.
 struct Instant {
   double tt_day = 0, tt_fraction = 0;
 };
 
 /// The moment that an ISO 8601 UTC text names.
 ///
-/// Given   text   "2008-02-21T03:08:26Z"; the Z, the seconds and their decimals may be left out, and
-///                the time of day too (midnight); years −1999 to 3000, signed years as "-0584-05-22".
-///                The calendar is Gregorian throughout, as ISO 8601 has it: before 15 October 1582
-///                books of history give Julian dates (that eclipse of Thales is their −584 May 28)
+/// Given   text   "2008-02-21T03:08:26Z"; the Z, the seconds and their decimals may be left out,
+/// and
+///                the time of day too (midnight); years −1999 to 3000, signed years as
+///                "-0584-05-22". The calendar is Gregorian throughout, as ISO 8601 has it: before
+///                15 October 1582 books of history give Julian dates (that eclipse of Thales is
+///                their −584 May 28)
 /// Throws  Error  when the text is no such date: names the text and an example
 Instant instant_from_utc(std::string_view text);
 

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "algebra/table.h"
-#include "almanac/tables.h"
 #include "almanac/erfa_matrix.h"
+#include "almanac/tables.h"
 
 namespace coppermoon::almanac {
 namespace {
@@ -65,6 +65,13 @@ glm::dmat3 selenographic_from_gcrs(const Instant& instant) {
 SelenographicPoint selenographic_point(const glm::dvec3& position) {
   return {algebra::radians(std::atan2(position.z, std::hypot(position.x, position.y))),
           algebra::radians(std::atan2(position.y, position.x))};
+}
+
+glm::dvec3 selenographic_direction(const SelenographicPoint& place) {
+  const double latitude = algebra::in_radians(place.latitude);
+  const double longitude = algebra::in_radians(place.longitude);
+  return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+          std::sin(latitude)};
 }
 
 }  // namespace coppermoon::almanac

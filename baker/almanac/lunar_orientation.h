@@ -9,6 +9,11 @@
 
 namespace coppermoon::almanac {
 
+/// Mean radius of the Moon.
+///
+/// Source  IAU WGCCRE 2009
+inline constexpr algebra::Length lunar_radius = algebra::kilometres(1737.4);
+
 /// A place on the Moon: mean-Earth/polar-axis frame, latitude north, longitude east positive.
 struct SelenographicPoint {
   algebra::Angle latitude, longitude;
@@ -28,5 +33,8 @@ glm::dmat3 selenographic_from_gcrs(const Instant& instant);
 ///
 /// Given   position   from the Moon's centre, Moon-fixed frame, any length
 SelenographicPoint selenographic_point(const glm::dvec3& position);
+
+/// The unit vector to a place on the Moon, Moon-fixed frame.
+glm::dvec3 selenographic_direction(const SelenographicPoint& place);
 
 }  // namespace coppermoon::almanac

@@ -42,7 +42,8 @@ glm::dvec3 earth_fixed_position_m(const Observer& observer) {
   return {xyz[0], xyz[1], xyz[2]};
 }
 
-/// The horizon's axes at a place, Earth-fixed: columns north, east, zenith. They hold at the poles too.
+/// The horizon's axes at a place, Earth-fixed: columns north, east, zenith. They hold at the poles
+/// too.
 glm::dmat3 earth_fixed_horizon(const Observer& observer) {
   const double latitude = algebra::in_radians(observer.latitude),
                longitude = algebra::in_radians(observer.longitude);

@@ -14,11 +14,12 @@ namespace coppermoon::almanac {
 /// Where everything is, seen from the Earth's centre at one moment.
 struct SkyState {
   Instant when;
-  glm::dvec3 sun_m, moon_m;            ///< apparent geocentric (light time, aberration), GCRS axes [m]
+  glm::dvec3 sun_m, moon_m;  ///< apparent geocentric (light time, aberration), GCRS axes [m]
   glm::dmat3 selenographic_from_gcrs;  ///< to the Moon-fixed frame: X to 0°, Y to 90° E, Z north
   glm::dmat3 equator_from_gcrs;        ///< to the true equator and equinox of date
   SelenographicPoint sub_earth, sub_solar;
-  algebra::Angle axis_position_angle;  ///< of the Moon's north pole, from north of date through east
+  algebra::Angle
+      axis_position_angle;  ///< of the Moon's north pole, from north of date through east
 };
 
 /// The sky at a moment, by one of the two lunar theories (ephemeris.h).
@@ -27,7 +28,8 @@ struct SkyState {
 /// Source    precession and nutation: IAU 2006/2000A (ERFA eraPnm06a)
 SkyState sky_at(const Instant& instant, LunarTheory theory = LunarTheory::elp_2000_82b);
 
-/// Apparent right ascension (0 to 2π), declination and distance of a GCRS position, for the equator of date.
+/// Apparent right ascension (0 to 2π), declination and distance of a GCRS position, for the equator
+/// of date.
 struct EquatorialPlace {
   algebra::Angle right_ascension, declination;
   algebra::Length distance;
@@ -39,7 +41,8 @@ glm::dmat3 equator_from_gcrs(const Instant& instant);
 
 /// The angle at `direction` on the sky from north through east to `target`, −π to π.
 ///
-/// Given   direction   where one looks; target: the direction pointed to; north: the celestial pole, a
+/// Given   direction   where one looks; target: the direction pointed to; north: the celestial
+/// pole, a
 ///                     unit vector. All in the same axes; lengths of the first two do not matter
 algebra::Angle position_angle(const glm::dvec3& direction, const glm::dvec3& target,
                               const glm::dvec3& north);

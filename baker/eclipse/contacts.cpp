@@ -18,7 +18,8 @@ using almanac::LunarTheory;
 enum class Edge { umbra, penumbra };
 enum class Touch { outside, inside };
 
-/// How far, as an angle, the Moon still is from touching: positive before and after the contact's phase.
+/// How far, as an angle, the Moon still is from touching: positive before and after the contact's
+/// phase.
 double gap(const Sighting& sighting, ShadowConvention convention, Edge edge, Touch touch) {
   const auto radii = shadow_radii(convention, sighting.axis, sighting.moon);
   const double shadow = algebra::in_radians(edge == Edge::umbra ? radii.umbra : radii.penumbra);
@@ -101,9 +102,9 @@ std::optional<Eclipse> eclipse_near(const Instant& middle, ShadowConvention conv
   const double penumbral = magnitude(sighting, convention, Edge::penumbra);
   if (penumbral <= 0) return std::nullopt;
   const Contacts contacts = contacts_of({lunation, convention, greatest_s});
-  return Eclipse{almanac::later(middle, greatest_s), type_of(contacts),
-                 signed_gamma(sighting.moon), magnitude(sighting, convention, Edge::umbra),
-                 penumbral, contacts};
+  return Eclipse{
+      almanac::later(middle, greatest_s),           type_of(contacts), signed_gamma(sighting.moon),
+      magnitude(sighting, convention, Edge::umbra), penumbral,         contacts};
 }
 
 /// Spares the slow theory where moon98 leaves no doubt: 0.05 of the Moon's diameter is 90″.

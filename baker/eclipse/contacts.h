@@ -12,8 +12,8 @@ namespace coppermoon::eclipse {
 
 enum class EclipseType { penumbral, partial, total };
 
-/// When the Moon's disc touches the shadow from outside (P1, P4 the penumbra; U1, U4 the umbra) and from
-/// inside (U2, U3 the umbra). Empty: there is no such contact.
+/// When the Moon's disc touches the shadow from outside (P1, P4 the penumbra; U1, U4 the umbra) and
+/// from inside (U2, U3 the umbra). Empty: there is no such contact.
 struct Contacts {
   std::optional<almanac::Instant> P1, U1, U2, U3, U4, P4;
 };
@@ -21,7 +21,7 @@ struct Contacts {
 struct Eclipse {
   almanac::Instant greatest;  ///< the Moon's centre is nearest to the shadow axis
   EclipseType type = EclipseType::penumbral;
-  double gamma = 0;            ///< that distance in Earth radii, positive when the Moon passes north
+  double gamma = 0;  ///< that distance in Earth radii, positive when the Moon passes north
   double umbral_magnitude = 0, penumbral_magnitude = 0;  ///< share of the Moon's diameter immersed
   Contacts contacts;
 };
@@ -30,18 +30,18 @@ struct Eclipse {
 ///
 /// Every full Moon near a node is searched with moon98, every eclipse refined with `theory`.
 ///
-/// Accuracy  elp_2000_82b: contacts within 8 s, 3 s on average, of 67 published ones, of which up to 6 s
-///           is the ΔT they predicted; moon98 adds up to 36 s. Beyond 1900 to 2100 as the ephemerides say
-///           (ephemeris.h)
+/// Accuracy  elp_2000_82b: contacts within 8 s, 3 s on average, of 67 published ones, of which up
+/// to 6 s
+///           is the ΔT they predicted; moon98 adds up to 36 s. Beyond 1900 to 2100 as the
+///           ephemerides say (ephemeris.h)
 /// Throws    Error  when `to` is before `from`
 std::vector<Eclipse> eclipses_between(
     const almanac::Instant& from, const almanac::Instant& to, ShadowConvention convention,
     almanac::LunarTheory theory = almanac::LunarTheory::elp_2000_82b);
 
 /// The eclipse that is under way, from P1 to P4, if there is one.
-std::optional<Eclipse> eclipse_at(
-    const almanac::Instant& instant, ShadowConvention convention,
-    almanac::LunarTheory theory = almanac::LunarTheory::elp_2000_82b);
+std::optional<Eclipse> eclipse_at(const almanac::Instant& instant, ShadowConvention convention,
+                                  almanac::LunarTheory theory = almanac::LunarTheory::elp_2000_82b);
 
 /// The eclipse whose greatest phase is nearest in time, before or after.
 Eclipse nearest_eclipse(const almanac::Instant& instant, ShadowConvention convention,

@@ -42,7 +42,8 @@ glm::dvec2 across_axis_m(const glm::dvec3& sun_m, const glm::dvec3& moon_m,
   return glm::dvec2(shadow_axis(sun_m, celestial_pole).shadow_from_gcrs * moon_m);
 }
 
-/// The time at which p(t) is nearest to the origin, by Newton's rule on a straight line through two places.
+/// The time at which p(t) is nearest to the origin, by Newton's rule on a straight line through two
+/// places.
 template <class Place>
 double time_of_least_distance_s(Place place, double tolerance_s) {
   constexpr double half_step_s = 300;
@@ -67,8 +68,7 @@ int full_moon_number(const Instant& instant) {
 
 bool eclipse_is_possible(int number) {
   const double t = centuries(number);
-  const double latitude_argument_deg =
-      160.7108 + 390.67050284 * (number + 0.5) - 0.0016118 * t * t;
+  const double latitude_argument_deg = 160.7108 + 390.67050284 * (number + 0.5) - 0.0016118 * t * t;
   return std::abs(std::sin(latitude_argument_deg * std::numbers::pi / 180)) < 0.36;
 }
 

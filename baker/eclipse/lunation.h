@@ -13,8 +13,8 @@ namespace coppermoon::eclipse {
 /// The number of the full Moon nearest to a moment, 0 being that of 21 January 2000.
 int full_moon_number(const almanac::Instant& instant);
 
-/// Whether the Moon may touch the penumbra at that full Moon: its mean argument of latitude is within 21°
-/// of a node.
+/// Whether the Moon may touch the penumbra at that full Moon: its mean argument of latitude is
+/// within 21° of a node.
 ///
 /// Source  Meeus (1998), Astronomical Algorithms, chapter 54
 bool eclipse_is_possible(int number);
@@ -22,8 +22,9 @@ bool eclipse_is_possible(int number);
 /// When the Moon is nearest to the shadow axis at that full Moon, by moon98; good to a minute.
 almanac::Instant nearest_to_axis(int number);
 
-/// The hours around one full Moon, quick to read: the Sun as a parabola through three samples, the Moon
-/// as moon98 and, for the other theory, a parabola through three samples of what that theory adds.
+/// The hours around one full Moon, quick to read: the Sun as a parabola through three samples, the
+/// Moon as moon98 and, for the other theory, a parabola through three samples of what that theory
+/// adds.
 struct Lunation {
   almanac::Instant middle;
   glm::dvec3 celestial_pole;

@@ -10,12 +10,13 @@
 namespace coppermoon::eclipse {
 
 /// The line from the Sun's centre through the Earth's, with the frame that goes with it:
-/// X towards celestial east, Y towards celestial north, Z away from the Sun; right-handed, origin at the
-/// Earth's centre. East and north are the sky's where the shadow is, seen from the Earth.
+/// X towards celestial east, Y towards celestial north, Z away from the Sun; right-handed, origin
+/// at the Earth's centre. East and north are the sky's where the shadow is, seen from the Earth.
 struct ShadowAxis {
   glm::dmat3 shadow_from_gcrs;
   algebra::Length sun_distance;
-  algebra::Angle sun_declination = {};  ///< apparent, of date: how the Earth's poles are tipped to the axis
+  algebra::Angle sun_declination =
+      {};  ///< apparent, of date: how the Earth's poles are tipped to the axis
 };
 
 /// Accuracy  the Sun's (almanac::apparent_sun_m): 0.05″, 0.1 km at the Moon, from 1800 to 2200
@@ -23,14 +24,15 @@ ShadowAxis shadow_axis(const almanac::SkyState& sky);
 
 /// The same from the apparent Sun alone.
 ///
-/// Given  sun_m  apparent geocentric position, GCRS axes [m]; celestial_pole: of date, unit, GCRS axes
+/// Given  sun_m  apparent geocentric position, GCRS axes [m]; celestial_pole: of date, unit, GCRS
+/// axes
 ShadowAxis shadow_axis(const glm::dvec3& sun_m, const glm::dvec3& celestial_pole);
 
 /// Where a point stands in the shadow.
 struct ShadowPlace {
-  algebra::Length axis_distance;   ///< distance from the shadow axis
-  algebra::Angle position_angle;   ///< about the axis, from celestial north through east, 0 to 2π
-  algebra::Length depth;           ///< distance beyond the Earth's centre along the axis; negative: sunward
+  algebra::Length axis_distance;  ///< distance from the shadow axis
+  algebra::Angle position_angle;  ///< about the axis, from celestial north through east, 0 to 2π
+  algebra::Length depth;  ///< distance beyond the Earth's centre along the axis; negative: sunward
 };
 
 /// Given  position_m  geocentric, GCRS axes [m]

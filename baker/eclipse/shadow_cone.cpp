@@ -47,7 +47,8 @@ ShadowRadii shadow_radii(ShadowConvention convention, const ShadowAxis& axis,
 }
 
 algebra::Angle lunar_semidiameter(const ShadowPlace& moon) {
-  return algebra::radians(std::asin(lunar_radius_in_earth_radii * earth_radius_m / distance_m(moon)));
+  return algebra::radians(
+      std::asin(lunar_radius_in_earth_radii * earth_radius_m / distance_m(moon)));
 }
 
 algebra::Length limb_radius(algebra::Angle position_angle, algebra::Angle sun_declination) {
@@ -56,8 +57,8 @@ algebra::Length limb_radius(algebra::Angle position_angle, algebra::Angle sun_de
   const double polar_squared = 1 - eccentricity_squared * cos_declination * cos_declination;
   const double sin_angle = std::sin(algebra::in_radians(position_angle)),
                cos_angle = std::cos(algebra::in_radians(position_angle));
-  return algebra::metres(earth_radius_m / std::sqrt(sin_angle * sin_angle +
-                                                    cos_angle * cos_angle / polar_squared));
+  return algebra::metres(earth_radius_m /
+                         std::sqrt(sin_angle * sin_angle + cos_angle * cos_angle / polar_squared));
 }
 
 }  // namespace coppermoon::eclipse

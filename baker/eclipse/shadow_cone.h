@@ -6,23 +6,27 @@
 
 namespace coppermoon::eclipse {
 
-/// How much larger than the solid Earth's the umbra is said to be. Three published conventions, with πm and
-/// πs the equatorial horizontal parallaxes of Moon and Sun and s the Sun's semidiameter:
+/// How much larger than the solid Earth's the umbra is said to be. Three published conventions,
+/// with πm and πs the equatorial horizontal parallaxes of Moon and Sun and s the Sun's
+/// semidiameter:
 ///
-///     danjon          1.01 πm + πs ∓ s                      1.01 = 1 + 1/85 − 1/594: 75 km of air, the
+///     danjon          1.01 πm + πs ∓ s                      1.01 = 1 + 1/85 − 1/594: 75 km of air,
+///     the
 ///                                                           Earth's mean radius; NASA since 2009
 ///     chauvenet       1.02 (0.998340 πm + πs ∓ s)           almanacs and NASA before 2009
-///     herald_sinnott  (πm + πs) (r + 87 km) / a ∓ s         r the limb's radius under the Moon, a the
-///                                                           Earth's equatorial one: the only oblate one
+///     herald_sinnott  (πm + πs) (r + 87 km) / a ∓ s         r the limb's radius under the Moon, a
+///     the
+///                                                           Earth's equatorial one: the only
+///                                                           oblate one
 ///
-/// Upper sign: umbra, lower: penumbra. chauvenet makes the umbral magnitude 0.005 larger than danjon, the
-/// penumbral one 0.026.
-/// Source  Espenak & Meeus (2009), Five Millennium Canon of Lunar Eclipses, NASA/TP-2009-214172, §1.8;
+/// Upper sign: umbra, lower: penumbra. chauvenet makes the umbral magnitude 0.005 larger than
+/// danjon, the penumbral one 0.026. Source  Espenak & Meeus (2009), Five Millennium Canon of Lunar
+/// Eclipses, NASA/TP-2009-214172, §1.8;
 ///         Herald & Sinnott (2014), J. Brit. Astron. Assoc. 124, 247
 enum class ShadowConvention { danjon, chauvenet, herald_sinnott };
 
-/// Radii of the shadow where the Moon is, as angles seen from the Earth's centre. At the distance D from
-/// there an angle ρ is D sin ρ from the axis. The umbra's is negative beyond its tip.
+/// Radii of the shadow where the Moon is, as angles seen from the Earth's centre. At the distance D
+/// from there an angle ρ is D sin ρ from the axis. The umbra's is negative beyond its tip.
 struct ShadowRadii {
   algebra::Angle umbra, penumbra;
 };
@@ -31,8 +35,8 @@ struct ShadowRadii {
 ShadowRadii shadow_radii(ShadowConvention convention, const ShadowAxis& axis,
                          const ShadowPlace& moon);
 
-/// Equatorial radius and flattening of the Earth; radius of the Moon in Earth radii. Every convention
-/// uses the same.
+/// Equatorial radius and flattening of the Earth; radius of the Moon in Earth radii. Every
+/// convention uses the same.
 inline constexpr double earth_radius_m = 6378137.0, earth_flattening = 1 / 298.257,
                         lunar_radius_in_earth_radii = 0.2725076;
 

@@ -18,8 +18,8 @@ constexpr std::size_t fewest_disc_rows = 180;
 
 void require_two_to_one(const Grid<float>& map) {
   if (map.empty() || map.columns() != 2 * map.rows())
-    throw algebra::Error(fmt::format("albedo map is {} x {} texels, allowed 2:1", map.columns(),
-                                     map.rows()));
+    throw algebra::Error(
+        fmt::format("albedo map is {} x {} texels, allowed 2:1", map.columns(), map.rows()));
 }
 
 struct Neighbours {

@@ -8,14 +8,15 @@
 
 namespace coppermoon::surface {
 
-/// An albedo map is a Grid<float> in plate carrée: twice as many columns as rows, row 0 in the north,
-/// longitude 0 in the middle, east to the right. Texels are areas; this is the place of a texel's centre.
+/// An albedo map is a Grid<float> in plate carrée: twice as many columns as rows, row 0 in the
+/// north, longitude 0 in the middle, east to the right. Texels are areas; this is the place of a
+/// texel's centre.
 ///
 /// Given  row, column  of the texel; rows: of the map, which has 2 rows columns
 almanac::SelenographicPoint texel_centre(std::size_t row, std::size_t column, std::size_t rows);
 
-/// The map's value at a place: bilinear between texel centres, around the seam at longitude 180, and
-/// held beyond the last row's centre at the poles.
+/// The map's value at a place: bilinear between texel centres, around the seam at longitude 180,
+/// and held beyond the last row's centre at the poles.
 ///
 /// Given   at     any longitude; latitudes beyond the poles count as the pole
 /// Throws  Error  when the map is empty
@@ -35,7 +36,8 @@ double sampled(const algebra::Grid<float>& map, const almanac::SelenographicPoin
 algebra::Grid<float> normalised_to_geometric_albedo(algebra::Grid<float> map,
                                                     double geometric_albedo = 0.12);
 
-/// The mean over the disc of A f(mu) in the expression above: the geometric albedo of the map as it is.
+/// The mean over the disc of A f(mu) in the expression above: the geometric albedo of the map as it
+/// is.
 double geometric_albedo(const algebra::Grid<float>& map);
 
 }  // namespace coppermoon::surface

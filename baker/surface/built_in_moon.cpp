@@ -42,8 +42,7 @@ void add_octaves(Row& row, std::size_t rows) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto& c = coarse[i];
     const auto& d = fine[i];
-    row.bent[i] =
-        glm::normalize(row.points[i] + glm::vec3(c[0] + d[0], c[1] + d[1], c[2] + d[2]));
+    row.bent[i] = glm::normalize(row.points[i] + glm::vec3(c[0] + d[0], c[1] + d[1], c[2] + d[2]));
     row.shade[i] = c[3] + d[3];
     row.grain[i] = d[3];
   }
@@ -104,15 +103,16 @@ void paint(const Patch& patch, Row& row) {
   // A small patch keeps its place and shape: it is bent by no more than a part of its size.
   const float bending = std::min(1.0F, longest / 0.09F);
   const float ragged = 1.9F * smooth_step(0.015F, 0.06F, longest);
-  for_each_column_within(longest * (1.6F + patch.softness) + bent, patch.at, row, [&](std::size_t c) {
-    const auto [x, y, distance] =
-        offset(patch.at, row.points[c] + bending * (row.bent[c] - row.points[c]));
-    const float u = (x * patch.cos_turn + y * patch.sin_turn) / patch.semi_east_rad;
-    const float v = (y * patch.cos_turn - x * patch.sin_turn) / patch.semi_north_rad;
-    const float out = std::hypot(u, v) + ragged * row.shade[c];
-    const float cover = 1 - smooth_step(1 - patch.softness, 1 + patch.softness, out);
-    row.albedo[c] += cover * (patch.albedo * (1 + 1.2F * row.shade[c]) - row.albedo[c]);
-  });
+  for_each_column_within(
+      longest * (1.6F + patch.softness) + bent, patch.at, row, [&](std::size_t c) {
+        const auto [x, y, distance] =
+            offset(patch.at, row.points[c] + bending * (row.bent[c] - row.points[c]));
+        const float u = (x * patch.cos_turn + y * patch.sin_turn) / patch.semi_east_rad;
+        const float v = (y * patch.cos_turn - x * patch.sin_turn) / patch.semi_north_rad;
+        const float out = std::hypot(u, v) + ragged * row.shade[c];
+        const float cover = 1 - smooth_step(1 - patch.softness, 1 + patch.softness, out);
+        row.albedo[c] += cover * (patch.albedo * (1 + 1.2F * row.shade[c]) - row.albedo[c]);
+      });
 }
 
 void paint(const OldCrater& crater, Row& row) {
@@ -130,8 +130,7 @@ float ray_strength(const RayCrater& crater, const Offset& at, float grain) {
   float strength = 0;
   for (const auto& ray : crater.rays) {
     if (at.distance > ray.length_rad) continue;
-    const auto turn =
-        std::remainder(azimuth - ray.azimuth_rad, static_cast<float>(2 * pi));
+    const auto turn = std::remainder(azimuth - ray.azimuth_rad, static_cast<float>(2 * pi));
     const float along = at.distance / ray.length_rad;
     const float aside = std::sin(std::min(std::abs(turn), 1.5F)) * std::sin(at.distance);
     const float wide = ray.half_width_rad * (1 + 1.8F * along) * (1 + 3 * grain);
@@ -146,7 +145,8 @@ void paint(const RayCrater& crater, Row& row) {
   for_each_column_within(reach, crater.at, row, [&](std::size_t c) {
     const auto at = offset(crater.at, row.points[c]);
     const float r = at.distance / crater.radius_rad;
-    const float halo = r < 1 ? 1 : std::exp(-0.75F * (r - 1)) * (0.8F + 3 * row.grain[c]);
+    const float halo =
+        r < 1 ? 0.7F + 0.3F * r : std::exp(-0.75F * (r - 1)) * (0.8F + 3 * row.grain[c]);
     const float rays = r < 1 ? 0 : 0.85F * ray_strength(crater, at, row.grain[c]);
     const float strength = std::clamp(std::max(0.85F * halo, rays), 0.0F, 1.0F);
     row.albedo[c] += strength * std::max(0.0F, crater.albedo - row.albedo[c]);

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <string>
-#include <cstdint>
 
 #include "algebra/error.h"
 #include "algebra/random.h"
@@ -62,9 +62,9 @@ std::vector<Ray> rays(double reach_rad, float radius_rad, std::uint64_t crater) 
   algebra::Random random(1, crater);
   std::vector<Ray> found(static_cast<std::size_t>(reach_rad > 0 ? 11 + 16 * reach_rad : 0));
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const double even = (static_cast<double>(i) + 1.3 * random.uniform()) /
-                        static_cast<double>(found.size());
-    const double shortened = 0.3 + 0.7 * std::pow(random.uniform(), 1.5);
+    const double even =
+        (static_cast<double>(i) + 1.3 * random.uniform()) / static_cast<double>(found.size());
+    const double shortened = 0.4 + 0.6 * std::pow(random.uniform(), 1.4);
     found[i] = {static_cast<float>(2 * pi * even), static_cast<float>(reach_rad * shortened),
                 static_cast<float>((0.018 + 0.03 * random.uniform()) * std::sqrt(radius_rad)),
                 static_cast<float>(0.45 + 0.55 * random.uniform())};
@@ -85,9 +85,10 @@ std::vector<OldCrater> old_craters() {
     algebra::Random random(2, i);
     const double z = 2 * random.uniform() - 1, around = 2 * pi * random.uniform();
     const double across_km = std::min(7 / std::sqrt(1 - random.uniform()), 140.0);
-    const double contrast = (0.03 + 0.2 * std::pow(random.uniform(), 3)) * std::pow(across_km / 7, -0.45);
-    found.push_back({site(std::asin(z), around - pi), angle(across_km),
-                     static_cast<float>(contrast)});
+    const double contrast =
+        (0.03 + 0.2 * std::pow(random.uniform(), 3)) * std::pow(across_km / 7, -0.45);
+    found.push_back(
+        {site(std::asin(z), around - pi), angle(across_km), static_cast<float>(contrast)});
   }
   return found;
 }
@@ -103,8 +104,8 @@ void add(Features& features, const Line& line) {
   } else if (what == "crater") {
     features.ray_craters.push_back(ray_crater(line, features.ray_craters.size()));
   } else {
-    throw Error(fmt::format("{}: kind \"{}\", allowed ground, mare, island, crater", line.where,
-                            what));
+    throw Error(
+        fmt::format("{}: kind \"{}\", allowed ground, mare, island, crater", line.where, what));
   }
 }
 
@@ -123,7 +124,8 @@ Features features(std::string_view table, std::string_view name) {
   for (std::size_t r = 1; r < rows.size(); ++r) {
     const Line line{rows[r], fmt::format("{}:row {}", name, r)};
     if (rows[r].size() != column_count)
-      throw Error(fmt::format("{}: {} cells, allowed {}", line.where, rows[r].size(), column_count));
+      throw Error(
+          fmt::format("{}: {} cells, allowed {}", line.where, rows[r].size(), column_count));
     add(found, line);
   }
   found.old_craters = old_craters();

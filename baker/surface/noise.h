@@ -18,7 +18,8 @@ double unit_interval(std::uint64_t hash);
 using Noise = std::array<float, 4>;
 
 /// Value noise in space at each of many points: random values at the corners of cubes, smoothly
-/// interpolated, so a sphere cut out of it has neither seam nor pole. Neighbouring points are quick.
+/// interpolated, so a sphere cut out of it has neither seam nor pole. Neighbouring points are
+/// quick.
 ///
 /// Given     points      unit vectors
 ///           frequency   cubes to the unit of length

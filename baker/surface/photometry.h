@@ -12,10 +12,12 @@ namespace coppermoon::surface {
 /// The numerator is the cosine with which light spreads over slanting ground, the denominator is
 /// the paper's correction of it.
 ///
-/// Given     cos_incidence  mu, of the angle between the surface normal and the direction of the Sun
-/// Returned  radiance factor (I/F) over normal albedo; 0 where mu <= 0. The mean over the disc of the
+/// Given     cos_incidence  mu, of the angle between the surface normal and the direction of the
+/// Sun Returned  radiance factor (I/F) over normal albedo; 0 where mu <= 0. The mean over the disc
+/// of the
 ///           full Moon is radiance_factor_yapo_cutler_disc_mean
-/// Omits     phase: no opposition surge, the same from wherever it is seen. Between phases of 1.5 and
+/// Omits     phase: no opposition surge, the same from wherever it is seen. Between phases of 1.5
+/// and
 ///           5 degrees the real Moon's radiance falls by a fifth
 /// Source    Yapo & Cutler (2009), Rendering Lunar Eclipses, Eq. 13
 double radiance_factor_yapo_cutler(double cos_incidence);

@@ -19,13 +19,6 @@ namespace {
 
 using algebra::Grid;
 
-glm::dvec3 direction(const almanac::SelenographicPoint& at) {
-  const double latitude = algebra::in_radians(at.latitude);
-  const double longitude = algebra::in_radians(at.longitude);
-  return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
-          std::sin(latitude)};
-}
-
 /// Means of a row of values over `count` equal parts of it.
 void area_means(std::span<const float> row, std::span<float> means) {
   const double width = static_cast<double>(row.size()) / static_cast<double>(means.size());
@@ -61,8 +54,8 @@ struct Lighting {
 
   void light_texel(const almanac::SelenographicPoint& at, double albedo, std::span<double> values,
                    std::span<float> texel) const {
-    const glm::dvec3 normal = gcrs_from_selenographic * direction(at);
-    const glm::dvec3 place = sky.moon_m + lunar_radius_m * normal, to_sun = sky.sun_m - place;
+    const glm::dvec3 normal = gcrs_from_selenographic * almanac::selenographic_direction(at);
+    const glm::dvec3 place = sky.moon_m + algebra::in_metres(almanac::lunar_radius) * normal, to_sun = sky.sun_m - place;
     const double distance = glm::length(to_sun);
     const double mu = glm::dot(normal, to_sun) / distance;
     const double near = photons::astronomical_unit_m / distance;

@@ -12,11 +12,6 @@
 
 namespace coppermoon::texture {
 
-/// Mean radius of the Moon [m].
-///
-/// Source  Yapo & Cutler (2009) §2.2
-inline constexpr double lunar_radius_m = 1.737e6;
-
 /// The Moon of one moment, every texel lit: what comes through the shadow at the texel's own place on the sphere,
 /// times the ground's normal albedo and photometric function.
 ///

@@ -20,13 +20,15 @@ constexpr std::array<Pair, 5> translated{{{"capDate", "DateTime"},
                                           {"expTime", "ExposureTime"},
                                           {"aperture", "FNumber"}}};
 constexpr std::array<std::string_view, 10> real_numbers{
-    "expTime",        "aperture", "isoSpeed", "whiteLuminance", "utcOffset",
-    "longitude",      "latitude", "altitude", "focus",          "framesPerSecond"};
+    "expTime",   "aperture", "isoSpeed", "whiteLuminance", "utcOffset",
+    "longitude", "latitude", "altitude", "focus",          "framesPerSecond"};
 constexpr std::array<std::string_view, 3> texts{"capDate", "owner", "comments"};
 constexpr std::array<std::string_view, 14> own_layout{
-    "channels",  "chunkCount",  "compression",        "dataWindow",        "displayWindow",
-    "envmap",    "lineOrder",   "name",               "pixelAspectRatio",  "screenWindowCenter",
-    "tiles",     "type",        "screenWindowWidth",  "version"};
+    "channels",           "chunkCount",    "compression",
+    "dataWindow",         "displayWindow", "envmap",
+    "lineOrder",          "name",          "pixelAspectRatio",
+    "screenWindowCenter", "tiles",         "type",
+    "screenWindowWidth",  "version"};
 
 bool contains(const auto& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -59,8 +61,8 @@ float as_float(const Attribute& value) {
   return whole ? static_cast<float>(*whole) : std::get<float>(value);
 }
 
-/// The fraction with the smallest denominator that is the number to float's precision; 1001 belongs to
-/// the television rates, which a float only approximates.
+/// The fraction with the smallest denominator that is the number to float's precision; 1001 belongs
+/// to the television rates, which a float only approximates.
 std::array<int, 2> as_fraction(float value) {
   require(value > 0 && value < 1e6F, "framesPerSecond", "more than 0 and less than 1e6");
   const auto near = [&](int n, double within) {
@@ -93,8 +95,9 @@ void set_attribute(OIIO::ImageSpec& spec, const std::string& name, const Attribu
     spec.attribute(key, *text);
   } else if (const auto* numbers = std::get_if<std::vector<float>>(&value)) {
     const bool pair = name == "adoptedNeutral";
-    const auto type = pair ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::VEC2)
-                           : OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, static_cast<int>(numbers->size()));
+    const auto type =
+        pair ? OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, OIIO::TypeDesc::VEC2)
+             : OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, static_cast<int>(numbers->size()));
     spec.attribute(key, type, numbers->data());
   } else if (const auto* whole = std::get_if<int>(&value)) {
     spec.attribute(key, *whole);

@@ -8,8 +8,8 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <functional>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -145,11 +145,12 @@ void add_luminance(const Band& band, const OIIO::ImageSpec& spec, Curve curve,
 
 void require_two_to_one(const fs::path& path, const OIIO::ImageSpec& spec) {
   if (spec.width != 2 * spec.height)
-    throw cannot_read(path, fmt::format("albedo map of {} x {} texels, allowed 2:1", spec.width,
-                                        spec.height));
+    throw cannot_read(
+        path, fmt::format("albedo map of {} x {} texels, allowed 2:1", spec.width, spec.height));
   if (spec.full_width != spec.width || spec.full_height != spec.height)
-    throw cannot_read(path, fmt::format("albedo map cropped from {} x {} texels, allowed whole ones",
-                                        spec.full_width, spec.full_height));
+    throw cannot_read(path,
+                      fmt::format("albedo map cropped from {} x {} texels, allowed whole ones",
+                                  spec.full_width, spec.full_height));
 }
 
 void require_albedo(const fs::path& path, const algebra::Grid<float>& map) {
@@ -194,8 +195,7 @@ algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding) {
   return within_memory(path, spec, [&] {
     algebra::Grid<float> map(static_cast<std::size_t>(spec.height),
                              static_cast<std::size_t>(spec.width));
-    for_each_band(*input, path,
-                  [&](const Band& band) { add_luminance(band, spec, curve, map); });
+    for_each_band(*input, path, [&](const Band& band) { add_luminance(band, spec, curve, map); });
     require_albedo(path, map);
     return map;
   });

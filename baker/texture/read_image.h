@@ -11,10 +11,11 @@
 
 namespace coppermoon::texture {
 
-/// Every texel of an image file of any kind: floating-point formats as they are, integer formats 0 to
-/// 1, still coded as in the file.
+/// Every texel of an image file of any kind: floating-point formats as they are, integer formats 0
+/// to 1, still coded as in the file.
 ///
-/// Throws  Error  one line with the path: no such file, not permitted, a directory, empty, no image,
+/// Throws  Error  one line with the path: no such file, not permitted, a directory, empty, no
+/// image,
 ///                or an image that ends early
 Image read_image(const std::filesystem::path& path);
 
@@ -38,8 +39,8 @@ enum class Coding {
 /// Given     path    of any image 2:1, longitude 0 in the middle, east to the right
 /// Returned  linear, in the image's own scale; normalise it before use
 /// Omits     chromaticities other than Rec. 709, alpha
-/// Throws    Error   as read_image, and when it is not 2:1 or a texel is negative, infinite or no number
-/// Source    ITU-R BT.709, IEC 61966-2-1
+/// Throws    Error   as read_image, and when it is not 2:1 or a texel is negative, infinite or no
+/// number Source    ITU-R BT.709, IEC 61966-2-1
 algebra::Grid<float> read_albedo_map(const std::filesystem::path& path,
                                      Coding coding = Coding::as_file_says);
 

@@ -7,8 +7,9 @@
 
 namespace coppermoon::texture {
 
-/// Writes a file that appears whole or not at all: under a temporary name in the same folder, flushed
-/// to the disk, then renamed. Whatever stops it, the temporary file goes and the old file stays.
+/// Writes a file that appears whole or not at all: under a temporary name in the same folder,
+/// flushed to the disk, then renamed. Whatever stops it, the temporary file goes and the old file
+/// stays.
 ///
 /// Given   path   of a file, new or to be replaced; a symbolic link is followed
 ///         fill   told a file descriptor open for writing; whatever it throws ends the writing

@@ -55,10 +55,11 @@ std::string one_line(std::string text) {
   return text.empty() ? "unknown reason" : text;
 }
 
-/// Whether OpenImageIO wrote it all; its error is fetched in any case, or it would print it at the end.
+/// Whether OpenImageIO wrote it all; its error is fetched in any case, or it would print it at the
+/// end.
 std::string encoded(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec, const Image& image) {
-  const bool written = output.open("", spec) &&
-                       output.write_image(OIIO::TypeDesc::FLOAT, image.values.data());
+  const bool written =
+      output.open("", spec) && output.write_image(OIIO::TypeDesc::FLOAT, image.values.data());
   const bool closed = output.close();
   const auto reason = output.geterror() + OIIO::geterror();
   return written && closed ? "" : one_line(reason);
@@ -68,7 +69,8 @@ void write_through(const std::filesystem::path& path, const char* format, OIIO::
                    const Image& image) {
   const auto output = OIIO::ImageOutput::create(format);
   if (!output)
-    throw Error(fmt::format("{}: cannot be written: {}", path.string(), one_line(OIIO::geterror())));
+    throw Error(
+        fmt::format("{}: cannot be written: {}", path.string(), one_line(OIIO::geterror())));
   write_whole(path, [&](int descriptor) {
     FileSink sink(descriptor);
     OIIO::Filesystem::IOProxy* proxy = &sink;
@@ -84,10 +86,10 @@ void require_texels(const std::filesystem::path& path, const Image& image) {
   const auto texels = image.width * image.height;
   if (texels == 0 || image.channels.empty() ||
       image.values.size() != texels * image.channels.size())
-    throw Error(fmt::format("{}: image of {} x {} texels, {} channels and {} values, allowed as many "
-                            "values as the others say, and at least one",
-                            path.string(), image.width, image.height, image.channels.size(),
-                            image.values.size()));
+    throw Error(fmt::format(
+        "{}: image of {} x {} texels, {} channels and {} values, allowed as many "
+        "values as the others say, and at least one",
+        path.string(), image.width, image.height, image.channels.size(), image.values.size()));
   auto names = image.channels;
   std::sort(names.begin(), names.end());
   const auto twice = std::adjacent_find(names.begin(), names.end());
@@ -127,7 +129,8 @@ void write_exr(const std::filesystem::path& path, const Image& image, const Attr
   require_values(path, image, options.allow_negative ? -highest : 0, highest);
   auto spec = spec_of(image, half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT, attributes);
   spec.attribute("compression", half ? "piz" : "zip");
-  if (!attributes.contains("capDate")) spec.attribute("DateTime", "");  // or it would be the clock's
+  if (!attributes.contains("capDate"))
+    spec.attribute("DateTime", "");  // or it would be the clock's
   write_through(path, "openexr", spec, image);
 }
 
@@ -140,7 +143,8 @@ void write_png(const std::filesystem::path& path, const Image& image, int bits,
     throw Error(fmt::format("{}: PNG of {} channels, allowed 1 or 3", path.string(),
                             image.channels.size()));
   require_values(path, image, 0, 1);
-  auto spec = spec_of(image, bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16, attributes);
+  auto spec =
+      spec_of(image, bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16, attributes);
   spec.attribute("oiio:ColorSpace", "sRGB");
   write_through(path, "png", spec, image);
 }

@@ -16,17 +16,20 @@ struct ExrOptions {
   bool allow_negative = false;   ///< light is never negative, colours outside a gamut are
 };
 
-/// Writes scene-linear texels to an OpenEXR file, whole or not at all. The same image and attributes
-/// give the same bytes, whatever the time and the number of threads.
+/// Writes scene-linear texels to an OpenEXR file, whole or not at all. The same image and
+/// attributes give the same bytes, whatever the time and the number of threads.
 ///
 /// Given   image       channels of any names, each once
 ///         attributes  standard ones get their standard types; without `capDate` that one is empty
-/// Throws  Error       a texel that is no number, infinite, negative or beyond the type's range, with
-///                     its place and channel; an image without texels; a file that cannot be written
+/// Throws  Error       a texel that is no number, infinite, negative or beyond the type's range,
+/// with
+///                     its place and channel; an image without texels; a file that cannot be
+///                     written
 void write_exr(const std::filesystem::path& path, const Image& image, const Attributes& attributes,
                const ExrOptions& options = {});
 
-/// Writes a display-referred image (sRGB-coded, 0 to 1, grey or RGB) to a PNG file, whole or not at all.
+/// Writes a display-referred image (sRGB-coded, 0 to 1, grey or RGB) to a PNG file, whole or not at
+/// all.
 ///
 /// Given   bits        8 or 16
 ///         attributes  written as text

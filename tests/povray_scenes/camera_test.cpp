@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "povray_scenes/camera.h"
 
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 #include <numbers>
 
@@ -66,6 +68,42 @@ TEST(CameraAt, TakesNorthFromTheEquatorOfDateWhereverTheObserverStands) {
                                 Up::celestial_north, degrees(0.6), 100, 100);
   EXPECT_GT(pixel_of(camera, place(17, 59))->x, 60);
   EXPECT_LT(pixel_of(camera, place(80, 0))->y, 20);
+}
+
+TEST(CameraAt, LeansWithThePoleOfDate) {
+  // The pole of date 20 degrees east (left) of the GCRS's: the Moon's own leans as far to the
+  // right.
+  auto sky = moon_at_the_equinox();
+  const double q = 20 * std::numbers::pi / 180;
+  sky.equator_from_gcrs = glm::transpose(
+      glm::dmat3({1, 0, 0}, {0, std::cos(q), -std::sin(q)}, {0, std::sin(q), std::cos(q)}));
+  const auto chart = camera_at(sky, Up::celestial_north, degrees(0.6), 100, 100);
+  const auto top = *pixel_of(chart, place(60, 0)) - glm::dvec2(50, 50);
+  EXPECT_WITHIN(std::atan2(top.x, -top.y), q, 1e-9, rounding);
+}
+
+TEST(CameraAt, LooksDownOnTheSubObserverPointOfTheAlmanac) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T03:26:05Z"));
+  const auto view = almanac::view_from({degrees(42.4), degrees(-71.1), metres(10)}, sky);
+  const auto camera = camera_at(sky, view, Up::zenith, degrees(0.6), 100, 100);
+  const auto middle = *pixel_of(camera, view.sub_observer);
+  EXPECT_WITHIN(middle.x, 50, 1e-6, rounding);
+  EXPECT_WITHIN(middle.y, 50, 1e-6, rounding);
+  EXPECT_WITHIN_RELATIVE(glm::length(camera.position), view.moon_distance / lunar_radius, 1e-9,
+                         rounding);
+}
+
+TEST(CameraAt, TurnsFromNorthToTheZenithByTheParallacticAngle) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T03:26:05Z"));
+  const auto view = almanac::view_from({degrees(42.4), degrees(-71.1), metres(10)}, sky);
+  const auto bearing = [&](Up up) {
+    const auto camera = camera_at(sky, view, up, degrees(0.6), 1000, 1000);
+    const auto pole = *pixel_of(camera, place(80, 0)) - glm::dvec2(500, 500);
+    return std::atan2(-pole.x, -pole.y);  // anticlockwise from up, which is east of north
+  };
+  // The zenith stands q east of north: seen from it, the pole's bearing is smaller by q.
+  EXPECT_WITHIN(bearing(Up::celestial_north) - bearing(Up::zenith),
+                in_radians(view.parallactic_angle), 1e-9, rounding);
 }
 
 TEST(CameraAt, TurnsTheMoonByThePositionAngleOfItsAxis) {

@@ -73,7 +73,8 @@ TEST_F(ReadAlbedoMap, LinearisesEightBitsAsSrgb) {
 }
 
 TEST_F(ReadAlbedoMap, WeighsColoursByRec709) {
-  const auto red = read_albedo_map(file("a.ppm", std::string("P6\n2 1\n255\n\xFF\0\0\0\xFF\0", 17)));
+  const auto red =
+      read_albedo_map(file("a.ppm", std::string("P6\n2 1\n255\n\xFF\0\0\0\xFF\0", 17)));
   EXPECT_WITHIN(red(0, 0), 0.2126, 1e-6, "the weight of red alone");
   EXPECT_WITHIN(red(0, 1), 0.7152, 1e-6, "the weight of green alone");
 }
@@ -96,7 +97,8 @@ TEST_F(ReadAlbedoMap, TakesLinearFormatsAsTheyAre) {
 }
 
 TEST_F(ReadAlbedoMap, NorthIsTheFirstRow) {
-  const auto map = read_albedo_map(file("a.pgm", std::string("P5\n4 2\n255\n\xFF\0\0\0\0\0\0\0", 19)));
+  const auto map =
+      read_albedo_map(file("a.pgm", std::string("P5\n4 2\n255\n\xFF\0\0\0\0\0\0\0", 19)));
   EXPECT_EQ(map.rows(), 2);
   EXPECT_EQ(map.columns(), 4);
   EXPECT_WITHIN(map(0, 0), 1, 1e-6, "white");
@@ -115,7 +117,8 @@ TEST_F(ReadAlbedoMap, PngIsSrgb) {
   Image image(2, 1, {"Y"});
   image.values = {0.5F, 1};
   write_png(in_folder("a.png"), image, 16);
-  EXPECT_WITHIN(read_albedo_map(in_folder("a.png"))(0, 0), 0.214041, 2e-5, "half a step of 16 bits");
+  EXPECT_WITHIN(read_albedo_map(in_folder("a.png"))(0, 0), 0.214041, 2e-5,
+                "half a step of 16 bits");
 }
 
 TEST_F(ReadAlbedoMap, MustBeTwiceAsWideAsHigh) {

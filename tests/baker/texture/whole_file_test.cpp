@@ -16,7 +16,8 @@ using coppermoon::texture::write_whole;
 
 using WholeFile = ScratchFolder;
 
-/// No file may grow beyond so many bytes while this lives: what a full disk looks like to a program.
+/// No file may grow beyond so many bytes while this lives: what a full disk looks like to a
+/// program.
 class SmallDisk {
  public:
   explicit SmallDisk(rlim_t bytes) {
@@ -98,8 +99,8 @@ TEST_F(WholeFile, IsNoDevice) {
 
 TEST_F(WholeFile, NeedsPermission) {
   if (::geteuid() == 0) GTEST_SKIP() << "the superuser may write anywhere";
-  std::filesystem::permissions(in_folder(""), std::filesystem::perms::owner_read |
-                                                  std::filesystem::perms::owner_exec);
+  std::filesystem::permissions(
+      in_folder(""), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
   EXPECT_ERROR(write_whole(in_folder("a"), "x"), "Permission denied");
   std::filesystem::permissions(in_folder(""), std::filesystem::perms::owner_all);
 }

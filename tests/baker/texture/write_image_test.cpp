@@ -138,7 +138,8 @@ TEST_F(WriteImage, TheSameBytesAgainLater) {
   const auto image = eclipse_like(64);
   for (const char* name : {"a.exr", "b.exr"}) {
     write_exr(in_folder(name), image, {{"isoSpeed", 100.0F}});
-    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // beyond a stamp of whole seconds
+    std::this_thread::sleep_for(
+        std::chrono::milliseconds(1100));  // beyond a stamp of whole seconds
   }
   EXPECT_EQ(bytes_of(in_folder("a.exr")), bytes_of(in_folder("b.exr")));
   for (const char* name : {"a.png", "b.png"}) {
@@ -151,7 +152,8 @@ TEST_F(WriteImage, TheSameBytesAgainLater) {
 TEST_F(WriteImage, RefusesWhatHalfCannotHold) {
   const auto path = in_folder("a.exr");
   const auto place = "a.exr: texel row 0, column 1, channel B = ";
-  EXPECT_ERROR(write_exr(path, one_texel(65505), {}), place + std::string("65505, allowed 0 to 65504"));
+  EXPECT_ERROR(write_exr(path, one_texel(65505), {}),
+               place + std::string("65505, allowed 0 to 65504"));
   EXPECT_ERROR(write_exr(path, one_texel(NAN), {}), place + std::string("nan"));
   EXPECT_ERROR(write_exr(path, one_texel(INFINITY), {}), place + std::string("inf"));
   EXPECT_ERROR(write_exr(path, one_texel(-1e-3F), {}), place + std::string("-0.001"));
@@ -202,7 +204,8 @@ TEST_F(WriteImage, AFullDiskLeavesNothing) {
   std::signal(SIGXFSZ, SIG_IGN);
   rlimit before;
   ::getrlimit(RLIMIT_FSIZE, &before);
-  for (const rlim_t size : {0, 100, 20000}) {  // in the header, in the table of lines, in the texels
+  for (const rlim_t size :
+       {0, 100, 20000}) {  // in the header, in the table of lines, in the texels
     const rlimit small{size, before.rlim_max};
     ::setrlimit(RLIMIT_FSIZE, &small);
     EXPECT_ERROR(write_exr(in_folder("a.exr"), eclipse_like(128), {}),
@@ -232,7 +235,8 @@ TEST_F(WriteImage, PngRoundsToItsSteps) {
     write_png(in_folder("a.png"), image, bits);
     const auto back = read_image(in_folder("a.png"));
     for (std::size_t c = 0; c < 256; ++c)
-      EXPECT_WITHIN(back(0, c, 0), image(0, c, 0), 1e-6, "these are steps of both, but for rounding");
+      EXPECT_WITHIN(back(0, c, 0), image(0, c, 0), 1e-6,
+                    "these are steps of both, but for rounding");
   }
 }
 

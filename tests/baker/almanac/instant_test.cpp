@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "almanac/instant.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "algebra/error.h"
+#include "support/within.h"
+
+namespace coppermoon::almanac {
+namespace {
+
+double julian_day_ut(const Instant& instant) {
+  return instant.tt_day + instant.tt_fraction - delta_t_s(instant) / 86400;
+}
+
+std::string message_for(const char* text) {
+  try {
+    instant_from_utc(text);
+  } catch (const algebra::Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Instant, TheEpochJ2000IsNoonTerrestrialTime) {
+  const Instant epoch = instant_from_utc("2000-01-01T11:58:55.816Z");
+  EXPECT_WITHIN(seconds_between({2451545.0, 0}, epoch), 0, 1e-6,
+                "TT − UTC was 64.184 s by definition; two-part dates keep better than 1 µs");
+}
+
+TEST(Instant, TheEclipseOfThalesIsOnItsJulianDay) {
+  const double day = julian_day_ut(instant_from_utc("-0584-05-22T15:07"));
+  EXPECT_WITHIN(day, 1507900.13, 0.005, "Meeus (1998), chapter 7, gives two decimals of a day");
+}
+
+TEST(Instant, SputnikIsOnItsJulianDay) {
+  const double day = julian_day_ut(instant_from_utc("1957-10-04T19:26:24Z"));
+  EXPECT_WITHIN(day, 2436116.31, 1e-6, "Meeus (1998), example 7.a, exact: 4.81 October");
+}
+
+TEST(Instant, ReadsAndWritesTheSameText) {
+  for (const char* text :
+       {"-1999-01-01T00:00:00.000Z", "-0584-05-22T16:00:00.000Z", "0000-02-29T12:00:00.000Z",
+        "1582-10-15T00:00:00.001Z", "1971-06-30T00:00:00.000Z", "1972-01-01T00:00:00.000Z",
+        "2008-02-21T03:26:05.999Z", "2016-12-31T23:59:60.500Z", "2027-01-01T00:00:00.000Z",
+        "3000-12-31T23:59:59.000Z"})
+    EXPECT_EQ(utc_text(instant_from_utc(text), 3), text);
+}
+
+TEST(Instant, SecondsTimeOfDayAndZoneLetterMayBeLeftOut) {
+  EXPECT_EQ(utc_text(instant_from_utc("2008-02-21T03:26")), "2008-02-21T03:26:00Z");
+  EXPECT_EQ(utc_text(instant_from_utc("2008-02-21")), "2008-02-21T00:00:00Z");
+}
+
+TEST(Instant, RoundingCarriesThroughToTheYear) {
+  EXPECT_EQ(utc_text(instant_from_utc("2007-12-31T23:59:59.6Z")), "2008-01-01T00:00:00Z");
+  EXPECT_EQ(utc_text(instant_from_utc("2026-12-31T23:59:59.9996Z")), "2027-01-01T00:00:00Z");
+}
+
+TEST(Instant, ATextThatIsNoDateIsNamedWithAnExample) {
+  EXPECT_EQ(message_for("next Tuesday"),
+            "date \"next Tuesday\" is no ISO 8601 UTC date of the years -1999 to 3000, such as "
+            "2008-02-21T03:26:05Z");
+}
+
+TEST(Instant, DatesThatDoNotExistAreRefused) {
+  for (const char* text :
+       {"", "2008-02-30", "2007-02-29", "2008-13-01", "2008-2-1", "3001-01-01", "-2000-01-01",
+        "2008-02-21T24:00:01Z", "2008-02-21T03:60Z", "2008-02-21T03:26:60Z", "1950-01-01T23:59:60Z",
+        "2008-02-21T03:26:05.Z", "2008-02-21T03:26:05+01:00", "2008-02-21T03:26:05ZZ"})
+    EXPECT_THROW(instant_from_utc(text), algebra::Error) << text;
+}
+
+TEST(Instant, DecimalsOutsideTheirRangeAreRefused) {
+  EXPECT_THROW(utc_text(Instant{2451545, 0}, 4), algebra::Error);
+  EXPECT_THROW(utc_text(Instant{2451545, 0}, -1), algebra::Error);
+}
+
+TEST(Instant, ALeapSecondIsASecondLong) {
+  const Instant before = instant_from_utc("2016-12-31T23:59:59Z"),
+                after = instant_from_utc("2017-01-01T00:00:00Z");
+  EXPECT_WITHIN(seconds_between(before, after), 2, 1e-6,
+                "the last second of 2016 was a leap second");
+}
+
+TEST(Instant, LaterIsUndoneByEarlier) {
+  const Instant start = instant_from_utc("2008-02-21T03:26:05Z");
+  EXPECT_WITHIN(seconds_between(start, later(start, 1e6)), 1e6, 1e-6,
+                "rounding of a day's fraction");
+  EXPECT_WITHIN(seconds_between(start, later(later(start, 1e6), -1e6)), 0, 1e-6, "the same");
+}
+
+TEST(DeltaT, AgreesWithStephensonAndMorrison) {
+  const struct {
+    const char* date;
+    double delta_s, uncertainty_s;
+  } history[] = {{"-0500-01-01", 17190, 430}, {"0000-01-01", 10580, 260}, {"0500-01-01", 5710, 140},
+                 {"1000-01-01", 1570, 55},    {"1500-01-01", 200, 20},    {"1600-01-01", 120, 20},
+                 {"1700-01-01", 9, 5},        {"1800-01-01", 14, 1},      {"1900-01-01", -3, 1},
+                 {"1950-01-01", 29, 1}};
+  for (const auto& known : history)
+    EXPECT_WITHIN(delta_t_s(instant_from_utc(known.date)), known.delta_s, known.uncertainty_s,
+                  "Stephenson & Morrison (2004) in Espenak & Meeus (2006), table 1: its own "
+                  "uncertainty, or its rounding to 1 s");
+}
+
+TEST(DeltaT, IsCountedInLeapSecondsFrom1972) {
+  EXPECT_WITHIN(delta_t_s(instant_from_utc("1972-01-01")), 42.184, 1e-6,
+                "10 s + 32.184 s, defined");
+  EXPECT_WITHIN(delta_t_s(instant_from_utc("2008-02-21")), 65.184, 1e-6,
+                "33 s + 32.184 s, defined");
+  EXPECT_WITHIN(delta_t_s(instant_from_utc("2020-01-01")), 69.184, 1e-6,
+                "37 s + 32.184 s, defined");
+}
+
+TEST(DeltaT, StepsByLessThanATenthWhereThePolynomialsEnd) {
+  const Instant seam = instant_from_utc("1972-01-01");
+  EXPECT_WITHIN(delta_t_s(later(seam, -60)), delta_t_s(later(seam, 60)), 0.1,
+                "UT1 − UTC at the time was −0.05 s: the polynomial gives UT1");
+}
+
+TEST(DeltaT, IsContinuousWhereThePredictionBegins) {
+  Instant last = instant_from_utc("2020-01-01");
+  while (!delta_t_is_predicted(last)) last = later(last, 86400);
+  EXPECT_WITHIN(delta_t_s(last), delta_t_s(later(last, -86400)), 1e-3,
+                "the parabola starts level: 32.5 s (1 d / 1 cy)² is under 1 µs");
+}
+
+TEST(DeltaT, IsAPredictionAfterTheTableOnly) {
+  EXPECT_FALSE(delta_t_is_predicted(instant_from_utc("1900-01-01")));
+  EXPECT_FALSE(delta_t_is_predicted(instant_from_utc("2025-09-07")));
+  EXPECT_TRUE(delta_t_is_predicted(instant_from_utc("2100-01-01")));
+}
+
+}  // namespace
+}  // namespace coppermoon::almanac

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "almanac/sky.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "baker/almanac/published_rows.h"
+#include "support/within.h"
+
+namespace coppermoon::almanac {
+namespace {
+
+using algebra::in_degrees;
+
+constexpr const char* table = "baker/almanac/data/moon_places.csv";
+
+TEST(Sky, TheMoonsPlaceAgreesWithDe431) {
+  for (const auto& row : published_rows(table)) {
+    const SkyState sky = sky_at(instant_from_utc(row.at("utc")));
+    const auto place = equatorial_place(sky, sky.moon_m);
+    const char* reason = "Swiss Ephemeris on DE431, its ΔT up to 0.3 s off ours: 0.15″, 0.00005°";
+    EXPECT_WITHIN(in_degrees(place.right_ascension), number(row, "moon_ra_deg"), 1e-4, reason);
+    EXPECT_WITHIN(in_degrees(place.declination), number(row, "moon_dec_deg"), 1e-4, reason);
+    EXPECT_WITHIN(algebra::in_kilometres(place.distance), number(row, "moon_distance_km"), 1.0,
+                  "ELP 2000-82B was fitted to DE200, and 0.3 s of ΔT");
+  }
+}
+
+TEST(Sky, TheSunsDistanceAgreesWithDe431) {
+  for (const auto& row : published_rows(table)) {
+    const SkyState sky = sky_at(instant_from_utc(row.at("utc")), LunarTheory::moon98);
+    EXPECT_WITHIN(glm::length(sky.sun_m) / astronomical_unit_m, number(row, "sun_distance_au"),
+                  1e-7, "seven decimals in the table; eraEpv00 states 5 km RMS");
+  }
+}
+
+TEST(Sky, LibrationSunAndAxisAgreeWithAnIndependentReading) {
+  const char* reason = "the goal; seen with aberration both points differ by 20.5″ = 0.0057°";
+  for (const auto& row : published_rows(table)) {
+    const SkyState sky = sky_at(instant_from_utc(row.at("utc")));
+    EXPECT_WITHIN(in_degrees(sky.sub_earth.latitude), number(row, "sub_earth_latitude_deg"), 0.01,
+                  reason);
+    EXPECT_WITHIN(in_degrees(sky.sub_earth.longitude), number(row, "sub_earth_longitude_deg"), 0.01,
+                  reason);
+    EXPECT_WITHIN(in_degrees(sky.sub_solar.latitude), number(row, "sub_solar_latitude_deg"), 0.01,
+                  reason);
+    EXPECT_WITHIN(in_degrees(sky.sub_solar.longitude), number(row, "sub_solar_longitude_deg"), 0.01,
+                  reason);
+    EXPECT_WITHIN(in_degrees(sky.axis_position_angle), number(row, "axis_position_angle_deg"), 0.01,
+                  "the table's north is mean, ours true: nutation is under 0.003°");
+  }
+}
+
+TEST(Sky, TheRotationsAreRotations) {
+  const SkyState sky = sky_at(instant_from_utc("2008-02-21T03:26:05Z"), LunarTheory::moon98);
+  for (const glm::dmat3& m : {sky.selenographic_from_gcrs, sky.equator_from_gcrs}) {
+    const glm::dmat3 unit = glm::transpose(m) * m;
+    EXPECT_WITHIN(glm::determinant(m), 1, 1e-12, "rounding; a mirror gives −1");
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) EXPECT_WITHIN(unit[i][j], i == j ? 1.0 : 0.0, 1e-12, "rounding");
+  }
+}
+
+TEST(Sky, TheMoonsPoleStandsWhereCassiniPutsIt) {
+  const SkyState sky = sky_at(instant_from_utc("2008-02-21T03:26:05Z"), LunarTheory::moon98);
+  const glm::dvec3 pole = glm::transpose(sky.selenographic_from_gcrs)[2];
+  const double obliquity = 84381.4 / 3600 * std::acos(-1.0) / 180;
+  const glm::dvec3 ecliptic_pole{0, -std::sin(obliquity), std::cos(obliquity)};
+  EXPECT_WITHIN(std::acos(glm::dot(pole, ecliptic_pole)) * 180 / std::acos(-1.0), 1.543, 0.05,
+                "Cassini's third law: 1.543° to the ecliptic; physical librations are 0.04°");
+}
+
+TEST(PositionAngle, RunsFromNorthThroughEast) {
+  const glm::dvec3 ahead{1, 0, 0}, north{0, 0, 1};  // from the equinox east is +Y
+  EXPECT_WITHIN(in_degrees(position_angle(ahead, {1, 0, 0.1}, north)), 0, 1e-9, "rounding");
+  EXPECT_WITHIN(in_degrees(position_angle(ahead, {1, 0.1, 0}, north)), 90, 1e-9, "rounding");
+  EXPECT_WITHIN(in_degrees(position_angle(ahead, {1, -0.1, 0}, north)), -90, 1e-9, "rounding");
+}
+
+}  // namespace
+}  // namespace coppermoon::almanac
