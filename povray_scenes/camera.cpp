@@ -18,16 +18,10 @@ glm::dvec3 celestial_north(const almanac::SkyState& sky) {
   return glm::transpose(sky.equator_from_gcrs) * glm::dvec3(0, 0, 1);
 }
 
-glm::dvec3 unit_vector(const almanac::SelenographicPoint& place) {
-  const double latitude = in_radians(place.latitude), longitude = in_radians(place.longitude);
-  return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
-          std::sin(latitude)};
-}
-
 Camera looking_from(const almanac::SkyState& sky, const glm::dvec3& position_m,
                     const glm::dvec3& up_gcrs, Up up, Camera camera) {
   camera.position =
-      sky.selenographic_from_gcrs * ((position_m - sky.moon_m) / in_metres(lunar_radius));
+      sky.selenographic_from_gcrs * ((position_m - sky.moon_m) / in_metres(almanac::lunar_radius));
   camera.up = up == Up::moon_north ? glm::dvec3(0, 0, 1) : sky.selenographic_from_gcrs * up_gcrs;
   require_sound(camera);
   return camera;
@@ -58,7 +52,7 @@ Camera camera_at(const almanac::SkyState& sky, Up up, algebra::Angle field, std:
 
 std::optional<glm::dvec2> pixel_of(const Camera& camera, const almanac::SelenographicPoint& place) {
   require_sound(camera);
-  const glm::dvec3 at = unit_vector(place);
+  const glm::dvec3 at = almanac::selenographic_direction(place);
   if (glm::dot(at, camera.position) <= 1) return std::nullopt;
   const glm::dvec3 forward = -glm::normalize(camera.position);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));

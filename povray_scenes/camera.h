@@ -12,9 +12,6 @@
 
 namespace coppermoon::povray_scenes {
 
-/// The Moon's mean radius: the unit of length of every camera here.
-inline constexpr algebra::Length lunar_radius = algebra::kilometres(1737.4);
-
 /// Which way is up in the picture.
 enum class Up {
   celestial_north,  ///< as on a chart: north up, east to the left

@@ -92,7 +92,7 @@ struct Conversation {
   void end_line() {
     unsigned long done = 0, all = 0;
     if (std::sscanf(line.c_str(), "Rendered %lu of %lu pixels", &done, &all) == 2) {
-      if (progress && all > 0) progress(static_cast<double>(done) / static_cast<double>(all));
+      if (progress && done < all) progress(static_cast<double>(done) / static_cast<double>(all));
     } else if (!line.empty()) {
       heed();
       last_line = line;

@@ -28,10 +28,10 @@ struct Scene {
 /// Frames: the Moon-fixed X, Y, Z are POV-Ray's x, z, y, since its axes are left-handed.
 /// Accuracy  POV-Ray reads the texture and writes the frame as half floats: 5e-4 relative above
 ///           6.1e-5, 3e-8 below; infinite above 65504
-/// Throws    Error  when the camera is not sound; when the moon_radius is outside 1e-2 to 1e5, or the
-///                  camera beyond 0.99e7 units (POV-Ray renders black from 1e7); when the texture's
-///                  name is not plain, not ASCII or not .exr; when the sampling depth is outside
-///                  0 to 9, or the caption not one line
+/// Throws    Error  when the camera is not sound; when the moon_radius is outside 1e-2 to 1e5, or
+///                  the camera beyond 0.99e7 units (POV-Ray renders black from 1e7); when the
+///                  texture's name is not plain, not ASCII or not .exr; when the sampling depth is
+///                  outside 0 to 9, or the caption not one line
 std::string to_pov(const Scene& scene);
 
 /// POV-Ray's settings for it: size, file names and anti-aliasing that also works in the dark (the
@@ -46,7 +46,7 @@ std::string to_ini(const Scene& scene);
 ///
 /// Given   folder  made when only its last part is missing
 /// Throws  Error   as to_pov, before anything is written; or when the folder or a file cannot be
-/// made
+///                 made
 void write_scene(const std::filesystem::path& folder, const Scene& scene);
 
 }  // namespace coppermoon::povray_scenes

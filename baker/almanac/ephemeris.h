@@ -26,8 +26,8 @@ enum class LunarTheory { moon98, elp_2000_82b };
 /// The Sun as the Earth's centre sees it: light time and aberration included.
 ///
 /// Returned  position        GCRS axes [m]
-/// Accuracy  0.05″ from 1800 to 2200; against VSOP87: 0.5″ at 1000 and 3000, 4″ at year 0, 28″ at
-/// −1999 Source    ERFA eraEpv00 (shortened VSOP2000)
+/// Accuracy  0.1″ from 1800 to 2100. Measured against VSOP87: 0.5″ at 1000 and 3000, 4″ at year 0,
+/// 28″ at −1999 −1999 Source    ERFA eraEpv00 (shortened VSOP2000)
 glm::dvec3 apparent_sun_m(const Instant& instant);
 
 /// The Moon as the Earth's centre sees it. In the Earth's own frame light time is the whole of it:

@@ -35,7 +35,10 @@ std::string utc_text(const Instant& instant, int decimals = 0);
 /// After: the last value plus 32.5 s times the square of the centuries since, so that the curve is
 /// continuous and bends as the tidal braking of the last 27 centuries does.
 ///
-/// Accuracy  1 s from 1972 to 2026, some seconds to 1700, minutes at year 0, an hour at −1999
+/// Omits     UT1 − UTC. The step of 0.07 s at the seam of 1972 is that
+/// Accuracy  1 s from 1972 to 2026; before, some 0.8 s times the square of the centuries from 1820:
+/// 4 minutes
+///           at year 0, 20 at −1999
 /// Source    Espenak & Meeus (2006), Five Millennium Canon of Solar Eclipses, NASA/TP-2006-214141;
 ///           32.5 s: Stephenson, Morrison & Hohenkerk (2016), Proc. R. Soc. A 472, 20160404
 double delta_t_s(const Instant& instant);

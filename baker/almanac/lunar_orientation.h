@@ -25,7 +25,7 @@ struct SelenographicPoint {
 ///     R = Rz(W) Rx(90° − δ₀) Rz(90° + α₀)        pole (α₀, δ₀), prime meridian W, in the ICRF
 ///
 /// Given     instant   when the light left the Moon
-/// Accuracy  150 m on the Moon's surface, 0.005° of libration
+/// Accuracy  150 m on the Moon's surface, 0.005°, as its authors state it
 /// Source    Archinal et al. (2011), Celest. Mech. Dyn. Astron. 109, 101 (IAU WGCCRE 2009)
 glm::dmat3 selenographic_from_gcrs(const Instant& instant);
 

@@ -97,7 +97,7 @@ double signed_gamma(const ShadowPlace& moon) {
 std::optional<Eclipse> eclipse_near(const Instant& middle, ShadowConvention convention,
                                     LunarTheory theory) {
   const Lunation lunation = lunation_around(middle, theory);
-  const double greatest_s = least_axis_distance_s(lunation);
+  const double greatest_s = least_axis_angle_s(lunation);
   const Sighting sighting = sighting_at(lunation, greatest_s);
   const double penumbral = magnitude(sighting, convention, Edge::penumbra);
   if (penumbral <= 0) return std::nullopt;

@@ -36,10 +36,11 @@ glm::dvec3 moon_m(const Lunation& lunation, double seconds) {
          on_parabola(lunation.added_to_moon98_m, seconds / sample_spacing_s);
 }
 
-/// The Moon's place across the axis [m], east and north.
-glm::dvec2 across_axis_m(const glm::dvec3& sun_m, const glm::dvec3& moon_m,
-                         const glm::dvec3& celestial_pole) {
-  return glm::dvec2(shadow_axis(sun_m, celestial_pole).shadow_from_gcrs * moon_m);
+/// The Moon's direction across the axis, east and north: the sine of its angle from the axis.
+glm::dvec2 across_axis(const glm::dvec3& sun_m, const glm::dvec3& moon_m,
+                       const glm::dvec3& celestial_pole) {
+  const glm::dmat3 shadow_from_gcrs = shadow_axis(sun_m, celestial_pole).shadow_from_gcrs;
+  return glm::dvec2(shadow_from_gcrs * glm::normalize(moon_m));
 }
 
 /// The time at which p(t) is nearest to the origin, by Newton's rule on a straight line through two
@@ -77,8 +78,8 @@ Instant nearest_to_axis(int number) {
   const glm::dvec3 pole = glm::transpose(almanac::equator_from_gcrs(mean))[2];
   const auto place = [&](double seconds) {
     const Instant instant = almanac::later(mean, seconds);
-    return across_axis_m(almanac::apparent_sun_m(instant),
-                         almanac::apparent_moon_m(instant, LunarTheory::moon98), pole);
+    return across_axis(almanac::apparent_sun_m(instant),
+                       almanac::apparent_moon_m(instant, LunarTheory::moon98), pole);
   };
   return almanac::later(mean, time_of_least_distance_s(place, 60));
 }
@@ -101,10 +102,10 @@ Sighting sighting_at(const Lunation& lunation, double seconds_after_middle) {
   return {axis, place_in_shadow(axis, moon_m(lunation, seconds_after_middle))};
 }
 
-double least_axis_distance_s(const Lunation& lunation) {
+double least_axis_angle_s(const Lunation& lunation) {
   const auto place = [&](double seconds) {
     const glm::dvec3 sun_m = on_parabola(lunation.sun_m, seconds / sample_spacing_s);
-    return across_axis_m(sun_m, moon_m(lunation, seconds), lunation.celestial_pole);
+    return across_axis(sun_m, moon_m(lunation, seconds), lunation.celestial_pole);
   };
   return time_of_least_distance_s(place, 0.01);
 }

@@ -31,7 +31,7 @@ struct Lunation {
   std::array<glm::dvec3, 3> sun_m, added_to_moon98_m;  ///< at −3 h, 0 and +3 h from the middle
 };
 
-/// Accuracy  0.01″ within 4 h of the middle
+/// Accuracy  0.05″ within 3 h of the middle
 Lunation lunation_around(const almanac::Instant& middle, almanac::LunarTheory theory);
 
 /// The Moon in the shadow at one moment.
@@ -42,7 +42,8 @@ struct Sighting {
 
 Sighting sighting_at(const Lunation& lunation, double seconds_after_middle);
 
-/// The moment of least axis distance, in seconds after the middle.
-double least_axis_distance_s(const Lunation& lunation);
+/// The moment at which the Moon is nearest to the axis, as an angle seen from the Earth, in seconds
+/// after the middle.
+double least_axis_angle_s(const Lunation& lunation);
 
 }  // namespace coppermoon::eclipse

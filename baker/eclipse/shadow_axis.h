@@ -19,7 +19,7 @@ struct ShadowAxis {
       {};  ///< apparent, of date: how the Earth's poles are tipped to the axis
 };
 
-/// Accuracy  the Sun's (almanac::apparent_sun_m): 0.05″, 0.1 km at the Moon, from 1800 to 2200
+/// Accuracy  the Sun's (almanac::apparent_sun_m): 0.1″, 0.2 km at the Moon, from 1800 to 2100
 ShadowAxis shadow_axis(const almanac::SkyState& sky);
 
 /// The same from the apparent Sun alone.

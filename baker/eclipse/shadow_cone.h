@@ -37,8 +37,8 @@ ShadowRadii shadow_radii(ShadowConvention convention, const ShadowAxis& axis,
 
 /// Equatorial radius and flattening of the Earth; radius of the Moon in Earth radii. Every
 /// convention uses the same.
-inline constexpr double earth_radius_m = 6378137.0, earth_flattening = 1 / 298.257,
-                        lunar_radius_in_earth_radii = 0.2725076;
+inline constexpr double earth_radius_m = 6378137.0, earth_flattening = 1 / 298.257;
+inline constexpr double lunar_radius_in_earth_radii = 0.2725076;
 
 /// The Moon's semidiameter seen from the Earth's centre.
 algebra::Angle lunar_semidiameter(const ShadowPlace& moon);

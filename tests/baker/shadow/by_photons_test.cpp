@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "shadow/by_photons.h"
+
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "algebra/error.h"
+#include "baker/shadow/ring_means.h"
+#include "support/within.h"
+
+namespace coppermoon::shadow {
+namespace {
+
+const Arrangement february_2008{1.479e11, {3.83e8}};
+const std::vector<double> waves{500, 580, 680};
+
+PhotonSettings settings_of(std::uint64_t photons, double ring_m) {
+  PhotonSettings settings;
+  settings.photons = photons;
+  settings.ring_width_m = ring_m;
+  return settings;
+}
+
+TEST(ByPhotons, AgreeWithTheQuadratureInEveryRing) {
+  // chi² over 20 rings of 400 km, from 400 km outwards: nearer the axis too few land for a normal law.
+  // The bounds are the 0.0005 and 0.9995 quantiles for 20 degrees of freedom: one true run in a thousand fails.
+  constexpr double ring_m = 400e3, lowest = 5.40, highest = 47.50;
+  constexpr std::size_t first = 1, rings = 20;
+  const auto light = by_photons({}, february_2008, waves, settings_of(240'000, ring_m));
+  const auto exact = ring_means({}, february_2008, waves, ring_m, first + rings);
+  for (std::size_t w = 0; w < waves.size(); ++w) {
+    double chi_squared = 0;
+    for (std::size_t r = first; r < first + rings; ++r) {
+      const double off = (light.ratio[0](r, w) - exact(r, w)) / light.standard_error[0](r, w);
+      chi_squared += off * off;
+    }
+    EXPECT_GT(chi_squared, lowest) << waves[w] << " nm";
+    EXPECT_LT(chi_squared, highest) << waves[w] << " nm";
+  }
+}
+
+TEST(ByPhotons, CarryTheMeanThatTheQuadratureCarries) {
+  // One ring takes all; t-test of the mean, two-sided: 3.29 standard errors, one true run in a thousand fails.
+  constexpr double ring_m = 2000e3;
+  const auto light = by_photons({}, february_2008, waves, settings_of(120'000, ring_m));
+  const auto exact = ring_means({}, february_2008, waves, ring_m, light.axis_distances_m.size());
+  for (std::size_t w = 0; w < waves.size(); ++w) {
+    double flux = 0, expected = 0, variance = 0;
+    for (std::size_t r = 0; r < light.axis_distances_m.size(); ++r) {
+      const double area = light.axis_distances_m[r];  // over 2π times the width
+      flux += area * light.ratio[0](r, w);
+      expected += area * exact(r, w);
+      variance += std::pow(area * light.standard_error[0](r, w), 2);
+    }
+    EXPECT_LT(std::abs(flux - expected), 3.29 * std::sqrt(variance)) << waves[w] << " nm";
+    EXPECT_LT(std::sqrt(variance), 0.02 * expected) << "a test that sees 6 %";
+  }
+}
+
+TEST(ByPhotons, AreTheSamePhotonsWhateverTheNumberOfThreads) {
+  const auto settings = settings_of(20'000, 100e3);
+  std::vector<RefractedLight> runs;
+  for (const std::size_t threads : {1U, 2U, 5U}) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    runs.push_back(by_photons({}, february_2008, waves, settings));
+  }
+  for (std::size_t i = 0; i < runs[0].ratio[0].values().size(); ++i) {
+    EXPECT_EQ(runs[0].ratio[0].values()[i], runs[1].ratio[0].values()[i]);
+    EXPECT_EQ(runs[0].ratio[0].values()[i], runs[2].ratio[0].values()[i]);
+  }
+}
+
+TEST(ByPhotons, DifferWithTheSeed) {
+  auto settings = settings_of(5'000, 1000e3);
+  const auto one = by_photons({}, february_2008, waves, settings);
+  settings.seed = 2;
+  const auto two = by_photons({}, february_2008, waves, settings);
+  EXPECT_NE(one.ratio[0](4, 1), two.ratio[0](4, 1));
+}
+
+TEST(ByPhotons, OfSymmetricAirFillAllSectorsAlike) {
+  // chi² over 8 sectors of one wide ring: 7 degrees of freedom about their own mean; one true run in a thousand fails.
+  auto settings = settings_of(60'000, 2000e3);
+  settings.sectors = 8;
+  const std::vector<double> wave{650};
+  const auto light = by_photons({}, february_2008, wave, settings);
+  for (std::size_t ring : {2U, 3U}) {
+    double mean = 0, chi_squared = 0;
+    for (std::size_t s = 0; s < 8; ++s) mean += light.ratio[s](ring, 0) / 8;
+    for (std::size_t s = 0; s < 8; ++s)
+      chi_squared += std::pow((light.ratio[s](ring, 0) - mean) / light.standard_error[s](ring, 0), 2);
+    EXPECT_GT(chi_squared, 0.30);
+    EXPECT_LT(chi_squared, 26.02);
+  }
+}
+
+TEST(ByPhotons, SeeAnOpaqueRegionOnItsOwnSide) {
+  // Dust of optical depth beyond 10 in the eastern half: in the outer shadow light comes from the near limb.
+  atmosphere::Atmosphere air;
+  atmosphere::Column dusty;
+  dusty.dust_extinction_per_m = 1e-2;
+  dusty.dust_bottom_m = 0;
+  dusty.dust_top_m = 42e3;
+  air.regions.push_back({algebra::degrees(0), algebra::degrees(180), dusty});
+  auto settings = settings_of(30'000, 1000e3);
+  settings.sectors = 4;
+  const std::vector<double> wave{650};
+  const auto light = by_photons(air, february_2008, wave, settings);
+  constexpr std::size_t outer = 6, east = 1, west = 3;
+  EXPECT_LT(light.ratio[east](outer, 0), 1e-40);  // e^−100 and less
+  EXPECT_GT(light.ratio[west](outer, 0), 5 * light.standard_error[west](outer, 0));
+}
+
+TEST(ByPhotons, RefuseOneSectorForAirThatDiffersByRegion) {
+  atmosphere::Atmosphere air;
+  air.regions.push_back({algebra::degrees(0), algebra::degrees(90), {}});
+  EXPECT_THROW(by_photons(air, february_2008, waves, settings_of(10, 1e5)), algebra::Error);
+}
+
+TEST(ByPhotons, RefuseSettingsOutsideTheirRange) {
+  EXPECT_THROW(by_photons({}, february_2008, waves, settings_of(0, 1e5)), algebra::Error);
+  EXPECT_THROW(by_photons({}, february_2008, waves, settings_of(10, -1)), algebra::Error);
+  auto settings = settings_of(10, 1e5);
+  settings.stepping.step_m = 0;
+  EXPECT_THROW(by_photons({}, february_2008, waves, settings), algebra::Error);
+}
+
+TEST(Smoothed, KeepsAConstantAndShrinksTheError) {
+  RefractedLight light{february_2008, {550}, {}, 1, {algebra::Grid<double>(100, 1, 0.5)},
+                       {algebra::Grid<double>(100, 1, 0.1)}};
+  for (int i = 0; i < 100; ++i) light.axis_distances_m.push_back((i + 0.5) * 50e3);
+  const auto smooth = smoothed(light, 150e3);
+  for (const double value : smooth.ratio[0].values())
+    EXPECT_WITHIN_RELATIVE(value, 0.5, 1e-14, "weights of sum 1");
+  // The mean of independent rings under a Gaussian of σ = 3 rings: 1/√(2 √π σ) of each one's error.
+  EXPECT_WITHIN_RELATIVE(smooth.standard_error[0](60, 0), 0.1 / std::sqrt(2 * std::sqrt(std::numbers::pi) * 3), 0.01,
+                         "closed form for weights that do not grow with the axis distance");
+}
+
+}  // namespace
+}  // namespace coppermoon::shadow

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+cmake_minimum_required(VERSION 3.25)
+# The alphabet is the pipeline: fails when a file under ROOT includes what its folder may not know.
+#   cmake -DROOT=<source folder> -P includes.cmake
+file(GLOB stages LIST_DIRECTORIES true RELATIVE ${ROOT}/baker ${ROOT}/baker/*)
+list(FILTER stages EXCLUDE REGEX "\\.")
+list(SORT stages)
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/baker/*.h ${ROOT}/baker/*.cpp ${ROOT}/colour/*.h ${ROOT}/colour/*.cpp
+     ${ROOT}/povray_scenes/*.h ${ROOT}/povray_scenes/*.cpp)
+set(looked_at 0)
+set(wrong "")
+
+foreach(file ${files})
+  string(REGEX REPLACE "^baker/" "" folder ${file})
+  string(REGEX REPLACE "/.*" "" folder ${folder})  # coppermoon.cpp stays as it is: it may include all
+  file(STRINGS ${ROOT}/${file} lines REGEX "^[ \t]*#[ \t]*include|\"povray\"")
+  foreach(line ${lines})
+    string(REGEX REPLACE "^[^\"<]*[\"<]([^/\">]*).*" "\\1" included "${line}")
+    math(EXPR looked_at "${looked_at} + 1")
+    set(sound TRUE)
+    if(included IN_LIST stages)
+      if(folder IN_LIST stages AND included STRGREATER folder)
+        set(sound FALSE)  # backward
+      elseif(folder MATCHES "^(colour|povray_scenes)$" AND included STREQUAL "verbs")
+        set(sound FALSE)
+      endif()
+    elseif(included MATCHES "^(colour|povray_scenes)$")
+      if(NOT folder MATCHES "^(verbs|coppermoon.cpp|${included})$")
+        set(sound FALSE)
+      endif()
+    elseif((included STREQUAL "OpenImageIO" AND NOT folder STREQUAL "texture")
+           OR (included STREQUAL "OpenColorIO" AND NOT folder STREQUAL "colour")
+           OR (included STREQUAL "povray" AND NOT folder STREQUAL "povray_scenes")
+           OR included MATCHES "^\\.")
+      set(sound FALSE)
+    endif()
+    if(NOT sound)
+      string(APPEND wrong "${file}: ${line}\n")
+    endif()
+  endforeach()
+endforeach()
+
+if(looked_at LESS 10)
+  message(FATAL_ERROR "${ROOT}: only ${looked_at} includes found: nothing was checked")
+elseif(wrong)
+  message(FATAL_ERROR "these includes look the wrong way:\n${wrong}")
+endif()
+message(STATUS "${looked_at} includes, none looks the wrong way")

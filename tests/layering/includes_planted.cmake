@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: MIT
+cmake_minimum_required(VERSION 3.25)
+# The check itself is checked: each wrong include, planted in a copy, must be found, and no sound one.
+#   cmake -DROOT=<source folder> -DCOPY=<scratch folder> -P includes_planted.cmake
+function(check_copy_with file line expected)
+  file(REMOVE_RECURSE ${COPY})
+  file(MAKE_DIRECTORY ${COPY})
+  file(COPY ${ROOT}/baker ${ROOT}/colour ${ROOT}/povray_scenes DESTINATION ${COPY})
+  if(NOT EXISTS ${COPY}/${file})
+    message(FATAL_ERROR "${file}: not there to plant in")
+  endif()
+  file(APPEND ${COPY}/${file} "${line}\n")
+  execute_process(COMMAND ${CMAKE_COMMAND} -DROOT=${COPY} -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/includes.cmake
+                  RESULT_VARIABLE status ERROR_VARIABLE said OUTPUT_QUIET)
+  file(REMOVE_RECURSE ${COPY})
+  if(expected STREQUAL "found" AND (status EQUAL 0 OR NOT said MATCHES "${file}"))
+    message(FATAL_ERROR "${file}: ${line} was not found\n${said}")
+  elseif(expected STREQUAL "sound" AND NOT status EQUAL 0)
+    message(FATAL_ERROR "${file}: ${line} was refused\n${said}")
+  endif()
+endfunction()
+
+check_copy_with(baker/almanac/sky.h "#include \"shadow/irradiance.h\"" found)
+check_copy_with(baker/atmosphere/density.cpp "#  include <eclipse/contacts.h>" found)
+check_copy_with(baker/texture/bake.cpp "#include \"colour/exposure.h\"" found)
+check_copy_with(baker/surface/albedo_map.cpp "#include <OpenImageIO/imageio.h>" found)
+check_copy_with(baker/texture/bake.cpp "#include <OpenColorIO/OpenColorIO.h>" found)
+check_copy_with(baker/texture/bake.cpp "#include \"../almanac/sky.h\"" found)
+check_copy_with(colour/exposure.cpp "#include \"povray_scenes/camera.h\"" found)
+check_copy_with(povray_scenes/scene.cpp "#include \"verbs/verbs.h\"" found)
+check_copy_with(baker/verbs/still.cpp "const char* renderer = \"povray\"\;" found)
+check_copy_with(baker/verbs/still.cpp "#include \"colour/exposure.h\"" sound)
+check_copy_with(baker/shadow/lookup.cpp "#include \"algebra/error.h\"" sound)
