@@ -8,14 +8,14 @@
 
 namespace coppermoon::algebra {
 
-/// What a wrong input is answered with: one line that names the value, its unit and what is allowed.
-/// The one exception type of the library; the program prints it and exits 1.
+/// What a wrong input is answered with: one line that names the value, its unit and what is
+/// allowed. The one exception type of the library; the program prints it and exits 1.
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws Error("<what> = <value>, allowed <lowest> to <highest>") unless lowest <= value <= highest.
-/// A NaN is never inside. `what` carries the unit: "wavelength [nm]".
+/// Throws Error("<what> = <value>, allowed <lowest> to <highest>") unless lowest <= value <=
+/// highest. A NaN is never inside. `what` carries the unit: "wavelength [nm]".
 inline void require_within(std::string_view what, double value, double lowest, double highest) {
   if (!(value >= lowest && value <= highest))
     throw Error(fmt::format("{} = {:g}, allowed {:g} to {:g}", what, value, lowest, highest));

@@ -10,7 +10,8 @@ namespace coppermoon::algebra {
 /// Given  x  increasing; y: as many; at: where
 double interpolated(std::span<const double> x, std::span<const double> y, double at);
 
-/// The mean of the piecewise linear function through (x, y) over [from, to], the end values held outside.
+/// The mean of the piecewise linear function through (x, y) over [from, to], the end values held
+/// outside.
 double mean_between(std::span<const double> x, std::span<const double> y, double from, double to);
 
 }  // namespace coppermoon::algebra

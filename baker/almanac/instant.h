@@ -15,11 +15,9 @@ struct Instant {
 /// The moment that an ISO 8601 UTC text names.
 ///
 /// Given   text   "2008-02-21T03:08:26Z"; the Z, the seconds and their decimals may be left out,
-/// and
-///                the time of day too (midnight); years −1999 to 3000, signed years as
-///                "-0584-05-22". The calendar is Gregorian throughout, as ISO 8601 has it: before
-///                15 October 1582 books of history give Julian dates (that eclipse of Thales is
-///                their −584 May 28)
+///                the time of day too (midnight); years −1999 to 3000, signed as "-0584-05-22".
+///                The calendar is Gregorian throughout, as ISO 8601 has it: before 15 October
+///                1582 history gives Julian dates (Thales' eclipse, this one: −584 May 28)
 /// Throws  Error  when the text is no such date: names the text and an example
 Instant instant_from_utc(std::string_view text);
 
@@ -35,10 +33,9 @@ std::string utc_text(const Instant& instant, int decimals = 0);
 /// After: the last value plus 32.5 s times the square of the centuries since, so that the curve is
 /// continuous and bends as the tidal braking of the last 27 centuries does.
 ///
-/// Omits     UT1 − UTC. The step of 0.07 s at the seam of 1972 is that
 /// Accuracy  1 s from 1972 to 2026; before, some 0.8 s times the square of the centuries from 1820:
-/// 4 minutes
-///           at year 0, 20 at −1999
+///           4 minutes at year 0, 20 at −1999
+/// Omits     UT1 − UTC, which shows as a step of 0.07 s at the seam of 1972
 /// Source    Espenak & Meeus (2006), Five Millennium Canon of Solar Eclipses, NASA/TP-2006-214141;
 ///           32.5 s: Stephenson, Morrison & Hohenkerk (2016), Proc. R. Soc. A 472, 20160404
 double delta_t_s(const Instant& instant);

@@ -24,9 +24,8 @@ struct SkyState {
 
 /// The sky at a moment, by one of the two lunar theories (ephemeris.h).
 ///
-/// Accuracy  Moon 1 km, libration, sub-solar point and axis 0.01° against DE431, 2007 to 2010.
-/// Tables that leave
-///           aberration out of the libration differ by 20.5″ = 0.0057° of longitude, within that
+/// Accuracy  Moon 1 km, libration, sub-solar point and axis 0.01° against DE431, 2007 to 2010;
+///           tables that leave aberration out of the libration differ by 20.5″, 0.0057°
 /// Source    precession and nutation: IAU 2006/2000A (ERFA eraPnm06a)
 SkyState sky_at(const Instant& instant, LunarTheory theory = LunarTheory::elp_2000_82b);
 
@@ -43,9 +42,9 @@ glm::dmat3 equator_from_gcrs(const Instant& instant);
 
 /// The angle at `direction` on the sky from north through east to `target`, −π to π.
 ///
-/// Given   direction   where one looks; target: the direction pointed to; north: the celestial
-/// pole, a
-///                     unit vector. All in the same axes; lengths of the first two do not matter
+/// Given   direction   where one looks, any length, all in the same axes
+///         target      the direction pointed to, any length
+///         north       the celestial pole, a unit vector
 algebra::Angle position_angle(const glm::dvec3& direction, const glm::dvec3& target,
                               const glm::dvec3& north);
 

@@ -62,9 +62,9 @@ double extinction_per_m(const Column& column, const Optics& optics, double altit
 }
 
 double ozone_transmittance(const Column& column, const Optics& optics) {
-  return column.ozone_du > 0 ? ozone_filter_yapo_cutler(
-                                   algebra::nanometres(optics.wavelength_nm), column.ozone_du)
-                             : 1;
+  return column.ozone_du > 0
+             ? ozone_filter_yapo_cutler(algebra::nanometres(optics.wavelength_nm), column.ozone_du)
+             : 1;
 }
 
 double vertical_rayleigh_optical_depth(const Optics& optics) {

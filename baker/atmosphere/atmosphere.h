@@ -17,14 +17,15 @@ struct Column {
 };
 
 /// A part of the limb with air of its own: from one position angle through east to the other.
-/// The position angle is measured at the Earth, about the shadow axis, from celestial north through east.
+/// The position angle is measured at the Earth, about the shadow axis, from celestial north through
+/// east.
 struct Region {
   algebra::Angle from, to;
   Column column{};
 };
 
-/// The Earth and its air: a sphere with a shell, alike all around but for its regions (the first that holds
-/// a position angle counts).
+/// The Earth and its air: a sphere with a shell, alike all around but for its regions (the first
+/// that holds a position angle counts).
 struct Atmosphere {
   double earth_radius_m = 6.378e6;
   double top_m = 42e3;  ///< where the air ends; 0: no air at all
@@ -41,8 +42,8 @@ void require_valid(const Atmosphere& atmosphere);
 
 /// What does not depend on altitude: the air at sea level, for one wavelength.
 struct Optics {
-  double refractivity;      ///< n₀ − 1
-  double rayleigh_per_m;    ///< β₀ = N₀ σ
+  double refractivity;    ///< n₀ − 1
+  double rayleigh_per_m;  ///< β₀ = N₀ σ
   double wavelength_nm;
 };
 

@@ -15,7 +15,7 @@ constexpr double hydrostatic_constant_k_per_m = 9.80665 * 28.9644 / 8314.32;
 
 struct Layer {
   double base_m, lapse_k_per_m, temperature_k, density_ratio;
-  double exponent;   // of T/T_b; where the lapse rate is 0, of e, per metre
+  double exponent;  // of T/T_b; where the lapse rate is 0, of e, per metre
   double top_geometric_m;
 };
 
@@ -26,7 +26,8 @@ double geometric(double geopotential_m) {
 }
 
 double ratio_in(const Layer& layer, double above_base_m) {
-  if (layer.lapse_k_per_m == 0) return layer.density_ratio * std::exp(layer.exponent * above_base_m);
+  if (layer.lapse_k_per_m == 0)
+    return layer.density_ratio * std::exp(layer.exponent * above_base_m);
   const double warmth = 1 + layer.lapse_k_per_m * above_base_m / layer.temperature_k;
   return layer.density_ratio * std::pow(warmth, layer.exponent);
 }
@@ -70,10 +71,10 @@ ValueAndSlope density_ratio_and_slope_us_1976(double altitude_m) {
   const double stretch = geopotential_radius_m / (geopotential_radius_m + altitude_m);
   const double above = stretch * altitude_m - layer->base_m;
   const double ratio = ratio_in(*layer, above);
-  const double log_slope =
-      layer->lapse_k_per_m == 0
-          ? layer->exponent
-          : layer->exponent * layer->lapse_k_per_m / (layer->temperature_k + layer->lapse_k_per_m * above);
+  const double log_slope = layer->lapse_k_per_m == 0
+                               ? layer->exponent
+                               : layer->exponent * layer->lapse_k_per_m /
+                                     (layer->temperature_k + layer->lapse_k_per_m * above);
   return {ratio, ratio * log_slope * stretch * stretch};
 }
 

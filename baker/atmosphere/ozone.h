@@ -16,8 +16,8 @@ double ozone_cross_section_m2(algebra::Wavelength wavelength);
 /// One Dobson unit: molecules over a square metre [m⁻²].
 inline constexpr double dobson_unit_per_m2 = 2.6867e20;
 
-/// How many times the vertical column a ray that grazes the Earth crosses of a thin layer at 22 km, the
-/// altitude where ozone peaks: 2 / √(1 − (R/(R+22 km))²), R = 6378 km.
+/// How many times the vertical column a ray that grazes the Earth crosses of a thin layer at 22 km,
+/// the altitude where ozone peaks: 2 / √(1 − (R/(R+22 km))²), R = 6378 km.
 inline constexpr double grazing_ozone_air_mass = 24.1;
 
 /// Transmittance of the whole ozone for light that passed the limb: one spectral filter.
@@ -27,7 +27,8 @@ inline constexpr double grazing_ozone_air_mass = 24.1;
 /// Given     dobson_units  vertical column, 0 to 1000 DU; the mean is about 300, US 1976 has 345
 /// Omits     that low rays cross more of it than high ones; the exact air mass of the layer
 /// Throws    Error         when an argument is outside its range
-/// Source    Yapo & Cutler (2009) §3.5 use one filter for the total mass of ozone and do not print it;
+/// Source    Yapo & Cutler (2009) §3.5 use one filter for the total mass of ozone and do not print
+/// it;
 ///           the grazing air mass is ours
 double ozone_filter_yapo_cutler(algebra::Wavelength wavelength, double dobson_units);
 

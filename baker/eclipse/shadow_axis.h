@@ -24,8 +24,8 @@ ShadowAxis shadow_axis(const almanac::SkyState& sky);
 
 /// The same from the apparent Sun alone.
 ///
-/// Given  sun_m  apparent geocentric position, GCRS axes [m]; celestial_pole: of date, unit, GCRS
-/// axes
+/// Given  sun_m           apparent geocentric position, GCRS axes [m]
+///        celestial_pole  of date, unit, GCRS axes
 ShadowAxis shadow_axis(const glm::dvec3& sun_m, const glm::dvec3& celestial_pole);
 
 /// Where a point stands in the shadow.

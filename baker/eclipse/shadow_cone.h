@@ -6,22 +6,19 @@
 
 namespace coppermoon::eclipse {
 
-/// How much larger than the solid Earth's the umbra is said to be. Three published conventions,
-/// with πm and πs the equatorial horizontal parallaxes of Moon and Sun and s the Sun's
-/// semidiameter:
+/// How much larger than the solid Earth's the umbra is said to be: three published conventions.
 ///
-///     danjon          1.01 πm + πs ∓ s                      1.01 = 1 + 1/85 − 1/594: 75 km of air,
-///     the
-///                                                           Earth's mean radius; NASA since 2009
-///     chauvenet       1.02 (0.998340 πm + πs ∓ s)           almanacs and NASA before 2009
-///     herald_sinnott  (πm + πs) (r + 87 km) / a ∓ s         r the limb's radius under the Moon, a
-///     the
-///                                                           Earth's equatorial one: the only
-///                                                           oblate one
+///     danjon          1.01 πm + πs ∓ s
+///     chauvenet       1.02 (0.998340 πm + πs ∓ s)
+///     herald_sinnott  (πm + πs) (r + 87 km) / a ∓ s
 ///
-/// Upper sign: umbra, lower: penumbra. chauvenet makes the umbral magnitude 0.005 larger than
-/// danjon, the penumbral one 0.026. Source  Espenak & Meeus (2009), Five Millennium Canon of Lunar
-/// Eclipses, NASA/TP-2009-214172, §1.8;
+/// πm and πs are the equatorial horizontal parallaxes of Moon and Sun, s the Sun's semidiameter;
+/// upper sign umbra, lower penumbra. danjon's 1.01 is 1 + 1/85 − 1/594: 75 km of air on the Earth's
+/// mean radius; NASA's since 2009. chauvenet was the almanacs' and NASA's before; its umbral
+/// magnitude is 0.005 larger, its penumbral one 0.026. herald_sinnott alone is oblate: r is the
+/// limb's radius under the Moon, a the Earth's equatorial one.
+///
+/// Source  Espenak & Meeus (2009), Five Millennium Canon of Lunar Eclipses, NASA/TP-2009-214172;
 ///         Herald & Sinnott (2014), J. Brit. Astron. Assoc. 124, 247
 enum class ShadowConvention { danjon, chauvenet, herald_sinnott };
 

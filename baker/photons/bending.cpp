@@ -43,8 +43,8 @@ double tangent_height(const Air& air, double impact_height_m, double top_m) {
   return std::midpoint(low, high);
 }
 
-/// A break just above the tangent height leaves the integrand all but singular there: no later piece may end
-/// more than four times as far along √(r − r_t) as it begins.
+/// A break just above the tangent height leaves the integrand all but singular there: no later
+/// piece may end more than four times as far along √(r − r_t) as it begins.
 std::vector<double> with_short_pieces_first(std::vector<double> breaks) {
   constexpr double longest = 16;
   const double bottom_m = breaks.front(), top_m = breaks.back();
@@ -54,15 +54,14 @@ std::vector<double> with_short_pieces_first(std::vector<double> breaks) {
   return breaks;
 }
 
-/// The altitudes between which the air is smooth and no piece is longer than 8 km, from `bottom_m` up.
+/// The altitudes between which the air is smooth and no piece is longer than 8 km, from `bottom_m`
+/// up.
 std::vector<double> pieces_above(double bottom_m, const Column& column, double top_m) {
   std::vector<double> breaks{bottom_m, column.dust_bottom_m, column.dust_top_m, top_m};
   for (const double h : atmosphere::density_breaks_m()) breaks.push_back(h);
   for (double h = 8e3; h < top_m; h += 8e3) breaks.push_back(h);
   std::sort(breaks.begin(), breaks.end());
-  std::erase_if(breaks, [&](double h) {  // a millimetre above the bottom drowns in rounding
-    return h != bottom_m && (h < bottom_m + 1e-3 || h > top_m);
-  });
+  std::erase_if(breaks, [&](double h) { return h < bottom_m || h > top_m; });
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   return breaks.size() > 2 ? with_short_pieces_first(std::move(breaks)) : breaks;
 }

@@ -22,8 +22,8 @@ Ray aimed_at_the_ring(algebra::Random& random, double sun_distance_m,
   const glm::dvec3 across = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), to_earth));
   const glm::dvec3 upward = glm::cross(to_earth, across);
   const double sine = b / distance, cosine = std::sqrt(1 - sine * sine);
-  return {source, cosine * to_earth +
-                      sine * (std::cos(azimuth) * across + std::sin(azimuth) * upward)};
+  return {source,
+          cosine * to_earth + sine * (std::cos(azimuth) * across + std::sin(azimuth) * upward)};
 }
 
 glm::dvec3 at_depth(const Ray& ray, double depth_m) {

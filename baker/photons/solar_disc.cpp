@@ -12,13 +12,15 @@
 namespace coppermoon::photons {
 
 std::vector<double> solar_irradiance(std::span<const double> edges_nm) {
-  const auto table = algebra::parse_table(tables::solar_irradiance_e490(), "solar_irradiance_e490.csv");
+  const auto table =
+      algebra::parse_table(tables::solar_irradiance_e490(), "solar_irradiance_e490.csv");
   std::vector<double> irradiance;
   for (std::size_t i = 0; i + 1 < edges_nm.size(); ++i) {
     algebra::require_within("band edge [nm]", edges_nm[i], 379, 781);
-    algebra::require_within("band edge [nm]", edges_nm[i + 1], edges_nm[i], 781);
-    irradiance.push_back(algebra::mean_between(
-        table["wavelength_nm"], table["irradiance_W_m2_nm"], edges_nm[i], edges_nm[i + 1]));
+    algebra::require_within("band edge [nm]", edges_nm[i + 1], 379, 781);
+    algebra::require_within("band width [nm]", edges_nm[i + 1] - edges_nm[i], 1e-6, 402);
+    irradiance.push_back(algebra::mean_between(table["wavelength_nm"], table["irradiance_W_m2_nm"],
+                                               edges_nm[i], edges_nm[i + 1]));
   }
   return irradiance;
 }

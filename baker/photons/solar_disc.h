@@ -19,7 +19,7 @@ inline constexpr double astronomical_unit_m = 149597870700;
 
 /// Spectral irradiance of the unobstructed Sun at 1 au: the mean over each band.
 ///
-/// Given     edges_nm  n + 1 increasing wavelengths, 379 to 781 nm
+/// Given     edges_nm  n + 1 increasing wavelengths, 379 to 781 nm, at least 1e-6 nm apart
 /// Returned  [n]       W m⁻² nm⁻¹, on a surface that faces the Sun
 /// Throws    Error     when an edge is outside its range
 /// Source    ASTM E490-00a (2000)

@@ -55,7 +55,8 @@ std::optional<Traced> trace(const Ray& entering, const Atmosphere& atmosphere, c
     const double here = refractivity(column, optics, altitude);
     optical_depth += extinction_per_m(column, optics, altitude) * length;
     const glm::dvec3 momentum =
-        (1 + here) * direction + length * refractivity_gradient(column, optics, at, here, earth_radius_m,
+        (1 + here) * direction + length * refractivity_gradient(column, optics, at, here,
+                                                                earth_radius_m,
                                                                 stepping.gradient_step_m);
     at += length * direction;
     const double there = refractivity(column, optics, glm::length(at) - earth_radius_m);

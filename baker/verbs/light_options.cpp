@@ -51,7 +51,7 @@ void add_solver_options(CLI::App& verb, LightOptions& options) {
       ->check(CLI::IsMember({"each"}))
       ->group(group);
   verb.add_option("--photons", options.photons, "how many, 1 to 1e12; 1e6 take minutes")->group(group);
-  verb.add_option("--seed", options.seed, "of the photons")->group(group);
+  verb.add_option("--seed", options.seed, "of the photons")->check(CLI::NonNegativeNumber)->group(group);
   verb.add_option("--step-km", options.step_km, "of a photon's path")->group(group);
   verb.add_option("--ring-km", options.ring_km, "width of the rings that gather photons")->group(group);
   verb.add_option("--smoothing-km", options.smoothing_km,
@@ -67,6 +67,12 @@ shadow::PhotonSettings photon_settings(const LightOptions& options) {
   settings.stepping.step_m = options.step_km * 1e3;
   settings.ring_width_m = options.ring_km * 1e3;
   return settings;
+}
+
+/// What a solver would find only when it is run, or never when the other one is.
+void require_sound(const LightOptions& options) {
+  photon_settings(options);
+  algebra::require_within("smoothing [km]", options.smoothing_km, 0, 2000);
 }
 
 /// Planes through the half of the Moon that faces the Sun.
@@ -113,6 +119,7 @@ shadow::RefractedLight refracted_light(const LightOptions& options,
                                        const shadow::Arrangement& arrangement,
                                        std::span<const double> wavelengths_nm,
                                        std::span<const double> axis_distances_m) {
+  require_sound(options);
   const auto air = atmosphere_of(options);
   ProgressBar bar(options.solver);
   if (options.solver == "quadrature")
@@ -125,6 +132,7 @@ shadow::RefractedLight refracted_light(const LightOptions& options,
 
 shadow::Lookup light_on_the_moon(const LightOptions& options, const almanac::SkyState& sky,
                                  bool unshadowed, const shadow::ChannelWeights& weights) {
+  require_sound(options);
   const auto air = atmosphere_of(options);
   if (unshadowed) return shadow::Lookup(weights);
   require_eclipse(sky);

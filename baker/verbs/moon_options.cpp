@@ -60,7 +60,8 @@ void add_moon_options(CLI::App& verb, MoonOptions& options) {
       ->required();
   verb.add_option("--albedo-map", options.albedo_map,
                   "any image 2:1, longitude 0 in the middle; auto; built-in");
-  verb.add_option("--texture-width", options.texture_width, "in texels, even, 4 to 32768");
+  verb.add_option("--texture-width", options.texture_width, "in texels, even, 4 to 32768")
+      ->check(CLI::NonNegativeNumber);
   verb.add_flag("--unshadowed", options.unshadowed, "light the Moon as if the Earth were away");
   add_light_options(verb, options.light);
 }

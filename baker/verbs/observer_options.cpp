@@ -49,8 +49,12 @@ void add_view_options(CLI::App& verb, ViewOptions& options) {
   verb.add_option("--sensor-width", options.sensor_width_mm, "[mm]")->group(group);
   verb.add_option("--field", options.field_deg, "angle across the frame [degrees], instead of these two")
       ->group(group);
-  verb.add_option("--width", options.width, "of the frame [pixels]")->group(group);
-  verb.add_option("--height", options.height, "of the frame [pixels]")->group(group);
+  verb.add_option("--width", options.width, "of the frame [pixels]")
+      ->check(CLI::NonNegativeNumber)
+      ->group(group);
+  verb.add_option("--height", options.height, "of the frame [pixels]")
+      ->check(CLI::NonNegativeNumber)
+      ->group(group);
   verb.add_option("--up", options.up, "celestial-north, zenith or moon-north")
       ->check(CLI::IsMember({"celestial-north", "zenith", "moon-north"}))
       ->group(group);

@@ -23,6 +23,6 @@ inline constexpr ChiSquaredBounds chi_squared_of_99{59.13, 151.93};
 inline constexpr ChiSquaredBounds chi_squared_of_255{187.17, 335.92};
 
 /// Passes a true sampler in 999 runs of 1000; the seeds are fixed.
-#define EXPECT_UNIFORM(seen, bounds)          \
+#define EXPECT_UNIFORM(seen, bounds)           \
   EXPECT_GT(chi_squared(seen), bounds.lowest); \
   EXPECT_LT(chi_squared(seen), bounds.highest)

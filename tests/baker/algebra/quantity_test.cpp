@@ -12,9 +12,13 @@ namespace coppermoon::algebra {
 namespace {
 
 template <class A, class B>
-concept Addable = requires(A a, B b) { a + b; };
+concept Addable = requires(A a, B b) {
+  a + b;
+};
 template <class A, class B>
-concept Comparable = requires(A a, B b) { a < b; };
+concept Comparable = requires(A a, B b) {
+  a < b;
+};
 
 // What must not compile: one quantity for another, a bare number for any, sums across dimensions.
 static_assert(!std::is_convertible_v<Wavelength, Length>);

@@ -21,8 +21,7 @@ constexpr std::size_t bin_of(double uniform, int bins) {
 // The three known answers printed with Random123 by the generator's authors.
 TEST(Philox, GivesTheAuthorsKnownAnswers) {
   constexpr std::uint32_t ones = 0xffffffff;
-  EXPECT_EQ(philox({0, 0, 0, 0}, {0, 0}),
-            (Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
+  EXPECT_EQ(philox({0, 0, 0, 0}, {0, 0}), (Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
   EXPECT_EQ(philox({ones, ones, ones, ones}, {ones, ones}),
             (Words{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
   EXPECT_EQ(philox({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0}),
@@ -81,7 +80,8 @@ TEST(Random, CarriesFiftyThreeRandomBits) {
     for (std::size_t b = 0; b < ones.size(); ++b) ones[b] += static_cast<int>(bits >> b & 1);
   }
   for (const int n : ones)
-    EXPECT_WITHIN(n, count / 2, 4.3 * std::sqrt(count / 4.0), "53 bits, one run in 1000 exceeds it");
+    EXPECT_WITHIN(n, count / 2, 4.3 * std::sqrt(count / 4.0),
+                  "53 bits, one run in 1000 exceeds it");
 }
 
 TEST(Random, GivesAStreamTheSameNumbersWhoeverAsksWhen) {

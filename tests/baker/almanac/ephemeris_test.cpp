@@ -7,8 +7,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
-#include <thread>
-#include <vector>
 
 #include "support/within.h"
 
@@ -63,20 +61,6 @@ TEST(Moon, TheTwoTheoriesKeepTogetherFrom1500To2500) {
                   "2.9″ RMS is moon98's own; without the tidal term they part by 23″ in 1500")
         << year;
   }
-}
-
-TEST(Moon, ManyThreadsMayAskForTheFullTheoryAtOnce) {
-  const Instant instant{2451545.0, 0.25};
-  const auto alone = apparent_moon_m(instant, LunarTheory::elp_2000_82b);
-  std::vector<glm::dvec3> together(8);
-  std::vector<std::thread> threads;
-  for (std::size_t i = 0; i < together.size(); ++i)
-    threads.emplace_back([&, i] {
-      apparent_moon_m(later(instant, 3600.0 * static_cast<double>(i)), LunarTheory::elp_2000_82b);
-      together[i] = apparent_moon_m(instant, LunarTheory::elp_2000_82b);
-    });
-  for (auto& thread : threads) thread.join();
-  for (const auto& place : together) EXPECT_EQ(place, alone);
 }
 
 }  // namespace

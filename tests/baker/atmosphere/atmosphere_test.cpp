@@ -53,8 +53,8 @@ TEST(Extinction, OfDustIsGreyInsideItsLayerOnly) {
   EXPECT_EQ(extinction_per_m(dusty, sea_level_optics(nanometres(700)), 19999), 4.7e-6);
   EXPECT_EQ(extinction_per_m(dusty, green, 20000), 0);
   const Column both{.dust_extinction_per_m = 4.7e-6};
-  EXPECT_WITHIN(extinction_per_m(both, green, 17e3),
-                4.7e-6 + extinction_per_m({}, green, 17e3), 1e-20, "they add");
+  EXPECT_WITHIN(extinction_per_m(both, green, 17e3), 4.7e-6 + extinction_per_m({}, green, 17e3),
+                1e-20, "they add");
 }
 
 TEST(OzoneTransmittance, IsOneWithoutOzone) {
@@ -62,8 +62,8 @@ TEST(OzoneTransmittance, IsOneWithoutOzone) {
   EXPECT_LT(ozone_transmittance({.ozone_du = 300}, green), 0.6);
 }
 
-// Simpson's rule over the number densities of the standard up to 36 km, the cross-section that of one
-// molecule; from there to 42 km, trapezia, on the ramp with ⅔ and ⅓.
+// Simpson's rule over the number densities of the standard up to 36 km, the cross-section that of
+// one molecule; from there to 42 km, trapezia, on the ramp with ⅔ and ⅓.
 TEST(VerticalRayleighOpticalDepth, CountsTheMoleculesOfTheStandardAtmosphere) {
   const auto levels = published_table("baker/atmosphere/data/us_standard_1976_levels.csv");
   const auto& n = levels["number_density_per_m3"];
@@ -71,8 +71,8 @@ TEST(VerticalRayleighOpticalDepth, CountsTheMoleculesOfTheStandardAtmosphere) {
   for (std::size_t i = 0; i < 18; i += 2) column += (n[i] + 4 * n[i + 1] + n[i + 2]) * 2 / 3;
   column += n[18] + n[19];
   const double at_39_km = 9.61975e22, at_40_km = n[20] * 2 / 3, at_41_km = 7.18643e22 / 3;
-  column += (n[19] + at_39_km) / 2 + (at_39_km + at_40_km) / 2 + (at_40_km + at_41_km) / 2 +
-            at_41_km / 2;
+  column +=
+      (n[19] + at_39_km) / 2 + (at_39_km + at_40_km) / 2 + (at_40_km + at_41_km) / 2 + at_41_km / 2;
   const double section_m2 = rayleigh_cross_section_m2(nanometres(550));
   EXPECT_WITHIN_RELATIVE(vertical_rayleigh_optical_depth(green), section_m2 * column * 1e3, 1e-3,
                          "Simpson's rule on steps of 2 km across the tropopause");
@@ -88,7 +88,8 @@ double bodhaine(double um) {
 TEST(VerticalRayleighOpticalDepth, IsThePublishedOneOfTheWholeAtmosphere) {
   for (const double nm : {400.0, 550.0, 700.0})
     EXPECT_WITHIN_RELATIVE(
-        vertical_rayleigh_optical_depth(sea_level_optics(nanometres(nm))), bodhaine(nm / 1e3), 0.011,
+        vertical_rayleigh_optical_depth(sea_level_optics(nanometres(nm))), bodhaine(nm / 1e3),
+        0.011,
         "0.1 to 0.8 % less cross-section; 0.3 % of the air is cut, 0.2 % is the fall of gravity");
 }
 
@@ -111,8 +112,7 @@ TEST(RequireValid, NamesTheTermItsUnitAndWhatIsAllowed) {
   EXPECT_EQ(refused({.column = {.ozone_du = -1}}), "ozone [DU] = -1, allowed 0 to 1000");
   EXPECT_EQ(refused({.column = {.dust_extinction_per_m = 2}}),
             "dust extinction [1/m] = 2, allowed 0 to 1");
-  EXPECT_EQ(refused({.column = {.dust_bottom_m = -1}}),
-            "dust bottom [m] = -1, allowed 0 to 42000");
+  EXPECT_EQ(refused({.column = {.dust_bottom_m = -1}}), "dust bottom [m] = -1, allowed 0 to 42000");
   EXPECT_EQ(refused({.column = {.dust_top_m = 14e3}}),
             "dust top [m] = 14000, allowed 15000 to 42000");
 }

@@ -48,8 +48,7 @@ TEST(OzoneCrossSection, RefusesWavelengthsOutsideItsRange) {
 
 TEST(OzoneFilter, CrossesAGrazedLayerAt22Kilometres) {
   const double sine = 6378.0 / (6378 + 22);
-  EXPECT_WITHIN(grazing_ozone_air_mass, 2 / std::sqrt(1 - sine * sine), 0.05,
-                "stated to 3 digits");
+  EXPECT_WITHIN(grazing_ozone_air_mass, 2 / std::sqrt(1 - sine * sine), 0.05, "stated to 3 digits");
 }
 
 // By hand: 24.1 × 5.085e-25 m² (600 nm) × 300 × 2.6867e20 m⁻² = 0.98775

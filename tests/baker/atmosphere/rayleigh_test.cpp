@@ -30,17 +30,16 @@ TEST(RayleighCrossSection, LiesBelowBucholtzByWhatItsDocumentationStates) {
 }
 
 TEST(RayleighCrossSection, HasTheFigureItsDocumentationStates) {
-  EXPECT_WITHIN(rayleigh_cross_section_m2(nanometres(550)), 4.491e-31, 5e-35,
-                "stated to 4 digits");
+  EXPECT_WITHIN(rayleigh_cross_section_m2(nanometres(550)), 4.491e-31, 5e-35, "stated to 4 digits");
 }
 
 // Bucholtz counts 2.54743e25 molecules, the standard atmosphere 2.546972e25: 0.02 % more.
 TEST(RayleighCrossSection, TimesTheMoleculesIsTheScatteringOfSeaLevelAir) {
   for (std::size_t i = 0; i < bucholtz["wavelength_nm"].size(); ++i)
-    EXPECT_WITHIN_RELATIVE(
-        rayleigh_cross_section_m2(nanometres(bucholtz["wavelength_nm"][i])) *
-            sea_level_number_density_per_m3,
-        bucholtz["scattering_per_m"][i], 0.0085, "0.81 % of cross-section, 0.02 % of density");
+    EXPECT_WITHIN_RELATIVE(rayleigh_cross_section_m2(nanometres(bucholtz["wavelength_nm"][i])) *
+                               sea_level_number_density_per_m3,
+                           bucholtz["scattering_per_m"][i], 0.0085,
+                           "0.81 % of cross-section, 0.02 % of density");
 }
 
 TEST(RayleighCrossSection, RefusesWavelengthsOutsideItsRange) {

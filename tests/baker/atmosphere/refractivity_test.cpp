@@ -40,8 +40,8 @@ TEST(SeaLevelRefractivityCrc, DispersesAsCiddorDoes) {
   const auto &nm = ciddor["wavelength_nm"], &n = ciddor["refractivity_e8"];
   ASSERT_EQ(nm[1], 400);
   ASSERT_EQ(nm[16], 700);
-  const double dispersion = sea_level_refractivity_crc(nanometres(400)) -
-                            sea_level_refractivity_crc(nanometres(700));
+  const double dispersion =
+      sea_level_refractivity_crc(nanometres(400)) - sea_level_refractivity_crc(nanometres(700));
   EXPECT_WITHIN_RELATIVE(dispersion, (n[1] - n[16]) * 1e-8, 0.08, "the handbook's data of 1919");
 }
 

@@ -3,19 +3,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
 
 #include "algebra/error.h"
+#include "atmosphere/density.h"
 #include "support/within.h"
 
 namespace coppermoon::photons {
 namespace {
 
 using algebra::nanometres;
-using algebra::radians;
 using atmosphere::Atmosphere;
 using atmosphere::Column;
 using atmosphere::Optics;
@@ -25,7 +26,8 @@ constexpr double arcminute = std::numbers::pi / 180 / 60;
 const Atmosphere air;
 const Optics green = sea_level_optics(nanometres(550));
 
-/// A ray worked out another way: no derivative of n, the midpoint rule, nothing known of where the air breaks.
+/// A ray worked out another way: no derivative of n, the midpoint rule, nothing known of where the
+/// air breaks.
 struct Independent {
   Optics optics;
   double impact_height_m;
@@ -53,7 +55,8 @@ struct Independent {
     }
     return sum * width;
   }
-  /// The angle the ray sweeps about the Earth's centre inside the air, over what a straight line sweeps.
+  /// The angle the ray sweeps about the Earth's centre inside the air, over what a straight line
+  /// sweeps.
   double bending() const {
     const double swept = along_half([&](double h) { return b_m / (air.earth_radius_m + h); });
     return 2 * swept - 2 * std::acos(b_m / air.top_radius_m());
@@ -76,9 +79,9 @@ struct Printed {
   double impact_height_m, tangent_height_m, bending_arcmin, optical_depth, bending_tolerance;
 };
 
-// A table computed elsewhere for 550 nm. Its quadrature did not split where the density's slope breaks: its
-// low rays' bending is off by up to 3.6e-4 against the independent computation above, which the next
-// test holds to 1e-9; its optical depths, whose integrand has no slope in it, are not.
+// A table computed elsewhere for 550 nm. Its quadrature did not split where the density's slope
+// breaks, which puts its bending off by up to 3.6e-4 against the swept angle below; its optical
+// depths hold no slope.
 constexpr Printed printed[] = {{2500, 876.4, 60.807, 6.6729, 1.5e-4},
                                {5000, 3790.9, 46.189, 4.7152, 4e-4},
                                {10000, 9353.3, 26.334, 2.26635, 3e-5},
@@ -95,17 +98,116 @@ TEST(LimbRay, IsThatOfATableComputedElsewhere) {
   }
 }
 
+void expect_the_swept_angle(double impact_height_m, double nm) {
+  const Independent other{sea_level_optics(nanometres(nm)), impact_height_m};
+  const auto ray = ray_at(impact_height_m, {}, other.optics);
+  constexpr auto reason = "1e-8 is what the documentation states";
+  EXPECT_WITHIN(ray.tangent_height_m, other.tangent_m, 1e-7, "rounding");
+  EXPECT_WITHIN_RELATIVE(ray.bending_rad, other.bending(), 1e-8, reason) << impact_height_m;
+  EXPECT_WITHIN_RELATIVE(ray.optical_depth, other.optical_depth(), 1e-8, reason) << impact_height_m;
+}
+
 TEST(LimbRay, IsThatOfTheSweptAngle) {
-  for (const double impact_height_m : {1768.0, 2500.0, 5000.0, 10e3, 12.5e3, 20e3, 30e3, 38e3, 41e3})
-    for (const double nm : {380.0, 550.0, 780.0}) {
-      const Independent other{sea_level_optics(nanometres(nm)), impact_height_m};
-      const auto ray = limb_ray(impact_height_m, air, {}, other.optics);
-      if (!ray) continue;  // at 380 nm the lowest meets the ground
-      EXPECT_WITHIN(ray->tangent_height_m, other.tangent_height(), 1e-7, "rounding");
-      EXPECT_WITHIN_RELATIVE(ray->bending_rad, other.bending(), 1e-8, "the midpoint rule's, at the breaks of the air");
-      EXPECT_WITHIN_RELATIVE(ray->optical_depth, other.optical_depth(), 1e-8,
-                             "the midpoint rule's, at the breaks of the air");
+  for (const double impact_height_m : {2500.0, 5000.0, 10e3, 20e3, 30e3, 38e3, 41e3})
+    for (const double nm : {380.0, 780.0}) expect_the_swept_angle(impact_height_m, nm);
+}
+
+// At 380 nm a ray of b − R = 11554 m grazes 2.1 m below the tropopause, one of 40 999.1 m in the
+// ramp.
+TEST(LimbRay, IsThatOfTheSweptAngleJustBelowABreakOfTheAir) {
+  expect_the_swept_angle(11554, 380);
+  expect_the_swept_angle(20186, 780);
+  expect_the_swept_angle(39006.5, 550);
+}
+
+// Nautical and astronomical almanacs refract the Sun on the horizon by 34'; a ray that grazes the
+// ground and leaves again is bent twice as much. At sea level b = n₀ R.
+TEST(LimbRay, GrazingTheGroundIsBentTwiceTheRefractionOfTheHorizon) {
+  const double grazing_m = green.refractivity * air.earth_radius_m;
+  const auto ray = ray_at(grazing_m + 1e-6);
+  EXPECT_WITHIN(ray.tangent_height_m, 0.0, 1e-5, "n r rises by 0.8 for every metre of altitude");
+  EXPECT_WITHIN(ray.bending_rad / arcminute, 2 * 34.0, 2 * 2.0,
+                "almanacs round to 1' and assume 10 °C; 15 °C refracts 2 % less");
+  EXPECT_FALSE(limb_ray(grazing_m - 1e-6, air, {}, green));
+}
+
+// Under the top dn/dr is all but constant, so δ ∝ ∫ dr/√(r − r_t) ∝ √(r₁ − r_t).
+TEST(LimbRay, FadesAsTheSquareRootOfDepthUnderTheTop) {
+  for (const double depth_m : {1e-6, 1e-4, 1e-2, 1.0})
+    EXPECT_WITHIN(ray_at(42e3 - 4 * depth_m).bending_rad / ray_at(42e3 - depth_m).bending_rad, 2.0,
+                  2e-3, "metres of a ramp of 3 km");
+  const auto top = ray_at(42e3);
+  EXPECT_EQ(top.bending_rad, 0);
+  EXPECT_EQ(top.optical_depth, 0);
+  EXPECT_EQ(top.transmittance, 1);
+}
+
+TEST(LimbRay, IsFiniteOverTheWholeRange) {
+  const Column full{.ozone_du = 300, .dust_extinction_per_m = 1e-5};
+  for (const double nm : {380.0, 780.0}) {
+    const auto optics = sea_level_optics(nanometres(nm));
+    for (double h = -1e4; h <= 42e3; h += 6.5)
+      if (const auto ray = limb_ray(h, air, full, optics)) {
+        ASSERT_GE(h, optics.refractivity * air.earth_radius_m);
+        ASSERT_TRUE(ray->bending_rad >= 0 && ray->bending_rad < 75 * arcminute) << h;
+        ASSERT_TRUE(ray->optical_depth >= 0 && std::isfinite(ray->optical_depth)) << h;
+        ASSERT_TRUE(ray->transmittance > 0 && ray->transmittance <= 1) << h;
+        ASSERT_TRUE(ray->tangent_height_m >= 0 && ray->tangent_height_m <= h) << h;
+      }
+  }
+}
+
+double impact_height_of(double tangent_m) {
+  return tangent_m + refractivity({}, green, tangent_m) * (air.earth_radius_m + tangent_m);
+}
+
+TEST(LimbRay, LosesNothingOfASliverOfAirBelowABreak) {
+  for (const double h : {11019.067832, 20063.123682, 39e3}) {
+    const Independent other{green, impact_height_of(h - 5e-4)};
+    EXPECT_WITHIN_RELATIVE(ray_at(other.impact_height_m).bending_rad, other.bending(), 1e-6,
+                           "the midpoint rule has forty points in the sliver");
+  }
+}
+
+TEST(LimbRay, IsFiniteAndContinuousAtEveryBreakOfTheAir) {
+  for (const double h : atmosphere::density_breaks_m())
+    for (const double above_m : {-1e-3, -1e-6, -1e-9, -1e-11, 0.0, 1e-11, 1e-9, 1e-6, 1e-3}) {
+      const double at_m = std::min(impact_height_of(h + above_m), 42e3);
+      EXPECT_WITHIN(ray_at(at_m).bending_rad, ray_at(at_m - 0.01).bending_rad, 0.01 * arcminute,
+                    "a centimetre of air: at the tropopause the bending drops by 0.007' within");
     }
+}
+
+// A straight line crosses a shell in 2 (√(r₂² − b²) − √(r₁² − b²)).
+TEST(LimbRay, WithoutRefractionGoesStraightThroughTheDust) {
+  const Column dust{.refraction = false, .rayleigh = false, .dust_extinction_per_m = 4.7e-6};
+  const auto half_chord = [](double top_m, double b_m) {
+    const double r = air.earth_radius_m + top_m, b = air.earth_radius_m + b_m;
+    return std::sqrt((r - b) * (r + b));
+  };
+  const auto below = ray_at(5000, dust), inside = ray_at(17e3, dust), above = ray_at(21e3, dust);
+  EXPECT_EQ(below.bending_rad, 0);
+  EXPECT_WITHIN(below.tangent_height_m, 5000.0, 1e-8, "rounding");
+  EXPECT_WITHIN_RELATIVE(below.optical_depth,
+                         2 * 4.7e-6 * (half_chord(20e3, 5000) - half_chord(15e3, 5000)), 1e-10,
+                         "rounding");
+  EXPECT_WITHIN_RELATIVE(inside.optical_depth, 2 * 4.7e-6 * half_chord(20e3, 17e3), 1e-10,
+                         "rounding");
+  EXPECT_EQ(above.optical_depth, 0);
+}
+
+TEST(LimbRay, DimsByBeerLambertAndTheOzoneFilter) {
+  const Column ozone{.ozone_du = 300};
+  const auto clear = ray_at(15e3), filtered = ray_at(15e3, ozone);
+  EXPECT_WITHIN(clear.transmittance, std::exp(-clear.optical_depth), 1e-15, "rounding");
+  EXPECT_WITHIN(filtered.transmittance / clear.transmittance, ozone_transmittance(ozone, green),
+                1e-14, "rounding");
+}
+
+TEST(LimbRay, RefusesImpactHeightsOutsideItsRange) {
+  EXPECT_THROW(limb_ray(42000.001, air, {}, green), algebra::Error);
+  EXPECT_THROW(limb_ray(-10000.1, air, {}, green), algebra::Error);
+  EXPECT_THROW(limb_ray(std::numeric_limits<double>::quiet_NaN(), air, {}, green), algebra::Error);
 }
 
 }  // namespace

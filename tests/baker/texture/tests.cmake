@@ -2,3 +2,4 @@
 foreach(noun read_image whole_file write_image)
   coppermoon_test(baker/texture/${noun} LINKS texture LABELS files)
 endforeach()
+coppermoon_test(baker/texture/bake LINKS texture)

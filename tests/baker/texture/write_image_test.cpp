@@ -213,7 +213,8 @@ TEST_F(WriteImage, AFullDiskLeavesNothing) {
     EXPECT_ERROR(write_exr(in_folder("a.exr"), eclipse_like(128), {}),
                  "a.exr: cannot be written: File too large");
     Image noisy = eclipse_like(128);
-    for (float& value : noisy.values) value = std::min(value / 1000, 1.0F);
+    for (std::size_t i = 0; i < noisy.values.size(); ++i)
+      noisy.values[i] = static_cast<float>(i * i % 65521) / 65521;  // hardly to be packed
     EXPECT_ERROR(write_png(in_folder("a.png"), noisy, 16),
                  "a.png: cannot be written: File too large");
     ::setrlimit(RLIMIT_FSIZE, &before);
@@ -241,6 +242,11 @@ TEST_F(WriteImage, PngRoundsToItsSteps) {
       EXPECT_WITHIN(back(0, c, 0), image(0, c, 0), 1e-6,
                     "these are steps of both, but for rounding");
   }
+}
+
+TEST_F(WriteImage, PngSaysThatItIsSrgb) {
+  write_png(in_folder("a.png"), one_texel(0.5F), 8);
+  EXPECT_NE(bytes_of(in_folder("a.png")).find("sRGB"), std::string::npos) << "the chunk's name";
 }
 
 TEST_F(WriteImage, PngRefusesWhatItCannotHold) {

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <limits>
+
+#include "end_to_end/program.h"
+#include "texture/write_image.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr int could_not = 1, wrong_usage = 2;
+constexpr const char* eclipse_of_2008 = "2008-02-21T03:26:05Z";
+
+Words operator+(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// Every test here: one line, the right exit status, and nothing left behind.
+class BadInput : public ProgramTest {
+ protected:
+  void expect_refused(const Words& words, int status, std::initializer_list<std::string_view> parts,
+                      const Surroundings& around = {}) const {
+    const auto before = listing();
+    const auto outcome = coppermoon(words, around);
+    EXPECT_EQ(outcome.status, status) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("coppermoon: ")) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    for (const auto part : parts)
+      EXPECT_NE(outcome.err.find(part), std::string::npos) << "no \"" << part << "\" in " << outcome.err;
+    EXPECT_EQ(listing(), before);
+  }
+
+  /// A quick bake that is right in all but what is added.
+  static Words bake(const Words& more) {
+    return Words{"bake", eclipse_of_2008, "-o", "moon.exr", "--texture-width", "16", "--rays", "50",
+                 "--albedo-map", "built-in"} + more;
+  }
+
+  /// A quick still, likewise; it has no shadow to compute.
+  static Words still(const Words& more) {
+    return Words{"still", eclipse_of_2008, "--unshadowed", "-o", "frame.png", "--texture-width", "16",
+                 "--albedo-map", "built-in", "--width", "16", "--height", "16"} + more;
+  }
+
+  /// A folder with a program named povray that says some words and fails.
+  std::string folder_of_failing_povray() const {
+    std::filesystem::create_directory(here("bin"));
+    file("bin/povray",
+         "#!/bin/sh\necho 'Parse Error: Out of moonlight' >&2\necho 'Render failed' >&2\nexit 1\n");
+    std::filesystem::permissions(here("bin/povray"), std::filesystem::perms::owner_all);
+    return here("bin").string() + ":/usr/bin:/bin";
+  }
+};
+
+TEST_F(BadInput, TheCommandsThatAreSpoiltHereAreSound) {
+  expect_done(coppermoon(bake({})));
+  EXPECT_TRUE(std::filesystem::exists(here("moon.exr")));
+}
+
+TEST_F(BadInput, AnAlbedoMapThatIsNoImageIsRefused) {
+  file("text.png", "not a picture at all\n");
+  expect_refused(bake({"--albedo-map", "text.png"}), could_not, {"text.png: cannot be read"});
+}
+
+TEST_F(BadInput, AMissingAlbedoMapIsRefused) {
+  expect_refused(bake({"--albedo-map", "missing.png"}), could_not, {"missing.png", "no such file"});
+}
+
+TEST_F(BadInput, AnEmptyAlbedoMapIsRefused) {
+  file("empty.png", "");
+  expect_refused(bake({"--albedo-map", "empty.png"}), could_not, {"empty.png", "it is empty"});
+}
+
+TEST_F(BadInput, AnAlbedoMapThatEndsEarlyIsRefused) {
+  texture::Image image(64, 32, {"R", "G", "B"});
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] = static_cast<float>((i * 7919) % 1000) / 1000;
+  texture::write_png(here("whole.png"), image, 8);
+  const auto bytes = text_of(here("whole.png"));
+  file("half.png", bytes.substr(0, bytes.size() / 2));
+  expect_refused(bake({"--albedo-map", "half.png"}), could_not, {"half.png: cannot be read"});
+}
+
+TEST_F(BadInput, AnAlbedoMapThatIsNotTwoToOneIsRefused) {
+  texture::write_png(here("square.png"), texture::Image(16, 16, {"Y"}), 8);
+  expect_refused(bake({"--albedo-map", "square.png"}), could_not, {"16 x 16", "2:1"});
+}
+
+TEST_F(BadInput, ABlackAlbedoMapIsRefused) {
+  texture::write_png(here("black.png"), texture::Image(32, 16, {"Y"}), 8);
+  expect_refused(bake({"--albedo-map", "black.png"}), could_not, {"mean 0", "above 0"});
+}
+
+TEST_F(BadInput, AnOutputInNoSuchDirectoryIsRefused) {
+  expect_refused(bake({"-o", "nowhere/moon.exr"}), could_not, {"nowhere: no such directory"});
+  expect_refused(still({"-o", "nowhere/frame.png"}), could_not, {"nowhere: no such directory"});
+  expect_refused({"scene", eclipse_of_2008, "-o", "nowhere/scene"}, could_not, {"nowhere: no such directory"});
+}
+
+TEST_F(BadInput, ATextureThatIsNoExrIsRefused) {
+  expect_refused(bake({"-o", "moon.png"}), could_not, {"moon.png", ".exr"});
+}
+
+TEST_F(BadInput, AFullDiskIsAnErrorAndLeavesNothing) {
+  const Words large{"--texture-width", "512", "--unshadowed"};
+  expect_refused(bake(large), could_not, {"moon.exr", "File too large"}, {.file_limit = 20000});
+}
+
+TEST_F(BadInput, AFullDiskLeavesNoHalfAScene) {
+  expect_refused({"scene", eclipse_of_2008, "--unshadowed", "--texture-width", "512", "-o", "scene"},
+                 could_not, {"File too large"}, {.file_limit = 20000});
+}
+
+TEST_F(BadInput, AFullDiskKeepsTheOldFile) {
+  const auto old = file("moon.exr", "the old one");
+  expect_refused(bake({"--texture-width", "512", "--unshadowed"}), could_not, {"moon.exr"},
+                 {.file_limit = 20000});
+  EXPECT_EQ(text_of(old), "the old one");
+}
+
+TEST_F(BadInput, AnUnknownFlagIsAnsweredWithTheNearest) {
+  expect_refused(bake({"--ozon-du", "300"}), wrong_usage, {"--ozon-du", "--ozone-du"});
+  expect_refused({"sky", eclipse_of_2008, "--jsn"}, wrong_usage, {"--jsn", "--json"});
+}
+
+TEST_F(BadInput, AnUnknownWordIsAnsweredWithTheNearest) {
+  expect_refused({"bakee", eclipse_of_2008}, wrong_usage, {"bakee", "nearest is bake"});
+}
+
+TEST_F(BadInput, AnUnknownShortFlagIsRefused) {
+  expect_refused(bake({"-q"}), wrong_usage, {"-q"});
+}
+
+TEST_F(BadInput, NoWordAtAllIsWrongUsage) { expect_refused({}, wrong_usage, {}); }
+
+TEST_F(BadInput, ALeftOutOutputIsWrongUsage) {
+  expect_refused({"bake", eclipse_of_2008}, wrong_usage, {"--output"});
+}
+
+TEST_F(BadInput, AnUnknownRecipeKeyIsAnsweredWithItsLineAndTheNearest) {
+  file("typo.toml", "# a recipe\nrays = 50\nozon-du = 300\n");
+  expect_refused(bake({"--recipe", "typo.toml"}), wrong_usage, {"typo.toml:3", "ozon-du", "ozone-du"});
+}
+
+TEST_F(BadInput, ARecipeWithASyntaxErrorIsAnsweredWithItsLine) {
+  file("broken.toml", "rays = 50\nozone-du = = 3\n");
+  expect_refused(bake({"--recipe", "broken.toml"}), could_not, {"broken.toml:2"});
+}
+
+TEST_F(BadInput, ARecipeWithTablesIsRefused) {
+  file("table.toml", "[rays]\nmany = 50\n");
+  expect_refused(bake({"--recipe", "table.toml"}), could_not, {"table.toml:1", "rays"});
+}
+
+TEST_F(BadInput, AMissingRecipeIsRefused) {
+  expect_refused(bake({"--recipe", "missing.toml"}), could_not, {"missing.toml: cannot be read"});
+}
+
+TEST_F(BadInput, ADateThatIsNoneIsRefused) {
+  for (const char* date : {"2008-02-30", "yesterday", "2008-13-01", "2008-02-21T25:00", ""})
+    expect_refused({"sky", date}, could_not, {date});
+}
+
+TEST_F(BadInput, AnInstantWithoutEclipseIsAnsweredWithTheNearest) {
+  Words words = bake({});
+  words[1] = "2008-02-25T00:00:00Z";
+  expect_refused(words, could_not, {"no lunar eclipse", "2008-02-21T03:2", "--unshadowed"});
+  expect_done(coppermoon(words + Words{"--unshadowed"}));
+}
+
+TEST_F(BadInput, AMoonBelowTheHorizonIsRefused) {
+  // At 150 east it is one in the afternoon, and the Moon is full.
+  expect_refused(still({"--at", "-30,150"}), could_not, {"degrees below the horizon of -30,150"});
+}
+
+TEST_F(BadInput, DustThatNoAirHoldsIsRefused) {
+  for (const char* alpha : {"-1", "1e9", "nan", "inf"})
+    expect_refused(bake({"--dust-extinction", alpha}), could_not, {"dust extinction", "allowed 0 to"});
+}
+
+TEST_F(BadInput, ANumberThatIsNoneIsWrongUsage) {
+  expect_refused(bake({"--dust-extinction", "much"}), wrong_usage, {"dust-extinction", "much"});
+}
+
+TEST_F(BadInput, AMissingPovrayIsNamed) {
+  std::filesystem::create_directory(here("bin"));
+  expect_refused(still({}), could_not, {"povray: not found", "install"}, {.path = here("bin")});
+}
+
+TEST_F(BadInput, AFailingPovrayHasTheLastWord) {
+  expect_refused(still({}), could_not, {"povray: ", "Out of moonlight", "Render failed"},
+                 {.path = folder_of_failing_povray()});
+}
+
+TEST_F(BadInput, NegativePhotonsAreRefusedWhateverTheSolver) {
+  expect_refused(bake({"--solver", "photons", "--photons", "-5"}), could_not, {"photons = -5", "allowed 1 to"});
+  expect_refused(bake({"--photons", "-5"}), could_not, {"photons = -5", "allowed 1 to"});
+}
+
+TEST_F(BadInput, ATextureWidthThatIsNoneIsRefused) {
+  expect_refused(bake({"--texture-width", "15"}), could_not, {"texture width", "15", "even"});
+  expect_refused(bake({"--texture-width", "0"}), could_not, {"texture width", "= 0", "allowed"});
+  expect_refused(bake({"--texture-width", "-5"}), wrong_usage, {"texture-width", "-5"});
+}
+
+TEST_F(BadInput, APlaceThatIsNoneIsRefused) {
+  expect_refused({"sky", eclipse_of_2008, "--at", "95,0"}, could_not, {"latitude", "95", "-90 to 90"});
+  expect_refused({"sky", eclipse_of_2008, "--at", "foo"}, could_not, {"foo", "LATITUDE,LONGITUDE"});
+  expect_refused({"sky", eclipse_of_2008, "--at", "nan,0"}, could_not, {"latitude", "nan"});
+  expect_refused({"sky", eclipse_of_2008, "--at", "10,20,nan"}, could_not, {"elevation", "nan"});
+}
+
+TEST_F(BadInput, AViewThereIsNotIsAnsweredWithThoseThereAre) {
+  expect_refused(still({"--view", "Nonsense"}), could_not, {"Nonsense", "Un-tone-mapped", "ACES 1.0 SDR Video", "Raw"});
+}
+
+TEST_F(BadInput, ADisplayThereIsNotIsAnsweredWithThoseThereAre) {
+  expect_refused(still({"--display", "Nonsense"}), could_not, {"Nonsense", "sRGB"});
+}
+
+TEST_F(BadInput, ACameraThatIsNoneIsRefused) {
+  expect_refused(still({"--time", "-1"}), could_not, {"-1", "allowed", "s"});
+  expect_refused(still({"--time", "soon"}), could_not, {"soon", "auto"});
+  expect_refused(still({"--iso", "0"}), could_not, {"0", "allowed"});
+  expect_refused(still({"--f-number", "nan"}), could_not, {"nan", "allowed"});
+  expect_refused(still({"--field", "-3"}), could_not, {"field of view", "-3"});
+  expect_refused(still({"--width", "0"}), could_not, {"width", "0"});
+  expect_refused(still({"--width", "-1"}), wrong_usage, {"width", "-1"});
+}
+
+TEST_F(BadInput, AFrameThatIsNoImageIsRefused) {
+  file("frame.exr", "no light in here\n");
+  expect_refused({"develop", "frame.exr", "-o", "frame.png"}, could_not, {"frame.exr: cannot be read"});
+  expect_refused({"develop", "none.exr", "-o", "frame.png"}, could_not, {"none.exr", "no such file"});
+}
+
+TEST_F(BadInput, AFrameWithoutColoursIsRefused) {
+  texture::write_exr(here("grey.exr"), texture::Image(4, 4, {"Y"}), {});
+  expect_refused({"develop", "grey.exr", "-o", "frame.png"}, could_not, {"1 channels", "3"});
+}
+
+TEST_F(BadInput, ASpaceThereIsNotIsAnsweredWithThoseThereAre) {
+  expect_refused(bake({"--space", "prophoto"}), could_not, {"prophoto", "lin_rec709", "acescg"});
+}
+
+TEST_F(BadInput, AShadowCutBackwardsIsRefused) {
+  const Words shadow{"shadow", "--moon-distance-km", "380000", "--sun-distance-km", "1.5e8", "--rays", "50"};
+  expect_refused(shadow + Words{"--axis-distances", "5000,4000"}, could_not, {"axis distance [km] = 4000"});
+  expect_refused(shadow + Words{"--wavelengths", "5"}, could_not, {"wavelength", "5"});
+  expect_refused({"shadow"}, wrong_usage, {"instant"});
+}
+
+TEST_F(BadInput, AnAlmanacThatRunsBackwardsIsRefused) {
+  expect_refused({"almanac", "--from", "2009-01-01", "--to", "2008-01-01"}, could_not, {"2008-01-01"});
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end

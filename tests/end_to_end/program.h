@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace coppermoon::end_to_end {
+
+/// How a program ended and what it said.
+struct Outcome {
+  int status = -1;  ///< of its exit; 128 + the signal's number when it was ended by one
+  std::string out, err;
+};
+
+/// What a program finds around it.
+struct Surroundings {
+  std::optional<std::string> path = {};       ///< PATH, instead of ours
+  std::optional<rlim_t> file_limit = {};      ///< bytes that a file may have: the disk is full there
+  std::optional<std::filesystem::path> folder = {};  ///< where it runs, instead of the test's own
+};
+
+inline std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A folder of its own for each test, gone afterwards; programs run in it, with their own temporary
+/// folder beside it.
+class ProgramTest : public testing::Test {
+ protected:
+  ProgramTest() {
+    auto name = (std::filesystem::temp_directory_path() / "coppermoon test XXXXXX").string();
+    home_ = ::mkdtemp(name.data());
+    for (const char* part : {"here", "tmp", "said"}) std::filesystem::create_directory(home_ / part);
+  }
+  ~ProgramTest() override { std::filesystem::remove_all(home_); }
+
+  std::filesystem::path here(std::string_view name = {}) const { return home_ / "here" / name; }
+
+  std::filesystem::path file(std::string_view name, std::string_view bytes) const {
+    std::ofstream(here(name), std::ios::binary) << bytes;
+    return here(name);
+  }
+
+  /// All that stands in the folder and in the programs' temporary one.
+  std::set<std::string> listing() const {
+    std::set<std::string> names;
+    for (const char* part : {"here", "tmp"})
+      for (const auto& entry : std::filesystem::recursive_directory_iterator(home_ / part))
+        names.insert(entry.path().lexically_relative(home_).string());
+    return names;
+  }
+
+  Outcome run(std::vector<std::string> words, const Surroundings& around = {}) const {
+    const pid_t child = ::fork();
+    if (child == 0) become(words, around);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+            text_of(home_ / "said/out"), text_of(home_ / "said/err")};
+  }
+
+  Outcome coppermoon(std::vector<std::string> words, const Surroundings& around = {}) const {
+    words.insert(words.begin(), COPPERMOON_PROGRAM);
+    return run(std::move(words), around);
+  }
+
+ private:
+  void say_into(const char* name, int descriptor) const {
+    const auto file = home_ / "said" / name;
+    ::dup2(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), descriptor);
+  }
+
+  [[noreturn]] void become(std::vector<std::string>& words, const Surroundings& around) const {
+    say_into("out", STDOUT_FILENO);
+    say_into("err", STDERR_FILENO);
+    ::setenv("TMPDIR", (home_ / "tmp").c_str(), 1);
+    if (around.path) ::setenv("PATH", around.path->c_str(), 1);
+    if (::chdir(around.folder.value_or(here()).c_str()) != 0) ::_exit(126);
+    const rlimit limit{around.file_limit.value_or(RLIM_INFINITY), RLIM_INFINITY};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    std::vector<char*> pointers;
+    for (auto& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    ::execvp(pointers[0], pointers.data());
+    ::_exit(127);
+  }
+
+  std::filesystem::path home_;
+};
+
+/// Done, with nothing on stderr.
+inline void expect_done(const Outcome& outcome) {
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+}
+
+}  // namespace coppermoon::end_to_end
