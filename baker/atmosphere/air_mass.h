@@ -13,8 +13,7 @@ namespace coppermoon::atmosphere {
 /// Given     altitude  of the light above the horizon without refraction, 90° − z; 0 to 90 degrees
 /// Returned  M         1 at the zenith, 31.7 at the horizon
 /// Throws    Error     when the altitude is outside its range
-/// Source    Young (1994), Appl. Opt. 33, 1108. Eq. 14 of Yapo & Cutler (2009) prints 0.01012963
-/// for 0.0102963
+/// Source    Young (1994), Appl. Opt. 33, 1108. Eq. 14 of Yapo & Cutler (2009) misprints 0.0102963
 double air_mass_young_1994(algebra::Angle altitude);
 
 }  // namespace coppermoon::atmosphere

@@ -27,8 +27,7 @@ inline constexpr double grazing_ozone_air_mass = 24.1;
 /// Given     dobson_units  vertical column, 0 to 1000 DU; the mean is about 300, US 1976 has 345
 /// Omits     that low rays cross more of it than high ones; the exact air mass of the layer
 /// Throws    Error         when an argument is outside its range
-/// Source    Yapo & Cutler (2009) §3.5 use one filter for the total mass of ozone and do not print
-/// it;
+/// Source    Yapo & Cutler (2009) §3.5 use one filter for the total mass of ozone, not printed;
 ///           the grazing air mass is ours
 double ozone_filter_yapo_cutler(algebra::Wavelength wavelength, double dobson_units);
 

@@ -17,9 +17,9 @@ inline constexpr double sea_level_number_density_per_m3 = 2.546972e25;
 /// Given     wavelength  380 to 780 nm
 ///           n − 1       sea_level_refractivity_crc, N the sea-level number density
 /// Returned  σ [m²]      4.491e-31 at 550 nm
-/// Accuracy  0.81 % (380 nm) to 0.01 % (780 nm) below Bucholtz (1995), whose F varies with
-/// wavelength Throws    Error       when the wavelength is outside its range Source    Bucholtz
-/// (1995), Appl. Opt. 34, 2765, Eq. 2; F fixed as in Yapo & Cutler (2009) §2.5
+/// Accuracy  0.81 % (380 nm) to 0.01 % (780 nm) below Bucholtz (1995), whose F varies
+/// Throws    Error       when the wavelength is outside its range
+/// Source    Bucholtz (1995), Appl. Opt. 34, 2765, Eq. 2; F fixed as in Yapo & Cutler (2009) §2.5
 double rayleigh_cross_section_m2(algebra::Wavelength wavelength);
 
 }  // namespace coppermoon::atmosphere

@@ -16,9 +16,8 @@ inline constexpr double shortest_nm = 380, longest_nm = 780;
 /// Returned  n₀ − 1      2.770936e-4 at 550 nm
 /// Accuracy  0.15 to 0.38 % below Ciddor (1996) from 780 to 380 nm
 /// Throws    Error       when the wavelength is outside its range
-/// Source    CRC Handbook of Chemistry and Physics (1984), E-231. Eq. 4 of Yapo & Cutler (2009)
-/// misprints
-///           the first two coefficients; these are the handbook's.
+/// Source    CRC Handbook of Chemistry and Physics (1984), E-231. Eq. 4 of Yapo & Cutler
+///           (2009) misprints the first two coefficients; these are the handbook's.
 double sea_level_refractivity_crc(algebra::Wavelength wavelength);
 
 }  // namespace coppermoon::atmosphere

@@ -24,11 +24,12 @@ struct LimbRay {
 /// and altitude are carried, not n and r: n r − b = h − h_t + (n − 1) r − (n_t − 1) r_t loses no
 /// digits.
 ///
-/// Given     impact_height_m  b − R, the impact parameter above the Earth's radius; up to the top
-/// of the air Returned  nothing when the ray meets the ground Accuracy  1e-8 relative; in the last
-/// millimetre under the top of the air, what rounding of altitudes leaves Throws    Error  when the
-/// impact height is above the air's top or more than 10 km below the ground Source    Auer &
-/// Standish (2000), AJ 119, 2472, for the integrals
+/// Given     impact_height_m  b − R, the impact parameter above the Earth's radius
+/// Returned  nothing when the ray meets the ground
+/// Accuracy  1e-8 relative; in the last millimetre under the top of the air, what the rounding of
+///           altitudes leaves
+/// Throws    Error  when the impact height is above the air's top or over 10 km below the ground
+/// Source    Auer & Standish (2000), AJ 119, 2472, for the integrals
 std::optional<LimbRay> limb_ray(double impact_height_m, const atmosphere::Atmosphere& atmosphere,
                                 const atmosphere::Column& column, const atmosphere::Optics& optics);
 

@@ -20,9 +20,11 @@ double lens_area(double apart, double r, double s) {
   if (apart >= r + s) return 0;
   if (apart <= larger - smaller) return std::numbers::pi * smaller * smaller;
   const auto cosine = [](double x) { return std::clamp(x, -1., 1.); };  // rounding at first contact
-  const double alpha = std::acos(cosine((apart * apart + r * r - s * s) / (2 * apart * r)));
-  const double beta = std::acos(cosine((apart * apart + s * s - r * r) / (2 * apart * s)));
-  return r * r * (alpha - std::sin(2 * alpha) / 2) + s * s * (beta - std::sin(2 * beta) / 2);
+  // of half the angles at which each centre sees the common chord
+  const double cos_r = cosine((apart * apart + r * r - s * s) / (2 * apart * r));
+  const double cos_s = cosine((apart * apart + s * s - r * r) / (2 * apart * s));
+  const auto segment = [](double c) { return std::acos(c) - c * std::sqrt(1 - c * c); };
+  return r * r * segment(cos_r) + s * s * segment(cos_s);
 }
 
 double projected_solar_radius_m(const Arrangement& arrangement, double depth_m) {

@@ -10,6 +10,7 @@
 #include "verbs/develop_options.h"
 #include "verbs/moon_options.h"
 #include "verbs/recipe.h"
+#include "verbs/silence.h"
 #include "verbs/verbs.h"
 
 namespace coppermoon::verbs {
@@ -34,10 +35,15 @@ colour::WorkingSpace space_of(const Options& options) {
   return linear_rec709;
 }
 
+texture::Image read_silently(const std::string& frame) {
+  const Silence silence;
+  return texture::read_image(frame);
+}
+
 void run(const Options& options) {
   require_sound(options.develop, options.output);
   require_place_for(options.output);
-  const auto frame = texture::read_image(options.frame);
+  const auto frame = read_silently(options.frame);
   const auto space = space_of(options);
   const auto exposure = exposure_for(options.develop, frame, space);
   write_developed(options.develop, exposure, frame, space, options.output, {});

@@ -87,6 +87,17 @@ eclipse::ShadowPlace moon_in_shadow(const almanac::SkyState& sky) {
   return eclipse::place_in_shadow(eclipse::shadow_axis(sky), sky.moon_m);
 }
 
+/// Axis distances that the Moon's disc takes in, closely spaced; the rest of the shadow is not asked for.
+std::vector<double> distances_over_the_disc(const eclipse::ShadowPlace& centre) {
+  constexpr double spacing_m = 25e3;
+  const double radius = algebra::in_metres(almanac::lunar_radius) + spacing_m;
+  const double from = std::max(0., algebra::in_metres(centre.axis_distance) - radius);
+  const double to = algebra::in_metres(centre.axis_distance) + radius;
+  std::vector<double> distances;
+  for (double d = from; d < to + spacing_m; d += spacing_m) distances.push_back(d);
+  return distances;
+}
+
 void require_eclipse(const almanac::SkyState& sky) {
   const auto convention = eclipse::ShadowConvention::danjon;
   if (eclipse::eclipse_at(sky.when, convention)) return;
@@ -137,10 +148,7 @@ shadow::Lookup light_on_the_moon(const LightOptions& options, const almanac::Sky
   if (unshadowed) return shadow::Lookup(weights);
   require_eclipse(sky);
   const auto arrangement = arrangement_of(sky, moon_in_shadow(sky));
-  constexpr double spacing_m = 25e3;
-  const double reach = shadow::refracted_reach_m(arrangement, air, arrangement.depths_m.back());
-  std::vector<double> distances;
-  for (double d = 0; d < reach + spacing_m; d += spacing_m) distances.push_back(d);
+  const auto distances = distances_over_the_disc(moon_in_shadow(sky));
   const auto light = refracted_light(options, arrangement, band_centres_nm(), distances);
   return shadow::Lookup(light, air.top_radius_m(), weights);
 }

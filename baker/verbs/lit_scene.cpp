@@ -29,8 +29,15 @@ LitScene lit_scene(const MoonOptions& moon, const ViewOptions& view, const std::
 
 void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene) {
   povray_scenes::Scene pov{.camera = scene.view.camera, .texture = texture_file, .caption = {}};
-  write_scene(folder, pov);
-  texture::write_exr(folder / texture_file, scene.moon.texture, scene.moon.attributes);
+  std::error_code ignored;
+  const bool made = std::filesystem::create_directory(folder, ignored);
+  try {
+    texture::write_exr(folder / texture_file, scene.moon.texture, scene.moon.attributes);
+    write_scene(folder, pov);
+  } catch (...) {
+    if (made) std::filesystem::remove_all(folder, ignored);
+    throw;
+  }
 }
 
 }  // namespace coppermoon::verbs

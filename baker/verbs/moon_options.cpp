@@ -11,6 +11,7 @@
 #include "texture/bake.h"
 #include "texture/read_image.h"
 #include "verbs/progress_bar.h"
+#include "verbs/silence.h"
 #include "verbs/spectral_bands.h"
 
 namespace coppermoon::verbs {
@@ -70,6 +71,7 @@ algebra::Grid<float> normal_albedo(const MoonOptions& options) {
   const auto map = map_chosen(options);
   if (map == "built-in")
     return surface::normalised_to_geometric_albedo(surface::built_in_moon(options.texture_width / 2));
+  const Silence silence;
   return surface::normalised_to_geometric_albedo(texture::read_albedo_map(map));
 }
 

@@ -20,6 +20,8 @@ struct Options {
 
 void run(const CLI::App& verb, const Options& options) {
   const std::filesystem::path folder = options.output;
+  if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
+    throw algebra::Error(fmt::format("{}: is no directory", folder.string()));
   if (!std::filesystem::is_directory(folder)) require_place_for(folder);
   const auto recipe = recipe_of(verb);
   const auto scene = lit_scene(options.moon, options.view, recipe);

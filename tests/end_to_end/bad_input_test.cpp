@@ -101,6 +101,11 @@ TEST_F(BadInput, AnOutputInNoSuchDirectoryIsRefused) {
   expect_refused({"scene", eclipse_of_2008, "-o", "nowhere/scene"}, could_not, {"nowhere: no such directory"});
 }
 
+TEST_F(BadInput, ASceneInThePlaceOfAFileIsRefused) {
+  file("scene", "a file");
+  expect_refused({"scene", eclipse_of_2008, "--unshadowed", "-o", "scene"}, could_not, {"scene: is no directory"});
+}
+
 TEST_F(BadInput, ATextureThatIsNoExrIsRefused) {
   expect_refused(bake({"-o", "moon.png"}), could_not, {"moon.png", ".exr"});
 }
@@ -199,6 +204,15 @@ TEST_F(BadInput, AFailingPovrayHasTheLastWord) {
 TEST_F(BadInput, NegativePhotonsAreRefusedWhateverTheSolver) {
   expect_refused(bake({"--solver", "photons", "--photons", "-5"}), could_not, {"photons = -5", "allowed 1 to"});
   expect_refused(bake({"--photons", "-5"}), could_not, {"photons = -5", "allowed 1 to"});
+}
+
+TEST_F(BadInput, ASolverThatIsSetWrongIsRefused) {
+  expect_refused(bake({"--rays", "-3"}), could_not, {"rays = -3"});
+  expect_refused(bake({"--seed", "-3"}), wrong_usage, {"--seed", "-3"});
+  expect_refused(bake({"--smoothing-km", "-3"}), could_not, {"smoothing [km] = -3"});
+  const Words photons{"--solver", "photons", "--photons", "10"};
+  expect_refused(bake(photons + Words{"--step-km", "0"}), could_not, {"step [km] = 0"});
+  expect_refused(bake(photons + Words{"--ring-km", "nan"}), could_not, {"ring width [km] = nan"});
 }
 
 TEST_F(BadInput, ATextureWidthThatIsNoneIsRefused) {

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Other programs rely on these keys, units and forms of time.
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "end_to_end/program.h"
+#include "support/within.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using nlohmann::json;
+using Names = std::set<std::string>;
+
+Names keys_of(const json& object) {
+  Names names;
+  for (const auto& [key, value] : object.items()) names.insert(key);
+  return names;
+}
+
+void expect_utc(const json& text) {
+  EXPECT_TRUE(std::regex_match(text.get<std::string>(), std::regex(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ)"))) << text;
+}
+
+void expect_keys(const json& object, const Names& wanted) {
+  for (const auto& key : wanted) EXPECT_TRUE(object.contains(key)) << key;
+}
+
+class Json : public ProgramTest {
+ protected:
+  /// The one document on stdout.
+  json said(const std::vector<std::string>& words) const {
+    const auto outcome = coppermoon(words);
+    expect_done(outcome);
+    return json::parse(outcome.out, nullptr, false);
+  }
+};
+
+TEST_F(Json, AlmanacListsEclipsesWithTypeMagnitudesAndContacts) {
+  const auto all = said({"almanac", "--from", "2008-01-01", "--to", "2009-02-28", "--json"});
+  ASSERT_TRUE(all.is_array());
+  ASSERT_EQ(all.size(), 3U);  // total, partial, penumbral: 21 February, 16 August, 9 February
+  for (const auto& eclipse : all) {
+    EXPECT_EQ(keys_of(eclipse),
+              Names({"greatest", "type", "gamma", "umbral_magnitude", "penumbral_magnitude", "contacts"}));
+    expect_utc(eclipse["greatest"]);
+    for (const auto& when : eclipse["contacts"]) expect_utc(when);
+  }
+  EXPECT_EQ(all[0]["type"], "total");
+  EXPECT_EQ(keys_of(all[0]["contacts"]), Names({"P1", "U1", "U2", "U3", "U4", "P4"}));
+  EXPECT_EQ(all[1]["type"], "partial");
+  EXPECT_EQ(keys_of(all[1]["contacts"]), Names({"P1", "U1", "U4", "P4"}));
+  EXPECT_EQ(all[2]["type"], "penumbral");
+  EXPECT_EQ(keys_of(all[2]["contacts"]), Names({"P1", "P4"}));
+}
+
+TEST_F(Json, AlmanacOfAMonthWithoutEclipseIsAnEmptyList) {
+  EXPECT_EQ(said({"almanac", "--from", "2008-04-01", "--to", "2008-05-01", "--json"}), json::array());
+}
+
+TEST_F(Json, AlmanacTakesEachConventionOfTheShadow) {
+  const auto magnitude = [&](const char* convention) {
+    return said({"almanac", "--from", "2008-02-01", "--to", "2008-03-01", "--json", "--shadow-convention",
+                 convention})[0]["umbral_magnitude"].get<double>();
+  };
+  EXPECT_WITHIN(magnitude("danjon"), 1.1062, 0.001, "Espenak & Meeus' canon, Danjon's rule, 4 decimals");
+  EXPECT_GT(magnitude("chauvenet"), magnitude("danjon"));
+  EXPECT_NE(magnitude("herald-sinnott"), magnitude("danjon"));
+}
+
+TEST_F(Json, SkyHasThePlacesOfMoonSunAndShadow) {
+  const auto all = said({"sky", "2008-02-21T03:26:05Z", "--json"});
+  expect_keys(all, {"moon_ra_deg", "moon_dec_deg", "moon_distance_km", "sun_distance_au", "sub_earth_latitude_deg",
+                    "sub_earth_longitude_deg", "sub_solar_latitude_deg", "sub_solar_longitude_deg",
+                    "axis_position_angle_deg", "axis_distance_km"});
+  EXPECT_FALSE(all.contains("altitude_deg"));
+  EXPECT_WITHIN(all["axis_distance_km"].get<double>(), 0.3992 * 6378.137, 20, "gamma printed to 4 digits: 0.6 km; 1 minute");
+  const auto seen = said({"sky", "2008-02-21T03:26:05Z", "--at", "42.86,-73.77,100", "--json"});
+  expect_keys(seen, {"moon_ra_deg", "altitude_deg", "azimuth_deg"});
+}
+
+TEST_F(Json, SkyHasOnlyNumbersButForTheInstant) {
+  const auto sky = said({"sky", "2008-02-21T03:26:05Z", "--at", "-33.9,18.4", "--json"});
+  for (const auto& [key, value] : sky.items()) EXPECT_TRUE(key == "instant" || value.is_number()) << key;
+}
+
+TEST_F(Json, ShadowIsATableOfDistanceAndWavelength) {
+  const auto all = said({"shadow", "--moon-distance-km", "376400", "--sun-distance-km", "148000000", "--wavelengths",
+                         "450,650", "--axis-distances", "0,2000,4000", "--rays", "100", "--json"});
+  EXPECT_EQ(keys_of(all), Names({"moon_distance_km", "sun_distance_km", "solver", "seconds", "wavelengths_nm",
+                                 "axis_distance_km", "irradiance_ratio", "standard_error"}));
+  EXPECT_EQ(all["moon_distance_km"], 376400);
+  EXPECT_EQ(all["sun_distance_km"], 148000000);
+  EXPECT_EQ(all["wavelengths_nm"], json({450, 650}));
+  EXPECT_EQ(all["axis_distance_km"], json({0, 2000, 4000}));
+  for (const char* key : {"irradiance_ratio", "standard_error"}) {
+    ASSERT_EQ(all[key].size(), 3U) << key;
+    for (const auto& row : all[key]) EXPECT_EQ(row.size(), 2U) << key;
+  }
+  EXPECT_GT(all["irradiance_ratio"][1][1], all["irradiance_ratio"][1][0]) << "the shadow is red";
+}
+
+TEST_F(Json, BrightnessHasMagnitudesLuminanceAndDanjon) {
+  const auto all = said({"brightness", "2008-02-21T03:26:05Z", "--rays", "50", "--albedo-map", "built-in", "--json"});
+  expect_keys(all, {"magnitudes", "mean_luminance_cd_m2", "danjon"});
+  EXPECT_EQ(keys_of(all["magnitudes"]), Names({"B", "V", "R"}));
+  EXPECT_TRUE(all["danjon"].is_number());
+  EXPECT_GT(all["mean_luminance_cd_m2"], 0);
+}
+
+TEST_F(Json, BrightnessOfTheFullMoonIsTheBooks) {
+  const auto all = said({"brightness", "2008-02-21T03:26:05Z", "--unshadowed", "--albedo-map", "built-in", "--json"});
+  EXPECT_WITHIN(all["magnitudes"]["V"].get<double>(), -12.74, 0.06,
+                "Allen's full Moon at mean distances; 384 400 km and 1 au are 0.02 mag from that day's");
+  EXPECT_TRUE(all["danjon"].is_null());
+}
+
+TEST_F(Json, BakeSaysWhatWasChosenAndReached) {
+  const auto all = said({"bake", "2008-02-21T03:26:05Z", "--rays", "50", "--albedo-map", "built-in",
+                         "--texture-width", "16", "-o", "moon.exr", "--json"});
+  expect_keys(all, {"chosen", "reached"});
+  EXPECT_EQ(keys_of(all["reached"]), Names({"seconds", "error"}));
+  EXPECT_EQ(all["chosen"]["rays"], 50);
+  EXPECT_EQ(all["chosen"]["instant"], "2008-02-21T03:26:05Z");
+}
+
+TEST_F(Json, DevelopSaysTheExposure) {
+  expect_done(coppermoon({"bake", "2008-02-21T03:26:05Z", "--unshadowed", "--albedo-map", "built-in",
+                          "--texture-width", "16", "-o", "moon_acescg.exr", "--space", "acescg"}));
+  const auto all = said({"develop", "moon_acescg.exr", "-o", "moon.png", "--json"});
+  expect_keys(all, {"file", "colour_space", "time_s", "f_number", "iso"});
+  EXPECT_EQ(all["colour_space"], "acescg");
+}
+
+TEST_F(Json, WithoutJsonPeopleGetAText) {
+  const auto outcome = coppermoon({"almanac", "--from", "2008-01-01", "--to", "2008-12-31"});
+  expect_done(outcome);
+  EXPECT_TRUE(json::parse(outcome.out, nullptr, false).is_discarded());
+  EXPECT_NE(outcome.out.find("2008-02-21T03:2"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end
