@@ -23,7 +23,7 @@ double turned(double angle_rad) {
 
 void require_valid(const Column& column) {
   algebra::require_within("ozone [DU]", column.ozone_du, 0, 1000);
-  algebra::require_within("dust extinction [1/m]", column.dust_extinction_per_m, 0, 1);
+  algebra::require_within("dust extinction [1/m]", column.dust_extinction_per_m, 0, 0.01);
   algebra::require_within("dust bottom [m]", column.dust_bottom_m, 0, taper_top_m);
   algebra::require_within("dust top [m]", column.dust_top_m, column.dust_bottom_m, taper_top_m);
 }
@@ -32,14 +32,17 @@ void require_valid(const Column& column) {
 
 const Column& Atmosphere::column_at(double position_angle_rad) const {
   for (const auto& region : regions) {
-    const double from = algebra::in_radians(region.from);
-    if (turned(position_angle_rad - from) < turned(algebra::in_radians(region.to) - from))
+    const double from = algebra::in_radians(region.from), width = algebra::in_radians(region.to) - from;
+    const bool whole = width >= 2 * std::numbers::pi;
+    if (whole || turned(position_angle_rad - from) < turned(width))
       return region.column;
   }
   return column;
 }
 
 void require_valid(const Atmosphere& atmosphere) {
+  algebra::require_within("Earth's radius [m]", atmosphere.earth_radius_m, 1e6, 1e7);
+  algebra::require_within("top of the air [m]", atmosphere.top_m, 0, taper_top_m);
   require_valid(atmosphere.column);
   for (const auto& region : atmosphere.regions) require_valid(region.column);
 }

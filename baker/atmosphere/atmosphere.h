@@ -12,7 +12,7 @@ struct Column {
   bool refraction = true;            ///< off: light goes straight through the air
   bool rayleigh = true;              ///< off: molecules do not scatter
   double ozone_du = 0;               ///< vertical column [DU], as one filter; 0: off
-  double dust_extinction_per_m = 0;  ///< grey extinction α of the layer, 0 to 1 m⁻¹; 0: off
+  double dust_extinction_per_m = 0;  ///< grey extinction α of the layer, 0 to 0.01 m⁻¹; 0: off
   double dust_bottom_m = 15e3, dust_top_m = 20e3;
 };
 

@@ -63,7 +63,7 @@ std::vector<double> pieces_above(double bottom_m, const Column& column, double t
   std::sort(breaks.begin(), breaks.end());
   constexpr double rounding_m = 1e-4;  // a break closer above the tangent height than that drowns in it
   std::erase_if(breaks, [&](double h) {
-    return h != bottom_m && (h < bottom_m + rounding_m || h > top_m);
+    return h != bottom_m && h != top_m && (h < bottom_m + rounding_m || h > top_m);
   });
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   return breaks.size() > 2 ? with_short_pieces_first(std::move(breaks)) : breaks;

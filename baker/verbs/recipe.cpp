@@ -6,8 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
-#include <charconv>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <numeric>
 #include <sstream>
 
@@ -115,7 +116,15 @@ std::string spelt(const CLI::App& verb, const std::string& key, const toml::node
   return text == "true" ? "on" : "off";
 }
 
-std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path) {
+bool names(const std::vector<std::string>& arguments, const std::string& flag) {
+  return std::any_of(arguments.begin(), arguments.end(), [&](const auto& argument) {
+    return argument.substr(0, argument.find('=')) == "--" + flag;
+  });
+}
+
+/// Without those the user names too: lists would be joined otherwise.
+std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path,
+                                         const std::vector<std::string>& mine) {
   std::vector<std::string> flags;
   // A recipe that another verb wrote into a file may know more than this one asks for.
   const bool lenient = std::filesystem::path(path).extension() == ".exr";
@@ -125,22 +134,28 @@ std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string
     if (lenient && std::find(known.begin(), known.end(), name) == known.end()) continue;
     const std::string where = fmt::format("{}:{}: ", path, value.source().begin.line);
     require_flag(verb, name, where, "");
+    if (names(mine, name)) continue;
     flags.push_back(fmt::format("--{}={}", name, spelt(verb, name, value, as_text(value, where + name))));
   }
   return flags;
 }
 
-bool is_a_number(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() && std::isdigit(text.back());
+std::string quoted(const std::string& text) {
+  std::ostringstream literal;
+  literal << toml::value<std::string>(text);
+  return literal.str();
 }
 
-std::string toml_text(const std::string& text) {
-  if (is_a_number(text)) return text;
-  std::ostringstream quoted;
-  quoted << toml::value<std::string>(text);
-  return quoted.str();
+/// An option's value as TOML, numbers spelt alike however the user spelt them; empty when it has none.
+std::string toml_value(const CLI::Option& option) {
+  const std::string text = option.count() > 0 ? option.results().back() : option.get_default_str();
+  if (text.empty()) return text;
+  const std::string type = option.get_type_name();
+  if (type.starts_with("FLOAT")) return fmt::format("{}", option.as<double>());
+  if (type.starts_with("INT")) return fmt::format("{}", option.as<std::int64_t>());
+  if (!type.starts_with("UINT")) return quoted(text);
+  const auto value = option.as<std::uint64_t>();  // TOML's own integers end at 2^63
+  return value >> 63 ? quoted(text) : fmt::format("{}", value);
 }
 
 /// Takes `--recipe FILE` or `--recipe=FILE` out of the arguments.
@@ -160,6 +175,49 @@ std::string taken_recipe(std::vector<std::string>& arguments) {
   return {};
 }
 
+void require_flags(const CLI::App& verb, const std::vector<std::string>& arguments) {
+  for (const auto& argument : arguments)
+    if (argument.starts_with("--") && argument.size() > 2)
+      require_flag(verb, argument.substr(2, argument.find('=') - 2), "", "--");
+}
+
+/// The first argument that is neither a flag nor a flag's value.
+std::vector<std::string>::iterator positional(const CLI::App& verb, std::vector<std::string>& arguments) {
+  for (auto argument = arguments.begin(); argument != arguments.end(); ++argument) {
+    const bool flag = argument->size() > 1 && argument->front() == '-' && !std::isdigit((*argument)[1]);
+    if (!flag) return argument;
+    const auto* option = verb.get_option_no_throw(*argument);
+    const bool value_follows = option != nullptr && option->get_items_expected_max() > 0;
+    if (value_follows && argument + 1 != arguments.end()) ++argument;
+  }
+  return arguments.end();
+}
+
+/// The flag that an argument without one stands for.
+std::string flag_of_positional(const CLI::App& verb) {
+  for (const auto* option : verb.get_options())
+    if (option->get_positional() && !option->get_lnames().empty()) return "--" + option->get_lnames().front();
+  return {};
+}
+
+/// The recipe's flags, and behind them the user's own.
+std::vector<std::string> with_recipe(const CLI::App& verb, std::vector<std::string> mine) {
+  std::string path = taken_recipe(mine);
+  const std::string flag = flag_of_positional(verb);
+  if (const auto own = positional(verb, mine); own != mine.end() && !flag.empty()) {
+    if (path.empty() && flag == "--instant" && own->ends_with(".exr")) {
+      path = *own;
+      mine.erase(own);
+    } else if (!path.empty()) {
+      *own = flag + "=" + *own;
+    }
+  }
+  if (path.empty()) return mine;
+  auto arguments = flags_of_recipe(verb, path, mine);
+  arguments.insert(arguments.end(), mine.begin(), mine.end());
+  return arguments;
+}
+
 }  // namespace
 
 std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::string> arguments) {
@@ -167,20 +225,10 @@ std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::
                                  [](const auto& a) { return !a.starts_with("-"); });
   if (word == arguments.end()) return arguments;
   const CLI::App& verb = verb_named(program, *word);
-  std::vector<std::string> mine(word + 1, arguments.end());
+  const std::vector<std::string> mine(word + 1, arguments.end());
+  require_flags(verb, mine);
   arguments.erase(word + 1, arguments.end());
-  for (const auto& argument : mine)
-    if (argument.starts_with("--") && argument.size() > 2)
-      require_flag(verb, argument.substr(2, argument.find('=') - 2), "", "--");
-  std::string path = taken_recipe(mine);
-  const bool takes_instant = verb.get_option_no_throw("--instant") != nullptr;
-  if (path.empty() && takes_instant && !mine.empty() && mine[0].ends_with(".exr")) {
-    path = mine[0];
-    mine.erase(mine.begin());
-  }
-  if (!path.empty())
-    for (auto& flag : flags_of_recipe(verb, path)) arguments.push_back(std::move(flag));
-  arguments.insert(arguments.end(), mine.begin(), mine.end());
+  for (auto& argument : with_recipe(verb, mine)) arguments.push_back(std::move(argument));
   return arguments;
 }
 
@@ -195,9 +243,7 @@ std::string recipe_of(const CLI::App& verb) {
       if (option->count() > 0) text += name + " = true\n";
       continue;
     }
-    const std::string value =
-        option->count() > 0 ? option->results().back() : option->get_default_str();
-    if (!value.empty()) text += name + " = " + toml_text(value) + "\n";
+    if (const auto value = toml_value(*option); !value.empty()) text += name + " = " + value + "\n";
   }
   return text;
 }

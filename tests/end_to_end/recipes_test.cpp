@@ -39,7 +39,7 @@ TEST_F(Recipes, AreTheSameAsTheirFlags) {
   make({"bake", "--recipe", "eclipse.toml", "-o", "recipe.exr"});
   make({"bake", "2008-02-21T03:08:26Z", "--rays", "60", "--ozone-du", "200.0", "--dust-extinction", "4.7e-6",
         "--texture-width", "32", "--rayleigh", "on", "--albedo-map", "built-in", "-o", "flags.exr"});
-  EXPECT_EQ(bytes("recipe.exr"), bytes("flags.exr"));
+  EXPECT_TRUE(bytes("recipe.exr") == bytes("flags.exr"));
 }
 
 TEST_F(Recipes, GiveWayToTheUsersFlags) {
@@ -47,8 +47,8 @@ TEST_F(Recipes, GiveWayToTheUsersFlags) {
   make({"bake", "--ozone-du", "0", "--recipe=eclipse.toml", "-o", "before.exr"});
   make({"bake", "2008-02-21T03:08:26Z", "--rays", "60", "--ozone-du", "0", "--dust-extinction", "4.7e-6",
         "--texture-width", "32", "--albedo-map", "built-in", "-o", "flags.exr"});
-  EXPECT_EQ(bytes("other.exr"), bytes("flags.exr"));
-  EXPECT_EQ(bytes("before.exr"), bytes("flags.exr"));
+  EXPECT_TRUE(bytes("other.exr") == bytes("flags.exr"));
+  EXPECT_TRUE(bytes("before.exr") == bytes("flags.exr"));
 }
 
 TEST_F(Recipes, GiveWayToTheUsersInstant) {
@@ -74,23 +74,23 @@ TEST_F(Recipes, GiveWayToTheUsersLists) {
 TEST_F(Recipes, InAHeaderReproduceTheFile) {
   make({"bake", "--recipe", "eclipse.toml", "-o", "old.exr", "--space", "acescg", "--type", "float"});
   make({"bake", "old.exr", "-o", "new.exr"});
-  EXPECT_EQ(bytes("old.exr"), bytes("new.exr"));
+  EXPECT_TRUE(bytes("old.exr") == bytes("new.exr"));
   make({"bake", "--recipe", "old.exr", "-o", "again.exr"});
-  EXPECT_EQ(bytes("old.exr"), bytes("again.exr"));
+  EXPECT_TRUE(bytes("old.exr") == bytes("again.exr"));
 }
 
 TEST_F(Recipes, InAHeaderReproduceAFileWhateverTheSpellingOfItsNumbers) {
   make({"bake", "2008-02-21T03:08:26Z", "--rays", "060", "--dust-extinction", ".5e-6", "--texture-width", "32",
         "--albedo-map", "built-in", "--ozone-du", "+200", "-o", "old.exr", "--json"});
   make({"bake", "old.exr", "-o", "new.exr"});
-  EXPECT_EQ(bytes("old.exr"), bytes("new.exr"));
+  EXPECT_TRUE(bytes("old.exr") == bytes("new.exr"));
 }
 
 TEST_F(Recipes, InAHeaderReproduceAFileWhateverItsMapIsCalled) {
   make({"bake", "--recipe", "eclipse.toml", "-o", "A \"map\", \xc3\xa4.exr", "--unshadowed"});
   make({"bake", "--recipe", "eclipse.toml", "-o", "old.exr", "--albedo-map", "A \"map\", \xc3\xa4.exr"});
   make({"bake", "old.exr", "-o", "new.exr"});
-  EXPECT_EQ(bytes("old.exr"), bytes("new.exr"));
+  EXPECT_TRUE(bytes("old.exr") == bytes("new.exr"));
 }
 
 TEST_F(Recipes, InAHeaderGiveWayToTheUsersFlags) {
@@ -102,8 +102,7 @@ TEST_F(Recipes, InAHeaderGiveWayToTheUsersFlags) {
 TEST_F(Recipes, AreTakenFromAnotherWordsFile) {
   make({"scene", "--recipe", "eclipse.toml", "--up", "moon-north", "--width", "32", "--height", "32", "-o", "scene"});
   make({"bake", "scene/moon_lin_rec709.exr", "-o", "new.exr"});
-  EXPECT_EQ(texture::read_image(here("new.exr")).values,
-            texture::read_image(here("scene/moon_lin_rec709.exr")).values);
+  EXPECT_TRUE(texture::read_image(here("new.exr")).values == texture::read_image(here("scene/moon_lin_rec709.exr")).values);
 }
 
 TEST_F(Recipes, PhotonsAreTheSameOnAnyNumberOfThreads) {
@@ -114,7 +113,7 @@ TEST_F(Recipes, PhotonsAreTheSameOnAnyNumberOfThreads) {
     words.insert(words.end(), {"--threads", threads, "-o", std::string(threads) + ".exr"});
     make(words);
   }
-  EXPECT_EQ(bytes("1.exr"), bytes("2.exr"));
+  EXPECT_TRUE(bytes("1.exr") == bytes("2.exr"));
 }
 
 TEST_F(Recipes, PhotonsOfAnotherSeedAreOthers) {
@@ -125,7 +124,7 @@ TEST_F(Recipes, PhotonsOfAnotherSeedAreOthers) {
     words.insert(words.end(), {"--seed", seed, "-o", std::string(seed) + ".exr"});
     make(words);
   }
-  EXPECT_NE(texture::read_image(here("1.exr")).values, texture::read_image(here("2.exr")).values);
+  EXPECT_TRUE(texture::read_image(here("1.exr")).values != texture::read_image(here("2.exr")).values);
 }
 
 }  // namespace

@@ -25,18 +25,19 @@ struct Spot {
 inline std::array<Spot, 3> spots() {
   using algebra::degrees;
   return {{{"Tycho", {degrees(-43.3), degrees(-11.4)}, 1.F},
-           {"Mare Crisium", {degrees(17), degrees(59)}, 0.5F},
-           {"Plato", {degrees(51.6), degrees(-9.3)}, 0.25F}}};
+           {"Mare Crisium", {degrees(17), degrees(59)}, 0.7F},
+           {"Plato", {degrees(51.6), degrees(-9.3)}, 0.45F}}};
 }
 
-/// A dark albedo map with the spots on it, each two degrees in radius.
+/// A dark albedo map with the spots on it, each two degrees in radius. Darker ground, brought to the Moon's mean albedo,
+/// would make them too bright for half floats.
 inline texture::Image spotted_map(std::size_t rows) {
   texture::Image map(2 * rows, rows, {"Y"});
   const double least_cosine = std::cos(2 * std::numbers::pi / 180);
   for (std::size_t r = 0; r < rows; ++r)
     for (std::size_t c = 0; c < 2 * rows; ++c) {
       const auto here = almanac::selenographic_direction(surface::texel_centre(r, c, rows));
-      map(r, c, 0) = 0.005F;
+      map(r, c, 0) = 0.1F;
       for (const auto& spot : spots())
         if (glm::dot(here, almanac::selenographic_direction(spot.at)) > least_cosine) map(r, c, 0) = spot.albedo;
     }
@@ -79,7 +80,7 @@ inline std::vector<Blob> blobs(texture::Image frame) {
   std::vector<Blob> found;
   for (std::size_t r = 0; r < frame.height; ++r)
     for (std::size_t c = 0; c < frame.width; ++c)
-      if (frame(r, c, 1) > most / 20) found.push_back(taken_blob(frame, r, c, most / 20));
+      if (frame(r, c, 1) > most / 4) found.push_back(taken_blob(frame, r, c, most / 4));
   std::ranges::sort(found, std::greater{}, &Blob::brightest);
   return found;
 }
