@@ -6,22 +6,8 @@ set -eu
 cd "$(dirname "$0")/.."
 say() { printf '\n== %s\n' "$*"; }
 
-say "packages"
-missing=
-for package in $(sed 's/#.*//' packages.debian); do
-  dpkg-query -W -f '${Status}\n' "$package" 2>/dev/null | grep -q ' installed$' || missing="$missing $package"
-done
-if [ -n "$missing" ]; then
-  echo "installing$missing"
-  sudo=
-  [ "$(id -u)" = 0 ] || sudo=sudo
-  $sudo apt-get update
-  $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
-fi
-
-say "build"
-cmake --preset release
-cmake --build --preset release
+say "packages and build"
+sh examples/build.sh all
 cmake --build --preset release --target all_verify_interface_header_sets
 
 say "tests"

@@ -22,6 +22,11 @@ Between between(std::span<const double> x, double at) {
   return {above - 1, above, (at - x[above - 1]) / (x[above] - x[above - 1])};
 }
 
+/// Half a spacing beyond the last place: refracted light is held so far, for rings end there.
+double last_distance(std::span<const double> x) {
+  return x.size() < 2 ? x.back() : x.back() + (x.back() - x[x.size() - 2]) / 2;
+}
+
 std::vector<double> row_sums(const ChannelWeights& weights) {
   std::vector<double> sums;
   for (std::size_t c = 0; c < weights.rows(); ++c) {
@@ -48,13 +53,12 @@ Lookup::Lookup(const RefractedLight& light, double opaque_radius_m, const Channe
   nodes_ = static_cast<std::size_t>(std::ceil(reach / spacing_m_)) + 1;
   const std::size_t grids = depths_m_.size() * sectors_;
   values_ = errors_ = algebra::Grid<double>(grids * nodes_, channels());
+  const double end = last_distance(light.axis_distances_m);
   for (std::size_t g = 0; g < grids; ++g)
     for (std::size_t n = 0; n < nodes_; ++n) {
       const double at_m = static_cast<double>(n) * spacing_m_;
       const auto [low, high, part] = between(light.axis_distances_m, at_m);
       const double direct = direct_ratio(at_m, depths_m_[g / sectors_], sun_m, opaque_radius_m);
-      const double end = light.axis_distances_m.back() + (light.axis_distances_m.back() -
-                          light.axis_distances_m[light.axis_distances_m.size() - 2]) / 2;
       for (std::size_t c = 0; c < channels(); ++c) {
         double value = direct * sunlight_[c], variance = 0;
         for (std::size_t w = 0; at_m < end && w < weights.columns(); ++w) {

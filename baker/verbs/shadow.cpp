@@ -122,15 +122,23 @@ std::string as_csv(const Options& options, const Across& result) {
   return text;
 }
 
+/// As gnuplot reads a text between single quotes.
+std::string quoted(const std::string& text) {
+  std::string all = "'";
+  for (const char c : text) all += c == '\'' ? std::string("''") : std::string(1, c);
+  return all + "'";
+}
+
 /// gnuplot's picture of it, whole or not at all.
 void write_plot(const Options& options, const Across& result) {
   const std::string temporary = fmt::format("{}.tmp.{}", options.plot, getpid());
+  const std::string table = as_csv(options, result);
   FILE* gnuplot = popen("gnuplot 2>/dev/null", "w");
   if (gnuplot == nullptr) throw algebra::Error("gnuplot: cannot be run");
-  fmt::print(gnuplot, "set terminal pngcairo size 1000,640\nset output '{}'\n", temporary);
+  fmt::print(gnuplot, "set terminal pngcairo size 1000,640\nset output {}\n", quoted(temporary));
   fmt::print(gnuplot, "set logscale y\nset format y '10^{{%L}}'\nset grid\nset key bottom right\n");
   fmt::print(gnuplot, "set xlabel 'distance from the shadow axis [km]'\nset ylabel 'irradiance over sunlight'\n");
-  fmt::print(gnuplot, "$data << EOD\n{}EOD\nset datafile separator ','\nplot", as_csv(options, result).substr(as_csv(options, result).find('\n') + 1));
+  fmt::print(gnuplot, "$data << EOD\n{}EOD\nset datafile separator ','\nplot", table.substr(table.find('\n') + 1));
   for (std::size_t w = 0; w < options.wavelengths_nm.size(); ++w)
     fmt::print(gnuplot, "{} $data using 1:{} with lines linewidth 2 title '{:g} nm'", w == 0 ? "" : ",",
                2 * w + 2, options.wavelengths_nm[w]);
