@@ -56,8 +56,8 @@ void require_flag(const CLI::App& verb, const std::string& flag, const std::stri
                   const std::string& dashes) {
   const auto flags = long_flags(verb);
   if (std::find(flags.begin(), flags.end(), flag) != flags.end()) return;
-  throw UnknownWord(fmt::format("{}{}{}: {} has no such {}; the nearest is {}{}", where, dashes, flag,
-                                verb.get_name(), dashes.empty() ? "key" : "flag", dashes,
+  throw UnknownWord(fmt::format("{}{}{}: {} has no such {}; the nearest is {}{}", where, dashes,
+                                flag, verb.get_name(), dashes.empty() ? "key" : "flag", dashes,
                                 nearest(flag, flags)));
 }
 
@@ -72,16 +72,20 @@ const CLI::App& verb_named(const CLI::App& program, const std::string& name) {
 
 std::string as_text(const toml::node& value, const std::string& where) {
   std::ostringstream text;
-  text.precision(17);
   if (const auto* word = value.as_string()) return word->get();
-  if (const auto* integer = value.as_integer()) text << integer->get();
-  else if (const auto* number = value.as_floating_point()) text << number->get();
-  else if (const auto* truth = value.as_boolean()) text << (truth->get() ? "true" : "false");
-  else if (const auto* when = value.as_date_time()) text << when->get();
+  if (const auto* integer = value.as_integer())
+    text << integer->get();
+  else if (const auto* number = value.as_floating_point())
+    text << fmt::format("{}", number->get());
+  else if (const auto* truth = value.as_boolean())
+    text << (truth->get() ? "true" : "false");
+  else if (const auto* when = value.as_date_time())
+    text << when->get();
   else if (const auto* list = value.as_array()) {
     for (const auto& item : *list) text << (text.tellp() > 0 ? "," : "") << as_text(item, where);
   } else {
-    throw algebra::Error(fmt::format("{}: allowed are texts, numbers, dates, true, false and lists", where));
+    throw algebra::Error(
+        fmt::format("{}: allowed are texts, numbers, dates, true, false and lists", where));
   }
   return text.str();
 }
@@ -134,8 +138,8 @@ std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string
     if (lenient && std::find(known.begin(), known.end(), name) == known.end()) continue;
     const std::string where = fmt::format("{}:{}: ", path, value.source().begin.line);
     require_flag(verb, name, where, "");
-    if (names(mine, name)) continue;
-    flags.push_back(fmt::format("--{}={}", name, spelt(verb, name, value, as_text(value, where + name))));
+    const std::string text = spelt(verb, name, value, as_text(value, where + name));
+    if (!names(mine, name)) flags.push_back(fmt::format("--{}={}", name, text));
   }
   return flags;
 }
@@ -146,8 +150,11 @@ std::string quoted(const std::string& text) {
   return literal.str();
 }
 
-/// An option's value as TOML, numbers spelt alike however the user spelt them; empty when it has none.
+/// An option's value as TOML, numbers spelt alike however the user spelt them; empty when it has none, or is a list
+/// left as it was.
 std::string toml_value(const CLI::Option& option) {
+  if (option.get_items_expected_max() > 1)
+    return option.count() > 0 ? quoted(fmt::format("{}", fmt::join(option.results(), ","))) : "";
   const std::string text = option.count() > 0 ? option.results().back() : option.get_default_str();
   if (text.empty()) return text;
   const std::string type = option.get_type_name();
@@ -162,7 +169,8 @@ std::string toml_value(const CLI::Option& option) {
 std::string taken_recipe(std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     std::string path;
-    if (arguments[i].starts_with("--recipe=")) path = arguments[i].substr(9);
+    if (arguments[i].starts_with("--recipe="))
+      path = arguments[i].substr(9);
     else if (arguments[i] == "--recipe" && i + 1 < arguments.size()) {
       path = arguments[i + 1];
       arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i));
@@ -182,9 +190,11 @@ void require_flags(const CLI::App& verb, const std::vector<std::string>& argumen
 }
 
 /// The first argument that is neither a flag nor a flag's value.
-std::vector<std::string>::iterator positional(const CLI::App& verb, std::vector<std::string>& arguments) {
+std::vector<std::string>::iterator positional(const CLI::App& verb,
+                                              std::vector<std::string>& arguments) {
   for (auto argument = arguments.begin(); argument != arguments.end(); ++argument) {
-    const bool flag = argument->size() > 1 && argument->front() == '-' && !std::isdigit((*argument)[1]);
+    const bool flag =
+        argument->size() > 1 && argument->front() == '-' && !std::isdigit((*argument)[1]);
     if (!flag) return argument;
     const auto* option = verb.get_option_no_throw(*argument);
     const bool value_follows = option != nullptr && option->get_items_expected_max() > 0;
@@ -196,13 +206,15 @@ std::vector<std::string>::iterator positional(const CLI::App& verb, std::vector<
 /// The flag that an argument without one stands for.
 std::string flag_of_positional(const CLI::App& verb) {
   for (const auto* option : verb.get_options())
-    if (option->get_positional() && !option->get_lnames().empty()) return "--" + option->get_lnames().front();
+    if (option->get_positional() && !option->get_lnames().empty())
+      return "--" + option->get_lnames().front();
   return {};
 }
 
 /// The recipe's flags, and behind them the user's own.
 std::vector<std::string> with_recipe(const CLI::App& verb, std::vector<std::string> mine) {
   std::string path = taken_recipe(mine);
+  if (!taken_recipe(mine).empty()) throw UnknownWord("--recipe: given twice, allowed once");
   const std::string flag = flag_of_positional(verb);
   if (const auto own = positional(verb, mine); own != mine.end() && !flag.empty()) {
     if (path.empty() && flag == "--instant" && own->ends_with(".exr")) {
@@ -237,7 +249,8 @@ std::string recipe_of(const CLI::App& verb) {
   for (const auto* option : verb.get_options()) {
     if (option->get_lnames().empty()) continue;
     const std::string& name = option->get_lnames().front();
-    if (name == "help" || name == "recipe" || name == "json" || name == "output" || name == "threads")
+    if (name == "help" || name == "recipe" || name == "json" || name == "output" ||
+        name == "threads")
       continue;
     if (option->get_items_expected_max() == 0) {
       if (option->count() > 0) text += name + " = true\n";
@@ -249,8 +262,9 @@ std::string recipe_of(const CLI::App& verb) {
 }
 
 void add_recipe_option(CLI::App& verb) {
-  verb.add_option_function<std::string>("--recipe", [](const std::string&) {},
-                                        "TOML file of flags without their dashes, or an .exr made by coppermoon");
+  verb.add_option_function<std::string>(
+      "--recipe", [](const std::string&) {},
+      "TOML file of flags without their dashes, or an .exr made by coppermoon");
 }
 
 }  // namespace coppermoon::verbs

@@ -30,20 +30,25 @@ class BadInput : public ProgramTest {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_EQ(outcome.out, "");
     for (const auto part : parts)
-      EXPECT_NE(outcome.err.find(part), std::string::npos) << "no \"" << part << "\" in " << outcome.err;
+      EXPECT_NE(outcome.err.find(part), std::string::npos)
+          << "no \"" << part << "\" in " << outcome.err;
     EXPECT_EQ(listing(), before);
   }
 
   /// A quick bake that is right in all but what is added.
   static Words bake(const Words& more) {
-    return Words{"bake", eclipse_of_2008, "-o", "moon.exr", "--texture-width", "16", "--rays", "50",
-                 "--albedo-map", "built-in"} + more;
+    return Words{"bake", eclipse_of_2008, "-o", "moon.exr",     "--texture-width",
+                 "16",   "--rays",        "50", "--albedo-map", "built-in"} +
+           more;
   }
 
   /// A quick still, likewise; it has no shadow to compute.
   static Words still(const Words& more) {
-    return Words{"still", eclipse_of_2008, "--unshadowed", "-o", "frame.png", "--texture-width", "16",
-                 "--albedo-map", "built-in", "--width", "16", "--height", "16"} + more;
+    return Words{"still",     eclipse_of_2008,   "--unshadowed", "-o",
+                 "frame.png", "--texture-width", "16",           "--albedo-map",
+                 "built-in",  "--width",         "16",           "--height",
+                 "16"} +
+           more;
   }
 
   /// A folder with a program named povray that says some words and fails.
@@ -98,12 +103,14 @@ TEST_F(BadInput, ABlackAlbedoMapIsRefused) {
 TEST_F(BadInput, AnOutputInNoSuchDirectoryIsRefused) {
   expect_refused(bake({"-o", "nowhere/moon.exr"}), could_not, {"nowhere: no such directory"});
   expect_refused(still({"-o", "nowhere/frame.png"}), could_not, {"nowhere: no such directory"});
-  expect_refused({"scene", eclipse_of_2008, "-o", "nowhere/scene"}, could_not, {"nowhere: no such directory"});
+  expect_refused({"scene", eclipse_of_2008, "-o", "nowhere/scene"}, could_not,
+                 {"nowhere: no such directory"});
 }
 
 TEST_F(BadInput, ASceneInThePlaceOfAFileIsRefused) {
   file("scene", "a file");
-  expect_refused({"scene", eclipse_of_2008, "--unshadowed", "-o", "scene"}, could_not, {"scene: is no directory"});
+  expect_refused({"scene", eclipse_of_2008, "--unshadowed", "-o", "scene"}, could_not,
+                 {"scene: is no directory"});
 }
 
 TEST_F(BadInput, ATextureThatIsNoExrIsRefused) {
@@ -116,8 +123,9 @@ TEST_F(BadInput, AFullDiskIsAnErrorAndLeavesNothing) {
 }
 
 TEST_F(BadInput, AFullDiskLeavesNoHalfAScene) {
-  expect_refused({"scene", eclipse_of_2008, "--unshadowed", "--texture-width", "512", "-o", "scene"},
-                 could_not, {"File too large"}, {.file_limit = 20000});
+  expect_refused(
+      {"scene", eclipse_of_2008, "--unshadowed", "--texture-width", "512", "-o", "scene"},
+      could_not, {"File too large"}, {.file_limit = 20000});
 }
 
 TEST_F(BadInput, AFullDiskKeepsTheOldFile) {
@@ -136,9 +144,7 @@ TEST_F(BadInput, AnUnknownWordIsAnsweredWithTheNearest) {
   expect_refused({"bakee", eclipse_of_2008}, wrong_usage, {"bakee", "nearest is bake"});
 }
 
-TEST_F(BadInput, AnUnknownShortFlagIsRefused) {
-  expect_refused(bake({"-q"}), wrong_usage, {"-q"});
-}
+TEST_F(BadInput, AnUnknownShortFlagIsRefused) { expect_refused(bake({"-q"}), wrong_usage, {"-q"}); }
 
 TEST_F(BadInput, NoWordAtAllIsWrongUsage) { expect_refused({}, wrong_usage, {}); }
 
@@ -148,7 +154,8 @@ TEST_F(BadInput, ALeftOutOutputIsWrongUsage) {
 
 TEST_F(BadInput, AnUnknownRecipeKeyIsAnsweredWithItsLineAndTheNearest) {
   file("typo.toml", "# a recipe\nrays = 50\nozon-du = 300\n");
-  expect_refused(bake({"--recipe", "typo.toml"}), wrong_usage, {"typo.toml:3", "ozon-du", "ozone-du"});
+  expect_refused(bake({"--recipe", "typo.toml"}), wrong_usage,
+                 {"typo.toml:3", "ozon-du", "ozone-du"});
 }
 
 TEST_F(BadInput, ARecipeWithASyntaxErrorIsAnsweredWithItsLine) {
@@ -163,6 +170,12 @@ TEST_F(BadInput, ARecipeWithTablesIsRefused) {
 
 TEST_F(BadInput, AMissingRecipeIsRefused) {
   expect_refused(bake({"--recipe", "missing.toml"}), could_not, {"missing.toml: cannot be read"});
+}
+
+TEST_F(BadInput, TwoRecipesAreRefused) {
+  file("one.toml", "rays = 50\n");
+  expect_refused(bake({"--recipe", "one.toml", "--recipe=one.toml"}), wrong_usage,
+                 {"--recipe", "once"});
 }
 
 TEST_F(BadInput, ADateThatIsNoneIsRefused) {
@@ -184,7 +197,8 @@ TEST_F(BadInput, AMoonBelowTheHorizonIsRefused) {
 
 TEST_F(BadInput, DustThatNoAirHoldsIsRefused) {
   for (const char* alpha : {"-1", "1e9", "nan", "inf"})
-    expect_refused(bake({"--dust-extinction", alpha}), could_not, {"dust extinction", "allowed 0 to"});
+    expect_refused(bake({"--dust-extinction", alpha}), could_not,
+                   {"dust extinction", "allowed 0 to"});
 }
 
 TEST_F(BadInput, ANumberThatIsNoneIsWrongUsage) {
@@ -202,7 +216,8 @@ TEST_F(BadInput, AFailingPovrayHasTheLastWord) {
 }
 
 TEST_F(BadInput, NegativePhotonsAreRefusedWhateverTheSolver) {
-  expect_refused(bake({"--solver", "photons", "--photons", "-5"}), could_not, {"photons = -5", "allowed 1 to"});
+  expect_refused(bake({"--solver", "photons", "--photons", "-5"}), could_not,
+                 {"photons = -5", "allowed 1 to"});
   expect_refused(bake({"--photons", "-5"}), could_not, {"photons = -5", "allowed 1 to"});
 }
 
@@ -222,14 +237,16 @@ TEST_F(BadInput, ATextureWidthThatIsNoneIsRefused) {
 }
 
 TEST_F(BadInput, APlaceThatIsNoneIsRefused) {
-  expect_refused({"sky", eclipse_of_2008, "--at", "95,0"}, could_not, {"latitude", "95", "-90 to 90"});
+  expect_refused({"sky", eclipse_of_2008, "--at", "95,0"}, could_not,
+                 {"latitude", "95", "-90 to 90"});
   expect_refused({"sky", eclipse_of_2008, "--at", "foo"}, could_not, {"foo", "LATITUDE,LONGITUDE"});
   expect_refused({"sky", eclipse_of_2008, "--at", "nan,0"}, could_not, {"latitude", "nan"});
   expect_refused({"sky", eclipse_of_2008, "--at", "10,20,nan"}, could_not, {"elevation", "nan"});
 }
 
 TEST_F(BadInput, AViewThereIsNotIsAnsweredWithThoseThereAre) {
-  expect_refused(still({"--view", "Nonsense"}), could_not, {"Nonsense", "Un-tone-mapped", "ACES 1.0 SDR Video", "Raw"});
+  expect_refused(still({"--view", "Nonsense"}), could_not,
+                 {"Nonsense", "Un-tone-mapped", "ACES 1.0 SDR Video", "Raw"});
 }
 
 TEST_F(BadInput, ADisplayThereIsNotIsAnsweredWithThoseThereAre) {
@@ -248,8 +265,10 @@ TEST_F(BadInput, ACameraThatIsNoneIsRefused) {
 
 TEST_F(BadInput, AFrameThatIsNoImageIsRefused) {
   file("frame.exr", "no light in here\n");
-  expect_refused({"develop", "frame.exr", "-o", "frame.png"}, could_not, {"frame.exr: cannot be read"});
-  expect_refused({"develop", "none.exr", "-o", "frame.png"}, could_not, {"none.exr", "no such file"});
+  expect_refused({"develop", "frame.exr", "-o", "frame.png"}, could_not,
+                 {"frame.exr: cannot be read"});
+  expect_refused({"develop", "none.exr", "-o", "frame.png"}, could_not,
+                 {"none.exr", "no such file"});
 }
 
 TEST_F(BadInput, AFrameWithoutColoursIsRefused) {
@@ -262,14 +281,17 @@ TEST_F(BadInput, ASpaceThereIsNotIsAnsweredWithThoseThereAre) {
 }
 
 TEST_F(BadInput, AShadowCutBackwardsIsRefused) {
-  const Words shadow{"shadow", "--moon-distance-km", "380000", "--sun-distance-km", "1.5e8", "--rays", "50"};
-  expect_refused(shadow + Words{"--axis-distances", "5000,4000"}, could_not, {"axis distance [km] = 4000"});
+  const Words shadow{
+      "shadow", "--moon-distance-km", "380000", "--sun-distance-km", "1.5e8", "--rays", "50"};
+  expect_refused(shadow + Words{"--axis-distances", "5000,4000"}, could_not,
+                 {"axis distance [km] = 4000"});
   expect_refused(shadow + Words{"--wavelengths", "5"}, could_not, {"wavelength", "5"});
   expect_refused({"shadow"}, wrong_usage, {"instant"});
 }
 
 TEST_F(BadInput, AnAlmanacThatRunsBackwardsIsRefused) {
-  expect_refused({"almanac", "--from", "2009-01-01", "--to", "2008-01-01"}, could_not, {"2008-01-01"});
+  expect_refused({"almanac", "--from", "2009-01-01", "--to", "2008-01-01"}, could_not,
+                 {"2008-01-01"});
 }
 
 }  // namespace

@@ -19,14 +19,16 @@ constexpr const char* mid_eclipse = "2008-02-21T03:26:05Z";
 constexpr double time_s = 1. / 500, f_number = 11, iso = 100;
 
 double luminance(const texture::Image& image, std::size_t row, std::size_t column) {
-  const std::array<double, 3> rgb{image(row, column, 0), image(row, column, 1), image(row, column, 2)};
+  const std::array<double, 3> rgb{image(row, column, 0), image(row, column, 1),
+                                  image(row, column, 2)};
   return colour::luminance(colour::WorkingSpace::linear_rec709, rgb);
 }
 
 double luminance_in_the_middle(const texture::Image& image) {
   double sum = 0;
   for (std::size_t r = image.height / 2 - 2; r < image.height / 2 + 2; ++r)
-    for (std::size_t c = image.width / 2 - 2; c < image.width / 2 + 2; ++c) sum += luminance(image, r, c) / 16;
+    for (std::size_t c = image.width / 2 - 2; c < image.width / 2 + 2; ++c)
+      sum += luminance(image, r, c) / 16;
   return sum;
 }
 
@@ -39,9 +41,11 @@ float linear(float coded) {
 /// that by 1 / 0.92737, the photometric function's mean over the disc.
 double full_moon_luminance() {
   constexpr double geometric_albedo = 0.12, disc_mean = 0.92737;
-  constexpr double illuminance_lx = 133.33e3;  // at 1 au: Darula, Kittler & Gueymard (2005), Solar Energy 79, 559
+  constexpr double illuminance_lx =
+      133.33e3;  // at 1 au: Darula, Kittler & Gueymard (2005), Solar Energy 79, 559
   constexpr double sun_au = 0.98879, moon_au = 383740. / 149597871, radius_au = 1737. / 149597871;
-  const double distance_au = sun_au + moon_au - radius_au;  // Sun, Earth, the Moon's near side: all in a row
+  const double distance_au =
+      sun_au + moon_au - radius_au;  // Sun, Earth, the Moon's near side: all in a row
   return geometric_albedo / disc_mean * illuminance_lx / pi / (distance_au * distance_au);
 }
 
@@ -54,32 +58,52 @@ class Exposure : public ProgramTest {
   }
 
   static Words with_grey_moon(Words words) {
-    words.insert(words.begin() + 1, {mid_eclipse, "--unshadowed", "--albedo-map", "grey.exr", "--texture-width", "64"});
+    words.insert(words.begin() + 1, {mid_eclipse, "--unshadowed", "--albedo-map", "grey.exr",
+                                     "--texture-width", "64"});
     return words;
   }
 
   /// Renders the frame, seen from the Earth's centre, and its picture in a view.
   texture::Image picture(const char* view) const {
-    expect_done(coppermoon(with_grey_moon(
-        {"still", "--width", "64", "--height", "64", "--field", "0.6", "--frame", "frame.exr", "-o", "picture.png",
-         "--bits", "16", "--view", view, "--time", std::to_string(time_s), "--f-number", std::to_string(f_number),
-         "--iso", std::to_string(iso)})));
+    expect_done(coppermoon(with_grey_moon({"still",
+                                           "--width",
+                                           "64",
+                                           "--height",
+                                           "64",
+                                           "--field",
+                                           "0.6",
+                                           "--frame",
+                                           "frame.exr",
+                                           "-o",
+                                           "picture.png",
+                                           "--bits",
+                                           "16",
+                                           "--view",
+                                           view,
+                                           "--time",
+                                           std::to_string(time_s),
+                                           "--f-number",
+                                           std::to_string(f_number),
+                                           "--iso",
+                                           std::to_string(iso)})));
     return texture::read_image(here("picture.png"));
   }
 };
 
 TEST_F(Exposure, TheTextureHasTheLuminanceOfTheFullMoon) {
   expect_done(coppermoon(with_grey_moon({"bake", "-o", "moon.exr"})));
-  EXPECT_WITHIN_RELATIVE(luminance_in_the_middle(texture::read_image(here("moon.exr"))), full_moon_luminance(), 0.01,
+  EXPECT_WITHIN_RELATIVE(luminance_in_the_middle(texture::read_image(here("moon.exr"))),
+                         full_moon_luminance(), 0.01,
                          "spectra of the Sun differ by that in luminance");
 }
 
 TEST_F(Exposure, TheFrameHasTheLuminanceOfTheTexture) {
   expect_done(coppermoon(with_grey_moon({"bake", "-o", "moon.exr"})));
   picture("Raw");
-  EXPECT_WITHIN_RELATIVE(luminance_in_the_middle(texture::read_image(here("frame.exr"))),
-                         luminance_in_the_middle(texture::read_image(here("moon.exr"))), 0.002,
-                         "half floats, twice, 5e-4 each; f falls by 2e-4 over the pixels in the middle");
+  EXPECT_WITHIN_RELATIVE(
+      luminance_in_the_middle(texture::read_image(here("frame.exr"))),
+      luminance_in_the_middle(texture::read_image(here("moon.exr"))), 0.002,
+      "half floats, twice, 5e-4 each; f falls by 2e-4 over the pixels in the middle");
 }
 
 TEST_F(Exposure, TheRawPictureIsTheExposureFormula) {
@@ -88,7 +112,8 @@ TEST_F(Exposure, TheRawPictureIsTheExposureFormula) {
   const double q = 0.65, expected = q * frame * time_s * iso / (78 * f_number * f_number);
   ASSERT_LT(expected, 0.9);
   ASSERT_GT(expected, 0.02);
-  EXPECT_WITHIN_RELATIVE(luminance_in_the_middle(shown), expected, 0.01, "asked for; 16 bits have steps of 2e-5");
+  EXPECT_WITHIN_RELATIVE(luminance_in_the_middle(shown), expected, 0.01,
+                         "asked for; 16 bits have steps of 2e-5");
 }
 
 TEST_F(Exposure, ThePictureWithoutToneMappingIsTheSameBehindSrgb) {
@@ -96,23 +121,25 @@ TEST_F(Exposure, ThePictureWithoutToneMappingIsTheSameBehindSrgb) {
   for (float& value : shown.values) value = linear(value);
   const double frame = luminance_in_the_middle(texture::read_image(here("frame.exr")));
   const double q = 0.65, expected = q * frame * time_s * iso / (78 * f_number * f_number);
-  EXPECT_WITHIN_RELATIVE(luminance_in_the_middle(shown), expected, 0.01, "asked for; 16 bits have steps of 2e-5");
+  EXPECT_WITHIN_RELATIVE(luminance_in_the_middle(shown), expected, 0.01,
+                         "asked for; 16 bits have steps of 2e-5");
 }
 
 TEST_F(Exposure, ALongerExposureDevelopsBrighterAlike) {
   picture("Raw");
   const auto developed = [&](const char* time, const char* name) {
-    expect_done(coppermoon({"develop", "frame.exr", "-o", name, "--view", "Raw", "--bits", "16", "--time", time,
-                            "--f-number", "11", "--iso", "100"}));
+    expect_done(coppermoon({"develop", "frame.exr", "-o", name, "--view", "Raw", "--bits", "16",
+                            "--time", time, "--f-number", "11", "--iso", "100"}));
     return luminance_in_the_middle(texture::read_image(here(name)));
   };
-  EXPECT_WITHIN_RELATIVE(developed("0.004", "longer.png"), 4 * developed("0.001", "shorter.png"), 0.002,
-                         "16 bits have steps of 2e-5 in 0.04");
+  EXPECT_WITHIN_RELATIVE(developed("0.004", "longer.png"), 4 * developed("0.001", "shorter.png"),
+                         0.002, "16 bits have steps of 2e-5 in 0.04");
 }
 
 TEST_F(Exposure, WithoutATimeTheBrightestComesToFourFifths) {
   picture("Raw");
-  expect_done(coppermoon({"develop", "frame.exr", "-o", "auto.png", "--view", "Raw", "--bits", "16"}));
+  expect_done(
+      coppermoon({"develop", "frame.exr", "-o", "auto.png", "--view", "Raw", "--bits", "16"}));
   EXPECT_WITHIN(luminance_in_the_middle(texture::read_image(here("auto.png"))), 0.8, 0.01,
                 "the middle of a full Moon is among its brightest, but for the half floats");
 }

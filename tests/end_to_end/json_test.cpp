@@ -19,7 +19,9 @@ Names keys_of(const json& object) {
 }
 
 void expect_utc(const json& text) {
-  EXPECT_TRUE(std::regex_match(text.get<std::string>(), std::regex(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ)"))) << text;
+  EXPECT_TRUE(
+      std::regex_match(text.get<std::string>(), std::regex(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ)")))
+      << text;
 }
 
 void expect_keys(const json& object, const Names& wanted) {
@@ -41,8 +43,8 @@ TEST_F(Json, AlmanacListsEclipsesWithTypeMagnitudesAndContacts) {
   ASSERT_TRUE(all.is_array());
   ASSERT_EQ(all.size(), 3U);  // total, partial, penumbral: 21 February, 16 August, 9 February
   for (const auto& eclipse : all) {
-    EXPECT_EQ(keys_of(eclipse),
-              Names({"greatest", "type", "gamma", "umbral_magnitude", "penumbral_magnitude", "contacts"}));
+    EXPECT_EQ(keys_of(eclipse), Names({"greatest", "type", "gamma", "umbral_magnitude",
+                                       "penumbral_magnitude", "contacts"}));
     expect_utc(eclipse["greatest"]);
     for (const auto& when : eclipse["contacts"]) expect_utc(when);
   }
@@ -55,40 +57,47 @@ TEST_F(Json, AlmanacListsEclipsesWithTypeMagnitudesAndContacts) {
 }
 
 TEST_F(Json, AlmanacOfAMonthWithoutEclipseIsAnEmptyList) {
-  EXPECT_EQ(said({"almanac", "--from", "2008-04-01", "--to", "2008-05-01", "--json"}), json::array());
+  EXPECT_EQ(said({"almanac", "--from", "2008-04-01", "--to", "2008-05-01", "--json"}),
+            json::array());
 }
 
 TEST_F(Json, AlmanacTakesEachConventionOfTheShadow) {
   const auto magnitude = [&](const char* convention) {
-    return said({"almanac", "--from", "2008-02-01", "--to", "2008-03-01", "--json", "--shadow-convention",
-                 convention})[0]["umbral_magnitude"].get<double>();
+    return said({"almanac", "--from", "2008-02-01", "--to", "2008-03-01", "--json",
+                 "--shadow-convention", convention})[0]["umbral_magnitude"]
+        .get<double>();
   };
-  EXPECT_WITHIN(magnitude("danjon"), 1.1062, 0.001, "Espenak & Meeus' canon, Danjon's rule, 4 decimals");
+  EXPECT_WITHIN(magnitude("danjon"), 1.1062, 0.001,
+                "Espenak & Meeus' canon, Danjon's rule, 4 decimals");
   EXPECT_GT(magnitude("chauvenet"), magnitude("danjon"));
   EXPECT_NE(magnitude("herald-sinnott"), magnitude("danjon"));
 }
 
 TEST_F(Json, SkyHasThePlacesOfMoonSunAndShadow) {
   const auto all = said({"sky", "2008-02-21T03:26:05Z", "--json"});
-  expect_keys(all, {"moon_ra_deg", "moon_dec_deg", "moon_distance_km", "sun_distance_au", "sub_earth_latitude_deg",
-                    "sub_earth_longitude_deg", "sub_solar_latitude_deg", "sub_solar_longitude_deg",
-                    "axis_position_angle_deg", "axis_distance_km"});
+  expect_keys(all, {"moon_ra_deg", "moon_dec_deg", "moon_distance_km", "sun_distance_au",
+                    "sub_earth_latitude_deg", "sub_earth_longitude_deg", "sub_solar_latitude_deg",
+                    "sub_solar_longitude_deg", "axis_position_angle_deg", "axis_distance_km"});
   EXPECT_FALSE(all.contains("altitude_deg"));
-  EXPECT_WITHIN(all["axis_distance_km"].get<double>(), 0.3992 * 6378.137, 20, "gamma printed to 4 digits: 0.6 km; 1 minute");
+  EXPECT_WITHIN(all["axis_distance_km"].get<double>(), 0.3992 * 6378.137, 20,
+                "gamma printed to 4 digits: 0.6 km; 1 minute");
   const auto seen = said({"sky", "2008-02-21T03:26:05Z", "--at", "42.86,-73.77,100", "--json"});
   expect_keys(seen, {"moon_ra_deg", "altitude_deg", "azimuth_deg"});
 }
 
 TEST_F(Json, SkyHasOnlyNumbersButForTheInstant) {
   const auto sky = said({"sky", "2008-02-21T03:26:05Z", "--at", "-33.9,18.4", "--json"});
-  for (const auto& [key, value] : sky.items()) EXPECT_TRUE(key == "instant" || value.is_number()) << key;
+  for (const auto& [key, value] : sky.items())
+    EXPECT_TRUE(key == "instant" || value.is_number()) << key;
 }
 
 TEST_F(Json, ShadowIsATableOfDistanceAndWavelength) {
-  const auto all = said({"shadow", "--moon-distance-km", "376400", "--sun-distance-km", "148000000", "--wavelengths",
-                         "450,650", "--axis-distances", "0,2000,4000", "--rays", "100", "--json"});
-  EXPECT_EQ(keys_of(all), Names({"moon_distance_km", "sun_distance_km", "solver", "seconds", "wavelengths_nm",
-                                 "axis_distance_km", "irradiance_ratio", "standard_error"}));
+  const auto all = said({"shadow", "--moon-distance-km", "376400", "--sun-distance-km", "148000000",
+                         "--wavelengths", "450,650", "--axis-distances", "0,2000,4000", "--rays",
+                         "100", "--json"});
+  EXPECT_EQ(keys_of(all),
+            Names({"moon_distance_km", "sun_distance_km", "solver", "seconds", "wavelengths_nm",
+                   "axis_distance_km", "irradiance_ratio", "standard_error"}));
   EXPECT_EQ(all["moon_distance_km"], 376400);
   EXPECT_EQ(all["sun_distance_km"], 148000000);
   EXPECT_EQ(all["wavelengths_nm"], json({450, 650}));
@@ -101,7 +110,8 @@ TEST_F(Json, ShadowIsATableOfDistanceAndWavelength) {
 }
 
 TEST_F(Json, BrightnessHasMagnitudesLuminanceAndDanjon) {
-  const auto all = said({"brightness", "2008-02-21T03:26:05Z", "--rays", "50", "--albedo-map", "built-in", "--json"});
+  const auto all = said(
+      {"brightness", "2008-02-21T03:26:05Z", "--rays", "50", "--albedo-map", "built-in", "--json"});
   expect_keys(all, {"magnitudes", "mean_luminance_cd_m2", "danjon"});
   EXPECT_EQ(keys_of(all["magnitudes"]), Names({"B", "V", "R"}));
   EXPECT_TRUE(all["danjon"].is_number());
@@ -109,9 +119,11 @@ TEST_F(Json, BrightnessHasMagnitudesLuminanceAndDanjon) {
 }
 
 TEST_F(Json, BrightnessOfTheFullMoonIsTheBooks) {
-  const auto all = said({"brightness", "2008-02-21T03:26:05Z", "--unshadowed", "--albedo-map", "built-in", "--json"});
-  EXPECT_WITHIN(all["magnitudes"]["V"].get<double>(), -12.74, 0.06,
-                "Allen's full Moon at mean distances; 384 400 km and 1 au are 0.02 mag from that day's");
+  const auto all = said(
+      {"brightness", "2008-02-21T03:26:05Z", "--unshadowed", "--albedo-map", "built-in", "--json"});
+  EXPECT_WITHIN(
+      all["magnitudes"]["V"].get<double>(), -12.74, 0.06,
+      "Allen's full Moon at mean distances; 384 400 km and 1 au are 0.02 mag from that day's");
   EXPECT_TRUE(all["danjon"].is_null());
 }
 
@@ -125,8 +137,9 @@ TEST_F(Json, BakeSaysWhatWasChosenAndReached) {
 }
 
 TEST_F(Json, DevelopSaysTheExposure) {
-  expect_done(coppermoon({"bake", "2008-02-21T03:26:05Z", "--unshadowed", "--albedo-map", "built-in",
-                          "--texture-width", "16", "-o", "moon_acescg.exr", "--space", "acescg"}));
+  expect_done(
+      coppermoon({"bake", "2008-02-21T03:26:05Z", "--unshadowed", "--albedo-map", "built-in",
+                  "--texture-width", "16", "-o", "moon_acescg.exr", "--space", "acescg"}));
   const auto all = said({"develop", "moon_acescg.exr", "-o", "moon.png", "--json"});
   expect_keys(all, {"file", "colour_space", "time_s", "f_number", "iso"});
   EXPECT_EQ(all["colour_space"], "acescg");

@@ -25,8 +25,8 @@ struct Outcome {
 
 /// What a program finds around it.
 struct Surroundings {
-  std::optional<std::string> path = {};       ///< PATH, instead of ours
-  std::optional<rlim_t> file_limit = {};      ///< bytes that a file may have: the disk is full there
+  std::optional<std::string> path = {};   ///< PATH, instead of ours
+  std::optional<rlim_t> file_limit = {};  ///< bytes that a file may have: the disk is full there
   std::optional<std::filesystem::path> folder = {};  ///< where it runs, instead of the test's own
 };
 
@@ -42,7 +42,8 @@ class ProgramTest : public testing::Test {
   ProgramTest() {
     auto name = (std::filesystem::temp_directory_path() / "coppermoon test XXXXXX").string();
     home_ = ::mkdtemp(name.data());
-    for (const char* part : {"here", "tmp", "said"}) std::filesystem::create_directory(home_ / part);
+    for (const char* part : {"here", "tmp", "said"})
+      std::filesystem::create_directory(home_ / part);
   }
   ~ProgramTest() override { std::filesystem::remove_all(home_); }
 

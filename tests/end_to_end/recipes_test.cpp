@@ -37,42 +37,50 @@ class Recipes : public ProgramTest {
 
 TEST_F(Recipes, AreTheSameAsTheirFlags) {
   make({"bake", "--recipe", "eclipse.toml", "-o", "recipe.exr"});
-  make({"bake", "2008-02-21T03:08:26Z", "--rays", "60", "--ozone-du", "200.0", "--dust-extinction", "4.7e-6",
-        "--texture-width", "32", "--rayleigh", "on", "--albedo-map", "built-in", "-o", "flags.exr"});
+  make({"bake", "2008-02-21T03:08:26Z", "--rays", "60", "--ozone-du", "200.0", "--dust-extinction",
+        "4.7e-6", "--texture-width", "32", "--rayleigh", "on", "--albedo-map", "built-in", "-o",
+        "flags.exr"});
   EXPECT_TRUE(bytes("recipe.exr") == bytes("flags.exr"));
 }
 
 TEST_F(Recipes, GiveWayToTheUsersFlags) {
   make({"bake", "--recipe", "eclipse.toml", "-o", "other.exr", "--ozone-du", "0"});
   make({"bake", "--ozone-du", "0", "--recipe=eclipse.toml", "-o", "before.exr"});
-  make({"bake", "2008-02-21T03:08:26Z", "--rays", "60", "--ozone-du", "0", "--dust-extinction", "4.7e-6",
-        "--texture-width", "32", "--albedo-map", "built-in", "-o", "flags.exr"});
+  make({"bake", "2008-02-21T03:08:26Z", "--rays", "60", "--ozone-du", "0", "--dust-extinction",
+        "4.7e-6", "--texture-width", "32", "--albedo-map", "built-in", "-o", "flags.exr"});
   EXPECT_TRUE(bytes("other.exr") == bytes("flags.exr"));
   EXPECT_TRUE(bytes("before.exr") == bytes("flags.exr"));
 }
 
 TEST_F(Recipes, GiveWayToTheUsersInstant) {
   make({"bake", "2008-02-21T03:26:05Z", "--recipe", "eclipse.toml", "-o", "later.exr"});
-  EXPECT_NE(recipe_in("later.exr").find("2008-02-21T03:26:05Z"), std::string::npos) << recipe_in("later.exr");
+  EXPECT_NE(recipe_in("later.exr").find("2008-02-21T03:26:05Z"), std::string::npos)
+      << recipe_in("later.exr");
 }
 
 TEST_F(Recipes, GiveWayToTheUsersLists) {
   file("shadow.toml", "wavelengths = [450, 550]\naxis-distances = [0, 1000.5]\nrays = 50\n");
-  const Words shadow{"shadow", "--moon-distance-km", "376400", "--sun-distance-km", "1.48e8", "--recipe", "shadow.toml"};
+  const Words shadow{"shadow", "--moon-distance-km", "376400",     "--sun-distance-km",
+                     "1.48e8", "--recipe",           "shadow.toml"};
   const auto as_told = coppermoon(shadow);
   expect_done(as_told);
-  EXPECT_TRUE(as_told.out.starts_with("axis_distance_km,irradiance_ratio_450nm,standard_error_450nm,"
-                                      "irradiance_ratio_550nm,standard_error_550nm\n0,")) << as_told.out;
+  EXPECT_TRUE(
+      as_told.out.starts_with("axis_distance_km,irradiance_ratio_450nm,standard_error_450nm,"
+                              "irradiance_ratio_550nm,standard_error_550nm\n0,"))
+      << as_told.out;
   EXPECT_NE(as_told.out.find("\n1000.5,"), std::string::npos) << as_told.out;
   Words own = shadow;
   own.insert(own.end(), {"--wavelengths", "650"});
   const auto otherwise = coppermoon(own);
   expect_done(otherwise);
-  EXPECT_TRUE(otherwise.out.starts_with("axis_distance_km,irradiance_ratio_650nm,standard_error_650nm\n")) << otherwise.out;
+  EXPECT_TRUE(
+      otherwise.out.starts_with("axis_distance_km,irradiance_ratio_650nm,standard_error_650nm\n"))
+      << otherwise.out;
 }
 
 TEST_F(Recipes, InAHeaderReproduceTheFile) {
-  make({"bake", "--recipe", "eclipse.toml", "-o", "old.exr", "--space", "acescg", "--type", "float"});
+  make({"bake", "--recipe", "eclipse.toml", "-o", "old.exr", "--space", "acescg", "--type",
+        "float"});
   make({"bake", "old.exr", "-o", "new.exr"});
   EXPECT_TRUE(bytes("old.exr") == bytes("new.exr"));
   make({"bake", "--recipe", "old.exr", "-o", "again.exr"});
@@ -80,15 +88,17 @@ TEST_F(Recipes, InAHeaderReproduceTheFile) {
 }
 
 TEST_F(Recipes, InAHeaderReproduceAFileWhateverTheSpellingOfItsNumbers) {
-  make({"bake", "2008-02-21T03:08:26Z", "--rays", "060", "--dust-extinction", ".5e-6", "--texture-width", "32",
-        "--albedo-map", "built-in", "--ozone-du", "+200", "-o", "old.exr", "--json"});
+  make({"bake", "2008-02-21T03:08:26Z", "--rays", "060", "--dust-extinction", ".5e-6",
+        "--texture-width", "32", "--albedo-map", "built-in", "--ozone-du", "+200", "-o", "old.exr",
+        "--json"});
   make({"bake", "old.exr", "-o", "new.exr"});
   EXPECT_TRUE(bytes("old.exr") == bytes("new.exr"));
 }
 
 TEST_F(Recipes, InAHeaderReproduceAFileWhateverItsMapIsCalled) {
   make({"bake", "--recipe", "eclipse.toml", "-o", "A \"map\", \xc3\xa4.exr", "--unshadowed"});
-  make({"bake", "--recipe", "eclipse.toml", "-o", "old.exr", "--albedo-map", "A \"map\", \xc3\xa4.exr"});
+  make({"bake", "--recipe", "eclipse.toml", "-o", "old.exr", "--albedo-map",
+        "A \"map\", \xc3\xa4.exr"});
   make({"bake", "old.exr", "-o", "new.exr"});
   EXPECT_TRUE(bytes("old.exr") == bytes("new.exr"));
 }
@@ -100,14 +110,16 @@ TEST_F(Recipes, InAHeaderGiveWayToTheUsersFlags) {
 }
 
 TEST_F(Recipes, AreTakenFromAnotherWordsFile) {
-  make({"scene", "--recipe", "eclipse.toml", "--up", "moon-north", "--width", "32", "--height", "32", "-o", "scene"});
+  make({"scene", "--recipe", "eclipse.toml", "--up", "moon-north", "--width", "32", "--height",
+        "32", "-o", "scene"});
   make({"bake", "scene/moon_lin_rec709.exr", "-o", "new.exr"});
-  EXPECT_TRUE(texture::read_image(here("new.exr")).values == texture::read_image(here("scene/moon_lin_rec709.exr")).values);
+  EXPECT_TRUE(texture::read_image(here("new.exr")).values ==
+              texture::read_image(here("scene/moon_lin_rec709.exr")).values);
 }
 
 TEST_F(Recipes, PhotonsAreTheSameOnAnyNumberOfThreads) {
-  const Words photons{"bake", "--recipe", "eclipse.toml", "--solver", "photons", "--photons", "2000",
-                      "--step-km", "10", "--smoothing-km", "300"};
+  const Words photons{"bake", "--recipe",  "eclipse.toml", "--solver",       "photons", "--photons",
+                      "2000", "--step-km", "10",           "--smoothing-km", "300"};
   for (const char* threads : {"1", "2"}) {
     Words words = photons;
     words.insert(words.end(), {"--threads", threads, "-o", std::string(threads) + ".exr"});
@@ -117,14 +129,15 @@ TEST_F(Recipes, PhotonsAreTheSameOnAnyNumberOfThreads) {
 }
 
 TEST_F(Recipes, PhotonsOfAnotherSeedAreOthers) {
-  const Words photons{"bake", "--recipe", "eclipse.toml", "--solver", "photons", "--photons", "2000",
-                      "--step-km", "10", "--smoothing-km", "300"};
+  const Words photons{"bake", "--recipe",  "eclipse.toml", "--solver",       "photons", "--photons",
+                      "2000", "--step-km", "10",           "--smoothing-km", "300"};
   for (const char* seed : {"1", "2"}) {
     Words words = photons;
     words.insert(words.end(), {"--seed", seed, "-o", std::string(seed) + ".exr"});
     make(words);
   }
-  EXPECT_TRUE(texture::read_image(here("1.exr")).values != texture::read_image(here("2.exr")).values);
+  EXPECT_TRUE(texture::read_image(here("1.exr")).values !=
+              texture::read_image(here("2.exr")).values);
 }
 
 }  // namespace

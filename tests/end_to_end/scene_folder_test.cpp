@@ -10,15 +10,15 @@ class SceneFolder : public ProgramTest {
  protected:
   void write_scene() const {
     expect_done(coppermoon({"scene", "2008-02-21T03:26:05Z", "--at", "42.86,-73.77", "--rays", "50",
-                            "--albedo-map", "built-in", "--texture-width", "64", "--width", "32", "--height", "24",
-                            "-o", "scene"}));
+                            "--albedo-map", "built-in", "--texture-width", "64", "--width", "32",
+                            "--height", "24", "-o", "scene"}));
   }
 };
 
 TEST_F(SceneFolder, HoldsSceneSettingsAndTexture) {
   write_scene();
-  const std::set<std::string> expected{"here/scene", "here/scene/eclipse.ini", "here/scene/eclipse.pov",
-                                       "here/scene/moon_lin_rec709.exr"};
+  const std::set<std::string> expected{"here/scene", "here/scene/eclipse.ini",
+                                       "here/scene/eclipse.pov", "here/scene/moon_lin_rec709.exr"};
   std::set<std::string> found = listing();
   EXPECT_EQ(found, expected);
 }

@@ -39,7 +39,8 @@ inline texture::Image spotted_map(std::size_t rows) {
       const auto here = almanac::selenographic_direction(surface::texel_centre(r, c, rows));
       map(r, c, 0) = 0.1F;
       for (const auto& spot : spots())
-        if (glm::dot(here, almanac::selenographic_direction(spot.at)) > least_cosine) map(r, c, 0) = spot.albedo;
+        if (glm::dot(here, almanac::selenographic_direction(spot.at)) > least_cosine)
+          map(r, c, 0) = spot.albedo;
     }
   return map;
 }

@@ -19,14 +19,16 @@ void print_eclipse() {
   const auto eclipses = eclipse::eclipses_between(almanac::instant_from_utc("2008-02-01"),
                                                   almanac::instant_from_utc("2008-03-01"),
                                                   eclipse::ShadowConvention::danjon);
-  for (const auto& e : eclipses) std::printf("greatest %s\n", almanac::utc_text(e.greatest).c_str());
+  for (const auto& e : eclipses)
+    std::printf("greatest %s\n", almanac::utc_text(e.greatest).c_str());
 }
 
 /// Two by two pixels of mid-grey, developed at half the light: 0.25 is 0.5371 in sRGB.
 void print_picture() {
   colour::Image frame(2, 2);
   for (auto& pixel : frame.values()) pixel = {0.5F, 0.5F, 0.5F};
-  const auto picture = colour::developed(frame, colour::WorkingSpace::linear_rec709, {.scale = 0.5});
+  const auto picture =
+      colour::developed(frame, colour::WorkingSpace::linear_rec709, {.scale = 0.5});
   std::printf("developed %.4f\n", double{picture(1, 1)[0]});
 }
 

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: MIT
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(tomlplusplus REQUIRED)
+foreach(noun disc_brightness observer_options photometric_bands recipe spectral_bands)
+  coppermoon_test(baker/verbs/${noun} LINKS verbs)
+endforeach()
