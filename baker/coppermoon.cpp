@@ -18,22 +18,28 @@ namespace verbs = coppermoon::verbs;
 constexpr int could_not = 1, wrong_usage = 2;
 
 void add_words(CLI::App& program) {
-  program.option_defaults()->always_capture_default()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  program.option_defaults()->always_capture_default()->multi_option_policy(
+      CLI::MultiOptionPolicy::TakeLast);
   program.require_subcommand(1);
   program.set_version_flag("--version", "coppermoon " COPPERMOON_VERSION);
-  for (const auto add : {verbs::add_almanac, verbs::add_sky, verbs::add_shadow, verbs::add_brightness,
-                         verbs::add_bake, verbs::add_scene, verbs::add_still, verbs::add_develop})
+  for (const auto add :
+       {verbs::add_almanac, verbs::add_sky, verbs::add_shadow, verbs::add_brightness,
+        verbs::add_bake, verbs::add_scene, verbs::add_still, verbs::add_develop})
     add(program);
 }
 
 /// Threads of all that follows; 0: as many as there are processors.
 void add_threads(CLI::App& program, std::unique_ptr<tbb::global_control>& control) {
   for (auto* verb : program.get_subcommands({}))
-    verb->add_option_function<int>("--threads", [&control](int threads) {
-          if (threads > 0)
-            control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                            static_cast<std::size_t>(threads));
-        }, "0: as many as there are processors")
+    verb->add_option_function<int>(
+            "--threads",
+            [&control](int threads) {
+              if (threads > 0)
+                control = std::make_unique<tbb::global_control>(
+                    tbb::global_control::max_allowed_parallelism,
+                    static_cast<std::size_t>(threads));
+            },
+            "0: as many as there are processors")
         ->check(CLI::Range(0, 512));
 }
 

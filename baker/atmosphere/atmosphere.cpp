@@ -32,10 +32,10 @@ void require_valid(const Column& column) {
 
 const Column& Atmosphere::column_at(double position_angle_rad) const {
   for (const auto& region : regions) {
-    const double from = algebra::in_radians(region.from), width = algebra::in_radians(region.to) - from;
+    const double from = algebra::in_radians(region.from),
+                 width = algebra::in_radians(region.to) - from;
     const bool whole = width >= 2 * std::numbers::pi;
-    if (whole || turned(position_angle_rad - from) < turned(width))
-      return region.column;
+    if (whole || turned(position_angle_rad - from) < turned(width)) return region.column;
   }
   return column;
 }

@@ -61,7 +61,8 @@ std::vector<double> pieces_above(double bottom_m, const Column& column, double t
   for (const double h : atmosphere::density_breaks_m()) breaks.push_back(h);
   for (double h = 8e3; h < top_m; h += 8e3) breaks.push_back(h);
   std::sort(breaks.begin(), breaks.end());
-  constexpr double rounding_m = 1e-4;  // a break closer above the tangent height than that drowns in it
+  constexpr double rounding_m =
+      1e-4;  // a break closer above the tangent height than that drowns in it
   std::erase_if(breaks, [&](double h) {
     return h != bottom_m && h != top_m && (h < bottom_m + rounding_m || h > top_m);
   });

@@ -53,7 +53,8 @@ struct Simulation {
 
   void add_photon(std::uint64_t index, Tally& tally) const {
     algebra::Random random(settings.seed, index);
-    const auto wave = static_cast<std::size_t>(random.uniform() * static_cast<double>(optics.size()));
+    const auto wave =
+        static_cast<std::size_t>(random.uniform() * static_cast<double>(optics.size()));
     const auto ray = photons::aimed_at_the_ring(random, arrangement.sun_distance_m, atmosphere);
     const auto entering = photons::entered(ray, atmosphere.top_radius_m());
     if (!entering) return;  // a graze lost to rounding
@@ -72,7 +73,8 @@ struct Simulation {
 };
 
 /// Blocks of fixed size, merged in a fixed order: the same sums whatever the number of threads.
-Tally simulated(const Simulation& simulation, const Tally& none, const algebra::Progress& progress) {
+Tally simulated(const Simulation& simulation, const Tally& none,
+                const algebra::Progress& progress) {
   constexpr std::uint64_t block = 4096;
   const std::uint64_t photons = simulation.settings.photons, blocks = (photons + block - 1) / block;
   std::atomic<std::uint64_t> done = 0;
@@ -86,8 +88,8 @@ Tally simulated(const Simulation& simulation, const Tally& none, const algebra::
   };
   const auto merge = [](Tally a, const Tally& b) { return std::move(a += b); };
   const auto grain = std::max<std::uint64_t>(1, blocks / 64);
-  return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::uint64_t>(0, blocks, grain), none,
-                                            add_blocks, merge);
+  return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::uint64_t>(0, blocks, grain),
+                                            none, add_blocks, merge);
 }
 
 void require_valid(const PhotonSettings& settings, const Atmosphere& atmosphere) {
@@ -116,8 +118,12 @@ RefractedLight by_photons(const Atmosphere& atmosphere, const Arrangement& arran
   const Tally none(arrangement.depths_m.size() * settings.sectors, rings, waves);
   Tally tally = atmosphere.top_m > 0 ? simulated(simulation, none, progress) : none;
 
-  RefractedLight light{arrangement, {wavelengths_nm.begin(), wavelengths_nm.end()}, {},
-                       settings.sectors, std::move(tally.sum), std::move(tally.sum_of_squares)};
+  RefractedLight light{arrangement,
+                       {wavelengths_nm.begin(), wavelengths_nm.end()},
+                       {},
+                       settings.sectors,
+                       std::move(tally.sum),
+                       std::move(tally.sum_of_squares)};
   for (std::size_t r = 0; r < rings; ++r)
     light.axis_distances_m.push_back((static_cast<double>(r) + 0.5) * settings.ring_width_m);
   const double inner = atmosphere.earth_radius_m, outer = atmosphere.top_radius_m();

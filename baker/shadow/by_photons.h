@@ -16,25 +16,28 @@ struct PhotonSettings {
   std::uint64_t seed = 1;
   photons::Stepping stepping;
   double ring_width_m = 50e3;  ///< of the rings that gather, 1e3 to 2e6 m
-  std::size_t sectors = 1;     ///< parts of the position angle; 1 takes every photon all around the axis
+  /// parts of the position angle; 1 takes every photon all around the axis
+  std::size_t sectors = 1;
 };
 
 /// Refracted light by the paper's photon simulation, for any atmosphere.
 ///
-/// Each photon has one wavelength, drawn at random; leaves a random place of the solar disc, aimed at the
-/// ring of the air; is traced in 3-D; and is gathered on every plane in the ring of axis distances (and the
-/// sector) where it lands. One sector replicates each photon all around the axis, which only symmetric air
-/// allows. A cell's mean and standard error come from sums and sums of squares over all photons.
+/// Each photon has one wavelength, drawn at random; leaves a random place of the solar disc, aimed
+/// at the ring of the air; is traced in 3-D; and is gathered on every plane in the ring of axis
+/// distances (and the sector) where it lands. One sector replicates each photon all around the
+/// axis, which only symmetric air allows. A cell's mean and standard error come from sums and sums
+/// of squares over all photons.
 ///
 /// Returned  axis_distances_m at the rings' middles; the same for any number of threads
-/// Throws    Error  when an argument is outside its range, or one sector is asked of air that differs by region
+/// Throws    Error  when an argument is outside its range, or one sector is asked of air that
+///                  differs by region
 /// Source    Yapo & Cutler (2009) §3.1 and 3.2
 RefractedLight by_photons(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
                           std::span<const double> wavelengths_nm, const PhotonSettings& settings,
                           const algebra::Progress& progress = {});
 
-/// The same light convolved along the axis distance with a Gaussian of that standard deviation, rings weighted
-/// by their area; the standard error follows, its rings taken as independent.
+/// The same light convolved along the axis distance with a Gaussian of that standard deviation,
+/// rings weighted by their area; the standard error follows, its rings taken as independent.
 ///
 /// Source  Yapo & Cutler (2009) §3.2, against grain
 RefractedLight smoothed(const RefractedLight& light, double sigma_m);

@@ -23,8 +23,8 @@ struct Fan {
   std::vector<double> impact_parameter_m, bending_rad, transmittance;
 };
 
-/// Tangent heights where the air's slope breaks, with its ends. Below each, bending and optical depth of the
-/// rays that dip under it leave it like a square root.
+/// Tangent heights where the air's slope breaks, with its ends. Below each, bending and optical
+/// depth of the rays that dip under it leave it like a square root.
 std::vector<double> breaks_of(const Atmosphere& atmosphere) {
   std::vector<double> breaks{0, atmosphere.column.dust_bottom_m, atmosphere.column.dust_top_m,
                              atmosphere.top_m};
@@ -37,7 +37,8 @@ std::vector<double> breaks_of(const Atmosphere& atmosphere) {
 }
 
 /// b − R, ever closer towards the upper end of each smooth piece, where the square roots are.
-std::vector<double> impact_heights(const Atmosphere& atmosphere, const atmosphere::Optics& optics, int rays) {
+std::vector<double> impact_heights(const Atmosphere& atmosphere, const atmosphere::Optics& optics,
+                                   int rays) {
   const auto impact_height = [&](double h) {
     return h + refractivity(atmosphere.column, optics, h) * (atmosphere.earth_radius_m + h);
   };
@@ -45,7 +46,8 @@ std::vector<double> impact_heights(const Atmosphere& atmosphere, const atmospher
   std::vector<double> heights;
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     const double low = impact_height(breaks[i]), high = impact_height(breaks[i + 1]);
-    const int here = std::max(4, static_cast<int>(rays * (breaks[i + 1] - breaks[i]) / atmosphere.top_m));
+    const int here =
+        std::max(4, static_cast<int>(rays * (breaks[i + 1] - breaks[i]) / atmosphere.top_m));
     for (int k = 0; k < here; ++k) {
       const double left = 1 - static_cast<double>(k) / here;
       heights.push_back(high - (high - low) * left * left);
@@ -82,7 +84,8 @@ struct LandedFan {
   std::vector<double> weight;    ///< T b Δb between each ray and the next
 };
 
-/// Near the axis Φ turns within a cell: there cells are cut finer, to a quarter of the axis distance.
+/// Near the axis Φ turns within a cell: there cells are cut finer, to a quarter of the axis
+/// distance.
 int cuts(double r0, double r1) {
   constexpr double most = 16;
   const double nearest = r0 * r1 <= 0 ? 0 : std::min(std::abs(r0), std::abs(r1));

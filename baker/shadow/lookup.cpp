@@ -73,7 +73,8 @@ Lookup::Lookup(const RefractedLight& light, double opaque_radius_m, const Channe
     }
 }
 
-std::span<const double> Lookup::entry(std::size_t plane, std::size_t sector, std::size_t node) const {
+std::span<const double> Lookup::entry(std::size_t plane, std::size_t sector,
+                                      std::size_t node) const {
   return values_.row((plane * sectors_ + sector) * nodes_ + node);
 }
 

@@ -14,11 +14,13 @@ namespace coppermoon::shadow {
 /// Weighted sums over wavelength, a row of weights for each channel.
 using ChannelWeights = algebra::Grid<double>;  // (channel, wavelength)
 
-/// All light in the shadow, refracted and direct, in a few channels: a table over place that is read once a
-/// texel. Linear in depth, axis distance and position angle; sunlight beyond the penumbra.
+/// All light in the shadow, refracted and direct, in a few channels: a table over place that is
+/// read once a texel. Linear in depth, axis distance and position angle; sunlight beyond the
+/// penumbra.
 class Lookup {
  public:
-  /// Given   light            refracted light; opaque_radius_m: of the Earth with its air, for the direct part
+  /// Given   light            refracted light; opaque_radius_m: of the Earth with its air, for the
+  ///                          direct part
   ///         weights          what each channel makes of the ratio at each wavelength
   ///         axis_spacing_m   of the table
   Lookup(const RefractedLight& light, double opaque_radius_m, const ChannelWeights& weights,

@@ -25,7 +25,8 @@ void area_means(std::span<const float> row, std::span<float> means) {
   for (std::size_t i = 0; i < means.size(); ++i) {
     const double from = static_cast<double>(i) * width, to = from + width;
     double sum = 0;
-    for (auto k = static_cast<std::size_t>(from); k < row.size() && static_cast<double>(k) < to; ++k) {
+    for (auto k = static_cast<std::size_t>(from); k < row.size() && static_cast<double>(k) < to;
+         ++k) {
       const double left = std::max(from, static_cast<double>(k));
       sum += row[k] * (std::min(to, static_cast<double>(k) + 1) - left);
     }
@@ -55,7 +56,8 @@ struct Lighting {
   void light_texel(const almanac::SelenographicPoint& at, double albedo, std::span<double> values,
                    std::span<float> texel) const {
     const glm::dvec3 normal = gcrs_from_selenographic * almanac::selenographic_direction(at);
-    const glm::dvec3 place = sky.moon_m + algebra::in_metres(almanac::lunar_radius) * normal, to_sun = sky.sun_m - place;
+    const glm::dvec3 place = sky.moon_m + algebra::in_metres(almanac::lunar_radius) * normal,
+                     to_sun = sky.sun_m - place;
     const double distance = glm::length(to_sun);
     const double mu = glm::dot(normal, to_sun) / distance;
     const double near = photons::astronomical_unit_m / distance;

@@ -20,9 +20,12 @@ struct Options {
 
 const char* name(eclipse::EclipseType type) {
   switch (type) {
-    case eclipse::EclipseType::penumbral: return "penumbral";
-    case eclipse::EclipseType::partial: return "partial";
-    default: return "total";
+    case eclipse::EclipseType::penumbral:
+      return "penumbral";
+    case eclipse::EclipseType::partial:
+      return "partial";
+    default:
+      return "total";
   }
 }
 
@@ -59,13 +62,16 @@ void print(const std::vector<eclipse::Eclipse>& eclipses) {
     fmt::print("{:<21}{:<10}{:>8.4f}{:>9.4f}{:>9.4f}", almanac::utc_text(e.greatest), name(e.type),
                e.gamma, e.umbral_magnitude, e.penumbral_magnitude);
     for (const auto& [key, when] : contacts_of(e))
-      fmt::print("  {:<8}", when ? almanac::utc_text(*when).substr(almanac::utc_text(*when).find('T') + 1, 8) : "-");
+      fmt::print(
+          "  {:<8}",
+          when ? almanac::utc_text(*when).substr(almanac::utc_text(*when).find('T') + 1, 8) : "-");
     fmt::print("\n");
   }
 }
 
 void run(const Options& options) {
-  const auto from = almanac::instant_from_utc(options.from), to = almanac::instant_from_utc(options.to);
+  const auto from = almanac::instant_from_utc(options.from),
+             to = almanac::instant_from_utc(options.to);
   if (almanac::seconds_between(from, to) < 0)
     throw algebra::Error(fmt::format("--to = {}, allowed {} or later", options.to, options.from));
   const auto eclipses = eclipse::eclipses_between(from, to, convention_from(options.convention));

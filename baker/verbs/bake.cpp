@@ -27,15 +27,17 @@ void run(const CLI::App& verb, const Options& options) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc(options.moon.instant));
   const auto recipe = recipe_of(verb);
   const auto moon = baked_moon(options.moon, sky, space, {}, recipe);
-  texture::write_exr(options.output, moon.texture, moon.attributes,
-                     {options.type == "half" ? texture::ExrType::half : texture::ExrType::floating});
+  texture::write_exr(
+      options.output, moon.texture, moon.attributes,
+      {options.type == "half" ? texture::ExrType::half : texture::ExrType::floating});
   report({options.output, recipe, moon.seconds, moon.relative_error}, options.json);
 }
 
 }  // namespace
 
 void add_bake(CLI::App& program) {
-  auto* verb = program.add_subcommand("bake", "The lunar texture: plate carrée, scene-linear, cd/m²");
+  auto* verb =
+      program.add_subcommand("bake", "The lunar texture: plate carrée, scene-linear, cd/m²");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   verb->add_option("-o,--output", options->output, "the texture, .exr")->required();

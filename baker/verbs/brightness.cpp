@@ -58,8 +58,8 @@ nlohmann::ordered_json described(const Options& options) {
   constexpr std::size_t rows = 360;
   const auto sky = almanac::sky_at(almanac::instant_from_utc(options.moon.instant));
   const auto response = responses();
-  const auto light =
-      light_on_the_moon(options.moon.light, sky, options.moon.unshadowed, moonlight_weights(response));
+  const auto light = light_on_the_moon(options.moon.light, sky, options.moon.unshadowed,
+                                       moonlight_weights(response));
   const auto moon = irradiance_of_disc(
       texture::bake(normal_albedo(options.moon), sky, light, {"B", "V", "R", "Y"}, rows), sky);
   const auto sun = sunlight_in(response);
@@ -71,7 +71,8 @@ nlohmann::ordered_json described(const Options& options) {
                              {"magnitudes", magnitudes},
                              {"mean_luminance_cd_m2", moon.back() / solid_angle_of_disc(rows, sky)},
                              {"danjon", nullptr}};
-  if (!options.moon.unshadowed && in_totality(sky.when)) all["danjon"] = danjon_estimate(magnitudes["V"]);
+  if (!options.moon.unshadowed && in_totality(sky.when))
+    all["danjon"] = danjon_estimate(magnitudes["V"]);
   return all;
 }
 
@@ -84,14 +85,17 @@ void run(const Options& options) {
   for (const auto& [band, magnitude] : all["magnitudes"].items())
     fmt::print("{}               {:8.2f} mag\n", band, magnitude.get<double>());
   fmt::print("mean luminance  {:8.3g} cd/m²\n", all["mean_luminance_cd_m2"].get<double>());
-  if (all["danjon"].is_null()) fmt::print("Danjon                 - (not in totality)\n");
-  else fmt::print("Danjon          {:8.1f}\n", all["danjon"].get<double>());
+  if (all["danjon"].is_null())
+    fmt::print("Danjon                 - (not in totality)\n");
+  else
+    fmt::print("Danjon          {:8.1f}\n", all["danjon"].get<double>());
 }
 
 }  // namespace
 
 void add_brightness(CLI::App& program) {
-  auto* verb = program.add_subcommand("brightness", "Magnitudes and mean luminance of the whole disc, above the air");
+  auto* verb = program.add_subcommand(
+      "brightness", "Magnitudes and mean luminance of the whole disc, above the air");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   verb->add_flag("--json", options->json, "one JSON document on stdout");

@@ -52,21 +52,24 @@ void run(const Options& options) {
                                    {"time_s", exposure.time_s},
                                    {"f_number", exposure.f_number},
                                    {"iso", exposure.iso}};
-  if (options.json) fmt::print("{}\n", all.dump(2));
+  if (options.json)
+    fmt::print("{}\n", all.dump(2));
   else
-    fmt::print("{}: {:.3g} s, f/{:g}, ISO {:g}\n", options.output, exposure.time_s, exposure.f_number,
-               exposure.iso);
+    fmt::print("{}: {:.3g} s, f/{:g}, ISO {:g}\n", options.output, exposure.time_s,
+               exposure.f_number, exposure.iso);
 }
 
 }  // namespace
 
 void add_develop(CLI::App& program) {
-  auto* verb = program.add_subcommand("develop", "Exposure and view: a scene-linear frame becomes a picture");
+  auto* verb = program.add_subcommand("develop",
+                                      "Exposure and view: a scene-linear frame becomes a picture");
   const auto options = std::make_shared<Options>();
   verb->add_option("frame,--frame", options->frame, "scene-linear [cd/m²], .exr")->required();
   verb->add_option("-o,--output", options->output, "the picture, .png")->required();
-  verb->add_option("--space", options->space,
-                   "lin_rec709, acescg or lin_ciexyzd65_scene; without: as the file's header or name says");
+  verb->add_option(
+      "--space", options->space,
+      "lin_rec709, acescg or lin_ciexyzd65_scene; without: as the file's header or name says");
   add_develop_options(*verb, options->develop);
   verb->add_flag("--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);

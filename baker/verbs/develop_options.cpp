@@ -35,7 +35,8 @@ double bright_luminance(const texture::Image& frame, colour::WorkingSpace space)
 
 colour::Image pixels_of(const texture::Image& frame) {
   if (frame.channels.size() < 3)
-    throw algebra::Error(fmt::format("the frame has {} channels, allowed 3 or more", frame.channels.size()));
+    throw algebra::Error(
+        fmt::format("the frame has {} channels, allowed 3 or more", frame.channels.size()));
   colour::Image pixels(frame.height, frame.width);
   for (std::size_t r = 0; r < frame.height; ++r)
     for (std::size_t c = 0; c < frame.width; ++c)
@@ -52,7 +53,8 @@ void add_develop_options(CLI::App& verb, DevelopOptions& options) {
   verb.add_option("--iso", options.iso, "ISO 12232 saturation-based speed")->group(group);
   verb.add_option("--view", options.view, "of the OpenColorIO configuration")->group(group);
   verb.add_option("--display", options.display, "of the OpenColorIO configuration")->group(group);
-  verb.add_option("--config", options.config, "an OpenColorIO configuration instead of the built-in one")
+  verb.add_option("--config", options.config,
+                  "an OpenColorIO configuration instead of the built-in one")
       ->group(group);
   verb.add_option("--bits", options.bits, "of the picture, 8 or 16")
       ->check(CLI::IsMember({8, 16}))
@@ -66,7 +68,8 @@ colour::Exposure exposure_for(const DevelopOptions& options, const texture::Imag
   if (options.time != "auto") {
     exposure.time_s = seconds_from(options.time);
   } else if (const double bright = bright_luminance(frame, space); bright > 0) {
-    exposure.time_s = std::clamp(brightest / (bright * colour::exposure_scale(exposure)), 1e-6, 1e5);
+    exposure.time_s =
+        std::clamp(brightest / (bright * colour::exposure_scale(exposure)), 1e-6, 1e5);
   }
   return exposure;
 }
@@ -74,10 +77,12 @@ colour::Exposure exposure_for(const DevelopOptions& options, const texture::Imag
 void require_sound(const DevelopOptions& options, const std::filesystem::path& picture) {
   if (picture.extension() != ".png")
     throw algebra::Error(fmt::format("{}: a picture ends in .png", picture.string()));
-  colour::exposure_scale({options.time == "auto" ? 1 : seconds_from(options.time), options.f_number, options.iso});
+  colour::exposure_scale(
+      {options.time == "auto" ? 1 : seconds_from(options.time), options.f_number, options.iso});
   const auto views = colour::views(options.display, options.config);
   if (std::find(views.begin(), views.end(), options.view) == views.end())
-    throw algebra::Error(fmt::format("view = {}, allowed {}", options.view, fmt::join(views, ", ")));
+    throw algebra::Error(
+        fmt::format("view = {}, allowed {}", options.view, fmt::join(views, ", ")));
 }
 
 void write_developed(const DevelopOptions& options, const colour::Exposure& exposure,

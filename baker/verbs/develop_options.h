@@ -21,15 +21,15 @@ struct DevelopOptions {
 
 void add_develop_options(CLI::App& verb, DevelopOptions& options);
 
-/// The camera's settings; "auto" becomes the time at which the brightest hundredth of what is lit in the frame comes
-/// to 0.8 of saturation, or 1 s when nothing is.
+/// The camera's settings; "auto" becomes the time at which the brightest hundredth of what is lit
+/// in the frame comes to 0.8 of saturation, or 1 s when nothing is.
 ///
 /// Throws Error when a setting is outside its range
 colour::Exposure exposure_for(const DevelopOptions& options, const texture::Image& frame,
                               colour::WorkingSpace space);
 
-/// Throws Error when the options cannot be met whatever the frame holds: a setting outside its range, a picture that
-/// does not end in .png, a view there is not
+/// Throws Error when the options cannot be met whatever the frame holds: a setting outside its
+/// range, a picture that does not end in .png, a view there is not
 void require_sound(const DevelopOptions& options, const std::filesystem::path& picture);
 
 /// Develops a scene-linear frame [cd/m²] and writes the picture.

@@ -25,15 +25,18 @@ void for_each_seen(std::size_t rows, const almanac::SkyState& sky,
       const double latitude = algebra::in_radians(at.latitude);
       const glm::dvec3 normal = gcrs_from_selenographic * almanac::selenographic_direction(at);
       const glm::dvec3 place = sky.moon_m + radius * normal;
-      const double distance = glm::length(place), cos_emission = -glm::dot(normal, place) / distance;
-      const double area = radius * radius * step * (std::sin(latitude + step / 2) - std::sin(latitude - step / 2));
+      const double distance = glm::length(place),
+                   cos_emission = -glm::dot(normal, place) / distance;
+      const double area =
+          radius * radius * step * (std::sin(latitude + step / 2) - std::sin(latitude - step / 2));
       if (cos_emission > 0) add(r, c, cos_emission * area / (distance * distance));
     }
 }
 
 }  // namespace
 
-std::vector<double> irradiance_of_disc(const texture::Image& texture, const almanac::SkyState& sky) {
+std::vector<double> irradiance_of_disc(const texture::Image& texture,
+                                       const almanac::SkyState& sky) {
   std::vector<double> sums(texture.channels.size());
   for_each_seen(texture.height, sky, [&](std::size_t r, std::size_t c, double solid_angle) {
     for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += solid_angle * texture(r, c, k);
@@ -43,7 +46,8 @@ std::vector<double> irradiance_of_disc(const texture::Image& texture, const alma
 
 double solid_angle_of_disc(std::size_t rows, const almanac::SkyState& sky) {
   double sum = 0;
-  for_each_seen(rows, sky, [&](std::size_t, std::size_t, double solid_angle) { sum += solid_angle; });
+  for_each_seen(rows, sky,
+                [&](std::size_t, std::size_t, double solid_angle) { sum += solid_angle; });
   return sum;
 }
 

@@ -33,27 +33,34 @@ void add_air_options(CLI::App& verb, LightOptions& options) {
   verb.add_option("--rayleigh", options.rayleigh, "Rayleigh scattering out of the ray, on or off")
       ->check(on_or_off)
       ->group("The Earth's air");
-  verb.add_option("--ozone-du", options.ozone_du, "vertical column of ozone [DU], 0 to 1000; 0: none")
+  verb.add_option("--ozone-du", options.ozone_du,
+                  "vertical column of ozone [DU], 0 to 1000; 0: none")
       ->group("The Earth's air");
   verb.add_option("--dust-extinction", options.dust_extinction_per_m,
-                  "of the dust layer from 15 to 20 km [1/m]; 1e-6 slight, 4.7e-6 usual, 1e-4 a dark eclipse")
+                  "of the dust layer from 15 to 20 km [1/m]; 1e-6 slight, 4.7e-6 usual, 1e-4 a "
+                  "dark eclipse")
       ->group("The Earth's air");
 }
 
 void add_solver_options(CLI::App& verb, LightOptions& options) {
   const std::string group = "How light is computed";
-  verb.add_option("--solver", options.solver,
-                  "quadrature: exact for air that is alike all around; photons: the paper's simulation")
+  verb.add_option(
+          "--solver", options.solver,
+          "quadrature: exact for air that is alike all around; photons: the paper's simulation")
       ->check(CLI::IsMember({"quadrature", "photons"}))
       ->group(group);
   verb.add_option("--rays", options.rays, "of the quadrature, for each wavelength")->group(group);
   verb.add_option("--trace", options.trace, "each: every photon step by step")
       ->check(CLI::IsMember({"each"}))
       ->group(group);
-  verb.add_option("--photons", options.photons, "how many, 1 to 1e12; 1e6 take minutes")->group(group);
-  verb.add_option("--seed", options.seed, "of the photons")->check(CLI::NonNegativeNumber)->group(group);
+  verb.add_option("--photons", options.photons, "how many, 1 to 1e12; 1e6 take minutes")
+      ->group(group);
+  verb.add_option("--seed", options.seed, "of the photons")
+      ->check(CLI::NonNegativeNumber)
+      ->group(group);
   verb.add_option("--step-km", options.step_km, "of a photon's path")->group(group);
-  verb.add_option("--ring-km", options.ring_km, "width of the rings that gather photons")->group(group);
+  verb.add_option("--ring-km", options.ring_km, "width of the rings that gather photons")
+      ->group(group);
   verb.add_option("--smoothing-km", options.smoothing_km,
                   "standard deviation of the Gaussian that smooths photons; 0: none")
       ->group(group);
@@ -76,7 +83,8 @@ void require_sound(const LightOptions& options) {
 }
 
 /// Planes through the half of the Moon that faces the Sun.
-shadow::Arrangement arrangement_of(const almanac::SkyState& sky, const eclipse::ShadowPlace& centre) {
+shadow::Arrangement arrangement_of(const almanac::SkyState& sky,
+                                   const eclipse::ShadowPlace& centre) {
   const double depth = algebra::in_metres(centre.depth);
   const double radius = algebra::in_metres(almanac::lunar_radius);
   return {algebra::in_metres(eclipse::shadow_axis(sky).sun_distance),
@@ -87,7 +95,8 @@ eclipse::ShadowPlace moon_in_shadow(const almanac::SkyState& sky) {
   return eclipse::place_in_shadow(eclipse::shadow_axis(sky), sky.moon_m);
 }
 
-/// Axis distances that the Moon's disc takes in, closely spaced; the rest of the shadow is not asked for.
+/// Axis distances that the Moon's disc takes in, closely spaced; the rest of the shadow is not
+/// asked for.
 std::vector<double> distances_over_the_disc(const eclipse::ShadowPlace& centre) {
   constexpr double spacing_m = 25e3;
   const double radius = algebra::in_metres(almanac::lunar_radius) + spacing_m;
@@ -102,9 +111,9 @@ void require_eclipse(const almanac::SkyState& sky) {
   const auto convention = eclipse::ShadowConvention::danjon;
   if (eclipse::eclipse_at(sky.when, convention)) return;
   const auto nearest = eclipse::nearest_eclipse(sky.when, convention);
-  throw algebra::Error(
-      fmt::format("no lunar eclipse at {}; the nearest is greatest at {} (--unshadowed goes on without one)",
-                  almanac::utc_text(sky.when), almanac::utc_text(nearest.greatest)));
+  throw algebra::Error(fmt::format(
+      "no lunar eclipse at {}; the nearest is greatest at {} (--unshadowed goes on without one)",
+      almanac::utc_text(sky.when), almanac::utc_text(nearest.greatest)));
 }
 
 }  // namespace

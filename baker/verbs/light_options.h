@@ -43,12 +43,13 @@ shadow::RefractedLight refracted_light(const LightOptions& options,
 ///
 /// Given   unshadowed  as if the Earth were away
 ///         weights     (channel, band)
-/// Throws  Error       when the Moon is not in the Earth's shadow at that moment, unless unshadowed: names the
-///                     nearest eclipse
+/// Throws  Error       when the Moon is not in the Earth's shadow at that moment, unless
+///                     unshadowed: names the nearest eclipse
 shadow::Lookup light_on_the_moon(const LightOptions& options, const almanac::SkyState& sky,
                                  bool unshadowed, const shadow::ChannelWeights& weights);
 
-/// The worst relative error of a channel on the Moon's disc: the solver's own, or one standard error of the photons.
+/// The worst relative error of a channel on the Moon's disc: the solver's own, or one standard
+/// error of the photons.
 double relative_error(const LightOptions& options, const almanac::SkyState& sky,
                       const shadow::Lookup& light, std::size_t channel);
 

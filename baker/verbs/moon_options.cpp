@@ -57,7 +57,8 @@ texture::Attributes header(const MoonOptions& options, const almanac::SkyState& 
 
 void add_moon_options(CLI::App& verb, MoonOptions& options) {
   verb.add_option("instant,--instant", options.instant,
-                  "ISO 8601 UTC, as 2008-02-21T03:08:26Z; or an .exr that coppermoon made, to make it again")
+                  "ISO 8601 UTC, as 2008-02-21T03:08:26Z; or an .exr that coppermoon made, to make "
+                  "it again")
       ->required();
   verb.add_option("--albedo-map", options.albedo_map,
                   "any image 2:1, longitude 0 in the middle; auto; built-in");
@@ -70,7 +71,8 @@ void add_moon_options(CLI::App& verb, MoonOptions& options) {
 algebra::Grid<float> normal_albedo(const MoonOptions& options) {
   const auto map = map_chosen(options);
   if (map == "built-in")
-    return surface::normalised_to_geometric_albedo(surface::built_in_moon(options.texture_width / 2));
+    return surface::normalised_to_geometric_albedo(
+        surface::built_in_moon(options.texture_width / 2));
   const Silence silence;
   return surface::normalised_to_geometric_albedo(texture::read_albedo_map(map));
 }
@@ -80,8 +82,8 @@ BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
                      const std::string& recipe) {
   const auto start = std::chrono::steady_clock::now();
   if (options.texture_width % 2 != 0)
-    throw algebra::Error(fmt::format("texture width [texels] = {}, allowed even numbers, 4 to 32768",
-                                     options.texture_width));
+    throw algebra::Error(fmt::format(
+        "texture width [texels] = {}, allowed even numbers, 4 to 32768", options.texture_width));
   algebra::require_within("texture width [texels]", static_cast<double>(options.texture_width), 4,
                           32768);
   const auto albedo = normal_albedo(options);
@@ -91,7 +93,9 @@ BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
   ProgressBar bar("bake");
   BakedMoon moon{texture::bake(albedo, sky, light, channel_names(space), options.texture_width / 2,
                                bar.progress()),
-                 {}, 0, 0};
+                 {},
+                 0,
+                 0};
   if (!options.unshadowed) moon.relative_error = relative_error(options.light, sky, light, 1);
   moon.attributes = header(options, sky, space, recipe, moon.relative_error);
   moon.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

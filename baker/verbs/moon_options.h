@@ -25,8 +25,8 @@ struct MoonOptions {
 
 void add_moon_options(CLI::App& verb, MoonOptions& options);
 
-/// The normal albedo of the ground, so that the full Moon has the geometric albedo 0.12: the map named, or with
-/// "auto" Stellarium's where it is installed, else the built-in one.
+/// The normal albedo of the ground, so that the full Moon has the geometric albedo 0.12: the map
+/// named, or with "auto" Stellarium's where it is installed, else the built-in one.
 ///
 /// Throws Error as texture::read_albedo_map
 algebra::Grid<float> normal_albedo(const MoonOptions& options);
@@ -46,8 +46,8 @@ BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
                      colour::WorkingSpace space, std::optional<algebra::Angle> altitude,
                      const std::string& recipe);
 
-/// Throws Error when a file could not be put there: its folder is missing, or it is a folder itself. Said before
-/// the work is done.
+/// Throws Error when a file could not be put there: its folder is missing, or it is a folder
+/// itself. Said before the work is done.
 void require_place_for(const std::filesystem::path& file);
 
 }  // namespace coppermoon::verbs

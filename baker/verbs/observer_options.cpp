@@ -30,9 +30,10 @@ povray_scenes::Up up_from(const std::string& name) {
 almanac::Observer observer_from(const std::string& text) {
   const auto numbers = numbers_in(text);
   if (numbers.size() < 2 || numbers.size() > 3)
-    throw algebra::Error(fmt::format(
-        "place = {}, allowed LATITUDE,LONGITUDE[,ELEVATION] in degrees (north, east) and metres, as 42.86,-73.77",
-        text));
+    throw algebra::Error(
+        fmt::format("place = {}, allowed LATITUDE,LONGITUDE[,ELEVATION] in degrees (north, east) "
+                    "and metres, as 42.86,-73.77",
+                    text));
   algebra::require_within("latitude [degrees]", numbers[0], -90, 90);
   algebra::require_within("longitude [degrees]", numbers[1], -360, 360);
   return {algebra::degrees(numbers[0]), algebra::degrees(numbers[1]),
@@ -42,12 +43,14 @@ almanac::Observer observer_from(const std::string& text) {
 void add_view_options(CLI::App& verb, ViewOptions& options) {
   const std::string group = "Who looks, and through what";
   verb.add_option("--at", options.at,
-                  "LAT,LON[,ELEV] of the observer [degrees north, east; m]; without: from the Earth's centre")
+                  "LAT,LON[,ELEV] of the observer [degrees north, east; m]; without: from the "
+                  "Earth's centre")
       ->group(group);
   verb.add_option("--focal-length", options.focal_length_mm, "of the telescope or lens [mm]")
       ->group(group);
   verb.add_option("--sensor-width", options.sensor_width_mm, "[mm]")->group(group);
-  verb.add_option("--field", options.field_deg, "angle across the frame [degrees], instead of these two")
+  verb.add_option("--field", options.field_deg,
+                  "angle across the frame [degrees], instead of these two")
       ->group(group);
   verb.add_option("--width", options.width, "of the frame [pixels]")
       ->check(CLI::NonNegativeNumber)
@@ -64,10 +67,10 @@ void add_view_options(CLI::App& verb, ViewOptions& options) {
 }
 
 View view_of(const ViewOptions& options, const almanac::SkyState& sky) {
-  const auto field = options.field_deg
-                         ? algebra::degrees(*options.field_deg)
-                         : povray_scenes::field_of_view(algebra::metres(options.focal_length_mm / 1e3),
-                                                        algebra::metres(options.sensor_width_mm / 1e3));
+  const auto field = options.field_deg ? algebra::degrees(*options.field_deg)
+                                       : povray_scenes::field_of_view(
+                                             algebra::metres(options.focal_length_mm / 1e3),
+                                             algebra::metres(options.sensor_width_mm / 1e3));
   const auto up = up_from(options.up);
   if (options.at.empty())
     return {povray_scenes::camera_at(sky, up, field, options.width, options.height), {}, {}};
@@ -77,7 +80,8 @@ View view_of(const ViewOptions& options, const almanac::SkyState& sky) {
     throw algebra::Error(fmt::format("the Moon is {:.2f} degrees below the horizon of {} at {}",
                                      -algebra::in_degrees(seen.altitude), options.at,
                                      almanac::utc_text(sky.when)));
-  View view{povray_scenes::camera_at(sky, seen, up, field, options.width, options.height), observer, {}};
+  View view{
+      povray_scenes::camera_at(sky, seen, up, field, options.width, options.height), observer, {}};
   if (options.reddening == "on") view.reddening_altitude = seen.altitude;
   return view;
 }

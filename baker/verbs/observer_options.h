@@ -10,7 +10,8 @@
 
 namespace coppermoon::verbs {
 
-/// A place on Earth as written on the command line: "LAT,LON" or "LAT,LON,ELEVATION" in degrees and metres.
+/// A place on Earth as written on the command line: "LAT,LON" or "LAT,LON,ELEVATION" in degrees and
+/// metres.
 ///
 /// Throws Error when the text is no such place
 almanac::Observer observer_from(const std::string& text);

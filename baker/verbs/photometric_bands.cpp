@@ -13,12 +13,14 @@ std::vector<PhotometricBand> photometric_bands() {
 }
 
 algebra::Grid<double> photometric_response(std::span<const double> edges_nm) {
-  const auto table = algebra::parse_table(tables::johnson_cousins_bessell_1990(), "johnson_cousins_bessell_1990.csv");
+  const auto table = algebra::parse_table(tables::johnson_cousins_bessell_1990(),
+                                          "johnson_cousins_bessell_1990.csv");
   const auto bands = photometric_bands();
   algebra::Grid<double> response(bands.size(), edges_nm.size() - 1);
   for (std::size_t b = 0; b < bands.size(); ++b)
     for (std::size_t w = 0; w + 1 < edges_nm.size(); ++w)
-      response(b, w) = algebra::mean_between(table["wavelength_nm"], table[bands[b].name], edges_nm[w], edges_nm[w + 1]) *
+      response(b, w) = algebra::mean_between(table["wavelength_nm"], table[bands[b].name],
+                                             edges_nm[w], edges_nm[w + 1]) *
                        (edges_nm[w + 1] - edges_nm[w]);
   return response;
 }

@@ -17,7 +17,8 @@ struct PhotometricBand {
 
 /// B, V (Johnson) and R (Cousins).
 ///
-/// Source  V = −26.76, B − V = 0.653, V − R = 0.356: Ramírez et al. (2012), ApJ 752, 5; Willmer (2018), ApJS 236, 47
+/// Source  V = −26.76, B − V = 0.653, V − R = 0.356: Ramírez et al. (2012), ApJ 752, 5; Willmer
+///         (2018), ApJS 236, 47
 std::vector<PhotometricBand> photometric_bands();
 
 /// Response of these bands to irradiance, [band][wavelength band], peak 1 times the width [nm].

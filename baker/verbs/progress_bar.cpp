@@ -31,8 +31,8 @@ void ProgressBar::draw(double fraction) {
   if (now < next_) return;
   constexpr int width = 30;
   const auto filled = static_cast<int>(std::clamp(fraction, 0., 1.) * width);
-  fmt::print(stderr, "\r{:<12} [{:<{}}] {:3.0f} %", what_, std::string(static_cast<std::size_t>(filled), '='),
-             width, 100 * fraction);
+  fmt::print(stderr, "\r{:<12} [{:<{}}] {:3.0f} %", what_,
+             std::string(static_cast<std::size_t>(filled), '='), width, 100 * fraction);
   std::fflush(stderr);
   drawn_ = true;
   next_ = now + 100ms;

@@ -150,8 +150,8 @@ std::string quoted(const std::string& text) {
   return literal.str();
 }
 
-/// An option's value as TOML, numbers spelt alike however the user spelt them; empty when it has none, or is a list
-/// left as it was.
+/// An option's value as TOML, numbers spelt alike however the user spelt them; empty when it has
+/// none, or is a list left as it was.
 std::string toml_value(const CLI::Option& option) {
   if (option.get_items_expected_max() > 1)
     return option.count() > 0 ? quoted(fmt::format("{}", fmt::join(option.results(), ","))) : "";

@@ -7,17 +7,18 @@
 
 namespace coppermoon::verbs {
 
-/// A command line with its recipes put in: `--recipe file.toml` (or the .exr that coppermoon made, by that flag or
-/// in the instant's place) becomes the flags it names, right behind the verb, so that the user's own flags come later
-/// and win.
+/// A command line with its recipes put in: `--recipe file.toml` (or the .exr that coppermoon made,
+/// by that flag or in the instant's place) becomes the flags it names, right behind the verb, so
+/// that the user's own flags come later and win.
 ///
 /// Given     arguments  without the program's name
-/// Throws    CLI::ParseError  for a word, flag or recipe key there is not: names the nearest there is
+/// Throws    CLI::ParseError  for a word, flag or recipe key there is not: names the nearest there
+///                            is
 ///           algebra::Error   when a recipe cannot be read: "<file>:<line>: …"
 std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::string> arguments);
 
-/// All that a verb was told, and the defaults of all it was not, as TOML: its own recipe. Where results go is no part
-/// of it.
+/// All that a verb was told, and the defaults of all it was not, as TOML: its own recipe. Where
+/// results go is no part of it.
 std::string recipe_of(const CLI::App& verb);
 
 /// The option that takes a recipe; read by with_recipes before any other.

@@ -32,7 +32,8 @@ void run(const CLI::App& verb, const Options& options) {
 }  // namespace
 
 void add_scene(CLI::App& program) {
-  auto* verb = program.add_subcommand("scene", "A POV-Ray scene in a folder of its own, ready to render");
+  auto* verb =
+      program.add_subcommand("scene", "A POV-Ray scene in a folder of its own, ready to render");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   add_view_options(*verb, options->view);

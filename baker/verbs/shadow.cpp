@@ -44,9 +44,10 @@ shadow::Arrangement arrangement_of(const Options& options) {
   const auto axis = eclipse::shadow_axis(sky);
   const double depth_km = algebra::in_kilometres(eclipse::place_in_shadow(axis, sky.moon_m).depth);
   if (!options.moon_distance_km && depth_km <= 0)
-    throw algebra::Error(fmt::format(
-        "at {} the Moon is on the Sun's side of the Earth; --moon-distance-km says how far the shadow is cut",
-        options.instant));
+    throw algebra::Error(
+        fmt::format("at {} the Moon is on the Sun's side of the Earth; --moon-distance-km says how "
+                    "far the shadow is cut",
+                    options.instant));
   return {options.sun_distance_km.value_or(algebra::in_kilometres(axis.sun_distance)) * 1e3,
           {options.moon_distance_km.value_or(depth_km) * 1e3}};
 }
@@ -56,21 +57,22 @@ std::vector<double> distances_of(const Options& options, const shadow::Arrangeme
   for (const double km : options.axis_distances_km) {
     algebra::require_within("axis distance [km]", km, 0, 1e5);
     if (!distances.empty() && km * 1e3 <= distances.back())
-      throw algebra::Error(fmt::format("axis distance [km] = {:g}, allowed above {:g}, the one before", km,
-                                       distances.back() / 1e3));
+      throw algebra::Error(
+          fmt::format("axis distance [km] = {:g}, allowed above {:g}, the one before", km,
+                      distances.back() / 1e3));
     distances.push_back(km * 1e3);
   }
   if (!distances.empty()) return distances;
   constexpr double spacing_m = 100e3;
-  const double reach = shadow::refracted_reach_m(arrangement, atmosphere_of(options.light),
-                                                 arrangement.depths_m[0]);
+  const double reach =
+      shadow::refracted_reach_m(arrangement, atmosphere_of(options.light), arrangement.depths_m[0]);
   for (double d = 0; d < reach + spacing_m; d += spacing_m) distances.push_back(d);
   return distances;
 }
 
 /// One column of a solver's result at other distances: straight lines, nothing beyond the last.
-double at(const shadow::RefractedLight& light, const algebra::Grid<double>& values, std::size_t wave,
-          double distance_m) {
+double at(const shadow::RefractedLight& light, const algebra::Grid<double>& values,
+          std::size_t wave, double distance_m) {
   if (distance_m > light.axis_distances_m.back()) return 0;
   std::vector<double> column;
   for (std::size_t d = 0; d < values.rows(); ++d) column.push_back(values(d, wave));
@@ -79,8 +81,8 @@ double at(const shadow::RefractedLight& light, const algebra::Grid<double>& valu
 
 Across across(const Options& options, const shadow::Arrangement& arrangement) {
   Across result{distances_of(options, arrangement), {}, {}};
-  const auto light = refracted_light(options.light, arrangement, options.wavelengths_nm,
-                                     result.axis_distances_m);
+  const auto light =
+      refracted_light(options.light, arrangement, options.wavelengths_nm, result.axis_distances_m);
   const std::size_t waves = options.wavelengths_nm.size(), count = result.axis_distances_m.size();
   result.ratio = result.standard_error = algebra::Grid<double>(count, waves);
   const double opaque_m = atmosphere_of(options.light).top_radius_m();
@@ -137,11 +139,14 @@ void write_plot(const Options& options, const Across& result) {
   if (gnuplot == nullptr) throw algebra::Error("gnuplot: cannot be run");
   fmt::print(gnuplot, "set terminal pngcairo size 1000,640\nset output {}\n", quoted(temporary));
   fmt::print(gnuplot, "set logscale y\nset format y '10^{{%L}}'\nset grid\nset key bottom right\n");
-  fmt::print(gnuplot, "set xlabel 'distance from the shadow axis [km]'\nset ylabel 'irradiance over sunlight'\n");
-  fmt::print(gnuplot, "$data << EOD\n{}EOD\nset datafile separator ','\nplot", table.substr(table.find('\n') + 1));
+  fmt::print(
+      gnuplot,
+      "set xlabel 'distance from the shadow axis [km]'\nset ylabel 'irradiance over sunlight'\n");
+  fmt::print(gnuplot, "$data << EOD\n{}EOD\nset datafile separator ','\nplot",
+             table.substr(table.find('\n') + 1));
   for (std::size_t w = 0; w < options.wavelengths_nm.size(); ++w)
-    fmt::print(gnuplot, "{} $data using 1:{} with lines linewidth 2 title '{:g} nm'", w == 0 ? "" : ",",
-               2 * w + 2, options.wavelengths_nm[w]);
+    fmt::print(gnuplot, "{} $data using 1:{} with lines linewidth 2 title '{:g} nm'",
+               w == 0 ? "" : ",", 2 * w + 2, options.wavelengths_nm[w]);
   fmt::print(gnuplot, "\n");
   if (pclose(gnuplot) != 0) {
     std::filesystem::remove(temporary);
@@ -156,7 +161,8 @@ void run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   const auto arrangement = arrangement_of(options);
   const auto result = across(options, arrangement);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!options.plot.empty()) write_plot(options, result);
   if (!options.json) {
     fmt::print("{}", as_csv(options, result));
@@ -176,12 +182,16 @@ void run(const Options& options) {
 }  // namespace
 
 void add_shadow(CLI::App& program) {
-  auto* verb = program.add_subcommand("shadow", "Irradiance across the shadow, over unobstructed sunlight");
+  auto* verb =
+      program.add_subcommand("shadow", "Irradiance across the shadow, over unobstructed sunlight");
   const auto options = std::make_shared<Options>();
-  verb->add_option("instant,--instant", options->instant, "ISO 8601 UTC, for the distances of that moment");
-  verb->add_option("--wavelengths", options->wavelengths_nm, "[nm], 380 to 780, with commas between")
+  verb->add_option("instant,--instant", options->instant,
+                   "ISO 8601 UTC, for the distances of that moment");
+  verb->add_option("--wavelengths", options->wavelengths_nm,
+                   "[nm], 380 to 780, with commas between")
       ->delimiter(',');
-  verb->add_option("--axis-distances", options->axis_distances_km, "[km], increasing, with commas between")
+  verb->add_option("--axis-distances", options->axis_distances_km,
+                   "[km], increasing, with commas between")
       ->delimiter(',');
   verb->add_option("--moon-distance-km", options->moon_distance_km,
                    "from the Earth's centre, along the shadow axis");

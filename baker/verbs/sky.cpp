@@ -64,8 +64,9 @@ void run(const Options& options) {
     return;
   }
   for (const auto& [key, value] : all.items())
-    fmt::print("{:<30}{}\n", key,
-               value.is_number() ? fmt::format("{:.6f}", value.get<double>()) : value.get<std::string>());
+    fmt::print(
+        "{:<30}{}\n", key,
+        value.is_number() ? fmt::format("{:.6f}", value.get<double>()) : value.get<std::string>());
 }
 
 }  // namespace

@@ -24,8 +24,7 @@ std::vector<double> lunar_reflectance() {
   const auto centres = band_centres_nm();
   double seen = 0, light = 0;
   for (std::size_t b = 0; b < centres.size(); ++b) {
-    reflectance.push_back(
-        surface::lunar_reflectance_yapo_cutler(algebra::nanometres(centres[b])));
+    reflectance.push_back(surface::lunar_reflectance_yapo_cutler(algebra::nanometres(centres[b])));
     seen += luminance[b] * sunlight[b] * reflectance[b];
     light += luminance[b] * sunlight[b];
   }

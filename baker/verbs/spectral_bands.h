@@ -15,14 +15,14 @@ namespace coppermoon::verbs {
 std::vector<double> band_edges_nm();
 std::vector<double> band_centres_nm();
 
-/// What a white ground that faces the Sun at 1 au makes of sunlight in some channels, band by band, were it as
-/// reddish as the Moon and as bright as its normal albedo in V says:
+/// What a white ground that faces the Sun at 1 au makes of sunlight in some channels, band by band,
+/// were it as reddish as the Moon and as bright as its normal albedo in V says:
 ///
 ///     w = C E k_r / (π k_V)        k_V: k_r averaged over the Sun's light as the eye sees it
 ///
 /// Given     response  C, [channel][band]: of radiance, in the channel's unit per W m⁻² sr⁻¹ nm⁻¹
-///           altitude  of the Moon above an observer's horizon, whose air then reddens it: exp(−M τ(λ)), Rayleigh
-///                     scattering only; none: seen from space
+///           altitude  of the Moon above an observer's horizon, whose air then reddens it: exp(−M
+///                     τ(λ)), Rayleigh scattering only; none: seen from space
 /// Returned  w         [channel][band]
 algebra::Grid<double> moonlight_weights(const algebra::Grid<double>& response,
                                         std::optional<algebra::Angle> altitude = {});

@@ -32,7 +32,8 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "coppermoon-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw algebra::Error(fmt::format("{}: cannot be made", name));
+    if (mkdtemp(name.data()) == nullptr)
+      throw algebra::Error(fmt::format("{}: cannot be made", name));
     path_ = name;
   }
   ~TemporaryFolder() {
@@ -63,8 +64,9 @@ void run(const CLI::App& verb, const Options& options) {
   const auto frame = rendered(scene);
   const auto exposure = exposure_for(options.develop, frame, space);
   if (!options.frame.empty()) texture::write_exr(options.frame, frame, scene.moon.attributes);
-  write_developed(options.develop, exposure, frame, space, options.output,
-                  {{"coppermoon:recipe", recipe}, {"coppermoon:version", std::string(COPPERMOON_VERSION)}});
+  write_developed(
+      options.develop, exposure, frame, space, options.output,
+      {{"coppermoon:recipe", recipe}, {"coppermoon:version", std::string(COPPERMOON_VERSION)}});
   report({options.output, recipe, scene.moon.seconds, scene.moon.relative_error}, options.json);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A Moon of one grey, fully lit: its luminance and what a camera makes of it are known without any of our code.
+// A Moon of one grey, fully lit: its luminance and what a camera makes of it are known without any
+// of our code.
 #include <cmath>
 #include <numbers>
 
@@ -37,8 +38,8 @@ float linear(float coded) {
   return coded <= 0.04045F ? coded / 12.92F : std::pow((coded + 0.055F) / 1.055F, 2.4F);
 }
 
-/// L = p / f_mean · E_v / π · (1 au / d)²: the full Moon's mean is p, the middle of its disc (f = 1) is brighter than
-/// that by 1 / 0.92737, the photometric function's mean over the disc.
+/// L = p / f_mean · E_v / π · (1 au / d)²: the full Moon's mean is p, the middle of its disc (f =
+/// 1) is brighter than that by 1 / 0.92737, the photometric function's mean over the disc.
 double full_moon_luminance() {
   constexpr double geometric_albedo = 0.12, disc_mean = 0.92737;
   constexpr double illuminance_lx =

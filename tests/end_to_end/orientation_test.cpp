@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Places on the Moon must come to stand where an observer sees them, through map, bake, scene, POV-Ray and frame.
+// Places on the Moon must come to stand where an observer sees them, through map, bake, scene,
+// POV-Ray and frame.
 #include <numbers>
 
 #include "almanac/instant.h"
@@ -64,11 +65,12 @@ Centres by_camera(const Look& look) {
   return all;
 }
 
-/// Where textbooks say they are, from the printed ephemeris alone (topocentric libration l, b and the axis's
-/// position angle C, Meeus, Astronomical Algorithms, chapter 53): towards the Moon's east and north
+/// Where textbooks say they are, from the printed ephemeris alone (topocentric libration l, b and
+/// the axis's position angle C, Meeus, Astronomical Algorithms, chapter 53): towards the Moon's
+/// east and north
 ///     x = cos φ sin(λ − l)    y = sin φ cos b − cos φ sin b cos(λ − l)
-/// of its radius; the Moon's east is the sky's west, on the right of a picture with north up. C turns it.
-/// The nearer places look larger by the Moon's radius over its distance.
+/// of its radius; the Moon's east is the sky's west, on the right of a picture with north up. C
+/// turns it. The nearer places look larger by the Moon's radius over its distance.
 Centres by_textbook(const almanac::SelenographicPoint& libration, double axis_rad,
                     double turned_rad, double distance_radii) {
   const double l = in_radians(libration.longitude), b = in_radians(libration.latitude);
@@ -164,8 +166,9 @@ TEST_F(Orientation, TheSouthSeesTychoAbovePlatoBelowAndCrisiumOnTheLeft) {
   EXPECT_LT(crisium.x, side / 2. - 50);
 }
 
-/// The angle and distance of a place from the Moon's centre on an observer's sky, by spherical trigonometry on right
-/// ascension and declination: position angle from north through east, which is left of north.
+/// The angle and distance of a place from the Moon's centre on an observer's sky, by spherical
+/// trigonometry on right ascension and declination: position angle from north through east, which
+/// is left of north.
 glm::dvec2 by_equatorial_places(const Look& look, const almanac::SelenographicPoint& place) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc(look.instant));
   const auto observer_m = almanac::view_from(look.observer, sky).position_m;

@@ -29,8 +29,8 @@ inline std::array<Spot, 3> spots() {
            {"Plato", {degrees(51.6), degrees(-9.3)}, 0.45F}}};
 }
 
-/// A dark albedo map with the spots on it, each two degrees in radius. Darker ground, brought to the Moon's mean albedo,
-/// would make them too bright for half floats.
+/// A dark albedo map with the spots on it, each two degrees in radius. Darker ground, brought to
+/// the Moon's mean albedo, would make them too bright for half floats.
 inline texture::Image spotted_map(std::size_t rows) {
   texture::Image map(2 * rows, rows, {"Y"});
   const double least_cosine = std::cos(2 * std::numbers::pi / 180);

@@ -89,8 +89,8 @@ TEST(CameraAt, LooksDownOnTheSubObserverPointOfTheAlmanac) {
   const auto middle = *pixel_of(camera, view.sub_observer);
   EXPECT_WITHIN(middle.x, 50, 1e-6, rounding);
   EXPECT_WITHIN(middle.y, 50, 1e-6, rounding);
-  EXPECT_WITHIN_RELATIVE(glm::length(camera.position), view.moon_distance / almanac::lunar_radius, 1e-9,
-                         rounding);
+  EXPECT_WITHIN_RELATIVE(glm::length(camera.position), view.moon_distance / almanac::lunar_radius,
+                         1e-9, rounding);
 }
 
 TEST(CameraAt, TurnsFromNorthToTheZenithByTheParallacticAngle) {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 /// |value − reference| <= tolerance, with the reason why the tolerance is that number. A NaN fails.
-#define EXPECT_WITHIN(value, reference, tolerance, reason)                                    \
-  EXPECT_TRUE(std::abs((value) - (reference)) <= (tolerance))                                 \
-      << #value " = " << (value) << ", reference " << (reference) << ", off by "             \
+#define EXPECT_WITHIN(value, reference, tolerance, reason)                       \
+  EXPECT_TRUE(std::abs((value) - (reference)) <= (tolerance))                    \
+      << #value " = " << (value) << ", reference " << (reference) << ", off by " \
       << (value) - (reference) << ", tolerance " << (tolerance) << " (" << (reason) << ")"
 
 /// The same, the tolerance relative to the reference.

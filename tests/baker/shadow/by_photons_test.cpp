@@ -24,8 +24,9 @@ PhotonSettings settings_of(std::uint64_t photons, double ring_m) {
 }
 
 TEST(ByPhotons, AgreeWithTheQuadratureInEveryRing) {
-  // chi² over 20 rings of 400 km, from 400 km outwards: nearer the axis too few land for a normal law.
-  // The bounds are the 0.0005 and 0.9995 quantiles for 20 degrees of freedom: one true run in a thousand fails.
+  // chi² over 20 rings of 400 km, from 400 km outwards: nearer the axis too few land for a normal
+  // law. The bounds are the 0.0005 and 0.9995 quantiles for 20 degrees of freedom: one true run in
+  // a thousand fails.
   constexpr double ring_m = 400e3, lowest = 5.40, highest = 47.50;
   constexpr std::size_t first = 1, rings = 20;
   const auto light = by_photons({}, february_2008, waves, settings_of(240'000, ring_m));
@@ -42,7 +43,8 @@ TEST(ByPhotons, AgreeWithTheQuadratureInEveryRing) {
 }
 
 TEST(ByPhotons, CarryTheMeanThatTheQuadratureCarries) {
-  // One ring takes all; t-test of the mean, two-sided: 3.29 standard errors, one true run in a thousand fails.
+  // One ring takes all; t-test of the mean, two-sided: 3.29 standard errors, one true run in a
+  // thousand fails.
   constexpr double ring_m = 2000e3;
   const auto light = by_photons({}, february_2008, waves, settings_of(120'000, ring_m));
   const auto exact = ring_means({}, february_2008, waves, ring_m, light.axis_distances_m.size());
@@ -81,7 +83,8 @@ TEST(ByPhotons, DifferWithTheSeed) {
 }
 
 TEST(ByPhotons, OfSymmetricAirFillAllSectorsAlike) {
-  // chi² over 8 sectors of one wide ring: 7 degrees of freedom about their own mean; one true run in a thousand fails.
+  // chi² over 8 sectors of one wide ring: 7 degrees of freedom about their own mean; one true run
+  // in a thousand fails.
   auto settings = settings_of(60'000, 2000e3);
   settings.sectors = 8;
   const std::vector<double> wave{650};
@@ -90,14 +93,16 @@ TEST(ByPhotons, OfSymmetricAirFillAllSectorsAlike) {
     double mean = 0, chi_squared = 0;
     for (std::size_t s = 0; s < 8; ++s) mean += light.ratio[s](ring, 0) / 8;
     for (std::size_t s = 0; s < 8; ++s)
-      chi_squared += std::pow((light.ratio[s](ring, 0) - mean) / light.standard_error[s](ring, 0), 2);
+      chi_squared +=
+          std::pow((light.ratio[s](ring, 0) - mean) / light.standard_error[s](ring, 0), 2);
     EXPECT_GT(chi_squared, 0.30);
     EXPECT_LT(chi_squared, 26.02);
   }
 }
 
 TEST(ByPhotons, SeeAnOpaqueRegionOnItsOwnSide) {
-  // Dust of optical depth beyond 10 in the eastern half: in the outer shadow light comes from the near limb.
+  // Dust of optical depth beyond 10 in the eastern half: in the outer shadow light comes from the
+  // near limb.
   atmosphere::Atmosphere air;
   atmosphere::Column dusty;
   dusty.dust_extinction_per_m = 1e-2;
@@ -128,14 +133,19 @@ TEST(ByPhotons, RefuseSettingsOutsideTheirRange) {
 }
 
 TEST(Smoothed, KeepsAConstantAndShrinksTheError) {
-  RefractedLight light{february_2008, {550}, {}, 1, {algebra::Grid<double>(100, 1, 0.5)},
+  RefractedLight light{february_2008,
+                       {550},
+                       {},
+                       1,
+                       {algebra::Grid<double>(100, 1, 0.5)},
                        {algebra::Grid<double>(100, 1, 0.1)}};
   for (int i = 0; i < 100; ++i) light.axis_distances_m.push_back((i + 0.5) * 50e3);
   const auto smooth = smoothed(light, 150e3);
   for (const double value : smooth.ratio[0].values())
     EXPECT_WITHIN_RELATIVE(value, 0.5, 1e-14, "weights of sum 1");
   // The mean of independent rings under a Gaussian of σ = 3 rings: 1/√(2 √π σ) of each one's error.
-  EXPECT_WITHIN_RELATIVE(smooth.standard_error[0](60, 0), 0.1 / std::sqrt(2 * std::sqrt(std::numbers::pi) * 3), 0.01,
+  EXPECT_WITHIN_RELATIVE(smooth.standard_error[0](60, 0),
+                         0.1 / std::sqrt(2 * std::sqrt(std::numbers::pi) * 3), 0.01,
                          "closed form for weights that do not grow with the axis distance");
 }
 

@@ -26,7 +26,8 @@ atmosphere::Atmosphere straight_and_clear() {
 }
 
 TEST(ByQuadrature, WithoutAirIsTheSunSeenThroughTheShellWhereItStood) {
-  // Nothing bends, nothing dims: light through the ring is what the larger disc hides and the smaller does not.
+  // Nothing bends, nothing dims: light through the ring is what the larger disc hides and the
+  // smaller does not.
   const auto air = straight_and_clear();
   const auto distances = up_to(8.6e6, 1e5);
   const std::vector<double> waves{550};
@@ -35,11 +36,13 @@ TEST(ByQuadrature, WithoutAirIsTheSunSeenThroughTheShellWhereItStood) {
     const double z = february_2008.depths_m[0], sun = february_2008.sun_distance_m;
     const double ring = direct_ratio(distances[d], z, sun, air.earth_radius_m) -
                         direct_ratio(distances[d], z, sun, air.top_radius_m());
-    EXPECT_WITHIN(light.ratio[0](d, 0), ring, 2e-6, "1e-4 of a ring that is at most 1.4e-2 of the disc");
+    EXPECT_WITHIN(light.ratio[0](d, 0), ring, 2e-6,
+                  "1e-4 of a ring that is at most 1.4e-2 of the disc");
   }
 }
 
-/// ∫ E/E₀ dA over the plane is what enters the ring: (1 + z/D)² π (b₁² − b₀²), whatever bends on the way.
+/// ∫ E/E₀ dA over the plane is what enters the ring: (1 + z/D)² π (b₁² − b₀²), whatever bends on
+/// the way.
 TEST(ByQuadrature, KeepsTheEnergyThatEntersTheRing) {
   atmosphere::Atmosphere air;
   air.column.rayleigh = false;
@@ -66,9 +69,11 @@ TEST(ByQuadrature, ReachesItsAccuracyAtTheDefaultNumberOfRays) {
   const double worst_allowed[] = {1.6e-3, 3e-4, 3e-4};
   for (std::size_t d = 0; d < distances.size(); ++d)
     for (std::size_t w = 0; w < waves.size(); ++w) {
-      EXPECT_WITHIN_RELATIVE(usual.ratio[0](d, w), fine.ratio[0](d, w), worst_allowed[w], "as the header says");
+      EXPECT_WITHIN_RELATIVE(usual.ratio[0](d, w), fine.ratio[0](d, w), worst_allowed[w],
+                             "as the header says");
       if (distances[d] > 4.5e6) {
-        EXPECT_WITHIN_RELATIVE(usual.ratio[0](d, w), fine.ratio[0](d, w), 3e-5, "as the header says");
+        EXPECT_WITHIN_RELATIVE(usual.ratio[0](d, w), fine.ratio[0](d, w), 3e-5,
+                               "as the header says");
       }
     }
 }

@@ -35,7 +35,8 @@ TEST(LensArea, RisesFromTouchToTouchWithoutAJump) {
   }
 }
 
-/// The part of the Sun's disc in sight, point by point in space: a straight line to each, blocked by a sphere.
+/// The part of the Sun's disc in sight, point by point in space: a straight line to each, blocked
+/// by a sphere.
 double direct_point_by_point(double axis_distance_m, double sphere_m) {
   constexpr int n = 1500;
   const glm::dvec3 here(axis_distance_m, 0, moon_m);
@@ -55,8 +56,10 @@ double direct_point_by_point(double axis_distance_m, double sphere_m) {
 
 TEST(DirectRatio, IsThePartOfTheSunInSight) {
   for (const double km : {4700., 5500., 6420., 7500., 8150.})
-    EXPECT_WITHIN(direct_ratio(km * 1e3, moon_m, sun_m, earth_m), direct_point_by_point(km * 1e3, earth_m),
-                  1e-4, "1.8 million points of the disc: 2e-5 of counting; the planes taken as parallel: 1e-5");
+    EXPECT_WITHIN(
+        direct_ratio(km * 1e3, moon_m, sun_m, earth_m), direct_point_by_point(km * 1e3, earth_m),
+        1e-4,
+        "1.8 million points of the disc: 2e-5 of counting; the planes taken as parallel: 1e-5");
 }
 
 TEST(DirectRatio, IsNothingInTheUmbraAndAllBeyondThePenumbra) {
@@ -71,10 +74,11 @@ TEST(DirectRatio, IsNothingInTheUmbraAndAllBeyondThePenumbra) {
 }
 
 TEST(Landing, FollowsTheStraightLineWhenNothingBends) {
-  // From (0, −D) to the limb's tangent, on to z: b / cos ε is where the ray passes the Earth's centre.
+  // From (0, −D) to the limb's tangent, on to z: b / cos ε is where the ray passes the Earth's
+  // centre.
   const double slope = std::asin(earth_m / sun_m);
-  EXPECT_WITHIN_RELATIVE(landing_m(earth_m, 0, sun_m, moon_m), (sun_m + moon_m) * std::tan(slope), 1e-9,
-                         "closed form; the ray passes D tan ε = b / cos ε to 1e-9");
+  EXPECT_WITHIN_RELATIVE(landing_m(earth_m, 0, sun_m, moon_m), (sun_m + moon_m) * std::tan(slope),
+                         1e-9, "closed form; the ray passes D tan ε = b / cos ε to 1e-9");
 }
 
 TEST(Arrangement, OutsideItsRangeIsRefused) {

@@ -34,15 +34,21 @@ TEST(Lookup, IsTheQuadraturePlusDirectLightBetweenItsNodes) {
     const double depth = 3.8177e8;  // between planes
     const std::vector<double> here{at_m};
     const auto exact = by_quadrature({}, {around_the_moon.sun_distance_m, {depth}}, waves, here);
-    const double total = exact.ratio[0](0, 0) + direct_ratio(at_m, depth, around_the_moon.sun_distance_m, opaque_m);
-    EXPECT_WITHIN_RELATIVE(read(lookup, place(at_m, depth)), total, 2e-3,
-                           "straight lines over 25 km, 10 km and 900 km of depth; worst at the umbra's rim");
+    const double total =
+        exact.ratio[0](0, 0) + direct_ratio(at_m, depth, around_the_moon.sun_distance_m, opaque_m);
+    EXPECT_WITHIN_RELATIVE(
+        read(lookup, place(at_m, depth)), total, 2e-3,
+        "straight lines over 25 km, 10 km and 900 km of depth; worst at the umbra's rim");
   }
 }
 
 TEST(Lookup, BeyondThePenumbraAndOnTheSunsSideIsSunlight) {
-  const RefractedLight none{around_the_moon, {550}, {0, 1e5}, 1,
-                            {3, algebra::Grid<double>(2, 1)}, {3, algebra::Grid<double>(2, 1)}};
+  const RefractedLight none{around_the_moon,
+                            {550},
+                            {0, 1e5},
+                            1,
+                            {3, algebra::Grid<double>(2, 1)},
+                            {3, algebra::Grid<double>(2, 1)}};
   const Lookup lookup(none, opaque_m, one_channel(1, 7));
   EXPECT_EQ(read(lookup, place(1e7, 3.82e8)), 7);
   EXPECT_EQ(read(lookup, place(0, -3.82e8)), 7);
@@ -60,7 +66,8 @@ TEST(Lookup, SumsWavelengthsWithTheChannelsWeights) {
   weights(0, 1) = 4;
   const Lookup lookup(light, opaque_m, weights);
   EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8)), 3 * 0.25 + 4 * 0.5, 1e-14, "closed form");
-  EXPECT_WITHIN(lookup.worst_relative_error(0, 0, 1e6), 0.03 * 5 / 2.75, 1e-14, "errors of 3 and 4 add to 5");
+  EXPECT_WITHIN(lookup.worst_relative_error(0, 0, 1e6), 0.03 * 5 / 2.75, 1e-14,
+                "errors of 3 and 4 add to 5");
 }
 
 TEST(Lookup, TurnsWithThePositionAngle) {
@@ -72,9 +79,12 @@ TEST(Lookup, TurnsWithThePositionAngle) {
     }
   const Lookup lookup(light, opaque_m, one_channel(1));
   const double quarter = std::numbers::pi / 2;
-  EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, quarter)), 0.1, 1e-14, "the middle of sector 1, to the east");
-  EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, 1.5 * quarter)), 0.15, 1e-14, "half way to sector 2");
-  EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, 3.5 * quarter)), 0.15, 1e-14, "half way from sector 3 to 0");
+  EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, quarter)), 0.1, 1e-14,
+                "the middle of sector 1, to the east");
+  EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, 1.5 * quarter)), 0.15, 1e-14,
+                "half way to sector 2");
+  EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, 3.5 * quarter)), 0.15, 1e-14,
+                "half way from sector 3 to 0");
 }
 
 }  // namespace

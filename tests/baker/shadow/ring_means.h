@@ -9,9 +9,12 @@
 
 namespace coppermoon::shadow {
 
-/// The quadrature's mean over each ring of a width, by area: what photons gathered in rings estimate.
-inline algebra::Grid<double> ring_means(const atmosphere::Atmosphere& air, const Arrangement& arrangement,
-                                        std::span<const double> waves, double width_m, std::size_t rings) {
+/// The quadrature's mean over each ring of a width, by area: what photons gathered in rings
+/// estimate.
+inline algebra::Grid<double> ring_means(const atmosphere::Atmosphere& air,
+                                        const Arrangement& arrangement,
+                                        std::span<const double> waves, double width_m,
+                                        std::size_t rings) {
   constexpr int places = 8;
   std::vector<double> distances;
   for (std::size_t r = 0; r < rings; ++r)

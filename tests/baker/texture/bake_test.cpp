@@ -17,9 +17,13 @@ namespace {
 
 const auto february_2008 = almanac::instant_from_utc("2008-02-21T03:08:26Z");
 
-algebra::Grid<float> uniform(std::size_t rows, float albedo = 0.1F) { return {rows, 2 * rows, albedo}; }
+algebra::Grid<float> uniform(std::size_t rows, float albedo = 0.1F) {
+  return {rows, 2 * rows, albedo};
+}
 
-shadow::Lookup sunlight(double radiance) { return shadow::Lookup(shadow::ChannelWeights(1, 1, radiance)); }
+shadow::Lookup sunlight(double radiance) {
+  return shadow::Lookup(shadow::ChannelWeights(1, 1, radiance));
+}
 
 std::size_t row_of(double latitude_deg, std::size_t rows) {
   return static_cast<std::size_t>((90 - latitude_deg) / 180 * static_cast<double>(rows));
@@ -35,7 +39,8 @@ TEST(Bake, LightsTheSubSolarPointByTheInverseSquareOfItsDistance) {
   const double near = photons::astronomical_unit_m / sun_m;
   const float lit = moon(row_of(algebra::in_degrees(sky.sub_solar.latitude), 180),
                          column_of(algebra::in_degrees(sky.sub_solar.longitude), 180), 0);
-  EXPECT_WITHIN_RELATIVE(lit, 0.1 * 1000 * near * near, 1e-5, "float texels; mu is 1 − 1e-4 within a texel, f 1 − 1e-5");
+  EXPECT_WITHIN_RELATIVE(lit, 0.1 * 1000 * near * near, 1e-5,
+                         "float texels; mu is 1 − 1e-4 within a texel, f 1 − 1e-5");
 }
 
 TEST(Bake, FollowsThePhotometricFunctionAwayFromIt) {
@@ -45,10 +50,12 @@ TEST(Bake, FollowsThePhotometricFunctionAwayFromIt) {
   const auto sun = almanac::selenographic_direction(sky.sub_solar);
   for (const double longitude : {-70., -30., 20., 60., 80.}) {
     const std::size_t r = row_of(20, rows), c = column_of(longitude, rows);
-    const double mu = glm::dot(almanac::selenographic_direction(surface::texel_centre(r, c, rows)), sun);
+    const double mu =
+        glm::dot(almanac::selenographic_direction(surface::texel_centre(r, c, rows)), sun);
     const float at_sub_solar = moon(row_of(0.1, rows), column_of(5, rows), 0);
     EXPECT_WITHIN(moon(r, c, 0) / at_sub_solar, surface::radiance_factor_yapo_cutler(mu), 3e-4,
-                  "the Sun's parallax over the Moon's radius: 1.2e-5 in mu, up to ten times that in f; 2.3e-5 in distance");
+                  "the Sun's parallax over the Moon's radius: 1.2e-5 in mu, up to ten times that "
+                  "in f; 2.3e-5 in distance");
   }
 }
 
@@ -60,14 +67,17 @@ TEST(Bake, LeavesTheFarSideDark) {
 }
 
 TEST(Bake, DarkensTheSideThatIsDeeperInTheShadow) {
-  // At 03:08 the Moon has just entered: it moves east, so its eastern (celestial) limb is deepest; the Moon is south
-  // of the axis, so north is deeper than south. Celestial east is the Moon's western hemisphere, longitude negative.
+  // At 03:08 the Moon has just entered: it moves east, so its eastern (celestial) limb is deepest;
+  // the Moon is south of the axis, so north is deeper than south. Celestial east is the Moon's
+  // western hemisphere, longitude negative.
   const auto sky = almanac::sky_at(february_2008);
   const std::vector<double> waves{600};
   std::vector<double> distances;
   for (double d = 0; d < 9e6; d += 1e5) distances.push_back(d);
   const auto light = shadow::by_quadrature({}, {1.479e11, {3.82e8, 3.83e8}}, waves, distances);
-  const auto moon = bake(uniform(180), sky, shadow::Lookup(light, 6.42e6, shadow::ChannelWeights(1, 1, 1)), {"Y"}, 180);
+  const auto moon =
+      bake(uniform(180), sky, shadow::Lookup(light, 6.42e6, shadow::ChannelWeights(1, 1, 1)), {"Y"},
+           180);
   const auto at = [&](double latitude, double longitude) {
     return moon(row_of(latitude, 180), column_of(longitude, 180), 0);
   };
@@ -79,9 +89,11 @@ TEST(Bake, DarkensTheSideThatIsDeeperInTheShadow) {
 
 TEST(Resized, KeepsTheMeanOfASmallerMap) {
   algebra::Grid<float> map(7 * 9, 14 * 9);
-  for (std::size_t i = 0; i < map.values().size(); ++i) map.values()[i] = static_cast<float>((i * 7919) % 101);
+  for (std::size_t i = 0; i < map.values().size(); ++i)
+    map.values()[i] = static_cast<float>((i * 7919) % 101);
   const auto mean = [](const algebra::Grid<float>& m) {
-    return std::accumulate(m.values().begin(), m.values().end(), 0.) / static_cast<double>(m.values().size());
+    return std::accumulate(m.values().begin(), m.values().end(), 0.) /
+           static_cast<double>(m.values().size());
   };
   for (const std::size_t rows : {2U, 7U, 10U, 62U})
     EXPECT_WITHIN_RELATIVE(mean(resized(map, rows)), mean(map), 1e-5, "float texels");

@@ -20,7 +20,8 @@ double mean_wavelength_nm(std::size_t band) {
 }
 
 TEST(PhotometricBands, LieWhereBessellPutThem) {
-  // Bessell (2005), ARA&A 43, 293, table 1: effective wavelengths, of an A0 star; flat light is a little redder.
+  // Bessell (2005), ARA&A 43, 293, table 1: effective wavelengths, of an A0 star; flat light is a
+  // little redder.
   EXPECT_WITHIN(mean_wavelength_nm(0), 436.1, 10, "an A0 star against flat light");
   EXPECT_WITHIN(mean_wavelength_nm(1), 544.8, 10, "an A0 star against flat light");
   EXPECT_WITHIN(mean_wavelength_nm(2), 640.7, 12,

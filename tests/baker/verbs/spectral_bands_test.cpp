@@ -44,7 +44,8 @@ TEST(MoonlightWeights, AreDimmedByRayleighAirInTheZenith) {
   const auto without = moonlight_weights(xyz()),
              with = moonlight_weights(xyz(), algebra::degrees(90));
   const auto ratio_at = [&](std::size_t band) { return with(1, band) / without(1, band); };
-  // Vertical optical depths at 1013 hPa by Bucholtz (1995), table 3 interpolated: 0.2358 at 441, 0.0973 at 551 nm.
+  // Vertical optical depths at 1013 hPa by Bucholtz (1995), table 3 interpolated: 0.2358 at 441,
+  // 0.0973 at 551 nm.
   EXPECT_WITHIN(ratio_at(30), std::exp(-0.2366), 0.004, "printed every 50 nm");
   EXPECT_WITHIN(ratio_at(85), std::exp(-0.0972), 0.002, "printed every 50 nm");
 }
