@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdint>
 #include <filesystem>
@@ -246,12 +247,12 @@ std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::
 
 std::string recipe_of(const CLI::App& verb) {
   std::string text;
+  constexpr std::array<std::string_view, 7> no_part{"help",    "recipe", "json", "output",
+                                                    "threads", "frame",  "plot"};
   for (const auto* option : verb.get_options()) {
     if (option->get_lnames().empty()) continue;
     const std::string& name = option->get_lnames().front();
-    if (name == "help" || name == "recipe" || name == "json" || name == "output" ||
-        name == "threads")
-      continue;
+    if (std::find(no_part.begin(), no_part.end(), name) != no_part.end()) continue;
     if (option->get_items_expected_max() == 0) {
       if (option->count() > 0) text += name + " = true\n";
       continue;
