@@ -10,10 +10,11 @@ set terminal pngcairo size 900,560
 set output 'photon_convergence.png'
 set datafile separator ','
 set logscale xy
+set xrange [700:*]
 set grid
 set xlabel 'photons'
 set ylabel 'relative error of a ring of 1000 km, 550 nm'
 plot 'photon_convergence.csv' skip 1 using 1:2 with linespoints lw 2 pt 7 title 'against the quadrature', \
      '' skip 1 using 1:3 with lines lw 2 title 'standard error, as the photons say', \
-     0.9*sqrt(1000/x)*1 with lines dashtype 2 title 'N^{-1/2}'
+     0.3*sqrt(1000/x) with lines dashtype 2 title 'N^{-1/2}'
 EOF

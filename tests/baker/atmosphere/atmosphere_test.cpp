@@ -104,17 +104,28 @@ std::string refused(const Atmosphere& atmosphere) {
 
 TEST(RequireValid, LetsTheDefaultsAndTheEndsOfTheRangesPass) {
   EXPECT_EQ(refused({}), "");
-  EXPECT_EQ(refused({.column = {.ozone_du = 1000, .dust_extinction_per_m = 1}}), "");
+  EXPECT_EQ(refused({.column = {.ozone_du = 1000, .dust_extinction_per_m = 0.01}}), "");
   EXPECT_EQ(refused({.column = {.dust_bottom_m = 0, .dust_top_m = 42e3}}), "");
 }
 
 TEST(RequireValid, NamesTheTermItsUnitAndWhatIsAllowed) {
   EXPECT_EQ(refused({.column = {.ozone_du = -1}}), "ozone [DU] = -1, allowed 0 to 1000");
   EXPECT_EQ(refused({.column = {.dust_extinction_per_m = 2}}),
-            "dust extinction [1/m] = 2, allowed 0 to 1");
+            "dust extinction [1/m] = 2, allowed 0 to 0.01");
   EXPECT_EQ(refused({.column = {.dust_bottom_m = -1}}), "dust bottom [m] = -1, allowed 0 to 42000");
   EXPECT_EQ(refused({.column = {.dust_top_m = 14e3}}),
             "dust top [m] = 14000, allowed 15000 to 42000");
+}
+
+TEST(RequireValid, LooksAtTheEarthItself) {
+  EXPECT_EQ(refused({.top_m = -1}), "top of the air [m] = -1, allowed 0 to 42000");
+  EXPECT_EQ(refused({.earth_radius_m = 0}), "Earth's radius [m] = 0, allowed 1e+06 to 1e+07");
+}
+
+TEST(ColumnAt, OfAWholeTurnIsTheRegionEverywhere) {
+  Atmosphere dusty;
+  dusty.regions.push_back({algebra::degrees(0), algebra::degrees(360), {.ozone_du = 7}});
+  for (const double turn : {0.0, 1.0, 3.2, 6.2}) EXPECT_EQ(dusty.column_at(turn).ozone_du, 7);
 }
 
 TEST(RequireValid, LooksIntoTheRegions) {
