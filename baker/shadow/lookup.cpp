@@ -106,12 +106,13 @@ void Lookup::transform(const std::function<void(std::span<double>)>& change) {
   change(sunlight_);
 }
 
-double Lookup::worst_relative_error(std::size_t channel, double from_m, double within_m) const {
+double Lookup::worst_relative_error(std::size_t channel, double from_m, double to_m) const {
   double worst = 0;
   for (std::size_t i = 0; i < values_.rows(); ++i) {
     const double at_m = static_cast<double>(i % nodes_) * spacing_m_;
-    if (at_m < from_m || at_m > within_m) continue;
-    if (values_(i, channel) > 0) worst = std::max(worst, errors_(i, channel) / values_(i, channel));
+    if (at_m < from_m || at_m > to_m) continue;
+    const double value = values_(i, channel);
+    worst = std::max(worst, value > 0 ? errors_(i, channel) / value : 1);
   }
   return worst;
 }

@@ -37,8 +37,9 @@ class Lookup {
   /// Changes every entry in place: what a working space does to colours outside its gamut.
   void transform(const std::function<void(std::span<double>)>& change);
 
-  /// Largest standard error of a channel over that channel's value, within `within_m` of the axis.
-  double worst_relative_error(std::size_t channel, double from_m, double within_m) const;
+  /// Largest standard error of a channel over that channel's value between two axis distances; 1
+  /// where nothing arrived. Only before `transform`.
+  double worst_relative_error(std::size_t channel, double from_m, double to_m) const;
 
  private:
   std::span<const double> entry(std::size_t plane, std::size_t sector, std::size_t node) const;

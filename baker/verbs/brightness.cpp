@@ -58,8 +58,8 @@ nlohmann::ordered_json described(const Options& options) {
   constexpr std::size_t rows = 360;
   const auto sky = almanac::sky_at(almanac::instant_from_utc(options.moon.instant));
   const auto response = responses();
-  const auto light = light_on_the_moon(options.moon.light, sky, options.moon.unshadowed,
-                                       moonlight_weights(response));
+  const auto light = light_on_the_moon(options.moon.light, sky, options.moon.unshadowed)
+                         .in_channels(moonlight_weights(response));
   const auto moon = irradiance_of_disc(
       texture::bake(normal_albedo(options.moon), sky, light, {"B", "V", "R", "Y"}, rows), sky);
   const auto sun = sunlight_in(response);

@@ -7,6 +7,7 @@
 
 #include "algebra/error.h"
 #include "almanac/instant.h"
+#include "colour/cie_observer.h"
 #include "eclipse/contacts.h"
 #include "eclipse/shadow_axis.h"
 #include "shadow/by_photons.h"
@@ -150,24 +151,33 @@ shadow::RefractedLight refracted_light(const LightOptions& options,
   return shadow::smoothed(light, options.smoothing_km * 1e3);
 }
 
-shadow::Lookup light_on_the_moon(const LightOptions& options, const almanac::SkyState& sky,
-                                 bool unshadowed, const shadow::ChannelWeights& weights) {
-  require_sound(options);
+shadow::Lookup Moonlight::in_channels(const shadow::ChannelWeights& weights) const {
+  if (!refracted) return shadow::Lookup(weights);
+  return shadow::Lookup(*refracted, opaque_radius_m, weights);
+}
+
+Moonlight light_on_the_moon(const LightOptions& options, const almanac::SkyState& sky,
+                            bool unshadowed) {
   const auto air = atmosphere_of(options);
-  if (unshadowed) return shadow::Lookup(weights);
+  if (unshadowed) return {};
   require_eclipse(sky);
-  const auto arrangement = arrangement_of(sky, moon_in_shadow(sky));
-  const auto distances = distances_over_the_disc(moon_in_shadow(sky));
-  const auto light = refracted_light(options, arrangement, band_centres_nm(), distances);
-  return shadow::Lookup(light, air.top_radius_m(), weights);
+  const auto centre = moon_in_shadow(sky);
+  return {refracted_light(options, arrangement_of(sky, centre), band_centres_nm(),
+                          distances_over_the_disc(centre)),
+          air.top_radius_m()};
 }
 
 double relative_error(const LightOptions& options, const almanac::SkyState& sky,
-                      const shadow::Lookup& light, std::size_t channel) {
+                      const Moonlight& light) {
+  if (!light.refracted) return 0;
   if (options.solver == "quadrature") return quadrature_error;
+  const auto xyz = colour::xyz_weights(band_edges_nm());
+  shadow::ChannelWeights luminance(1, xyz.columns());
+  std::copy(xyz.row(1).begin(), xyz.row(1).end(), luminance.row(0).begin());
   const double centre = algebra::in_metres(moon_in_shadow(sky).axis_distance);
   const double radius = algebra::in_metres(almanac::lunar_radius);
-  return light.worst_relative_error(channel, std::max(0., centre - radius), centre + radius);
+  return light.in_channels(moonlight_weights(luminance))
+      .worst_relative_error(0, std::max(0., centre - radius), centre + radius);
 }
 
 }  // namespace coppermoon::verbs

@@ -39,18 +39,25 @@ shadow::RefractedLight refracted_light(const LightOptions& options,
                                        std::span<const double> wavelengths_nm,
                                        std::span<const double> axis_distances_m);
 
-/// Every channel of the light on the Moon's sphere.
-///
+/// The light that falls on the Moon's sphere; without `refracted` it is sunlight, as if the Earth were
+/// away.
+struct Moonlight {
+  std::optional<shadow::RefractedLight> refracted;
+  double opaque_radius_m = 0;  ///< of the Earth with its air, for the direct part
+
+  /// Given  weights  (channel, band)
+  shadow::Lookup in_channels(const shadow::ChannelWeights& weights) const;
+};
+
 /// Given   unshadowed  as if the Earth were away
-///         weights     (channel, band)
 /// Throws  Error       when the Moon is not in the Earth's shadow at that moment, unless
 ///                     unshadowed: names the nearest eclipse
-shadow::Lookup light_on_the_moon(const LightOptions& options, const almanac::SkyState& sky,
-                                 bool unshadowed, const shadow::ChannelWeights& weights);
+Moonlight light_on_the_moon(const LightOptions& options, const almanac::SkyState& sky,
+                            bool unshadowed);
 
-/// The worst relative error of a channel on the Moon's disc: the solver's own, or one standard
-/// error of the photons.
+/// The worst relative error of luminance on the Moon's disc: the quadrature's own, or one standard
+/// error of the photons; 1 where too few of them landed to know.
 double relative_error(const LightOptions& options, const almanac::SkyState& sky,
-                      const shadow::Lookup& light, std::size_t channel);
+                      const Moonlight& light);
 
 }  // namespace coppermoon::verbs

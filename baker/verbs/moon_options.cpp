@@ -88,15 +88,15 @@ BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
                           32768);
   const auto albedo = normal_albedo(options);
   const auto weights = moonlight_weights(colour::channel_weights(space, band_edges_nm()), altitude);
-  auto light = light_on_the_moon(options.light, sky, options.unshadowed, weights);
+  const auto moonlight = light_on_the_moon(options.light, sky, options.unshadowed);
+  auto light = moonlight.in_channels(weights);
   light.transform([&](std::span<double> colour) { colour::into_gamut(space, colour); });
   ProgressBar bar("bake");
   BakedMoon moon{texture::bake(albedo, sky, light, channel_names(space), options.texture_width / 2,
                                bar.progress()),
                  {},
                  0,
-                 0};
-  if (!options.unshadowed) moon.relative_error = relative_error(options.light, sky, light, 1);
+                 relative_error(options.light, sky, moonlight)};
   moon.attributes = header(options, sky, space, recipe, moon.relative_error);
   moon.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return moon;

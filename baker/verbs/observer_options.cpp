@@ -5,19 +5,10 @@
 #include <vector>
 
 #include "algebra/error.h"
+#include "verbs/number_list.h"
 
 namespace coppermoon::verbs {
 namespace {
-
-std::vector<double> numbers_in(const std::string& text) {
-  std::vector<double> numbers;
-  for (const auto& part : CLI::detail::split(text, ',')) {
-    double number = 0;
-    if (!CLI::detail::lexical_cast(part, number)) return {};
-    numbers.push_back(number);
-  }
-  return numbers;
-}
 
 povray_scenes::Up up_from(const std::string& name) {
   if (name == "zenith") return povray_scenes::Up::zenith;
@@ -28,7 +19,7 @@ povray_scenes::Up up_from(const std::string& name) {
 }  // namespace
 
 almanac::Observer observer_from(const std::string& text) {
-  const auto numbers = numbers_in(text);
+  const auto numbers = number_list(text).value_or(std::vector<double>{});
   if (numbers.size() < 2 || numbers.size() > 3)
     throw algebra::Error(
         fmt::format("place = {}, allowed LATITUDE,LONGITUDE[,ELEVATION] in degrees (north, east) "

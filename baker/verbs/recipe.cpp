@@ -62,13 +62,17 @@ void require_flag(const CLI::App& verb, const std::string& flag, const std::stri
                                 nearest(flag, flags)));
 }
 
+std::vector<std::string> words_of(const CLI::App& program) {
+  std::vector<std::string> words;
+  for (const auto* verb : program.get_subcommands({})) words.push_back(verb->get_name());
+  return words;
+}
+
 const CLI::App& verb_named(const CLI::App& program, const std::string& name) {
-  std::vector<std::string> names;
-  for (const auto* verb : program.get_subcommands({})) {
+  for (const auto* verb : program.get_subcommands({}))
     if (verb->get_name() == name) return *verb;
-    names.push_back(verb->get_name());
-  }
-  throw UnknownWord(fmt::format("{}: no such word; the nearest is {}", name, nearest(name, names)));
+  throw UnknownWord(
+      fmt::format("{}: no such word; the nearest is {}", name, nearest(name, words_of(program))));
 }
 
 std::string as_text(const toml::node& value, const std::string& where) {
@@ -152,10 +156,8 @@ std::string quoted(const std::string& text) {
 }
 
 /// An option's value as TOML, numbers spelt alike however the user spelt them; empty when it has
-/// none, or is a list left as it was.
+/// none.
 std::string toml_value(const CLI::Option& option) {
-  if (option.get_items_expected_max() > 1)
-    return option.count() > 0 ? quoted(fmt::format("{}", fmt::join(option.results(), ","))) : "";
   const std::string text = option.count() > 0 ? option.results().back() : option.get_default_str();
   if (text.empty()) return text;
   const std::string type = option.get_type_name();
@@ -236,6 +238,9 @@ std::vector<std::string> with_recipe(const CLI::App& verb, std::vector<std::stri
 std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::string> arguments) {
   const auto word = std::find_if(arguments.begin(), arguments.end(),
                                  [](const auto& a) { return !a.starts_with("-"); });
+  if (word == arguments.end() && arguments.empty())
+    throw UnknownWord(fmt::format("a word is required: {}; --help explains them",
+                                  fmt::join(words_of(program), ", ")));
   if (word == arguments.end()) return arguments;
   const CLI::App& verb = verb_named(program, *word);
   const std::vector<std::string> mine(word + 1, arguments.end());

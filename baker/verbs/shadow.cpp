@@ -15,6 +15,7 @@
 #include "eclipse/shadow_axis.h"
 #include "verbs/light_options.h"
 #include "verbs/moon_options.h"
+#include "verbs/number_list.h"
 #include "verbs/recipe.h"
 #include "verbs/verbs.h"
 
@@ -22,15 +23,28 @@ namespace coppermoon::verbs {
 namespace {
 
 struct Options {
-  std::string instant, plot;
+  std::string instant, plot, wavelengths = "450,550,650", axis_distances;
   LightOptions light;
-  std::vector<double> wavelengths_nm{450, 550, 650}, axis_distances_km;
   std::optional<double> moon_distance_km, sun_distance_km;
   bool json = false;
 };
 
+std::vector<double> required_list(const std::string& text, const char* what) {
+  const auto list = number_list(text);
+  if (!list)
+    throw algebra::Error(fmt::format("{} = {}, allowed numbers with commas between", what, text));
+  return *list;
+}
+
+std::vector<double> wavelengths_of(const Options& options) {
+  const auto list = required_list(options.wavelengths, "wavelengths [nm]");
+  if (list.empty()) throw algebra::Error("wavelengths [nm] = none, allowed one or more");
+  return list;
+}
+
 /// The ratio and its standard error over (axis distance, wavelength), direct light included.
 struct Across {
+  std::vector<double> wavelengths_nm;
   std::vector<double> axis_distances_m;
   algebra::Grid<double> ratio, standard_error;
 };
@@ -54,7 +68,7 @@ shadow::Arrangement arrangement_of(const Options& options) {
 
 std::vector<double> distances_of(const Options& options, const shadow::Arrangement& arrangement) {
   std::vector<double> distances;
-  for (const double km : options.axis_distances_km) {
+  for (const double km : required_list(options.axis_distances, "axis distances [km]")) {
     algebra::require_within("axis distance [km]", km, 0, 1e5);
     if (!distances.empty() && km * 1e3 <= distances.back())
       throw algebra::Error(
@@ -80,10 +94,10 @@ double at(const shadow::RefractedLight& light, const algebra::Grid<double>& valu
 }
 
 Across across(const Options& options, const shadow::Arrangement& arrangement) {
-  Across result{distances_of(options, arrangement), {}, {}};
+  Across result{wavelengths_of(options), distances_of(options, arrangement), {}, {}};
   const auto light =
-      refracted_light(options.light, arrangement, options.wavelengths_nm, result.axis_distances_m);
-  const std::size_t waves = options.wavelengths_nm.size(), count = result.axis_distances_m.size();
+      refracted_light(options.light, arrangement, result.wavelengths_nm, result.axis_distances_m);
+  const std::size_t waves = result.wavelengths_nm.size(), count = result.axis_distances_m.size();
   result.ratio = result.standard_error = algebra::Grid<double>(count, waves);
   const double opaque_m = atmosphere_of(options.light).top_radius_m();
   for (std::size_t d = 0; d < count; ++d)
@@ -110,14 +124,14 @@ std::vector<double> in_kilometres(const std::vector<double>& metres) {
   return kilometres;
 }
 
-std::string as_csv(const Options& options, const Across& result) {
+std::string as_csv(const Across& result) {
   std::string text = "axis_distance_km";
-  for (const double nm : options.wavelengths_nm)
+  for (const double nm : result.wavelengths_nm)
     text += fmt::format(",irradiance_ratio_{:g}nm,standard_error_{:g}nm", nm, nm);
   text += '\n';
   for (std::size_t d = 0; d < result.axis_distances_m.size(); ++d) {
     text += fmt::format("{:g}", result.axis_distances_m[d] / 1e3);
-    for (std::size_t w = 0; w < options.wavelengths_nm.size(); ++w)
+    for (std::size_t w = 0; w < result.wavelengths_nm.size(); ++w)
       text += fmt::format(",{:.6g},{:.3g}", result.ratio(d, w), result.standard_error(d, w));
     text += '\n';
   }
@@ -134,7 +148,7 @@ std::string quoted(const std::string& text) {
 /// gnuplot's picture of it, whole or not at all.
 void write_plot(const Options& options, const Across& result) {
   const std::string temporary = fmt::format("{}.tmp.{}", options.plot, getpid());
-  const std::string table = as_csv(options, result);
+  const std::string table = as_csv(result);
   FILE* gnuplot = popen("gnuplot 2>/dev/null", "w");
   if (gnuplot == nullptr) throw algebra::Error("gnuplot: cannot be run");
   fmt::print(gnuplot, "set terminal pngcairo size 1000,640\nset output {}\n", quoted(temporary));
@@ -144,9 +158,9 @@ void write_plot(const Options& options, const Across& result) {
       "set xlabel 'distance from the shadow axis [km]'\nset ylabel 'irradiance over sunlight'\n");
   fmt::print(gnuplot, "$data << EOD\n{}EOD\nset datafile separator ','\nplot",
              table.substr(table.find('\n') + 1));
-  for (std::size_t w = 0; w < options.wavelengths_nm.size(); ++w)
+  for (std::size_t w = 0; w < result.wavelengths_nm.size(); ++w)
     fmt::print(gnuplot, "{} $data using 1:{} with lines linewidth 2 title '{:g} nm'",
-               w == 0 ? "" : ",", 2 * w + 2, options.wavelengths_nm[w]);
+               w == 0 ? "" : ",", 2 * w + 2, result.wavelengths_nm[w]);
   fmt::print(gnuplot, "\n");
   if (pclose(gnuplot) != 0) {
     std::filesystem::remove(temporary);
@@ -156,7 +170,6 @@ void write_plot(const Options& options, const Across& result) {
 }
 
 void run(const Options& options) {
-  if (options.wavelengths_nm.empty()) throw CLI::RequiredError("--wavelengths");
   if (!options.plot.empty()) require_place_for(options.plot);
   const auto start = std::chrono::steady_clock::now();
   const auto arrangement = arrangement_of(options);
@@ -165,14 +178,14 @@ void run(const Options& options) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!options.plot.empty()) write_plot(options, result);
   if (!options.json) {
-    fmt::print("{}", as_csv(options, result));
+    fmt::print("{}", as_csv(result));
     return;
   }
   const nlohmann::ordered_json all{{"moon_distance_km", arrangement.depths_m[0] / 1e3},
                                    {"sun_distance_km", arrangement.sun_distance_m / 1e3},
                                    {"solver", options.light.solver},
                                    {"seconds", seconds},
-                                   {"wavelengths_nm", options.wavelengths_nm},
+                                   {"wavelengths_nm", result.wavelengths_nm},
                                    {"axis_distance_km", in_kilometres(result.axis_distances_m)},
                                    {"irradiance_ratio", rows_of(result.ratio)},
                                    {"standard_error", rows_of(result.standard_error)}};
@@ -187,12 +200,8 @@ void add_shadow(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   verb->add_option("instant,--instant", options->instant,
                    "ISO 8601 UTC, for the distances of that moment");
-  verb->add_option("--wavelengths", options->wavelengths_nm,
-                   "[nm], 380 to 780, with commas between")
-      ->delimiter(',');
-  verb->add_option("--axis-distances", options->axis_distances_km,
-                   "[km], increasing, with commas between")
-      ->delimiter(',');
+  verb->add_option("--wavelengths", options->wavelengths, "[nm], 380 to 780, commas between");
+  verb->add_option("--axis-distances", options->axis_distances, "[km], increasing, commas between");
   verb->add_option("--moon-distance-km", options->moon_distance_km,
                    "from the Earth's centre, along the shadow axis");
   verb->add_option("--sun-distance-km", options->sun_distance_km, "from the Earth's centre");

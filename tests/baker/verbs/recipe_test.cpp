@@ -23,7 +23,7 @@ struct Program {
   double dust = 0;
   std::uint64_t seed = 1;
   int rays = 600;
-  std::vector<double> waves;
+  std::string waves;
   bool unshadowed = false;
 
   Program() {
@@ -35,7 +35,7 @@ struct Program {
     verb->add_option("--dust-extinction", dust);
     verb->add_option("--seed", seed);
     verb->add_option("--rays", rays);
-    verb->add_option("--waves", waves)->delimiter(',');
+    verb->add_option("--waves", waves);
     verb->add_option("-o,--output", output);
     verb->add_flag("--unshadowed", unshadowed);
     add_recipe_option(*verb);
