@@ -16,4 +16,15 @@ ctest --preset release --parallel "$(nproc)"
 say "slow tests"
 ctest --test-dir build/release --label-regex slow --output-on-failure --no-tests=ignore
 
+say "examples, small"
+root=$PWD
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+small="--photons 2e4 --texture-width 512 --width 150 --height 100"
+"$root/examples/first_eclipse.sh" $small
+"$root/examples/paper_figures.sh" $small
+"$root/examples/photon_convergence.sh" 1e4
+ls -l
+
 say "all passed"

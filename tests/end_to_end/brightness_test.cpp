@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The Moon as a whole, against what observers measured.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "end_to_end/program.h"
+#include "support/within.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+class Brightness : public ProgramTest {
+ protected:
+  nlohmann::json of(std::vector<std::string> words) const {
+    words.insert(words.begin(), "brightness");
+    words.insert(words.end(), {"--json", "--albedo-map", "built-in", "--texture-width", "512"});
+    const auto outcome = coppermoon(words);
+    expect_done(outcome);
+    return nlohmann::json::parse(outcome.out, nullptr, false);
+  }
+};
+
+TEST_F(Brightness, OfTheFullMoonFollowsFromItsGeometricAlbedo) {
+  // m = m_sun − 2.5 lg(p (R/d)²), Sun and Moon at the distances of that moment.
+  const auto full = of({"2008-02-21T03:26:00Z", "--unshadowed"});
+  const double sun_au = 0.98880 + 383.6e3 / 149.598e6, moon_km = 383.6e3;
+  const double m =
+      -26.76 + 5 * std::log10(sun_au) - 2.5 * std::log10(0.12 * std::pow(1737.4 / moon_km, 2));
+  EXPECT_WITHIN(full["magnitudes"]["V"].get<double>(), m, 0.02,
+                "p is of luminance, not of V: 0.01; the sub-Earth point is not longitude 0: 0.01");
+  EXPECT_TRUE(full["danjon"].is_null());
+}
+
+TEST_F(Brightness, OfTheFullMoonIsRedderThanTheSunAsMeasured) {
+  // Full Moon B − V = 0.92, the Sun 0.653 (Allen's Astrophysical Quantities).
+  const auto m = of({"2008-02-21T03:26:00Z", "--unshadowed"})["magnitudes"];
+  EXPECT_WITHIN(m["B"].get<double>() - m["V"].get<double>(), 0.92, 0.06,
+                "one Apollo 16 soil stands for the whole Moon");
+}
+
+TEST_F(Brightness, OfTheEclipseOf2008IsWhatObserversSaw) {
+  // H. C. Vital, REA Brazil: magnitude −2.8 ± 0.3, Danjon 3.0 ± 0.1 at mid-eclipse.
+  const auto eclipsed = of({"2008-02-21T03:26:00Z", "--dust-extinction", "4.7e-6"});
+  EXPECT_WITHIN(eclipsed["magnitudes"]["V"].get<double>(), -2.8, 0.3, "the observers' spread");
+  EXPECT_WITHIN(eclipsed["danjon"].get<double>(), 3.0, 0.4,
+                "0.3 magnitudes are 0.3 of Danjon's scale");
+}
+
+TEST_F(Brightness, OfTheEclipseOf2004IsWhatObserversSaw) {
+  // 13 observers, H. C. Vital, REA Brazil: magnitude −2.2 ± 0.2.
+  const auto eclipsed = of({"2004-10-28T03:04:00Z", "--dust-extinction", "4.7e-6"});
+  EXPECT_WITHIN(eclipsed["magnitudes"]["V"].get<double>(), -2.2, 0.2, "the observers' spread");
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end
