@@ -74,6 +74,12 @@ colour::Exposure exposure_for(const DevelopOptions& options, const texture::Imag
   return exposure;
 }
 
+void add_exposure(texture::Attributes& attributes, const colour::Exposure& exposure) {
+  attributes["expTime"] = static_cast<float>(exposure.time_s);
+  attributes["aperture"] = static_cast<float>(exposure.f_number);
+  attributes["isoSpeed"] = static_cast<float>(exposure.iso);
+}
+
 void require_sound(const DevelopOptions& options, const std::filesystem::path& picture) {
   if (picture.extension() != ".png")
     throw algebra::Error(fmt::format("{}: a picture ends in .png", picture.string()));
@@ -96,9 +102,7 @@ void write_developed(const DevelopOptions& options, const colour::Exposure& expo
     for (std::size_t c = 0; c < frame.width; ++c)
       for (std::size_t k = 0; k < 3; ++k) image(r, c, k) = std::clamp(shown(r, c)[k], 0.F, 1.F);
   attributes["coppermoon:view"] = options.display + ", " + options.view;
-  attributes["expTime"] = static_cast<float>(exposure.time_s);
-  attributes["aperture"] = static_cast<float>(exposure.f_number);
-  attributes["isoSpeed"] = static_cast<float>(exposure.iso);
+  add_exposure(attributes, exposure);
   texture::write_png(picture, image, options.bits, attributes);
 }
 

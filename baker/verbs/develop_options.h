@@ -28,6 +28,9 @@ void add_develop_options(CLI::App& verb, DevelopOptions& options);
 colour::Exposure exposure_for(const DevelopOptions& options, const texture::Image& frame,
                               colour::WorkingSpace space);
 
+/// The camera's settings under OpenEXR's standard names.
+void add_exposure(texture::Attributes& attributes, const colour::Exposure& exposure);
+
 /// Throws Error when the options cannot be met whatever the frame holds: a setting outside its
 /// range, a picture that does not end in .png, a view there is not
 void require_sound(const DevelopOptions& options, const std::filesystem::path& picture);

@@ -63,7 +63,11 @@ void run(const CLI::App& verb, const Options& options) {
   const auto scene = lit_scene(options.moon, options.view, recipe);
   const auto frame = rendered(scene);
   const auto exposure = exposure_for(options.develop, frame, space);
-  if (!options.frame.empty()) texture::write_exr(options.frame, frame, scene.moon.attributes);
+  if (!options.frame.empty()) {
+    auto attributes = scene.moon.attributes;
+    add_exposure(attributes, exposure);
+    texture::write_exr(options.frame, frame, attributes);
+  }
   write_developed(
       options.develop, exposure, frame, space, options.output,
       {{"coppermoon:recipe", recipe}, {"coppermoon:version", std::string(COPPERMOON_VERSION)}});
