@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Other programs rely on these keys, units and forms of time.
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "end_to_end/program.h"
 #include "support/within.h"
@@ -18,10 +17,12 @@ Names keys_of(const json& object) {
   return names;
 }
 
+/// Digits, and the letters and signs of 2008-02-21T03:26:05Z in their places.
 void expect_utc(const json& text) {
-  EXPECT_TRUE(
-      std::regex_match(text.get<std::string>(), std::regex(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ)")))
-      << text;
+  std::string shape = text.get<std::string>();
+  for (char& c : shape)
+    if (c >= '0' && c <= '9') c = '0';
+  EXPECT_EQ(shape, "0000-00-00T00:00:00Z") << text;
 }
 
 void expect_keys(const json& object, const Names& wanted) {
