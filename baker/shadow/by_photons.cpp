@@ -101,6 +101,27 @@ void require_valid(const PhotonSettings& settings, const Atmosphere& atmosphere)
     throw algebra::Error("sectors = 1, allowed 2 to 360 for air that differs by region");
 }
 
+/// Irradiance ratio that one photon of full weight makes in a cell of ring r, times all photons.
+double cell_weight(const Simulation& simulation, double depth_m, std::size_t r) {
+  const double spread = 1 + depth_m / simulation.arrangement.sun_distance_m;
+  const double inner = simulation.atmosphere.earth_radius_m;
+  const double outer = simulation.atmosphere.top_radius_m();
+  const double width = simulation.settings.ring_width_m;
+  const double ring_area_over_pi = width * width * (2 * static_cast<double>(r) + 1);
+  return spread * spread * (outer * outer - inner * inner) / ring_area_over_pi *
+         static_cast<double>(simulation.settings.sectors * simulation.optics.size());
+}
+
+/// Sums of weights and of their squares become a mean and its standard error.
+void become_estimates(std::span<double> sums, std::span<double> squares, double weight,
+                      double photons) {
+  for (std::size_t w = 0; w < sums.size(); ++w) {
+    const double mean = sums[w] / photons, variance = squares[w] / photons - mean * mean;
+    sums[w] = weight * mean;
+    squares[w] = weight * std::sqrt(std::max(0., variance) / photons);
+  }
+}
+
 }  // namespace
 
 RefractedLight by_photons(const Atmosphere& atmosphere, const Arrangement& arrangement,
@@ -111,11 +132,10 @@ RefractedLight by_photons(const Atmosphere& atmosphere, const Arrangement& arran
   require_valid(settings, atmosphere);
   const double reach = refracted_reach_m(arrangement, atmosphere, arrangement.depths_m.back());
   const auto rings = static_cast<std::size_t>(std::ceil(reach / settings.ring_width_m));
-  const std::size_t waves = wavelengths_nm.size();
   Simulation simulation{atmosphere, arrangement, settings, {}, rings};
   for (const double nm : wavelengths_nm)
     simulation.optics.push_back(atmosphere::sea_level_optics(algebra::nanometres(nm)));
-  const Tally none(arrangement.depths_m.size() * settings.sectors, rings, waves);
+  const Tally none(arrangement.depths_m.size() * settings.sectors, rings, wavelengths_nm.size());
   Tally tally = atmosphere.top_m > 0 ? simulated(simulation, none, progress) : none;
 
   RefractedLight light{arrangement,
@@ -126,25 +146,11 @@ RefractedLight by_photons(const Atmosphere& atmosphere, const Arrangement& arran
                        std::move(tally.sum_of_squares)};
   for (std::size_t r = 0; r < rings; ++r)
     light.axis_distances_m.push_back((static_cast<double>(r) + 0.5) * settings.ring_width_m);
-  const double inner = atmosphere.earth_radius_m, outer = atmosphere.top_radius_m();
-  const double photons = static_cast<double>(settings.photons);
-  for (std::size_t g = 0; g < light.ratio.size(); ++g) {
-    const double spread =
-        1 + arrangement.depths_m[g / settings.sectors] / arrangement.sun_distance_m;
-    for (std::size_t r = 0; r < rings; ++r) {
-      // What one photon of full weight adds to a cell, times the number of photons.
-      const double ring_area_over_pi =
-          settings.ring_width_m * settings.ring_width_m * (2 * static_cast<double>(r) + 1);
-      const double weight = spread * spread * (outer * outer - inner * inner) / ring_area_over_pi *
-                            static_cast<double>(settings.sectors * waves);
-      for (std::size_t w = 0; w < waves; ++w) {
-        const double mean = light.ratio[g](r, w) / photons;
-        const double variance = light.standard_error[g](r, w) / photons - mean * mean;
-        light.ratio[g](r, w) = weight * mean;
-        light.standard_error[g](r, w) = weight * std::sqrt(std::max(0., variance) / photons);
-      }
-    }
-  }
+  for (std::size_t g = 0; g < light.ratio.size(); ++g)
+    for (std::size_t r = 0; r < rings; ++r)
+      become_estimates(light.ratio[g].row(r), light.standard_error[g].row(r),
+                       cell_weight(simulation, arrangement.depths_m[g / settings.sectors], r),
+                       static_cast<double>(settings.photons));
   return light;
 }
 
