@@ -19,6 +19,12 @@ double seconds_from(const std::string& text) {
   return seconds;
 }
 
+void require_colours(const texture::Image& frame) {
+  if (frame.channels.size() < 3)
+    throw algebra::Error(
+        fmt::format("the frame has {} channels, allowed 3 or more", frame.channels.size()));
+}
+
 /// Luminance above which a hundredth of all lit pixels are; 0 when none is.
 double bright_luminance(const texture::Image& frame, colour::WorkingSpace space) {
   std::vector<double> lit;
@@ -34,9 +40,7 @@ double bright_luminance(const texture::Image& frame, colour::WorkingSpace space)
 }
 
 colour::Image pixels_of(const texture::Image& frame) {
-  if (frame.channels.size() < 3)
-    throw algebra::Error(
-        fmt::format("the frame has {} channels, allowed 3 or more", frame.channels.size()));
+  require_colours(frame);
   colour::Image pixels(frame.height, frame.width);
   for (std::size_t r = 0; r < frame.height; ++r)
     for (std::size_t c = 0; c < frame.width; ++c)
@@ -63,6 +67,7 @@ void add_develop_options(CLI::App& verb, DevelopOptions& options) {
 
 colour::Exposure exposure_for(const DevelopOptions& options, const texture::Image& frame,
                               colour::WorkingSpace space) {
+  require_colours(frame);
   constexpr double brightest = 0.8;
   colour::Exposure exposure{1, options.f_number, options.iso};
   if (options.time != "auto") {

@@ -24,7 +24,7 @@ void add_develop_options(CLI::App& verb, DevelopOptions& options);
 /// The camera's settings; "auto" becomes the time at which the brightest hundredth of what is lit
 /// in the frame comes to 0.8 of saturation, or 1 s when nothing is.
 ///
-/// Throws Error when a setting is outside its range
+/// Throws Error when a setting is outside its range, or the frame has fewer than three channels
 colour::Exposure exposure_for(const DevelopOptions& options, const texture::Image& frame,
                               colour::WorkingSpace space);
 
