@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Plots what photon_convergence measures, to the number of photons given (1e6: four minutes on two processors).
+# Plots what photon_convergence measures, to the number of photons given (1e6: seven minutes on two processors).
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 "$here/build.sh" photon_convergence

@@ -2,14 +2,13 @@
 #include "povray_scenes/scene.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <string_view>
 
 #include "algebra/error.h"
+#include "texture/whole_file.h"
 
 namespace coppermoon::povray_scenes {
 namespace {
@@ -45,20 +44,6 @@ void require_renderable(const Scene& scene) {
 }
 
 std::string left_handed(const glm::dvec3& v) { return fmt::format("<{}, {}, {}>", v.x, v.z, v.y); }
-
-void write_whole(const std::filesystem::path& file, const std::string& text) {
-  auto draft = file;
-  draft += fmt::format(".tmp.{}", ::getpid());
-  std::ofstream out(draft, std::ios::binary);
-  out << text;
-  out.close();
-  std::error_code failure;
-  if (out) std::filesystem::rename(draft, file, failure);
-  if (out && !failure) return;
-  std::error_code ignored;
-  std::filesystem::remove(draft, ignored);
-  throw algebra::Error(fmt::format("{}: cannot be written", file.string()));
-}
 
 }  // namespace
 
@@ -133,8 +118,8 @@ void write_scene(const std::filesystem::path& folder, const Scene& scene) {
   std::filesystem::create_directory(folder, failure);
   if (!std::filesystem::is_directory(folder, failure))
     throw algebra::Error(fmt::format("{}: cannot be made a folder", folder.string()));
-  write_whole(folder / scene_file, pov);
-  write_whole(folder / settings_file, ini);
+  texture::write_whole(folder / scene_file, pov);
+  texture::write_whole(folder / settings_file, ini);
 }
 
 }  // namespace coppermoon::povray_scenes

@@ -15,12 +15,6 @@
 namespace coppermoon::almanac {
 namespace {
 
-void require_on_earth(const Observer& observer) {
-  algebra::require_within("latitude [deg]", algebra::in_degrees(observer.latitude), -90, 90);
-  algebra::require_within("longitude [deg]", algebra::in_degrees(observer.longitude), -360, 360);
-  algebra::require_within("elevation [m]", algebra::in_metres(observer.elevation), -500, 1e5);
-}
-
 /// Polar motion (under 0.6″) is left out.
 glm::dmat3 gcrs_from_earth_fixed(const SkyState& sky) {
   const Instant ut1 = later(sky.when, -delta_t_s(sky.when));
@@ -55,6 +49,12 @@ glm::dmat3 earth_fixed_horizon(const Observer& observer) {
 }
 
 }  // namespace
+
+void require_on_earth(const Observer& observer) {
+  algebra::require_within("latitude [deg]", algebra::in_degrees(observer.latitude), -90, 90);
+  algebra::require_within("longitude [deg]", algebra::in_degrees(observer.longitude), -360, 360);
+  algebra::require_within("elevation [m]", algebra::in_metres(observer.elevation), -500, 1e5);
+}
 
 ObserverView view_from(const Observer& observer, const SkyState& sky) {
   require_on_earth(observer);

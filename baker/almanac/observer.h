@@ -26,11 +26,14 @@ struct ObserverView {
   SelenographicPoint sub_observer;  ///< topocentric libration
 };
 
+/// Throws  Error  when the latitude is outside ±90°, the longitude ±360° or the elevation −500 to
+///                100 000 m
+void require_on_earth(const Observer& observer);
+
 /// What a place sees of the Moon.
 ///
 /// Omits   polar motion (0.6″), diurnal aberration (0.3″), UT1 − UTC (0.9 s, 14″ of azimuth)
-/// Throws  Error  when the latitude is outside ±90°, the longitude ±360° or the elevation
-///                −500 to 100 000 m
+/// Throws  Error  as require_on_earth
 ObserverView view_from(const Observer& observer, const SkyState& sky);
 
 }  // namespace coppermoon::almanac

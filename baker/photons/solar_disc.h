@@ -14,9 +14,6 @@ namespace coppermoon::photons {
 /// Source  Yapo & Cutler (2009) §2.2
 inline constexpr double solar_radius_m = 6.955e8;
 
-/// The astronomical unit [m] (IAU 2012).
-inline constexpr double astronomical_unit_m = 149597870700;
-
 /// Spectral irradiance of the unobstructed Sun at 1 au: the mean over each band.
 ///
 /// Given     edges_nm  n + 1 increasing wavelengths, 379 to 781 nm, at least 1e-6 nm apart

@@ -10,7 +10,6 @@
 #include <glm/matrix.hpp>
 
 #include "algebra/error.h"
-#include "photons/solar_disc.h"
 #include "surface/albedo_map.h"
 #include "surface/photometry.h"
 
@@ -60,7 +59,7 @@ struct Lighting {
                      to_sun = sky.sun_m - place;
     const double distance = glm::length(to_sun);
     const double mu = glm::dot(normal, to_sun) / distance;
-    const double near = photons::astronomical_unit_m / distance;
+    const double near = almanac::astronomical_unit_m / distance;
     const double reflected = albedo * surface::radiance_factor_yapo_cutler(mu) * near * near;
     if (reflected <= 0) return;
     light.read(eclipse::place_in_shadow(axis, place), values);

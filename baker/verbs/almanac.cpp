@@ -54,6 +54,11 @@ nlohmann::ordered_json as_json(const eclipse::Eclipse& e) {
           {"contacts", contacts}};
 }
 
+std::string time_of_day(const almanac::Instant& when) {
+  const std::string text = almanac::utc_text(when);
+  return text.substr(text.find('T') + 1, 8);
+}
+
 void print(const std::vector<eclipse::Eclipse>& eclipses) {
   fmt::print("{:<21}{:<10}{:>8}{:>9}{:>9}", "greatest (UTC)", "type", "gamma", "umbral", "penumb.");
   for (const char* key : {"P1", "U1", "U2", "U3", "U4", "P4"}) fmt::print("  {:<8}", key);
@@ -62,9 +67,7 @@ void print(const std::vector<eclipse::Eclipse>& eclipses) {
     fmt::print("{:<21}{:<10}{:>8.4f}{:>9.4f}{:>9.4f}", almanac::utc_text(e.greatest), name(e.type),
                e.gamma, e.umbral_magnitude, e.penumbral_magnitude);
     for (const auto& [key, when] : contacts_of(e))
-      fmt::print(
-          "  {:<8}",
-          when ? almanac::utc_text(*when).substr(almanac::utc_text(*when).find('T') + 1, 8) : "-");
+      fmt::print("  {:<8}", when ? time_of_day(*when) : "-");
     fmt::print("\n");
   }
 }

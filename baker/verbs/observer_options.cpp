@@ -25,10 +25,10 @@ almanac::Observer observer_from(const std::string& text) {
         fmt::format("place = {}, allowed LATITUDE,LONGITUDE[,ELEVATION] in degrees (north, east) "
                     "and metres, as 42.86,-73.77",
                     text));
-  algebra::require_within("latitude [degrees]", numbers[0], -90, 90);
-  algebra::require_within("longitude [degrees]", numbers[1], -360, 360);
-  return {algebra::degrees(numbers[0]), algebra::degrees(numbers[1]),
-          algebra::metres(numbers.size() == 3 ? numbers[2] : 0)};
+  const almanac::Observer observer{algebra::degrees(numbers[0]), algebra::degrees(numbers[1]),
+                                   algebra::metres(numbers.size() == 3 ? numbers[2] : 0)};
+  almanac::require_on_earth(observer);
+  return observer;
 }
 
 void add_view_options(CLI::App& verb, ViewOptions& options) {

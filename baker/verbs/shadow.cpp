@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -84,30 +85,33 @@ std::vector<double> distances_of(const Options& options, const shadow::Arrangeme
   return distances;
 }
 
-/// One column of a solver's result at other distances: straight lines, nothing beyond the last.
-double at(const shadow::RefractedLight& light, const algebra::Grid<double>& values,
-          std::size_t wave, double distance_m) {
-  if (distance_m > light.axis_distances_m.back()) return 0;
-  std::vector<double> column;
-  for (std::size_t d = 0; d < values.rows(); ++d) column.push_back(values(d, wave));
-  return algebra::interpolated(light.axis_distances_m, column, distance_m);
+/// A solver's values at other distances: straight lines, nothing beyond the last.
+algebra::Grid<double> at_distances(const shadow::RefractedLight& light,
+                                   const algebra::Grid<double>& values,
+                                   const std::vector<double>& distances_m) {
+  algebra::Grid<double> there(distances_m.size(), values.columns());
+  std::vector<double> column(values.rows());
+  for (std::size_t w = 0; w < values.columns(); ++w) {
+    for (std::size_t d = 0; d < values.rows(); ++d) column[d] = values(d, w);
+    for (std::size_t d = 0; d < distances_m.size(); ++d)
+      if (distances_m[d] <= light.axis_distances_m.back())
+        there(d, w) = algebra::interpolated(light.axis_distances_m, column, distances_m[d]);
+  }
+  return there;
 }
 
 Across across(const Options& options, const shadow::Arrangement& arrangement) {
   Across result{wavelengths_of(options), distances_of(options, arrangement), {}, {}};
-  const auto light =
-      refracted_light(options.light, arrangement, result.wavelengths_nm, result.axis_distances_m);
-  const std::size_t waves = result.wavelengths_nm.size(), count = result.axis_distances_m.size();
-  result.ratio = result.standard_error = algebra::Grid<double>(count, waves);
+  const auto& distances = result.axis_distances_m;
+  const auto light = refracted_light(options.light, arrangement, result.wavelengths_nm, distances);
+  result.ratio = at_distances(light, light.ratio[0], distances);
+  result.standard_error = at_distances(light, light.standard_error[0], distances);
   const double opaque_m = atmosphere_of(options.light).top_radius_m();
-  for (std::size_t d = 0; d < count; ++d)
-    for (std::size_t w = 0; w < waves; ++w) {
-      const double here = result.axis_distances_m[d];
-      result.ratio(d, w) =
-          at(light, light.ratio[0], w, here) +
-          shadow::direct_ratio(here, arrangement.depths_m[0], arrangement.sun_distance_m, opaque_m);
-      result.standard_error(d, w) = at(light, light.standard_error[0], w, here);
-    }
+  for (std::size_t d = 0; d < distances.size(); ++d) {
+    const double direct = shadow::direct_ratio(distances[d], arrangement.depths_m[0],
+                                               arrangement.sun_distance_m, opaque_m);
+    for (double& ratio : result.ratio.row(d)) ratio += direct;
+  }
   return result;
 }
 
@@ -145,24 +149,35 @@ std::string quoted(const std::string& text) {
   return all + "'";
 }
 
+std::string plot_script(const Across& result, const std::string& picture) {
+  const std::string table = as_csv(result);
+  std::string script = fmt::format(
+      "set terminal pngcairo size 1000,640\nset output {}\nset logscale y\n"
+      "set format y '10^{{%L}}'\nset grid\nset key bottom right\n"
+      "set xlabel 'distance from the shadow axis [km]'\nset ylabel 'irradiance over sunlight'\n"
+      "$data << EOD\n{}EOD\nset datafile separator ','\nplot",
+      quoted(picture), table.substr(table.find('\n') + 1));
+  for (std::size_t w = 0; w < result.wavelengths_nm.size(); ++w)
+    script += fmt::format("{} $data using 1:{} with lines linewidth 2 title '{:g} nm'",
+                          w == 0 ? "" : ",", 2 * w + 2, result.wavelengths_nm[w]);
+  return script + "\n";
+}
+
+/// Whether gnuplot did all it was told. One that is not there hangs up while it is spoken to.
+bool gnuplot_did(const std::string& script) {
+  const auto before = std::signal(SIGPIPE, SIG_IGN);
+  FILE* gnuplot = popen("gnuplot 2>/dev/null", "w");
+  const bool told =
+      gnuplot != nullptr && std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
+  const bool done = gnuplot != nullptr && pclose(gnuplot) == 0 && told;
+  std::signal(SIGPIPE, before);
+  return done;
+}
+
 /// gnuplot's picture of it, whole or not at all.
 void write_plot(const Options& options, const Across& result) {
   const std::string temporary = fmt::format("{}.tmp.{}", options.plot, getpid());
-  const std::string table = as_csv(result);
-  FILE* gnuplot = popen("gnuplot 2>/dev/null", "w");
-  if (gnuplot == nullptr) throw algebra::Error("gnuplot: cannot be run");
-  fmt::print(gnuplot, "set terminal pngcairo size 1000,640\nset output {}\n", quoted(temporary));
-  fmt::print(gnuplot, "set logscale y\nset format y '10^{{%L}}'\nset grid\nset key bottom right\n");
-  fmt::print(
-      gnuplot,
-      "set xlabel 'distance from the shadow axis [km]'\nset ylabel 'irradiance over sunlight'\n");
-  fmt::print(gnuplot, "$data << EOD\n{}EOD\nset datafile separator ','\nplot",
-             table.substr(table.find('\n') + 1));
-  for (std::size_t w = 0; w < result.wavelengths_nm.size(); ++w)
-    fmt::print(gnuplot, "{} $data using 1:{} with lines linewidth 2 title '{:g} nm'",
-               w == 0 ? "" : ",", 2 * w + 2, result.wavelengths_nm[w]);
-  fmt::print(gnuplot, "\n");
-  if (pclose(gnuplot) != 0) {
+  if (!gnuplot_did(plot_script(result, temporary))) {
     std::filesystem::remove(temporary);
     throw algebra::Error("gnuplot failed; install the package gnuplot-nox");
   }

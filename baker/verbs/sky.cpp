@@ -10,7 +10,6 @@
 #include "almanac/observer.h"
 #include "almanac/sky.h"
 #include "eclipse/shadow_axis.h"
-#include "photons/solar_disc.h"
 #include "verbs/observer_options.h"
 #include "verbs/recipe.h"
 #include "verbs/verbs.h"
@@ -46,7 +45,7 @@ nlohmann::ordered_json described(const Options& options) {
       {"moon_ra_deg", in_degrees(moon.right_ascension)},
       {"moon_dec_deg", in_degrees(moon.declination)},
       {"moon_distance_km", in_kilometres(moon.distance)},
-      {"sun_distance_au", glm::length(sky.sun_m) / photons::astronomical_unit_m},
+      {"sun_distance_au", glm::length(sky.sun_m) / almanac::astronomical_unit_m},
       {"sub_earth_latitude_deg", in_degrees(sky.sub_earth.latitude)},
       {"sub_earth_longitude_deg", in_degrees(sky.sub_earth.longitude)},
       {"sub_solar_latitude_deg", in_degrees(sky.sub_solar.latitude)},

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "end_to_end/program.h"
 #include "texture/write_image.h"
 
@@ -208,6 +210,15 @@ TEST_F(BadInput, ANumberThatIsNoneIsWrongUsage) {
 TEST_F(BadInput, AMissingPovrayIsNamed) {
   std::filesystem::create_directory(here("bin"));
   expect_refused(still({}), could_not, {"povray: not found", "install"}, {.path = here("bin")});
+}
+
+TEST_F(BadInput, AMissingGnuplotIsSaid) {
+  // 300 kB of table: more than a pipe takes before it hears that nobody reads.
+  std::string many = "400";
+  for (int i = 1; i < 100; ++i) many += fmt::format(",{}", 400 + i);
+  expect_refused({"shadow", "2008-02-21T03:08:26Z", "--rays", "20", "--wavelengths", many, "--plot",
+                  "shadow.png"},
+                 could_not, {"gnuplot failed", "install"}, {.path = here("bin")});
 }
 
 TEST_F(BadInput, AFailingPovrayHasTheLastWord) {

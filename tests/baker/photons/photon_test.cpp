@@ -16,6 +16,8 @@
 namespace coppermoon::photons {
 namespace {
 
+constexpr double sun_distance_m = 149597870700;
+
 const atmosphere::Atmosphere air;
 
 constexpr std::size_t bin_of(double uniform, int bins) {
@@ -24,7 +26,7 @@ constexpr std::size_t bin_of(double uniform, int bins) {
 
 Ray photon(std::uint64_t i) {
   algebra::Random random(7, i);
-  return aimed_at_the_ring(random, astronomical_unit_m, air);
+  return aimed_at_the_ring(random, sun_distance_m, air);
 }
 
 /// The point of a ray that is nearest to the Earth's centre.
@@ -56,7 +58,7 @@ TEST(AimedAtTheRing, LeavesTheSolarDiscEvenly) {
   std::array<int, 100> seen{};
   for (std::uint64_t i = 0; i < 200'000; ++i) {
     const auto from = photon(i).position_m;
-    ASSERT_EQ(from.z, -astronomical_unit_m);
+    ASSERT_EQ(from.z, -sun_distance_m);
     const double r = std::hypot(from.x, from.y) / solar_radius_m;
     ASSERT_LE(r, 1);
     ++seen[10 * bin_of(r * r, 10) + bin_of(turn(from.x, from.y), 10)];
@@ -83,7 +85,7 @@ TEST(AimedAtTheRing, GivesUnitDirectionsAwayFromTheSun) {
 
 TEST(AimedAtTheRing, TakesFourNumbers) {
   algebra::Random used(1, 2), counted(1, 2);
-  aimed_at_the_ring(used, astronomical_unit_m, air);
+  aimed_at_the_ring(used, sun_distance_m, air);
   for (int i = 0; i < 4; ++i) counted.uniform();
   EXPECT_EQ(used.uniform(), counted.uniform());
 }

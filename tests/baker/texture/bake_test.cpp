@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "algebra/error.h"
-#include "photons/solar_disc.h"
 #include "shadow/by_quadrature.h"
 #include "support/within.h"
 #include "surface/albedo_map.h"
@@ -36,7 +35,7 @@ TEST(Bake, LightsTheSubSolarPointByTheInverseSquareOfItsDistance) {
   const auto sky = almanac::sky_at(february_2008);
   const auto moon = bake(uniform(180), sky, sunlight(1000), {"Y"}, 180);
   const double sun_m = glm::length(sky.sun_m - sky.moon_m) - 1.7374e6;
-  const double near = photons::astronomical_unit_m / sun_m;
+  const double near = almanac::astronomical_unit_m / sun_m;
   const float lit = moon(row_of(algebra::in_degrees(sky.sub_solar.latitude), 180),
                          column_of(algebra::in_degrees(sky.sub_solar.longitude), 180), 0);
   EXPECT_WITHIN_RELATIVE(lit, 0.1 * 1000 * near * near, 1e-5,
