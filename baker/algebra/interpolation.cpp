@@ -4,8 +4,32 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <limits>
 
 namespace coppermoon::algebra {
+namespace {
+
+double slope_between(std::span<const double> x, std::span<const double> y, std::size_t i) {
+  return (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
+}
+
+double monotone_slope(std::span<const double> x, std::span<const double> y, std::size_t i) {
+  if (i == 0) return slope_between(x, y, 0);
+  const double before = slope_between(x, y, i - 1);
+  if (i + 1 == x.size()) return before;
+  const double after = slope_between(x, y, i);
+  if (before * after <= 0) return 0;
+  const double left = x[i] - x[i - 1], right = x[i + 1] - x[i];
+  return 3 * (left + right) / ((2 * right + left) / before + (right + 2 * left) / after);
+}
+
+double least_distance(std::span<const double> x) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) least = std::min(least, x[i + 1] - x[i]);
+  return least;
+}
+
+}  // namespace
 
 double interpolated(std::span<const double> x, std::span<const double> y, double at) {
   assert(!x.empty() && x.size() == y.size());
@@ -28,6 +52,33 @@ double mean_between(std::span<const double> x, std::span<const double> y, double
     if (next != x.end()) ++next;
   }
   return sum / (to - from);
+}
+
+MonotoneCubic::MonotoneCubic(std::span<const double> x, std::span<const double> y)
+    : end_(x.back()), end_value_(y.back()), cells_per_unit_(1 / least_distance(x)) {
+  assert(x.size() >= 2 && x.size() == y.size() && cells_per_unit_ > 0);
+  double slope = monotone_slope(x, y, 0);
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    const double width = x[i + 1] - x[i], mean = slope_between(x, y, i);
+    const double next = monotone_slope(x, y, i + 1);
+    pieces_.push_back({x[i], y[i], slope, (3 * mean - 2 * slope - next) / width,
+                       (slope + next - 2 * mean) / (width * width)});
+    slope = next;
+    const auto cells = static_cast<std::size_t>((x[i + 1] - x[0]) * cells_per_unit_) + 1;
+    first_in_cell_.resize(std::max(cells, first_in_cell_.size()), i);
+  }
+  end_slope_ = slope;
+}
+
+double MonotoneCubic::operator()(double at) const {
+  const double from_start = at - pieces_.front().from;
+  if (!(from_start > 0)) return pieces_.front().value + pieces_.front().slope * from_start;
+  if (at >= end_) return end_value_ + end_slope_ * (at - end_);
+  const auto* piece =
+      &pieces_[first_in_cell_[static_cast<std::size_t>(from_start * cells_per_unit_)]];
+  if (piece != &pieces_.back() && at >= piece[1].from) ++piece;
+  const double t = at - piece->from;
+  return piece->value + t * (piece->slope + t * (piece->second + t * piece->third));
 }
 
 }  // namespace coppermoon::algebra

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "atmosphere/atmosphere.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "algebra/error.h"
 #include "algebra/quadrature.h"
-#include "atmosphere/density.h"
 #include "atmosphere/ozone.h"
 #include "atmosphere/rayleigh.h"
 #include "atmosphere/refractivity.h"
 
 namespace coppermoon::atmosphere {
 namespace {
+
+constexpr double top_of_us_1976_m = 86e3;
 
 /// Turned by whole circles into [0, 2π).
 double turned(double angle_rad) {
@@ -24,11 +27,58 @@ double turned(double angle_rad) {
 void require_valid(const Column& column) {
   algebra::require_within("ozone [DU]", column.ozone_du, 0, 1000);
   algebra::require_within("dust extinction [1/m]", column.dust_extinction_per_m, 0, 0.01);
-  algebra::require_within("dust bottom [m]", column.dust_bottom_m, 0, taper_top_m);
-  algebra::require_within("dust top [m]", column.dust_top_m, column.dust_bottom_m, taper_top_m);
+  algebra::require_within("dust bottom [m]", column.dust_bottom_m, 0, top_of_us_1976_m);
+  algebra::require_within("dust top [m]", column.dust_top_m, column.dust_bottom_m,
+                          top_of_us_1976_m);
+  algebra::require_within("tropospheric optical depth", column.tropospheric_optical_depth, 0, 10);
+  algebra::require_within("cloud top [km]", column.cloud_top_m / 1e3, 0, 30);
+  algebra::require_within("cloud cover", column.cloud_cover, 0, 1);
+}
+
+bool dusty(const Column& column, double altitude_m) {
+  return altitude_m >= column.dust_bottom_m && altitude_m < column.dust_top_m;
+}
+
+double density_alone(Density density, double altitude_m) {
+  if (density == Density::none) return 0;
+  return density == Density::yapo_cutler ? density_ratio_yapo_cutler(altitude_m)
+                                         : density_ratio_us_1976(altitude_m);
 }
 
 }  // namespace
+
+double top_m(const Column& column) {
+  if (column.density == Density::none) return 0;
+  return column.density == Density::yapo_cutler ? taper_top_m : top_of_us_1976_m;
+}
+
+std::vector<Region> between_latitudes(algebra::Angle south, algebra::Angle north,
+                                      algebra::Angle sun_declination, const Column& column) {
+  algebra::require_within("latitude [degrees]", algebra::in_degrees(south), -90, 90);
+  algebra::require_within("latitude [degrees]", algebra::in_degrees(north),
+                          algebra::in_degrees(south), 90);
+  // On the limb: sin latitude = cos θ cos δ.
+  const double highest = std::cos(algebra::in_radians(sun_declination));
+  const auto angle = [&](algebra::Angle latitude) {
+    return std::acos(std::clamp(std::sin(algebra::in_radians(latitude)) / highest, -1., 1.));
+  };
+  const double from = angle(north), to = angle(south), pi = std::numbers::pi;
+  if (from >= to) return {};
+  const bool over_north = from <= 0, over_south = to >= pi;
+  const auto region = [&](double a, double b) {
+    return Region{algebra::radians(a), algebra::radians(b), column};
+  };
+  if (over_north && over_south) return {region(0, 2 * pi)};
+  if (over_north) return {region(-to, to)};
+  if (over_south) return {region(from, 2 * pi - from)};
+  return {region(from, to), region(2 * pi - to, 2 * pi - from)};
+}
+
+double Atmosphere::top_m() const {
+  double top = atmosphere::top_m(column);
+  for (const auto& region : regions) top = std::max(top, atmosphere::top_m(region.column));
+  return top;
+}
 
 const Column& Atmosphere::column_at(double position_angle_rad) const {
   for (const auto& region : regions) {
@@ -41,42 +91,100 @@ const Column& Atmosphere::column_at(double position_angle_rad) const {
 }
 
 void require_valid(const Atmosphere& atmosphere) {
-  algebra::require_within("Earth's radius [m]", atmosphere.earth_radius_m, 1e6, 1e7);
-  algebra::require_within("top of the air [m]", atmosphere.top_m, 0, taper_top_m);
+  const auto& earth = atmosphere.earth;
+  algebra::require_within("Earth's radius [m]", earth.equatorial_radius_m, 1e6, 1e7);
+  algebra::require_within("Earth's polar radius [m]", earth.polar_radius_m,
+                          0.9 * earth.equatorial_radius_m, 1.1 * earth.equatorial_radius_m);
+  algebra::require_within("Sun's declination [radians]", earth.sun_declination_rad,
+                          -std::numbers::pi / 2, std::numbers::pi / 2);
   require_valid(atmosphere.column);
   for (const auto& region : atmosphere.regions) require_valid(region.column);
 }
 
-Optics sea_level_optics(algebra::Wavelength wavelength) {
-  return {sea_level_refractivity_crc(wavelength),
-          rayleigh_cross_section_m2(wavelength) * sea_level_number_density_per_m3,
+Optics sea_level_optics(algebra::Wavelength wavelength, const Molecules& molecules) {
+  const double refractivity = molecules.dispersion == Dispersion::crc
+                                  ? sea_level_refractivity_crc(wavelength)
+                                  : sea_level_refractivity_ciddor_1996(wavelength);
+  const double king_factor =
+      molecules.king_factor == KingFactor::fixed ? 1.050 : king_factor_bates_1984(wavelength);
+  const double cross_section = rayleigh_cross_section_m2(refractivity, king_factor, wavelength);
+  return {refractivity, cross_section * sea_level_number_density_per_m3,
           algebra::in_nanometres(wavelength)};
 }
 
+Amounts profiles(const Column& column, double altitude_m) {
+  Amounts amounts{};
+  if (column.rayleigh) amounts[air] = density_alone(column.density, altitude_m);
+  if (column.ozone_du > 0 && column.ozone_path == OzonePath::bent)
+    amounts[ozone] = ozone_profile_per_m(altitude_m);
+  if (column.dust_extinction_per_m > 0) amounts[dust_layer] = dusty(column, altitude_m) ? 1 : 0;
+  if (column.tropospheric_optical_depth > 0)
+    amounts[troposphere] = tropospheric_profile_per_m(altitude_m);
+  if (column.stratosphere != StratosphericAerosol::none)
+    amounts[stratosphere] = stratospheric_extinction_per_m(column.stratosphere, altitude_m);
+  return amounts;
+}
+
+Amounts spectra(const Column& column, const Optics& optics) {
+  const auto wavelength = algebra::nanometres(optics.wavelength_nm);
+  Amounts amounts{};
+  if (column.rayleigh) amounts[air] = optics.rayleigh_per_m;
+  if (column.ozone_du > 0 && column.ozone_path == OzonePath::bent)
+    amounts[ozone] = column.ozone_du * dobson_unit_per_m2 * ozone_cross_section_m2(wavelength);
+  amounts[dust_layer] = column.dust_extinction_per_m;
+  if (column.tropospheric_optical_depth > 0)
+    amounts[troposphere] = column.tropospheric_optical_depth * tropospheric_spectrum(wavelength);
+  if (column.stratosphere != StratosphericAerosol::none)
+    amounts[stratosphere] = stratospheric_spectrum(column.stratosphere, wavelength);
+  return amounts;
+}
+
+double product(const Amounts& a, const Amounts& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+}
+
+std::vector<double> breaks_m(const Column& column) {
+  if (column.density == Density::none) return {0};
+  const auto density =
+      column.density == Density::yapo_cutler ? density_breaks_m() : density_breaks_us_1976_m();
+  std::vector<double> breaks(density.begin(), density.end());
+  const double top = top_m(column);
+  if (column.dust_extinction_per_m > 0)
+    breaks.insert(breaks.end(), {column.dust_bottom_m, column.dust_top_m});
+  std::sort(breaks.begin(), breaks.end());
+  std::erase_if(breaks, [&](double h) { return h > top; });
+  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+  return breaks;
+}
+
+ValueAndSlope density_ratio(const Column& column, double altitude_m) {
+  if (column.density == Density::none) return {0, 0};
+  return column.density == Density::yapo_cutler ? density_ratio_and_slope_yapo_cutler(altitude_m)
+                                                : density_ratio_and_slope_us_1976(altitude_m);
+}
+
 double refractivity(const Column& column, const Optics& optics, double altitude_m) {
-  return column.refraction ? optics.refractivity * density_ratio_yapo_cutler(altitude_m) : 0;
+  return column.refraction ? optics.refractivity * density_alone(column.density, altitude_m) : 0;
 }
 
 double extinction_per_m(const Column& column, const Optics& optics, double altitude_m) {
-  const double rayleigh =
-      column.rayleigh ? optics.rayleigh_per_m * density_ratio_yapo_cutler(altitude_m) : 0;
-  const bool dusty = altitude_m >= column.dust_bottom_m && altitude_m < column.dust_top_m;
-  return dusty ? rayleigh + column.dust_extinction_per_m : rayleigh;
+  return product(profiles(column, altitude_m), spectra(column, optics));
 }
 
-double ozone_transmittance(const Column& column, const Optics& optics) {
-  return column.ozone_du > 0
-             ? ozone_filter_yapo_cutler(algebra::nanometres(optics.wavelength_nm), column.ozone_du)
-             : 1;
+double limb_filter(const Column& column, const Optics& optics, double tangent_height_m) {
+  const double clear = tangent_height_m < column.cloud_top_m ? 1 - column.cloud_cover : 1;
+  if (column.ozone_du == 0 || column.ozone_path == OzonePath::bent) return clear;
+  return clear *
+         ozone_filter_yapo_cutler(algebra::nanometres(optics.wavelength_nm), column.ozone_du);
 }
 
 double vertical_rayleigh_optical_depth(const Optics& optics) {
-  constexpr int pieces = 20;
-  constexpr double piece_m = taper_top_m / pieces;
+  constexpr int pieces = 40;
+  constexpr double piece_m = top_of_us_1976_m / pieces;
   double column_m = 0;
   for (int i = 0; i < pieces; ++i)
     for (const auto& [x, weight] : algebra::gauss_legendre(8))
-      column_m += weight * piece_m / 2 * density_ratio_yapo_cutler((i + (1 + x) / 2) * piece_m);
+      column_m += weight * piece_m / 2 * density_ratio_us_1976((i + (1 + x) / 2) * piece_m);
   return optics.rayleigh_per_m * column_m;
 }
 

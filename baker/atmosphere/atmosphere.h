@@ -1,20 +1,41 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "algebra/quantity.h"
+#include "atmosphere/aerosol.h"
+#include "atmosphere/density.h"
+#include "atmosphere/figure.h"
 
 namespace coppermoon::atmosphere {
 
+/// How the air thins with altitude, and where it ends: no air at all; US 1976 with the paper's ramp
+/// to 42 km; US 1976 to 86 km.
+enum class Density { none, yapo_cutler, us_1976 };
+
+/// Ozone as one filter for all light that passed the limb, or along each ray's own path.
+enum class OzonePath { filter, bent };
+
 /// The air over one part of the limb: what stands in it. Every term can be switched off.
 struct Column {
-  bool refraction = true;            ///< off: light goes straight through the air
-  bool rayleigh = true;              ///< off: molecules do not scatter
-  double ozone_du = 0;               ///< vertical column [DU], as one filter; 0: off
+  Density density = Density::yapo_cutler;
+  bool refraction = true;  ///< off: light goes straight through the air
+  bool rayleigh = true;    ///< off: molecules do not scatter
+  double ozone_du = 0;     ///< vertical column [DU]; 0: off
+  OzonePath ozone_path = OzonePath::filter;
   double dust_extinction_per_m = 0;  ///< grey extinction α of the layer, 0 to 0.01 m⁻¹; 0: off
   double dust_bottom_m = 15e3, dust_top_m = 20e3;
+  double tropospheric_optical_depth = 0;  ///< of aerosol, vertical, at 550 nm, 0 to 10; 0: off
+  StratosphericAerosol stratosphere = StratosphericAerosol::none;
+  double cloud_top_m = 10e3;
+  double cloud_cover = 0;  ///< part of the limb where cloud stops all rays below its top; 0: off
 };
+
+/// Altitude where a column's air ends [m]: 0, 42 000 or 86 000.
+double top_m(const Column& column);
 
 /// A part of the limb with air of its own: from one position angle through east to the other.
 /// The position angle is measured at the Earth, about the shadow axis, from celestial north through
@@ -24,16 +45,36 @@ struct Region {
   Column column{};
 };
 
-/// The Earth and its air: a sphere with a shell, alike all around but for its regions (the first
-/// that holds a position angle counts).
+/// The parts of the limb between two latitudes (south to north): two regions, east and west, as
+/// position angles; one where they meet over a pole; none where no part of the limb reaches them.
+///
+/// Given   sun_declination  how far the north pole is tipped towards the Sun
+/// Throws  Error            when a latitude is outside ±90°, or south is north of north
+std::vector<Region> between_latitudes(algebra::Angle south, algebra::Angle north,
+                                      algebra::Angle sun_declination, const Column& column);
+
+enum class Dispersion { crc, ciddor_1996 };
+enum class KingFactor { fixed, bates_1984 };  ///< fixed: 1.050
+
+/// What the molecules of the air do to light.
+struct Molecules {
+  Dispersion dispersion = Dispersion::crc;
+  KingFactor king_factor = KingFactor::fixed;
+};
+
+/// The Earth and its air, alike all around but for its regions (the first that holds a position
+/// angle counts). As it stands: the paper's sphere and air, without ozone and dust.
 struct Atmosphere {
-  double earth_radius_m = 6.378e6;
-  double top_m = 42e3;  ///< where the air ends; 0: no air at all
+  Figure earth{};
+  Molecules molecules{};
   Column column{};
   std::vector<Region> regions{};
 
-  bool symmetric() const { return regions.empty(); }
-  double top_radius_m() const { return earth_radius_m + top_m; }
+  /// Alike all around: a sphere without regions.
+  bool symmetric() const { return regions.empty() && earth.sphere(); }
+  /// Altitude where the last of its air ends.
+  double top_m() const;
+  double top_radius_m() const { return earth.equatorial_radius_m + top_m(); }
   const Column& column_at(double position_angle_rad) const;
 };
 
@@ -48,16 +89,41 @@ struct Optics {
 };
 
 /// Throws Error when the wavelength is outside 380 to 780 nm
-Optics sea_level_optics(algebra::Wavelength wavelength);
+Optics sea_level_optics(algebra::Wavelength wavelength, const Molecules& molecules = {});
+
+/// What takes light out of a ray. Each has a profile over altitude and a spectrum; extinction is
+/// the sum of their products, optical depth that of spectrum and profile summed along the path.
+enum Absorber : std::size_t { air, ozone, dust_layer, troposphere, stratosphere };
+inline constexpr std::size_t absorbers = 5;
+using Amounts = std::array<double, absorbers>;
+
+/// The profiles at an altitude: air's density ratio; ozone's and the troposphere's aerosol's share
+/// of their vertical column [m⁻¹]; 1 within the dust layer; the stratospheric aerosol's extinction
+/// at 550 nm [m⁻¹].
+Amounts profiles(const Column& column, double altitude_m);
+
+/// The spectra: what each amount is multiplied with to make extinction [m⁻¹] or optical depth.
+/// Ozone counts only along the path, not as a filter.
+Amounts spectra(const Column& column, const Optics& optics);
+
+double product(const Amounts& a, const Amounts& b);
+
+/// The altitudes where the slope of a column's profiles jumps [m], lowest first, its top the last.
+std::vector<double> breaks_m(const Column& column);
+
+/// ρ/ρ₀ and its slope.
+ValueAndSlope density_ratio(const Column& column, double altitude_m);
 
 /// n(h, λ) − 1: the sea-level refractivity times the density ratio (Gladstone–Dale).
 double refractivity(const Column& column, const Optics& optics, double altitude_m);
 
-/// Extinction α + β(h, λ) [m⁻¹] at an altitude: dust and Rayleigh scattering.
+/// Extinction [m⁻¹] at an altitude.
 double extinction_per_m(const Column& column, const Optics& optics, double altitude_m);
 
-/// What ozone leaves of light that passed the limb.
-double ozone_transmittance(const Column& column, const Optics& optics);
+/// What cloud and, where it is a filter, ozone leave of light that passed the limb.
+///
+/// Given  tangent_height_m  the lowest altitude of its path
+double limb_filter(const Column& column, const Optics& optics, double tangent_height_m);
 
 /// Rayleigh optical depth of the whole air above sea level, straight up.
 double vertical_rayleigh_optical_depth(const Optics& optics);

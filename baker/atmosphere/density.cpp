@@ -99,4 +99,9 @@ std::span<const double> density_breaks_m() {
   return breaks;
 }
 
+std::span<const double> density_breaks_us_1976_m() {
+  static const std::array breaks{layers[0].top_geometric_m, layers[1].top_geometric_m,layers[2].top_geometric_m, layers[3].top_geometric_m,layers[4].top_geometric_m, layers[5].top_geometric_m,layers[6].top_geometric_m};
+  return breaks;
+}
+
 }  // namespace coppermoon::atmosphere

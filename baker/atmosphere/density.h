@@ -26,6 +26,10 @@ double density_ratio_us_1976(double altitude_m);
 /// The same with dρ/dh, analytic.
 ValueAndSlope density_ratio_and_slope_us_1976(double altitude_m);
 
+/// The altitudes where the slope of that density jumps [m]: the tops of its layers, lowest first,
+/// the last at 86 km, where the density itself ends.
+std::span<const double> density_breaks_us_1976_m();
+
 /// Altitude below which the paper's density is that of US 1976, and altitude where its linear ramp
 /// has brought it to nothing [m].
 inline constexpr double taper_bottom_m = 39e3, taper_top_m = 42e3;

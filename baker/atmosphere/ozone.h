@@ -13,6 +13,17 @@ namespace coppermoon::atmosphere {
 /// Source    Serdyuchenko, Gorshelev et al. (2014), Atmos. Meas. Tech. 7, 625; 233 K
 double ozone_cross_section_m2(algebra::Wavelength wavelength);
 
+/// Share of the vertical ozone column in a metre of altitude [m⁻¹]: its integral from 0 to 86 km is
+/// 1. Times the column [m⁻²] it is the number density.
+///
+/// Given     altitude_m  held from 2 km down, 0 above 86 km
+/// Returned  [m⁻¹]       5.2e-5 at 22 km, where it is greatest
+/// Accuracy  the printed profile at every 2 km from 2 to 74 km, a smooth curve in the logarithm
+///           between them; its whole column is 346 DU, where the standard states 345
+/// Omits     season, latitude and weather: the peak lies at 26 km in the tropics, 18 km at the poles
+/// Source    U.S. Standard Atmosphere 1976, mid-latitude ozone (Krueger & Minzner 1976)
+double ozone_profile_per_m(double altitude_m);
+
 /// One Dobson unit: molecules over a square metre [m⁻²].
 inline constexpr double dobson_unit_per_m2 = 2.6867e20;
 

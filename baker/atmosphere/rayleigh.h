@@ -22,4 +22,23 @@ inline constexpr double sea_level_number_density_per_m3 = 2.546972e25;
 /// Source    Bucholtz (1995), Appl. Opt. 34, 2765, Eq. 2; F fixed as in Yapo & Cutler (2009) §2.5
 double rayleigh_cross_section_m2(algebra::Wavelength wavelength);
 
+/// The same for any refractivity n − 1 at sea level and any King factor F.
+///
+/// Accuracy  0.14 % (380 nm) to 0.03 % above Bucholtz (1995) with sea_level_refractivity_ciddor_1996
+///           and king_factor_bates_1984
+double rayleigh_cross_section_m2(double refractivity, double king_factor,
+                                 algebra::Wavelength wavelength);
+
+/// King factor of air: how much more its molecules scatter for not being round.
+///
+///     F = Σ C_i F_i / Σ C_i       N₂ 78.084 %: 1.034 + 3.17e-4/λ²        Ar 0.934 %: 1.00
+///     O₂ 20.946 %: 1.096 + 1.385e-3/λ² + 1.448e-4/λ⁴        CO₂ 0.036 %: 1.15        λ in µm
+///
+/// Given     wavelength  380 to 780 nm
+/// Returned  F           1.04882 at 550 nm
+/// Throws    Error       when the wavelength is outside its range
+/// Source    Bates (1984), Planet. Space Sci. 32, 785; weighted as in Bodhaine et al. (1999),
+///           J. Atmos. Oceanic Technol. 16, 1854, Eq. 23
+double king_factor_bates_1984(algebra::Wavelength wavelength);
+
 }  // namespace coppermoon::atmosphere

@@ -20,4 +20,16 @@ inline constexpr double shortest_nm = 380, longest_nm = 780;
 ///           (2009) misprints the first two coefficients; these are the handbook's.
 double sea_level_refractivity_crc(algebra::Wavelength wavelength);
 
+/// Refractivity n₀ − 1 of dry air at sea level, 15 °C, 101 325 Pa, 450 ppm CO₂.
+///
+///     n₀ − 1 = 0.05792105/(238.0185 − s²) + 0.00167917/(57.362 − s²)        s = 1/λ in µm⁻¹
+///
+/// Given     wavelength  in vacuum, 380 to 780 nm
+/// Returned  n₀ − 1      2.778376e-4 at 550 nm
+/// Accuracy  1e-8 of n₀ − 1 from the four-term formula of Peck & Reeder (1972), with 330 ppm CO₂
+/// Omits     water vapour, which lowers it by 4e-10 per pascal, 0.1 to 0.2 % in damp air
+/// Throws    Error       when the wavelength is outside its range
+/// Source    Ciddor (1996), Appl. Opt. 35, 1566, Eq. 1
+double sea_level_refractivity_ciddor_1996(algebra::Wavelength wavelength);
+
 }  // namespace coppermoon::atmosphere

@@ -7,30 +7,45 @@
 
 namespace coppermoon::photons {
 
-/// What the air does to a ray that passes the limb.
-struct LimbRay {
-  double tangent_height_m;  ///< lowest altitude of the bent ray
-  double bending_rad;       ///< total refraction, towards the Earth
-  double transmittance;     ///< of dust and Rayleigh scattering along the path, and of ozone
-  double optical_depth;     ///< of dust and Rayleigh scattering
+/// The path of a ray that passes the limb, and what stands along it.
+struct LimbPath {
+  double tangent_height_m;        ///< lowest altitude of the bent ray
+  double impact_height_m;         ///< b − R, the impact parameter above the ground's
+  double bending_rad;             ///< total refraction, towards the Earth
+  atmosphere::Amounts amounts{};  ///< each profile summed along the path
 };
 
-/// The exact path of a ray through a column of air that is alike all around the Earth.
+/// The exact path of a ray through a column of air that is alike all around.
 ///
-///     δ = −2 b ∫ (dn/dr) / (n √(n²r² − b²)) dr          τ = 2 ∫ (α + β) n r / √(n²r² − b²) dr
+///     δ = −2 b ∫ (dn/dr) / (n √(n²r² − b²)) dr          a = 2 ∫ p(h) n r / √(n²r² − b²) dr
 ///
-/// from the tangent radius r_t, where n r = b, to the top; in the variable √(r − r_t), which has no
-/// singularity, by Gauss–Legendre between the altitudes where the air's slope breaks. Refractivity
-/// and altitude are carried, not n and r: n r − b = h − h_t + (n − 1) r − (n_t − 1) r_t loses no
-/// digits.
+/// from the tangent radius r_t, where n r = b, to the top; p any profile. In the variable
+/// √(r − r_t), which has no singularity, by Gauss–Legendre between the altitudes where the air's
+/// slope breaks. Refractivity and altitude are carried, not n and r: n r − b = h − h_t + (n − 1) r −
+/// (n_t − 1) r_t loses no digits.
+///
+/// Given     tangent_height_m      0 to the top of the air
+///           earth_radius_m        of the ground's curvature along the path
+///           refractivity          n₀ − 1, at sea level
+/// Accuracy  1e-8 relative; in the last millimetre under the top of the air, what the rounding of
+///           altitudes leaves
+/// Source    Auer & Standish (2000), AJ 119, 2472, for the integrals
+LimbPath limb_path(double tangent_height_m, double earth_radius_m, const atmosphere::Column& column,
+                   double refractivity);
+
+/// What the air does to a ray of one wavelength that passes the limb.
+struct LimbRay {
+  double tangent_height_m, bending_rad;
+  double transmittance;  ///< of all that stands along the path, of cloud, of ozone as a filter
+  double optical_depth;  ///< of all that stands along the path
+};
+
+/// The same from the impact parameter.
 ///
 /// Given     impact_height_m  b − R, the impact parameter above the Earth's radius
 /// Returned  nothing when the ray meets the ground
-/// Accuracy  1e-8 relative; in the last millimetre under the top of the air, what the rounding of
-///           altitudes leaves
 /// Throws    Error  when the impact height is above the air's top or over 10 km below the ground
-/// Source    Auer & Standish (2000), AJ 119, 2472, for the integrals
-std::optional<LimbRay> limb_ray(double impact_height_m, const atmosphere::Atmosphere& atmosphere,
+std::optional<LimbRay> limb_ray(double impact_height_m, double earth_radius_m,
                                 const atmosphere::Column& column, const atmosphere::Optics& optics);
 
 }  // namespace coppermoon::photons

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "photons/photon.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -13,7 +14,7 @@ Ray aimed_at_the_ring(algebra::Random& random, double sun_distance_m,
                       const atmosphere::Atmosphere& atmosphere) {
   const auto place = random_place_on_disc(random) * solar_radius_m;
   const glm::dvec3 source(place.x, place.y, -sun_distance_m);
-  const double inner = atmosphere.earth_radius_m, outer = atmosphere.top_radius_m();
+  const double inner = innermost_radius_m(atmosphere), outer = atmosphere.top_radius_m();
   const double b = std::sqrt(inner * inner + random.uniform() * (outer * outer - inner * inner));
   const double azimuth = 2 * std::numbers::pi * random.uniform();
 
@@ -24,6 +25,10 @@ Ray aimed_at_the_ring(algebra::Random& random, double sun_distance_m,
   const double sine = b / distance, cosine = std::sqrt(1 - sine * sine);
   return {source,
           cosine * to_earth + sine * (std::cos(azimuth) * across + std::sin(azimuth) * upward)};
+}
+
+double innermost_radius_m(const atmosphere::Atmosphere& atmosphere) {
+  return std::min(atmosphere.earth.polar_radius_m, atmosphere.earth.equatorial_radius_m);
 }
 
 glm::dvec3 at_depth(const Ray& ray, double depth_m) {

@@ -13,19 +13,23 @@ using atmosphere::Atmosphere;
 using atmosphere::Column;
 using atmosphere::Optics;
 
-const Column& column_over(const Atmosphere& atmosphere, const glm::dvec3& at_m) {
-  if (atmosphere.symmetric()) return atmosphere.column;
-  return atmosphere.column_at(std::atan2(at_m.x, at_m.y));
-}
+/// The air a ray is in.
+struct Standing {
+  const Column* column;
+  atmosphere::Amounts spectra;
+
+  Standing(const Atmosphere& atmosphere, const Optics& optics, const glm::dvec3& at_m)
+      : column(&atmosphere.column_at(std::atan2(at_m.x, at_m.y))),
+        spectra(atmosphere::spectra(*column, optics)) {}
+};
 
 glm::dvec3 refractivity_gradient(const Column& column, const Optics& optics, const glm::dvec3& at_m,
-                                 double here, double earth_radius_m, double step_m) {
+                                 double here, const atmosphere::Figure& earth, double step_m) {
   glm::dvec3 gradient;
   for (int j = 0; j < 3; ++j) {
     glm::dvec3 beside = at_m;
     beside[j] += step_m;
-    gradient[j] =
-        (refractivity(column, optics, glm::length(beside) - earth_radius_m) - here) / step_m;
+    gradient[j] = (refractivity(column, optics, altitude_m(earth, beside)) - here) / step_m;
   }
   return gradient;
 }
@@ -43,27 +47,31 @@ std::optional<Ray> entered(const Ray& ray, double radius_m) {
 std::optional<Traced> trace(const Ray& entering, const Atmosphere& atmosphere, const Optics& optics,
                             const Stepping& stepping) {
   algebra::require_within("step [m]", stepping.step_m, 1, 1e5);
-  const double length = stepping.step_m, earth_radius_m = atmosphere.earth_radius_m;
+  const double length = stepping.step_m, top = atmosphere.top_m();
+  const auto& earth = atmosphere.earth;
   glm::dvec3 at = entering.position_m, direction = entering.direction;
-  double optical_depth = 0;
+  Standing standing(atmosphere, optics, at);
+  const Column* at_lowest = standing.column;
+  double optical_depth = 0, altitude = altitude_m(earth, at), lowest = altitude;
   int steps = 0;
-  for (double altitude = glm::length(at) - earth_radius_m;
-       altitude <= atmosphere.top_m || glm::dot(at, direction) < 0;
-       altitude = glm::length(at) - earth_radius_m, ++steps) {
+  for (; altitude <= top || glm::dot(at, direction) < 0; altitude = altitude_m(earth, at)) {
     if (altitude < 0) return std::nullopt;
-    const Column& column = column_over(atmosphere, at);
+    if (!atmosphere.regions.empty()) standing = Standing(atmosphere, optics, at);
+    const Column& column = *standing.column;
+    if (altitude < lowest) lowest = altitude, at_lowest = &column;
     const double here = refractivity(column, optics, altitude);
-    optical_depth += extinction_per_m(column, optics, altitude) * length;
+    optical_depth += atmosphere::product(profiles(column, altitude), standing.spectra) * length;
     const glm::dvec3 momentum =
-        (1 + here) * direction + length * refractivity_gradient(column, optics, at, here,
-                                                                earth_radius_m,
-                                                                stepping.gradient_step_m);
+        (1 + here) * direction +
+        length * refractivity_gradient(column, optics, at, here, earth, stepping.gradient_step_m);
     at += length * direction;
-    const double there = refractivity(column, optics, glm::length(at) - earth_radius_m);
+    const double there = refractivity(column, optics, altitude_m(earth, at));
     direction = momentum / (1 + there);
+    ++steps;
   }
-  const double ozone = ozone_transmittance(column_over(atmosphere, at), optics);
-  return Traced{{at, glm::normalize(direction)}, std::exp(-optical_depth) * ozone, steps};
+  return Traced{{at, glm::normalize(direction)},
+                std::exp(-optical_depth) * limb_filter(*at_lowest, optics, lowest),
+                steps};
 }
 
 }  // namespace coppermoon::photons

@@ -51,6 +51,14 @@ struct Simulation {
     return static_cast<std::size_t>(nearest) % settings.sectors;
   }
 
+  /// Of the Sun's disc over its mean, at a place of it.
+  double brightness_at(const glm::dvec3& source_m, std::size_t wave) const {
+    if (!arrangement.limb_darkening) return 1;
+    const double rho = std::hypot(source_m.x, source_m.y) / photons::solar_radius_m;
+    return photons::limb_darkening(algebra::nanometres(optics[wave].wavelength_nm),
+                                   std::sqrt(std::max(0., 1 - rho * rho)));
+  }
+
   void add_photon(std::uint64_t index, Tally& tally) const {
     algebra::Random random(settings.seed, index);
     const auto wave =
@@ -60,14 +68,15 @@ struct Simulation {
     if (!entering) return;  // a graze lost to rounding
     const auto traced = photons::trace(*entering, atmosphere, optics[wave], settings.stepping);
     if (!traced) return;
+    const double weight = traced->transmittance * brightness_at(ray.position_m, wave);
     for (std::size_t k = 0; k < arrangement.depths_m.size(); ++k) {
       const auto landed = photons::at_depth(traced->leaving, arrangement.depths_m[k]);
       const auto ring =
           static_cast<std::size_t>(std::hypot(landed.x, landed.y) / settings.ring_width_m);
       if (ring >= rings) continue;
       const std::size_t grid = k * settings.sectors + sector_of(landed);
-      tally.sum[grid](ring, wave) += traced->transmittance;
-      tally.sum_of_squares[grid](ring, wave) += traced->transmittance * traced->transmittance;
+      tally.sum[grid](ring, wave) += weight;
+      tally.sum_of_squares[grid](ring, wave) += weight * weight;
     }
   }
 };
@@ -104,7 +113,7 @@ void require_valid(const PhotonSettings& settings, const Atmosphere& atmosphere)
 /// Irradiance ratio that one photon of full weight makes in a cell of ring r, times all photons.
 double cell_weight(const Simulation& simulation, double depth_m, std::size_t r) {
   const double spread = 1 + depth_m / simulation.arrangement.sun_distance_m;
-  const double inner = simulation.atmosphere.earth_radius_m;
+  const double inner = photons::innermost_radius_m(simulation.atmosphere);
   const double outer = simulation.atmosphere.top_radius_m();
   const double width = simulation.settings.ring_width_m;
   const double ring_area_over_pi = width * width * (2 * static_cast<double>(r) + 1);
@@ -134,9 +143,10 @@ RefractedLight by_photons(const Atmosphere& atmosphere, const Arrangement& arran
   const auto rings = static_cast<std::size_t>(std::ceil(reach / settings.ring_width_m));
   Simulation simulation{atmosphere, arrangement, settings, {}, rings};
   for (const double nm : wavelengths_nm)
-    simulation.optics.push_back(atmosphere::sea_level_optics(algebra::nanometres(nm)));
+    simulation.optics.push_back(
+        atmosphere::sea_level_optics(algebra::nanometres(nm), atmosphere.molecules));
   const Tally none(arrangement.depths_m.size() * settings.sectors, rings, wavelengths_nm.size());
-  Tally tally = atmosphere.top_m > 0 ? simulated(simulation, none, progress) : none;
+  Tally tally = atmosphere.top_m() > 0 ? simulated(simulation, none, progress) : none;
 
   RefractedLight light{arrangement,
                        {wavelengths_nm.begin(), wavelengths_nm.end()},

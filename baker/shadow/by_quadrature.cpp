@@ -6,126 +6,267 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "algebra/error.h"
-#include "atmosphere/density.h"
-#include "photons/bending.h"
-#include "photons/solar_disc.h"
+#include "algebra/quadrature.h"
+#include "photons/limb_table.h"
 
 namespace coppermoon::shadow {
 namespace {
 
+using algebra::Grid;
 using atmosphere::Atmosphere;
+using std::numbers::pi;
 
-/// Rays from the ground to the air's top.
-struct Fan {
-  std::vector<double> impact_parameter_m, bending_rad, transmittance;
+constexpr double spacing_m = 2e3;  // of C(r)
+constexpr int nodes_a_piece = 12;
+
+/// The fans of one part of the limb, by wavelength.
+struct LimbFans {
+  double radius_m;
+  std::vector<photons::Fan> fans;
 };
 
-/// Tangent heights where the air's slope breaks, with its ends. Below each, bending and optical
-/// depth of the rays that dip under it leave it like a square root.
-std::vector<double> breaks_of(const Atmosphere& atmosphere) {
-  std::vector<double> breaks{0, atmosphere.column.dust_bottom_m, atmosphere.column.dust_top_m,
-                             atmosphere.top_m};
-  const auto density = atmosphere::density_breaks_m();
-  breaks.insert(breaks.end(), density.begin(), density.end());
-  std::sort(breaks.begin(), breaks.end());
-  std::erase_if(breaks, [&](double h) { return h > atmosphere.top_m; });
-  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
-  return breaks;
+/// ∫ exp(g + k t) dt over the first part of a cell whose ends are g apart in the logarithm, over
+/// that of the whole cell.
+double exponential_share(double k, double part) {
+  return std::abs(k) < 1e-6 ? part : std::expm1(k * part) / std::expm1(k);
 }
 
-/// b − R, ever closer towards the upper end of each smooth piece, where the square roots are.
-std::vector<double> impact_heights(const Atmosphere& atmosphere, const atmosphere::Optics& optics,
-                                   int rays) {
-  const auto impact_height = [&](double h) {
-    return h + refractivity(atmosphere.column, optics, h) * (atmosphere.earth_radius_m + h);
-  };
-  const auto breaks = breaks_of(atmosphere);
-  std::vector<double> heights;
-  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    const double low = impact_height(breaks[i]), high = impact_height(breaks[i + 1]);
-    const int here =
-        std::max(4, static_cast<int>(rays * (breaks[i + 1] - breaks[i]) / atmosphere.top_m));
-    for (int k = 0; k < here; ++k) {
-      const double left = 1 - static_cast<double>(k) / here;
-      heights.push_back(high - (high - low) * left * left);
+/// The mean between two ends of what runs exponentially from exp(x) to exp(y).
+double exponential_mean(double x, double y) {
+  const double k = y - x;
+  return std::abs(k) < 1e-6 ? std::exp((x + y) / 2) : (std::exp(y) - std::exp(x)) / k;
+}
+
+/// C(r) of one part of the limb on one plane, by wavelength.
+class Landed {
+ public:
+  Landed(const LimbFans& limb, double sun_distance_m, double depth_m) {
+    const std::size_t waves = limb.fans.size();
+    std::vector<std::vector<double>> radii(waves);
+    double least = std::numeric_limits<double>::max(), greatest = -least;
+    for (std::size_t w = 0; w < waves; ++w) {
+      const auto& fan = limb.fans[w];
+      for (std::size_t i = 0; i < fan.bending_rad.size(); ++i)
+        radii[w].push_back(landing_m(limb.radius_m + fan.impact_height_m[i], fan.bending_rad[i],
+                                     sun_distance_m, depth_m));
+      const auto [low, high] = std::ranges::minmax(radii[w]);
+      least = std::min(least, low), greatest = std::max(greatest, high);
     }
+    first_m_ = least, last_m_ = greatest;
+    cumulative_ = Grid<double>(static_cast<std::size_t>((greatest - least) / spacing_m) + 3, waves);
+    for (std::size_t w = 0; w < waves; ++w) add_fan(limb.fans[w], limb.radius_m, radii[w], w);
   }
-  heights.front() += 1e-6;  // a micrometre above the ground, which rounding must not lose
-  heights.push_back(atmosphere.top_m);
-  return heights;
-}
 
-Fan fan_at(const Atmosphere& atmosphere, double wavelength_nm, int rays) {
-  const auto optics = atmosphere::sea_level_optics(algebra::nanometres(wavelength_nm));
-  Fan fan;
-  for (const double height : impact_heights(atmosphere, optics, rays)) {
-    const auto ray = photons::limb_ray(height, atmosphere, atmosphere.column, optics);
-    if (!ray) continue;
-    fan.impact_parameter_m.push_back(atmosphere.earth_radius_m + height);
-    fan.bending_rad.push_back(ray->bending_rad);
-    fan.transmittance.push_back(ray->transmittance);
+  /// Where the highest ray lands: beyond, C is constant.
+  double last_m() const { return last_m_; }
+
+  /// sums[w] += factor C(r)
+  void add(double r_m, double factor, std::span<double> sums) const {
+    const double last = static_cast<double>(cumulative_.rows() - 1);
+    const double at = std::clamp((r_m - first_m_) / spacing_m, 0., last);
+    const auto node = std::min(static_cast<std::size_t>(at), cumulative_.rows() - 2);
+    const double part = at - static_cast<double>(node);
+    const auto low = cumulative_.row(node), high = cumulative_.row(node + 1);
+    const double f0 = factor * (1 - part), f1 = factor * part;
+    for (std::size_t w = 0; w < sums.size(); ++w) sums[w] += f0 * low[w] + f1 * high[w];
   }
-  return fan;
-}
 
-/// The mean between two positive ends of what falls exponentially from one to the other.
-double logarithmic_mean(double x, double y) {
-  const double ratio = y / x - 1;
-  if (!(std::abs(ratio) > 1e-4)) return (x + y) / 2;  // alike, or both 0
-  return y > 0 ? (y - x) / std::log1p(ratio) : 0;
-}
+ private:
+  void add_fan(const photons::Fan& fan, double radius_m, std::span<const double> r,
+               std::size_t wave) {
+    std::vector<double> bins(cumulative_.rows());
+    for (std::size_t i = 0; i + 1 < r.size(); ++i) {
+      const double b0 = radius_m + fan.impact_height_m[i],
+                   b1 = radius_m + fan.impact_height_m[i + 1];
+      const double g0 = std::log(b0) - fan.optical_depth[i],
+                   g1 = std::log(b1) - fan.optical_depth[i + 1];
+      const double light = fan.filter[i] * (b1 - b0) * exponential_mean(g0, g1);
+      if (r[i] <= r[i + 1])
+        add_cell(bins, r[i], r[i + 1], light, g1 - g0);
+      else
+        add_cell(bins, r[i + 1], r[i], light, g0 - g1);
+    }
+    double sum = 0;
+    for (std::size_t n = 0; n < bins.size(); ++n) cumulative_(n, wave) = sum += bins[n];
+  }
 
-/// A fan where it lands on one plane.
-struct LandedFan {
-  std::vector<double> radius_m;  ///< signed distance from the axis, where each ray lands
-  std::vector<double> weight;    ///< T b Δb between each ray and the next
+  /// Light that lands between two places: bins[n] takes what lies between node n − 1 and node n.
+  void add_cell(std::vector<double>& bins, double from_m, double to_m, double light,
+                double steepness) const {
+    const double from = (from_m - first_m_) / spacing_m, to = (to_m - first_m_) / spacing_m;
+    auto node = static_cast<std::size_t>(from) + 1;
+    double before = 0;
+    for (; static_cast<double>(node) < to; ++node) {
+      const double share =
+          exponential_share(steepness, (static_cast<double>(node) - from) / (to - from));
+      bins[node] += light * (share - before);
+      before = share;
+    }
+    bins[node] += light * (1 - before);
+  }
+
+  double first_m_, last_m_;
+  Grid<double> cumulative_;  // (node, wavelength)
 };
 
-/// Near the axis Φ turns within a cell: there cells are cut finer, to a quarter of the axis
-/// distance.
-int cuts(double r0, double r1) {
-  constexpr double most = 16;
-  const double nearest = r0 * r1 <= 0 ? 0 : std::min(std::abs(r0), std::abs(r1));
-  return static_cast<int>(std::ceil(std::min(most, 1 + 4 * std::abs(r1 - r0) / (nearest + 1))));
+/// A line through the axis that the disc about a place cuts, and how much of φ it stands for.
+struct Chord {
+  double psi, dpsi, from_m, to_m;
+};
+
+/// One smooth range of ψ, by Gauss–Legendre in t: ψ itself, or where the disc lies off the axis
+/// sin ψ = (a/γ) sin t, about 0 or about π.
+void add_chords(double gamma, double a, double t0, double t1, double about,
+                std::vector<Chord>& chords) {
+  const bool off_axis = gamma > a;
+  for (const auto& [x, weight] : algebra::gauss_legendre(nodes_a_piece)) {
+    const double t = (t0 + t1) / 2 + (t1 - t0) / 2 * x;
+    const double sine = off_axis ? a / gamma * std::sin(t) : std::sin(t);
+    const double cosine = off_axis ? std::sqrt(1 - sine * sine) * std::cos(about) : std::cos(t);
+    const double stretch = off_axis ? a / gamma * std::cos(t) / std::abs(cosine) : 1;
+    const double half =
+        off_axis ? a * std::cos(t) : std::sqrt(std::max(0., a * a - gamma * gamma * sine * sine));
+    chords.push_back({std::atan2(sine * (off_axis ? std::cos(about) : 1), cosine),
+                      weight * (t1 - t0) / 2 * stretch, gamma * cosine - half,
+                      gamma * cosine + half});
+  }
 }
 
-LandedFan landed(const Fan& fan, double sun_distance_m, double depth_m) {
-  const auto& b = fan.impact_parameter_m;
-  const auto radius = [&](std::size_t i) {
-    return landing_m(b[i], fan.bending_rad[i], sun_distance_m, depth_m);
+/// All chords of the disc of radius a about a place γ off the axis.
+///
+/// Given  borders  angles ψ where the limb's air changes, −π to π
+std::vector<Chord> chords_of(double gamma, double a, std::span<const double> borders) {
+  std::vector<Chord> chords;
+  const auto pieces = [&](double about, std::vector<double> ends) {
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+      if (ends[i + 1] - ends[i] > 1e-12) add_chords(gamma, a, ends[i], ends[i + 1], about, chords);
   };
-  LandedFan on_plane{{radius(0)}, {}};
-  for (std::size_t i = 0; i + 1 < b.size(); ++i) {
-    const double r0 = on_plane.radius_m.back(), r1 = radius(i + 1);
-    const double weight = (b[i + 1] - b[i]) * logarithmic_mean(fan.transmittance[i] * b[i],
-                                                               fan.transmittance[i + 1] * b[i + 1]);
-    const int n = cuts(r0, r1);
-    for (int k = 1; k <= n; ++k) {
-      on_plane.radius_m.push_back(std::lerp(r0, r1, static_cast<double>(k) / n));
-      on_plane.weight.push_back(weight / n);
+  if (gamma <= a) {
+    std::vector<double> ends{-pi, -pi / 2, 0, pi / 2, pi};
+    ends.insert(ends.end(), borders.begin(), borders.end());
+    pieces(0, ends);
+    return chords;
+  }
+  for (const double about : {0., pi}) {
+    std::vector<double> ends{-pi / 2, 0, pi / 2};
+    for (const double psi : borders) {
+      const double off = std::remainder(psi - about, 2 * pi);
+      if (std::abs(off) < pi / 2 && std::abs(gamma * std::sin(off)) < a)
+        ends.push_back(std::asin(gamma * std::sin(off) / a));
+    }
+    pieces(about, ends);
+  }
+  return chords;
+}
+
+/// All light on one plane.
+class Plane {
+ public:
+  Plane(const Atmosphere& atmosphere, const Arrangement& arrangement, double depth_m,
+        const std::vector<LimbFans>& limbs, const photons::DiscLayers& sun)
+      : atmosphere_(atmosphere), sun_(sun) {
+    const double spread = 1 + depth_m / arrangement.sun_distance_m;
+    a_ = projected_solar_radius_m(arrangement, depth_m);
+    factor_ = spread * spread / (pi * a_ * a_);
+    landed_.reserve(limbs.size());
+    for (const auto& limb : limbs) landed_.emplace_back(limb, arrangement.sun_distance_m, depth_m);
+    for (const auto& region : atmosphere.regions)
+      for (const auto angle : {region.from, region.to}) add_border(algebra::in_radians(angle));
+    equator_m_ = atmosphere::limb_at(atmosphere.earth, pi / 2).radius_m;
+    pole_m_ = atmosphere::limb_at(atmosphere.earth, 0).radius_m;
+  }
+
+  void light(double gamma, double theta, std::span<double> ratio) const {
+    std::vector<double> borders, sums(ratio.size());
+    for (const double border : borders_) borders.push_back(std::remainder(border - theta, 2 * pi));
+    for (std::size_t k = 0; k < sun_.radius.size(); ++k) {
+      std::fill(sums.begin(), sums.end(), 0);
+      const double a = a_ * sun_.radius[k];
+      auto ends = borders;
+      add_ends_of_light(gamma, a, ends);
+      for (const auto& chord : chords_of(gamma, a, ends))
+        add(chord, theta + chord.psi, sums);
+      for (std::size_t w = 0; w < ratio.size(); ++w)
+        ratio[w] += factor_ * sun_.brightness(k, w) * sums[w];
+    }
+    for (double& value : ratio) value = std::max(value, 0.);  // rounding
+  }
+
+ private:
+  void add(const Chord& chord, double phi, std::span<double> sums) const {
+    const std::size_t column = column_index(phi);
+    const auto span = [&](const Landed& landed, double share) {
+      landed.add(chord.to_m, chord.dpsi * share, sums);
+      landed.add(chord.from_m, -chord.dpsi * share, sums);
+    };
+    if (atmosphere_.earth.sphere()) return span(landed_[column], 1);
+    const double pole = (atmosphere::limb_at(atmosphere_.earth, phi).radius_m - equator_m_) /
+                        (pole_m_ - equator_m_);
+    span(landed_[2 * column], 1 - pole);
+    span(landed_[2 * column + 1], pole);
+  }
+
+  /// Where the disc's edge crosses the circles on which light ends.
+  void add_ends_of_light(double gamma, double a, std::vector<double>& borders) const {
+    for (const auto& landed : landed_) {
+      const double r = landed.last_m();
+      const double cosine = (gamma * gamma + r * r - a * a) / (2 * gamma * r);
+      if (std::abs(cosine) >= 1 || gamma == 0) continue;
+      borders.push_back(std::acos(cosine));
+      borders.push_back(-std::acos(cosine));
     }
   }
-  return on_plane;
+
+  /// Where the air differs on either side.
+  void add_border(double phi) {
+    constexpr double beside = 1e-9;
+    if (column_index(phi - beside) != column_index(phi + beside)) borders_.push_back(phi);
+  }
+
+  /// 0: the column outside all regions.
+  std::size_t column_index(double phi) const {
+    const auto* column = &atmosphere_.column_at(phi);
+    for (std::size_t r = 0; r < atmosphere_.regions.size(); ++r)
+      if (column == &atmosphere_.regions[r].column) return r + 1;
+    return 0;
+  }
+
+  const Atmosphere& atmosphere_;
+  const photons::DiscLayers& sun_;
+  double a_, factor_, equator_m_, pole_m_;
+  std::vector<Landed> landed_;  // [column], on an ellipsoid [column][equator, pole]
+  std::vector<double> borders_;
+};
+
+/// For each column its limb; on an ellipsoid at the equator and at the pole.
+std::vector<LimbFans> limbs_of(const Atmosphere& atmosphere, std::span<const double> wavelengths_nm,
+                               int rays) {
+  std::vector<atmosphere::Optics> optics;
+  for (const double nm : wavelengths_nm)
+    optics.push_back(atmosphere::sea_level_optics(algebra::nanometres(nm), atmosphere.molecules));
+  std::vector<const atmosphere::Column*> columns{&atmosphere.column};
+  for (const auto& region : atmosphere.regions) columns.push_back(&region.column);
+  const std::size_t ends = atmosphere.earth.sphere() ? 1 : 2;
+  std::vector<LimbFans> limbs(columns.size() * ends);
+  tbb::parallel_for(std::size_t{0}, limbs.size(), [&](std::size_t i) {
+    const auto limb = atmosphere::limb_at(atmosphere.earth, i % ends == 0 ? pi / 2 : 0);
+    const photons::LimbTable table(*columns[i / ends], limb.curvature_radius_m, optics, rays);
+    limbs[i].radius_m = limb.radius_m;
+    for (const auto& o : optics) limbs[i].fans.push_back(table.fan(o));
+  });
+  return limbs;
 }
 
-/// Σ T b Δb Φ: each pair of rays with the mean angle of the arcs between them.
-double arcs_inside(const LandedFan& fan, double gamma, double a) {
-  // ∫ |r| Φ dr from the axis to r: odd in r, so that a pair on either side of the axis is whole.
-  const auto area = [&](double r) {
-    const double shared = lens_area(gamma, std::abs(r), a);
-    return r < 0 ? -shared : shared;
-  };
-  double sum = 0, below = area(fan.radius_m.front());
-  for (std::size_t i = 0; i < fan.weight.size(); ++i) {
-    const double r0 = fan.radius_m[i], r1 = fan.radius_m[i + 1], above = area(r1);
-    const double whole = (r1 * std::abs(r1) - r0 * std::abs(r0)) / 2;
-    if (whole != 0) sum += fan.weight[i] * std::max(0., (above - below) / whole);  // rounding
-    below = above;
-  }
-  return sum;
+/// The sector in the first quarter that has the same light, where only the ellipsoid tells sectors
+/// apart.
+std::size_t mirrored(std::size_t sector, std::size_t sectors) {
+  const std::size_t half = sector % (sectors / 2);
+  return std::min(half, sectors / 2 - half);
 }
 
 }  // namespace
@@ -137,30 +278,36 @@ RefractedLight by_quadrature(const Atmosphere& atmosphere, const Arrangement& ar
   require_valid(atmosphere);
   require_valid(arrangement);
   algebra::require_within("rays", rays, 2, 1e7);
-  if (!atmosphere.symmetric())
-    throw algebra::Error("solver quadrature needs air that is alike all around; use photons");
   const std::size_t planes = arrangement.depths_m.size(), distances = axis_distances_m.size(),
                     waves = wavelengths_nm.size();
+  const std::size_t sectors = atmosphere.symmetric() ? 1 : sectors_around;
   RefractedLight light{arrangement,
                        {wavelengths_nm.begin(), wavelengths_nm.end()},
                        {axis_distances_m.begin(), axis_distances_m.end()},
-                       1,
-                       {planes, algebra::Grid<double>(distances, waves)},
-                       {planes, algebra::Grid<double>(distances, waves)}};
-  if (atmosphere.top_m <= 0) return light;
+                       sectors,
+                       {planes * sectors, Grid<double>(distances, waves)},
+                       {planes * sectors, Grid<double>(distances, waves)}};
+  if (atmosphere.top_m() <= 0 || waves == 0) return light;
+  const auto sun = photons::disc_layers(wavelengths_nm, arrangement.limb_darkening);
+  const auto limbs = limbs_of(atmosphere, wavelengths_nm, rays);
+  const bool quarters = atmosphere.regions.empty() && sectors > 1;
   std::atomic<std::size_t> done = 0;
-  tbb::parallel_for(std::size_t{0}, waves, [&](std::size_t w) {
-    const auto fan = fan_at(atmosphere, wavelengths_nm[w], rays);
-    for (std::size_t k = 0; k < planes; ++k) {
-      const double depth = arrangement.depths_m[k], sun = arrangement.sun_distance_m;
-      const double a = projected_solar_radius_m(arrangement, depth), spread = 1 + depth / sun;
-      const auto on_plane = landed(fan, sun, depth);
-      for (std::size_t d = 0; d < distances; ++d)
-        light.ratio[k](d, w) = spread * spread / (std::numbers::pi * a * a) *
-                               arcs_inside(on_plane, axis_distances_m[d], a);
-    }
-    if (progress) progress(static_cast<double>(++done) / static_cast<double>(waves));
-  });
+  for (std::size_t k = 0; k < planes; ++k) {
+    const Plane plane(atmosphere, arrangement, arrangement.depths_m[k], limbs, sun);
+    tbb::parallel_for(std::size_t{0}, distances, [&](std::size_t d) {
+      for (std::size_t s = 0; s < sectors; ++s) {
+        auto ratio = light.ratio[k * sectors + s].row(d);
+        const std::size_t same = quarters ? mirrored(s, sectors) : s;
+        const auto source = light.ratio[k * sectors + same].row(d);
+        if (same < s)
+          std::copy(source.begin(), source.end(), ratio.begin());
+        else
+          plane.light(axis_distances_m[d],
+                      2 * pi * static_cast<double>(s) / static_cast<double>(sectors), ratio);
+      }
+      if (progress) progress(static_cast<double>(++done) / static_cast<double>(distances * planes));
+    });
+  }
   return light;
 }
 

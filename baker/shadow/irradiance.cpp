@@ -9,6 +9,7 @@
 #include "photons/solar_disc.h"
 
 namespace coppermoon::shadow {
+
 void require_valid(const Arrangement& arrangement) {
   algebra::require_within("Sun's distance [km]", arrangement.sun_distance_m / 1e3, 4.5e7, 4.5e8);
   for (const double depth : arrangement.depths_m)
@@ -43,12 +44,40 @@ double refracted_reach_m(const Arrangement& arrangement, const atmosphere::Atmos
          projected_solar_radius_m(arrangement, depth_m);
 }
 
-double direct_ratio(double axis_distance_m, double depth_m, double sun_distance_m,
-                    double opaque_radius_m) {
+double covered_part(double axis_distance_m, double depth_m, double sun_distance_m,
+                    double opaque_radius_m, double disc_radius) {
   const double sun = photons::solar_radius_m * depth_m / sun_distance_m;
   const double earth = landing_m(opaque_radius_m, 0, sun_distance_m, depth_m);
-  const double covered = lens_area(axis_distance_m, sun, earth);
-  return std::max(0., 1 - covered / (std::numbers::pi * sun * sun));
+  return lens_area(axis_distance_m, sun * disc_radius, earth) / (std::numbers::pi * sun * sun);
+}
+
+DirectLight::DirectLight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
+                         std::span<const double> wavelengths_nm)
+    : earth_(atmosphere.earth),
+      top_m_(atmosphere.top_m()),
+      sun_distance_m_(arrangement.sun_distance_m),
+      sun_(photons::disc_layers(wavelengths_nm, arrangement.limb_darkening)) {}
+
+void DirectLight::ratios(double axis_distance_m, double position_angle_rad, double depth_m,
+                         std::span<double> values) const {
+  const double opaque = atmosphere::limb_at(earth_, position_angle_rad).radius_m + top_m_;
+  const auto covered = [&](double disc_radius) {
+    return covered_part(axis_distance_m, depth_m, sun_distance_m_, opaque, disc_radius);
+  };
+  const double whole = covered(1);
+  std::fill(values.begin(), values.end(), whole < 1 - 1e-12 ? 1. : 0.);
+  if (whole == 0 || whole >= 1 - 1e-12) return;
+  for (std::size_t k = 0; k < sun_.radius.size(); ++k) {
+    const double part = covered(sun_.radius[k]);
+    for (std::size_t w = 0; w < values.size(); ++w) values[w] -= sun_.brightness(k, w) * part;
+  }
+  for (double& value : values) value = std::clamp(value, 0., 1.);  // rounding
+}
+
+double DirectLight::penumbra_m(double depth_m) const {
+  const double opaque = std::max(earth_.equatorial_radius_m, earth_.polar_radius_m) + top_m_;
+  return landing_m(opaque, 0, sun_distance_m_, depth_m) +
+         photons::solar_radius_m * depth_m / sun_distance_m_;
 }
 
 }  // namespace coppermoon::shadow

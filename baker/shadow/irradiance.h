@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "algebra/grid.h"
 #include "atmosphere/atmosphere.h"
+#include "photons/limb_darkening.h"
 
 namespace coppermoon::shadow {
 
@@ -12,10 +14,14 @@ namespace coppermoon::shadow {
 struct Arrangement {
   double sun_distance_m;         ///< 0.3 to 3 au
   std::vector<double> depths_m;  ///< planes behind the Earth, increasing, 1e8 to 1e9 m
+  bool limb_darkening = false;   ///< of the Sun's disc, by wavelength; off: uniform
 };
 
 /// Throws Error when a distance is outside its range
 void require_valid(const Arrangement& arrangement);
+
+/// Parts of the position angle that light is given in where it differs around the axis.
+inline constexpr std::size_t sectors_around = 24;
 
 /// Light that came through the Earth's air, over what an unshaded surface there would receive: a
 /// function of place in the shadow and wavelength.
@@ -48,14 +54,37 @@ double refracted_reach_m(const Arrangement& arrangement, const atmosphere::Atmos
 /// Area common to two circles of radii r and s whose centres stand that far apart.
 double lens_area(double apart, double r, double s);
 
-/// The part of the Sun's uniform disc that stands clear of the Earth and its air, seen from the
-/// shadow: the area of the projected disc outside the circle that the air's top throws.
+/// The part of the Sun's uniform disc that the Earth and its air cover, seen from the shadow: the
+/// area that two circles share, the projected disc and the one that the air's top throws.
 ///
 /// Given     axis_distance_m, depth_m  the place; opaque_radius_m: of the Earth with its air
-/// Returned  0 in the umbra to 1 in full sunlight
+///           disc_radius               of a disc about the Sun's centre, in solar radii
+/// Returned  over the area of the whole Sun: 0 in full sunlight, disc_radius² where all is covered
 /// Accuracy  1e-5: the planes of Sun, limb and shadow are taken as parallel
-/// Source    area of a lens between two circles
-double direct_ratio(double axis_distance_m, double depth_m, double sun_distance_m,
-                    double opaque_radius_m);
+double covered_part(double axis_distance_m, double depth_m, double sun_distance_m,
+                    double opaque_radius_m, double disc_radius = 1);
+
+/// Sunlight that passes clear of the Earth and its air, over unshaded sunlight, by wavelength: the
+/// closed form for a uniform disc, summed over the discs that make a limb-darkened one.
+///
+/// Accuracy  of an ellipsoid's edge: a circle of its radius at the place's position angle; less than
+///           1e-3 of unshaded sunlight
+class DirectLight {
+ public:
+  DirectLight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
+              std::span<const double> wavelengths_nm);
+
+  /// Writes one ratio a wavelength, 0 in the umbra to 1 in full sunlight.
+  void ratios(double axis_distance_m, double position_angle_rad, double depth_m,
+              std::span<double> values) const;
+
+  /// Axis distance beyond which all sunlight is clear [m].
+  double penumbra_m(double depth_m) const;
+
+ private:
+  atmosphere::Figure earth_;
+  double top_m_, sun_distance_m_;
+  photons::DiscLayers sun_;
+};
 
 }  // namespace coppermoon::shadow

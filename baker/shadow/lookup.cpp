@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/lookup.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -41,36 +43,46 @@ std::vector<double> row_sums(const ChannelWeights& weights) {
 
 Lookup::Lookup(const ChannelWeights& weights) : sunlight_(row_sums(weights)) {}
 
-Lookup::Lookup(const RefractedLight& light, double opaque_radius_m, const ChannelWeights& weights,
-               double axis_spacing_m)
+Lookup::Lookup(const RefractedLight& light, const DirectLight& direct,
+               const ChannelWeights& weights, double axis_spacing_m)
     : depths_m_(light.arrangement.depths_m),
       sunlight_(row_sums(weights)),
       sectors_(light.sectors),
       spacing_m_(axis_spacing_m) {
-  const double sun_m = light.arrangement.sun_distance_m, deepest = depths_m_.back();
-  const double reach = landing_m(opaque_radius_m, 0, sun_m, deepest) +
-                       projected_solar_radius_m(light.arrangement, deepest);
-  nodes_ = static_cast<std::size_t>(std::ceil(reach / spacing_m_)) + 1;
+  nodes_ =
+      static_cast<std::size_t>(std::ceil(direct.penumbra_m(depths_m_.back()) / spacing_m_)) + 1;
   const std::size_t grids = depths_m_.size() * sectors_;
   values_ = errors_ = algebra::Grid<double>(grids * nodes_, channels());
-  const double end = last_distance(light.axis_distances_m);
-  for (std::size_t g = 0; g < grids; ++g)
+  tbb::parallel_for(std::size_t{0}, grids, [&](std::size_t g) {
+    const double angle =
+        2 * std::numbers::pi * static_cast<double>(g % sectors_) / static_cast<double>(sectors_);
+    std::vector<double> ratios(weights.columns());
     for (std::size_t n = 0; n < nodes_; ++n) {
-      const double at_m = static_cast<double>(n) * spacing_m_;
-      const auto [low, high, part] = between(light.axis_distances_m, at_m);
-      const double direct = direct_ratio(at_m, depths_m_[g / sectors_], sun_m, opaque_radius_m);
-      for (std::size_t c = 0; c < channels(); ++c) {
-        double value = direct * sunlight_[c], variance = 0;
-        for (std::size_t w = 0; at_m < end && w < weights.columns(); ++w) {
-          value += weights(c, w) * std::lerp(light.ratio[g](low, w), light.ratio[g](high, w), part);
-          const double error = weights(c, w) * std::lerp(light.standard_error[g](low, w),
-                                                         light.standard_error[g](high, w), part);
-          variance += error * error;
-        }
-        values_(g * nodes_ + n, c) = value;
-        errors_(g * nodes_ + n, c) = std::sqrt(variance);
-      }
+      direct.ratios(static_cast<double>(n) * spacing_m_, angle, depths_m_[g / sectors_], ratios);
+      fill(light, g, n, ratios, weights);
     }
+  });
+}
+
+void Lookup::fill(const RefractedLight& light, std::size_t g, std::size_t n,
+                  std::span<double> ratios, const ChannelWeights& weights) {
+  const double at_m = static_cast<double>(n) * spacing_m_;
+  const bool lit = at_m < last_distance(light.axis_distances_m);
+  const auto [low, high, part] = between(light.axis_distances_m, at_m);
+  std::vector<double> errors(ratios.size());
+  for (std::size_t w = 0; lit && w < ratios.size(); ++w) {
+    ratios[w] += std::lerp(light.ratio[g](low, w), light.ratio[g](high, w), part);
+    errors[w] = std::lerp(light.standard_error[g](low, w), light.standard_error[g](high, w), part);
+  }
+  for (std::size_t c = 0; c < channels(); ++c) {
+    double value = 0, variance = 0;
+    for (std::size_t w = 0; w < ratios.size(); ++w) {
+      value += weights(c, w) * ratios[w];
+      variance += weights(c, w) * errors[w] * weights(c, w) * errors[w];
+    }
+    values_(g * nodes_ + n, c) = value;
+    errors_(g * nodes_ + n, c) = std::sqrt(variance);
+  }
 }
 
 std::span<const double> Lookup::entry(std::size_t plane, std::size_t sector,

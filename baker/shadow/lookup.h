@@ -19,11 +19,10 @@ using ChannelWeights = algebra::Grid<double>;  // (channel, wavelength)
 /// penumbra.
 class Lookup {
  public:
-  /// Given   light            refracted light; opaque_radius_m: of the Earth with its air, for the
-  ///                          direct part
+  /// Given   light            refracted light; direct: the sunlight that goes with it
   ///         weights          what each channel makes of the ratio at each wavelength
   ///         axis_spacing_m   of the table
-  Lookup(const RefractedLight& light, double opaque_radius_m, const ChannelWeights& weights,
+  Lookup(const RefractedLight& light, const DirectLight& direct, const ChannelWeights& weights,
          double axis_spacing_m = 10e3);
 
   /// Full sunlight everywhere: no shadow.
@@ -42,6 +41,8 @@ class Lookup {
   double worst_relative_error(std::size_t channel, double from_m, double to_m) const;
 
  private:
+  void fill(const RefractedLight& light, std::size_t grid, std::size_t node,
+            std::span<double> ratios, const ChannelWeights& weights);
   std::span<const double> entry(std::size_t plane, std::size_t sector, std::size_t node) const;
 
   std::vector<double> depths_m_, sunlight_;

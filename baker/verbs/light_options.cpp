@@ -18,36 +18,12 @@
 namespace coppermoon::verbs {
 namespace {
 
-constexpr double paper_ozone_du = 345;  // the column of the U.S. Standard Atmosphere 1976
 constexpr double quadrature_error = 3e-4;
-
-const CLI::IsMember on_or_off({"on", "off"});
-
-void add_air_options(CLI::App& verb, LightOptions& options) {
-  verb.add_option("--atmosphere", options.atmosphere,
-                  "paper: with ozone; molecular: without; none: the bare Earth")
-      ->check(CLI::IsMember({"paper", "molecular", "none"}))
-      ->group("The Earth's air");
-  verb.add_option("--refraction", options.refraction, "on or off")
-      ->check(on_or_off)
-      ->group("The Earth's air");
-  verb.add_option("--rayleigh", options.rayleigh, "Rayleigh scattering out of the ray, on or off")
-      ->check(on_or_off)
-      ->group("The Earth's air");
-  verb.add_option("--ozone-du", options.ozone_du,
-                  "vertical column of ozone [DU], 0 to 1000; 0: none")
-      ->group("The Earth's air");
-  verb.add_option("--dust-extinction", options.dust_extinction_per_m,
-                  "of the dust layer from 15 to 20 km [1/m]; 1e-6 slight, 4.7e-6 usual, 1e-4 a "
-                  "dark eclipse")
-      ->group("The Earth's air");
-}
 
 void add_solver_options(CLI::App& verb, LightOptions& options) {
   const std::string group = "How light is computed";
-  verb.add_option(
-          "--solver", options.solver,
-          "quadrature: exact for air that is alike all around; photons: the paper's simulation")
+  verb.add_option("--solver", options.solver,
+                  "quadrature: without noise; photons: the paper's simulation")
       ->check(CLI::IsMember({"quadrature", "photons"}))
       ->group(group);
   verb.add_option("--rays", options.rays, "of the quadrature, for each wavelength")->group(group);
@@ -83,15 +59,6 @@ void require_sound(const LightOptions& options) {
   algebra::require_within("smoothing [km]", options.smoothing_km, 0, 2000);
 }
 
-/// Planes through the half of the Moon that faces the Sun.
-shadow::Arrangement arrangement_of(const almanac::SkyState& sky,
-                                   const eclipse::ShadowPlace& centre) {
-  const double depth = algebra::in_metres(centre.depth);
-  const double radius = algebra::in_metres(almanac::lunar_radius);
-  return {algebra::in_metres(eclipse::shadow_axis(sky).sun_distance),
-          {depth - radius, depth - radius / 2, depth}};
-}
-
 eclipse::ShadowPlace moon_in_shadow(const almanac::SkyState& sky) {
   return eclipse::place_in_shadow(eclipse::shadow_axis(sky), sky.moon_m);
 }
@@ -120,51 +87,56 @@ void require_eclipse(const almanac::SkyState& sky) {
 }  // namespace
 
 void add_light_options(CLI::App& verb, LightOptions& options) {
-  add_air_options(verb, options);
+  add_air_options(verb, options.air);
+  verb.add_option("--limb-darkening", options.limb_darkening,
+                  "of the Sun, by wavelength, on or off; with --atmosphere paper it is off")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->group("The Earth's air");
   add_solver_options(verb, options);
 }
 
-atmosphere::Atmosphere atmosphere_of(const LightOptions& options) {
-  atmosphere::Atmosphere air;
-  if (options.atmosphere == "none") air.top_m = 0;
-  air.column.refraction = options.refraction == "on";
-  air.column.rayleigh = options.rayleigh == "on";
-  air.column.ozone_du =
-      options.ozone_du.value_or(options.atmosphere == "paper" ? paper_ozone_du : 0);
-  air.column.dust_extinction_per_m = options.dust_extinction_per_m;
-  require_valid(air);
-  return air;
+shadow::Arrangement arrangement_of(const LightOptions& options, double sun_distance_m,
+                                   std::vector<double> depths_m) {
+  const std::string usual = options.air.atmosphere == "paper" ? "off" : "on";
+  return {sun_distance_m, std::move(depths_m), options.limb_darkening.value_or(usual) == "on"};
 }
 
 shadow::RefractedLight refracted_light(const LightOptions& options,
+                                       const atmosphere::Atmosphere& air,
                                        const shadow::Arrangement& arrangement,
                                        std::span<const double> wavelengths_nm,
                                        std::span<const double> axis_distances_m) {
   require_sound(options);
-  const auto air = atmosphere_of(options);
   ProgressBar bar(options.solver);
   if (options.solver == "quadrature")
     return shadow::by_quadrature(air, arrangement, wavelengths_nm, axis_distances_m, options.rays,
                                  bar.progress());
-  const auto light = shadow::by_photons(air, arrangement, wavelengths_nm, photon_settings(options),
-                                        bar.progress());
+  auto settings = photon_settings(options);
+  if (!air.symmetric()) settings.sectors = shadow::sectors_around;
+  const auto light = shadow::by_photons(air, arrangement, wavelengths_nm, settings, bar.progress());
   return shadow::smoothed(light, options.smoothing_km * 1e3);
 }
 
 shadow::Lookup Moonlight::in_channels(const shadow::ChannelWeights& weights) const {
   if (!refracted) return shadow::Lookup(weights);
-  return shadow::Lookup(*refracted, opaque_radius_m, weights);
+  return shadow::Lookup(*refracted, *direct, weights);
 }
 
 Moonlight light_on_the_moon(const LightOptions& options, const almanac::SkyState& sky,
                             bool unshadowed) {
-  const auto air = atmosphere_of(options);
+  const auto axis = eclipse::shadow_axis(sky);
+  const auto air = atmosphere_of(options.air, axis.sun_declination);
   if (unshadowed) return {};
   require_eclipse(sky);
   const auto centre = moon_in_shadow(sky);
-  return {refracted_light(options, arrangement_of(sky, centre), band_centres_nm(),
-                          distances_over_the_disc(centre)),
-          air.top_radius_m()};
+  // Planes through the half of the Moon that faces the Sun.
+  const double depth = algebra::in_metres(centre.depth);
+  const double radius = algebra::in_metres(almanac::lunar_radius);
+  const auto arrangement = arrangement_of(options, algebra::in_metres(axis.sun_distance),
+                                          {depth - radius, depth - radius / 2, depth});
+  const auto wavelengths = band_centres_nm();
+  return {refracted_light(options, air, arrangement, wavelengths, distances_over_the_disc(centre)),
+          shadow::DirectLight(air, arrangement, wavelengths)};
 }
 
 double relative_error(const LightOptions& options, const almanac::SkyState& sky,

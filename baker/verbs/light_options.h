@@ -12,14 +12,14 @@
 #include "atmosphere/atmosphere.h"
 #include "shadow/irradiance.h"
 #include "shadow/lookup.h"
+#include "verbs/air_options.h"
 
 namespace coppermoon::verbs {
 
-/// The Earth's air, term by term, and how light is sent through it.
+/// Sun, Earth and air, and how light is sent through them.
 struct LightOptions {
-  std::string atmosphere = "paper", refraction = "on", rayleigh = "on";
-  std::optional<double> ozone_du;  ///< without: as the atmosphere has it
-  double dust_extinction_per_m = 0;
+  AirOptions air;
+  std::optional<std::string> limb_darkening;  ///< without: on, but for the paper's atmosphere
   std::string solver = "quadrature", trace = "each";
   int rays = 600;
   double photons = 1e6, step_km = 1, ring_km = 50, smoothing_km = 0;
@@ -28,13 +28,15 @@ struct LightOptions {
 
 void add_light_options(CLI::App& verb, LightOptions& options);
 
-/// Throws Error when a term is outside its range
-atmosphere::Atmosphere atmosphere_of(const LightOptions& options);
+/// The Sun's disc, uniform or not, over planes behind the Earth.
+shadow::Arrangement arrangement_of(const LightOptions& options, double sun_distance_m,
+                                   std::vector<double> depths_m);
 
 /// Refracted light by the solver chosen, with a progress bar.
 ///
 /// Given  axis_distances_m  for the quadrature; photons gather in rings of their own
 shadow::RefractedLight refracted_light(const LightOptions& options,
+                                       const atmosphere::Atmosphere& air,
                                        const shadow::Arrangement& arrangement,
                                        std::span<const double> wavelengths_nm,
                                        std::span<const double> axis_distances_m);
@@ -43,7 +45,7 @@ shadow::RefractedLight refracted_light(const LightOptions& options,
 /// away.
 struct Moonlight {
   std::optional<shadow::RefractedLight> refracted;
-  double opaque_radius_m = 0;  ///< of the Earth with its air, for the direct part
+  std::optional<shadow::DirectLight> direct;
 
   /// Given  weights  (channel, band)
   shadow::Lookup in_channels(const shadow::ChannelWeights& weights) const;

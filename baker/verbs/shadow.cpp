@@ -5,10 +5,12 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "algebra/error.h"
 #include "algebra/interpolation.h"
@@ -26,7 +28,7 @@ namespace {
 struct Options {
   std::string instant, plot, wavelengths = "450,550,650", axis_distances;
   LightOptions light;
-  std::optional<double> moon_distance_km, sun_distance_km;
+  std::optional<double> moon_distance_km, sun_distance_km, position_angle_deg;
   bool json = false;
 };
 
@@ -50,9 +52,16 @@ struct Across {
   algebra::Grid<double> ratio, standard_error;
 };
 
-shadow::Arrangement arrangement_of(const Options& options) {
+/// Where the shadow is cut: how far behind the Earth, under what Sun.
+struct Cut {
+  double sun_distance_m, depth_m;
+  algebra::Angle sun_declination{};  ///< of an equinox, where no moment is given
+};
+
+Cut cut_of(const Options& options) {
   if (options.moon_distance_km && options.sun_distance_km)
-    return {*options.sun_distance_km * 1e3, {*options.moon_distance_km * 1e3}};
+    if (options.instant.empty())
+      return {*options.sun_distance_km * 1e3, *options.moon_distance_km * 1e3};
   if (options.instant.empty())
     throw CLI::RequiredError("instant, or both --moon-distance-km and --sun-distance-km");
   const auto sky = almanac::sky_at(almanac::instant_from_utc(options.instant));
@@ -64,10 +73,11 @@ shadow::Arrangement arrangement_of(const Options& options) {
                     "far the shadow is cut",
                     options.instant));
   return {options.sun_distance_km.value_or(algebra::in_kilometres(axis.sun_distance)) * 1e3,
-          {options.moon_distance_km.value_or(depth_km) * 1e3}};
+          options.moon_distance_km.value_or(depth_km) * 1e3, axis.sun_declination};
 }
 
-std::vector<double> distances_of(const Options& options, const shadow::Arrangement& arrangement) {
+std::vector<double> distances_of(const Options& options, const atmosphere::Atmosphere& air,
+                                 const shadow::Arrangement& arrangement) {
   std::vector<double> distances;
   for (const double km : required_list(options.axis_distances, "axis distances [km]")) {
     algebra::require_within("axis distance [km]", km, 0, 1e5);
@@ -79,8 +89,7 @@ std::vector<double> distances_of(const Options& options, const shadow::Arrangeme
   }
   if (!distances.empty()) return distances;
   constexpr double spacing_m = 100e3;
-  const double reach =
-      shadow::refracted_reach_m(arrangement, atmosphere_of(options.light), arrangement.depths_m[0]);
+  const double reach = shadow::refracted_reach_m(arrangement, air, arrangement.depths_m[0]);
   for (double d = 0; d < reach + spacing_m; d += spacing_m) distances.push_back(d);
   return distances;
 }
@@ -100,17 +109,42 @@ algebra::Grid<double> at_distances(const shadow::RefractedLight& light,
   return there;
 }
 
-Across across(const Options& options, const shadow::Arrangement& arrangement) {
-  Across result{wavelengths_of(options), distances_of(options, arrangement), {}, {}};
+/// The sectors' mean, or the two nearest to a position angle.
+std::vector<double> sector_shares(std::size_t sectors, std::optional<double> position_angle_deg) {
+  if (!position_angle_deg) return std::vector<double>(sectors, 1 / static_cast<double>(sectors));
+  const double at = *position_angle_deg / 360 * static_cast<double>(sectors);
+  const double part = at - std::floor(at);
+  const auto first = static_cast<std::size_t>(std::floor(at)) % sectors;
+  std::vector<double> shares(sectors);
+  shares[first] += 1 - part;
+  shares[(first + 1) % sectors] += part;
+  return shares;
+}
+
+Across across(const Options& options, const atmosphere::Atmosphere& air,
+              const shadow::Arrangement& arrangement) {
+  Across result{wavelengths_of(options), distances_of(options, air, arrangement), {}, {}};
   const auto& distances = result.axis_distances_m;
-  const auto light = refracted_light(options.light, arrangement, result.wavelengths_nm, distances);
-  result.ratio = at_distances(light, light.ratio[0], distances);
-  result.standard_error = at_distances(light, light.standard_error[0], distances);
-  const double opaque_m = atmosphere_of(options.light).top_radius_m();
-  for (std::size_t d = 0; d < distances.size(); ++d) {
-    const double direct = shadow::direct_ratio(distances[d], arrangement.depths_m[0],
-                                               arrangement.sun_distance_m, opaque_m);
-    for (double& ratio : result.ratio.row(d)) ratio += direct;
+  const auto light =
+      refracted_light(options.light, air, arrangement, result.wavelengths_nm, distances);
+  const shadow::DirectLight direct(air, arrangement, result.wavelengths_nm);
+  result.ratio = algebra::Grid<double>(distances.size(), result.wavelengths_nm.size());
+  result.standard_error = result.ratio;
+  const auto shares = sector_shares(light.sectors, options.position_angle_deg);
+  std::vector<double> clear(result.wavelengths_nm.size());
+  for (std::size_t s = 0; s < shares.size(); ++s) {
+    const double angle =
+        2 * std::numbers::pi * static_cast<double>(s) / static_cast<double>(shares.size());
+    const auto refracted = at_distances(light, light.ratio[s], distances),
+               error = at_distances(light, light.standard_error[s], distances);
+    for (std::size_t d = 0; d < distances.size(); ++d) {
+      direct.ratios(distances[d], angle, arrangement.depths_m[0], clear);
+      for (std::size_t w = 0; w < clear.size(); ++w) {
+        result.ratio(d, w) += shares[s] * (refracted(d, w) + clear[w]);
+        result.standard_error(d, w) =
+            std::hypot(result.standard_error(d, w), shares[s] * error(d, w));
+      }
+    }
   }
   return result;
 }
@@ -187,8 +221,10 @@ void write_plot(const Options& options, const Across& result) {
 void run(const Options& options) {
   if (!options.plot.empty()) require_place_for(options.plot);
   const auto start = std::chrono::steady_clock::now();
-  const auto arrangement = arrangement_of(options);
-  const auto result = across(options, arrangement);
+  const auto cut = cut_of(options);
+  const auto air = atmosphere_of(options.light.air, cut.sun_declination);
+  const auto arrangement = arrangement_of(options.light, cut.sun_distance_m, {cut.depth_m});
+  const auto result = across(options, air, arrangement);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!options.plot.empty()) write_plot(options, result);
@@ -220,6 +256,10 @@ void add_shadow(CLI::App& program) {
   verb->add_option("--moon-distance-km", options->moon_distance_km,
                    "from the Earth's centre, along the shadow axis");
   verb->add_option("--sun-distance-km", options->sun_distance_km, "from the Earth's centre");
+  verb->add_option("--position-angle", options->position_angle_deg,
+                   "about the axis, from celestial north through east [degrees]; without: the mean "
+                   "of all")
+      ->check(CLI::Range(0., 360.));
   verb->add_option("--plot", options->plot, "a .png that gnuplot draws");
   verb->add_flag("--json", options->json, "one JSON document on stdout");
   add_light_options(*verb, options->light);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "atmosphere/presets.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "algebra/error.h"
+
+namespace coppermoon::atmosphere {
+namespace {
+
+constexpr std::array<std::string_view, 5> names{"paper", "molecular", "clear", "standard", "none"};
+
+constexpr double us_1976_ozone_du = 345;
+
+}  // namespace
+
+std::span<const std::string_view> preset_names() { return names; }
+
+Atmosphere preset(std::string_view name, algebra::Angle sun_declination) {
+  if (std::ranges::find(names, name) == names.end())
+    throw algebra::Error(fmt::format("atmosphere = {}, allowed {}", name, fmt::join(names, ", ")));
+  Atmosphere air;
+  Column& column = air.column;
+  column.ozone_du = us_1976_ozone_du;
+  if (name == "paper") return air;
+  air.earth = ellipsoid(algebra::in_radians(sun_declination));
+  air.molecules = {Dispersion::ciddor_1996, KingFactor::bates_1984};
+  column.density = name == "none" ? Density::none : Density::us_1976;
+  column.ozone_path = OzonePath::bent;
+  if (name == "molecular" || name == "none") column.ozone_du = 0;
+  if (name != "standard") return air;
+  column.stratosphere = StratosphericAerosol::background;
+  column.tropospheric_optical_depth = 0.07;
+  column.cloud_top_m = 10e3;
+  column.cloud_cover = 0.7;
+  return air;
+}
+
+Column danjon(int l, Column column) {
+  algebra::require_within("Danjon", l, 0, 4);
+  return column;
+}
+
+}  // namespace coppermoon::atmosphere

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "photons/limb_darkening.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "algebra/error.h"
+#include "algebra/interpolation.h"
+#include "algebra/quadrature.h"
+#include "algebra/table.h"
+#include "atmosphere/refractivity.h"
+#include "photons/tables.h"
+
+namespace coppermoon::photons {
+namespace {
+
+constexpr int layers_inside = 6;
+
+using Coefficients = std::array<double, 6>;
+
+Coefficients over_mean(Coefficients a) {
+  double mean = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) mean += 2 * a[k] / static_cast<double>(k + 2);
+  for (double& a_k : a) a_k /= mean;
+  return a;
+}
+
+Coefficients coefficients(double nm) {
+  static const auto table =
+      algebra::parse_table(tables::solar_limb_darkening(), "solar_limb_darkening.csv");
+  algebra::require_within("wavelength [nm]", nm, atmosphere::shortest_nm, atmosphere::longest_nm);
+  Coefficients a;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    a[k] = algebra::interpolated(table["wavelength_nm"], table[fmt::format("A{}", k)], nm);
+  return over_mean(a);
+}
+
+double value(const Coefficients& a, double mu) {
+  double sum = 0;
+  for (std::size_t k = a.size(); k-- > 0;) sum = sum * mu + a[k];
+  return sum;
+}
+
+double slope(const Coefficients& a, double mu) {
+  double sum = 0;
+  for (std::size_t k = a.size(); k-- > 1;) sum = sum * mu + static_cast<double>(k) * a[k];
+  return sum;
+}
+
+DiscLayers uniform_disc(std::size_t wavelengths) { return {{1}, {1, wavelengths, 1}}; }
+
+}  // namespace
+
+double limb_darkening(algebra::Wavelength wavelength, double cos_angle) {
+  algebra::require_within("cosine of the angle on the Sun", cos_angle, 0, 1);
+  return value(coefficients(algebra::in_nanometres(wavelength)), cos_angle);
+}
+
+DiscLayers disc_layers(std::span<const double> wavelengths_nm, bool limb_darkened) {
+  if (!limb_darkened) return uniform_disc(wavelengths_nm.size());
+  DiscLayers layers{{1}, {1 + layers_inside, wavelengths_nm.size()}};
+  const auto nodes = algebra::gauss_legendre(layers_inside);
+  for (const auto& node : nodes)
+    layers.radius.push_back(std::sqrt(1 - std::pow((1 + node.x) / 2, 2)));
+  for (std::size_t w = 0; w < wavelengths_nm.size(); ++w) {
+    const auto a = coefficients(wavelengths_nm[w]);
+    layers.brightness(0, w) = a[0];
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      layers.brightness(i + 1, w) = nodes[i].weight / 2 * slope(a, (1 + nodes[i].x) / 2);
+  }
+  return layers;
+}
+
+}  // namespace coppermoon::photons

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "photons/limb_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algebra/error.h"
+
+namespace coppermoon::photons {
+namespace {
+
+using atmosphere::Column;
+using atmosphere::Optics;
+
+/// Where rays must stand: the ground, the breaks, the cloud's top, the air's.
+std::vector<double> stations(const Column& column) {
+  auto heights = atmosphere::breaks_m(column);
+  heights.push_back(0);
+  if (column.cloud_cover > 0) heights.push_back(column.cloud_top_m);
+  std::sort(heights.begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  return heights;
+}
+
+/// The air above 50 km bends and dims so little that few rays will do.
+double importance(double low_m, double high_m) {
+  constexpr double thin_m = 50e3, little = 0.25;
+  return (high_m - low_m) * (low_m < thin_m ? 1 : little);
+}
+
+/// Ever closer towards the upper end of each smooth piece, where the square roots are.
+std::vector<double> crowded_heights(const Column& column, int rays) {
+  const auto ends = stations(column);
+  double all = 0;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) all += importance(ends[i], ends[i + 1]);
+  std::vector<double> heights;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const double low = ends[i], high = ends[i + 1];
+    const int here = std::max(4, static_cast<int>(rays * importance(low, high) / all));
+    for (int k = 0; k < here; ++k) {
+      const double left = 1 - static_cast<double>(k) / here;
+      heights.push_back(high - (high - low) * left * left);
+    }
+  }
+  heights.push_back(ends.back());
+  return heights;
+}
+
+/// Chebyshev's places between the least and the greatest refractivity.
+std::vector<double> chebyshev(double least, double greatest) {
+  if (!(greatest - least > 1e-9 * greatest)) return {greatest};
+  const double middle = (least + greatest) / 2, half = (greatest - least) / 2;
+  return {middle - half * std::sqrt(0.75), middle, middle + half * std::sqrt(0.75)};
+}
+
+/// Lagrange's weights of the nodes for a value between them.
+std::vector<double> lagrange(std::span<const double> nodes, double at) {
+  std::vector<double> weights(nodes.size(), 1);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t j = 0; j < nodes.size(); ++j)
+      if (j != i) weights[i] *= (at - nodes[j]) / (nodes[i] - nodes[j]);
+  return weights;
+}
+
+}  // namespace
+
+LimbTable::LimbTable(const Column& column, double earth_radius_m, std::span<const Optics> optics,
+                     int rays)
+    : column_(column),
+      earth_radius_m_(earth_radius_m),
+      tangent_heights_m_(crowded_heights(column, rays)) {
+  const auto [least, greatest] = std::ranges::minmax(optics, {}, &Optics::refractivity);
+  refractivities_ = column.refraction ? chebyshev(least.refractivity, greatest.refractivity)
+                                      : std::vector<double>{0};
+  for (const double refractivity : refractivities_) {
+    auto& paths = paths_.emplace_back();
+    for (const double height : tangent_heights_m_)
+      paths.push_back(limb_path(height, earth_radius_m, column, refractivity));
+  }
+}
+
+Fan LimbTable::fan(const Optics& optics) const {
+  const auto shares = lagrange(refractivities_, optics.refractivity);
+  const auto spectra = atmosphere::spectra(column_, optics);
+  const std::size_t rays = tangent_heights_m_.size();
+  Fan fan{tangent_heights_m_,
+          std::vector<double>(rays),
+          std::vector<double>(rays),
+          std::vector<double>(rays),
+          {}};
+  for (std::size_t i = 0; i < rays; ++i) {
+    const double h = tangent_heights_m_[i];
+    fan.impact_height_m[i] =
+        h + atmosphere::refractivity(column_, optics, h) * (earth_radius_m_ + h);
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      fan.bending_rad[i] += shares[k] * paths_[k][i].bending_rad;
+      fan.optical_depth[i] += shares[k] * atmosphere::product(paths_[k][i].amounts, spectra);
+    }
+    if (i > 0)
+      fan.filter.push_back(limb_filter(column_, optics, (h + tangent_heights_m_[i - 1]) / 2));
+  }
+  return fan;
+}
+
+}  // namespace coppermoon::photons

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "photons/bending.h"
+
+namespace coppermoon::photons {
+
+/// The rays of one wavelength over one part of the limb, from the ground up.
+struct Fan {
+  std::vector<double> tangent_height_m, impact_height_m, bending_rad;
+  std::vector<double> optical_depth;  ///< of all that stands along the path, at each ray
+  std::vector<double> filter;         ///< of cloud and filters, between each ray and the next
+};
+
+/// Limb rays of a column of air, computed once for all wavelengths: path and amounts are smooth in
+/// refractivity, and are interpolated in it.
+///
+/// Given     earth_radius_m  of the ground's curvature along the path
+///           optics          of all wavelengths that will be asked for
+///           rays            how many; they crowd below the altitudes where the air's slope breaks,
+///                           where bending and optical depth go like a square root
+/// Accuracy  2e-6 of bending and optical depth against limb_path at the same tangent height
+class LimbTable {
+ public:
+  LimbTable(const atmosphere::Column& column, double earth_radius_m,
+            std::span<const atmosphere::Optics> optics, int rays);
+
+  /// Given  optics  within those the table was made for
+  Fan fan(const atmosphere::Optics& optics) const;
+
+ private:
+  atmosphere::Column column_;
+  double earth_radius_m_;
+  std::vector<double> tangent_heights_m_, refractivities_;
+  std::vector<std::vector<LimbPath>> paths_;  // [refractivity][ray]
+};
+
+}  // namespace coppermoon::photons

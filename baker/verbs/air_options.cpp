@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/air_options.h"
+
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <sstream>
+
+#include "algebra/error.h"
+#include "atmosphere/presets.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+using atmosphere::Column;
+using atmosphere::StratosphericAerosol;
+
+constexpr const char* group = "The Earth's air";
+
+template <typename Value>
+CLI::Option* add(CLI::App& app, const std::string& flag, Value& value, const std::string& text) {
+  return app.add_option(flag, value, text)->group(group);
+}
+
+CLI::IsMember words(std::vector<std::string> allowed) { return CLI::IsMember(std::move(allowed)); }
+
+void add_column_options(CLI::App& app, ColumnOptions& options) {
+  add(app, "--danjon", options.danjon,
+      "cloud and aerosol that make an eclipse of that brightness on Danjon's scale, 0 (very dark) "
+      "to 4 (bright)");
+  add(app, "--ozone-du", options.ozone_du, "vertical column of ozone [DU], 0 to 1000; 0: none");
+  add(app, "--tropospheric-aerosol", options.tropospheric_optical_depth,
+      "its vertical optical depth at 550 nm, 0 to 10; 0: none");
+  add(app, "--stratospheric-aerosol", options.stratosphere,
+      "none, background, or after an eruption: moderate, high, extreme")
+      ->check(words({"none", "background", "moderate", "high", "extreme"}));
+  add(app, "--cloud-cover", options.cloud_cover,
+      "part of the limb where cloud stops the light, 0 to 1; 0: none");
+  add(app, "--cloud-top-km", options.cloud_top_km, "[km], 0 to 30");
+  add(app, "--dust-extinction", options.dust_extinction_per_m,
+      "of a grey layer of dust [1/m]; 1e-6 slight, 4.7e-6 usual, 1e-4 a dark eclipse; 0: none");
+  add(app, "--dust-bottom-km", options.dust_bottom_km, "of that layer [km]; 15");
+  add(app, "--dust-top-km", options.dust_top_km, "of that layer [km]; 20");
+}
+
+StratosphericAerosol stratosphere_named(const std::string& name) {
+  if (name == "background") return StratosphericAerosol::background;
+  if (name == "moderate") return StratosphericAerosol::moderate;
+  if (name == "high") return StratosphericAerosol::high;
+  return name == "extreme" ? StratosphericAerosol::extreme : StratosphericAerosol::none;
+}
+
+Column changed(Column column, const ColumnOptions& options) {
+  if (options.danjon) column = atmosphere::danjon(*options.danjon, column);
+  column.ozone_du = options.ozone_du.value_or(column.ozone_du);
+  column.tropospheric_optical_depth =
+      options.tropospheric_optical_depth.value_or(column.tropospheric_optical_depth);
+  if (options.stratosphere) column.stratosphere = stratosphere_named(*options.stratosphere);
+  column.cloud_cover = options.cloud_cover.value_or(column.cloud_cover);
+  column.cloud_top_m = options.cloud_top_km.value_or(column.cloud_top_m / 1e3) * 1e3;
+  column.dust_extinction_per_m =
+      options.dust_extinction_per_m.value_or(column.dust_extinction_per_m);
+  column.dust_bottom_m = options.dust_bottom_km.value_or(column.dust_bottom_m / 1e3) * 1e3;
+  column.dust_top_m = options.dust_top_km.value_or(column.dust_top_m / 1e3) * 1e3;
+  return column;
+}
+
+/// One region as it is told: where, and what differs there.
+struct RegionOptions {
+  std::optional<double> from_latitude, to_latitude, from_position_angle, to_position_angle;
+  ColumnOptions column;
+};
+
+RegionOptions region_from(const std::string& text) {
+  RegionOptions options;
+  CLI::App app;
+  app.add_option("--from-latitude", options.from_latitude);
+  app.add_option("--to-latitude", options.to_latitude);
+  app.add_option("--from-position-angle", options.from_position_angle);
+  app.add_option("--to-position-angle", options.to_position_angle);
+  add_column_options(app, options.column);
+  std::vector<std::string> flags;
+  std::istringstream pairs(text);
+  for (std::string pair; std::getline(pairs, pair, ',');) flags.insert(flags.begin(), "--" + pair);
+  try {
+    app.parse(flags);  // last first, as CLI11 takes them
+  } catch (const CLI::ParseError& error) {
+    throw algebra::Error(fmt::format("region {}: {}", text, error.what()));
+  }
+  return options;
+}
+
+std::vector<atmosphere::Region> regions_from(const std::string& text,
+                                             const atmosphere::Atmosphere& air,
+                                             algebra::Angle sun_declination) {
+  const auto options = region_from(text);
+  const auto column = changed(air.column, options.column);
+  const bool latitudes = options.from_latitude && options.to_latitude,
+             angles = options.from_position_angle && options.to_position_angle;
+  if (latitudes == angles)
+    throw algebra::Error(
+        fmt::format("region {}: needs from-latitude and to-latitude, or from-position-angle and "
+                    "to-position-angle [degrees]",
+                    text));
+  if (latitudes)
+    return between_latitudes(algebra::degrees(*options.from_latitude),
+                             algebra::degrees(*options.to_latitude), sun_declination, column);
+  for (const double angle : {*options.from_position_angle, *options.to_position_angle})
+    algebra::require_within("position angle [degrees]", angle, -360, 720);
+  return {{algebra::degrees(*options.from_position_angle),
+           algebra::degrees(*options.to_position_angle), column}};
+}
+
+void change_molecules(const AirOptions& options, atmosphere::Atmosphere& air) {
+  using atmosphere::Dispersion, atmosphere::KingFactor, atmosphere::OzonePath, atmosphere::Density;
+  if (options.dispersion)
+    air.molecules.dispersion =
+        *options.dispersion == "crc" ? Dispersion::crc : Dispersion::ciddor_1996;
+  if (options.king_factor)
+    air.molecules.king_factor =
+        *options.king_factor == "fixed" ? KingFactor::fixed : KingFactor::bates_1984;
+  if (options.ozone_path)
+    air.column.ozone_path = *options.ozone_path == "filter" ? OzonePath::filter : OzonePath::bent;
+  if (options.density && air.column.density != Density::none)
+    air.column.density = *options.density == "us-1976" ? Density::us_1976 : Density::yapo_cutler;
+  air.column.refraction = options.refraction == "on";
+  air.column.rayleigh = options.rayleigh == "on";
+}
+
+std::vector<std::string> presets() {
+  const auto names = atmosphere::preset_names();
+  return {names.begin(), names.end()};
+}
+
+}  // namespace
+
+void add_air_options(CLI::App& verb, AirOptions& options) {
+  add(verb, "--atmosphere", options.atmosphere,
+      "standard; clear: its air and ozone alone; molecular: without ozone; paper: as in Yapo & "
+      "Cutler (2009); none: the bare Earth")
+      ->check(words(presets()));
+  add(verb, "--earth", options.earth, "sphere or ellipsoid")->check(words({"sphere", "ellipsoid"}));
+  add(verb, "--density", options.density, "us-1976: to 86 km; yapo-cutler: cut at 42 km")
+      ->check(words({"us-1976", "yapo-cutler"}));
+  add(verb, "--refraction", options.refraction, "on or off")->check(words({"on", "off"}));
+  add(verb, "--dispersion", options.dispersion, "of refraction: ciddor or crc")
+      ->check(words({"ciddor", "crc"}));
+  add(verb, "--rayleigh", options.rayleigh, "Rayleigh scattering out of the ray, on or off")
+      ->check(words({"on", "off"}));
+  add(verb, "--king-factor", options.king_factor,
+      "of Rayleigh scattering: bates: by wavelength; fixed: 1.05")
+      ->check(words({"bates", "fixed"}));
+  add(verb, "--ozone-path", options.ozone_path,
+      "bent: along each ray's own path; filter: the same for all")
+      ->check(words({"bent", "filter"}));
+  add_column_options(verb, options.column);
+  add(verb, "--region", options.regions,
+      "a part of the limb with air of its own, as "
+      "from-latitude=-90,to-latitude=0,dust-extinction=1e-5 (or from-position-angle, "
+      "to-position-angle); may be given again, the first that holds a place counts")
+      ->allow_extra_args(false);
+}
+
+atmosphere::Atmosphere atmosphere_of(const AirOptions& options, algebra::Angle sun_declination) {
+  auto air = atmosphere::preset(options.atmosphere, sun_declination);
+  if (options.earth)
+    air.earth = *options.earth == "sphere"
+                    ? atmosphere::Figure{}
+                    : atmosphere::ellipsoid(algebra::in_radians(sun_declination));
+  change_molecules(options, air);
+  air.column = changed(air.column, options.column);
+  for (const auto& text : options.regions)
+    for (const auto& region : regions_from(text, air, sun_declination))
+      air.regions.push_back(region);
+  require_valid(air);
+  return air;
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "atmosphere/atmosphere.h"
+
+namespace coppermoon::verbs {
+
+/// What may differ from one part of the limb to another. Without a value: as the atmosphere has it.
+struct ColumnOptions {
+  std::optional<int> danjon;
+  std::optional<double> ozone_du, dust_extinction_per_m, dust_bottom_km, dust_top_km,
+      tropospheric_optical_depth, cloud_top_km, cloud_cover;
+  std::optional<std::string> stratosphere;
+};
+
+/// The Earth and its air, term by term. Without a value: as the atmosphere has it.
+struct AirOptions {
+  std::string atmosphere = "standard", refraction = "on", rayleigh = "on";
+  std::optional<std::string> earth, density, dispersion, king_factor, ozone_path;
+  ColumnOptions column;
+  std::vector<std::string> regions;  ///< "from-latitude=-90,to-latitude=0,dust-extinction=1e-5"
+};
+
+void add_air_options(CLI::App& verb, AirOptions& options);
+
+/// Given   sun_declination  of the moment: tips the Earth's pole
+/// Throws  Error            when a term is outside its range, or a region cannot be understood
+atmosphere::Atmosphere atmosphere_of(const AirOptions& options, algebra::Angle sun_declination);
+
+}  // namespace coppermoon::verbs
