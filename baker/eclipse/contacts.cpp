@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "algebra/error.h"
+#include "atmosphere/figure.h"
 #include "eclipse/lunation.h"
+#include "eclipse/zero_between.h"
 
 namespace coppermoon::eclipse {
 namespace {
@@ -27,25 +29,6 @@ double gap(const Sighting& sighting, ShadowConvention convention, Edge edge, Tou
   const double separation = std::atan2(algebra::in_metres(sighting.moon.axis_distance),
                                        algebra::in_metres(sighting.moon.depth));
   return separation - shadow - (touch == Touch::outside ? moon : -moon);
-}
-
-/// A zero of f between a and b, where its signs differ, to 1 ms: false position, Illinois variant.
-template <class Function>
-double zero_between(Function f, double a, double b) {
-  double fa = f(a), fb = f(b);
-  for (int round = 0; round < 60; ++round) {
-    const double c = b - fb * (b - a) / (fb - fa), fc = f(c);
-    if (std::abs(c - b) < 1e-3) return c;
-    if ((fc < 0) != (fb < 0)) {
-      a = b;
-      fa = fb;
-    } else {
-      fa /= 2;
-    }
-    b = c;
-    fb = fc;
-  }
-  return b;
 }
 
 struct Pass {
@@ -90,7 +73,8 @@ EclipseType type_of(const Contacts& contacts) {
 }
 
 double signed_gamma(const ShadowPlace& moon) {
-  const double distance = algebra::in_metres(moon.axis_distance) / earth_radius_m;
+  const double distance =
+      algebra::in_metres(moon.axis_distance) / atmosphere::earth_equatorial_radius_m;
   return std::copysign(distance, std::cos(algebra::in_radians(moon.position_angle)));
 }
 

@@ -99,7 +99,8 @@ Lunation lunation_around(const Instant& middle, LunarTheory theory) {
 Sighting sighting_at(const Lunation& lunation, double seconds_after_middle) {
   const glm::dvec3 sun_m = on_parabola(lunation.sun_m, seconds_after_middle / sample_spacing_s);
   const ShadowAxis axis = shadow_axis(sun_m, lunation.celestial_pole);
-  return {axis, place_in_shadow(axis, moon_m(lunation, seconds_after_middle))};
+  const glm::dvec3 moon = moon_m(lunation, seconds_after_middle);
+  return {axis, place_in_shadow(axis, moon), moon};
 }
 
 double least_axis_angle_s(const Lunation& lunation) {

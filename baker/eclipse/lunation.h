@@ -38,6 +38,7 @@ Lunation lunation_around(const almanac::Instant& middle, almanac::LunarTheory th
 struct Sighting {
   ShadowAxis axis;
   ShadowPlace moon;
+  glm::dvec3 moon_m;  ///< geocentric, GCRS axes
 };
 
 Sighting sighting_at(const Lunation& lunation, double seconds_after_middle);

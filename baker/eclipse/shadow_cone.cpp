@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "algebra/error.h"
 #include "almanac/ephemeris.h"
+#include "atmosphere/figure.h"
 
 namespace coppermoon::eclipse {
 namespace {
@@ -19,7 +19,14 @@ double distance_m(const ShadowPlace& moon) {
 }
 
 double lunar_parallax(const ShadowPlace& moon) {
-  return std::asin(earth_radius_m / distance_m(moon));
+  return std::asin(atmosphere::earth_equatorial_radius_m / distance_m(moon));
+}
+
+/// Radius of the limb under the Moon, in equatorial radii.
+double limb_ratio(const ShadowAxis& axis, const ShadowPlace& moon) {
+  const auto figure = atmosphere::ellipsoid(algebra::in_radians(axis.sun_declination));
+  const auto limb = atmosphere::limb_at(figure, algebra::in_radians(moon.position_angle));
+  return limb.radius_m / atmosphere::earth_equatorial_radius_m;
 }
 
 /// πm and πs as the convention enlarges them, and the Sun's semidiameter likewise.
@@ -31,11 +38,19 @@ Enlarged enlarged(ShadowConvention convention, const ShadowAxis& axis, const Sha
   const double sun_au = algebra::in_metres(axis.sun_distance) / almanac::astronomical_unit_m;
   const double pm = lunar_parallax(moon), ps = solar_parallax_at_1_au / sun_au,
                s = solar_semidiameter_at_1_au / sun_au;
-  if (convention == ShadowConvention::danjon) return {1.01 * pm + ps, s};
-  if (convention == ShadowConvention::chauvenet) return {1.02 * (0.998340 * pm + ps), 1.02 * s};
-  constexpr double layer_m = 87e3;
-  const double limb_m = algebra::in_metres(limb_radius(moon.position_angle, axis.sun_declination));
-  return {(pm + ps) * (limb_m + layer_m) / earth_radius_m, s};
+  switch (convention) {
+    case ShadowConvention::danjon:
+      return {1.01 * pm + ps, s};
+    case ShadowConvention::danjon_oblate:
+      return {(1 + 1.0 / 85) * pm * limb_ratio(axis, moon) + ps, s};
+    case ShadowConvention::chauvenet:
+      return {1.02 * (0.998340 * pm + ps), 1.02 * s};
+    default:
+      constexpr double layer_m = 87e3;
+      return {
+          (pm + ps) * (limb_ratio(axis, moon) + layer_m / atmosphere::earth_equatorial_radius_m),
+          s};
+  }
 }
 
 }  // namespace
@@ -47,18 +62,8 @@ ShadowRadii shadow_radii(ShadowConvention convention, const ShadowAxis& axis,
 }
 
 algebra::Angle lunar_semidiameter(const ShadowPlace& moon) {
-  return algebra::radians(
-      std::asin(lunar_radius_in_earth_radii * earth_radius_m / distance_m(moon)));
-}
-
-algebra::Length limb_radius(algebra::Angle position_angle, algebra::Angle sun_declination) {
-  constexpr double eccentricity_squared = earth_flattening * (2 - earth_flattening);
-  const double cos_declination = std::cos(algebra::in_radians(sun_declination));
-  const double polar_squared = 1 - eccentricity_squared * cos_declination * cos_declination;
-  const double sin_angle = std::sin(algebra::in_radians(position_angle)),
-               cos_angle = std::cos(algebra::in_radians(position_angle));
-  return algebra::metres(earth_radius_m /
-                         std::sqrt(sin_angle * sin_angle + cos_angle * cos_angle / polar_squared));
+  return algebra::radians(std::asin(lunar_radius_in_earth_radii *
+                                    atmosphere::earth_equatorial_radius_m / distance_m(moon)));
 }
 
 }  // namespace coppermoon::eclipse

@@ -3,10 +3,15 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "algebra/error.h"
 #include "almanac/instant.h"
 #include "eclipse/contacts.h"
+#include "eclipse/feature.h"
+#include "verbs/number_list.h"
 #include "verbs/recipe.h"
 #include "verbs/verbs.h"
 
@@ -15,6 +20,7 @@ namespace {
 
 struct Options {
   std::string from, to, convention = "danjon";
+  std::optional<std::string> feature;
   bool json = false;
 };
 
@@ -30,10 +36,28 @@ const char* name(eclipse::EclipseType type) {
 }
 
 eclipse::ShadowConvention convention_from(const std::string& name) {
+  if (name == "danjon-oblate") return eclipse::ShadowConvention::danjon_oblate;
   if (name == "chauvenet") return eclipse::ShadowConvention::chauvenet;
   if (name == "herald-sinnott") return eclipse::ShadowConvention::herald_sinnott;
   return eclipse::ShadowConvention::danjon;
 }
+
+/// A place on the Moon as written on the command line: "LAT,LON".
+almanac::SelenographicPoint feature_from(const std::string& text) {
+  const auto numbers = number_list(text).value_or(std::vector<double>{});
+  if (numbers.size() != 2)
+    throw algebra::Error(fmt::format(
+        "feature = {}, allowed LATITUDE,LONGITUDE in degrees (north, east), as -43.3,-11.4", text));
+  algebra::require_within("feature's latitude [deg]", numbers[0], -90, 90);
+  algebra::require_within("feature's longitude [deg]", numbers[1], -360, 360);
+  return {algebra::degrees(numbers[0]), algebra::degrees(numbers[1])};
+}
+
+/// An eclipse, and when the umbra's edge crosses the feature that was asked for.
+struct Listed {
+  eclipse::Eclipse eclipse;
+  std::optional<eclipse::FeatureTimes> feature;
+};
 
 using Contact = std::pair<const char*, std::optional<almanac::Instant>>;
 
@@ -54,34 +78,67 @@ nlohmann::ordered_json as_json(const eclipse::Eclipse& e) {
           {"contacts", contacts}};
 }
 
-std::string time_of_day(const almanac::Instant& when) {
-  const std::string text = almanac::utc_text(when);
+nlohmann::ordered_json as_json(const almanac::SelenographicPoint& place,
+                               const eclipse::FeatureTimes& times) {
+  nlohmann::ordered_json feature{{"latitude_deg", algebra::in_degrees(place.latitude)},
+                                 {"longitude_deg", algebra::in_degrees(place.longitude)}};
+  if (times.immersion) feature["immersion"] = almanac::utc_text(*times.immersion);
+  if (times.emersion) feature["emersion"] = almanac::utc_text(*times.emersion);
+  return feature;
+}
+
+std::string time_of_day(const std::optional<almanac::Instant>& when) {
+  if (!when) return "-";
+  const std::string text = almanac::utc_text(*when);
   return text.substr(text.find('T') + 1, 8);
 }
 
-void print(const std::vector<eclipse::Eclipse>& eclipses) {
+void print_heading(bool feature) {
   fmt::print("{:<21}{:<10}{:>8}{:>9}{:>9}", "greatest (UTC)", "type", "gamma", "umbral", "penumb.");
   for (const char* key : {"P1", "U1", "U2", "U3", "U4", "P4"}) fmt::print("  {:<8}", key);
+  if (feature) fmt::print("  {:<10}  {:<11}", "feature in", "feature out");
   fmt::print("\n");
-  for (const auto& e : eclipses) {
-    fmt::print("{:<21}{:<10}{:>8.4f}{:>9.4f}{:>9.4f}", almanac::utc_text(e.greatest), name(e.type),
-               e.gamma, e.umbral_magnitude, e.penumbral_magnitude);
-    for (const auto& [key, when] : contacts_of(e))
-      fmt::print("  {:<8}", when ? time_of_day(*when) : "-");
-    fmt::print("\n");
-  }
 }
 
-void run(const Options& options) {
+void print(const Listed& listed) {
+  const auto& e = listed.eclipse;
+  fmt::print("{:<21}{:<10}{:>8.4f}{:>9.4f}{:>9.4f}", almanac::utc_text(e.greatest), name(e.type),
+             e.gamma, e.umbral_magnitude, e.penumbral_magnitude);
+  for (const auto& [key, when] : contacts_of(e)) fmt::print("  {:<8}", time_of_day(when));
+  if (const auto& times = listed.feature)
+    fmt::print("  {:<10}  {:<11}", time_of_day(times->immersion), time_of_day(times->emersion));
+  fmt::print("\n");
+}
+
+std::vector<Listed> listed(const Options& options,
+                           const std::optional<almanac::SelenographicPoint>& place) {
   const auto from = almanac::instant_from_utc(options.from),
              to = almanac::instant_from_utc(options.to);
   if (almanac::seconds_between(from, to) < 0)
     throw algebra::Error(fmt::format("--to = {}, allowed {} or later", options.to, options.from));
-  const auto eclipses = eclipse::eclipses_between(from, to, convention_from(options.convention));
-  if (!options.json) return print(eclipses);
-  auto list = nlohmann::ordered_json::array();
-  for (const auto& e : eclipses) list.push_back(as_json(e));
-  fmt::print("{}\n", list.dump(2));
+  std::vector<Listed> list;
+  for (const auto& e : eclipse::eclipses_between(from, to, convention_from(options.convention))) {
+    Listed& last = list.emplace_back(Listed{e, {}});
+    if (place) last.feature = eclipse::feature_times(e, *place);
+  }
+  return list;
+}
+
+void run(const Options& options) {
+  std::optional<almanac::SelenographicPoint> place;
+  if (options.feature) place = feature_from(*options.feature);
+  const auto list = listed(options, place);
+  if (!options.json) {
+    print_heading(place.has_value());
+    for (const auto& each : list) print(each);
+    return;
+  }
+  auto all = nlohmann::ordered_json::array();
+  for (const auto& each : list) {
+    all.push_back(as_json(each.eclipse));
+    if (place) all.back()["feature"] = as_json(*place, *each.feature);
+  }
+  fmt::print("{}\n", all.dump(2));
 }
 
 }  // namespace
@@ -92,8 +149,12 @@ void add_almanac(CLI::App& program) {
   verb->add_option("--from", options->from, "ISO 8601 UTC, as 2008-01-01")->required();
   verb->add_option("--to", options->to, "ISO 8601 UTC")->required();
   verb->add_option("--shadow-convention", options->convention,
-                   "how the air enlarges the shadow: danjon, chauvenet or herald-sinnott")
-      ->check(CLI::IsMember({"danjon", "chauvenet", "herald-sinnott"}));
+                   "how the air enlarges the shadow: danjon, danjon-oblate, chauvenet or "
+                   "herald-sinnott")
+      ->check(CLI::IsMember({"danjon", "danjon-oblate", "chauvenet", "herald-sinnott"}));
+  verb->add_option("--feature", options->feature,
+                   "LAT,LON of a place on the Moon [degrees north, east]: adds when the umbra's "
+                   "edge (danjon-oblate) crosses it, whether or not it is seen");
   verb->add_flag("--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
   verb->callback([options] { run(*options); });

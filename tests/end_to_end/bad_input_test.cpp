@@ -255,6 +255,17 @@ TEST_F(BadInput, APlaceThatIsNoneIsRefused) {
   expect_refused({"sky", eclipse_of_2008, "--at", "10,20,nan"}, could_not, {"elevation", "nan"});
 }
 
+TEST_F(BadInput, AFeatureThatIsNoPlaceOnTheMoonIsRefused) {
+  const auto expect = [&](const char* place, std::initializer_list<std::string_view> parts) {
+    expect_refused({"almanac", "--from", "2008-01-01", "--to", "2008-12-31", "--feature", place},
+                   could_not, parts);
+  };
+  expect("95,0", {"latitude", "95", "-90 to 90"});
+  expect("0,400", {"longitude", "400", "-360 to 360"});
+  expect("nan,0", {"latitude", "nan"});
+  for (const char* text : {"Tycho", "10", "1,2,3", ""}) expect(text, {text, "LATITUDE,LONGITUDE"});
+}
+
 TEST_F(BadInput, AViewThereIsNotIsAnsweredWithThoseThereAre) {
   expect_refused(still({"--view", "Nonsense"}), could_not,
                  {"Nonsense", "Un-tone-mapped", "ACES 1.0 SDR Video", "Raw"});

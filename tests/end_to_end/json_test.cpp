@@ -72,6 +72,36 @@ TEST_F(Json, AlmanacTakesEachConventionOfTheShadow) {
                 "Espenak & Meeus' canon, Danjon's rule, 4 decimals");
   EXPECT_GT(magnitude("chauvenet"), magnitude("danjon"));
   EXPECT_NE(magnitude("herald-sinnott"), magnitude("danjon"));
+  EXPECT_WITHIN(magnitude("danjon-oblate"), magnitude("danjon"), 0.003,
+                "5″ to 6″ of the Moon's 1900″");
+  EXPECT_NE(magnitude("danjon-oblate"), magnitude("danjon"));
+}
+
+TEST_F(Json, AlmanacSaysWhenTheUmbraCrossesAFeature) {
+  const auto all = said({"almanac", "--from", "2007-03-01", "--to", "2009-02-28", "--feature",
+                         "23.7,-47.4", "--json"});
+  ASSERT_EQ(all.size(), 5U);
+  const auto& aristarchus = all[0]["feature"];
+  EXPECT_EQ(keys_of(aristarchus),
+            Names({"latitude_deg", "longitude_deg", "immersion", "emersion"}));
+  EXPECT_WITHIN(aristarchus["latitude_deg"].get<double>(), 23.7, 1e-12, "as given");
+  EXPECT_WITHIN(aristarchus["longitude_deg"].get<double>(), -47.4, 1e-12, "as given");
+  for (const char* key : {"immersion", "emersion"}) expect_utc(aristarchus[key]);
+  const auto minute = [&](const char* key) {
+    return aristarchus[key].get<std::string>().substr(0, 16);
+  };
+  EXPECT_EQ(minute("immersion"), "2007-03-03T21:54") << "Espenak's timing";
+  EXPECT_EQ(minute("emersion"), "2007-03-04T00:06") << "Espenak's timing";
+  EXPECT_EQ(all[4]["type"], "penumbral");
+  EXPECT_EQ(keys_of(all[4]["feature"]), Names({"latitude_deg", "longitude_deg"}));
+}
+
+TEST_F(Json, AlmanacWithoutJsonHasTheFeatureInColumns) {
+  const auto outcome = coppermoon(
+      {"almanac", "--from", "2007-03-01", "--to", "2007-04-01", "--feature", "23.7,-47.4"});
+  expect_done(outcome);
+  for (const char* part : {"feature in", "feature out", "  21:54:", "  00:06:"})
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part << " in " << outcome.out;
 }
 
 TEST_F(Json, SkyHasThePlacesOfMoonSunAndShadow) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 
 #include "algebra/error.h"
@@ -104,6 +105,53 @@ TEST(Contacts, AreReadAlongTheParabolaAsDirectly) {
     EXPECT_WITHIN(gap * 206265, 0, 0.05, "0.05″ is 0.1 s; the search reads parabolas 3 h apart")
         << name;
   }
+}
+
+/// The angle between the Moon's centre and the axis.
+double separation(const ShadowPlace& moon) {
+  return std::atan2(algebra::in_metres(moon.axis_distance), algebra::in_metres(moon.depth));
+}
+
+ShadowPlace moon_at(const Instant& when) {
+  const auto sky = almanac::sky_at(when);
+  return place_in_shadow(shadow_axis(sky), sky.moon_m);
+}
+
+/// How much later the Moon sinks in by danjon_oblate than by danjon: what the umbra is smaller by
+/// under the Moon, in closed form, over the speed at which the Moon nears the axis.
+double predicted_delay_s(const Instant& contact) {
+  const auto sky = almanac::sky_at(contact);
+  const ShadowAxis axis = shadow_axis(sky);
+  const ShadowPlace moon = place_in_shadow(axis, sky.moon_m);
+  const double parallax = std::asin(6378.137e3 / glm::length(sky.moon_m));
+  const double sin_psi = std::cos(algebra::in_radians(moon.position_angle)) *
+                         std::cos(algebra::in_radians(axis.sun_declination));
+  const double less = parallax * (1.01 - (1 + 1.0 / 85) * (1 - sin_psi * sin_psi / 298.257));
+  const double neared = separation(moon_at(almanac::later(contact, -60))) -
+                        separation(moon_at(almanac::later(contact, 60)));
+  return 120 * less / neared;
+}
+
+// Of a sphere's umbra and one flattened by 1/298 the difference is 6″ to the east and west, −5″ to
+// the north and south; the Moon crosses that in some 13 s. At U1 in 2007 it stands half-way, where
+// the two umbras are alike.
+TEST(Contacts, OfTheOblateUmbraComeSoonerOrLaterByTheLimbUnderTheMoon) {
+  const auto by = [](const char* date, ShadowConvention convention) {
+    return nearest_eclipse(instant_from_utc(date), convention).contacts;
+  };
+  const auto expect_predicted = [](const Instant& danjon, const Instant& oblate) {
+    EXPECT_WITHIN(seconds_between(danjon, oblate), predicted_delay_s(danjon), 0.4,
+                  "0.2 s of f², 0.2 s as the umbra's edge and the Moon's course turn in 15 s");
+  };
+  const Contacts danjon_2018 = by("2018-07-27", ShadowConvention::danjon),
+                 oblate_2018 = by("2018-07-27", ShadowConvention::danjon_oblate),
+                 danjon_2007 = by("2007-03-03", ShadowConvention::danjon),
+                 oblate_2007 = by("2007-03-03", ShadowConvention::danjon_oblate);
+  expect_predicted(*danjon_2018.U1, *oblate_2018.U1);
+  expect_predicted(*danjon_2007.U1, *oblate_2007.U1);
+  expect_predicted(*danjon_2007.U2, *oblate_2007.U2);
+  EXPECT_LT(seconds_between(*danjon_2018.U1, *oblate_2018.U1), -10) << "due west: sooner";
+  EXPECT_GT(seconds_between(*danjon_2007.U2, *oblate_2007.U2), 10) << "almost due north: later";
 }
 
 TEST(Eclipse, TypesAreAsPublished) {

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
+#include "atmosphere/figure.h"
 #include "support/within.h"
 
 namespace coppermoon::eclipse {
@@ -12,7 +11,6 @@ namespace {
 
 using algebra::degrees;
 using algebra::in_arcminutes;
-using algebra::in_metres;
 using algebra::radians;
 
 /// One astronomical unit to the Sun, which stands on the equator.
@@ -35,6 +33,34 @@ TEST(ShadowRadii, DanjonsAreAHundredthOfTheLunarParallaxLarger) {
                 1e-3, "the same");
 }
 
+TEST(ShadowRadii, DanjonsOblateAreFlattenedByTheLimb) {
+  const auto radii = [](double position_angle_deg) {
+    return shadow_radii(ShadowConvention::danjon_oblate, axis,
+                        moon_at(degrees(position_angle_deg)));
+  };
+  const double equatorial = 1.0117647 * lunar_parallax_arcmin, flattening = 1 / 298.257;
+  const double unenlarged = solar_parallax_arcmin - solar_semidiameter_arcmin;
+  const char* reason = "the formula by hand, 1 + 1/85 = 1.0117647; second order in f is 3e-4′";
+  EXPECT_WITHIN(in_arcminutes(radii(90).umbra), equatorial + unenlarged, 1e-3, reason);
+  EXPECT_WITHIN(in_arcminutes(radii(180).umbra), equatorial * (1 - flattening) + unenlarged, 1e-3,
+                reason);
+  EXPECT_WITHIN(in_arcminutes(radii(45).umbra), equatorial * (1 - flattening / 2) + unenlarged,
+                1e-3, reason);
+  EXPECT_WITHIN(in_arcminutes(radii(45).penumbra) - in_arcminutes(radii(45).umbra),
+                2 * solar_semidiameter_arcmin, 1e-3, "s is not enlarged");
+}
+
+TEST(ShadowRadii, DanjonsOblateAreTippedWithTheEarth) {
+  ShadowAxis tipped = axis;
+  tipped.sun_declination = degrees(23.44);
+  const auto umbra = [&](const ShadowAxis& a) {
+    return in_arcminutes(
+        shadow_radii(ShadowConvention::danjon_oblate, a, moon_at(degrees(0))).umbra);
+  };
+  EXPECT_WITHIN(umbra(tipped) - umbra(axis), 1.0117647 * lunar_parallax_arcmin / 298.257 * 0.15824,
+                1e-3, "f sin² 23.44° of the parallax, to first order in f");
+}
+
 TEST(ShadowRadii, ChauvenetsAreAFiftiethLargerThanAMeanEarths) {
   const auto radii = shadow_radii(ShadowConvention::chauvenet, axis, moon_at(degrees(0)));
   const double mean = 0.998340 * lunar_parallax_arcmin + solar_parallax_arcmin;
@@ -52,12 +78,14 @@ TEST(ShadowRadii, HeraldAndSinnottsUmbraIsFlattened) {
                 parallaxes * (1 + 87 / 6378.137), 1e-3,
                 "87 km of opaque air on the equatorial radius, by hand");
   EXPECT_WITHIN(in_arcminutes(east.umbra) - in_arcminutes(north.umbra),
-                parallaxes * earth_flattening, 1e-3, "a polar radius smaller by the flattening");
+                parallaxes * atmosphere::earth_flattening, 1e-3,
+                "a polar radius smaller by the flattening");
 }
 
-TEST(ShadowRadii, AllThreeConventionsAgreeToAHundredthOfTheUmbra) {
+TEST(ShadowRadii, AllConventionsAgreeToAHundredthOfTheUmbra) {
   const auto danjon = shadow_radii(ShadowConvention::danjon, axis, moon_at(degrees(45)));
-  for (auto other : {ShadowConvention::chauvenet, ShadowConvention::herald_sinnott})
+  for (auto other : {ShadowConvention::danjon_oblate, ShadowConvention::chauvenet,
+                     ShadowConvention::herald_sinnott})
     EXPECT_WITHIN_RELATIVE(in_arcminutes(shadow_radii(other, axis, moon_at(degrees(45))).umbra),
                            in_arcminutes(danjon.umbra), 0.01,
                            "published magnitudes differ by 0.005 of the Moon's diameter: 0.4 %");
@@ -66,19 +94,6 @@ TEST(ShadowRadii, AllThreeConventionsAgreeToAHundredthOfTheUmbra) {
 TEST(LunarSemidiameter, IsThirtyOneArcminutesAcrossAtTheMeanDistance) {
   EXPECT_WITHIN(2 * in_arcminutes(lunar_semidiameter(moon_at(degrees(0)))), 31.088, 0.01,
                 "2 × 932.6″ at 384 400 km (k = 0.2725), given to 0.1″");
-}
-
-TEST(LimbRadius, RunsFromTheEquatorialToThePolarRadius) {
-  EXPECT_WITHIN(in_metres(limb_radius(degrees(90), degrees(0))), 6378137, 1e-3, "definition");
-  EXPECT_WITHIN(in_metres(limb_radius(degrees(0), degrees(0))), 6356752, 2,
-                "WGS 84's polar radius; 1/298.257 is rounded");
-}
-
-TEST(LimbRadius, AtTheSolsticeThePoleIsTippedIn) {
-  const double tipped = in_metres(limb_radius(degrees(0), degrees(23.44)));
-  const double cosine = std::cos(23.44 * std::acos(-1.0) / 180);
-  EXPECT_WITHIN(6378137 - tipped, (6378137 - 6356752) * cosine * cosine, 20,
-                "to first order in the flattening; the second is 1/300 of 18 km");
 }
 
 }  // namespace

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "almanac/ephemeris.h"
+#include "almanac/instant.h"
+#include "almanac/lunar_orientation.h"
+#include "eclipse/contacts.h"
+
+namespace coppermoon::eclipse {
+
+/// When the umbra's edge reaches a place on the Moon and when it leaves it. Both empty: it never
+/// does.
+struct FeatureTimes {
+  std::optional<almanac::Instant> immersion, emersion;
+};
+
+/// The umbra's edge at a crater, by ShadowConvention::danjon_oblate whatever the eclipse's own. It
+/// says nothing about whether the place is seen: the far side has its times too.
+///
+/// Given     place     latitude −90° to 90°, longitude −360° to 360°
+/// Accuracy  against the 16 published times of 3 March 2007 (to the minute): 32 s worst, 14 s on
+///           average
+/// Omits     the height of the ground over the mean sphere: 3 km at the disc's edge is 3 s
+/// Throws    Error  when the place is outside its range
+/// Source    the craters' timings of Espenak, NASA Eclipse Home Page
+FeatureTimes feature_times(const Eclipse& eclipse, const almanac::SelenographicPoint& place,
+                           almanac::LunarTheory theory = almanac::LunarTheory::elp_2000_82b);
+
+}  // namespace coppermoon::eclipse
