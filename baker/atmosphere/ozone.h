@@ -19,7 +19,7 @@ double ozone_cross_section_m2(algebra::Wavelength wavelength);
 /// Given     altitude_m  held from 2 km down, 0 above 86 km
 /// Returned  [m⁻¹]       5.2e-5 at 22 km, where it is greatest
 /// Accuracy  the printed profile at every 2 km from 2 to 74 km, a smooth curve in the logarithm
-///           between them; its whole column is 346 DU, where the standard states 345
+///           between them; its whole column is 347 DU, where the standard states 345
 /// Omits     season, latitude and weather: the peak lies at 26 km in the tropics, 18 km at the poles
 /// Source    U.S. Standard Atmosphere 1976, mid-latitude ozone (Krueger & Minzner 1976)
 double ozone_profile_per_m(double altitude_m);

@@ -24,7 +24,7 @@ double rayleigh_cross_section_m2(algebra::Wavelength wavelength);
 
 /// The same for any refractivity n − 1 at sea level and any King factor F.
 ///
-/// Accuracy  0.14 % (380 nm) to 0.03 % above Bucholtz (1995) with sea_level_refractivity_ciddor_1996
+/// Accuracy  0.13 % (380 nm) to 0.03 % above Bucholtz (1995) with sea_level_refractivity_ciddor_1996
 ///           and king_factor_bates_1984
 double rayleigh_cross_section_m2(double refractivity, double king_factor,
                                  algebra::Wavelength wavelength);

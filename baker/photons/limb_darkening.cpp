@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "algebra/error.h"
 #include "algebra/interpolation.h"
@@ -30,9 +29,10 @@ Coefficients coefficients(double nm) {
   static const auto table =
       algebra::parse_table(tables::solar_limb_darkening(), "solar_limb_darkening.csv");
   algebra::require_within("wavelength [nm]", nm, atmosphere::shortest_nm, atmosphere::longest_nm);
+  constexpr std::array columns{"A0", "A1", "A2", "A3", "A4", "A5"};
   Coefficients a;
   for (std::size_t k = 0; k < a.size(); ++k)
-    a[k] = algebra::interpolated(table["wavelength_nm"], table[fmt::format("A{}", k)], nm);
+    a[k] = algebra::interpolated(table["wavelength_nm"], table[columns[k]], nm);
   return over_mean(a);
 }
 

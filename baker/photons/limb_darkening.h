@@ -16,9 +16,9 @@ namespace coppermoon::photons {
 /// Given     wavelength  380 to 780 nm
 ///           cos_angle   μ = √(1 − ρ²), ρ from the centre in solar radii: 0 at the edge, 1 in the
 ///                       middle
-/// Returned  1.24 in the middle and 0.32 at the edge at 550 nm; its mean over the disc is 1
-/// Accuracy  0.5 % of the middle's radiance for μ >= 0.1, against Neckel (2005), 400 to 780 nm;
-///           2.5 % at 385 nm
+/// Returned  1.246 in the middle and 0.33 at the edge at 550 nm; its mean over the disc is 1
+/// Accuracy  for μ >= 0.1 within 1 % (400 to 780 nm) or 1.3 % (385 nm) of the middle's radiance
+///           of Neckel (2005), a fit smooth in wavelength
 /// Omits     the spectral lines: the table is of the continuum
 /// Throws    Error       when an argument is outside its range
 /// Source    Neckel & Labs (1994), Solar Phys. 153, 91
@@ -38,8 +38,9 @@ struct DiscLayers {
 ///
 /// Given     wavelengths_nm  380 to 780 nm
 /// Returned  Σ brightness radius² = 1 for every wavelength
-/// Accuracy  the light inside any radius to 0.4 % of the whole; its moments of ρ², ρ⁴ and ρ⁶ exact
-/// Throws    Error           when a wavelength is outside its range
+/// Accuracy  the light inside any radius to 0.6 % (380 nm) to 0.3 % (780 nm) of the whole; the
+///                           means of ρ² and ρ⁴ exactly
+/// Throws    Error           when limb-darkened at a wavelength outside its range
 DiscLayers disc_layers(std::span<const double> wavelengths_nm, bool limb_darkened);
 
 }  // namespace coppermoon::photons

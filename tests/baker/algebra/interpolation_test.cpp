@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
 #include "support/within.h"
 
@@ -55,6 +58,74 @@ TEST(MeanBetween, OfNeighboursAddsUpToThatOfTheWhole) {
   double sum = 0;
   for (int i = 0; i < 40; ++i) sum += 0.1 * mean_between(x, y, 1 + 0.1 * i, 1 + 0.1 * (i + 1));
   EXPECT_WITHIN(sum, 35.0, 1e-12, "rounding");
+}
+
+TEST(MonotoneCubic, PassesThroughItsPoints) {
+  const MonotoneCubic curve(x, y);
+  for (std::size_t i = 0; i < x.size(); ++i) EXPECT_WITHIN(curve(x[i]), y[i], 1e-14, "rounding");
+}
+
+TEST(MonotoneCubic, IsAStraightLineThroughPointsOfOne) {
+  constexpr std::array on_line{3.0, 5.0, 9.0, 11.0};
+  const MonotoneCubic line(x, on_line);
+  for (double at = -2; at < 9; at += 0.25) EXPECT_WITHIN(line(at), 1 + 2 * at, 1e-14, "rounding");
+}
+
+TEST(MonotoneCubic, NeverLeavesTheRangeOfItsNeighbours) {
+  constexpr std::array steep{0.0, 1e-6, 1e-5, 1.0};
+  const MonotoneCubic curve(x, steep);
+  for (double at = 1; at < 4.99; at += 0.01) EXPECT_GE(curve(at + 0.01), curve(at)) << at;
+  const MonotoneCubic jagged(x, y);
+  for (double at = 1; at <= 5; at += 0.01) {
+    EXPECT_LE(jagged(at), 30);
+    EXPECT_GE(jagged(at), -10);
+  }
+}
+
+TEST(MonotoneCubic, HasASlopeWithoutJumps) {
+  constexpr std::array rising{0.0, 1.0, 7.0, 8.0};
+  const MonotoneCubic curve(x, rising);
+  constexpr double step = 1e-6;
+  for (const double at : x) {
+    const double left = (curve(at) - curve(at - step)) / step;
+    const double right = (curve(at + step) - curve(at)) / step;
+    EXPECT_WITHIN(left, right, 2e-5, "the step times a second derivative of at most 10") << at;
+  }
+}
+
+// At 2 between secants 1 (one wide) and 3 (two wide): 3·3/((2·2 + 1)/1 + (2 + 2·1)/3) = 27/19.
+TEST(MonotoneCubic, HasTheSlopeOfFritschAndButland) {
+  constexpr std::array rising{0.0, 1.0, 7.0, 8.0};
+  const MonotoneCubic curve(x, rising);
+  EXPECT_WITHIN((curve(2 + 1e-5) - curve(2 - 1e-5)) / 2e-5, 27.0 / 19, 1e-4,
+                "the step times a jump of the second derivative of at most 10");
+}
+
+// Errors shrink as the square of the step at least, for a rising curve.
+TEST(MonotoneCubic, ConvergesToWhatItSamples) {
+  const auto worst = [](int pieces) {
+    std::vector<double> at, sine;
+    for (int i = 0; i <= pieces; ++i) at.push_back(1.5 * i / pieces);
+    for (const double a : at) sine.push_back(std::sin(a));
+    const MonotoneCubic curve(at, sine);
+    double error = 0;
+    for (double a = 0; a < 1.5; a += 0.001)
+      error = std::max(error, std::abs(curve(a) - std::sin(a)));
+    return error;
+  };
+  EXPECT_LT(worst(15), 1e-3);
+  EXPECT_LT(worst(60), worst(15) / 12);
+}
+
+TEST(MonotoneCubic, FindsItsPieceAmongVeryUnequalOnes) {
+  const std::vector<double> at{0, 0.3, 1, 1.1, 7, 7.5, 100}, value{0, 1, 2, 3, 5, 8, 9};
+  const MonotoneCubic curve(at, value);
+  for (std::size_t i = 0; i + 1 < at.size(); ++i)
+    for (const double share : {1e-9, 0.1, 0.5, 0.9, 1 - 1e-9}) {
+      const double found = curve(at[i] + share * (at[i + 1] - at[i]));
+      EXPECT_GE(found, value[i]);
+      EXPECT_LE(found, value[i + 1]);
+    }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "baker/atmosphere/published_table.h"
@@ -105,6 +106,31 @@ bool near_a_break(double altitude_m) {
 }
 
 // Layers meet at 11, 20 and 32 km of geopotential: H r₀ / (r₀ − H) of geometric altitude.
+// Layers meet at these geopotentials H [km], at geometric altitudes H r₀ / (r₀ − H).
+TEST(DensityBreaksUs1976, AreTheTopsOfTheLayersOfTheStandard) {
+  const auto breaks = density_breaks_us_1976_m();
+  constexpr std::array geopotential_m{11e3, 20e3, 32e3, 47e3, 51e3, 71e3, 84852.0};
+  ASSERT_EQ(breaks.size(), geopotential_m.size());
+  for (std::size_t i = 0; i < breaks.size(); ++i)
+    EXPECT_WITHIN(breaks[i], geopotential_m[i] * 6356766 / (6356766 - geopotential_m[i]), 1e-9,
+                  "rounding");
+  EXPECT_WITHIN(breaks.back(), 86e3, 0.5, "86 km, rounded to 1 m of geopotential");
+}
+
+TEST(DensityBreaksUs1976, AreWhereTheSlopeJumpsAndNowhereElse) {
+  const auto jump = [](double h) {
+    return density_ratio_and_slope_us_1976(h + 1).slope_per_m /
+               density_ratio_and_slope_us_1976(h - 1).slope_per_m -
+           1;
+  };
+  const auto breaks = density_breaks_us_1976_m();
+  for (const double h : breaks) EXPECT_GT(std::abs(jump(h)), 0.01) << h << " m";
+  for (double h = 5; h < 85.95e3; h += 10)
+    if (std::ranges::none_of(breaks, [h](double b) { return std::abs(h - b) < 20; })) {
+      EXPECT_WITHIN(jump(h), 0.0, 0.003, "2 m of a scale height of 1 to 8 km") << h << " m";
+    }
+}
+
 TEST(DensityBreaks, AreTheLayersOfTheStandardAndTheRamp) {
   const auto breaks = density_breaks_m();
   ASSERT_EQ(breaks.size(), 5u);

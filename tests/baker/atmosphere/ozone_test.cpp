@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "algebra/error.h"
 #include "baker/atmosphere/published_table.h"
@@ -44,6 +45,63 @@ TEST(OzoneCrossSection, PeaksInTheOrangeAndAllButVanishesInTheViolet) {
 TEST(OzoneCrossSection, RefusesWavelengthsOutsideItsRange) {
   EXPECT_THROW(ozone_cross_section_m2(nanometres(379.99)), algebra::Error);
   EXPECT_THROW(ozone_cross_section_m2(nanometres(780.01)), algebra::Error);
+}
+
+// Molecules per m³ of the standard's table 18.
+TEST(OzoneProfile, TimesTheStandardsColumnIsTheStandardsDensity) {
+  const double column_per_m2 = 345 * dobson_unit_per_m2;
+  const auto density = [&](double km) { return column_per_m2 * ozone_profile_per_m(km * 1e3); };
+  for (const auto& [km, printed] : {std::pair{2.0, 6.8e17},
+                                    {10.0, 1.13e18},
+                                    {16.0, 2.95e18},
+                                    {22.0, 4.86e18},
+                                    {30.0, 2.52e18},
+                                    {40.0, 6.07e17},
+                                    {50.0, 6.64e16},
+                                    {60.0, 7.33e15},
+                                    {74.0, 1.7e14}})
+    EXPECT_WITHIN_RELATIVE(density(km), printed, 0.0075, "345 DU stated, 347 in the table")
+        << km << " km";
+}
+
+TEST(OzoneProfile, HasTheColumnOfTheStandard) {
+  const double column_du = 4.86e18 / ozone_profile_per_m(22e3) / dobson_unit_per_m2;
+  EXPECT_WITHIN(column_du, 345.0, 5,
+                "trapezia over its table give 343 to 350 DU, with the air below 2 km");
+  EXPECT_WITHIN(column_du, 347.0, 0.5, "stated to 1 DU");
+}
+
+TEST(OzoneProfile, IsAShareOfTheColumn) {
+  double sum = 0;
+  for (double h = 1; h < 86e3; h += 2) sum += 2 * ozone_profile_per_m(h);
+  EXPECT_WITHIN(sum, 1.0, 1e-6, "midpoints of 2 m");
+}
+
+TEST(OzoneProfile, PeaksAt22KilometresWithTheFigureItsDocumentationStates) {
+  double peak_m = 0;
+  for (double h = 0; h < 86e3; h += 100)
+    if (ozone_profile_per_m(h) > ozone_profile_per_m(peak_m)) peak_m = h;
+  EXPECT_WITHIN(peak_m, 22e3, 100.0, "step of the search");
+  EXPECT_WITHIN(ozone_profile_per_m(22e3), 5.2e-5, 0.05e-5, "stated to 2 digits");
+}
+
+TEST(OzoneProfile, IsHeldBelow2KilometresAndNothingAboveTheAir) {
+  for (const double h : {-500.0, 0.0, 700.0, 1999.0})
+    EXPECT_WITHIN_RELATIVE(ozone_profile_per_m(h), ozone_profile_per_m(2e3), 1e-14, "rounding");
+  EXPECT_GT(ozone_profile_per_m(85.9e3), 0);
+  EXPECT_EQ(ozone_profile_per_m(86.1e3), 0);
+}
+
+double log_slope(double altitude_m) {
+  return std::log(ozone_profile_per_m(altitude_m + 0.1) / ozone_profile_per_m(altitude_m - 0.1)) /
+         0.2;
+}
+
+TEST(OzoneProfile, HasASlopeWithoutJumps) {
+  for (double h = 1e3; h < 85e3; h += 500)
+    EXPECT_WITHIN(log_slope(h + 1), log_slope(h - 1), 2e-6,
+                  "1/100 of the slopes, 2e-4 per metre; a kink would be of their order")
+        << h << " m";
 }
 
 TEST(OzoneFilter, CrossesAGrazedLayerAt22Kilometres) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "algebra/error.h"
+#include "atmosphere/refractivity.h"
 #include "baker/atmosphere/published_table.h"
 #include "support/within.h"
 
@@ -45,6 +46,42 @@ TEST(RayleighCrossSection, TimesTheMoleculesIsTheScatteringOfSeaLevelAir) {
 TEST(RayleighCrossSection, RefusesWavelengthsOutsideItsRange) {
   EXPECT_THROW(rayleigh_cross_section_m2(nanometres(379.99)), algebra::Error);
   EXPECT_THROW(rayleigh_cross_section_m2(nanometres(780.01)), algebra::Error);
+}
+
+double best_over_bucholtz(std::size_t i) {
+  const auto wavelength = nanometres(bucholtz["wavelength_nm"][i]);
+  return rayleigh_cross_section_m2(sea_level_refractivity_ciddor_1996(wavelength),
+                                   king_factor_bates_1984(wavelength), wavelength) /
+         bucholtz["cross_section_m2"][i];
+}
+
+TEST(RayleighCrossSection, OfModernAirLiesAboveBucholtzByWhatItsDocumentationStates) {
+  EXPECT_WITHIN(best_over_bucholtz(0), 1.0013, 5e-5, "0.13 % at 380 nm, Bucholtz to 5 digits");
+  for (std::size_t i = 0; i < bucholtz["wavelength_nm"].size(); ++i) {
+    EXPECT_GT(best_over_bucholtz(i), 1.00025) << bucholtz["wavelength_nm"][i] << " nm";
+    EXPECT_LT(best_over_bucholtz(i), 1.0013) << bucholtz["wavelength_nm"][i] << " nm";
+  }
+}
+
+TEST(RayleighCrossSection, IsProportionalToTheKingFactor) {
+  const auto at_550 = [](double f) {
+    return rayleigh_cross_section_m2(2.77e-4, f, nanometres(550));
+  };
+  EXPECT_WITHIN_RELATIVE(at_550(1.05) / at_550(1), 1.05, 1e-14, "rounding");
+}
+
+TEST(KingFactor, IsThatOfThePublishedTable) {
+  const auto bates = published_table("baker/atmosphere/data/king_factor_bates_1984.csv");
+  for (std::size_t i = 0; i < bates["wavelength_nm"].size(); ++i)
+    EXPECT_WITHIN(king_factor_bates_1984(nanometres(bates["wavelength_nm"][i])),
+                  bates["king_factor"][i], 6e-6, "tabulated to 5 decimals")
+        << bates["wavelength_nm"][i] << " nm";
+  EXPECT_WITHIN(king_factor_bates_1984(nanometres(550)), 1.04882, 5e-6, "stated to 5 decimals");
+}
+
+TEST(KingFactor, RefusesWavelengthsOutsideItsRange) {
+  EXPECT_THROW(king_factor_bates_1984(nanometres(379.99)), algebra::Error);
+  EXPECT_THROW(king_factor_bates_1984(nanometres(780.01)), algebra::Error);
 }
 
 }  // namespace

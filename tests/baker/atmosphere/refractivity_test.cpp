@@ -54,5 +54,33 @@ TEST(SeaLevelRefractivityCrc, RefusesWavelengthsOutsideItsRange) {
                algebra::Error);
 }
 
+TEST(SeaLevelRefractivityCiddor, IsThatOfThePublishedFormula) {
+  for (std::size_t i = 0; i < ciddor["wavelength_nm"].size(); ++i)
+    EXPECT_WITHIN(sea_level_refractivity_ciddor_1996(nanometres(ciddor["wavelength_nm"][i])),
+                  ciddor["refractivity_e8"][i] * 1e-8, 6e-12, "tabulated to 1e-11")
+        << ciddor["wavelength_nm"][i] << " nm";
+}
+
+TEST(SeaLevelRefractivityCiddor, LiesAbovePeckAndReederByWhatItsDocumentationStates) {
+  for (double nm = 380; nm <= 780; nm += 10) {
+    const double s_squared = 1e6 / (nm * nm);
+    const double four_terms =
+        8060.51 + 2480990 / (132.274 - s_squared) + 17455.7 / (39.32957 - s_squared);
+    const double above = sea_level_refractivity_ciddor_1996(nanometres(nm)) * 1e8 / four_terms - 1;
+    EXPECT_WITHIN(above, 5e-5, 1e-5, "stated as at most 6e-5: 450 for 330 ppm of carbon dioxide")
+        << nm << " nm";
+  }
+}
+
+TEST(SeaLevelRefractivityCiddor, HasTheFigureItsDocumentationStates) {
+  EXPECT_WITHIN(sea_level_refractivity_ciddor_1996(nanometres(550)), 2.778376e-4, 5.5e-11,
+                "stated to 7 digits");
+}
+
+TEST(SeaLevelRefractivityCiddor, RefusesWavelengthsOutsideItsRange) {
+  EXPECT_THROW(sea_level_refractivity_ciddor_1996(nanometres(379.99)), algebra::Error);
+  EXPECT_THROW(sea_level_refractivity_ciddor_1996(nanometres(780.01)), algebra::Error);
+}
+
 }  // namespace
 }  // namespace coppermoon::atmosphere
