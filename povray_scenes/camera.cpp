@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 #include <numbers>
 
@@ -38,8 +39,10 @@ algebra::Angle field_of_view(algebra::Length focal_length, algebra::Length senso
 
 Camera camera_at(const almanac::SkyState& sky, const almanac::ObserverView& view, Up up,
                  algebra::Angle field, std::size_t width, std::size_t height) {
+  Camera camera{{}, {}, field, width, height};
+  camera.zenith = sky.selenographic_from_gcrs * view.zenith;
   return looking_from(sky, view.position_m, up == Up::zenith ? view.zenith : celestial_north(sky),
-                      up, {{}, {}, field, width, height});
+                      up, camera);
 }
 
 Camera camera_at(const almanac::SkyState& sky, Up up, algebra::Angle field, std::size_t width,
@@ -50,10 +53,20 @@ Camera camera_at(const almanac::SkyState& sky, Up up, algebra::Angle field, std:
   return looking_from(sky, {0, 0, 0}, celestial_north(sky), up, {{}, {}, field, width, height});
 }
 
+glm::dmat3 flattened_by_air(const Camera& camera) {
+  require_sound(camera);
+  const glm::dvec3 sight = glm::normalize(camera.position);
+  const glm::dvec3 across = camera.zenith - glm::dot(camera.zenith, sight) * sight;
+  const double squared = glm::dot(across, across);
+  if (squared == 0) return glm::dmat3(1);
+  return glm::dmat3(1) + (camera.flattening - 1) / squared * glm::outerProduct(across, across);
+}
+
 std::optional<glm::dvec2> pixel_of(const Camera& camera, const almanac::SelenographicPoint& place) {
   require_sound(camera);
-  const glm::dvec3 at = almanac::selenographic_direction(place);
-  if (glm::dot(at, camera.position) <= 1) return std::nullopt;
+  const glm::dvec3 on_sphere = almanac::selenographic_direction(place);
+  if (glm::dot(on_sphere, camera.position) <= 1) return std::nullopt;
+  const glm::dvec3 at = flattened_by_air(camera) * on_sphere;
   const glm::dvec3 forward = -glm::normalize(camera.position);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
   const glm::dvec3 upward = glm::cross(right, forward);
@@ -71,6 +84,7 @@ void require_sound(const Camera& camera) {
   require_within("field of view [degrees]", in_degrees(camera.horizontal_field), 1e-8, 179.9);
   require_within("width [pixels]", static_cast<double>(camera.width), 1, 65535);
   require_within("height [pixels]", static_cast<double>(camera.height), 1, 65535);
+  require_within("flattening", camera.flattening, 0.8, 1);
   const glm::dvec3 sight = camera.position / distance;
   const double off_sight =
       std::atan2(glm::length(glm::cross(sight, camera.up)), std::abs(glm::dot(sight, camera.up)));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -26,6 +27,8 @@ struct Camera {
   algebra::Angle horizontal_field;  ///< the whole width of the picture
   std::size_t width, height;        ///< in pixels
   bool mirrored = false;            ///< left and right exchanged, as behind one flat mirror
+  double flattening = 1;            ///< of the disc by refraction: its height over its width
+  glm::dvec3 zenith{0, 0, 0};       ///< Moon-fixed, any length: where its height points; 0: nowhere
 };
 
 /// The angle that a camera takes in across its sensor.
@@ -41,7 +44,8 @@ algebra::Angle field_of_view(algebra::Length focal_length, algebra::Length senso
 /// Given   sky, view         the moment, and that place's view of it
 ///         field             of the picture's width; the Moon's disc is about 0.52 degrees
 ///         width, height     in pixels
-/// Omits   refraction in the observer's air: it lifts the Moon and flattens it near the horizon
+/// Omits   refraction in the observer's air: it lifts the Moon, and flattens it near the horizon by
+///         what the camera's `flattening` is then set to
 /// Throws  Error  when the camera would not be sound (see require_sound)
 Camera camera_at(const almanac::SkyState& sky, const almanac::ObserverView& view, Up up,
                  algebra::Angle field, std::size_t width, std::size_t height);
@@ -52,7 +56,16 @@ Camera camera_at(const almanac::SkyState& sky, const almanac::ObserverView& view
 Camera camera_at(const almanac::SkyState& sky, Up up, algebra::Angle field, std::size_t width,
                  std::size_t height);
 
-/// Where a place on the Moon (a sphere) appears in the picture.
+/// What air makes of the Moon for a camera: its places squashed towards a plane through its centre.
+///
+///     I + (k − 1) v vᵀ        k: the flattening;  v: towards the zenith, across the line of sight
+///
+/// Returned  Moon-fixed axes; nothing is moved along the line of sight. The identity where the
+///           zenith is along it, or nowhere
+/// Throws    Error  when the camera is not sound
+glm::dmat3 flattened_by_air(const Camera& camera);
+
+/// Where a place on the Moon (a sphere, flattened by air) appears in the picture.
 ///
 /// Given     place     longitudes of any turn
 /// Returned  x to the right, y down, in pixels from the upper left corner: the first pixel's
@@ -64,8 +77,8 @@ std::optional<glm::dvec2> pixel_of(const Camera& camera, const almanac::Selenogr
 /// Refuses a camera that no picture can be taken with.
 ///
 /// Throws  Error  unless the camera stands outside the Moon and within 1e6 lunar radii, its field
-///                is 1e-8 to 179.9 degrees, its sides 1 to 65535 pixels, and `up` is off the line
-///                of sight by at least 1e-6 radians
+///                is 1e-8 to 179.9 degrees, its sides 1 to 65535 pixels, its flattening 0.8 to 1,
+///                and `up` is off the line of sight by at least 1e-6 radians
 void require_sound(const Camera& camera);
 
 }  // namespace coppermoon::povray_scenes

@@ -45,6 +45,14 @@ void require_renderable(const Scene& scene) {
 
 std::string left_handed(const glm::dvec3& v) { return fmt::format("<{}, {}, {}>", v.x, v.z, v.y); }
 
+/// A line of its own, or nothing. The matrix is symmetric: its rows are its columns.
+std::string flattened(const Camera& camera) {
+  if (camera.flattening == 1) return {};
+  const auto m = flattened_by_air(camera);
+  return fmt::format("  matrix <{}, {}, {}, {}, {}, {}, {}, {}, {}, 0, 0, 0>\n", m[0].x, m[0].z,
+                     m[0].y, m[2].x, m[2].z, m[2].y, m[1].x, m[1].z, m[1].y);
+}
+
 }  // namespace
 
 std::string to_pov(const Scene& scene) {
@@ -72,14 +80,14 @@ sphere {{
   pigment {{ image_map {{ exr "{texture}" map_type 1 interpolate 2 }} }}
   finish {{ ambient 0 diffuse 0 emission 1 }}
   rotate y*180
-}}
+{flattened}}}
 )",
       fmt::arg("caption", scene.caption.empty() ? "The eclipsed Moon" : scene.caption),
       fmt::arg("location", left_handed(scene.moon_radius * camera.position)),
       fmt::arg("mirror", camera.mirrored ? "-" : ""), fmt::arg("width", camera.width),
       fmt::arg("height", camera.height), fmt::arg("sky", left_handed(glm::normalize(camera.up))),
       fmt::arg("field", in_degrees(camera.horizontal_field)), fmt::arg("radius", scene.moon_radius),
-      fmt::arg("texture", scene.texture));
+      fmt::arg("texture", scene.texture), fmt::arg("flattened", flattened(camera)));
 }
 
 std::string to_ini(const Scene& scene) {

@@ -26,6 +26,7 @@ struct Scene {
 /// The scene in POV-Ray's language, with nothing included.
 ///
 /// Frames: the Moon-fixed X, Y, Z are POV-Ray's x, z, y, since its axes are left-handed.
+/// The camera's flattening squashes the textured sphere in the frame; the texture is left alone.
 /// Accuracy  POV-Ray reads the texture and writes the frame as half floats: 5e-4 relative above
 ///           6.1e-5, 3e-8 below; infinite above 65504
 /// Throws    Error  when the camera is not sound; when the moon_radius is outside 1e-2 to 1e5, or

@@ -21,9 +21,8 @@ void add_observer(texture::Attributes& attributes, const almanac::Observer& obse
 LitScene lit_scene(const MoonOptions& moon, const ViewOptions& view, const std::string& recipe) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc(moon.instant));
   const auto seen = view_of(view, sky);
-  LitScene scene{
-      baked_moon(moon, sky, colour::WorkingSpace::linear_rec709, seen.reddening_altitude, recipe),
-      seen};
+  LitScene scene{baked_moon(moon, sky, colour::WorkingSpace::linear_rec709, seen.sightline, recipe),
+                 seen};
   if (seen.observer) add_observer(scene.moon.attributes, *seen.observer);
   return scene;
 }

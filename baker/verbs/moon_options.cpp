@@ -78,7 +78,8 @@ algebra::Grid<float> normal_albedo(const MoonOptions& options) {
 }
 
 BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
-                     colour::WorkingSpace space, std::optional<algebra::Angle> altitude,
+                     colour::WorkingSpace space,
+                     const std::optional<atmosphere::Sightline>& sightline,
                      const std::string& recipe) {
   const auto start = std::chrono::steady_clock::now();
   if (options.texture_width % 2 != 0)
@@ -87,7 +88,8 @@ BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
   algebra::require_within("texture width [texels]", static_cast<double>(options.texture_width), 4,
                           32768);
   const auto albedo = normal_albedo(options);
-  const auto weights = moonlight_weights(colour::channel_weights(space, band_edges_nm()), altitude);
+  const auto weights =
+      moonlight_weights(colour::channel_weights(space, band_edges_nm()), sightline);
   const auto moonlight = light_on_the_moon(options.light, sky, options.unshadowed);
   auto light = moonlight.in_channels(weights);
   light.transform([&](std::span<double> colour) { colour::into_gamut(space, colour); });

@@ -8,6 +8,7 @@
 
 #include "almanac/observer.h"
 #include "almanac/sky.h"
+#include "atmosphere/observer_air.h"
 #include "colour/working_space.h"
 #include "texture/image.h"
 #include "verbs/light_options.h"
@@ -40,10 +41,11 @@ struct BakedMoon {
 
 /// The texture in a working space, cd/m².
 ///
-/// Given   altitude  of the Moon for an observer whose air reddens it
-///         recipe    that makes it again, for the header
+/// Given   sightline  through the air of an observer, which reddens it
+///         recipe     that makes it again, for the header
 BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
-                     colour::WorkingSpace space, std::optional<algebra::Angle> altitude,
+                     colour::WorkingSpace space,
+                     const std::optional<atmosphere::Sightline>& sightline,
                      const std::string& recipe);
 
 /// Throws Error when a file could not be put there: its folder is missing, or it is a folder

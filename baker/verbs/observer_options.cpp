@@ -2,9 +2,11 @@
 #include "verbs/observer_options.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <vector>
 
 #include "algebra/error.h"
+#include "atmosphere/astronomical_refraction.h"
 #include "verbs/number_list.h"
 
 namespace coppermoon::verbs {
@@ -14,6 +16,46 @@ povray_scenes::Up up_from(const std::string& name) {
   if (name == "zenith") return povray_scenes::Up::zenith;
   if (name == "moon-north") return povray_scenes::Up::moon_north;
   return povray_scenes::Up::celestial_north;
+}
+
+void require_up(const almanac::ObserverView& seen, const ViewOptions& options,
+                const almanac::SkyState& sky) {
+  if (algebra::in_radians(atmosphere::apparent_altitude(seen.altitude)) > 0) return;
+  throw algebra::Error(fmt::format(
+      "the Moon is {:.2f} degrees below the horizon of {} at {}, allowed {:.2f}, which refraction "
+      "lifts it",
+      -algebra::in_degrees(seen.altitude), options.at, almanac::utc_text(sky.when),
+      -algebra::in_degrees(atmosphere::lowest_true_altitude)));
+}
+
+double flattening_of(const almanac::ObserverView& seen) {
+  const double sine = almanac::lunar_radius / seen.moon_distance;
+  return atmosphere::refracted_flattening(seen.altitude, algebra::radians(2 * std::asin(sine)));
+}
+
+atmosphere::ObserverAir air_over(const almanac::Observer& observer, const ViewOptions& options) {
+  atmosphere::ObserverAir air;
+  air.ozone_du = options.observer_ozone_du;
+  air.aerosol_optical_depth = options.observer_aerosol;
+  air.elevation_m = algebra::in_metres(observer.elevation);
+  require_valid(air);
+  return air;
+}
+
+void add_air_options(CLI::App& verb, ViewOptions& options, const std::string& group) {
+  verb.add_option("--reddening", options.reddening, "by the observer's air, on or off")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->group(group);
+  verb.add_option("--observer-ozone-du", options.observer_ozone_du,
+                  "ozone above the observer [DU], 0 to 1000")
+      ->group(group);
+  verb.add_option("--observer-aerosol", options.observer_aerosol,
+                  "vertical optical depth of the aerosol above the observer at 550 nm, 0 to 10")
+      ->group(group);
+  verb.add_option("--flattening", options.flattening,
+                  "of the disc by refraction in the observer's air, on or off")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->group(group);
 }
 
 }  // namespace
@@ -52,9 +94,7 @@ void add_view_options(CLI::App& verb, ViewOptions& options) {
   verb.add_option("--up", options.up, "celestial-north, zenith or moon-north")
       ->check(CLI::IsMember({"celestial-north", "zenith", "moon-north"}))
       ->group(group);
-  verb.add_option("--reddening", options.reddening, "by the observer's air, on or off")
-      ->check(CLI::IsMember({"on", "off"}))
-      ->group(group);
+  add_air_options(verb, options, group);
 }
 
 View view_of(const ViewOptions& options, const almanac::SkyState& sky) {
@@ -67,13 +107,11 @@ View view_of(const ViewOptions& options, const almanac::SkyState& sky) {
     return {povray_scenes::camera_at(sky, up, field, options.width, options.height), {}, {}};
   const auto observer = observer_from(options.at);
   const auto seen = almanac::view_from(observer, sky);
-  if (algebra::in_radians(seen.altitude) <= 0)
-    throw algebra::Error(fmt::format("the Moon is {:.2f} degrees below the horizon of {} at {}",
-                                     -algebra::in_degrees(seen.altitude), options.at,
-                                     almanac::utc_text(sky.when)));
+  require_up(seen, options, sky);
   View view{
       povray_scenes::camera_at(sky, seen, up, field, options.width, options.height), observer, {}};
-  if (options.reddening == "on") view.reddening_altitude = seen.altitude;
+  if (options.flattening == "on") view.camera.flattening = flattening_of(seen);
+  if (options.reddening == "on") view.sightline = {air_over(observer, options), seen.altitude};
   return view;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "almanac/observer.h"
+#include "atmosphere/observer_air.h"
 #include "povray_scenes/camera.h"
 
 namespace coppermoon::verbs {
@@ -22,7 +23,8 @@ struct ViewOptions {
   double focal_length_mm = 1540, sensor_width_mm = 22.7;
   std::optional<double> field_deg;
   std::size_t width = 1500, height = 1000;
-  std::string up = "celestial-north", reddening = "on";
+  std::string up = "celestial-north", reddening = "on", flattening = "on";
+  double observer_ozone_du = 300, observer_aerosol = 0.1;
 };
 
 void add_view_options(CLI::App& verb, ViewOptions& options);
@@ -31,10 +33,11 @@ void add_view_options(CLI::App& verb, ViewOptions& options);
 struct View {
   povray_scenes::Camera camera;
   std::optional<almanac::Observer> observer;
-  std::optional<algebra::Angle> reddening_altitude;  ///< where the observer's air reddens the Moon
+  std::optional<atmosphere::Sightline> sightline;  ///< through the air that reddens the Moon
 };
 
-/// Throws Error when the Moon is below the observer's horizon: says by how much
+/// Throws Error when the Moon is below the observer's horizon, refraction counted: says by how much;
+///        or when the observer's air is not sound
 View view_of(const ViewOptions& options, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::verbs

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/spectral_bands.h"
 
-#include <cmath>
 #include <numbers>
 
-#include "atmosphere/air_mass.h"
-#include "atmosphere/atmosphere.h"
 #include "colour/cie_observer.h"
 #include "photons/solar_disc.h"
 #include "surface/reflectance.h"
@@ -32,10 +29,10 @@ std::vector<double> lunar_reflectance() {
   return reflectance;
 }
 
-double transmittance_above(algebra::Angle altitude, double wavelength_nm) {
-  const auto optics = atmosphere::sea_level_optics(algebra::nanometres(wavelength_nm));
-  return std::exp(-atmosphere::air_mass_young_1994(altitude) *
-                  atmosphere::vertical_rayleigh_optical_depth(optics));
+double transmittance(const std::optional<atmosphere::Sightline>& sightline, double wavelength_nm) {
+  if (!sightline) return 1;
+  return atmosphere::transmittance_above(sightline->air, sightline->altitude,
+                                         algebra::nanometres(wavelength_nm));
 }
 
 }  // namespace
@@ -53,13 +50,13 @@ std::vector<double> band_centres_nm() {
 }
 
 algebra::Grid<double> moonlight_weights(const algebra::Grid<double>& response,
-                                        std::optional<algebra::Angle> altitude) {
+                                        const std::optional<atmosphere::Sightline>& sightline) {
   const auto sunlight = photons::solar_irradiance(band_edges_nm());
   const auto centres = band_centres_nm();
   const auto reflectance = lunar_reflectance();
   algebra::Grid<double> weights = response;
   for (std::size_t b = 0; b < centres.size(); ++b) {
-    const double air = altitude ? transmittance_above(*altitude, centres[b]) : 1;
+    const double air = transmittance(sightline, centres[b]);
     for (std::size_t c = 0; c < weights.rows(); ++c)
       weights(c, b) *= sunlight[b] * reflectance[b] / std::numbers::pi * air;
   }

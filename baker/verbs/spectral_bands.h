@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "algebra/grid.h"
-#include "algebra/quantity.h"
+#include "atmosphere/observer_air.h"
 
 namespace coppermoon::verbs {
 
@@ -20,11 +20,11 @@ std::vector<double> band_centres_nm();
 ///
 ///     w = C E k_r / (π k_V)        k_V: k_r averaged over the Sun's light as the eye sees it
 ///
-/// Given     response  C, [channel][band]: of radiance, in the channel's unit per W m⁻² sr⁻¹ nm⁻¹
-///           altitude  of the Moon above an observer's horizon, whose air then reddens it: exp(−M
-///                     τ(λ)), Rayleigh scattering only; none: seen from space
-/// Returned  w         [channel][band]
+/// Given     response   C, [channel][band]: of radiance, in the channel's unit per W m⁻² sr⁻¹ nm⁻¹
+///           sightline  through an observer's air, which reddens the Moon (see
+///                      atmosphere::transmittance_above); none: seen from space
+/// Returned  w          [channel][band]
 algebra::Grid<double> moonlight_weights(const algebra::Grid<double>& response,
-                                        std::optional<algebra::Angle> altitude = {});
+                                        const std::optional<atmosphere::Sightline>& sightline = {});
 
 }  // namespace coppermoon::verbs

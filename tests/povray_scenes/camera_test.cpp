@@ -178,6 +178,67 @@ TEST(PixelOf, EndsAtTheLimbThatTheDistanceAllows) {
   EXPECT_TRUE(pixel_of(ten_radii_away(20), place(0, 360)));
 }
 
+/// Where a place stands from the middle of the picture.
+glm::dvec2 offset(const Camera& camera, const almanac::SelenographicPoint& at) {
+  return *pixel_of(camera, at) - glm::dvec2(100, 50);
+}
+
+TEST(PixelOf, SquashesTheDiscTowardsTheZenith) {
+  const auto round = ten_radii_away(20);
+  auto flat = round;
+  flat.flattening = 0.85;
+  flat.zenith = {0.6, 0, 1};  // what lies along the line of sight does not count
+  for (const auto& at : {place(40, 0), place(-10, 50), place(3, -70)}) {
+    EXPECT_WITHIN(offset(flat, at).x, offset(round, at).x, 1e-9, rounding);
+    EXPECT_WITHIN(offset(flat, at).y, 0.85 * offset(round, at).y, 1e-9, rounding);
+  }
+}
+
+TEST(PixelOf, SquashesAcrossTheDiagonalUnderAZenithThere) {
+  auto flat = ten_radii_away(20);
+  flat.flattening = 0.9;
+  flat.zenith = {0, 1, 1};  // to the upper right, since 90 E is on the right
+  const auto right = offset(ten_radii_away(20), place(0, 30));
+  // Half of a step to the right lies along the diagonal and loses a tenth.
+  EXPECT_WITHIN(offset(flat, place(0, 30)).x, 0.95 * right.x, 1e-9, rounding);
+  EXPECT_WITHIN(offset(flat, place(0, 30)).y, 0.05 * right.x, 1e-9, rounding);
+}
+
+TEST(PixelOf, LeavesTheLimbWhereTheDistanceAllows) {
+  auto flat = ten_radii_away(20);
+  flat.flattening = 0.85;
+  flat.zenith = {0, 0, 1};
+  EXPECT_TRUE(pixel_of(flat, place(84.2, 0)));
+  EXPECT_FALSE(pixel_of(flat, place(84.3, 0)));
+}
+
+TEST(FlattenedByAir, IsNothingWithoutAZenithAcrossTheSight) {
+  auto camera = ten_radii_away(20);
+  camera.flattening = 0.85;
+  for (const auto& zenith : {glm::dvec3(0, 0, 0), glm::dvec3(-2, 0, 0)}) {
+    camera.zenith = zenith;
+    EXPECT_EQ(flattened_by_air(camera), glm::dmat3(1));
+  }
+}
+
+TEST(Camera, MayNotBeFlatterThanAirMakesIt) {
+  auto camera = ten_radii_away(20);
+  for (const double flattening : {0.79, 1.01, std::numeric_limits<double>::quiet_NaN()}) {
+    camera.flattening = flattening;
+    EXPECT_THROW(require_sound(camera), Error) << flattening;
+  }
+}
+
+TEST(CameraAt, KnowsTheZenithWhicheverWayIsUp) {
+  const auto sky = moon_at_the_equinox();
+  for (const auto up : {Up::celestial_north, Up::moon_north, Up::zenith}) {
+    const auto zenith =
+        camera_at(sky, on_the_meridian(degrees(-33)), up, degrees(1), 100, 100).zenith;
+    EXPECT_WITHIN(zenith.z, -std::sin(33 * std::numbers::pi / 180), 1e-12, rounding);
+    EXPECT_WITHIN(zenith.x, -std::cos(33 * std::numbers::pi / 180), 1e-12, rounding);
+  }
+}
+
 TEST(PixelOf, AMirrorExchangesLeftAndRightOnly) {
   auto camera = ten_radii_away(20);
   const auto seen = pixel_of(camera, place(20, 30));

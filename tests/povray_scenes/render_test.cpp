@@ -170,6 +170,37 @@ TEST(Frame, HasTheTexturesLuminanceOverTheDiscThatGeometryGives) {
   }
 }
 
+/// Seen low, with the zenith 40 degrees from the top of the picture.
+Camera seen_low(double flattening) {
+  auto camera = seen_from(52, Up::celestial_north);
+  const glm::dvec3 right = glm::normalize(glm::cross(-camera.position, camera.up));
+  camera.zenith = std::cos(degrees(40).si()) * glm::normalize(camera.up) +
+                  std::sin(degrees(40).si()) * right + glm::normalize(camera.position);
+  camera.flattening = flattening;
+  return camera;
+}
+
+TEST(Frame, ShowsPlacesWherePixelOfSaysOnAFlattenedMoon) { expect_pattern(seen_low(0.85)); }
+
+TEST(Frame, ShowsAFlattenedDiscAsAnEllipseTowardsTheZenith) {
+  const TemporaryFolder folder;
+  const Luminance frame(rendered(folder.path, seen_low(0.85), uniform_texture(1)));
+  // Second moments of the disc, along the zenith and across it: as the squares of its diameters.
+  const glm::dvec2 zenith{std::sin(degrees(40).si()), -std::cos(degrees(40).si())};
+  const glm::dvec2 horizon{-zenith.y, zenith.x};
+  double along = 0, across = 0, mixed = 0;
+  for (int y = 0; y < 240; ++y)
+    for (int x = 0; x < 240; ++x) {
+      const glm::dvec2 place = glm::dvec2(x + 0.5, y + 0.5) - glm::dvec2(120, 120);
+      const double z = glm::dot(place, zenith), h = glm::dot(place, horizon);
+      along += frame.at(x, y) * z * z;
+      across += frame.at(x, y) * h * h;
+      mixed += frame.at(x, y) * z * h;
+    }
+  EXPECT_WITHIN(std::sqrt(along / across), 0.85, 1e-3, "limb pixels are means of 25 rays");
+  EXPECT_WITHIN(mixed / across, 0, 1e-3, "limb pixels are means of 25 rays");
+}
+
 TEST(CoppermoonInc, GivesTheMoonAndThePlacesOfOurOwnScenes) {
   const TemporaryFolder folder;
   const auto camera =

@@ -68,6 +68,16 @@ TEST(ToPov, ScalesTheWholeSceneToAnyUnit) {
   EXPECT_TRUE(says(to_pov(scene), "<0, 0, 0>, 2"));
 }
 
+TEST(ToPov, SquashesTheTexturedSphereTowardsTheZenith) {
+  auto scene = plain_scene();
+  scene.camera.position = {221.25, 0, 0};
+  EXPECT_FALSE(says(to_pov(scene), "matrix"));
+  scene.camera.flattening = 0.875;
+  scene.camera.zenith = {0, 0, 1};  // y in POV-Ray's axes
+  EXPECT_TRUE(says(to_pov(scene),
+                   "  rotate y*180\n  matrix <1, 0, 0, 0, 0.875, 0, 0, 0, 1, 0, 0, 0>\n}\n"));
+}
+
 TEST(ToPov, RefusesDistancesThatPovRayRendersBlack) {
   auto scene = plain_scene();
   scene.camera.position = {2e5, 0, 0};

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
-foreach(noun aerosol air_mass atmosphere density figure ozone rayleigh refractivity)
+foreach(noun aerosol air_mass astronomical_refraction atmosphere density figure observer_air ozone presets rayleigh
+             refractivity)
   coppermoon_test(baker/atmosphere/${noun} LINKS atmosphere)
 endforeach()

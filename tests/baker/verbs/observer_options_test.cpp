@@ -31,6 +31,8 @@ almanac::SkyState mid_eclipse() {
   return almanac::sky_at(almanac::instant_from_utc("2008-02-21T03:26:05Z"));
 }
 
+constexpr const char *low_moon = "42,47.3", *just_set = "42,50.3", *set = "42,51";
+
 ViewOptions from(const char* place) {
   ViewOptions options;
   options.at = place;
@@ -40,10 +42,42 @@ ViewOptions from(const char* place) {
 TEST(ViewOf, ReddensTheMoonOnlyThroughAir) {
   const auto sky = mid_eclipse();
   auto options = from("42.86,-73.77");
-  EXPECT_FALSE(view_of({}, sky).reddening_altitude);
-  EXPECT_TRUE(view_of(options, sky).reddening_altitude);
+  EXPECT_FALSE(view_of({}, sky).sightline);
+  EXPECT_TRUE(view_of(options, sky).sightline);
   options.reddening = "off";
-  EXPECT_FALSE(view_of(options, sky).reddening_altitude);
+  EXPECT_FALSE(view_of(options, sky).sightline);
+}
+
+TEST(ViewOf, LooksThroughTheAirItIsTold) {
+  auto options = from("42.86,-73.77,120");
+  options.observer_ozone_du = 250;
+  options.observer_aerosol = 0.05;
+  const auto air = view_of(options, mid_eclipse()).sightline->air;
+  EXPECT_EQ(air.ozone_du, 250);
+  EXPECT_EQ(air.aerosol_optical_depth, 0.05);
+  EXPECT_EQ(air.elevation_m, 120);
+  options.observer_aerosol = -1;
+  EXPECT_THROW(view_of(options, mid_eclipse()), algebra::Error);
+}
+
+TEST(ViewOf, FlattensTheMoonOnlyThroughAir) {
+  const auto sky = mid_eclipse();
+  auto options = from(low_moon);
+  EXPECT_EQ(view_of({}, sky).camera.flattening, 1);
+  const double flattening = view_of(options, sky).camera.flattening;
+  EXPECT_WITHIN(flattening, 0.93, 0.05, "0.9 at 1 degree, 0.955 at 3");
+  options.reddening = "off";
+  EXPECT_EQ(view_of(options, sky).camera.flattening, flattening);
+  options.flattening = "off";
+  EXPECT_EQ(view_of(options, sky).camera.flattening, 1);
+}
+
+TEST(ViewOf, ShowsAMoonThatOnlyRefractionLiftsOverTheHorizon) {
+  const auto sky = mid_eclipse();
+  const auto view = view_of(from(just_set), sky);
+  const double altitude_deg = in_degrees(view.sightline->altitude);
+  EXPECT_TRUE(altitude_deg < -0.1 && altitude_deg > -0.5) << altitude_deg;
+  EXPECT_THROW(view_of(from(set), sky), algebra::Error);
 }
 
 TEST(ViewOf, TakesTheFieldFromLensAndSensorUnlessTold) {

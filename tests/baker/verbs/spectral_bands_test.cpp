@@ -41,8 +41,10 @@ TEST(MoonlightWeights, AreRedderThanSunlight) {
 }
 
 TEST(MoonlightWeights, AreDimmedByRayleighAirInTheZenith) {
+  const atmosphere::ObserverAir molecules{.ozone_du = 0, .aerosol_optical_depth = 0};
   const auto without = moonlight_weights(xyz()),
-             with = moonlight_weights(xyz(), algebra::degrees(90));
+             with =
+                 moonlight_weights(xyz(), atmosphere::Sightline{molecules, algebra::degrees(90)});
   const auto ratio_at = [&](std::size_t band) { return with(1, band) / without(1, band); };
   // Vertical optical depths at 1013 hPa by Bucholtz (1995), table 3 interpolated: 0.2358 at 441,
   // 0.0973 at 551 nm.
@@ -51,8 +53,8 @@ TEST(MoonlightWeights, AreDimmedByRayleighAirInTheZenith) {
 }
 
 TEST(MoonlightWeights, AreDimmedMoreNearTheHorizon) {
-  const auto high = moonlight_weights(xyz(), algebra::degrees(60)),
-             low = moonlight_weights(xyz(), algebra::degrees(5));
+  const auto high = moonlight_weights(xyz(), atmosphere::Sightline{{}, algebra::degrees(60)}),
+             low = moonlight_weights(xyz(), atmosphere::Sightline{{}, algebra::degrees(5)});
   EXPECT_LT(total(low, 1), total(high, 1));
   EXPECT_LT(total(low, 2) / total(low, 0), total(high, 2) / total(high, 0));
 }

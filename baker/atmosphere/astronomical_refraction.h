@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "algebra/quantity.h"
+
+namespace coppermoon::atmosphere {
+
+/// How much higher air makes a light appear that stands outside it.
+///
+///     R = 1.02' / tan(h + 10.3 / (h + 5.11)) + 0.0019'        h, 10.3 and 5.11 in degrees
+///
+/// Given     true_altitude  h, of the light without air, -90 to 90 degrees
+/// Returned  R              34.4' on the apparent horizon, 29.0' at h = 0, 5.4' at 10, 0 at 90
+///                          degrees; below -1 degree, where the formula ends, its value there
+/// Accuracy  0.2' against printed tables from 2 degrees up; 1' on the horizon
+/// Omits     weather and elevation: the air is at 1010 hPa and 10 degrees Celsius. Near the horizon
+///           nature strays from that by several minutes. Colour: 0.4' from red to blue there
+/// Throws    Error          when the altitude is outside its range
+/// Source    Saemundsson (1986), Sky & Telescope 72, 70; with the constant that makes it vanish in
+///           the zenith: Meeus, Astronomical Algorithms, chapter 16
+algebra::Angle astronomical_refraction(algebra::Angle true_altitude);
+
+/// The true altitude of what is seen on the horizon of the sea: h + R(h) = 0.
+inline constexpr algebra::Angle lowest_true_altitude = algebra::degrees(-0.5739);
+
+/// Where a light is seen: its true altitude and what refraction adds.
+///
+/// Throws  Error  as astronomical_refraction
+algebra::Angle apparent_altitude(algebra::Angle true_altitude);
+
+/// Height over width of a round disc seen through air: its limbs are not lifted alike.
+///
+///     k = 1 - (R(h - d/2) - R(h + d/2)) / d
+///
+/// Given     true_altitude  h, of the disc's centre, -90 to 90 degrees
+///           diameter       d, 1e-6 to 10 degrees
+/// Returned  k              0.83 for the Moon on the horizon, 0.87 half a degree above it, 0.9997 in
+///                          the zenith
+/// Omits     that the lower half is flatter than the upper one, and the width, which shrinks by 3e-4
+/// Throws    Error          when an argument is outside its range
+/// Source    Meeus, Astronomical Algorithms, chapter 16
+double refracted_flattening(algebra::Angle true_altitude, algebra::Angle diameter);
+
+}  // namespace coppermoon::atmosphere
