@@ -3,18 +3,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "algebra/error.h"
 #include "atmosphere/density.h"
+#include "atmosphere/ozone.h"
 #include "atmosphere/rayleigh.h"
-#include "baker/atmosphere/published_table.h"
 #include "support/within.h"
 
 namespace coppermoon::atmosphere {
 namespace {
 
 using algebra::degrees;
+using algebra::in_degrees;
 using algebra::in_radians;
 using algebra::nanometres;
 
@@ -57,25 +59,55 @@ TEST(Extinction, OfDustIsGreyInsideItsLayerOnly) {
                 1e-20, "they add");
 }
 
-TEST(OzoneTransmittance, IsOneWithoutOzone) {
-  EXPECT_EQ(ozone_transmittance({}, green), 1);
-  EXPECT_LT(ozone_transmittance({.ozone_du = 300}, green), 0.6);
+TEST(LimbFilter, IsOneWithoutOzoneAndCloud) {
+  EXPECT_EQ(limb_filter({}, green, 0), 1);
+  EXPECT_LT(limb_filter({.ozone_du = 300}, green, 20e3), 0.6);
+  EXPECT_EQ(limb_filter({.ozone_du = 300, .ozone_path = OzonePath::bent}, green, 20e3), 1);
 }
 
-// Simpson's rule over the number densities of the standard up to 36 km, the cross-section that of
-// one molecule; from there to 42 km, trapezia, on the ramp with ⅔ and ⅓.
-TEST(VerticalRayleighOpticalDepth, CountsTheMoleculesOfTheStandardAtmosphere) {
-  const auto levels = published_table("baker/atmosphere/data/us_standard_1976_levels.csv");
-  const auto& n = levels["number_density_per_m3"];
-  double column = 0;  // [m⁻³ km]
-  for (std::size_t i = 0; i < 18; i += 2) column += (n[i] + 4 * n[i + 1] + n[i + 2]) * 2 / 3;
-  column += n[18] + n[19];
-  const double at_39_km = 9.61975e22, at_40_km = n[20] * 2 / 3, at_41_km = 7.18643e22 / 3;
-  column +=
-      (n[19] + at_39_km) / 2 + (at_39_km + at_40_km) / 2 + (at_40_km + at_41_km) / 2 + at_41_km / 2;
-  const double section_m2 = rayleigh_cross_section_m2(nanometres(550));
-  EXPECT_WITHIN_RELATIVE(vertical_rayleigh_optical_depth(green), section_m2 * column * 1e3, 1e-3,
-                         "Simpson's rule on steps of 2 km across the tropopause");
+TEST(LimbFilter, OfCloudIsWhatItLeavesUncoveredBelowItsTop) {
+  const Column cloudy{.cloud_top_m = 10e3, .cloud_cover = 0.7};
+  EXPECT_WITHIN(limb_filter(cloudy, green, 9999), 0.3, 1e-15, "rounding");
+  EXPECT_EQ(limb_filter(cloudy, green, 10000), 1);
+}
+
+TEST(Extinction, IsTheSumOfAllThatStandsThere) {
+  const Column full{.density = Density::us_1976,
+                    .ozone_du = 300,
+                    .ozone_path = OzonePath::bent,
+                    .dust_extinction_per_m = 1e-6,
+                    .tropospheric_optical_depth = 0.1,
+                    .stratosphere = StratosphericAerosol::high};
+  const auto red = sea_level_optics(nanometres(650));
+  for (const double h : {1e3, 9.7e3, 17e3, 25e3, 60e3}) {
+    const double sum =
+        red.rayleigh_per_m * density_ratio_us_1976(h) +
+        300 * dobson_unit_per_m2 * ozone_cross_section_m2(nanometres(650)) *
+            ozone_profile_per_m(h) +
+        (h > 15e3 && h < 20e3 ? 1e-6 : 0) +
+        0.1 * tropospheric_profile_per_m(h) * tropospheric_spectrum(nanometres(650)) +
+        stratospheric_extinction_per_m(StratosphericAerosol::high, h) *
+            stratospheric_spectrum(StratosphericAerosol::high, nanometres(650));
+    EXPECT_WITHIN_RELATIVE(extinction_per_m(full, red, h), sum, 1e-14, "rounding");
+  }
+}
+
+TEST(SeaLevelOptics, OfOtherMoleculesAreThoseOfTheirModels) {
+  const auto other = sea_level_optics(
+      nanometres(450), {.dispersion = Dispersion::ciddor_1996, .king_factor = KingFactor::bates_1984});
+  EXPECT_WITHIN_RELATIVE(other.refractivity, 28053.336e-8, 1e-7, "Ciddor (1996), 8 digits");
+  EXPECT_WITHIN_RELATIVE(other.rayleigh_per_m, 1.0268e-30 * sea_level_number_density_per_m3, 1.5e-3,
+                         "Bucholtz (1995), whose refractivity and F are another's");
+}
+
+// Hydrostatics: the column is p₀ N_A / (g M), of air whose mean height is 8.4 km, where g is
+// 1 − 2 h/R of that at sea level.
+TEST(VerticalRayleighOpticalDepth, CountsTheMoleculesThatThePressureCarries) {
+  const double at_sea_level = 101325 * 6.022169e23 / (9.80665 * 28.9644e-3);
+  const double column = at_sea_level * (1 + 2 * 7.2e3 / 6.357e6);  // mean height over pressure
+  EXPECT_WITHIN_RELATIVE(vertical_rayleigh_optical_depth(green),
+                         rayleigh_cross_section_m2(nanometres(550)) * column, 5e-4,
+                         "the mean height of the air is known to a kilometre");
 }
 
 // Bodhaine et al. (1999), J. Atmos. Oceanic Technol. 16, 1854, Eq. 30: sea level, latitude 45°.
@@ -89,8 +121,7 @@ TEST(VerticalRayleighOpticalDepth, IsThePublishedOneOfTheWholeAtmosphere) {
   for (const double nm : {400.0, 550.0, 700.0})
     EXPECT_WITHIN_RELATIVE(
         vertical_rayleigh_optical_depth(sea_level_optics(nanometres(nm))), bodhaine(nm / 1e3),
-        0.011,
-        "0.1 to 0.8 % less cross-section; 0.3 % of the air is cut, 0.2 % is the fall of gravity");
+        0.009, "0.1 to 0.8 % less cross-section; 0.2 % is the fall of gravity");
 }
 
 std::string refused(const Atmosphere& atmosphere) {
@@ -112,14 +143,20 @@ TEST(RequireValid, NamesTheTermItsUnitAndWhatIsAllowed) {
   EXPECT_EQ(refused({.column = {.ozone_du = -1}}), "ozone [DU] = -1, allowed 0 to 1000");
   EXPECT_EQ(refused({.column = {.dust_extinction_per_m = 2}}),
             "dust extinction [1/m] = 2, allowed 0 to 0.01");
-  EXPECT_EQ(refused({.column = {.dust_bottom_m = -1}}), "dust bottom [m] = -1, allowed 0 to 42000");
+  EXPECT_EQ(refused({.column = {.dust_bottom_m = -1}}), "dust bottom [m] = -1, allowed 0 to 86000");
   EXPECT_EQ(refused({.column = {.dust_top_m = 14e3}}),
-            "dust top [m] = 14000, allowed 15000 to 42000");
+            "dust top [m] = 14000, allowed 15000 to 86000");
+  EXPECT_EQ(refused({.column = {.tropospheric_optical_depth = -1}}),
+            "tropospheric optical depth = -1, allowed 0 to 10");
+  EXPECT_EQ(refused({.column = {.cloud_top_m = 31e3}}), "cloud top [km] = 31, allowed 0 to 30");
+  EXPECT_EQ(refused({.column = {.cloud_cover = 70}}), "cloud cover = 70, allowed 0 to 1");
 }
 
 TEST(RequireValid, LooksAtTheEarthItself) {
-  EXPECT_EQ(refused({.top_m = -1}), "top of the air [m] = -1, allowed 0 to 42000");
-  EXPECT_EQ(refused({.earth_radius_m = 0}), "Earth's radius [m] = 0, allowed 1e+06 to 1e+07");
+  EXPECT_EQ(refused({.earth = {.equatorial_radius_m = 0}}),
+            "Earth's radius [m] = 0, allowed 1e+06 to 1e+07");
+  EXPECT_EQ(refused({.earth = {.polar_radius_m = 1}}),
+            "Earth's polar radius [m] = 1, allowed 5.7402e+06 to 7.0158e+06");
 }
 
 TEST(ColumnAt, OfAWholeTurnIsTheRegionEverywhere) {
@@ -161,6 +198,46 @@ TEST(ColumnAt, TakesTheFirstOfOverlappingRegions) {
                                           {degrees(45), degrees(180), {.ozone_du = 2}}}};
   EXPECT_EQ(ozone_at(atmosphere, 60), 1);
   EXPECT_EQ(ozone_at(atmosphere, 120), 2);
+}
+
+double width_deg(const Region& region) { return in_degrees(region.to) - in_degrees(region.from); }
+
+TEST(BetweenLatitudes, AreTheLimbsEastAndWest) {
+  const auto tropics = between_latitudes(degrees(-20), degrees(30), degrees(0), {.ozone_du = 250});
+  ASSERT_EQ(tropics.size(), 2U);
+  EXPECT_WITHIN(in_degrees(tropics[0].from), 60., 1e-12, "90 − 30, by definition at the equinox");
+  EXPECT_WITHIN(in_degrees(tropics[0].to), 110., 1e-12, "90 + 20");
+  EXPECT_WITHIN(in_degrees(tropics[1].from), 250., 1e-12, "360 − 110");
+  EXPECT_EQ(tropics[1].column.ozone_du, 250);
+}
+
+TEST(BetweenLatitudes, GoOverThePole) {
+  const auto south = between_latitudes(degrees(-90), degrees(0), degrees(10), {});
+  ASSERT_EQ(south.size(), 1U);
+  EXPECT_WITHIN(in_degrees(south[0].from), 90., 1e-12, "the equator, wherever the Sun");
+  EXPECT_WITHIN(in_degrees(south[0].to), 270., 1e-12, "as above");
+  const auto north = between_latitudes(degrees(60), degrees(90), degrees(0), {});
+  ASSERT_EQ(north.size(), 1U);
+  EXPECT_WITHIN(width_deg(north[0]), 60., 1e-12, "30 on either side");
+  const auto all = between_latitudes(degrees(-90), degrees(90), degrees(-23), {});
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_WITHIN(width_deg(all[0]), 360., 1e-12, "all of it");
+}
+
+// The limb of a Sun at 23° reaches 67° of latitude: the ring of the terminator.
+TEST(BetweenLatitudes, AreEmptyWhereTheLimbDoesNotReach) {
+  EXPECT_TRUE(between_latitudes(degrees(70), degrees(80), degrees(23), {}).empty());
+  EXPECT_EQ(between_latitudes(degrees(65), degrees(80), degrees(23), {}).size(), 1U);
+  EXPECT_THROW(between_latitudes(degrees(20), degrees(10), degrees(0), {}), algebra::Error);
+  EXPECT_THROW(between_latitudes(degrees(-91), degrees(10), degrees(0), {}), algebra::Error);
+}
+
+TEST(Breaks, AreWhereTheProfilesBend) {
+  const auto breaks = breaks_m({.density = Density::us_1976, .dust_extinction_per_m = 1e-6});
+  EXPECT_TRUE(std::ranges::is_sorted(breaks));
+  EXPECT_EQ(breaks.back(), 86e3);
+  EXPECT_EQ(std::ranges::count(breaks, 15e3) + std::ranges::count(breaks, 20e3), 2);
+  EXPECT_EQ(breaks_m({.density = Density::none}), std::vector<double>{0});
 }
 
 TEST(Atmosphere, OfTheDefaultsIsThePapersSphere) {

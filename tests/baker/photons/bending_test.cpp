@@ -24,6 +24,7 @@ using atmosphere::sea_level_optics;
 
 constexpr double arcminute = std::numbers::pi / 180 / 60;
 const Atmosphere air;
+const double radius_m = air.earth.equatorial_radius_m;
 const Optics green = sea_level_optics(nanometres(550));
 
 /// A ray worked out another way: no derivative of n, the midpoint rule, nothing known of where the
@@ -31,12 +32,12 @@ const Optics green = sea_level_optics(nanometres(550));
 struct Independent {
   Optics optics;
   double impact_height_m;
-  double b_m = air.earth_radius_m + impact_height_m;
+  double b_m = radius_m + impact_height_m;
   double tangent_m = tangent_height();
 
   /// (n − 1) r
   double optical_excess(double h) const {
-    return refractivity(air.column, optics, h) * (air.earth_radius_m + h);
+    return refractivity(air.column, optics, h) * (radius_m + h);
   }
   double tangent_height() const {
     double h = impact_height_m;
@@ -46,7 +47,7 @@ struct Independent {
   /// ∫ f(h) / √(n²r² − b²) dh from the tangent height to the top, over u = √(h − h_t).
   double along_half(const std::function<double(double)>& f) const {
     constexpr int points = 100'000;
-    const double width = std::sqrt(air.top_m - tangent_m) / points;
+    const double width = std::sqrt(air.top_m() - tangent_m) / points;
     double sum = 0;
     for (int i = 0; i < points; ++i) {
       const double u = (i + 0.5) * width, h = tangent_m + u * u;
@@ -58,19 +59,19 @@ struct Independent {
   /// The angle the ray sweeps about the Earth's centre inside the air, over what a straight line
   /// sweeps.
   double bending() const {
-    const double swept = along_half([&](double h) { return b_m / (air.earth_radius_m + h); });
+    const double swept = along_half([&](double h) { return b_m / (radius_m + h); });
     return 2 * swept - 2 * std::acos(b_m / air.top_radius_m());
   }
   double optical_depth() const {
     return 2 * along_half([&](double h) {
              return extinction_per_m(air.column, optics, h) *
-                    (air.earth_radius_m + h + optical_excess(h));
+                    (radius_m + h + optical_excess(h));
            });
   }
 };
 
 LimbRay ray_at(double impact_height_m, const Column& column = {}, const Optics& optics = green) {
-  const auto ray = limb_ray(impact_height_m, air, column, optics);
+  const auto ray = limb_ray(impact_height_m, radius_m, column, optics);
   if (!ray) throw algebra::Error("the ray meets the ground");
   return *ray;
 }
@@ -123,12 +124,12 @@ TEST(LimbRay, IsThatOfTheSweptAngleJustBelowABreakOfTheAir) {
 // Nautical and astronomical almanacs refract the Sun on the horizon by 34'; a ray that grazes the
 // ground and leaves again is bent twice as much. At sea level b = n₀ R.
 TEST(LimbRay, GrazingTheGroundIsBentTwiceTheRefractionOfTheHorizon) {
-  const double grazing_m = green.refractivity * air.earth_radius_m;
+  const double grazing_m = green.refractivity * radius_m;
   const auto ray = ray_at(grazing_m + 1e-6);
   EXPECT_WITHIN(ray.tangent_height_m, 0.0, 1e-5, "n r rises by 0.8 for every metre of altitude");
   EXPECT_WITHIN(ray.bending_rad / arcminute, 2 * 34.0, 2 * 2.0,
                 "almanacs round to 1' and assume 10 °C; 15 °C refracts 2 % less");
-  EXPECT_FALSE(limb_ray(grazing_m - 1e-6, air, {}, green));
+  EXPECT_FALSE(limb_ray(grazing_m - 1e-6, radius_m, {}, green));
 }
 
 // Under the top dn/dr is all but constant, so δ ∝ ∫ dr/√(r − r_t) ∝ √(r₁ − r_t).
@@ -147,8 +148,8 @@ TEST(LimbRay, IsFiniteOverTheWholeRange) {
   for (const double nm : {380.0, 780.0}) {
     const auto optics = sea_level_optics(nanometres(nm));
     for (double h = -1e4; h <= 42e3; h += 6.5)
-      if (const auto ray = limb_ray(h, air, full, optics)) {
-        ASSERT_GE(h, optics.refractivity * air.earth_radius_m);
+      if (const auto ray = limb_ray(h, radius_m, full, optics)) {
+        ASSERT_GE(h, optics.refractivity * radius_m);
         ASSERT_TRUE(ray->bending_rad >= 0 && ray->bending_rad < 75 * arcminute) << h;
         ASSERT_TRUE(ray->optical_depth >= 0 && std::isfinite(ray->optical_depth)) << h;
         ASSERT_TRUE(ray->transmittance > 0 && ray->transmittance <= 1) << h;
@@ -158,7 +159,7 @@ TEST(LimbRay, IsFiniteOverTheWholeRange) {
 }
 
 double impact_height_of(double tangent_m) {
-  return tangent_m + refractivity({}, green, tangent_m) * (air.earth_radius_m + tangent_m);
+  return tangent_m + refractivity({}, green, tangent_m) * (radius_m + tangent_m);
 }
 
 TEST(LimbRay, LosesNothingOfASliverOfAirBelowABreak) {
@@ -182,7 +183,7 @@ TEST(LimbRay, IsFiniteAndContinuousAtEveryBreakOfTheAir) {
 TEST(LimbRay, WithoutRefractionGoesStraightThroughTheDust) {
   const Column dust{.refraction = false, .rayleigh = false, .dust_extinction_per_m = 4.7e-6};
   const auto half_chord = [](double top_m, double b_m) {
-    const double r = air.earth_radius_m + top_m, b = air.earth_radius_m + b_m;
+    const double r = radius_m + top_m, b = radius_m + b_m;
     return std::sqrt((r - b) * (r + b));
   };
   const auto below = ray_at(5000, dust), inside = ray_at(17e3, dust), above = ray_at(21e3, dust);
@@ -200,14 +201,41 @@ TEST(LimbRay, DimsByBeerLambertAndTheOzoneFilter) {
   const Column ozone{.ozone_du = 300};
   const auto clear = ray_at(15e3), filtered = ray_at(15e3, ozone);
   EXPECT_WITHIN(clear.transmittance, std::exp(-clear.optical_depth), 1e-15, "rounding");
-  EXPECT_WITHIN(filtered.transmittance / clear.transmittance, ozone_transmittance(ozone, green),
+  EXPECT_WITHIN(filtered.transmittance / clear.transmittance, limb_filter(ozone, green, 15e3),
                 1e-14, "rounding");
 }
 
+// US 1976 goes on to 86 km; an exponential tail of scale height H above 42 km bends and dims by
+// √(2πR/H) of what it stands for.
+TEST(LimbRay, ReachesTheTopOfUs1976) {
+  const Column full{.density = atmosphere::Density::us_1976};
+  EXPECT_EQ(ray_at(86e3, full).optical_depth, 0);
+  const double h = 50e3, scale_m = 8e3, density = atmosphere::density_ratio_us_1976(h);
+  EXPECT_WITHIN_RELATIVE(ray_at(h, full).optical_depth,
+                         green.rayleigh_per_m * density *
+                             std::sqrt(2 * std::numbers::pi * (radius_m + h) * scale_m),
+                         0.03, "the scale height at 50 km is 8.0 km and falls by 5 % in 10 km");
+}
+
+TEST(LimbRay, CrossesTheOzoneOnItsOwnPath) {
+  const Column path{.refraction = false,
+                    .rayleigh = false,
+                    .ozone_du = 300,
+                    .ozone_path = atmosphere::OzonePath::bent};
+  const auto amount = [&](double h) {  // over the vertical column
+    return limb_path(h, radius_m, path, 0).amounts[atmosphere::ozone];
+  };
+  // The thin layer at 22 km: the filter's air mass. Higher rays cross less of it, those at its
+  // peak the most.
+  EXPECT_WITHIN_RELATIVE(amount(0), 24.1, 0.03, "a layer 20 km deep is not thin");
+  EXPECT_GT(amount(20e3), 1.5 * amount(0));
+  EXPECT_LT(amount(40e3), 0.3 * amount(0));
+}
+
 TEST(LimbRay, RefusesImpactHeightsOutsideItsRange) {
-  EXPECT_THROW(limb_ray(42000.001, air, {}, green), algebra::Error);
-  EXPECT_THROW(limb_ray(-10000.1, air, {}, green), algebra::Error);
-  EXPECT_THROW(limb_ray(std::numeric_limits<double>::quiet_NaN(), air, {}, green), algebra::Error);
+  EXPECT_THROW(limb_ray(42000.001, radius_m, {}, green), algebra::Error);
+  EXPECT_THROW(limb_ray(-10000.1, radius_m, {}, green), algebra::Error);
+  EXPECT_THROW(limb_ray(std::numeric_limits<double>::quiet_NaN(), radius_m, {}, green), algebra::Error);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ glm::dvec3 nearest(const Ray& ray) {
 
 /// Where b² lies between the ground's and the top's, 0 to 1.
 double ring_place(const Ray& ray) {
-  const double b = glm::length(nearest(ray)), inner = air.earth_radius_m,
+  const double b = glm::length(nearest(ray)), inner = air.earth.equatorial_radius_m,
                outer = air.top_radius_m();
   return (b * b - inner * inner) / (outer * outer - inner * inner);
 }

@@ -54,23 +54,30 @@ double direct_point_by_point(double axis_distance_m, double sphere_m) {
   return static_cast<double>(seen) / all;
 }
 
-TEST(DirectRatio, IsThePartOfTheSunInSight) {
+double direct_ratio(double axis_distance_m) {
+  double ratio = NAN;
+  const std::vector<double> wave{550};
+  DirectLight({}, {sun_m, {moon_m}}, wave).ratios(axis_distance_m, 0, moon_m, {&ratio, 1});
+  return ratio;
+}
+
+TEST(DirectLight, IsThePartOfTheSunInSight) {
   for (const double km : {4700., 5500., 6420., 7500., 8150.})
     EXPECT_WITHIN(
-        direct_ratio(km * 1e3, moon_m, sun_m, earth_m), direct_point_by_point(km * 1e3, earth_m),
+        direct_ratio(km * 1e3), direct_point_by_point(km * 1e3, earth_m),
         1e-4,
         "1.8 million points of the disc: 2e-5 of counting; the planes taken as parallel: 1e-5");
 }
 
-TEST(DirectRatio, IsNothingInTheUmbraAndAllBeyondThePenumbra) {
+TEST(DirectLight, IsNothingInTheUmbraAndAllBeyondThePenumbra) {
   // Similar triangles, the limb's tangent circle taken at the Earth's centre.
   const double umbra = earth_m - moon_m / sun_m * (photons::solar_radius_m - earth_m);
   const double penumbra = earth_m + moon_m / sun_m * (photons::solar_radius_m + earth_m);
-  EXPECT_EQ(direct_ratio(0, moon_m, sun_m, earth_m), 0);
-  EXPECT_EQ(direct_ratio(umbra - 2e3, moon_m, sun_m, earth_m), 0);
-  EXPECT_GT(direct_ratio(umbra + 20e3, moon_m, sun_m, earth_m), 0);
-  EXPECT_LT(direct_ratio(penumbra - 20e3, moon_m, sun_m, earth_m), 1);
-  EXPECT_EQ(direct_ratio(penumbra + 20e3, moon_m, sun_m, earth_m), 1);
+  EXPECT_EQ(direct_ratio(0), 0);
+  EXPECT_EQ(direct_ratio(umbra - 2e3), 0);
+  EXPECT_GT(direct_ratio(umbra + 20e3), 0);
+  EXPECT_LT(direct_ratio(penumbra - 20e3), 1);
+  EXPECT_EQ(direct_ratio(penumbra + 20e3), 1);
 }
 
 TEST(Landing, FollowsTheStraightLineWhenNothingBends) {

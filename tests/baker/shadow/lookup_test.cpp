@@ -10,8 +10,9 @@
 namespace coppermoon::shadow {
 namespace {
 
-constexpr double opaque_m = 6.42e6;
 const Arrangement around_the_moon{1.479e11, {3.812e8, 3.821e8, 3.829e8}};
+
+DirectLight direct(std::vector<double> waves) { return {{}, around_the_moon, waves}; }
 
 eclipse::ShadowPlace place(double axis_distance_m, double depth_m, double turn = 0) {
   return {algebra::metres(axis_distance_m), algebra::radians(turn), algebra::metres(depth_m)};
@@ -29,13 +30,14 @@ TEST(Lookup, IsTheQuadraturePlusDirectLightBetweenItsNodes) {
   const std::vector<double> waves{550};
   std::vector<double> nodes;
   for (double d = 0; d < 8.6e6; d += 25e3) nodes.push_back(d);
-  const Lookup lookup(by_quadrature({}, around_the_moon, waves, nodes), opaque_m, one_channel(1));
+  const Lookup lookup(by_quadrature({}, around_the_moon, waves, nodes), direct(waves), one_channel(1));
   for (const double at_m : {3e3, 1.2341e6, 3.333e6, 4.404e6, 5.0127e6, 7.77e6}) {
     const double depth = 3.8177e8;  // between planes
     const std::vector<double> here{at_m};
     const auto exact = by_quadrature({}, {around_the_moon.sun_distance_m, {depth}}, waves, here);
     const double total =
-        exact.ratio[0](0, 0) + direct_ratio(at_m, depth, around_the_moon.sun_distance_m, opaque_m);
+        exact.ratio[0](0, 0) +
+        1 - covered_part(at_m, depth, around_the_moon.sun_distance_m, 6.42e6);
     EXPECT_WITHIN_RELATIVE(
         read(lookup, place(at_m, depth)), total, 2e-3,
         "straight lines over 25 km, 10 km and 900 km of depth; worst at the umbra's rim");
@@ -49,7 +51,7 @@ TEST(Lookup, BeyondThePenumbraAndOnTheSunsSideIsSunlight) {
                             1,
                             {3, algebra::Grid<double>(2, 1)},
                             {3, algebra::Grid<double>(2, 1)}};
-  const Lookup lookup(none, opaque_m, one_channel(1, 7));
+  const Lookup lookup(none, direct({550}), one_channel(1, 7));
   EXPECT_EQ(read(lookup, place(1e7, 3.82e8)), 7);
   EXPECT_EQ(read(lookup, place(0, -3.82e8)), 7);
   EXPECT_EQ(read(lookup, place(1e6, 3.82e8)), 0);
@@ -64,7 +66,7 @@ TEST(Lookup, SumsWavelengthsWithTheChannelsWeights) {
   light.standard_error.assign(3, algebra::Grid<double>(3, 2, 0.03));
   ChannelWeights weights(1, 2, 3);
   weights(0, 1) = 4;
-  const Lookup lookup(light, opaque_m, weights);
+  const Lookup lookup(light, direct({500, 600}), weights);
   EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8)), 3 * 0.25 + 4 * 0.5, 1e-14, "closed form");
   EXPECT_WITHIN(lookup.worst_relative_error(0, 0, 1e6), 0.03 * 5 / 2.75, 1e-14,
                 "errors of 3 and 4 add to 5");
@@ -77,7 +79,7 @@ TEST(Lookup, TurnsWithThePositionAngle) {
       light.ratio.emplace_back(3, 1, 0.1 * sector);
       light.standard_error.emplace_back(3, 1);
     }
-  const Lookup lookup(light, opaque_m, one_channel(1));
+  const Lookup lookup(light, direct({500}), one_channel(1));
   const double quarter = std::numbers::pi / 2;
   EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, quarter)), 0.1, 1e-14,
                 "the middle of sector 1, to the east");

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "photons/limb_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/within.h"
+
+namespace coppermoon::photons {
+namespace {
+
+using atmosphere::Column;
+using atmosphere::Optics;
+
+constexpr double radius_m = 6.378e6;
+
+const Column full{.density = atmosphere::Density::us_1976,
+                  .ozone_du = 345,
+                  .ozone_path = atmosphere::OzonePath::bent,
+                  .dust_extinction_per_m = 1e-6,
+                  .tropospheric_optical_depth = 0.07,
+                  .stratosphere = atmosphere::StratosphericAerosol::background,
+                  .cloud_top_m = 10.4e3,
+                  .cloud_cover = 0.7};
+
+std::vector<Optics> optics_of(std::initializer_list<double> wavelengths_nm) {
+  std::vector<Optics> optics;
+  for (const double nm : wavelengths_nm)
+    optics.push_back(atmosphere::sea_level_optics(algebra::nanometres(nm)));
+  return optics;
+}
+
+TEST(LimbTable, IsTheRayItselfAtEveryWavelengthAndHeight) {
+  const auto optics = optics_of({380, 425, 510, 655, 780});
+  const LimbTable table(full, radius_m, optics, 80);
+  for (const auto& o : optics) {
+    const auto fan = table.fan(o);
+    for (std::size_t i = 0; i < fan.tangent_height_m.size(); ++i) {
+      const auto path = limb_path(fan.tangent_height_m[i], radius_m, full, o.refractivity);
+      const double depth = atmosphere::product(path.amounts, atmosphere::spectra(full, o));
+      EXPECT_WITHIN(fan.impact_height_m[i], path.impact_height_m, 1e-7, "rounding");
+      EXPECT_WITHIN_RELATIVE(fan.bending_rad[i], path.bending_rad, 2e-6, "as the header says")
+          << fan.tangent_height_m[i];
+      EXPECT_WITHIN_RELATIVE(fan.optical_depth[i], depth, 2e-6, "as the header says")
+          << fan.tangent_height_m[i];
+    }
+  }
+}
+
+TEST(LimbTable, StandsOnTheGroundTheTopAndEveryBreak) {
+  const auto fan = LimbTable(full, radius_m, optics_of({550}), 60).fan(optics_of({550})[0]);
+  EXPECT_EQ(fan.tangent_height_m.front(), 0);
+  EXPECT_EQ(fan.tangent_height_m.back(), 86e3);
+  EXPECT_TRUE(std::ranges::is_sorted(fan.tangent_height_m));
+  for (const double h : {10.4e3, 15e3, 20e3})
+    EXPECT_EQ(std::ranges::count(fan.tangent_height_m, h), 1) << h;
+}
+
+TEST(LimbTable, IsCloudyBelowTheCloudsTopAndNowhereElse) {
+  const auto fan = LimbTable(full, radius_m, optics_of({550}), 60).fan(optics_of({550})[0]);
+  ASSERT_EQ(fan.filter.size() + 1, fan.tangent_height_m.size());
+  for (std::size_t i = 0; i < fan.filter.size(); ++i)
+    EXPECT_WITHIN(fan.filter[i], fan.tangent_height_m[i] < 10.4e3 ? 0.3 : 1., 1e-15, "rounding");
+}
+
+TEST(LimbTable, WithoutRefractionBendsNothing) {
+  Column straight = full;
+  straight.refraction = false;
+  const auto fan = LimbTable(straight, radius_m, optics_of({550}), 60).fan(optics_of({550})[0]);
+  for (const double bending : fan.bending_rad) EXPECT_EQ(bending, 0);
+  EXPECT_EQ(fan.impact_height_m, fan.tangent_height_m);
+}
+
+}  // namespace
+}  // namespace coppermoon::photons
