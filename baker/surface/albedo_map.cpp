@@ -59,7 +59,7 @@ double sampled(const Grid<float>& map, const almanac::SelenographicPoint& at) {
   return (1 - v) * upper + v * lower;
 }
 
-double geometric_albedo(const Grid<float>& map) {
+double geometric_albedo(const Grid<float>& map, Photometry photometry) {
   require_two_to_one(map);
   const std::size_t finer = (fewest_disc_rows + map.rows() - 1) / map.rows();
   const std::size_t rows = finer * map.rows();
@@ -71,16 +71,17 @@ double geometric_albedo(const Grid<float>& map) {
       const double mu = cos_latitude * std::cos(algebra::in_radians(at.longitude));
       const double on_disc = std::max(mu, 0.0) * cos_latitude;
       const double albedo = finer == 1 ? map(r, c) : sampled(map, at);
-      sum += on_disc * albedo * radiance_factor_yapo_cutler(mu);
+      sum += on_disc * albedo * radiance_factor_at_full_moon(photometry, mu);
       area += on_disc;
     }
   }
   return sum / area;
 }
 
-Grid<float> normalised_to_geometric_albedo(Grid<float> map, double geometric) {
+Grid<float> normalised_to_geometric_albedo(Grid<float> map, Photometry photometry,
+                                           double geometric) {
   algebra::require_within("geometric albedo", geometric, 0.01, 1);
-  const double found = geometric_albedo(map);
+  const double found = geometric_albedo(map, photometry);
   if (!(found > 0 && std::isfinite(found)))
     throw algebra::Error(
         fmt::format("the albedo map's near side has mean {:g}, allowed above 0", found));

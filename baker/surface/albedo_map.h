@@ -5,6 +5,7 @@
 
 #include "algebra/grid.h"
 #include "almanac/sky.h"
+#include "surface/photometry.h"
 
 namespace coppermoon::surface {
 
@@ -24,20 +25,24 @@ double sampled(const algebra::Grid<float>& map, const almanac::SelenographicPoin
 
 /// The map scaled so that the full Moon it makes has a given geometric albedo:
 ///
-///     mean over the disc of A f(mu) = p        f = radiance_factor_yapo_cutler
+///     mean over the disc of A f(mu) = p        f = radiance_factor_at_full_moon
 ///
-/// with the disc as seen from above latitude 0, longitude 0, lit from there too.
+/// with the disc as seen from above latitude 0, longitude 0, lit from there too. The full Moon is
+/// that of phase 1.5 degrees: the surge below that comes on top.
 ///
 /// Given     geometric_albedo  p, 0.01 to 1; the Moon's is 0.12 in V
 /// Returned  normal albedo A at each texel
-/// Accuracy  1e-3 of p for a map of any size: the disc is summed over at least 180 rows
+/// Accuracy  1e-3 of p for a map of any size: the disc is summed over at least 180 rows. The
+///           phase of 1.5 degrees itself, another 0.9e-3 darker, is left out
 /// Throws    Error  when p is outside its range, the map is not 2:1, or its near side is black
-/// Source    0.12: Allen's Astrophysical Quantities
-algebra::Grid<float> normalised_to_geometric_albedo(algebra::Grid<float> map,
+/// Source    0.12: Allen's Astrophysical Quantities. E. Schmidt's photometry of 11 January 2009,
+///           4900 to 5400 cd/m2 at a phase of 1.64 degrees, makes it 0.115 to 0.127; ROLO, as it
+///           was calibrated, has 0.135 at 1.5 degrees
+algebra::Grid<float> normalised_to_geometric_albedo(algebra::Grid<float> map, Photometry photometry,
                                                     double geometric_albedo = 0.12);
 
 /// The mean over the disc of A f(mu) in the expression above: the geometric albedo of the map as it
 /// is.
-double geometric_albedo(const algebra::Grid<float>& map);
+double geometric_albedo(const algebra::Grid<float>& map, Photometry photometry);
 
 }  // namespace coppermoon::surface

@@ -1,21 +1,55 @@
 // SPDX-License-Identifier: MIT
 #include "surface/photometry.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace coppermoon::surface {
 namespace {
 
-constexpr double a = 0.1, b = 0.9;
+double disc_reflectance_rolo(double g_deg) {
+  const double g = algebra::in_radians(algebra::degrees(g_deg));
+  const double polynomial = -2.123833 + g * (-1.644397 + g * (0.359973 - g * 0.197023));
+  return std::exp(polynomial + 0.370700 * std::exp(-g_deg / 4.06054) -
+                  0.103963 * std::exp(-g_deg / 12.8802) +
+                  0.005917 * std::cos((g_deg + 30.5858) / 16.7498));
+}
+
+double phase_curve_lommel_seeliger(double g_deg) {
+  const double g = algebra::in_radians(algebra::degrees(g_deg));
+  return 1 + std::sin(g / 2) * std::tan(g / 2) * std::log(std::tan(g / 4));
+}
+
+/// F of the docstring. Just above 0 the logarithm is finite and the product with it none.
+double surface_phase_curve(algebra::Angle phase) {
+  const double g_deg = std::clamp(algebra::in_degrees(phase), 1e-9, 97.);
+  return disc_reflectance_rolo(g_deg) / phase_curve_lommel_seeliger(g_deg);
+}
 
 }  // namespace
 
 double radiance_factor_yapo_cutler(double cos_incidence) {
-  return cos_incidence > 0 ? cos_incidence / (a + b * cos_incidence) : 0;
+  return cos_incidence > 0 ? cos_incidence / (0.1 + 0.9 * cos_incidence) : 0;
 }
 
-double radiance_factor_yapo_cutler_disc_mean() {
-  return 2 * (1 / (2 * b) - a / (b * b) + a * a / (b * b * b) * std::log((a + b) / a));
+double radiance_factor_lommel_seeliger_rolo(double cos_incidence, double cos_emission,
+                                            algebra::Angle phase) {
+  static const double at_full_moon = surface_phase_curve(full_moon_phase);
+  if (!(cos_incidence > 0)) return 0;
+  const double slant = 2 * cos_incidence / (cos_incidence + std::max(cos_emission, 0.));
+  return slant * surface_phase_curve(phase) / at_full_moon;
+}
+
+double radiance_factor(Photometry photometry, double cos_incidence, double cos_emission,
+                       algebra::Angle phase) {
+  return photometry == Photometry::yapo_cutler
+             ? radiance_factor_yapo_cutler(cos_incidence)
+             : radiance_factor_lommel_seeliger_rolo(cos_incidence, cos_emission, phase);
+}
+
+double radiance_factor_at_full_moon(Photometry photometry, double cos_incidence) {
+  if (photometry == Photometry::yapo_cutler) return radiance_factor_yapo_cutler(cos_incidence);
+  return cos_incidence > 0 ? 1 : 0;
 }
 
 }  // namespace coppermoon::surface

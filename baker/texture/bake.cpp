@@ -10,8 +10,8 @@
 #include <glm/matrix.hpp>
 
 #include "algebra/error.h"
+#include "atmosphere/figure.h"
 #include "surface/albedo_map.h"
-#include "surface/photometry.h"
 
 namespace coppermoon::texture {
 namespace {
@@ -45,23 +45,36 @@ Grid<float> shrunk(const Grid<float>& map, std::size_t rows) {
   return small;
 }
 
+double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
 /// All that one texel needs to know.
 struct Lighting {
   const almanac::SkyState& sky;
   const shadow::Lookup& light;
   eclipse::ShadowAxis axis;
   glm::dmat3 gcrs_from_selenographic;
+  surface::Photometry photometry;
+
+  double radiance_factor(const glm::dvec3& normal, const glm::dvec3& place,
+                         const glm::dvec3& to_sun) const {
+    const double earth_m = glm::length(place);
+    const double phase_rad =
+        std::max(angle_between(to_sun, -place), std::asin(atmosphere::earth_equatorial_radius_m / earth_m));
+    return surface::radiance_factor(photometry, glm::dot(normal, to_sun) / glm::length(to_sun),
+                                    -glm::dot(normal, place) / earth_m,
+                                    algebra::radians(phase_rad));
+  }
 
   void light_texel(const almanac::SelenographicPoint& at, double albedo, std::span<double> values,
                    std::span<float> texel) const {
     const glm::dvec3 normal = gcrs_from_selenographic * almanac::selenographic_direction(at);
     const glm::dvec3 place = sky.moon_m + algebra::in_metres(almanac::lunar_radius) * normal,
                      to_sun = sky.sun_m - place;
-    const double distance = glm::length(to_sun);
-    const double mu = glm::dot(normal, to_sun) / distance;
-    const double near = almanac::astronomical_unit_m / distance;
-    const double reflected = albedo * surface::radiance_factor_yapo_cutler(mu) * near * near;
-    if (reflected <= 0) return;
+    if (albedo <= 0 || glm::dot(normal, to_sun) <= 0) return;
+    const double near = almanac::astronomical_unit_m / glm::length(to_sun);
+    const double reflected = albedo * radiance_factor(normal, place, to_sun) * near * near;
     light.read(eclipse::place_in_shadow(axis, place), values);
     for (std::size_t c = 0; c < texel.size(); ++c)
       texel[c] = static_cast<float>(reflected * values[c]);
@@ -87,10 +100,10 @@ Grid<float> resized(const Grid<float>& map, std::size_t rows) {
 
 Image bake(const Grid<float>& normal_albedo, const almanac::SkyState& sky,
            const shadow::Lookup& light, std::vector<std::string> channels, std::size_t rows,
-           const algebra::Progress& progress) {
+           surface::Photometry photometry, const algebra::Progress& progress) {
   const auto albedo = resized(normal_albedo, rows);
   const Lighting lighting{sky, light, eclipse::shadow_axis(sky),
-                          glm::transpose(sky.selenographic_from_gcrs)};
+                          glm::transpose(sky.selenographic_from_gcrs), photometry};
   const std::size_t width = 2 * rows, count = light.channels();
   Image texture(width, rows, std::move(channels));
   std::atomic<std::size_t> done = 0;

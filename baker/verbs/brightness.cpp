@@ -60,8 +60,10 @@ nlohmann::ordered_json described(const Options& options) {
   const auto response = responses();
   const auto light = light_on_the_moon(options.moon.light, sky, options.moon.unshadowed)
                          .in_channels(moonlight_weights(response));
-  const auto moon = irradiance_of_disc(
-      texture::bake(normal_albedo(options.moon), sky, light, {"B", "V", "R", "Y"}, rows), sky);
+  const auto moon =
+      irradiance_of_disc(texture::bake(normal_albedo(options.moon), sky, light,
+                                       {"B", "V", "R", "Y"}, rows, photometry_of(options.moon)),
+                         sky);
   const auto sun = sunlight_in(response);
   nlohmann::ordered_json magnitudes;
   const auto bands = photometric_bands();

@@ -62,19 +62,29 @@ void add_moon_options(CLI::App& verb, MoonOptions& options) {
       ->required();
   verb.add_option("--albedo-map", options.albedo_map,
                   "any image 2:1, longitude 0 in the middle; auto; built-in");
+  verb.add_option("--photometry", options.photometry,
+                  "lommel-seeliger-rolo: as telescopes measured, with the opposition surge; "
+                  "yapo-cutler: the paper's, the same at every phase")
+      ->check(CLI::IsMember({"lommel-seeliger-rolo", "yapo-cutler"}));
   verb.add_option("--texture-width", options.texture_width, "in texels, even, 4 to 32768")
       ->check(CLI::NonNegativeNumber);
   verb.add_flag("--unshadowed", options.unshadowed, "light the Moon as if the Earth were away");
   add_light_options(verb, options.light);
 }
 
+surface::Photometry photometry_of(const MoonOptions& options) {
+  using enum surface::Photometry;
+  return options.photometry == "yapo-cutler" ? yapo_cutler : lommel_seeliger_rolo;
+}
+
 algebra::Grid<float> normal_albedo(const MoonOptions& options) {
   const auto map = map_chosen(options);
   if (map == "built-in")
     return surface::normalised_to_geometric_albedo(
-        surface::built_in_moon(options.texture_width / 2));
+        surface::built_in_moon(options.texture_width / 2), photometry_of(options));
   const Silence silence;
-  return surface::normalised_to_geometric_albedo(texture::read_albedo_map(map));
+  return surface::normalised_to_geometric_albedo(texture::read_albedo_map(map),
+                                                 photometry_of(options));
 }
 
 BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
@@ -95,7 +105,7 @@ BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
   light.transform([&](std::span<double> colour) { colour::into_gamut(space, colour); });
   ProgressBar bar("bake");
   BakedMoon moon{texture::bake(albedo, sky, light, channel_names(space), options.texture_width / 2,
-                               bar.progress()),
+                               photometry_of(options), bar.progress()),
                  {},
                  0,
                  relative_error(options.light, sky, moonlight)};

@@ -10,6 +10,7 @@
 #include "almanac/sky.h"
 #include "atmosphere/observer_air.h"
 #include "colour/working_space.h"
+#include "surface/photometry.h"
 #include "texture/image.h"
 #include "verbs/light_options.h"
 
@@ -19,12 +20,14 @@ namespace coppermoon::verbs {
 struct MoonOptions {
   std::string instant;
   LightOptions light;
-  std::string albedo_map = "auto";
+  std::string albedo_map = "auto", photometry = "lommel-seeliger-rolo";
   std::size_t texture_width = 4096;
   bool unshadowed = false;
 };
 
 void add_moon_options(CLI::App& verb, MoonOptions& options);
+
+surface::Photometry photometry_of(const MoonOptions& options);
 
 /// The normal albedo of the ground, so that the full Moon has the geometric albedo 0.12: the map
 /// named, or with "auto" Stellarium's where it is installed, else the built-in one.

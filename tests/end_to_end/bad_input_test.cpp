@@ -142,6 +142,11 @@ TEST_F(BadInput, AnUnknownFlagIsAnsweredWithTheNearest) {
   expect_refused({"sky", eclipse_of_2008, "--jsn"}, wrong_usage, {"--jsn", "--json"});
 }
 
+TEST_F(BadInput, AnUnknownPhotometryIsRefused) {
+  expect_refused(bake({"--photometry", "lambert"}), wrong_usage,
+                 {"--photometry", "lambert", "lommel-seeliger-rolo", "yapo-cutler"});
+}
+
 TEST_F(BadInput, AnUnknownWordIsAnsweredWithTheNearest) {
   expect_refused({"bakee", eclipse_of_2008}, wrong_usage, {"bakee", "nearest is bake"});
 }

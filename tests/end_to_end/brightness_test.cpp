@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The Moon as a whole, against what observers measured.
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
+#include "almanac/sky.h"
 #include "end_to_end/program.h"
 #include "support/within.h"
 
@@ -22,13 +25,29 @@ class Brightness : public ProgramTest {
 
 TEST_F(Brightness, OfTheFullMoonFollowsFromItsGeometricAlbedo) {
   // m = m_sun − 2.5 lg(p (R/d)²), Sun and Moon at the distances of that moment.
-  const auto full = of({"2008-02-21T03:26:00Z", "--unshadowed"});
+  const auto full = of({"2008-02-21T03:26:00Z", "--unshadowed", "--photometry", "yapo-cutler"});
   const double sun_au = 0.98880 + 383.6e3 / 149.598e6, moon_km = 383.6e3;
   const double m =
       -26.76 + 5 * std::log10(sun_au) - 2.5 * std::log10(0.12 * std::pow(1737.4 / moon_km, 2));
   EXPECT_WITHIN(full["magnitudes"]["V"].get<double>(), m, 0.02,
                 "p is of luminance, not of V: 0.01; the sub-Earth point is not longitude 0: 0.01");
   EXPECT_TRUE(full["danjon"].is_null());
+}
+
+TEST_F(Brightness, OfTheFullMoonAtMeanDistancesIsAllens) {
+  const char* instant = "2008-02-21T00:36:00Z";
+  const auto sky = almanac::sky_at(almanac::instant_from_utc(instant));
+  const auto to_sun = sky.sun_m - sky.moon_m;
+  const double moon_m = glm::length(sky.moon_m), sun_m = glm::length(to_sun);
+  const double phase_deg =
+      std::acos(glm::dot(to_sun, -sky.moon_m) / sun_m / moon_m) * 180 / std::numbers::pi;
+  ASSERT_NEAR(phase_deg, 1.5, 0.02);
+  const double V = of({instant, "--unshadowed"})["magnitudes"]["V"];
+  const double reduced =
+      V - 5 * std::log10(moon_m / 384.4e6) - 5 * std::log10(sun_m / almanac::astronomical_unit_m);
+  EXPECT_WITHIN(reduced, -12.7, 0.05,
+                "Allen's Astrophysical Quantities: −12.7 and p = 0.12, "
+                "which is −12.73");
 }
 
 TEST_F(Brightness, OfTheFullMoonIsRedderThanTheSunAsMeasured) {

@@ -60,7 +60,7 @@ class Exposure : public ProgramTest {
 
   static Words with_grey_moon(Words words) {
     words.insert(words.begin() + 1, {mid_eclipse, "--unshadowed", "--albedo-map", "grey.exr",
-                                     "--texture-width", "64"});
+                                     "--texture-width", "64", "--photometry", "yapo-cutler"});
     return words;
   }
 

@@ -103,6 +103,15 @@ TEST_F(Recipes, InAHeaderReproduceAFileWhateverItsMapIsCalled) {
   EXPECT_TRUE(bytes("old.exr") == bytes("new.exr"));
 }
 
+TEST_F(Recipes, InAHeaderKeepThePhotometry) {
+  make({"bake", "--recipe", "eclipse.toml", "--photometry", "yapo-cutler", "-o", "old.exr"});
+  make({"bake", "old.exr", "-o", "new.exr"});
+  EXPECT_TRUE(bytes("old.exr") == bytes("new.exr"));
+  make({"bake", "--recipe", "eclipse.toml", "-o", "surge.exr"});
+  EXPECT_TRUE(texture::read_image(here("old.exr")).values !=
+              texture::read_image(here("surge.exr")).values);
+}
+
 TEST_F(Recipes, InAHeaderGiveWayToTheUsersFlags) {
   make({"bake", "--recipe", "eclipse.toml", "-o", "old.exr"});
   make({"bake", "old.exr", "-o", "wide.exr", "--texture-width", "64"});

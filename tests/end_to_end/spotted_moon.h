@@ -37,7 +37,7 @@ inline texture::Image spotted_map(std::size_t rows) {
   for (std::size_t r = 0; r < rows; ++r)
     for (std::size_t c = 0; c < 2 * rows; ++c) {
       const auto here = almanac::selenographic_direction(surface::texel_centre(r, c, rows));
-      map(r, c, 0) = 0.1F;
+      map(r, c, 0) = 0.12F;
       for (const auto& spot : spots())
         if (glm::dot(here, almanac::selenographic_direction(spot.at)) > least_cosine)
           map(r, c, 0) = spot.albedo;

@@ -14,6 +14,7 @@ using namespace coppermoon;
 using algebra::degrees;
 using algebra::in_degrees;
 using surface::sampled;
+using enum surface::Photometry;
 using Map = algebra::Grid<float>;
 
 /// Each texel a value of its own.
@@ -80,16 +81,21 @@ TEST(Sampled, NeedsAMap) { EXPECT_THROW(sampled(Map(), {}), algebra::Error); }
 TEST(GeometricAlbedo, OfAUniformSphereIsTheDiscMean) {
   // 2 x the integral of mu f(mu): 0.92737, whatever the size of the map.
   for (const std::size_t rows : {1U, 3U, 16U, 200U})
-    EXPECT_WITHIN_RELATIVE(surface::geometric_albedo(Map(rows, 2 * rows, 0.2F)),
-                           0.2 * surface::radiance_factor_yapo_cutler_disc_mean(), 1e-3,
-                           "the docstring's accuracy");
+    EXPECT_WITHIN_RELATIVE(surface::geometric_albedo(Map(rows, 2 * rows, 0.2F), yapo_cutler),
+                           0.2 * 0.92737, 1e-3, "the docstring's accuracy");
+}
+
+TEST(GeometricAlbedo, OfAUniformSphereThatLooksFlatIsItsAlbedo) {
+  for (const std::size_t rows : {1U, 3U, 16U, 200U})
+    EXPECT_WITHIN_RELATIVE(
+        surface::geometric_albedo(Map(rows, 2 * rows, 0.2F), lommel_seeliger_rolo), 0.2, 1e-6,
+        "a mean of equal floats");
 }
 
 TEST(GeometricAlbedo, SeesTheNearSideOnly) {
   const auto near_side =
       drawn(180, [](const auto& at) { return std::abs(in_degrees(at.longitude)) < 90; });
-  EXPECT_WITHIN_RELATIVE(surface::geometric_albedo(near_side),
-                         surface::radiance_factor_yapo_cutler_disc_mean(), 1e-3,
+  EXPECT_WITHIN_RELATIVE(surface::geometric_albedo(near_side, yapo_cutler), 0.92737, 1e-3,
                          "the docstring's accuracy: the far side is black");
 }
 
@@ -106,28 +112,35 @@ TEST(GeometricAlbedo, WeighsPlacesByTheirShareOfTheDisc) {
       sum += surface::radiance_factor_yapo_cutler(std::sqrt(1 - y * y - z * z));
     }
   const double expected = sum * 4 / (n * n) / std::numbers::pi;
-  EXPECT_WITHIN_RELATIVE(surface::geometric_albedo(cap), expected, 4e-3,
+  EXPECT_WITHIN_RELATIVE(surface::geometric_albedo(cap, yapo_cutler), expected, 4e-3,
                          "the reference's own steps at the circle and the cap's edge");
 }
 
 TEST(Normalised, HasTheGeometricAlbedoAsked) {
-  const auto map = surface::normalised_to_geometric_albedo(numbered(64), 0.137);
-  EXPECT_WITHIN_RELATIVE(surface::geometric_albedo(map), 0.137, 1e-6, "floats' rounding");
+  const auto map =
+      surface::normalised_to_geometric_albedo(numbered(64), lommel_seeliger_rolo, 0.137);
+  EXPECT_WITHIN_RELATIVE(surface::geometric_albedo(map, lommel_seeliger_rolo), 0.137, 1e-6,
+                         "floats' rounding");
 }
 
 TEST(Normalised, KeepsTheContrast) {
-  const auto map = surface::normalised_to_geometric_albedo(numbered(8));
+  const auto map = surface::normalised_to_geometric_albedo(numbered(8), yapo_cutler);
   const auto raw = numbered(8);
   EXPECT_WITHIN_RELATIVE(map(3, 4) / map(2, 9), raw(3, 4) / raw(2, 9), 1e-6, "floats' rounding");
 }
 
 TEST(Normalised, RefusesWhatCannotBe) {
-  EXPECT_THROW(surface::normalised_to_geometric_albedo(numbered(8), 0), algebra::Error);
-  EXPECT_THROW(surface::normalised_to_geometric_albedo(numbered(8), NAN), algebra::Error);
-  EXPECT_THROW(surface::normalised_to_geometric_albedo(Map(8, 15, 0.1F)), algebra::Error);
-  EXPECT_THROW(surface::normalised_to_geometric_albedo(Map(8, 16, 0.0F)), algebra::Error);
-  EXPECT_THROW(surface::normalised_to_geometric_albedo(Map(8, 16, NAN)), algebra::Error);
-  EXPECT_THROW(surface::normalised_to_geometric_albedo(Map()), algebra::Error);
+  EXPECT_THROW(surface::normalised_to_geometric_albedo(numbered(8), yapo_cutler, 0),
+               algebra::Error);
+  EXPECT_THROW(surface::normalised_to_geometric_albedo(numbered(8), yapo_cutler, NAN),
+               algebra::Error);
+  EXPECT_THROW(surface::normalised_to_geometric_albedo(Map(8, 15, 0.1F), yapo_cutler),
+               algebra::Error);
+  EXPECT_THROW(surface::normalised_to_geometric_albedo(Map(8, 16, 0.0F), yapo_cutler),
+               algebra::Error);
+  EXPECT_THROW(surface::normalised_to_geometric_albedo(Map(8, 16, NAN), yapo_cutler),
+               algebra::Error);
+  EXPECT_THROW(surface::normalised_to_geometric_albedo(Map(), yapo_cutler), algebra::Error);
 }
 
 }  // namespace

@@ -59,7 +59,8 @@ TEST(BuiltInMoon, HasItsBrightCratersWhereTheyAre) {
 }
 
 TEST(BuiltInMoon, IsOfTheMoonsBrightness) {
-  const double albedo = surface::geometric_albedo(moon());
+  const double albedo =
+      surface::geometric_albedo(moon(), surface::Photometry::lommel_seeliger_rolo);
   EXPECT_WITHIN(albedo, 0.12, 0.02,
                 "the geometric albedo in V is 0.12; the table is not fitted to it");
   for (const float value : moon().values()) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "texture/bake.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <numeric>
 
 #include "algebra/error.h"
@@ -13,6 +15,8 @@
 
 namespace coppermoon::texture {
 namespace {
+
+using enum surface::Photometry;
 
 const auto february_2008 = almanac::instant_from_utc("2008-02-21T03:08:26Z");
 
@@ -33,7 +37,7 @@ std::size_t column_of(double longitude_deg, std::size_t rows) {
 
 TEST(Bake, LightsTheSubSolarPointByTheInverseSquareOfItsDistance) {
   const auto sky = almanac::sky_at(february_2008);
-  const auto moon = bake(uniform(180), sky, sunlight(1000), {"Y"}, 180);
+  const auto moon = bake(uniform(180), sky, sunlight(1000), {"Y"}, 180, yapo_cutler);
   const double sun_m = glm::length(sky.sun_m - sky.moon_m) - 1.7374e6;
   const double near = almanac::astronomical_unit_m / sun_m;
   const float lit = moon(row_of(algebra::in_degrees(sky.sub_solar.latitude), 180),
@@ -45,7 +49,7 @@ TEST(Bake, LightsTheSubSolarPointByTheInverseSquareOfItsDistance) {
 TEST(Bake, FollowsThePhotometricFunctionAwayFromIt) {
   const auto sky = almanac::sky_at(february_2008);
   const std::size_t rows = 360;
-  const auto moon = bake(uniform(rows), sky, sunlight(1), {"Y"}, rows);
+  const auto moon = bake(uniform(rows), sky, sunlight(1), {"Y"}, rows, yapo_cutler);
   const auto sun = almanac::selenographic_direction(sky.sub_solar);
   for (const double longitude : {-70., -30., 20., 60., 80.}) {
     const std::size_t r = row_of(20, rows), c = column_of(longitude, rows);
@@ -58,8 +62,85 @@ TEST(Bake, FollowsThePhotometricFunctionAwayFromIt) {
   }
 }
 
+/// The Moon's centre: between the directions to the Sun and to the Earth's centre.
+double phase_deg(const almanac::SkyState& sky) {
+  const double cosine =
+      glm::dot(glm::normalize(sky.sun_m - sky.moon_m), glm::normalize(-sky.moon_m));
+  return std::acos(cosine) * 180 / std::numbers::pi;
+}
+
+/// 1 au over the distance from the Moon's centre to the Sun, squared.
+double sunlight_at(const almanac::SkyState& sky) {
+  return std::pow(almanac::astronomical_unit_m / glm::length(sky.sun_m - sky.moon_m), 2);
+}
+
+/// Mean over the disc as seen from far above the sub-Earth point.
+double disc_mean(const Image& moon, const almanac::SkyState& sky) {
+  const auto earth = almanac::selenographic_direction(sky.sub_earth);
+  double sum = 0, area = 0;
+  for (std::size_t r = 0; r < moon.height; ++r)
+    for (std::size_t c = 0; c < moon.width; ++c) {
+      const auto at = surface::texel_centre(r, c, moon.height);
+      const double share = std::cos(algebra::in_radians(at.latitude)) *
+                           std::max(0., glm::dot(almanac::selenographic_direction(at), earth));
+      sum += share * moon(r, c, 0);
+      area += share;
+    }
+  return sum / area;
+}
+
+TEST(Bake, GivesTheFullMoonsDiscTheLuminanceOfItsAlbedo) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T00:36:00Z"));
+  ASSERT_NEAR(phase_deg(sky), 1.5, 0.02);
+  const auto moon = bake(uniform(180), sky, sunlight(1000), {"Y"}, 180, lommel_seeliger_rolo);
+  EXPECT_WITHIN_RELATIVE(disc_mean(moon, sky), 0.1 * 1000 * sunlight_at(sky), 3e-3,
+                         "0.01 degrees of phase are 1e-3; 0.9e-3 is dark at the limb; texels");
+}
+
+TEST(Bake, DimsTheDiscAsRoloMeasuredWhenThePhaseGrows) {
+  // Eleven hours after full Moon. ROLO, the mean of 544.0, 549.1, 553.8 nm: 0.1203 at 3 degrees,
+  // 0.1075 at 5, and 0.1347 at 1.5.
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T13:20:00Z"));
+  const double phase = phase_deg(sky);
+  ASSERT_NEAR(phase, 5, 0.3);
+  const auto moon = bake(uniform(180), sky, sunlight(1000), {"Y"}, 180, lommel_seeliger_rolo);
+  const double rolo = (0.1075 + (phase - 5) * (0.0985 - 0.1203) / 4) / 0.1347;
+  EXPECT_WITHIN_RELATIVE(disc_mean(moon, sky) / (0.1 * 1000 * sunlight_at(sky)), rolo, 0.01,
+                         "the slope from 3 to 7 degrees, 5 %/degree, over 0.3 degrees at most");
+}
+
+TEST(Bake, LightsTheEclipsedMoonFromTheEarthsLimb) {
+  // The Earth's angular radius is asin(6378.137 / (383600 − 1737)) = 0.957 degrees; the Sun's
+  // centre is behind it.
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T03:26:05Z"));
+  ASSERT_LT(phase_deg(sky), 0.5);
+  const auto moon = bake(uniform(180), sky, sunlight(1), {"Y"}, 180, lommel_seeliger_rolo);
+  const double surge =
+      surface::radiance_factor(lommel_seeliger_rolo, 1, 1, algebra::degrees(0.957));
+  ASSERT_GT(surge, 1.04);
+  for (const double longitude : {-60., -20., 5., 40., 70.})
+    EXPECT_WITHIN_RELATIVE(
+        moon(row_of(10, 180), column_of(longitude, 180), 0), 0.1 * surge * sunlight_at(sky), 0.012,
+        "mu0 and mu differ by tan(70) times the phase, 0.02 at most, half of it in f");
+}
+
+TEST(Bake, GoesOnWithoutAStepBeyondWhatTheEarthSees) {
+  // A Moon three days past full: its eastern limb is night, its western one lit beyond the horizon.
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-24T03:26:05Z"));
+  ASSERT_GT(phase_deg(sky), 30);
+  const std::size_t rows = 360;
+  const auto moon = bake(uniform(rows), sky, sunlight(1000), {"Y"}, rows, lommel_seeliger_rolo);
+  for (double longitude = -110; longitude < -60; longitude += 0.5) {
+    const std::size_t r = row_of(0.1, rows), c = column_of(longitude + 0.1, rows);
+    ASSERT_GT(moon(r, c, 0), 0);
+    EXPECT_WITHIN_RELATIVE(moon(r, c + 1, 0), moon(r, c, 0), 0.03,
+                           "half a degree of mu, 0.009, beside mu0 of 0.5 at the limb");
+  }
+}
+
 TEST(Bake, LeavesTheFarSideDark) {
-  const auto moon = bake(uniform(90), almanac::sky_at(february_2008), sunlight(1), {"Y"}, 90);
+  const auto moon =
+      bake(uniform(90), almanac::sky_at(february_2008), sunlight(1), {"Y"}, 90, yapo_cutler);
   EXPECT_EQ(moon(45, 0, 0), 0);
   EXPECT_EQ(moon(45, 179, 0), 0);
   EXPECT_GT(moon(45, 90, 0), 0);
@@ -76,7 +157,7 @@ TEST(Bake, DarkensTheSideThatIsDeeperInTheShadow) {
   const auto light = shadow::by_quadrature({}, {1.479e11, {3.82e8, 3.83e8}}, waves, distances);
   const auto moon =
       bake(uniform(180), sky, shadow::Lookup(light, 6.42e6, shadow::ChannelWeights(1, 1, 1)), {"Y"},
-           180);
+           180, yapo_cutler);
   const auto at = [&](double latitude, double longitude) {
     return moon(row_of(latitude, 180), column_of(longitude, 180), 0);
   };

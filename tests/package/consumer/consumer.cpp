@@ -56,5 +56,6 @@ int main(int, char** words) {
   print_pixel();
   const algebra::Grid<float> map(2, 4);
   const shadow::Lookup sunlight(shadow::ChannelWeights(1, 1));
-  std::printf("channels %zu, albedo %.1f\n", sunlight.channels(), surface::geometric_albedo(map));
+  std::printf("channels %zu, albedo %.1f\n", sunlight.channels(),
+              surface::geometric_albedo(map, surface::Photometry::yapo_cutler));
 }
