@@ -152,7 +152,8 @@ std::vector<double> breaks_m(const Column& column) {
   if (column.dust_extinction_per_m > 0)
     breaks.insert(breaks.end(), {column.dust_bottom_m, column.dust_top_m});
   std::sort(breaks.begin(), breaks.end());
-  std::erase_if(breaks, [&](double h) { return h > top; });
+  std::erase_if(breaks, [&](double h) { return h > top - 1; });  // the top itself, to rounding
+  breaks.push_back(top);
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   return breaks;
 }

@@ -75,7 +75,7 @@ void add_piece(const Air& air, double from_m, double to_m, LimbPath& path) {
   const double tangent_m = path.tangent_height_m;
   const double u0 = std::sqrt(from_m - tangent_m), u1 = std::sqrt(to_m - tangent_m);
   const double b = air.earth_radius_m + path.impact_height_m;
-  const double at_tangent = path.impact_height_m - tangent_m;
+  const double at_tangent = air.optical_excess(tangent_m);
   for (const auto& [x, weight] : algebra::gauss_legendre(nodes_a_piece)) {
     const double u = (u0 + u1) / 2 + (u1 - u0) / 2 * x, h = tangent_m + u * u;
     const auto density = atmosphere::density_ratio(air.column, h);

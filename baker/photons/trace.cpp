@@ -69,6 +69,7 @@ std::optional<Traced> trace(const Ray& entering, const Atmosphere& atmosphere, c
     direction = momentum / (1 + there);
     ++steps;
   }
+  if (lowest > top) return std::nullopt;
   return Traced{{at, glm::normalize(direction)},
                 std::exp(-optical_depth) * limb_filter(*at_lowest, optics, lowest),
                 steps};

@@ -8,8 +8,10 @@
 #include <atomic>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "algebra/error.h"
+#include "photons/limb.h"
 #include "photons/photon.h"
 #include "photons/solar_disc.h"
 
@@ -43,6 +45,7 @@ struct Simulation {
   const PhotonSettings& settings;
   std::vector<atmosphere::Optics> optics;
   std::size_t rings;
+  std::optional<photons::WholeLimb> limb;  ///< where photons go by the table
 
   std::size_t sector_of(const glm::dvec3& at) const {
     const double turn = std::atan2(at.x, at.y) / (2 * std::numbers::pi);
@@ -59,14 +62,20 @@ struct Simulation {
                                    std::sqrt(std::max(0., 1 - rho * rho)));
   }
 
+  /// Through the air and out again.
+  std::optional<photons::Traced> followed(const photons::Ray& ray, std::size_t wave) const {
+    if (limb) return limb->passed(ray, wave);
+    const auto entering = photons::entered(ray, atmosphere.top_radius_m());
+    if (!entering) return std::nullopt;  // a graze lost to rounding
+    return photons::trace(*entering, atmosphere, optics[wave], settings.stepping);
+  }
+
   void add_photon(std::uint64_t index, Tally& tally) const {
     algebra::Random random(settings.seed, index);
     const auto wave =
         static_cast<std::size_t>(random.uniform() * static_cast<double>(optics.size()));
     const auto ray = photons::aimed_at_the_ring(random, arrangement.sun_distance_m, atmosphere);
-    const auto entering = photons::entered(ray, atmosphere.top_radius_m());
-    if (!entering) return;  // a graze lost to rounding
-    const auto traced = photons::trace(*entering, atmosphere, optics[wave], settings.stepping);
+    const auto traced = followed(ray, wave);
     if (!traced) return;
     const double weight = traced->transmittance * brightness_at(ray.position_m, wave);
     for (std::size_t k = 0; k < arrangement.depths_m.size(); ++k) {
@@ -104,6 +113,7 @@ Tally simulated(const Simulation& simulation, const Tally& none,
 void require_valid(const PhotonSettings& settings, const Atmosphere& atmosphere) {
   algebra::require_within("photons", static_cast<double>(settings.photons), 1, 1e12);
   algebra::require_within("step [km]", settings.stepping.step_m / 1e3, 1e-3, 100);
+  algebra::require_within("rays", settings.rays, 2, 1e7);
   algebra::require_within("ring width [km]", settings.ring_width_m / 1e3, 1, 2000);
   algebra::require_within("sectors", static_cast<double>(settings.sectors), 1, 360);
   if (settings.sectors == 1 && !atmosphere.symmetric())
@@ -141,10 +151,10 @@ RefractedLight by_photons(const Atmosphere& atmosphere, const Arrangement& arran
   require_valid(settings, atmosphere);
   const double reach = refracted_reach_m(arrangement, atmosphere, arrangement.depths_m.back());
   const auto rings = static_cast<std::size_t>(std::ceil(reach / settings.ring_width_m));
-  Simulation simulation{atmosphere, arrangement, settings, {}, rings};
-  for (const double nm : wavelengths_nm)
-    simulation.optics.push_back(
-        atmosphere::sea_level_optics(algebra::nanometres(nm), atmosphere.molecules));
+  Simulation simulation{atmosphere, arrangement, settings, optics_of(atmosphere, wavelengths_nm),
+                        rings,      {}};
+  if (settings.trace == Trace::table)
+    simulation.limb.emplace(atmosphere, simulation.optics, settings.rays);
   const Tally none(arrangement.depths_m.size() * settings.sectors, rings, wavelengths_nm.size());
   Tally tally = atmosphere.top_m() > 0 ? simulated(simulation, none, progress) : none;
 

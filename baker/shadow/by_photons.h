@@ -10,11 +10,17 @@
 
 namespace coppermoon::shadow {
 
+/// How a photon finds its way through the air: step by step, in three dimensions, to the letter of
+/// the paper; or by a table of the limb's rays (photons::WholeLimb), in the plane of its own.
+enum class Trace { each, table };
+
 /// How many photons, which, and how they are traced and gathered.
 struct PhotonSettings {
   std::uint64_t photons = 1'000'000;  ///< 1 to 1e12
   std::uint64_t seed = 1;
-  photons::Stepping stepping;
+  Trace trace = Trace::each;
+  photons::Stepping stepping;  ///< of photons traced each
+  int rays = 2000;             ///< of the table
   double ring_width_m = 50e3;  ///< of the rings that gather, 1e3 to 2e6 m
   /// parts of the position angle; 1 takes every photon all around the axis
   std::size_t sectors = 1;
@@ -23,7 +29,7 @@ struct PhotonSettings {
 /// Refracted light by the paper's photon simulation, for any atmosphere.
 ///
 /// Each photon has one wavelength, drawn at random; leaves a random place of the solar disc, aimed
-/// at the ring of the air; is traced in 3-D; and is gathered on every plane in the ring of axis
+/// at the ring of the air; is traced; and is gathered on every plane in the ring of axis
 /// distances (and the sector) where it lands. One sector replicates each photon all around the
 /// axis, which only symmetric air allows. A cell's mean and standard error come from sums and sums
 /// of squares over all photons.

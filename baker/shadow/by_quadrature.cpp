@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -11,7 +12,7 @@
 
 #include "algebra/error.h"
 #include "algebra/quadrature.h"
-#include "photons/limb_table.h"
+#include "photons/limb.h"
 
 namespace coppermoon::shadow {
 namespace {
@@ -23,16 +24,11 @@ using std::numbers::pi;
 constexpr double spacing_m = 2e3;  // of C(r)
 constexpr int nodes_a_piece = 12;
 
-/// The fans of one part of the limb, by wavelength.
-struct LimbFans {
-  double radius_m;
-  std::vector<photons::Fan> fans;
-};
-
-/// ∫ exp(g + k t) dt over the first part of a cell whose ends are g apart in the logarithm, over
-/// that of the whole cell.
+/// ∫ exp(k t) dt from 0 to `part`, over that from 0 to 1.
 double exponential_share(double k, double part) {
-  return std::abs(k) < 1e-6 ? part : std::expm1(k * part) / std::expm1(k);
+  if (std::abs(k) < 1e-6) return part;
+  if (k < 0) return std::expm1(k * part) / std::expm1(k);
+  return std::exp(k * (part - 1)) * std::expm1(-k * part) / std::expm1(-k);
 }
 
 /// The mean between two ends of what runs exponentially from exp(x) to exp(y).
@@ -44,7 +40,7 @@ double exponential_mean(double x, double y) {
 /// C(r) of one part of the limb on one plane, by wavelength.
 class Landed {
  public:
-  Landed(const LimbFans& limb, double sun_distance_m, double depth_m) {
+  Landed(const photons::WholeLimb::Part& limb, double sun_distance_m, double depth_m) {
     const std::size_t waves = limb.fans.size();
     std::vector<std::vector<double>> radii(waves);
     double least = std::numeric_limits<double>::max(), greatest = -least;
@@ -61,8 +57,8 @@ class Landed {
     for (std::size_t w = 0; w < waves; ++w) add_fan(limb.fans[w], limb.radius_m, radii[w], w);
   }
 
-  /// Where the highest ray lands: beyond, C is constant.
-  double last_m() const { return last_m_; }
+  /// Where the lowest and the highest ray land: beyond, C is constant.
+  std::array<double, 2> ends_m() const { return {first_m_, last_m_}; }
 
   /// sums[w] += factor C(r)
   void add(double r_m, double factor, std::span<double> sums) const {
@@ -167,30 +163,27 @@ std::vector<Chord> chords_of(double gamma, double a, std::span<const double> bor
 /// All light on one plane.
 class Plane {
  public:
-  Plane(const Atmosphere& atmosphere, const Arrangement& arrangement, double depth_m,
-        const std::vector<LimbFans>& limbs, const photons::DiscLayers& sun)
-      : atmosphere_(atmosphere), sun_(sun) {
+  Plane(const photons::WholeLimb& limb, const photons::DiscLayers& sun,
+        const Arrangement& arrangement, double depth_m)
+      : limb_(limb), sun_(sun) {
     const double spread = 1 + depth_m / arrangement.sun_distance_m;
     a_ = projected_solar_radius_m(arrangement, depth_m);
     factor_ = spread * spread / (pi * a_ * a_);
-    landed_.reserve(limbs.size());
-    for (const auto& limb : limbs) landed_.emplace_back(limb, arrangement.sun_distance_m, depth_m);
-    for (const auto& region : atmosphere.regions)
-      for (const auto angle : {region.from, region.to}) add_border(algebra::in_radians(angle));
-    equator_m_ = atmosphere::limb_at(atmosphere.earth, pi / 2).radius_m;
-    pole_m_ = atmosphere::limb_at(atmosphere.earth, 0).radius_m;
+    landed_.reserve(limb.parts().size());
+    for (const auto& part : limb.parts())
+      landed_.emplace_back(part, arrangement.sun_distance_m, depth_m);
   }
 
   void light(double gamma, double theta, std::span<double> ratio) const {
     std::vector<double> borders, sums(ratio.size());
-    for (const double border : borders_) borders.push_back(std::remainder(border - theta, 2 * pi));
+    for (const double border : limb_.borders_rad())
+      borders.push_back(std::remainder(border - theta, 2 * pi));
     for (std::size_t k = 0; k < sun_.radius.size(); ++k) {
       std::fill(sums.begin(), sums.end(), 0);
       const double a = a_ * sun_.radius[k];
       auto ends = borders;
       add_ends_of_light(gamma, a, ends);
-      for (const auto& chord : chords_of(gamma, a, ends))
-        add(chord, theta + chord.psi, sums);
+      for (const auto& chord : chords_of(gamma, a, ends)) add(chord, theta + chord.psi, sums);
       for (std::size_t w = 0; w < ratio.size(); ++w)
         ratio[w] += factor_ * sun_.brightness(k, w) * sums[w];
     }
@@ -199,68 +192,29 @@ class Plane {
 
  private:
   void add(const Chord& chord, double phi, std::span<double> sums) const {
-    const std::size_t column = column_index(phi);
-    const auto span = [&](const Landed& landed, double share) {
-      landed.add(chord.to_m, chord.dpsi * share, sums);
-      landed.add(chord.from_m, -chord.dpsi * share, sums);
-    };
-    if (atmosphere_.earth.sphere()) return span(landed_[column], 1);
-    const double pole = (atmosphere::limb_at(atmosphere_.earth, phi).radius_m - equator_m_) /
-                        (pole_m_ - equator_m_);
-    span(landed_[2 * column], 1 - pole);
-    span(landed_[2 * column + 1], pole);
+    for (const auto& [part, share] : limb_.at(phi)) {
+      if (share == 0) continue;
+      landed_[part].add(chord.to_m, chord.dpsi * share, sums);
+      landed_[part].add(chord.from_m, -chord.dpsi * share, sums);
+    }
   }
 
   /// Where the disc's edge crosses the circles on which light ends.
   void add_ends_of_light(double gamma, double a, std::vector<double>& borders) const {
-    for (const auto& landed : landed_) {
-      const double r = landed.last_m();
-      const double cosine = (gamma * gamma + r * r - a * a) / (2 * gamma * r);
-      if (std::abs(cosine) >= 1 || gamma == 0) continue;
-      borders.push_back(std::acos(cosine));
-      borders.push_back(-std::acos(cosine));
-    }
+    for (const auto& landed : landed_)
+      for (const double r : landed.ends_m()) {
+        const double cosine = (gamma * gamma + r * r - a * a) / (2 * gamma * r);
+        if (!(std::abs(cosine) < 1)) continue;
+        borders.push_back(std::acos(cosine));
+        borders.push_back(-std::acos(cosine));
+      }
   }
 
-  /// Where the air differs on either side.
-  void add_border(double phi) {
-    constexpr double beside = 1e-9;
-    if (column_index(phi - beside) != column_index(phi + beside)) borders_.push_back(phi);
-  }
-
-  /// 0: the column outside all regions.
-  std::size_t column_index(double phi) const {
-    const auto* column = &atmosphere_.column_at(phi);
-    for (std::size_t r = 0; r < atmosphere_.regions.size(); ++r)
-      if (column == &atmosphere_.regions[r].column) return r + 1;
-    return 0;
-  }
-
-  const Atmosphere& atmosphere_;
+  const photons::WholeLimb& limb_;
   const photons::DiscLayers& sun_;
-  double a_, factor_, equator_m_, pole_m_;
-  std::vector<Landed> landed_;  // [column], on an ellipsoid [column][equator, pole]
-  std::vector<double> borders_;
+  double a_, factor_;
+  std::vector<Landed> landed_;  // by the limb's part
 };
-
-/// For each column its limb; on an ellipsoid at the equator and at the pole.
-std::vector<LimbFans> limbs_of(const Atmosphere& atmosphere, std::span<const double> wavelengths_nm,
-                               int rays) {
-  std::vector<atmosphere::Optics> optics;
-  for (const double nm : wavelengths_nm)
-    optics.push_back(atmosphere::sea_level_optics(algebra::nanometres(nm), atmosphere.molecules));
-  std::vector<const atmosphere::Column*> columns{&atmosphere.column};
-  for (const auto& region : atmosphere.regions) columns.push_back(&region.column);
-  const std::size_t ends = atmosphere.earth.sphere() ? 1 : 2;
-  std::vector<LimbFans> limbs(columns.size() * ends);
-  tbb::parallel_for(std::size_t{0}, limbs.size(), [&](std::size_t i) {
-    const auto limb = atmosphere::limb_at(atmosphere.earth, i % ends == 0 ? pi / 2 : 0);
-    const photons::LimbTable table(*columns[i / ends], limb.curvature_radius_m, optics, rays);
-    limbs[i].radius_m = limb.radius_m;
-    for (const auto& o : optics) limbs[i].fans.push_back(table.fan(o));
-  });
-  return limbs;
-}
 
 /// The sector in the first quarter that has the same light, where only the ellipsoid tells sectors
 /// apart.
@@ -289,11 +243,11 @@ RefractedLight by_quadrature(const Atmosphere& atmosphere, const Arrangement& ar
                        {planes * sectors, Grid<double>(distances, waves)}};
   if (atmosphere.top_m() <= 0 || waves == 0) return light;
   const auto sun = photons::disc_layers(wavelengths_nm, arrangement.limb_darkening);
-  const auto limbs = limbs_of(atmosphere, wavelengths_nm, rays);
+  const photons::WholeLimb limb(atmosphere, optics_of(atmosphere, wavelengths_nm), rays);
   const bool quarters = atmosphere.regions.empty() && sectors > 1;
   std::atomic<std::size_t> done = 0;
   for (std::size_t k = 0; k < planes; ++k) {
-    const Plane plane(atmosphere, arrangement, arrangement.depths_m[k], limbs, sun);
+    const Plane plane(limb, sun, arrangement, arrangement.depths_m[k]);
     tbb::parallel_for(std::size_t{0}, distances, [&](std::size_t d) {
       for (std::size_t s = 0; s < sectors; ++s) {
         auto ratio = light.ratio[k * sectors + s].row(d);

@@ -16,6 +16,14 @@ void require_valid(const Arrangement& arrangement) {
     algebra::require_within("distance behind the Earth [km]", depth / 1e3, 1e5, 1e6);
 }
 
+std::vector<atmosphere::Optics> optics_of(const atmosphere::Atmosphere& atmosphere,
+                                          std::span<const double> wavelengths_nm) {
+  std::vector<atmosphere::Optics> optics;
+  for (const double nm : wavelengths_nm)
+    optics.push_back(atmosphere::sea_level_optics(algebra::nanometres(nm), atmosphere.molecules));
+  return optics;
+}
+
 double lens_area(double apart, double r, double s) {
   const double smaller = std::min(r, s), larger = std::max(r, s);
   if (apart >= r + s) return 0;

@@ -35,6 +35,10 @@ struct RefractedLight {
   std::vector<algebra::Grid<double>> ratio, standard_error;
 };
 
+/// The air at sea level for each wavelength.
+std::vector<atmosphere::Optics> optics_of(const atmosphere::Atmosphere& atmosphere,
+                                          std::span<const double> wavelengths_nm);
+
 /// Radius of the Sun's image that a point of the limb throws on a plane: the projected solar disc
 /// [m].
 double projected_solar_radius_m(const Arrangement& arrangement, double depth_m);

@@ -60,8 +60,8 @@ struct Lighting {
   double radiance_factor(const glm::dvec3& normal, const glm::dvec3& place,
                          const glm::dvec3& to_sun) const {
     const double earth_m = glm::length(place);
-    const double phase_rad =
-        std::max(angle_between(to_sun, -place), std::asin(atmosphere::earth_equatorial_radius_m / earth_m));
+    const double phase_rad = std::max(angle_between(to_sun, -place),
+                                      std::asin(atmosphere::earth_equatorial_radius_m / earth_m));
     return surface::radiance_factor(photometry, glm::dot(normal, to_sun) / glm::length(to_sun),
                                     -glm::dot(normal, place) / earth_m,
                                     algebra::radians(phase_rad));

@@ -26,9 +26,13 @@ void add_solver_options(CLI::App& verb, LightOptions& options) {
                   "quadrature: without noise; photons: the paper's simulation")
       ->check(CLI::IsMember({"quadrature", "photons"}))
       ->group(group);
-  verb.add_option("--rays", options.rays, "of the quadrature, for each wavelength")->group(group);
-  verb.add_option("--trace", options.trace, "each: every photon step by step")
-      ->check(CLI::IsMember({"each"}))
+  verb.add_option("--rays", options.rays,
+                  "from the ground to the top of the air: of the quadrature and of the table")
+      ->group(group);
+  verb.add_option(
+          "--trace", options.trace,
+          "of photons; each: step by step, as in the paper; table: by a table of the limb's rays")
+      ->check(CLI::IsMember({"each", "table"}))
       ->group(group);
   verb.add_option("--photons", options.photons, "how many, 1 to 1e12; 1e6 take minutes")
       ->group(group);
@@ -48,6 +52,8 @@ shadow::PhotonSettings photon_settings(const LightOptions& options) {
   shadow::PhotonSettings settings;
   settings.photons = static_cast<std::uint64_t>(options.photons);
   settings.seed = options.seed;
+  settings.trace = options.trace == "table" ? shadow::Trace::table : shadow::Trace::each;
+  settings.rays = options.rays;
   settings.stepping.step_m = options.step_km * 1e3;
   settings.ring_width_m = options.ring_km * 1e3;
   return settings;

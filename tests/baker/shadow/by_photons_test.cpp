@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "algebra/error.h"
+#include "atmosphere/presets.h"
 #include "baker/shadow/ring_means.h"
 #include "support/within.h"
 
@@ -116,6 +117,108 @@ TEST(ByPhotons, SeeAnOpaqueRegionOnItsOwnSide) {
   constexpr std::size_t outer = 6, east = 1, west = 3;
   EXPECT_LT(light.ratio[east](outer, 0), 1e-40);  // e^−100 and less
   EXPECT_GT(light.ratio[west](outer, 0), 5 * light.standard_error[west](outer, 0));
+}
+
+/// Every term at once: an oblate Earth of a northern winter, limb darkening, ozone, aerosol and
+/// cloud, and a plume over the south.
+atmosphere::Atmosphere everything(bool regions) {
+  auto air = atmosphere::preset("standard", algebra::degrees(-20));
+  auto plume = air.column;
+  plume.stratosphere = atmosphere::StratosphericAerosol::moderate;
+  plume.dust_extinction_per_m = 2e-6;
+  if (regions)
+    air.regions = between_latitudes(algebra::degrees(-90), algebra::degrees(-10),
+                                    algebra::degrees(-20), plume);
+  return air;
+}
+
+const Arrangement darkened{1.479e11, {3.83e8}, true};
+
+/// Sum of squared differences over their variances, of all rings and sectors with enough photons to
+/// be normal, and how many there were.
+std::pair<double, int> chi_squared_between(const RefractedLight& a, const RefractedLight& b,
+                                           std::size_t first_ring, std::size_t rings) {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t s = 0; s < a.sectors; ++s)
+    for (std::size_t r = first_ring; r < first_ring + rings; ++r)
+      for (std::size_t w = 0; w < waves.size(); ++w) {
+        const double variance = std::pow(a.standard_error[s](r, w), 2) +
+                                std::pow(b.standard_error[s](r, w), 2);
+        sum += std::pow(a.ratio[s](r, w) - b.ratio[s](r, w), 2) / variance;
+        ++count;
+      }
+  return {sum, count};
+}
+
+/// The 0.0005 and 0.9995 quantiles of chi² by Wilson & Hilferty: one true run in a thousand fails.
+void expect_chi_squared(double value, int freedom) {
+  const double third = 2. / (9 * freedom);
+  EXPECT_GT(value, freedom * std::pow(1 - third - 3.29 * std::sqrt(third), 3));
+  EXPECT_LT(value, freedom * std::pow(1 - third + 3.29 * std::sqrt(third), 3));
+}
+
+/// The quadrature's mean over each ring and sector that photons gather in.
+RefractedLight gathered_by_quadrature(const atmosphere::Atmosphere& air, double ring_m,
+                                      std::size_t rings) {
+  constexpr std::size_t places = 8;
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < rings * places; ++i)
+    distances.push_back((static_cast<double>(i) + 0.5) / places * ring_m);
+  const auto fine = by_quadrature(air, darkened, waves, distances, 1000);
+  RefractedLight light = fine;
+  for (std::size_t s = 0; s < fine.sectors; ++s) {
+    light.ratio[s] = light.standard_error[s] = algebra::Grid<double>(rings, waves.size());
+    for (std::size_t r = 0; r < rings; ++r)
+      for (std::size_t w = 0; w < waves.size(); ++w) {
+        double sum = 0, area = 0;
+        for (std::size_t d = r * places; d < (r + 1) * places; ++d) {
+          // a sector's mean over its width, from its middle and its neighbours'
+          const auto at = [&](std::size_t sector) {
+            return fine.ratio[sector % fine.sectors](d, w);
+          };
+          sum += distances[d] * (22 * at(s) + at(s + 1) + at(s + fine.sectors - 1)) / 24;
+          area += distances[d];
+        }
+        light.ratio[s](r, w) = sum / area;
+      }
+  }
+  return light;
+}
+
+PhotonSettings by_the_table(std::uint64_t photons, double ring_m) {
+  auto settings = settings_of(photons, ring_m);
+  settings.trace = Trace::table;
+  settings.sectors = sectors_around;
+  return settings;
+}
+
+TEST(ByPhotons, WithEveryTermAgreeWithTheQuadrature) {
+  const auto air = everything(false);
+  const auto photons = by_photons(air, darkened, waves, by_the_table(6'000'000, 500e3));
+  const auto exact = gathered_by_quadrature(air, 500e3, 17);
+  const auto [sum, count] = chi_squared_between(photons, exact, 1, 15);
+  expect_chi_squared(sum, count);
+}
+
+TEST(ByPhotons, WithEveryTermAndARegionAgreeWithTheQuadrature) {
+  const auto air = everything(true);
+  auto settings = by_the_table(6'000'000, 500e3);
+  settings.seed = 2;
+  const auto photons = by_photons(air, darkened, waves, settings);
+  const auto exact = gathered_by_quadrature(air, 500e3, 17);
+  const auto [sum, count] = chi_squared_between(photons, exact, 1, 15);
+  expect_chi_squared(sum, count);
+}
+
+TEST(ByPhotons, WithEveryTermAndARegionAreTheSameTracedEachAndByTheTable) {
+  const auto air = everything(true);
+  auto each = settings_of(30'000, 1000e3), table = by_the_table(1'000'000, 1000e3);
+  each.sectors = table.sectors = 4;
+  each.seed = 3;
+  const auto [sum, count] = chi_squared_between(by_photons(air, darkened, waves, each),
+                                                by_photons(air, darkened, waves, table), 1, 7);
+  expect_chi_squared(sum, count);
 }
 
 TEST(ByPhotons, RefuseOneSectorForAirThatDiffersByRegion) {
