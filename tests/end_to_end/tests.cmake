@@ -15,9 +15,6 @@ coppermoon_end_to_end(recipes LINKS texture)
 coppermoon_end_to_end(scene_folder LINKS texture LABELS render)
 coppermoon_end_to_end(brightness LINKS almanac)
 target_link_libraries(end_to_end_brightness_test PRIVATE nlohmann_json::nlohmann_json)
-<<<<<<< ours
 coppermoon_end_to_end(low_moon LINKS povray_scenes texture LABELS render)
-=======
 coppermoon_end_to_end(terms LINKS algebra)
 target_link_libraries(end_to_end_terms_test PRIVATE nlohmann_json::nlohmann_json)
->>>>>>> theirs
