@@ -12,6 +12,7 @@
 #include "eclipse/shadow_axis.h"
 #include "shadow/by_photons.h"
 #include "shadow/by_quadrature.h"
+#include "shadow/twilight.h"
 #include "verbs/progress_bar.h"
 #include "verbs/spectral_bands.h"
 
@@ -65,6 +66,21 @@ void require_sound(const LightOptions& options) {
   algebra::require_within("smoothing [km]", options.smoothing_km, 0, 2000);
 }
 
+/// Refracted light alone, by the solver chosen.
+shadow::RefractedLight solved(const LightOptions& options, const atmosphere::Atmosphere& air,
+                              const shadow::Arrangement& arrangement,
+                              std::span<const double> wavelengths_nm,
+                              std::span<const double> axis_distances_m) {
+  ProgressBar bar(options.solver);
+  if (options.solver == "quadrature")
+    return shadow::by_quadrature(air, arrangement, wavelengths_nm, axis_distances_m, options.rays,
+                                 bar.progress());
+  auto settings = photon_settings(options);
+  if (!air.symmetric()) settings.sectors = shadow::sectors_around;
+  const auto light = shadow::by_photons(air, arrangement, wavelengths_nm, settings, bar.progress());
+  return shadow::smoothed(light, options.smoothing_km * 1e3);
+}
+
 eclipse::ShadowPlace moon_in_shadow(const almanac::SkyState& sky) {
   return eclipse::place_in_shadow(eclipse::shadow_axis(sky), sky.moon_m);
 }
@@ -98,6 +114,13 @@ void add_light_options(CLI::App& verb, LightOptions& options) {
                   "of the Sun, by wavelength, on or off; with --atmosphere paper it is off")
       ->check(CLI::IsMember({"on", "off"}))
       ->group("The Earth's air");
+  verb.add_option("--scattered-light", options.scattered_light,
+                  "sunlight that the air scatters into the shadow, on or off")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->group("The Earth's air");
+  verb.add_option("--starlight", options.starlight, "the stars' light on the Moon, on or off")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->group("The Earth's air");
   add_solver_options(verb, options);
 }
 
@@ -113,14 +136,10 @@ shadow::RefractedLight refracted_light(const LightOptions& options,
                                        std::span<const double> wavelengths_nm,
                                        std::span<const double> axis_distances_m) {
   require_sound(options);
-  ProgressBar bar(options.solver);
-  if (options.solver == "quadrature")
-    return shadow::by_quadrature(air, arrangement, wavelengths_nm, axis_distances_m, options.rays,
-                                 bar.progress());
-  auto settings = photon_settings(options);
-  if (!air.symmetric()) settings.sectors = shadow::sectors_around;
-  const auto light = shadow::by_photons(air, arrangement, wavelengths_nm, settings, bar.progress());
-  return shadow::smoothed(light, options.smoothing_km * 1e3);
+  auto light = solved(options, air, arrangement, wavelengths_nm, axis_distances_m);
+  if (options.scattered_light == "on") shadow::add_twilight(light, air);
+  if (options.starlight == "on") shadow::add_starlight(light);
+  return light;
 }
 
 shadow::Lookup Moonlight::in_channels(const shadow::ChannelWeights& weights) const {

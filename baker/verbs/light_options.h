@@ -20,6 +20,7 @@ namespace coppermoon::verbs {
 struct LightOptions {
   AirOptions air;
   std::optional<std::string> limb_darkening;  ///< without: on, but for the paper's atmosphere
+  std::string scattered_light = "off", starlight = "off";
   std::string solver = "quadrature", trace = "each";
   int rays = 600;
   double photons = 1e6, step_km = 1, ring_km = 50, smoothing_km = 0;
@@ -32,7 +33,8 @@ void add_light_options(CLI::App& verb, LightOptions& options);
 shadow::Arrangement arrangement_of(const LightOptions& options, double sun_distance_m,
                                    std::vector<double> depths_m);
 
-/// Refracted light by the solver chosen, with a progress bar.
+/// Refracted light by the solver chosen, with a progress bar; scattered light and starlight are
+/// added to it where they are on.
 ///
 /// Given  axis_distances_m  for the quadrature; photons gather in rings of their own
 shadow::RefractedLight refracted_light(const LightOptions& options,

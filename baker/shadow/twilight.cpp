@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: MIT
+#include "shadow/twilight.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <numbers>
+
+#include "algebra/interpolation.h"
+#include "algebra/quadrature.h"
+
+namespace coppermoon::shadow {
+namespace {
+
+using algebra::Grid;
+using atmosphere::Amounts;
+using atmosphere::Atmosphere;
+using atmosphere::Column;
+using std::numbers::pi;
+
+constexpr int nodes_a_piece = 4, points_a_sight = 48;
+constexpr std::size_t angles_around = 12;  // of the ring, where the air is alike all around
+
+double squared(double x) { return x * x; }
+
+Amounts sum(const Amounts& a, const Amounts& b, double share_of_b = 1) {
+  Amounts both = a;
+  for (std::size_t k = 0; k < both.size(); ++k) both[k] += share_of_b * b[k];
+  return both;
+}
+
+/// What stands on straight lines through a column of air, from a place on the line outwards: a
+/// table over the line's lowest altitude and the distance of the place from there.
+class Slants {
+ public:
+  Slants(const Column& column, double radius_m) : top_m_(top_m(column)) {
+    const auto lines = static_cast<std::size_t>(std::ceil(top_m_ / height_step_m)) + 1;
+    const double reach_m = std::sqrt(squared(radius_m + top_m_) - squared(radius_m));
+    const auto places = static_cast<std::size_t>(std::ceil(reach_m / along_step_m)) + 1;
+    outwards_ = Grid<Amounts>(lines, places);
+    for (std::size_t i = 0; i < lines; ++i)
+      for (std::size_t j = places - 1; j-- > 0;)
+        outwards_(i, j) = sum(outwards_(i, j + 1), between(column, radius_m, i, j));
+  }
+
+  /// Given  along_m  0 or more; a line below the ground is taken as one along it
+  Amounts beyond(double lowest_m, double along_m) const {
+    const double row = std::max(0., lowest_m) / height_step_m, place = along_m / along_step_m;
+    const auto i = static_cast<std::size_t>(row), j = static_cast<std::size_t>(place);
+    if (i + 1 >= outwards_.rows() || j + 1 >= outwards_.columns()) return {};
+    const double v = row - static_cast<double>(i), u = place - static_cast<double>(j);
+    Amounts amounts{};
+    for (std::size_t k = 0; k < amounts.size(); ++k)
+      amounts[k] = (1 - v) * std::lerp(outwards_(i, j)[k], outwards_(i, j + 1)[k], u) +
+                   v * std::lerp(outwards_(i + 1, j)[k], outwards_(i + 1, j + 1)[k], u);
+    return amounts;
+  }
+
+  /// The same, the whole line up to a place.
+  ///
+  /// Given  along_m  below 0 where the line still sinks
+  Amounts up_to(double lowest_m, double along_m) const {
+    if (along_m < 0) return beyond(lowest_m, -along_m);
+    const auto half = beyond(lowest_m, 0);
+    return sum(sum(half, half), beyond(lowest_m, along_m), -1);
+  }
+
+ private:
+  static constexpr double height_step_m = 500, along_step_m = 10e3;
+
+  Amounts between(const Column& column, double radius_m, std::size_t i, std::size_t j) const {
+    const double lowest_m = radius_m + static_cast<double>(i) * height_step_m;
+    Amounts amounts{};
+    for (const auto& [x, weight] : algebra::gauss_legendre(3)) {
+      const double along_m = (static_cast<double>(j) + (1 + x) / 2) * along_step_m;
+      const double altitude_m = std::hypot(lowest_m, along_m) - radius_m;
+      if (altitude_m < top_m_)
+        amounts = sum(amounts, profiles(column, altitude_m), weight / 2 * along_step_m);
+    }
+    return amounts;
+  }
+
+  double top_m_;
+  Grid<Amounts> outwards_;  // (line, place)
+};
+
+/// A point on a sight, and all that does not depend on where the sight leads.
+struct Point {
+  double impact_m, along_m;  ///< from the sight's lowest point, positive towards the shadow
+  double altitude_m;
+  double lowest_m;          ///< from here on
+  Amounts profile, onward;  ///< profile: times b db ds
+};
+
+/// Where sights are cut: what air, cloud and dust there is changes there.
+std::vector<double> stations(const Column& column) {
+  const double top = top_m(column);
+  std::vector<double> heights{0, 5e3, 10e3, 15e3, 20e3, 25e3, 30e3, 40e3, 55e3, top};
+  if (column.cloud_cover > 0) heights.push_back(column.cloud_top_m);
+  if (column.dust_extinction_per_m > 0)
+    heights.insert(heights.end(), {column.dust_bottom_m, column.dust_top_m});
+  std::erase_if(heights, [&](double h) { return h > top; });
+  std::sort(heights.begin(), heights.end());
+  return heights;
+}
+
+void add_sight(const Column& column, const Slants& slants, double radius_m, double height_m,
+               double width_m, std::vector<Point>& points) {
+  const double impact = radius_m + height_m;
+  const double reach = std::sqrt(squared(radius_m + top_m(column)) - squared(impact));
+  const double step = 2 * reach / points_a_sight;
+  for (int i = 0; i < points_a_sight; ++i) {
+    const double along = (i + 0.5) * step - reach;
+    const double altitude = std::hypot(impact, along) - radius_m;
+    points.push_back({impact, along, altitude, along < 0 ? height_m : altitude,
+                      sum({}, profiles(column, altitude), impact * width_m * step),
+                      slants.up_to(height_m, -along)});
+  }
+}
+
+std::vector<Point> points_of(const Column& column, const Slants& slants, double radius_m) {
+  std::vector<Point> points;
+  const auto ends = stations(column);
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+    for (const auto& [x, weight] : algebra::gauss_legendre(nodes_a_piece)) {
+      const double width = (ends[i + 1] - ends[i]) / 2;
+      if (width > 0)
+        add_sight(column, slants, radius_m, ends[i] + (1 + x) * width, weight * width, points);
+    }
+  return points;
+}
+
+/// ω P(χ) / (4π) of each absorber.
+Amounts scattering(const Column& column, double cosine) {
+  using atmosphere::StratosphericAerosol;
+  const auto aerosol = [&](double albedo, double g) {
+    return albedo * (1 - g * g) / std::pow(1 + g * g - 2 * g * cosine, 1.5) / (4 * pi);
+  };
+  Amounts amounts{};
+  amounts[atmosphere::air] = 0.75 * (1 + cosine * cosine) / (4 * pi);
+  amounts[atmosphere::dust_layer] = amounts[atmosphere::stratosphere] = aerosol(0.947, 0.698);
+  amounts[atmosphere::troposphere] = aerosol(0.963, 0.651);
+  if (column.stratosphere == StratosphericAerosol::background)
+    amounts[atmosphere::stratosphere] = aerosol(1, 0.685);
+  if (column.stratosphere == StratosphericAerosol::extreme)
+    amounts[atmosphere::stratosphere] = aerosol(0.855, 0.747);
+  return amounts;
+}
+
+/// A place in the shadow frame, the Earth seen from it, and a direction around the Earth.
+class View {
+ public:
+  View(double axis_distance_m, double depth_m, double around_rad)
+      : distance_m_(std::hypot(axis_distance_m, depth_m)) {
+    outwards_ = glm::dvec3(axis_distance_m, 0, depth_m) / distance_m_;
+    const glm::dvec3 across(outwards_.z, 0, -outwards_.x);
+    aside_ = std::cos(around_rad) * across + std::sin(around_rad) * glm::dvec3(0, 1, 0);
+  }
+
+  double distance_m() const { return distance_m_; }
+
+  /// The light's way from the limb.
+  glm::dvec3 direction(double impact_m) const {
+    const double sine = impact_m / distance_m_;
+    return std::sqrt(1 - sine * sine) * outwards_ - sine * aside_;
+  }
+
+  glm::dvec3 at(const Point& point) const {
+    const double sine = point.impact_m / distance_m_;
+    const auto lowest = std::sqrt(1 - sine * sine) * aside_ + sine * outwards_;
+    return point.impact_m * lowest + point.along_m * direction(point.impact_m);
+  }
+
+ private:
+  double distance_m_;
+  glm::dvec3 outwards_, aside_;
+};
+
+/// The twilight of one column of air.
+class Ring {
+ public:
+  Ring(const Column& column, double radius_m, std::span<const atmosphere::Optics> optics)
+      : column_(column),
+        radius_m_(radius_m),
+        slants_(column, radius_m),
+        points_(points_of(column, slants_, radius_m)),
+        spectra_(atmosphere::absorbers, optics.size()),
+        filters_(2, optics.size()) {
+    for (std::size_t w = 0; w < optics.size(); ++w) {
+      const auto spectra = atmosphere::spectra(column, optics[w]);
+      for (std::size_t k = 0; k < spectra.size(); ++k) spectra_(k, w) = spectra[k];
+      filters_(0, w) = limb_filter(column, optics[w], column.cloud_top_m - 1);
+      filters_(1, w) = limb_filter(column, optics[w], column.cloud_top_m);
+    }
+  }
+
+  /// Adds the light from one direction around the Earth, a radian of it, by wavelength.
+  void add(const View& view, std::span<double> ratio) const {
+    const auto phase = scattering(column_, view.direction(radius_m_).z);
+    for (const auto& point : points_) {
+      const auto here = view.at(point);
+      const double lowest = std::hypot(here.x, here.y) - radius_m_;
+      if (lowest < 0 && here.z > 0) continue;
+      const double lit_from = here.z < 0 ? point.altitude_m : lowest;
+      const bool above = std::min(lit_from, point.lowest_m) >= column_.cloud_top_m;
+      Amounts scattered = point.profile;
+      for (std::size_t k = 0; k < phase.size(); ++k) scattered[k] *= phase[k];
+      add_light(scattered, sum(point.onward, slants_.up_to(lowest, here.z)), filters_.row(above),
+                ratio);
+    }
+    for (double& value : ratio) value /= squared(view.distance_m());
+  }
+
+ private:
+  void add_light(const Amounts& scattered, const Amounts& passed, std::span<const double> filter,
+                 std::span<double> ratio) const {
+    for (std::size_t w = 0; w < ratio.size(); ++w) {
+      double light = 0, depth = 0;
+      for (std::size_t k = 0; k < scattered.size(); ++k) {
+        light += spectra_(k, w) * scattered[k];
+        depth += spectra_(k, w) * passed[k];
+      }
+      ratio[w] += filter[w] * light * std::exp(-depth);
+    }
+  }
+
+  Column column_;
+  double radius_m_;
+  Slants slants_;
+  std::vector<Point> points_;
+  Grid<double> spectra_;  // (absorber, wavelength)
+  Grid<double> filters_;  // (below or above the cloud's top, wavelength)
+};
+
+/// By the angle between the limb's direction and the place's: half around, the other half alike.
+using AroundTheRing = std::vector<std::vector<double>>;
+
+AroundTheRing around(const Ring& ring, double axis_distance_m, double depth_m, std::size_t angles,
+                     std::size_t waves) {
+  AroundTheRing light(angles / 2 + 1, std::vector<double>(waves));
+  for (std::size_t a = 0; a < light.size(); ++a) {
+    const double psi = 2 * pi * static_cast<double>(a) / static_cast<double>(angles);
+    if (a > 0 && axis_distance_m == 0)
+      light[a] = light[0];
+    else
+      ring.add(View(axis_distance_m, depth_m, psi), light[a]);
+  }
+  return light;
+}
+
+std::vector<Ring> rings_of(const Atmosphere& atmosphere, std::span<const double> wavelengths_nm) {
+  const double radius = (atmosphere::limb_at(atmosphere.earth, 0).radius_m +
+                         atmosphere::limb_at(atmosphere.earth, pi / 2).radius_m) /
+                        2;
+  std::vector<atmosphere::Optics> optics;
+  for (const double nm : wavelengths_nm)
+    optics.push_back(atmosphere::sea_level_optics(algebra::nanometres(nm), atmosphere.molecules));
+  std::vector<Ring> rings{{atmosphere.column, radius, optics}};
+  for (const auto& region : atmosphere.regions) rings.emplace_back(region.column, radius, optics);
+  return rings;
+}
+
+/// 0: the column outside all regions.
+std::size_t ring_at(const Atmosphere& atmosphere, double position_angle_rad) {
+  const auto* column = &atmosphere.column_at(position_angle_rad);
+  for (std::size_t r = 0; r < atmosphere.regions.size(); ++r)
+    if (column == &atmosphere.regions[r].column) return r + 1;
+  return 0;
+}
+
+/// The ring as one sector sees it, each part with the air that stands there.
+void gather(const Atmosphere& atmosphere, const std::vector<AroundTheRing>& rings,
+            std::size_t sector, std::size_t angles, double factor, std::span<double> ratio) {
+  for (std::size_t a = 0; a < angles; ++a) {
+    const double phi = 2 * pi * static_cast<double>(a + sector) / static_cast<double>(angles);
+    const auto& light = rings[ring_at(atmosphere, phi)][std::min(a, angles - a)];
+    for (std::size_t w = 0; w < ratio.size(); ++w) ratio[w] += factor * light[w];
+  }
+}
+
+/// Multiples of a step that hold a list between them; the list itself where it is as short.
+std::vector<double> coarser(const std::vector<double>& list, double step) {
+  const double first = std::floor(list.front() / step), last = std::ceil(list.back() / step);
+  if (last - first + 1 >= static_cast<double>(list.size())) return list;
+  std::vector<double> coarse;
+  for (double i = first; i <= last; ++i) coarse.push_back(i * step);
+  return coarse;
+}
+
+}  // namespace
+
+RefractedLight twilight(const Atmosphere& atmosphere, const Arrangement& arrangement,
+                        std::span<const double> wavelengths_nm,
+                        std::span<const double> axis_distances_m) {
+  require_valid(atmosphere);
+  require_valid(arrangement);
+  const std::size_t planes = arrangement.depths_m.size(), distances = axis_distances_m.size(),
+                    waves = wavelengths_nm.size();
+  const std::size_t sectors = atmosphere.regions.empty() ? 1 : sectors_around;
+  const std::size_t angles = std::max(angles_around, sectors);
+  RefractedLight light{arrangement,
+                       {wavelengths_nm.begin(), wavelengths_nm.end()},
+                       {axis_distances_m.begin(), axis_distances_m.end()},
+                       sectors,
+                       {planes * sectors, Grid<double>(distances, waves)},
+                       {planes * sectors, Grid<double>(distances, waves)}};
+  if (atmosphere.top_m() <= 0 || waves == 0) return light;
+  const auto rings = rings_of(atmosphere, wavelengths_nm);
+  tbb::parallel_for(std::size_t{0}, planes * distances, [&](std::size_t i) {
+    const std::size_t k = i / distances, d = i % distances;
+    const double depth = arrangement.depths_m[k];
+    std::vector<AroundTheRing> lights;
+    for (const auto& ring : rings)
+      lights.push_back(around(ring, axis_distances_m[d], depth, angles, waves));
+    const double factor =
+        squared(1 + depth / arrangement.sun_distance_m) * 2 * pi / static_cast<double>(angles);
+    for (std::size_t s = 0; s < sectors; ++s)
+      gather(atmosphere, lights, s, angles, factor, light.ratio[k * sectors + s].row(d));
+  });
+  return light;
+}
+
+void add_twilight(RefractedLight& light, const Atmosphere& atmosphere) {
+  constexpr double step_nm = 5;  // of the ozone's cross-sections
+  constexpr double step_m = 1000e3;
+  if (light.wavelengths_nm.empty() || light.axis_distances_m.empty()) return;
+  const auto more = twilight(atmosphere, light.arrangement, coarser(light.wavelengths_nm, step_nm),
+                             coarser(light.axis_distances_m, step_m));
+  std::vector<double> across(more.axis_distances_m.size()), there(more.wavelengths_nm.size());
+  for (std::size_t g = 0; g < light.ratio.size(); ++g) {
+    const std::size_t plane = g / light.sectors, sector = g % light.sectors;
+    const auto& coarse = more.ratio[plane * more.sectors + sector * more.sectors / light.sectors];
+    for (std::size_t d = 0; d < light.axis_distances_m.size(); ++d) {
+      for (std::size_t w = 0; w < there.size(); ++w) {
+        for (std::size_t i = 0; i < across.size(); ++i) across[i] = coarse(i, w);
+        there[w] = algebra::interpolated(more.axis_distances_m, across, light.axis_distances_m[d]);
+      }
+      for (std::size_t w = 0; w < light.wavelengths_nm.size(); ++w)
+        light.ratio[g](d, w) +=
+            algebra::interpolated(more.wavelengths_nm, there, light.wavelengths_nm[w]);
+    }
+  }
+}
+
+void add_starlight(RefractedLight& light) {
+  for (auto& grid : light.ratio)
+    for (double& value : grid.values()) value += starlight_ratio;
+}
+
+}  // namespace coppermoon::shadow

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "atmosphere/atmosphere.h"
+#include "shadow/irradiance.h"
+
+namespace coppermoon::shadow {
+
+/// The twilight ring: sunlight that the air of the limb scatters once into the shadow, over
+/// unshaded sunlight, on a surface that faces the Sun.
+///
+///     E/E₀ = (1 + z/D)² / r² ∫∫∫ Σ ω_k P_k(χ) / (4π) β_k exp(−τ) ds b db dφ
+///
+/// over the sights from the place (r from the Earth's centre) that pass the limb at impact
+/// parameter b and position angle φ, and along each of them; β_k the extinction by air, dust and
+/// aerosol, ω_k the part of it that is scattered, χ the angle between sunlight and sight, 0 to
+/// 1.7°, τ the optical depth of all that stands on the straight line from the Sun to the point and
+/// on from there. P is 3/4 (1 + cos² χ) for air and Henyey and Greenstein's for the rest, with (ω,
+/// g) = (1, 0.685) for background sulphuric acid, (0.947, 0.698) aged volcanic and dust, (0.855,
+/// 0.747) fresh volcanic, (0.963, 0.651) tropospheric aerosol. Ozone does not scatter. Cloud stops
+/// its part of the limb where either line passes below its top; the ground stops sunlight.
+///
+/// Given     wavelengths_nm  380 to 780; axis_distances_m: 0 or more
+/// Returned  one sector for air without regions, else sectors_around; at 450 nm on the axis 1.6e-7
+///           in clear air, 3.7e-7 in standard air, 1.0e-6 under a stratosphere full of ash;
+///           standard_error is 0
+/// Accuracy  1.5 % of this integral
+/// Omits     multiple scattering, in our estimate some tenths of it in clear air, as much again in
+///           ash; refraction, 20' of the 57' between sight and sunlight at 12 km; the Sun's width,
+///           ±16'; the ellipsoid: a sphere of its mean limb, 0.2 %; depolarisation, 1 %; forward
+///           peaks sharper than Henyey and Greenstein's; ω and g other than at 550 nm, 5 %; light
+///           off ground and cloud, which is night as seen from within 6378 km of the axis
+/// Throws    Error           when an argument is outside its range
+/// Source    Henyey & Greenstein (1941), ApJ 93, 70; ω and g of LOWTRAN 7: Kneizys et al. (1988),
+///           AFGL-TR-88-0177
+RefractedLight twilight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
+                        std::span<const double> wavelengths_nm,
+                        std::span<const double> axis_distances_m);
+
+/// Adds the twilight to light in the shadow: computed every 1000 km of axis distance and
+/// every 5 nm, with straight lines between, where more places and wavelengths are asked for.
+///
+/// Given     light  its wavelengths increase
+/// Accuracy  0.5 % of the twilight
+void add_twilight(RefractedLight& light, const atmosphere::Atmosphere& atmosphere);
+
+/// What the stars of half the sky shed on a surface, over sunlight at 1 au: a mean of 100 stars of
+/// tenth magnitude a square degree, under a Sun of V = −26.74. Its spectrum is taken to be that of
+/// the Sun.
+///
+///     ¼ · 41253 · 100 · 10^(−0.4 (10 + 26.74))
+///
+/// Accuracy  a third, by which part of the Milky Way is up
+/// Omits     zodiacal light, brighter than the stars near the Sun
+/// Source    Leinert et al. (1998), A&AS 127, 1, for the brightness of the sky
+inline constexpr double starlight_ratio = 2.08e-9;
+
+/// Adds it everywhere, at all wavelengths.
+void add_starlight(RefractedLight& light);
+
+}  // namespace coppermoon::shadow
