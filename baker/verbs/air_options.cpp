@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <sstream>
 
 #include "algebra/error.h"
@@ -65,44 +66,23 @@ Column changed(Column column, const ColumnOptions& options) {
   return column;
 }
 
-/// One region as it is told: where, and what differs there.
-struct RegionOptions {
-  std::optional<double> from_latitude, to_latitude, from_position_angle, to_position_angle;
-  ColumnOptions column;
-};
-
-RegionOptions region_from(const std::string& text) {
-  RegionOptions options;
-  CLI::App app;
-  app.add_option("--from-latitude", options.from_latitude);
-  app.add_option("--to-latitude", options.to_latitude);
-  app.add_option("--from-position-angle", options.from_position_angle);
-  app.add_option("--to-position-angle", options.to_position_angle);
-  add_column_options(app, options.column);
-  std::vector<std::string> flags;
-  std::istringstream pairs(text);
-  for (std::string pair; std::getline(pairs, pair, ',');) flags.insert(flags.begin(), "--" + pair);
-  try {
-    app.parse(flags);  // last first, as CLI11 takes them
-  } catch (const CLI::ParseError& error) {
-    throw algebra::Error(fmt::format("region {}: {}", text, error.what()));
-  }
-  return options;
+/// Both ends by latitude or both by position angle, and no more than that.
+bool says_where(const RegionOptions& options) {
+  const auto ends = [](const auto& from, const auto& to) {
+    return from.has_value() + to.has_value();
+  };
+  const int latitudes = ends(options.from_latitude, options.to_latitude),
+            angles = ends(options.from_position_angle, options.to_position_angle);
+  return std::max(latitudes, angles) == 2 && std::min(latitudes, angles) == 0;
 }
 
 std::vector<atmosphere::Region> regions_from(const std::string& text,
                                              const atmosphere::Atmosphere& air,
                                              algebra::Angle sun_declination) {
-  const auto options = region_from(text);
+  RegionReader reader;
+  const auto& options = reader.read(text);
   const auto column = changed(air.column, options.column);
-  const bool latitudes = options.from_latitude && options.to_latitude,
-             angles = options.from_position_angle && options.to_position_angle;
-  if (latitudes == angles)
-    throw algebra::Error(
-        fmt::format("region {}: needs from-latitude and to-latitude, or from-position-angle and "
-                    "to-position-angle [degrees]",
-                    text));
-  if (latitudes)
+  if (options.from_latitude)
     return between_latitudes(algebra::degrees(*options.from_latitude),
                              algebra::degrees(*options.to_latitude), sun_declination, column);
   for (const double angle : {*options.from_position_angle, *options.to_position_angle})
@@ -159,6 +139,33 @@ void add_air_options(CLI::App& verb, AirOptions& options) {
       "from-latitude=-90,to-latitude=0,dust-extinction=1e-5 (or from-position-angle, "
       "to-position-angle); may be given again, the first that holds a place counts")
       ->allow_extra_args(false);
+}
+
+RegionReader::RegionReader() {
+  app_.set_help_flag();
+  app_.add_option("--from-latitude", options_.from_latitude);
+  app_.add_option("--to-latitude", options_.to_latitude);
+  app_.add_option("--from-position-angle", options_.from_position_angle);
+  app_.add_option("--to-position-angle", options_.to_position_angle);
+  add_column_options(app_, options_.column);
+}
+
+const RegionOptions& RegionReader::read(const std::string& text) {
+  options_ = {};
+  std::vector<std::string> flags;
+  std::istringstream pairs(text);
+  for (std::string pair; std::getline(pairs, pair, ',');) flags.insert(flags.begin(), "--" + pair);
+  try {
+    app_.parse(flags);  // last first, as CLI11 takes them
+  } catch (const CLI::ParseError& error) {
+    throw algebra::Error(fmt::format("region '{}': {}", text, error.what()));
+  }
+  if (!says_where(options_))
+    throw algebra::Error(
+        fmt::format("region '{}': needs from-latitude and to-latitude, or from-position-angle and "
+                    "to-position-angle [degrees]",
+                    text));
+  return options_;
 }
 
 atmosphere::Atmosphere atmosphere_of(const AirOptions& options, algebra::Angle sun_declination) {

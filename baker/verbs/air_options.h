@@ -28,6 +28,30 @@ struct AirOptions {
 
 void add_air_options(CLI::App& verb, AirOptions& options);
 
+/// One region as it is told: where, and what differs there.
+struct RegionOptions {
+  std::optional<double> from_latitude, to_latitude, from_position_angle, to_position_angle;
+  ColumnOptions column;
+};
+
+/// What a region may say, and what it said once it was read.
+class RegionReader {
+ public:
+  RegionReader();
+  RegionReader(const RegionReader&) = delete;
+  RegionReader& operator=(const RegionReader&) = delete;
+
+  /// Given   text   "from-latitude=-90,to-latitude=0,dust-extinction=1e-5"
+  /// Throws  Error  when it cannot be understood, or does not say where the region is
+  const RegionOptions& read(const std::string& text);
+
+  const CLI::App& app() const { return app_; }
+
+ private:
+  CLI::App app_{"", "a region"};
+  RegionOptions options_;
+};
+
 /// Given   sun_declination  of the moment: tips the Earth's pole
 /// Throws  Error            when a term is outside its range, or a region cannot be understood
 atmosphere::Atmosphere atmosphere_of(const AirOptions& options, algebra::Angle sun_declination);

@@ -1,66 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/recipe.h"
 
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <numeric>
 #include <sstream>
 
-#include "algebra/error.h"
-#include "texture/read_image.h"
+#include "verbs/air_options.h"
+#include "verbs/known_words.h"
+#include "verbs/recipe_file.h"
 
 namespace coppermoon::verbs {
 namespace {
-
-/// Number of letters to insert, drop or change to make one word of the other (Levenshtein).
-std::size_t letters_apart(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0U);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i] != b[j]);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({change, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-std::string nearest(std::string_view word, const std::vector<std::string>& known) {
-  return *std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-    return letters_apart(word, a) < letters_apart(word, b);
-  });
-}
-
-/// An unknown word on the command line: exit status 2.
-struct UnknownWord : CLI::ParseError {
-  explicit UnknownWord(const std::string& text)
-      : CLI::ParseError("UnknownWord", text, CLI::ExitCodes::ExtrasError) {}
-};
-
-std::vector<std::string> long_flags(const CLI::App& verb) {
-  std::vector<std::string> flags;
-  for (const auto* option : verb.get_options())
-    for (const auto& name : option->get_lnames()) flags.push_back(name);
-  return flags;
-}
-
-void require_flag(const CLI::App& verb, const std::string& flag, const std::string& where,
-                  const std::string& dashes) {
-  const auto flags = long_flags(verb);
-  if (std::find(flags.begin(), flags.end(), flag) != flags.end()) return;
-  throw UnknownWord(fmt::format("{}{}{}: {} has no such {}; the nearest is {}{}", where, dashes,
-                                flag, verb.get_name(), dashes.empty() ? "key" : "flag", dashes,
-                                nearest(flag, flags)));
-}
 
 std::vector<std::string> words_of(const CLI::App& program) {
   std::vector<std::string> words;
@@ -73,80 +28,6 @@ const CLI::App& verb_named(const CLI::App& program, const std::string& name) {
     if (verb->get_name() == name) return *verb;
   throw UnknownWord(
       fmt::format("{}: no such word; the nearest is {}", name, nearest(name, words_of(program))));
-}
-
-std::string as_text(const toml::node& value, const std::string& where) {
-  std::ostringstream text;
-  if (const auto* word = value.as_string()) return word->get();
-  if (const auto* integer = value.as_integer())
-    text << integer->get();
-  else if (const auto* number = value.as_floating_point())
-    text << fmt::format("{}", number->get());
-  else if (const auto* truth = value.as_boolean())
-    text << (truth->get() ? "true" : "false");
-  else if (const auto* when = value.as_date_time())
-    text << when->get();
-  else if (const auto* list = value.as_array()) {
-    for (const auto& item : *list) text << (text.tellp() > 0 ? "," : "") << as_text(item, where);
-  } else {
-    throw algebra::Error(
-        fmt::format("{}: allowed are texts, numbers, dates, true, false and lists", where));
-  }
-  return text.str();
-}
-
-std::string recipe_text(const std::string& path) {
-  if (std::filesystem::path(path).extension() != ".exr") {
-    std::ifstream file(path);
-    if (!file || std::filesystem::is_directory(path))
-      throw algebra::Error(fmt::format("{}: cannot be read", path));
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-  const auto text = texture::read_attribute(path, "coppermoon:recipe");
-  if (!text) throw algebra::Error(fmt::format("{}: has no recipe in its header", path));
-  return *text;
-}
-
-toml::table parsed(const std::string& path) {
-  try {
-    return toml::parse(recipe_text(path), path);
-  } catch (const toml::parse_error& error) {
-    throw algebra::Error(
-        fmt::format("{}:{}: {}", path, error.source().begin.line, error.description()));
-  }
-}
-
-/// `on` and `off` may be written true and false.
-std::string spelt(const CLI::App& verb, const std::string& key, const toml::node& value,
-                  const std::string& text) {
-  const auto* option = verb.get_option_no_throw("--" + key);
-  const bool flag = option != nullptr && option->get_items_expected_max() == 0;
-  if (!value.is_boolean() || flag) return text;
-  return text == "true" ? "on" : "off";
-}
-
-bool names(const std::vector<std::string>& arguments, const std::string& flag) {
-  return std::any_of(arguments.begin(), arguments.end(), [&](const auto& argument) {
-    return argument.substr(0, argument.find('=')) == "--" + flag;
-  });
-}
-
-/// Without those the user names too: lists would be joined otherwise.
-std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path,
-                                         const std::vector<std::string>& mine) {
-  std::vector<std::string> flags;
-  // A recipe that another verb wrote into a file may know more than this one asks for.
-  const bool lenient = std::filesystem::path(path).extension() == ".exr";
-  const auto known = long_flags(verb);
-  for (const auto& [key, value] : parsed(path)) {
-    const std::string name(key.str());
-    if (lenient && std::find(known.begin(), known.end(), name) == known.end()) continue;
-    const std::string where = fmt::format("{}:{}: ", path, value.source().begin.line);
-    require_flag(verb, name, where, "");
-    const std::string text = spelt(verb, name, value, as_text(value, where + name));
-    if (!names(mine, name)) flags.push_back(fmt::format("--{}={}", name, text));
-  }
-  return flags;
 }
 
 std::string quoted(const std::string& text) {
@@ -168,6 +49,31 @@ std::string toml_value(const CLI::Option& option) {
   return value >> 63 ? quoted(text) : fmt::format("{}", value);
 }
 
+std::string toml_line(const CLI::Option& option) {
+  const auto value = toml_value(option);
+  return value.empty() ? "" : option.get_lnames().front() + " = " + value + "\n";
+}
+
+/// Text as a region's flag has it, as a table.
+std::string region_table(const std::string& text) {
+  RegionReader reader;
+  reader.read(text);
+  std::string table = "\n[[atmosphere.region]]\n";
+  for (const auto* option : reader.app().get_options())
+    if (option->count() > 0) table += toml_line(*option);
+  return table;
+}
+
+/// Nothing without regions: --atmosphere is a flag like any other then.
+std::string air_tables(const CLI::App& verb) {
+  const auto* regions = verb.get_option_no_throw("--region");
+  if (regions == nullptr || regions->count() == 0) return {};
+  std::string tables =
+      "\n[atmosphere]\nmodel = " + toml_value(*verb.get_option("--atmosphere")) + "\n";
+  for (const auto& text : regions->results()) tables += region_table(text);
+  return tables;
+}
+
 /// Takes `--recipe FILE` or `--recipe=FILE` out of the arguments.
 std::string taken_recipe(std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -187,9 +93,14 @@ std::string taken_recipe(std::vector<std::string>& arguments) {
 }
 
 void require_flags(const CLI::App& verb, const std::vector<std::string>& arguments) {
-  for (const auto& argument : arguments)
-    if (argument.starts_with("--") && argument.size() > 2)
-      require_flag(verb, argument.substr(2, argument.find('=') - 2), "", "--");
+  const auto known = long_flags(verb);
+  for (const auto& argument : arguments) {
+    if (!argument.starts_with("--") || argument.size() == 2) continue;
+    const auto flag = argument.substr(2, argument.find('=') - 2);
+    if (!holds(known, flag))
+      throw UnknownWord(fmt::format("--{}: {} has no such flag; the nearest is --{}", flag,
+                                    verb.get_name(), nearest(flag, known)));
+  }
 }
 
 /// The first argument that is neither a flag nor a flag's value.
@@ -252,19 +163,18 @@ std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::
 
 std::string recipe_of(const CLI::App& verb) {
   std::string text;
-  constexpr std::array<std::string_view, 7> no_part{"help",    "recipe", "json", "output",
-                                                    "threads", "frame",  "plot"};
+  const std::string tables = air_tables(verb);
+  std::vector<std::string> no_part{"help",    "recipe", "json", "output",
+                                   "threads", "frame",  "plot", "region"};
+  if (!tables.empty()) no_part.push_back("atmosphere");
   for (const auto* option : verb.get_options()) {
-    if (option->get_lnames().empty()) continue;
-    const std::string& name = option->get_lnames().front();
-    if (std::find(no_part.begin(), no_part.end(), name) != no_part.end()) continue;
-    if (option->get_items_expected_max() == 0) {
-      if (option->count() > 0) text += name + " = true\n";
-      continue;
-    }
-    if (const auto value = toml_value(*option); !value.empty()) text += name + " = " + value + "\n";
+    if (option->get_lnames().empty() || holds(no_part, option->get_lnames().front())) continue;
+    if (option->get_items_expected_max() > 0)
+      text += toml_line(*option);
+    else if (option->count() > 0)
+      text += option->get_lnames().front() + " = true\n";
   }
-  return text;
+  return text + tables;
 }
 
 void add_recipe_option(CLI::App& verb) {

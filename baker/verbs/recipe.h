@@ -19,6 +19,8 @@ std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::
 
 /// All that a verb was told, and the defaults of all it was not, as TOML: its own recipe. Where
 /// results go is no part of it.
+///
+/// Throws  algebra::Error  when a region cannot be understood
 std::string recipe_of(const CLI::App& verb);
 
 /// The option that takes a recipe; read by with_recipes before any other.

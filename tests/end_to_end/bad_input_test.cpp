@@ -175,6 +175,48 @@ TEST_F(BadInput, ARecipeWithTablesIsRefused) {
   expect_refused(bake({"--recipe", "table.toml"}), could_not, {"table.toml:1", "rays"});
 }
 
+TEST_F(BadInput, AnUnknownKeyInATableOfTheAirIsAnsweredWithItsLineAndTheNearest) {
+  file("air.toml", "[atmosphere]\nozon-du = 300\n");
+  expect_refused(bake({"--recipe", "air.toml"}), wrong_usage,
+                 {"air.toml:2", "ozon-du", "the nearest is ozone-du"});
+  file("region.toml", "[[atmosphere.region]]\nfrom-latitude = -90\nto-latitud = 0\n");
+  expect_refused(bake({"--recipe", "region.toml"}), wrong_usage,
+                 {"region.toml:3", "to-latitud", "the nearest is to-latitude"});
+}
+
+TEST_F(BadInput, ABadModelOfTheAirIsWrongUsage) {
+  file("air.toml", "[atmosphere]\nmodel = \"martian\"\n");
+  expect_refused(bake({"--recipe", "air.toml"}), wrong_usage, {"--atmosphere", "martian", "paper"});
+}
+
+TEST_F(BadInput, ABadRegionInARecipeIsRefusedWithItsLine) {
+  const auto expect = [&](const std::string& region,
+                          std::initializer_list<std::string_view> parts) {
+    file("bad.toml", "rays = 50\n[[atmosphere.region]]\n" + region);
+    expect_refused(bake({"--recipe", "bad.toml"}), could_not, parts);
+  };
+  expect("", {"bad.toml:2", "from-latitude and to-latitude", "[degrees]"});
+  expect("cloud-cover = 1\n", {"bad.toml:2", "from-latitude and to-latitude", "[degrees]"});
+  expect("from-latitude = \"S\"\nto-latitude = 0\n", {"bad.toml:2", "from-latitude", "S"});
+  expect("from-latitude = [1, 2]\nto-latitude = 0\n", {"bad.toml:3", "from-latitude", "1,2"});
+}
+
+TEST_F(BadInput, ARegionThatNoEarthHasIsRefused) {
+  const auto expect = [&](const std::string& region,
+                          std::initializer_list<std::string_view> parts) {
+    expect_refused(bake({"--region", region}), could_not, parts);
+  };
+  expect("from-latitude=-95,to-latitude=0", {"latitude [degrees] = -95", "allowed -90 to 90"});
+  expect("from-latitude=10,to-latitude=0", {"latitude", "10"});
+  expect("from-position-angle=0,to-position-angle=nan", {"position angle [degrees] = nan"});
+  expect("from-latitude=-90,to-latitude=0,dust-extinction=-1", {"dust extinction", "-1"});
+  expect("from-latitude=-90,to-latitude=0,cloud-cover=2", {"cloud cover", "2", "allowed 0 to 1"});
+  expect("from-latitude=-90,to-position-angle=0", {"from-latitude and to-latitude", "[degrees]"});
+  expect("from-latitude=-90,from-position-angle=0,to-position-angle=9",
+         {"from-latitude and to-latitude", "[degrees]"});
+  expect("", {"region", "from-latitude and to-latitude"});
+}
+
 TEST_F(BadInput, AMissingRecipeIsRefused) {
   expect_refused(bake({"--recipe", "missing.toml"}), could_not, {"missing.toml: cannot be read"});
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A recipe is the flags; a file made is its own recipe.
 #include "end_to_end/program.h"
+#include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
@@ -124,6 +125,105 @@ TEST_F(Recipes, AreTakenFromAnotherWordsFile) {
   make({"bake", "scene/moon_lin_rec709.exr", "-o", "new.exr"});
   EXPECT_TRUE(texture::read_image(here("new.exr")).values ==
               texture::read_image(here("scene/moon_lin_rec709.exr")).values);
+}
+
+/// A quick eclipse with regions, by flags alone.
+Words with_regions(const Words& regions, const char* output) {
+  Words words{"bake", "2008-02-21T03:08:26Z", "--rays",   "20", "--texture-width",
+              "32",   "--albedo-map",         "built-in", "-o", output};
+  for (const auto& region : regions) words.insert(words.end(), {"--region", region});
+  return words;
+}
+
+constexpr const char* quick =
+    "instant = 2008-02-21T03:08:26Z\nrays = 20\ntexture-width = 32\n"
+    "albedo-map = \"built-in\"\n";
+
+TEST_F(Recipes, WithRegionsAreTheSameAsTheirFlags) {
+  file("plume.toml", std::string(quick) +
+                         "[[atmosphere.region]]\nfrom-latitude = -90\nto-latitude = 0\n"
+                         "dust-extinction = 1e-5\n"
+                         "[[atmosphere.region]]\nfrom-position-angle = 330\n"
+                         "to-position-angle = 30\ncloud-cover = 1\n");
+  make({"bake", "--recipe", "plume.toml", "-o", "recipe.exr"});
+  make(with_regions({"from-latitude=-90,to-latitude=0,dust-extinction=.1e-4",
+                     "from-position-angle=330,to-position-angle=30.0,cloud-cover=1"},
+                    "flags.exr"));
+  EXPECT_TRUE(bytes("recipe.exr") == bytes("flags.exr"));
+  make({"bake", "recipe.exr", "-o", "again.exr"});
+  EXPECT_TRUE(bytes("recipe.exr") == bytes("again.exr"));
+}
+
+TEST_F(Recipes, WithRegionsGiveWayToTheUsers) {
+  file("south.toml", std::string(quick) +
+                         "[[atmosphere.region]]\nfrom-latitude = -90\nto-latitude = 0\n"
+                         "dust-extinction = 1e-4\n");
+  const char* north = "from-latitude=0,to-latitude=90,dust-extinction=1e-4";
+  make({"bake", "--recipe", "south.toml", "-o", "recipe.exr", "--region", north});
+  make(with_regions({north}, "flags.exr"));
+  EXPECT_TRUE(bytes("recipe.exr") == bytes("flags.exr"));
+}
+
+TEST_F(Recipes, PositionAnglesMayPassOverNorth) {
+  // A sector told in one piece is the same sector told in two that meet in the north.
+  make(with_regions({"from-position-angle=330,to-position-angle=30,cloud-cover=1"}, "one.exr"));
+  make(with_regions({"from-position-angle=330,to-position-angle=360,cloud-cover=1",
+                     "from-position-angle=0,to-position-angle=30,cloud-cover=1"},
+                    "two.exr"));
+  make(with_regions({"from-position-angle=30,to-position-angle=330,cloud-cover=1"}, "rest.exr"));
+  const auto values = [&](const char* name) { return texture::read_image(here(name)).values; };
+  const auto one = values("one.exr"), two = values("two.exr");
+  ASSERT_EQ(one.size(), two.size());
+  for (std::size_t i = 0; i < one.size(); ++i)
+    EXPECT_WITHIN(two[i], one[i], 1e-3 * one[i] + 1e-6, "one step of the texture's half floats");
+  EXPECT_TRUE(one != values("rest.exr"));
+}
+
+TEST_F(Recipes, ARegionThatStandsTwiceCountsOnce) {
+  const char* south = "from-latitude=-90,to-latitude=0,dust-extinction=1e-5";
+  make(with_regions({south}, "once.exr"));
+  make(with_regions({south, south}, "twice.exr"));
+  make(with_regions({}, "without.exr"));
+  const auto values = [&](const char* name) { return texture::read_image(here(name)).values; };
+  EXPECT_TRUE(values("once.exr") == values("twice.exr"));
+  EXPECT_TRUE(values("once.exr") != values("without.exr"));
+}
+
+/// Red light of a frame's outer thirds.
+struct Thirds {
+  double north = 0, south = 0;
+};
+
+Thirds thirds_of(const texture::Image& frame) {
+  Thirds sum;
+  for (std::size_t row = 0; row < frame.height / 3; ++row)
+    for (std::size_t column = 0; column < frame.width; ++column) {
+      sum.north += frame(row, column, 0);
+      sum.south += frame(frame.height - 1 - row, column, 0);
+    }
+  return sum;
+}
+
+TEST_F(Recipes, OfAVolcanoDarkensItsHalfOfTheShadow) {
+  const std::string example = COPPERMOON_TEST_DATA "/../examples/volcanic_south.toml";
+  const auto thirds_with = [&](const Words& more) {
+    Words words{"still",    "--recipe",     example,           "--width", "48",
+                "--height", "48",           "--texture-width", "64",      "--rays",
+                "100",      "--albedo-map", "built-in",        "-o",      "still.png",
+                "--frame",  "frame.exr"};
+    words.insert(words.end(), more.begin(), more.end());
+    make(words);
+    return thirds_of(texture::read_image(here("frame.exr")));
+  };
+  const auto calm = thirds_with({"--region", "from-latitude=-90,to-latitude=0"}),
+             southern = thirds_with({}),
+             northern = thirds_with(
+                 {"--region", "from-latitude=0,to-latitude=90,stratospheric-aerosol=high"});
+  EXPECT_LT(southern.south, 0.6 * calm.south);
+  EXPECT_GT(southern.north, 0.9 * calm.north);
+  // The Moon passes north of the axis: its south is lit from all around.
+  EXPECT_LT(northern.north, 0.6 * calm.north);
+  EXPECT_LT(northern.north / calm.north, 0.6 * northern.south / calm.south);
 }
 
 TEST_F(Recipes, PhotonsAreTheSameOnAnyNumberOfThreads) {

@@ -155,9 +155,9 @@ TEST(Bake, DarkensTheSideThatIsDeeperInTheShadow) {
   std::vector<double> distances;
   for (double d = 0; d < 9e6; d += 1e5) distances.push_back(d);
   const auto light = shadow::by_quadrature({}, {1.479e11, {3.82e8, 3.83e8}}, waves, distances);
-  const auto moon =
-      bake(uniform(180), sky, shadow::Lookup(light, 6.42e6, shadow::ChannelWeights(1, 1, 1)), {"Y"},
-           180, yapo_cutler);
+  const shadow::DirectLight direct({}, light.arrangement, waves);
+  const shadow::Lookup lookup(light, direct, shadow::ChannelWeights(1, 1, 1));
+  const auto moon = bake(uniform(180), sky, lookup, {"Y"}, 180, yapo_cutler);
   const auto at = [&](double latitude, double longitude) {
     return moon(row_of(latitude, 180), column_of(longitude, 180), 0);
   };

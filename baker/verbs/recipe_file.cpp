@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/recipe_file.h"
+
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "algebra/error.h"
+#include "texture/read_image.h"
+#include "verbs/air_options.h"
+#include "verbs/known_words.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+std::string as_text(const toml::node& value, const std::string& where) {
+  std::ostringstream text;
+  if (const auto* word = value.as_string()) return word->get();
+  if (const auto* integer = value.as_integer())
+    text << integer->get();
+  else if (const auto* number = value.as_floating_point())
+    text << fmt::format("{}", number->get());
+  else if (const auto* truth = value.as_boolean())
+    text << (truth->get() ? "true" : "false");
+  else if (const auto* when = value.as_date_time())
+    text << when->get();
+  else if (const auto* list = value.as_array()) {
+    for (const auto& item : *list) text << (text.tellp() > 0 ? "," : "") << as_text(item, where);
+  } else {
+    throw algebra::Error(
+        fmt::format("{}: allowed are texts, numbers, dates, true, false and lists", where));
+  }
+  return text.str();
+}
+
+std::string recipe_text(const std::string& path) {
+  if (std::filesystem::path(path).extension() != ".exr") {
+    std::ifstream file(path);
+    if (!file || std::filesystem::is_directory(path))
+      throw algebra::Error(fmt::format("{}: cannot be read", path));
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  const auto text = texture::read_attribute(path, "coppermoon:recipe");
+  if (!text) throw algebra::Error(fmt::format("{}: has no recipe in its header", path));
+  return *text;
+}
+
+toml::table parsed(const std::string& path) {
+  try {
+    return toml::parse(recipe_text(path), path);
+  } catch (const toml::parse_error& error) {
+    throw algebra::Error(
+        fmt::format("{}:{}: {}", path, error.source().begin.line, error.description()));
+  }
+}
+
+/// A recipe that is read for a verb.
+struct Reading {
+  const CLI::App& verb;
+  const std::string& path;
+  /// A recipe that another verb wrote into a file may know more than this one asks for.
+  bool lenient = std::filesystem::path(path).extension() == ".exr";
+
+  std::string where(const toml::node& value) const {
+    return fmt::format("{}:{}: ", path, value.source().begin.line);
+  }
+};
+
+/// One flag as a recipe tells it.
+struct Told {
+  std::string flag;
+  const toml::node* value;
+};
+
+/// What a table of a recipe may hold.
+struct Table {
+  std::string name;
+  std::vector<std::string> keys;
+};
+
+/// The flags that stand with --atmosphere, which is called model there.
+Table air_table(const CLI::App& verb) {
+  const auto* atmosphere = verb.get_option("--atmosphere");
+  Table table{"[atmosphere]", {"model"}};
+  for (const auto* option : verb.get_options())
+    if (option != atmosphere && option->get_group() == atmosphere->get_group())
+      table.keys.push_back(option->get_lnames().front());
+  return table;
+}
+
+void require_key(const Reading& reading, const Table& table, const Told& told) {
+  if (holds(table.keys, told.flag)) return;
+  const bool elsewhere = holds(long_flags(reading.verb), told.flag);
+  throw UnknownWord(fmt::format("{}{}: {} has no such key; {}", reading.where(*told.value),
+                                told.flag, table.name,
+                                elsewhere ? "it belongs above all tables"
+                                          : "the nearest is " + nearest(told.flag, table.keys)));
+}
+
+/// The table's keys as they stand.
+std::vector<Told> told_in(const Reading& reading, const toml::table& entries, const Table& table) {
+  std::vector<Told> all;
+  for (const auto& [key, value] : entries) {
+    const Told told{std::string(key.str()), &value};
+    if (reading.lenient && !holds(table.keys, told.flag)) continue;
+    require_key(reading, table, told);
+    all.push_back(told);
+  }
+  return all;
+}
+
+void require_once(const Reading& reading, const std::vector<Told>& all) {
+  for (auto told = all.begin(); told != all.end(); ++told)
+    if (std::any_of(all.begin(), told, [&](const Told& t) { return t.flag == told->flag; }))
+      throw algebra::Error(fmt::format("{}{}: given twice, above all tables and in [atmosphere]",
+                                       reading.where(*told->value), told->flag));
+}
+
+/// The flags that a recipe names, those in [atmosphere] behind the others.
+std::vector<Told> told_by(const Reading& reading, const toml::table& recipe) {
+  std::vector<Told> all, in_air;
+  for (const auto& told :
+       told_in(reading, recipe, {reading.verb.get_name(), long_flags(reading.verb)})) {
+    if (told.flag == "atmosphere" && told.value->is_table())
+      in_air = told_in(reading, *told.value->as_table(), air_table(reading.verb));
+    else
+      all.push_back(told);
+  }
+  for (const auto& [key, value] : in_air)
+    all.push_back({key == "model" ? "atmosphere" : key, value});
+  require_once(reading, all);
+  return all;
+}
+
+/// A number or a word, as it may stand between the commas of a region.
+std::string part_of_region(const Reading& reading, const Told& told) {
+  const auto where = reading.where(*told.value) + told.flag;
+  const auto text = as_text(*told.value, where);
+  if (text.empty() || text.find(',') != std::string::npos)
+    throw algebra::Error(fmt::format("{} = '{}', allowed is a number or a word", where, text));
+  return told.flag + "=" + text;
+}
+
+/// A region's table as its flag spells it: "cloud-cover=1,from-latitude=-90,to-latitude=0".
+std::string region_text(const Reading& reading, const toml::table& region) {
+  RegionReader reader;
+  const Table table{"a region", long_flags(reader.app())};
+  std::vector<std::string> parts;
+  for (const auto& [key, value] : region) {
+    const Told told{std::string(key.str()), &value};
+    require_key(reading, table, told);
+    parts.push_back(part_of_region(reading, told));
+  }
+  const auto text = fmt::format("{}", fmt::join(parts, ","));
+  try {
+    reader.read(text);
+  } catch (const algebra::Error& error) {
+    throw algebra::Error(reading.where(region) + error.what());
+  }
+  return text;
+}
+
+/// The one value of a flag, or each of a flag that may be given again.
+std::vector<const toml::node*> values_of(const CLI::Option& option, const toml::node& value) {
+  if (!value.is_array() || option.get_items_expected_max() < 2) return {&value};
+  std::vector<const toml::node*> values;
+  for (const auto& item : *value.as_array()) values.push_back(&item);
+  return values;
+}
+
+/// `on` and `off` may be written true and false.
+std::string spelt(const CLI::Option& option, const toml::node& value, const std::string& text) {
+  const bool flag = option.get_items_expected_max() == 0;
+  if (!value.is_boolean() || flag) return text;
+  return text == "true" ? "on" : "off";
+}
+
+/// `--key=value`, as often as the flag is told.
+std::vector<std::string> flags_of(const Reading& reading, const Told& told) {
+  const auto& option = *reading.verb.get_option("--" + told.flag);
+  std::vector<std::string> flags;
+  for (const auto* value : values_of(option, *told.value)) {
+    const std::string where = reading.where(*value) + told.flag;
+    const bool region = told.flag == "region" && value->is_table();
+    const std::string text = region ? region_text(reading, *value->as_table())
+                                    : spelt(option, *value, as_text(*value, where));
+    if (text.empty()) throw algebra::Error(where + ": is empty; leave it out instead");
+    flags.push_back(fmt::format("--{}={}", told.flag, text));
+  }
+  return flags;
+}
+
+bool names(const std::vector<std::string>& arguments, const std::string& flag) {
+  return std::any_of(arguments.begin(), arguments.end(), [&](const auto& argument) {
+    return argument.substr(0, argument.find('=')) == "--" + flag;
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path,
+                                         const std::vector<std::string>& mine) {
+  const Reading reading{verb, path};
+  const auto recipe = parsed(path);
+  std::vector<std::string> flags;
+  for (const auto& told : told_by(reading, recipe))
+    for (auto& flag : flags_of(reading, told))
+      if (!names(mine, told.flag)) flags.push_back(std::move(flag));
+  return flags;
+}
+
+}  // namespace coppermoon::verbs
