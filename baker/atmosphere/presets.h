@@ -22,13 +22,23 @@ std::span<const std::string_view> preset_names();
 /// Throws  Error            when there is no preset of that name: says which there are
 Atmosphere preset(std::string_view name, algebra::Angle sun_declination);
 
-/// What cloud and aerosol make a totally eclipsed Moon look as Danjon's scale describes it.
+/// What cloud and aerosol make a totally eclipsed Moon look as Danjon's scale describes it:
 ///
-///     L  cloud cover  tropospheric optical depth  stratosphere            what it looks like
+///     L   looks                        troposphere, cloud    stratosphere   dust layer
+///     0   almost invisible             as usual              extreme        1e-6 m⁻¹, 15 to 25 km
+///     1   dark, grey-brown             as usual              high           none
+///     2   dark red, rust               as usual              moderate       3e-6 m⁻¹, 15 to 20 km
+///     3   brick red                    as usual              background     none
+///     4   bright copper, bluish rim    neither               none           none
 ///
-/// Given     l  0 (very dark, almost invisible) to 4 (bright copper)
-/// Returned  the column with its cloud and aerosol replaced
+/// As usual: aerosol of 0.07, cloud to 10 km over 70 % of the limb.
+///
+/// Given     l  0 to 4
+/// Returned  the column with its cloud, aerosol and dust replaced
+/// Accuracy  0.5 mag of the eclipse of 21 February 2008, against m = 4.2 − 3 L + (L/2)²
 /// Throws    Error  when l is outside its range
+/// Source    H. C. Vital's correlation of magnitude with L (REA Brazil, 2004 to 2015); the aerosol
+///           that goes with each L is ours
 Column danjon(int l, Column column);
 
 }  // namespace coppermoon::atmosphere

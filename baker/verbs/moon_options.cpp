@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "algebra/error.h"
 #include "surface/albedo_map.h"
@@ -66,6 +67,10 @@ void add_moon_options(CLI::App& verb, MoonOptions& options) {
                   "lommel-seeliger-rolo: as telescopes measured, with the opposition surge; "
                   "yapo-cutler: the paper's, the same at every phase")
       ->check(CLI::IsMember({"lommel-seeliger-rolo", "yapo-cutler"}));
+  verb.add_option(
+      "--albedo-exponent", options.albedo_exponent,
+      "power of the map's values, which undoes a tone curve, 0.1 to 10; without: 0.5 for "
+      "Stellarium's map, 1 for any other");
   verb.add_option("--texture-width", options.texture_width, "in texels, even, 4 to 32768")
       ->check(CLI::NonNegativeNumber);
   verb.add_flag("--unshadowed", options.unshadowed, "light the Moon as if the Earth were away");
@@ -82,9 +87,15 @@ algebra::Grid<float> normal_albedo(const MoonOptions& options) {
   if (map == "built-in")
     return surface::normalised_to_geometric_albedo(
         surface::built_in_moon(options.texture_width / 2), photometry_of(options));
-  const Silence silence;
-  return surface::normalised_to_geometric_albedo(texture::read_albedo_map(map),
-                                                 photometry_of(options));
+  auto albedo = [&] {
+    const Silence silence;
+    return texture::read_albedo_map(map);
+  }();
+  const double exponent = options.albedo_exponent.value_or(map == stellarium_map ? 0.5 : 1);
+  algebra::require_within("albedo exponent", exponent, 0.1, 10);
+  if (exponent != 1)
+    for (float& value : albedo.values()) value = std::pow(value, static_cast<float>(exponent));
+  return surface::normalised_to_geometric_albedo(std::move(albedo), photometry_of(options));
 }
 
 BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,

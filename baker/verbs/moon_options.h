@@ -21,6 +21,7 @@ struct MoonOptions {
   std::string instant;
   LightOptions light;
   std::string albedo_map = "auto", photometry = "lommel-seeliger-rolo";
+  std::optional<double> albedo_exponent;  ///< without: as the map needs
   std::size_t texture_width = 4096;
   bool unshadowed = false;
 };
@@ -30,9 +31,12 @@ void add_moon_options(CLI::App& verb, MoonOptions& options);
 surface::Photometry photometry_of(const MoonOptions& options);
 
 /// The normal albedo of the ground, so that the full Moon has the geometric albedo 0.12: the map
-/// named, or with "auto" Stellarium's where it is installed, else the built-in one.
+/// named, or with "auto" Stellarium's where it is installed, else the built-in one. A power of the
+/// map's values undoes a tone curve: Stellarium's map is stretched, its highlands are 3.8 times as
+/// bright as its maria, and its square root has both where Pohn & Wildey (1970) found them: 0.06 to
+/// 0.10 and 0.12 to 0.18.
 ///
-/// Throws Error as texture::read_albedo_map
+/// Throws Error as texture::read_albedo_map; when the exponent is outside 0.1 to 10
 algebra::Grid<float> normal_albedo(const MoonOptions& options);
 
 /// A baked Moon and what its file's header says.
