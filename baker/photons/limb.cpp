@@ -11,6 +11,8 @@
 namespace coppermoon::photons {
 namespace {
 
+constexpr double circle = 2 * std::numbers::pi;
+
 struct Deflection {
   double bending_rad, optical_depth, filter;
 };
@@ -30,9 +32,7 @@ std::optional<Deflection> between_rays(const Fan& fan, double impact_height_m) {
 
 WholeLimb::WholeLimb(const atmosphere::Atmosphere& atmosphere,
                      std::span<const atmosphere::Optics> optics, int rays)
-    : atmosphere_(atmosphere),
-      equator_m_(atmosphere::limb_at(atmosphere.earth, std::numbers::pi / 2).radius_m),
-      pole_m_(atmosphere::limb_at(atmosphere.earth, 0).radius_m) {
+    : atmosphere_(atmosphere) {
   std::vector<const atmosphere::Column*> columns{&atmosphere.column};
   for (const auto& region : atmosphere.regions) columns.push_back(&region.column);
   const std::size_t ends = atmosphere.earth.sphere() ? 1 : 2;
@@ -44,11 +44,38 @@ WholeLimb::WholeLimb(const atmosphere::Atmosphere& atmosphere,
     parts_[i].radius_m = limb.radius_m;
     for (const auto& o : optics) parts_[i].fans.push_back(table.fan(o));
   });
-  constexpr double beside = 1e-9;
-  for (const auto& region : atmosphere.regions)
-    for (const auto angle : {region.from, region.to}) {
-      const double at = algebra::in_radians(angle);
-      if (column_index(at - beside) != column_index(at + beside)) borders_rad_.push_back(at);
+  find_stretches();
+}
+
+void WholeLimb::find_stretches() {
+  std::vector<double> borders{0, circle};
+  for (const auto& region : atmosphere_.regions)
+    for (const auto angle : {region.from, region.to})
+      borders.push_back(algebra::in_radians(angle) -
+                        circle * std::floor(algebra::in_radians(angle) / circle));
+  std::sort(borders.begin(), borders.end());
+  for (std::size_t i = 0; i + 1 < borders.size(); ++i)
+    if (borders[i + 1] - borders[i] > 1e-12)
+      stretches_.push_back(
+          {borders[i], borders[i + 1], column_index((borders[i] + borders[i + 1]) / 2)});
+}
+
+void WholeLimb::arc(double middle_rad, double half_width_rad, std::span<double> lengths) const {
+  std::fill(lengths.begin(), lengths.end(), 0);
+  const double turn = circle * std::floor((middle_rad - half_width_rad) / circle);
+  const double from = middle_rad - half_width_rad - turn, to = from + 2 * half_width_rad;
+  for (const double round : {0., circle})
+    for (const auto& stretch : stretches_) {
+      const double low = std::max(from, stretch.from_rad + round),
+                   high = std::min(to, stretch.to_rad + round);
+      if (high <= low) continue;
+      if (atmosphere_.earth.sphere()) {
+        lengths[stretch.column] += high - low;
+        continue;
+      }
+      const double pole = ((high - low) + (std::sin(2 * high) - std::sin(2 * low)) / 2) / 2;
+      lengths[2 * stretch.column] += high - low - pole;
+      lengths[2 * stretch.column + 1] += pole;
     }
 }
 
@@ -63,8 +90,7 @@ std::size_t WholeLimb::column_index(double position_angle_rad) const {
 std::array<WholeLimb::Share, 2> WholeLimb::at(double position_angle_rad) const {
   const std::size_t column = column_index(position_angle_rad);
   if (atmosphere_.earth.sphere()) return {{{column, 1}, {column, 0}}};
-  const double radius = atmosphere::limb_at(atmosphere_.earth, position_angle_rad).radius_m;
-  const double pole = (radius - equator_m_) / (pole_m_ - equator_m_);
+  const double pole = std::cos(position_angle_rad) * std::cos(position_angle_rad);
   return {{{2 * column, 1 - pole}, {2 * column + 1, pole}}};
 }
 

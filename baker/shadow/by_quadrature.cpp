@@ -4,14 +4,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "algebra/error.h"
-#include "algebra/quadrature.h"
 #include "photons/limb.h"
 
 namespace coppermoon::shadow {
@@ -21,8 +19,8 @@ using algebra::Grid;
 using atmosphere::Atmosphere;
 using std::numbers::pi;
 
-constexpr double spacing_m = 2e3;  // of C(r)
-constexpr int nodes_a_piece = 12;
+/// Width of the bins that light is gathered in, of distance from the axis: finer as rays are.
+double bin_width_m(int rays) { return std::clamp(3e6 / rays, 100., 50e3); }
 
 /// ∫ exp(k t) dt from 0 to `part`, over that from 0 to 1.
 double exponential_share(double k, double part) {
@@ -37,190 +35,187 @@ double exponential_mean(double x, double y) {
   return std::abs(k) < 1e-6 ? std::exp((x + y) / 2) : (std::exp(y) - std::exp(x)) / k;
 }
 
-/// C(r) of one part of the limb on one plane, by wavelength.
+/// ∫ T b db over the rays of one part of the limb that land in each bin of signed distance from the
+/// axis, on one plane, by wavelength.
 class Landed {
  public:
-  Landed(const photons::WholeLimb::Part& limb, double sun_distance_m, double depth_m) {
+  Landed(const photons::WholeLimb::Part& limb, double sun_distance_m, double depth_m,
+         double bin_m) {
     const std::size_t waves = limb.fans.size();
-    std::vector<std::vector<double>> radii(waves);
+    std::vector<std::vector<double>> places(waves);  // [wavelength][ray], in bins
     double least = std::numeric_limits<double>::max(), greatest = -least;
     for (std::size_t w = 0; w < waves; ++w) {
       const auto& fan = limb.fans[w];
       for (std::size_t i = 0; i < fan.bending_rad.size(); ++i)
-        radii[w].push_back(landing_m(limb.radius_m + fan.impact_height_m[i], fan.bending_rad[i],
-                                     sun_distance_m, depth_m));
-      const auto [low, high] = std::ranges::minmax(radii[w]);
+        places[w].push_back(landing_m(limb.radius_m + fan.impact_height_m[i], fan.bending_rad[i],
+                                      sun_distance_m, depth_m) /
+                            bin_m);
+      const auto [low, high] = std::ranges::minmax(places[w]);
       least = std::min(least, low), greatest = std::max(greatest, high);
     }
-    first_m_ = least, last_m_ = greatest;
-    cumulative_ = Grid<double>(static_cast<std::size_t>((greatest - least) / spacing_m) + 3, waves);
-    for (std::size_t w = 0; w < waves; ++w) add_fan(limb.fans[w], limb.radius_m, radii[w], w);
+    first_ = static_cast<int>(std::floor(least));
+    light_ = Grid<double>(static_cast<std::size_t>(std::floor(greatest) - first_) + 1, waves);
+    for (std::size_t w = 0; w < waves; ++w) add_fan(limb.fans[w], limb.radius_m, places[w], w);
   }
 
-  /// Where the lowest and the highest ray land: beyond, C is constant.
-  std::array<double, 2> ends_m() const { return {first_m_, last_m_}; }
-
-  /// sums[w] += factor C(r)
-  void add(double r_m, double factor, std::span<double> sums) const {
-    const double last = static_cast<double>(cumulative_.rows() - 1);
-    const double at = std::clamp((r_m - first_m_) / spacing_m, 0., last);
-    const auto node = std::min(static_cast<std::size_t>(at), cumulative_.rows() - 2);
-    const double part = at - static_cast<double>(node);
-    const auto low = cumulative_.row(node), high = cumulative_.row(node + 1);
-    const double f0 = factor * (1 - part), f1 = factor * part;
-    for (std::size_t w = 0; w < sums.size(); ++w) sums[w] += f0 * low[w] + f1 * high[w];
+  /// The light in a bin, by wavelength; null where no ray lands.
+  const double* light(int bin) const {
+    if (bin < first_ || bin >= first_ + static_cast<int>(light_.rows())) return nullptr;
+    return light_.row(static_cast<std::size_t>(bin - first_)).data();
   }
 
  private:
-  void add_fan(const photons::Fan& fan, double radius_m, std::span<const double> r,
+  void add_fan(const photons::Fan& fan, double radius_m, std::span<const double> place,
                std::size_t wave) {
-    std::vector<double> bins(cumulative_.rows());
-    for (std::size_t i = 0; i + 1 < r.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < place.size(); ++i) {
       const double b0 = radius_m + fan.impact_height_m[i],
                    b1 = radius_m + fan.impact_height_m[i + 1];
       const double g0 = std::log(b0) - fan.optical_depth[i],
                    g1 = std::log(b1) - fan.optical_depth[i + 1];
       const double light = fan.filter[i] * (b1 - b0) * exponential_mean(g0, g1);
-      if (r[i] <= r[i + 1])
-        add_cell(bins, r[i], r[i + 1], light, g1 - g0);
+      if (place[i] <= place[i + 1])
+        add_cell(wave, place[i], place[i + 1], light, g1 - g0);
       else
-        add_cell(bins, r[i + 1], r[i], light, g0 - g1);
+        add_cell(wave, place[i + 1], place[i], light, g0 - g1);
     }
-    double sum = 0;
-    for (std::size_t n = 0; n < bins.size(); ++n) cumulative_(n, wave) = sum += bins[n];
   }
 
-  /// Light that lands between two places: bins[n] takes what lies between node n − 1 and node n.
-  void add_cell(std::vector<double>& bins, double from_m, double to_m, double light,
-                double steepness) const {
-    const double from = (from_m - first_m_) / spacing_m, to = (to_m - first_m_) / spacing_m;
-    auto node = static_cast<std::size_t>(from) + 1;
+  /// Light that lands between two places and runs exponentially from one to the other.
+  void add_cell(std::size_t wave, double from, double to, double light, double steepness) {
+    auto bin = static_cast<int>(std::floor(from));
     double before = 0;
-    for (; static_cast<double>(node) < to; ++node) {
-      const double share =
-          exponential_share(steepness, (static_cast<double>(node) - from) / (to - from));
-      bins[node] += light * (share - before);
+    for (; bin + 1 < to; ++bin) {
+      const double share = exponential_share(steepness, (bin + 1 - from) / (to - from));
+      light_(static_cast<std::size_t>(bin - first_), wave) += light * (share - before);
       before = share;
     }
-    bins[node] += light * (1 - before);
+    light_(static_cast<std::size_t>(bin - first_), wave) += light * (1 - before);
   }
 
-  double first_m_, last_m_;
-  Grid<double> cumulative_;  // (node, wavelength)
+  int first_;
+  Grid<double> light_;  // (bin, wavelength)
 };
 
-/// A line through the axis that the disc about a place cuts, and how much of φ it stands for.
-struct Chord {
-  double psi, dpsi, from_m, to_m;
+/// A row of numbers, one a wavelength, and how often it counts.
+struct Term {
+  double factor;
+  const double* row;
 };
 
-/// One smooth range of ψ, by Gauss–Legendre in t: ψ itself, or where the disc lies off the axis
-/// sin ψ = (a/γ) sin t, about 0 or about π.
-void add_chords(double gamma, double a, double t0, double t1, double about,
-                std::vector<Chord>& chords) {
-  const bool off_axis = gamma > a;
-  for (const auto& [x, weight] : algebra::gauss_legendre(nodes_a_piece)) {
-    const double t = (t0 + t1) / 2 + (t1 - t0) / 2 * x;
-    const double sine = off_axis ? a / gamma * std::sin(t) : std::sin(t);
-    const double cosine = off_axis ? std::sqrt(1 - sine * sine) * std::cos(about) : std::cos(t);
-    const double stretch = off_axis ? a / gamma * std::cos(t) / std::abs(cosine) : 1;
-    const double half =
-        off_axis ? a * std::cos(t) : std::sqrt(std::max(0., a * a - gamma * gamma * sine * sine));
-    chords.push_back({std::atan2(sine * (off_axis ? std::cos(about) : 1), cosine),
-                      weight * (t1 - t0) / 2 * stretch, gamma * cosine - half,
-                      gamma * cosine + half});
+/// sums[w] += Σ factor row[w], four rows at a time.
+void add_terms(std::vector<Term>& terms, std::span<double> sums) {
+  while (terms.size() % 4 != 0) terms.push_back({0, terms.back().row});
+  for (std::size_t i = 0; i < terms.size(); i += 4) {
+    const auto [f0, a] = terms[i];
+    const auto [f1, b] = terms[i + 1];
+    const auto [f2, c] = terms[i + 2];
+    const auto [f3, d] = terms[i + 3];
+    for (std::size_t w = 0; w < sums.size(); ++w)
+      sums[w] += (f0 * a[w] + f1 * b[w]) + (f2 * c[w] + f3 * d[w]);
   }
 }
 
-/// All chords of the disc of radius a about a place γ off the axis.
-///
-/// Given  borders  angles ψ where the limb's air changes, −π to π
-std::vector<Chord> chords_of(double gamma, double a, std::span<const double> borders) {
-  std::vector<Chord> chords;
-  const auto pieces = [&](double about, std::vector<double> ends) {
-    std::sort(ends.begin(), ends.end());
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-      if (ends[i + 1] - ends[i] > 1e-12) add_chords(gamma, a, ends[i], ends[i + 1], about, chords);
-  };
-  if (gamma <= a) {
-    std::vector<double> ends{-pi, -pi / 2, 0, pi / 2, pi};
-    ends.insert(ends.end(), borders.begin(), borders.end());
-    pieces(0, ends);
-    return chords;
+/// Half the angle, from the axis, of the part of each ring about it that lies in the disc of radius
+/// a about a place: the mean over a bin of |r|, exact by the area the disc shares with circles.
+std::vector<double> half_arcs(double gamma, double a, double bin_m) {
+  std::vector<double> arcs;
+  double below = 0;
+  for (int bin = 0; bin * bin_m < gamma + a; ++bin) {
+    const double r0 = bin * bin_m, r1 = r0 + bin_m, above = lens_area(gamma, r1, a);
+    arcs.push_back(std::clamp((above - below) / (r1 * r1 - r0 * r0), 0., pi));
+    below = above;
   }
-  for (const double about : {0., pi}) {
-    std::vector<double> ends{-pi / 2, 0, pi / 2};
-    for (const double psi : borders) {
-      const double off = std::remainder(psi - about, 2 * pi);
-      if (std::abs(off) < pi / 2 && std::abs(gamma * std::sin(off)) < a)
-        ends.push_back(std::asin(gamma * std::sin(off) / a));
-    }
-    pieces(about, ends);
-  }
-  return chords;
+  return arcs;
 }
 
 /// All light on one plane.
 class Plane {
  public:
   Plane(const photons::WholeLimb& limb, const photons::DiscLayers& sun,
-        const Arrangement& arrangement, double depth_m)
-      : limb_(limb), sun_(sun) {
+        const Arrangement& arrangement, double depth_m, double bin_m)
+      : limb_(limb), sun_(sun), bin_m_(bin_m) {
     const double spread = 1 + depth_m / arrangement.sun_distance_m;
     a_ = projected_solar_radius_m(arrangement, depth_m);
     factor_ = spread * spread / (pi * a_ * a_);
     landed_.reserve(limb.parts().size());
     for (const auto& part : limb.parts())
-      landed_.emplace_back(part, arrangement.sun_distance_m, depth_m);
+      landed_.emplace_back(part, arrangement.sun_distance_m, depth_m, bin_m_);
   }
 
-  void light(double gamma, double theta, std::span<double> ratio) const {
-    std::vector<double> borders, sums(ratio.size());
-    for (const double border : limb_.borders_rad())
-      borders.push_back(std::remainder(border - theta, 2 * pi));
-    for (std::size_t k = 0; k < sun_.radius.size(); ++k) {
+  /// [layer of the Sun's disc][bin]
+  std::vector<std::vector<double>> arcs(double gamma) const {
+    std::vector<std::vector<double>> all;
+    for (const double radius : sun_.radius) all.push_back(half_arcs(gamma, a_ * radius, bin_m_));
+    return all;
+  }
+
+  /// Given  arcs  of the place's axis distance; theta: its position angle
+  void light(const std::vector<std::vector<double>>& arcs, double theta,
+             std::span<double> ratio) const {
+    std::vector<double> sums(ratio.size()), lengths(landed_.size());
+    std::vector<Term> terms;
+    for (std::size_t k = 0; k < arcs.size(); ++k) {
       std::fill(sums.begin(), sums.end(), 0);
-      const double a = a_ * sun_.radius[k];
-      auto ends = borders;
-      add_ends_of_light(gamma, a, ends);
-      for (const auto& chord : chords_of(gamma, a, ends)) add(chord, theta + chord.psi, sums);
+      terms.clear();
+      for (std::size_t bin = 0; bin < arcs[k].size(); ++bin)
+        if (arcs[k][bin] > 0) {
+          collect(static_cast<int>(bin), theta, arcs[k][bin], lengths, terms);
+          collect(-static_cast<int>(bin) - 1, theta + pi, arcs[k][bin], lengths, terms);
+        }
+      add_terms(terms, sums);
       for (std::size_t w = 0; w < ratio.size(); ++w)
         ratio[w] += factor_ * sun_.brightness(k, w) * sums[w];
     }
-    for (double& value : ratio) value = std::max(value, 0.);  // rounding
   }
 
  private:
-  void add(const Chord& chord, double phi, std::span<double> sums) const {
-    for (const auto& [part, share] : limb_.at(phi)) {
-      if (share == 0) continue;
-      landed_[part].add(chord.to_m, chord.dpsi * share, sums);
-      landed_[part].add(chord.from_m, -chord.dpsi * share, sums);
-    }
-  }
-
-  /// Where the disc's edge crosses the circles on which light ends.
-  void add_ends_of_light(double gamma, double a, std::vector<double>& borders) const {
-    for (const auto& landed : landed_)
-      for (const double r : landed.ends_m()) {
-        const double cosine = (gamma * gamma + r * r - a * a) / (2 * gamma * r);
-        if (!(std::abs(cosine) < 1)) continue;
-        borders.push_back(std::acos(cosine));
-        borders.push_back(-std::acos(cosine));
-      }
+  /// What an arc of the limb sends into a bin.
+  void collect(int bin, double phi, double half_arc, std::vector<double>& lengths,
+               std::vector<Term>& terms) const {
+    limb_.arc(phi, half_arc, lengths);
+    for (std::size_t part = 0; part < lengths.size(); ++part)
+      if (const auto* row = landed_[part].light(bin); row != nullptr && lengths[part] > 0)
+        terms.push_back({lengths[part], row});
   }
 
   const photons::WholeLimb& limb_;
   const photons::DiscLayers& sun_;
-  double a_, factor_;
+  double bin_m_, a_, factor_;
   std::vector<Landed> landed_;  // by the limb's part
 };
 
-/// The sector in the first quarter that has the same light, where only the ellipsoid tells sectors
-/// apart.
-std::size_t mirrored(std::size_t sector, std::size_t sectors) {
-  const std::size_t half = sector % (sectors / 2);
-  return std::min(half, sectors / 2 - half);
+/// Light at all position angles from that towards the pole, the equator, and half way: an ellipse
+/// knows no more than cos 2θ and cos 4θ.
+struct Harmonics {
+  std::vector<double> pole, between, equator;
+
+  double at(std::size_t w, double theta) const {
+    const double sum = pole[w] + equator[w];
+    return (sum + 2 * between[w]) / 4 + (pole[w] - equator[w]) / 2 * std::cos(2 * theta) +
+           (sum - 2 * between[w]) / 4 * std::cos(4 * theta);
+  }
+};
+
+/// Writes one distance's light on one plane, sector by sector.
+///
+/// Given  rows  of each sector
+void light_all_around(const Plane& plane, double gamma, bool ellipse_alone,
+                      std::span<const std::span<double>> rows) {
+  const auto arcs = plane.arcs(gamma);
+  const double sector = 2 * pi / static_cast<double>(rows.size());
+  if (!ellipse_alone) {
+    for (std::size_t s = 0; s < rows.size(); ++s)
+      plane.light(arcs, static_cast<double>(s) * sector, rows[s]);
+    return;
+  }
+  const std::vector<double> none(rows[0].size());
+  Harmonics harmonics{none, none, none};
+  plane.light(arcs, 0, harmonics.pole);
+  plane.light(arcs, pi / 4, harmonics.between);
+  plane.light(arcs, pi / 2, harmonics.equator);
+  for (std::size_t s = 0; s < rows.size(); ++s)
+    for (std::size_t w = 0; w < none.size(); ++w)
+      rows[s][w] = harmonics.at(w, static_cast<double>(s) * sector);
 }
 
 }  // namespace
@@ -244,21 +239,14 @@ RefractedLight by_quadrature(const Atmosphere& atmosphere, const Arrangement& ar
   if (atmosphere.top_m() <= 0 || waves == 0) return light;
   const auto sun = photons::disc_layers(wavelengths_nm, arrangement.limb_darkening);
   const photons::WholeLimb limb(atmosphere, optics_of(atmosphere, wavelengths_nm), rays);
-  const bool quarters = atmosphere.regions.empty() && sectors > 1;
+  const bool ellipse_alone = atmosphere.regions.empty() && sectors > 1;
   std::atomic<std::size_t> done = 0;
   for (std::size_t k = 0; k < planes; ++k) {
-    const Plane plane(limb, sun, arrangement, arrangement.depths_m[k]);
+    const Plane plane(limb, sun, arrangement, arrangement.depths_m[k], bin_width_m(rays));
     tbb::parallel_for(std::size_t{0}, distances, [&](std::size_t d) {
-      for (std::size_t s = 0; s < sectors; ++s) {
-        auto ratio = light.ratio[k * sectors + s].row(d);
-        const std::size_t same = quarters ? mirrored(s, sectors) : s;
-        const auto source = light.ratio[k * sectors + same].row(d);
-        if (same < s)
-          std::copy(source.begin(), source.end(), ratio.begin());
-        else
-          plane.light(axis_distances_m[d],
-                      2 * pi * static_cast<double>(s) / static_cast<double>(sectors), ratio);
-      }
+      std::vector<std::span<double>> rows;
+      for (std::size_t s = 0; s < sectors; ++s) rows.push_back(light.ratio[k * sectors + s].row(d));
+      light_all_around(plane, axis_distances_m[d], ellipse_alone, rows);
       if (progress) progress(static_cast<double>(++done) / static_cast<double>(distances * planes));
     });
   }

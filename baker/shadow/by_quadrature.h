@@ -10,23 +10,26 @@ namespace coppermoon::shadow {
 
 /// Refracted light without noise.
 ///
-///     E(γ, θ)/E₀ = (1 + z/D)² / (π a²) ∫ [C(r₊) − C(r₋)] dφ       C(r) = ∫ T(b) b db, r(b) < r
-///     r± = γ cos ψ ± √(a² − γ² sin² ψ)                             ψ = φ − θ
+///     E(γ, θ)/E₀ = (1 + z/D)² / (π a²) ∫∫ T(b) b Φ db
 ///
-/// with φ the position angle of the limb, b the impact parameter, T the transmittance, r(b) the
-/// signed distance from the axis at which the ray from the Sun's centre lands, a the radius of the
-/// projected solar disc: every limb point sends its light along a line through the axis, and the
-/// disc about the place cuts a chord out of it. C is continuous, so that focus on the axis and
-/// caustics integrate away. A limb-darkened disc is a sum of uniform ones. Rays come from one table
-/// for each column of air (photons::LimbTable); on an ellipsoid from two, at the equator and at the
-/// pole, and by the limb's radius between them. Integrals over φ stop at the borders of regions.
+/// with b the impact parameter, T the transmittance, r(b) the signed distance from the axis at which
+/// the ray from the Sun's centre lands, a the radius of the projected solar disc and Φ the angle, as
+/// seen from the axis, of the arc of radius |r| inside the disc about the place: every stretch of
+/// the limb sends its light along lines through the axis, to its own side (r > 0) or across (r < 0).
+/// Focus on the axis and caustics integrate away. T b db is gathered in bins of r, running
+/// exponentially from ray to ray; Φ is exact over each bin, from the area the disc shares with a
+/// circle: dA/dr = |r| Φ. Each arc counts by the part of the limb it comes from
+/// (photons::WholeLimb): a region, the equator or the pole of an ellipsoid. A limb-darkened disc is
+/// a sum of uniform ones.
 ///
 /// Given     wavelengths_nm  380 to 780; axis_distances_m: increasing, 0 or more; rays: from the
-///           one that grazes the ground to the air's top
+///           one that grazes the ground to the air's top; the bins of r are 5 km wide at 600 rays,
+///           and in proportion
 /// Returned  one sector for air that is alike all around, else sectors_around; standard_error is 0
-/// Accuracy  see the test's table of rays
+/// Accuracy  at 600 rays, against 12 000, up to 4500 km from the axis: clear air 3e-4; the standard
+///           atmosphere 1e-3 from 550 nm up, 4e-3 at 450 nm; beyond, 2e-5 of unshaded sunlight
 /// Omits     that rays bend along the ellipsoid's vertical, not towards the axis: 21 km sideways at
-///           most, of the 3600 km that the Sun's disc blurs
+///           most, of the 3600 km over which the Sun's disc blurs
 /// Throws    Error           when an argument is outside its range
 RefractedLight by_quadrature(const atmosphere::Atmosphere& atmosphere,
                              const Arrangement& arrangement, std::span<const double> wavelengths_nm,
