@@ -53,6 +53,12 @@ class BadInput : public ProgramTest {
            more;
   }
 
+  /// An albedo map without fault.
+  std::string map() const {
+    texture::write_png(here("map.png"), texture::Image(32, 16, {"Y"}), 8);
+    return "map.png";
+  }
+
   /// A folder with a program named povray that says some words and fails.
   std::string folder_of_failing_povray() const {
     std::filesystem::create_directory(here("bin"));
@@ -100,6 +106,40 @@ TEST_F(BadInput, AnAlbedoMapThatIsNotTwoToOneIsRefused) {
 TEST_F(BadInput, ABlackAlbedoMapIsRefused) {
   texture::write_png(here("black.png"), texture::Image(32, 16, {"Y"}), 8);
   expect_refused(bake({"--albedo-map", "black.png"}), could_not, {"mean 0", "above 0"});
+}
+
+TEST_F(BadInput, TermsOutsideTheirRangesAreRefusedWithTheirUnit) {
+  const auto refused = [&](const Words& words, std::string_view text) {
+    expect_refused(bake(words), could_not, {text});
+  };
+  refused({"--cloud-cover", "70"}, "cloud cover = 70, allowed 0 to 1");
+  refused({"--cloud-top-km", "10000"}, "cloud top [km] = 10000, allowed 0 to 30");
+  refused({"--tropospheric-aerosol", "-0.1"}, "tropospheric optical depth = -0.1, allowed 0 to 10");
+  refused({"--danjon", "5"}, "Danjon = 5, allowed 0 to 4");
+  refused({"--dust-extinction", "4.7"}, "dust extinction [1/m] = 4.7, allowed 0 to 0.01");
+  refused({"--dust-bottom-km", "30"}, "dust top [m] = 20000, allowed 30000 to 86000");
+  refused({"--ozone-du", "3450"}, "ozone [DU] = 3450, allowed 0 to 1000");
+  refused({"--albedo-exponent", "0", "--albedo-map", map()},
+          "albedo exponent = 0, allowed 0.1 to 10");
+}
+
+TEST_F(BadInput, ARegionThatCannotBeIsRefused) {
+  const auto refused = [&](const std::string& region, std::string_view text) {
+    expect_refused(bake({"--region", region}), could_not, {text});
+  };
+  refused("from-latitude=-100,to-latitude=0", "latitude [degrees] = -100, allowed -90 to 90");
+  refused("from-latitude=20,to-latitude=0", "latitude [degrees] = 0, allowed 20 to 90");
+  refused("from-position-angle=0,to-position-angle=1000",
+          "position angle [degrees] = 1000, allowed -360 to 720");
+  refused("from-latitude=-90,to-latitude=0,cloud-cover=2", "cloud cover = 2, allowed 0 to 1");
+  refused("dust-extinction=1e-5", "needs from-latitude and to-latitude");
+}
+
+TEST_F(BadInput, WordsATermDoesNotKnowAreRefused) {
+  expect_refused(bake({"--atmosphere", "venus"}), wrong_usage, {"venus", "standard"});
+  expect_refused(bake({"--stratospheric-aerosol", "some"}), wrong_usage, {"some", "moderate"});
+  expect_refused(bake({"--earth", "flat"}), wrong_usage, {"flat", "ellipsoid"});
+  expect_refused(bake({"--photometry", "lambert"}), wrong_usage, {"lambert", "yapo-cutler"});
 }
 
 TEST_F(BadInput, AnOutputInNoSuchDirectoryIsRefused) {
