@@ -230,12 +230,7 @@ RefractedLight by_quadrature(const Atmosphere& atmosphere, const Arrangement& ar
   const std::size_t planes = arrangement.depths_m.size(), distances = axis_distances_m.size(),
                     waves = wavelengths_nm.size();
   const std::size_t sectors = atmosphere.symmetric() ? 1 : sectors_around;
-  RefractedLight light{arrangement,
-                       {wavelengths_nm.begin(), wavelengths_nm.end()},
-                       {axis_distances_m.begin(), axis_distances_m.end()},
-                       sectors,
-                       {planes * sectors, Grid<double>(distances, waves)},
-                       {planes * sectors, Grid<double>(distances, waves)}};
+  auto light = darkness(arrangement, wavelengths_nm, axis_distances_m, sectors);
   if (atmosphere.top_m() <= 0 || waves == 0) return light;
   const auto sun = photons::disc_layers(wavelengths_nm, arrangement.limb_darkening);
   const photons::WholeLimb limb(atmosphere, optics_of(atmosphere, wavelengths_nm), rays);

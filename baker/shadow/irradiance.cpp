@@ -16,6 +16,19 @@ void require_valid(const Arrangement& arrangement) {
     algebra::require_within("distance behind the Earth [km]", depth / 1e3, 1e5, 1e6);
 }
 
+RefractedLight darkness(const Arrangement& arrangement, std::span<const double> wavelengths_nm,
+                        std::span<const double> axis_distances_m, std::size_t sectors) {
+  const std::vector<algebra::Grid<double>> dark(
+      arrangement.depths_m.size() * sectors,
+      algebra::Grid<double>(axis_distances_m.size(), wavelengths_nm.size()));
+  return {arrangement,
+          {wavelengths_nm.begin(), wavelengths_nm.end()},
+          {axis_distances_m.begin(), axis_distances_m.end()},
+          sectors,
+          dark,
+          dark};
+}
+
 std::vector<atmosphere::Optics> optics_of(const atmosphere::Atmosphere& atmosphere,
                                           std::span<const double> wavelengths_nm) {
   std::vector<atmosphere::Optics> optics;

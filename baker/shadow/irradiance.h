@@ -35,6 +35,10 @@ struct RefractedLight {
   std::vector<algebra::Grid<double>> ratio, standard_error;
 };
 
+/// No light at all, on every plane in that many sectors.
+RefractedLight darkness(const Arrangement& arrangement, std::span<const double> wavelengths_nm,
+                        std::span<const double> axis_distances_m, std::size_t sectors);
+
 /// The air at sea level for each wavelength.
 std::vector<atmosphere::Optics> optics_of(const atmosphere::Atmosphere& atmosphere,
                                           std::span<const double> wavelengths_nm);

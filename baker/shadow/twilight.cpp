@@ -302,12 +302,7 @@ RefractedLight twilight(const Atmosphere& atmosphere, const Arrangement& arrange
                     waves = wavelengths_nm.size();
   const std::size_t sectors = atmosphere.regions.empty() ? 1 : sectors_around;
   const std::size_t angles = std::max(angles_around, sectors);
-  RefractedLight light{arrangement,
-                       {wavelengths_nm.begin(), wavelengths_nm.end()},
-                       {axis_distances_m.begin(), axis_distances_m.end()},
-                       sectors,
-                       {planes * sectors, Grid<double>(distances, waves)},
-                       {planes * sectors, Grid<double>(distances, waves)}};
+  auto light = darkness(arrangement, wavelengths_nm, axis_distances_m, sectors);
   if (atmosphere.top_m() <= 0 || waves == 0) return light;
   const auto rings = rings_of(atmosphere, wavelengths_nm);
   tbb::parallel_for(std::size_t{0}, planes * distances, [&](std::size_t i) {
