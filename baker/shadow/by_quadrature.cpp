@@ -215,7 +215,7 @@ void light_all_around(const Plane& plane, double gamma, bool ellipse_alone,
   plane.light(arcs, pi / 2, harmonics.equator);
   for (std::size_t s = 0; s < rows.size(); ++s)
     for (std::size_t w = 0; w < none.size(); ++w)
-      rows[s][w] = harmonics.at(w, static_cast<double>(s) * sector);
+      rows[s][w] = std::max(0., harmonics.at(w, static_cast<double>(s) * sector));  // at its rim
 }
 
 }  // namespace

@@ -18,3 +18,6 @@ target_link_libraries(end_to_end_brightness_test PRIVATE nlohmann_json::nlohmann
 coppermoon_end_to_end(low_moon LINKS povray_scenes texture LABELS render)
 coppermoon_end_to_end(terms LINKS algebra)
 target_link_libraries(end_to_end_terms_test PRIVATE nlohmann_json::nlohmann_json)
+coppermoon_end_to_end(eclipses LINKS algebra)
+target_link_libraries(end_to_end_eclipses_test PRIVATE nlohmann_json::nlohmann_json)
+coppermoon_end_to_end(craters LINKS colour shadow surface texture)
