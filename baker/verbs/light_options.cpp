@@ -35,7 +35,8 @@ void add_solver_options(CLI::App& verb, LightOptions& options) {
           "of photons; each: step by step, as in the paper; table: by a table of the limb's rays")
       ->check(CLI::IsMember({"each", "table"}))
       ->group(group);
-  verb.add_option("--photons", options.photons, "how many, 1 to 1e12; 1e6 take minutes")
+  verb.add_option("--photons", options.photons,
+                  "how many, 1 to 1e12; 1e6 take minutes with --trace each, a second by the table")
       ->group(group);
   verb.add_option("--seed", options.seed, "of the photons")
       ->check(CLI::NonNegativeNumber)
