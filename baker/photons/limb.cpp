@@ -58,6 +58,10 @@ void WholeLimb::find_stretches() {
     if (borders[i + 1] - borders[i] > 1e-12)
       stretches_.push_back(
           {borders[i], borders[i + 1], column_index((borders[i] + borders[i + 1]) / 2)});
+  for (std::size_t i = 0; i < stretches_.size(); ++i) {
+    const auto& before = stretches_[i == 0 ? stretches_.size() - 1 : i - 1];
+    if (before.column != stretches_[i].column) borders_rad_.push_back(stretches_[i].from_rad);
+  }
 }
 
 void WholeLimb::arc(double middle_rad, double half_width_rad, std::span<double> lengths) const {

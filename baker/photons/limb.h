@@ -32,6 +32,9 @@ class WholeLimb {
   /// What makes up the limb at a position angle; shares add to 1, the second is 0 on a sphere.
   std::array<Share, 2> at(double position_angle_rad) const;
 
+  /// Position angles where one column of air ends and another begins.
+  const std::vector<double>& borders_rad() const { return borders_rad_; }
+
   /// How much of an arc of the limb each part makes up [rad], by part.
   ///
   /// Accuracy  on an ellipsoid the pole's share is taken as cos² of the position angle: 0.3 % of the
@@ -57,6 +60,7 @@ class WholeLimb {
   atmosphere::Atmosphere atmosphere_;
   std::vector<Part> parts_;
   std::vector<Stretch> stretches_;
+  std::vector<double> borders_rad_;
 };
 
 }  // namespace coppermoon::photons

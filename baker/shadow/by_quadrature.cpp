@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -35,8 +36,11 @@ double exponential_mean(double x, double y) {
   return std::abs(k) < 1e-6 ? std::exp((x + y) / 2) : (std::exp(y) - std::exp(x)) / k;
 }
 
-/// ∫ T b db over the rays of one part of the limb that land in each bin of signed distance from the
-/// axis, on one plane, by wavelength.
+/// What polynomials up to squares are integrated against.
+constexpr int moments = 3;
+
+/// ∫ r^m T b db over the rays of one part of the limb that land nearer than each of evenly spaced
+/// signed distances r from the axis, on one plane, by wavelength; r in bins.
 class Landed {
  public:
   Landed(const photons::WholeLimb::Part& limb, double sun_distance_m, double depth_m,
@@ -54,14 +58,17 @@ class Landed {
       least = std::min(least, low), greatest = std::max(greatest, high);
     }
     first_ = static_cast<int>(std::floor(least));
-    light_ = Grid<double>(static_cast<std::size_t>(std::floor(greatest) - first_) + 1, waves);
+    last_ = static_cast<int>(std::floor(greatest)) + 1;
+    sums_ = Grid<double>(static_cast<std::size_t>(last_ - first_ + 1) * moments, waves);
     for (std::size_t w = 0; w < waves; ++w) add_fan(limb.fans[w], limb.radius_m, places[w], w);
+    for (std::size_t row = moments; row < sums_.rows(); ++row)
+      for (std::size_t w = 0; w < waves; ++w) sums_(row, w) += sums_(row - moments, w);
   }
 
-  /// The light in a bin, by wavelength; null where no ray lands.
-  const double* light(int bin) const {
-    if (bin < first_ || bin >= first_ + static_cast<int>(light_.rows())) return nullptr;
-    return light_.row(static_cast<std::size_t>(bin - first_)).data();
+  /// By wavelength; null where it is nothing.
+  const double* up_to(int node, int moment) const {
+    if (node <= first_) return nullptr;
+    return sums_.row(row_of(std::min(node, last_), moment)).data();
   }
 
  private:
@@ -82,18 +89,30 @@ class Landed {
 
   /// Light that lands between two places and runs exponentially from one to the other.
   void add_cell(std::size_t wave, double from, double to, double light, double steepness) {
-    auto bin = static_cast<int>(std::floor(from));
-    double before = 0;
-    for (; bin + 1 < to; ++bin) {
+    double before = 0, low = from;
+    for (auto bin = static_cast<int>(std::floor(from)); bin + 1 < to; ++bin) {
       const double share = exponential_share(steepness, (bin + 1 - from) / (to - from));
-      light_(static_cast<std::size_t>(bin - first_), wave) += light * (share - before);
+      add(wave, bin, low, bin + 1, light * (share - before));
       before = share;
+      low = bin + 1;
     }
-    light_(static_cast<std::size_t>(bin - first_), wave) += light * (1 - before);
+    add(wave, static_cast<int>(std::floor(low)), low, to, light * (1 - before));
   }
 
-  int first_;
-  Grid<double> light_;  // (bin, wavelength)
+  /// Light spread evenly over a part of a bin, put where the sum up to the bin's end will find it.
+  void add(std::size_t wave, int bin, double low, double high, double light) {
+    const double middle = (low + high) / 2, width = high - low;
+    sums_(row_of(bin + 1, 0), wave) += light;
+    sums_(row_of(bin + 1, 1), wave) += light * middle;
+    sums_(row_of(bin + 1, 2), wave) += light * (middle * middle + width * width / 12);
+  }
+
+  std::size_t row_of(int node, int moment) const {
+    return static_cast<std::size_t>((node - first_) * moments + moment);
+  }
+
+  int first_, last_;
+  Grid<double> sums_;  // (node × moments + moment, wavelength)
 };
 
 /// A row of numbers, one a wavelength, and how often it counts.
@@ -115,17 +134,86 @@ void add_terms(std::vector<Term>& terms, std::span<double> sums) {
   }
 }
 
-/// Half the angle, from the axis, of the part of each ring about it that lies in the disc of radius
-/// a about a place: the mean over a bin of |r|, exact by the area the disc shares with circles.
-std::vector<double> half_arcs(double gamma, double a, double bin_m) {
-  std::vector<double> arcs;
-  double below = 0;
-  for (int bin = 0; bin * bin_m < gamma + a; ++bin) {
-    const double r0 = bin * bin_m, r1 = r0 + bin_m, above = lens_area(gamma, r1, a);
-    arcs.push_back(std::clamp((above - below) / (r1 * r1 - r0 * r0), 0., pi));
-    below = above;
+/// A stretch of distances from the axis, in whole bins, over which the disc about a place takes in
+/// arcs whose half width, as seen from the axis, is a square of the distance: through the half arcs
+/// at Gauss's three nodes.
+struct Stretch {
+  int from, to;
+  std::array<double, 3> half_arc;
+};
+
+const double gauss_node = std::sqrt(0.6);  // of the outer two, the third is 0
+
+/// Ends between two, ever closer towards both.
+void add_graded(int from, int to, std::vector<int>& ends) {
+  constexpr int widest = 48;
+  std::vector<int> upper;
+  for (int width = 1; from < to; width = std::min(2 * width, widest)) {
+    ends.push_back(from);
+    upper.push_back(to);
+    from += width;
+    to -= width;
   }
-  return arcs;
+  ends.insert(ends.end(), upper.rbegin(), upper.rend());
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+}
+
+/// The arcs that a disc takes in, by stretches from the innermost to the outermost.
+class Arcs {
+ public:
+  /// Given  gamma, a  of the disc, in bins;  more: distances where the limb's air changes along the
+  ///                  disc's edge
+  Arcs(double gamma, double a, std::span<const double> more) : gamma_(gamma), a_(a) {
+    std::vector<double> marks{std::abs(gamma - a), gamma + a};
+    marks.insert(marks.end(), more.begin(), more.end());
+    std::vector<int> cuts;
+    for (const double mark : marks)
+      for (const double whole : {std::floor(mark), std::ceil(mark)})
+        cuts.push_back(static_cast<int>(whole));
+    std::sort(cuts.begin(), cuts.end());
+    std::vector<int> ends;
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) add_graded(cuts[i], cuts[i + 1], ends);
+    if (gamma < a && cuts.front() > 0) ends.insert(ends.begin(), 0);  // circles whole inside
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+      stretches_.push_back(stretch(ends[i], ends[i + 1]));
+  }
+
+  const std::vector<Stretch>& stretches() const { return stretches_; }
+
+ private:
+  /// One bin has the mean, exact by the area that the disc shares with circles.
+  Stretch stretch(int from, int to) const {
+    if (to - from == 1) {
+      const double ring = lens_area(gamma_, to, a_) - lens_area(gamma_, from, a_);
+      const double mean = std::clamp(ring / (to + from), 0., pi);
+      return {from, to, {mean, mean, mean}};
+    }
+    const double middle = (from + to) / 2., half = (to - from) / 2.;
+    return {from,
+            to,
+            {half_arc(middle - half * gauss_node), half_arc(middle),
+             half_arc(middle + half * gauss_node)}};
+  }
+
+  double half_arc(double r) const {
+    if (r + gamma_ <= a_) return pi;
+    return std::acos(std::clamp((gamma_ * gamma_ + r * r - a_ * a_) / (2 * gamma_ * r), -1., 1.));
+  }
+
+  double gamma_, a_;
+  std::vector<Stretch> stretches_;
+};
+
+/// The polynomial in r through three values at Gauss's nodes of a stretch.
+std::array<double, moments> polynomial(double from, double to,
+                                       const std::array<double, 3>& values) {
+  const double middle = (from + to) / 2, half = (to - from) / 2;
+  const double slope = (values[2] - values[0]) / (2 * gauss_node * half),
+               square = (values[0] - 2 * values[1] + values[2]) /
+                        (2 * gauss_node * gauss_node * half * half);
+  return {values[1] - slope * middle + square * middle * middle, slope - 2 * square * middle,
+          square};
 }
 
 /// All light on one plane.
@@ -142,40 +230,63 @@ class Plane {
       landed_.emplace_back(part, arrangement.sun_distance_m, depth_m, bin_m_);
   }
 
-  /// [layer of the Sun's disc][bin]
-  std::vector<std::vector<double>> arcs(double gamma) const {
-    std::vector<std::vector<double>> all;
-    for (const double radius : sun_.radius) all.push_back(half_arcs(gamma, a_ * radius, bin_m_));
-    return all;
-  }
-
-  /// Given  arcs  of the place's axis distance; theta: its position angle
-  void light(const std::vector<std::vector<double>>& arcs, double theta,
-             std::span<double> ratio) const {
-    std::vector<double> sums(ratio.size()), lengths(landed_.size());
+  void light(double gamma, double theta, std::span<double> ratio) const {
+    std::vector<double> sums(ratio.size());
     std::vector<Term> terms;
-    for (std::size_t k = 0; k < arcs.size(); ++k) {
+    for (std::size_t k = 0; k < sun_.radius.size(); ++k) {
+      const double a = a_ * sun_.radius[k];
       std::fill(sums.begin(), sums.end(), 0);
       terms.clear();
-      for (std::size_t bin = 0; bin < arcs[k].size(); ++bin)
-        if (arcs[k][bin] > 0) {
-          collect(static_cast<int>(bin), theta, arcs[k][bin], lengths, terms);
-          collect(-static_cast<int>(bin) - 1, theta + pi, arcs[k][bin], lengths, terms);
-        }
+      const Arcs arcs(gamma / bin_m_, a / bin_m_, crossings(gamma, theta, a));
+      for (const auto& stretch : arcs.stretches()) {
+        collect(stretch, theta, false, terms);
+        collect(stretch, theta + pi, true, terms);
+      }
       add_terms(terms, sums);
       for (std::size_t w = 0; w < ratio.size(); ++w)
         ratio[w] += factor_ * sun_.brightness(k, w) * sums[w];
     }
+    for (double& value : ratio) value = std::max(value, 0.);  // rounding
   }
 
  private:
-  /// What an arc of the limb sends into a bin.
-  void collect(int bin, double phi, double half_arc, std::vector<double>& lengths,
-               std::vector<Term>& terms) const {
-    limb_.arc(phi, half_arc, lengths);
-    for (std::size_t part = 0; part < lengths.size(); ++part)
-      if (const auto* row = landed_[part].light(bin); row != nullptr && lengths[part] > 0)
-        terms.push_back({lengths[part], row});
+  /// Distances, in bins, at which the edge of the disc crosses the borders of regions, on this side
+  /// of the axis and across it.
+  std::vector<double> crossings(double gamma, double theta, double a) const {
+    std::vector<double> distances;
+    for (const double border : limb_.borders_rad()) {
+      const double along = gamma * std::cos(border - theta),
+                   across = gamma * std::sin(border - theta);
+      const double half_squared = a * a - across * across;
+      if (half_squared <= 0) continue;
+      for (const double r : {along - std::sqrt(half_squared), along + std::sqrt(half_squared)})
+        distances.push_back(std::abs(r) / bin_m_);
+    }
+    return distances;
+  }
+
+  /// What arcs of the limb about a position angle send into a stretch; opposite: across the axis.
+  void collect(const Stretch& stretch, double phi, bool opposite, std::vector<Term>& terms) const {
+    const int from = opposite ? -stretch.to : stretch.from,
+              to = opposite ? -stretch.from : stretch.to;
+    std::array<std::vector<double>, 3> lengths;  // at each node, by part
+    for (std::size_t i = 0; i < 3; ++i) {
+      lengths[i].resize(landed_.size());
+      limb_.arc(phi, stretch.half_arc[opposite ? 2 - i : i], lengths[i]);
+    }
+    for (std::size_t part = 0; part < landed_.size(); ++part) {
+      const std::array<double, 3> values{lengths[0][part], lengths[1][part], lengths[2][part]};
+      if (values[0] == 0 && values[1] == 0 && values[2] == 0) continue;
+      const auto factors = polynomial(from, to, values);
+      for (int m = 0; m < moments; ++m) {
+        add(landed_[part].up_to(to, m), factors[static_cast<std::size_t>(m)], terms);
+        add(landed_[part].up_to(from, m), -factors[static_cast<std::size_t>(m)], terms);
+      }
+    }
+  }
+
+  static void add(const double* row, double factor, std::vector<Term>& terms) {
+    if (row != nullptr && factor != 0) terms.push_back({factor, row});
   }
 
   const photons::WholeLimb& limb_;
@@ -201,18 +312,17 @@ struct Harmonics {
 /// Given  rows  of each sector
 void light_all_around(const Plane& plane, double gamma, bool ellipse_alone,
                       std::span<const std::span<double>> rows) {
-  const auto arcs = plane.arcs(gamma);
   const double sector = 2 * pi / static_cast<double>(rows.size());
   if (!ellipse_alone) {
     for (std::size_t s = 0; s < rows.size(); ++s)
-      plane.light(arcs, static_cast<double>(s) * sector, rows[s]);
+      plane.light(gamma, static_cast<double>(s) * sector, rows[s]);
     return;
   }
   const std::vector<double> none(rows[0].size());
   Harmonics harmonics{none, none, none};
-  plane.light(arcs, 0, harmonics.pole);
-  plane.light(arcs, pi / 4, harmonics.between);
-  plane.light(arcs, pi / 2, harmonics.equator);
+  plane.light(gamma, 0, harmonics.pole);
+  plane.light(gamma, pi / 4, harmonics.between);
+  plane.light(gamma, pi / 2, harmonics.equator);
   for (std::size_t s = 0; s < rows.size(); ++s)
     for (std::size_t w = 0; w < none.size(); ++w)
       rows[s][w] = std::max(0., harmonics.at(w, static_cast<double>(s) * sector));  // at its rim

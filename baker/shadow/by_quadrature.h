@@ -16,11 +16,12 @@ namespace coppermoon::shadow {
 /// the ray from the Sun's centre lands, a the radius of the projected solar disc and Φ the angle, as
 /// seen from the axis, of the arc of radius |r| inside the disc about the place: every stretch of
 /// the limb sends its light along lines through the axis, to its own side (r > 0) or across (r < 0).
-/// Focus on the axis and caustics integrate away. T b db is gathered in bins of r, running
-/// exponentially from ray to ray; Φ is exact over each bin, from the area the disc shares with a
-/// circle: dA/dr = |r| Φ. Each arc counts by the part of the limb it comes from
-/// (photons::WholeLimb): a region, the equator or the pole of an ellipsoid. A limb-darkened disc is
-/// a sum of uniform ones.
+/// Focus on the axis and caustics integrate away. T b db, running exponentially from ray to ray, is
+/// summed over bins of r, with its first and second moments; Φ is a square in r over stretches of
+/// bins that narrow towards the disc's ends, and there its mean, from the area that the disc shares
+/// with circles: dA/dr = |r| Φ. So a place costs some forty stretches, whatever the bins. Each arc
+/// counts by the part of the limb it comes from (photons::WholeLimb): a region, the equator or the
+/// pole of an ellipsoid. A limb-darkened disc is a sum of uniform ones.
 ///
 /// Given     wavelengths_nm  380 to 780; axis_distances_m: increasing, 0 or more; rays: from the
 ///           one that grazes the ground to the air's top; the bins of r are 5 km wide at 600 rays,
