@@ -2,7 +2,9 @@
 #include "photons/limb_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 
 #include "algebra/error.h"
 
@@ -28,22 +30,29 @@ double importance(double low_m, double high_m) {
   return (high_m - low_m) * (low_m < thin_m ? 1 : little);
 }
 
-/// Ever closer towards the upper end of each smooth piece, where the square roots are.
-std::vector<double> crowded_heights(const Column& column, int rays) {
+/// A stretch of tangent heights without a break, with rays ever closer towards its upper end, where
+/// the square roots are: evenly spaced in √(high − h).
+struct Piece {
+  double low_m, high_m;
+  int rays;
+
+  /// Given  place  0 at the lower end to `rays` at the upper
+  double height_m(double place) const {
+    const double left = 1 - place / rays;
+    return high_m - (high_m - low_m) * left * left;
+  }
+};
+
+std::vector<Piece> pieces_of(const Column& column, int rays) {
   const auto ends = stations(column);
   double all = 0;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) all += importance(ends[i], ends[i + 1]);
-  std::vector<double> heights;
+  std::vector<Piece> pieces;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const double low = ends[i], high = ends[i + 1];
-    const int here = std::max(4, static_cast<int>(rays * importance(low, high) / all));
-    for (int k = 0; k < here; ++k) {
-      const double left = 1 - static_cast<double>(k) / here;
-      heights.push_back(high - (high - low) * left * left);
-    }
+    const double share = importance(ends[i], ends[i + 1]) / all;
+    pieces.push_back({ends[i], ends[i + 1], std::max(4, static_cast<int>(rays * share))});
   }
-  heights.push_back(ends.back());
-  return heights;
+  return pieces;
 }
 
 /// Chebyshev's places between the least and the greatest refractivity.
@@ -62,21 +71,45 @@ std::vector<double> lagrange(std::span<const double> nodes, double at) {
   return weights;
 }
 
+/// Paths over one piece, without its upper end: those followed, and between each two of them more
+/// by cubics through the four nearest.
+void add_paths(const Piece& piece, const std::function<LimbPath(double)>& followed,
+               std::vector<LimbPath>& paths) {
+  std::vector<LimbPath> nodes;
+  for (int k = 0; k <= piece.rays; ++k) nodes.push_back(followed(piece.height_m(k)));
+  for (int i = 0; i < piece.rays * LimbTable::finer; ++i) {
+    const double place = static_cast<double>(i) / LimbTable::finer;
+    const int first = std::clamp(static_cast<int>(place) - 1, 0, piece.rays - 3);
+    const std::array<double, 4> near{first + 0., first + 1., first + 2., first + 3.};
+    const auto shares = lagrange(near, place);
+    LimbPath path{piece.height_m(place), 0, 0, {}};
+    for (std::size_t j = 0; j < near.size(); ++j) {
+      const auto& node = nodes[static_cast<std::size_t>(first) + j];
+      path.bending_rad += shares[j] * node.bending_rad;
+      for (std::size_t a = 0; a < path.amounts.size(); ++a)
+        path.amounts[a] += shares[j] * node.amounts[a];
+    }
+    paths.push_back(path);
+  }
+}
+
 }  // namespace
 
 LimbTable::LimbTable(const Column& column, double earth_radius_m, std::span<const Optics> optics,
                      int rays)
-    : column_(column),
-      earth_radius_m_(earth_radius_m),
-      tangent_heights_m_(crowded_heights(column, rays)) {
+    : column_(column), earth_radius_m_(earth_radius_m) {
   const auto [least, greatest] = std::ranges::minmax(optics, {}, &Optics::refractivity);
   refractivities_ = column.refraction ? chebyshev(least.refractivity, greatest.refractivity)
                                       : std::vector<double>{0};
   for (const double refractivity : refractivities_) {
+    const auto followed = [&](double height) {
+      return limb_path(height, earth_radius_m, column, refractivity);
+    };
     auto& paths = paths_.emplace_back();
-    for (const double height : tangent_heights_m_)
-      paths.push_back(limb_path(height, earth_radius_m, column, refractivity));
+    for (const auto& piece : pieces_of(column, rays)) add_paths(piece, followed, paths);
+    paths.push_back(followed(atmosphere::top_m(column)));
   }
+  for (const auto& path : paths_.front()) tangent_heights_m_.push_back(path.tangent_height_m);
 }
 
 Fan LimbTable::fan(const Optics& optics) const {

@@ -16,15 +16,19 @@ struct Fan {
 };
 
 /// Limb rays of a column of air, computed once for all wavelengths: path and amounts are smooth in
-/// refractivity, and are interpolated in it.
+/// refractivity, and between the breaks of the air in √(h_b − h), h_b the next break above the
+/// tangent height h. They are interpolated in both.
 ///
 /// Given     earth_radius_m  of the ground's curvature along the path
 ///           optics          of all wavelengths that will be asked for
-///           rays            how many; they crowd below the altitudes where the air's slope breaks,
-///                           where bending and optical depth go like a square root
-/// Accuracy  2e-6 of bending and optical depth against limb_path at the same tangent height
+///           rays            how many are followed; a fan has `finer` times as many, closest below
+///                           the breaks
+/// Accuracy  at 300 rays, against limb_path at the same tangent height: of bending 1e-5 and
+///           2e-10 rad, of optical depth 3e-5 and 3e-5
 class LimbTable {
  public:
+  static constexpr int finer = 4;
+
   LimbTable(const atmosphere::Column& column, double earth_radius_m,
             std::span<const atmosphere::Optics> optics, int rays);
 

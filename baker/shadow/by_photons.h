@@ -20,7 +20,7 @@ struct PhotonSettings {
   std::uint64_t seed = 1;
   Trace trace = Trace::each;
   photons::Stepping stepping;  ///< of photons traced each
-  int rays = 2000;             ///< of the table
+  int rays = 500;              ///< of the table
   double ring_width_m = 50e3;  ///< of the rings that gather, 1e3 to 2e6 m
   /// parts of the position angle; 1 takes every photon all around the axis
   std::size_t sectors = 1;

@@ -21,7 +21,7 @@ using atmosphere::Atmosphere;
 using std::numbers::pi;
 
 /// Width of the bins that light is gathered in, of distance from the axis: finer as rays are.
-double bin_width_m(int rays) { return std::clamp(3e6 / rays, 100., 50e3); }
+double bin_width_m(int rays) { return std::clamp(1.2e6 / rays, 100., 50e3); }
 
 /// ∫ exp(k t) dt from 0 to `part`, over that from 0 to 1.
 double exponential_share(double k, double part) {

@@ -19,7 +19,7 @@
 namespace coppermoon::verbs {
 namespace {
 
-constexpr double quadrature_error = 1e-3;  // of luminance, at 600 rays
+constexpr double quadrature_error = 1e-3;  // of luminance, at 300 rays
 
 void add_solver_options(CLI::App& verb, LightOptions& options) {
   const std::string group = "How light is computed";

@@ -22,7 +22,7 @@ struct LightOptions {
   std::optional<std::string> limb_darkening;  ///< without: on, but for the paper's atmosphere
   std::string scattered_light = "off", starlight = "off";
   std::string solver = "quadrature", trace = "table";
-  int rays = 600;
+  int rays = 300;
   double photons = 1e6, step_km = 1, ring_km = 50, smoothing_km = 0;
   std::uint64_t seed = 1;
 };
