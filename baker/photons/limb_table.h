@@ -23,8 +23,8 @@ struct Fan {
 ///           optics          of all wavelengths that will be asked for
 ///           rays            how many are followed; a fan has `finer` times as many, closest below
 ///                           the breaks
-/// Accuracy  at 300 rays, against limb_path at the same tangent height: of bending 1e-5 and
-///           2e-10 rad, of optical depth 3e-5 and 3e-5
+/// Accuracy  at 300 rays, against limb_path at the same tangent height: of bending 3e-5 and
+///           1e-9 rad, of optical depth 5e-5 and 5e-5
 class LimbTable {
  public:
   static constexpr int finer = 4;

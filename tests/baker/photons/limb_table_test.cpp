@@ -41,10 +41,10 @@ TEST(LimbTable, IsTheRayItselfAtEveryWavelengthAndHeight) {
       const auto path = limb_path(fan.tangent_height_m[i], radius_m, full, o.refractivity);
       const double depth = atmosphere::product(path.amounts, atmosphere::spectra(full, o));
       EXPECT_WITHIN(fan.impact_height_m[i], path.impact_height_m, 1e-7, "rounding");
-      EXPECT_WITHIN(fan.bending_rad[i], path.bending_rad, 1e-5 * path.bending_rad + 2e-10,
+      EXPECT_WITHIN(fan.bending_rad[i], path.bending_rad, 3e-5 * path.bending_rad + 1e-9,
                     "as the header says")
           << fan.tangent_height_m[i];
-      EXPECT_WITHIN(fan.optical_depth[i], depth, 3e-5 * (depth + 1), "as the header says")
+      EXPECT_WITHIN(fan.optical_depth[i], depth, 5e-5 * (depth + 1), "as the header says")
           << fan.tangent_height_m[i];
     }
   }
