@@ -23,6 +23,7 @@ trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 small="--photons 2e4 --texture-width 512 --width 150 --height 100"
 "$root/examples/first_eclipse.sh" $small
+"$root/examples/standard_figures.sh" $small
 "$root/examples/paper_figures.sh" $small
 "$root/examples/photon_convergence.sh" 1e4
 "$root/examples/term_sizes.sh" $small
