@@ -80,14 +80,25 @@ double Atmosphere::top_m() const {
   return top;
 }
 
-const Column& Atmosphere::column_at(double position_angle_rad) const {
-  for (const auto& region : regions) {
-    const double from = algebra::in_radians(region.from),
-                 width = algebra::in_radians(region.to) - from;
+std::vector<const Column*> Atmosphere::columns() const {
+  std::vector<const Column*> all{&column};
+  for (const auto& region : regions) all.push_back(&region.column);
+  return all;
+}
+
+std::size_t Atmosphere::column_index(double position_angle_rad) const {
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const double from = algebra::in_radians(regions[r].from),
+                 width = algebra::in_radians(regions[r].to) - from;
     const bool whole = width >= 2 * std::numbers::pi;
-    if (whole || turned(position_angle_rad - from) < turned(width)) return region.column;
+    if (whole || turned(position_angle_rad - from) < turned(width)) return r + 1;
   }
-  return column;
+  return 0;
+}
+
+const Column& Atmosphere::column_at(double position_angle_rad) const {
+  const std::size_t index = column_index(position_angle_rad);
+  return index == 0 ? column : regions[index - 1].column;
 }
 
 void require_valid(const Atmosphere& atmosphere) {

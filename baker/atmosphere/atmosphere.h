@@ -75,6 +75,10 @@ struct Atmosphere {
   /// Altitude where the last of its air ends.
   double top_m() const;
   double top_radius_m() const { return earth.equatorial_radius_m + top_m(); }
+  /// All its columns: the one outside all regions, then each region's.
+  std::vector<const Column*> columns() const;
+  /// Which of them stands there.
+  std::size_t column_index(double position_angle_rad) const;
   const Column& column_at(double position_angle_rad) const;
 };
 

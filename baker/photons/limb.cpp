@@ -33,8 +33,7 @@ std::optional<Deflection> between_rays(const Fan& fan, double impact_height_m) {
 WholeLimb::WholeLimb(const atmosphere::Atmosphere& atmosphere,
                      std::span<const atmosphere::Optics> optics, int rays)
     : atmosphere_(atmosphere) {
-  std::vector<const atmosphere::Column*> columns{&atmosphere.column};
-  for (const auto& region : atmosphere.regions) columns.push_back(&region.column);
+  const auto columns = atmosphere.columns();
   const std::size_t ends = atmosphere.earth.sphere() ? 1 : 2;
   parts_.resize(columns.size() * ends);
   tbb::parallel_for(std::size_t{0}, parts_.size(), [&](std::size_t i) {
@@ -56,8 +55,8 @@ void WholeLimb::find_stretches() {
   std::sort(borders.begin(), borders.end());
   for (std::size_t i = 0; i + 1 < borders.size(); ++i)
     if (borders[i + 1] - borders[i] > 1e-12)
-      stretches_.push_back(
-          {borders[i], borders[i + 1], column_index((borders[i] + borders[i + 1]) / 2)});
+      stretches_.push_back({borders[i], borders[i + 1],
+                            atmosphere_.column_index((borders[i] + borders[i + 1]) / 2)});
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
     const auto& before = stretches_[i == 0 ? stretches_.size() - 1 : i - 1];
     if (before.column != stretches_[i].column) borders_rad_.push_back(stretches_[i].from_rad);
@@ -83,16 +82,8 @@ void WholeLimb::arc(double middle_rad, double half_width_rad, std::span<double> 
     }
 }
 
-/// 0: the column outside all regions.
-std::size_t WholeLimb::column_index(double position_angle_rad) const {
-  const auto* column = &atmosphere_.column_at(position_angle_rad);
-  for (std::size_t r = 0; r < atmosphere_.regions.size(); ++r)
-    if (column == &atmosphere_.regions[r].column) return r + 1;
-  return 0;
-}
-
 std::array<WholeLimb::Share, 2> WholeLimb::at(double position_angle_rad) const {
-  const std::size_t column = column_index(position_angle_rad);
+  const std::size_t column = atmosphere_.column_index(position_angle_rad);
   if (atmosphere_.earth.sphere()) return {{{column, 1}, {column, 0}}};
   const double pole = std::cos(position_angle_rad) * std::cos(position_angle_rad);
   return {{{2 * column, 1 - pole}, {2 * column + 1, pole}}};

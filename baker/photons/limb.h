@@ -54,7 +54,6 @@ class WholeLimb {
     std::size_t column;
   };
 
-  std::size_t column_index(double position_angle_rad) const;
   void find_stretches();
 
   atmosphere::Atmosphere atmosphere_;

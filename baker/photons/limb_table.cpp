@@ -115,6 +115,8 @@ LimbTable::LimbTable(const Column& column, double earth_radius_m, std::span<cons
 Fan LimbTable::fan(const Optics& optics) const {
   const auto shares = lagrange(refractivities_, optics.refractivity);
   const auto spectra = atmosphere::spectra(column_, optics);
+  const double cloudy = limb_filter(column_, optics, 0),
+               clear = limb_filter(column_, optics, column_.cloud_top_m);
   const std::size_t rays = tangent_heights_m_.size();
   Fan fan{tangent_heights_m_,
           std::vector<double>(rays),
@@ -129,8 +131,7 @@ Fan LimbTable::fan(const Optics& optics) const {
       fan.bending_rad[i] += shares[k] * paths_[k][i].bending_rad;
       fan.optical_depth[i] += shares[k] * atmosphere::product(paths_[k][i].amounts, spectra);
     }
-    if (i > 0)
-      fan.filter.push_back(limb_filter(column_, optics, (h + tangent_heights_m_[i - 1]) / 2));
+    if (i > 0) fan.filter.push_back(h <= column_.cloud_top_m ? cloudy : clear);
   }
   return fan;
 }

@@ -13,14 +13,18 @@ using atmosphere::Atmosphere;
 using atmosphere::Column;
 using atmosphere::Optics;
 
+const Column& column_over(const Atmosphere& atmosphere, const glm::dvec3& at_m) {
+  if (atmosphere.regions.empty()) return atmosphere.column;
+  return atmosphere.column_at(std::atan2(at_m.x, at_m.y));
+}
+
 /// The air a ray is in.
 struct Standing {
   const Column* column;
   atmosphere::Amounts spectra;
 
-  Standing(const Atmosphere& atmosphere, const Optics& optics, const glm::dvec3& at_m)
-      : column(&atmosphere.column_at(std::atan2(at_m.x, at_m.y))),
-        spectra(atmosphere::spectra(*column, optics)) {}
+  Standing(const Column& over, const Optics& optics)
+      : column(&over), spectra(atmosphere::spectra(over, optics)) {}
 };
 
 glm::dvec3 refractivity_gradient(const Column& column, const Optics& optics, const glm::dvec3& at_m,
@@ -50,13 +54,14 @@ std::optional<Traced> trace(const Ray& entering, const Atmosphere& atmosphere, c
   const double length = stepping.step_m, top = atmosphere.top_m();
   const auto& earth = atmosphere.earth;
   glm::dvec3 at = entering.position_m, direction = entering.direction;
-  Standing standing(atmosphere, optics, at);
+  Standing standing(column_over(atmosphere, at), optics);
   const Column* at_lowest = standing.column;
   double optical_depth = 0, altitude = altitude_m(earth, at), lowest = altitude;
   int steps = 0;
   for (; altitude <= top || glm::dot(at, direction) < 0; altitude = altitude_m(earth, at)) {
     if (altitude < 0) return std::nullopt;
-    if (!atmosphere.regions.empty()) standing = Standing(atmosphere, optics, at);
+    if (const Column& over = column_over(atmosphere, at); &over != standing.column)
+      standing = Standing(over, optics);
     const Column& column = *standing.column;
     if (altitude < lowest) lowest = altitude, at_lowest = &column;
     const double here = refractivity(column, optics, altitude);

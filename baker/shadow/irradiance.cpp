@@ -74,16 +74,16 @@ double covered_part(double axis_distance_m, double depth_m, double sun_distance_
 
 DirectLight::DirectLight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
                          std::span<const double> wavelengths_nm)
-    : earth_(atmosphere.earth),
-      top_m_(atmosphere.top_m()),
-      sun_distance_m_(arrangement.sun_distance_m),
+    : atmosphere_(atmosphere),
+      arrangement_(arrangement),
       sun_(photons::disc_layers(wavelengths_nm, arrangement.limb_darkening)) {}
 
 void DirectLight::ratios(double axis_distance_m, double position_angle_rad, double depth_m,
                          std::span<double> values) const {
-  const double opaque = atmosphere::limb_at(earth_, position_angle_rad).radius_m + top_m_;
+  const double opaque =
+      atmosphere::limb_at(atmosphere_.earth, position_angle_rad).radius_m + atmosphere_.top_m();
   const auto covered = [&](double disc_radius) {
-    return covered_part(axis_distance_m, depth_m, sun_distance_m_, opaque, disc_radius);
+    return covered_part(axis_distance_m, depth_m, arrangement_.sun_distance_m, opaque, disc_radius);
   };
   const double whole = covered(1);
   std::fill(values.begin(), values.end(), whole < 1 - 1e-12 ? 1. : 0.);
@@ -96,9 +96,7 @@ void DirectLight::ratios(double axis_distance_m, double position_angle_rad, doub
 }
 
 double DirectLight::penumbra_m(double depth_m) const {
-  const double opaque = std::max(earth_.equatorial_radius_m, earth_.polar_radius_m) + top_m_;
-  return landing_m(opaque, 0, sun_distance_m_, depth_m) +
-         photons::solar_radius_m * depth_m / sun_distance_m_;
+  return refracted_reach_m(arrangement_, atmosphere_, depth_m);
 }
 
 }  // namespace coppermoon::shadow

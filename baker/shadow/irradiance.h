@@ -90,8 +90,8 @@ class DirectLight {
   double penumbra_m(double depth_m) const;
 
  private:
-  atmosphere::Figure earth_;
-  double top_m_, sun_distance_m_;
+  atmosphere::Atmosphere atmosphere_;
+  Arrangement arrangement_;
   photons::DiscLayers sun_;
 };
 

@@ -256,20 +256,10 @@ std::vector<Ring> rings_of(const Atmosphere& atmosphere, std::span<const double>
   const double radius = (atmosphere::limb_at(atmosphere.earth, 0).radius_m +
                          atmosphere::limb_at(atmosphere.earth, pi / 2).radius_m) /
                         2;
-  std::vector<atmosphere::Optics> optics;
-  for (const double nm : wavelengths_nm)
-    optics.push_back(atmosphere::sea_level_optics(algebra::nanometres(nm), atmosphere.molecules));
-  std::vector<Ring> rings{{atmosphere.column, radius, optics}};
-  for (const auto& region : atmosphere.regions) rings.emplace_back(region.column, radius, optics);
+  const auto optics = optics_of(atmosphere, wavelengths_nm);
+  std::vector<Ring> rings;
+  for (const auto* column : atmosphere.columns()) rings.emplace_back(*column, radius, optics);
   return rings;
-}
-
-/// 0: the column outside all regions.
-std::size_t ring_at(const Atmosphere& atmosphere, double position_angle_rad) {
-  const auto* column = &atmosphere.column_at(position_angle_rad);
-  for (std::size_t r = 0; r < atmosphere.regions.size(); ++r)
-    if (column == &atmosphere.regions[r].column) return r + 1;
-  return 0;
 }
 
 /// The ring as one sector sees it, each part with the air that stands there.
@@ -277,7 +267,7 @@ void gather(const Atmosphere& atmosphere, const std::vector<AroundTheRing>& ring
             std::size_t sector, std::size_t angles, double factor, std::span<double> ratio) {
   for (std::size_t a = 0; a < angles; ++a) {
     const double phi = 2 * pi * static_cast<double>(a + sector) / static_cast<double>(angles);
-    const auto& light = rings[ring_at(atmosphere, phi)][std::min(a, angles - a)];
+    const auto& light = rings[atmosphere.column_index(phi)][std::min(a, angles - a)];
     for (std::size_t w = 0; w < ratio.size(); ++w) ratio[w] += factor * light[w];
   }
 }
