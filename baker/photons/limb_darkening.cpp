@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "photons/limb_darkening.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -14,9 +15,9 @@
 namespace coppermoon::photons {
 namespace {
 
-constexpr int layers_inside = 6;
+constexpr int layers_inside = 32;
 
-using Coefficients = std::array<double, 6>;
+using Coefficients = DiscFunction;
 
 Coefficients over_mean(Coefficients a) {
   double mean = 0;
@@ -36,12 +37,6 @@ Coefficients coefficients(double nm) {
   return over_mean(a);
 }
 
-double value(const Coefficients& a, double mu) {
-  double sum = 0;
-  for (std::size_t k = a.size(); k-- > 0;) sum = sum * mu + a[k];
-  return sum;
-}
-
 double slope(const Coefficients& a, double mu) {
   double sum = 0;
   for (std::size_t k = a.size(); k-- > 1;) sum = sum * mu + static_cast<double>(k) * a[k];
@@ -50,7 +45,27 @@ double slope(const Coefficients& a, double mu) {
 
 DiscLayers uniform_disc(std::size_t wavelengths) { return {{1}, {1, wavelengths, 1}}; }
 
+/// 2 ∫ f g μ dμ, the mean over the disc.
+double mean_product(const Coefficients& f, const Coefficients& g) {
+  double sum = 0;
+  for (const auto& node : algebra::gauss_legendre(8)) {
+    const double mu = (1 + node.x) / 2;
+    sum += node.weight * mu * value(f, mu) * value(g, mu);
+  }
+  return sum;
+}
+
+void subtract(double times, const Coefficients& f, Coefficients& from) {
+  for (std::size_t k = 0; k < f.size(); ++k) from[k] -= times * f[k];
+}
+
 }  // namespace
+
+double value(const DiscFunction& function, double cos_angle) {
+  double sum = 0;
+  for (std::size_t k = function.size(); k-- > 0;) sum = sum * cos_angle + function[k];
+  return sum;
+}
 
 double limb_darkening(algebra::Wavelength wavelength, double cos_angle) {
   algebra::require_within("cosine of the angle on the Sun", cos_angle, 0, 1);
@@ -70,6 +85,32 @@ DiscLayers disc_layers(std::span<const double> wavelengths_nm, bool limb_darkene
       layers.brightness(i + 1, w) = nodes[i].weight / 2 * slope(a, (1 + nodes[i].x) / 2);
   }
   return layers;
+}
+
+DiscTerms disc_terms(std::span<const double> wavelengths_nm, bool limb_darkened, int count) {
+  const std::size_t waves = wavelengths_nm.size();
+  if (!limb_darkened || waves == 0) return {{{1}}, {1, waves, 1}};
+  algebra::require_within("terms of the Sun's disc", count, 1, 6);
+  std::vector<Coefficients> left;
+  for (const double nm : wavelengths_nm) left.push_back(coefficients(nm));
+  DiscTerms terms{{left[waves / 2]}, {static_cast<std::size_t>(count), waves}};
+  for (std::size_t w = 0; w < waves; ++w) {
+    terms.brightness(0, w) = 1;
+    subtract(1, terms.functions[0], left[w]);
+  }
+  for (std::size_t j = 1; j < terms.brightness.rows(); ++j) {
+    const auto worst =
+        std::ranges::max(left, {}, [](const Coefficients& f) { return mean_product(f, f); });
+    const double size = std::sqrt(mean_product(worst, worst));
+    auto& function = terms.functions.emplace_back();
+    if (size < 1e-12) continue;  // the terms before are all there is
+    subtract(-1 / size, worst, function);
+    for (std::size_t w = 0; w < waves; ++w) {
+      terms.brightness(j, w) = mean_product(left[w], function);
+      subtract(terms.brightness(j, w), function, left[w]);
+    }
+  }
+  return terms;
 }
 
 }  // namespace coppermoon::photons

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "photons/limb_table.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
+#include <numbers>
 
 #include "algebra/error.h"
 
@@ -13,6 +15,22 @@ namespace {
 
 using atmosphere::Column;
 using atmosphere::Optics;
+
+/// A path's bending, and after it its amounts.
+constexpr std::size_t parts_of_path = 1 + std::tuple_size_v<atmosphere::Amounts>;
+using Path = std::array<double, parts_of_path>;
+
+Path parts(const LimbPath& path) {
+  Path all{path.bending_rad};
+  std::copy(path.amounts.begin(), path.amounts.end(), all.begin() + 1);
+  return all;
+}
+
+LimbPath path_of(double tangent_height_m, const Path& all) {
+  LimbPath path{tangent_height_m, 0, all[0], {}};
+  std::copy(all.begin() + 1, all.end(), path.amounts.begin());
+  return path;
+}
 
 /// Where rays must stand: the ground, the breaks, the cloud's top, the air's.
 std::vector<double> stations(const Column& column) {
@@ -24,42 +42,56 @@ std::vector<double> stations(const Column& column) {
   return heights;
 }
 
-/// The air above 50 km bends and dims so little that few rays will do.
-double importance(double low_m, double high_m) {
-  constexpr double thin_m = 50e3, little = 0.25;
-  return (high_m - low_m) * (low_m < thin_m ? 1 : little);
-}
-
-/// A stretch of tangent heights without a break, with rays ever closer towards its upper end, where
-/// the square roots are: evenly spaced in √(high − h).
+/// A stretch of tangent heights without a break.
 struct Piece {
   double low_m, high_m;
-  int rays;
 
-  /// Given  place  0 at the lower end to `rays` at the upper
+  /// Given  place  0 at the lower end to 1 at the upper, even in √(high − h)
   double height_m(double place) const {
-    const double left = 1 - place / rays;
-    return high_m - (high_m - low_m) * left * left;
+    return high_m - (high_m - low_m) * (1 - place) * (1 - place);
   }
 };
 
-std::vector<Piece> pieces_of(const Column& column, int rays) {
-  const auto ends = stations(column);
-  double all = 0;
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) all += importance(ends[i], ends[i + 1]);
-  std::vector<Piece> pieces;
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const double share = importance(ends[i], ends[i + 1]) / all;
-    pieces.push_back({ends[i], ends[i + 1], std::max(4, static_cast<int>(rays * share))});
-  }
-  return pieces;
+/// Chebyshev's points between 0 and 1, the ends among them, the last first.
+double chebyshev_place(int j, int degree) {
+  return (1 + std::cos(std::numbers::pi * j / degree)) / 2;
 }
 
-/// Chebyshev's places between the least and the greatest refractivity.
-std::vector<double> chebyshev(double least, double greatest) {
+/// The polynomial through values at Chebyshev's points.
+class Polynomial {
+ public:
+  explicit Polynomial(std::vector<Path> values) : values_(std::move(values)) {}
+
+  int degree() const { return static_cast<int>(values_.size()) - 1; }
+  const Path& at_point(int j) const { return values_[static_cast<std::size_t>(j)]; }
+
+  /// Berrut & Trefethen (2004), SIAM Review 46, 501: the barycentric formula.
+  Path operator()(double place) const {
+    Path sum{};
+    double total = 0;
+    for (int j = 0; j <= degree(); ++j) {
+      const double away = place - chebyshev_place(j, degree());
+      if (std::abs(away) < 1e-14) return at_point(j);
+      const double share = (j % 2 == 0 ? 1 : -1) * (j == 0 || j == degree() ? 0.5 : 1) / away;
+      total += share;
+      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += share * at_point(j)[k];
+    }
+    for (double& value : sum) value /= total;
+    return sum;
+  }
+
+ private:
+  std::vector<Path> values_;
+};
+
+/// The lower of two refractivities' Chebyshev points, or three, or four.
+std::vector<double> chebyshev_roots(double least, double greatest, int count) {
   if (!(greatest - least > 1e-9 * greatest)) return {greatest};
   const double middle = (least + greatest) / 2, half = (greatest - least) / 2;
-  return {middle - half * std::sqrt(0.75), middle, middle + half * std::sqrt(0.75)};
+  std::vector<double> roots;
+  for (int i = 0; i < count; ++i)
+    roots.push_back(middle - half * std::cos(std::numbers::pi * (i + 0.5) / count));
+  return roots;
 }
 
 /// Lagrange's weights of the nodes for a value between them.
@@ -71,45 +103,129 @@ std::vector<double> lagrange(std::span<const double> nodes, double at) {
   return weights;
 }
 
-/// Paths over one piece, without its upper end: those followed, and between each two of them more
-/// by cubics through the four nearest.
-void add_paths(const Piece& piece, const std::function<LimbPath(double)>& followed,
-               std::vector<LimbPath>& paths) {
-  std::vector<LimbPath> nodes;
-  for (int k = 0; k <= piece.rays; ++k) nodes.push_back(followed(piece.height_m(k)));
-  for (int i = 0; i < piece.rays * LimbTable::finer; ++i) {
-    const double place = static_cast<double>(i) / LimbTable::finer;
-    const int first = std::clamp(static_cast<int>(place) - 1, 0, piece.rays - 3);
-    const std::array<double, 4> near{first + 0., first + 1., first + 2., first + 3.};
-    const auto shares = lagrange(near, place);
-    LimbPath path{piece.height_m(place), 0, 0, {}};
-    for (std::size_t j = 0; j < near.size(); ++j) {
-      const auto& node = nodes[static_cast<std::size_t>(first) + j];
-      path.bending_rad += shares[j] * node.bending_rad;
-      for (std::size_t a = 0; a < path.amounts.size(); ++a)
-        path.amounts[a] += shares[j] * node.amounts[a];
+/// What a difference between two paths means: bending in units of a milliradian, which moves a ray's
+/// landing by as much as light changes by a factor e there; optical depth as it is, and where little
+/// comes through anyway, in part.
+class Significance {
+ public:
+  Significance(const Column& column, const Optics& optics)
+      : spectra_(atmosphere::spectra(column, optics)) {}
+
+  double of(const Path& path, const Path& other) const {
+    constexpr double milliradian = 1e-3, deep = 4;
+    double depth = 0, difference = 0;
+    for (std::size_t k = 0; k < spectra_.size(); ++k) {
+      depth += spectra_[k] * path[k + 1];
+      difference += spectra_[k] * (path[k + 1] - other[k + 1]);
     }
-    paths.push_back(path);
+    return std::max(std::abs(path[0] - other[0]) / milliradian,
+                    std::abs(difference) / std::max(1., depth / deep));
   }
+
+ private:
+  atmosphere::Amounts spectra_;
+};
+
+/// Follows the rays of one column.
+struct Follower {
+  const Column& column;
+  double earth_radius_m;
+
+  std::vector<Path> at(const Piece& piece, int degree, double refractivity) const {
+    std::vector<Path> values(static_cast<std::size_t>(degree) + 1);
+    tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t j) {
+      const double place = chebyshev_place(static_cast<int>(j), degree);
+      values[j] = parts(limb_path(piece.height_m(place), earth_radius_m, column, refractivity));
+    });
+    return values;
+  }
+
+  /// A degree at which the polynomial of half that degree is already nearly good enough.
+  int sufficient_degree(const Piece& piece, double refractivity, const Significance& significance,
+                        double error) const {
+    constexpr int lowest = 6, highest = 48;
+    constexpr double gain = 16;  // of a doubled degree, at least, where the profiles have kinks
+    Polynomial coarse(at(piece, lowest, refractivity));
+    for (int degree = 2 * lowest; degree < highest; degree *= 2) {
+      const Polynomial fine(at(piece, degree, refractivity));
+      double worst = 0;
+      for (int j = 1; j < degree; j += 2)
+        worst =
+            std::max(worst, significance.of(fine.at_point(j), coarse(chebyshev_place(j, degree))));
+      if (worst <= error) return degree / 2;
+      if (worst <= gain * error) return degree;
+      coarse = fine;
+    }
+    return highest;
+  }
+};
+
+/// How far a path is from straight lines between its neighbours: second differences, the greatest,
+/// over a piece cut in one.
+double unevenness(const Polynomial& path, const Significance& significance) {
+  constexpr int cuts = 16;
+  double worst = 0;
+  for (int i = 1; i < cuts; ++i) {
+    const double place = static_cast<double>(i) / cuts, step = 1. / cuts;
+    const auto here = path(place), before = path(place - step), after = path(place + step);
+    Path middle;
+    for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = (before[k] + after[k]) / 2;
+    worst = std::max(worst, significance.of(here, middle));
+  }
+  return worst * cuts * cuts;
+}
+
+/// Rays for each piece: as the root of its unevenness, which spends them best, and never under four.
+std::vector<int> shares_of_rays(std::span<const double> unevenness, int rays) {
+  double all = 0;
+  for (const double u : unevenness) all += std::sqrt(u);
+  std::vector<int> shares;
+  for (const double u : unevenness)
+    shares.push_back(2 * std::max(2, static_cast<int>(rays / 2 * (all > 0 ? std::sqrt(u) / all : 0))));
+  return shares;
+}
+
+std::vector<Piece> pieces_of(const Column& column) {
+  const auto ends = stations(column);
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) pieces.push_back({ends[i], ends[i + 1]});
+  return pieces;
 }
 
 }  // namespace
 
 LimbTable::LimbTable(const Column& column, double earth_radius_m, std::span<const Optics> optics,
                      int rays)
-    : column_(column), earth_radius_m_(earth_radius_m) {
+    : column_(column) {
+  const double error = 10. / rays / rays;
   const auto [least, greatest] = std::ranges::minmax(optics, {}, &Optics::refractivity);
-  refractivities_ = column.refraction ? chebyshev(least.refractivity, greatest.refractivity)
-                                      : std::vector<double>{0};
-  for (const double refractivity : refractivities_) {
-    const auto followed = [&](double height) {
-      return limb_path(height, earth_radius_m, column, refractivity);
-    };
-    auto& paths = paths_.emplace_back();
-    for (const auto& piece : pieces_of(column, rays)) add_paths(piece, followed, paths);
-    paths.push_back(followed(atmosphere::top_m(column)));
+  const int nodes = error < 3e-5 ? 4 : 3;
+  refractivities_ = column.refraction
+                        ? chebyshev_roots(least.refractivity, greatest.refractivity, nodes)
+                        : std::vector<double>{0};
+  const Follower follower{column, earth_radius_m};
+  const Significance significance(column, greatest);
+  const auto pieces = pieces_of(column);
+  std::vector<std::vector<Polynomial>> polynomials(refractivities_.size());
+  std::vector<double> uneven;
+  for (const auto& piece : pieces) {
+    const int degree =
+        follower.sufficient_degree(piece, refractivities_.back(), significance, error);
+    for (std::size_t k = 0; k < refractivities_.size(); ++k)
+      polynomials[k].emplace_back(follower.at(piece, degree, refractivities_[k]));
+    followed_ += refractivities_.size() * (static_cast<std::size_t>(degree) + 1);
+    uneven.push_back(unevenness(polynomials.back().back(), significance));
   }
-  for (const auto& path : paths_.front()) tangent_heights_m_.push_back(path.tangent_height_m);
+  const auto shares = shares_of_rays(uneven, rays);
+  paths_.resize(refractivities_.size());
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    for (int i = 0; i < shares[p] + (p + 1 == pieces.size() ? 1 : 0); ++i) {
+      const double place = static_cast<double>(i) / shares[p], h = pieces[p].height_m(place);
+      tangent_heights_m_.push_back(h);
+      optical_excess_m_.push_back(density_ratio(column, h).value * (earth_radius_m + h));
+      for (std::size_t k = 0; k < paths_.size(); ++k)
+        paths_[k].push_back(path_of(h, polynomials[k][p](place)));
+    }
 }
 
 Fan LimbTable::fan(const Optics& optics) const {
@@ -117,6 +233,7 @@ Fan LimbTable::fan(const Optics& optics) const {
   const auto spectra = atmosphere::spectra(column_, optics);
   const double cloudy = limb_filter(column_, optics, 0),
                clear = limb_filter(column_, optics, column_.cloud_top_m);
+  const double refractivity = column_.refraction ? optics.refractivity : 0;
   const std::size_t rays = tangent_heights_m_.size();
   Fan fan{tangent_heights_m_,
           std::vector<double>(rays),
@@ -125,8 +242,7 @@ Fan LimbTable::fan(const Optics& optics) const {
           {}};
   for (std::size_t i = 0; i < rays; ++i) {
     const double h = tangent_heights_m_[i];
-    fan.impact_height_m[i] =
-        h + atmosphere::refractivity(column_, optics, h) * (earth_radius_m_ + h);
+    fan.impact_height_m[i] = h + refractivity * optical_excess_m_[i];
     for (std::size_t k = 0; k < shares.size(); ++k) {
       fan.bending_rad[i] += shares[k] * paths_[k][i].bending_rad;
       fan.optical_depth[i] += shares[k] * atmosphere::product(paths_[k][i].amounts, spectra);

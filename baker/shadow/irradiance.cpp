@@ -55,8 +55,8 @@ double projected_solar_radius_m(const Arrangement& arrangement, double depth_m) 
 
 double landing_m(double impact_parameter_m, double bending_rad, double sun_distance_m,
                  double depth_m) {
-  const double slope = std::asin(impact_parameter_m / sun_distance_m) - bending_rad;
-  return impact_parameter_m / std::cos(slope) + depth_m * std::tan(slope);
+  const double slope = std::tan(std::asin(impact_parameter_m / sun_distance_m) - bending_rad);
+  return impact_parameter_m * std::sqrt(1 + slope * slope) + depth_m * slope;
 }
 
 double refracted_reach_m(const Arrangement& arrangement, const atmosphere::Atmosphere& atmosphere,

@@ -74,7 +74,7 @@ shadow::RefractedLight solved(const LightOptions& options, const atmosphere::Atm
                               std::span<const double> axis_distances_m) {
   ProgressBar bar(options.solver);
   if (options.solver == "quadrature")
-    return shadow::by_quadrature(air, arrangement, wavelengths_nm, axis_distances_m, options.rays,
+    return shadow::by_quadrature(air, arrangement, wavelengths_nm, axis_distances_m, {.rays = options.rays},
                                  bar.progress());
   auto settings = photon_settings(options);
   if (!air.symmetric()) settings.sectors = shadow::sectors_around;

@@ -165,7 +165,7 @@ RefractedLight gathered_by_quadrature(const atmosphere::Atmosphere& air, double 
   std::vector<double> distances;
   for (std::size_t i = 0; i < rings * places; ++i)
     distances.push_back((static_cast<double>(i) + 0.5) / places * ring_m);
-  const auto fine = by_quadrature(air, darkened, waves, distances, 1000);
+  const auto fine = by_quadrature(air, darkened, waves, distances, {.rays = 1000});
   RefractedLight light = fine;
   for (std::size_t s = 0; s < fine.sectors; ++s) {
     light.ratio[s] = light.standard_error[s] = algebra::Grid<double>(rings, waves.size());

@@ -20,7 +20,7 @@ inline algebra::Grid<double> ring_means(const atmosphere::Atmosphere& air,
   for (std::size_t r = 0; r < rings; ++r)
     for (int k = 0; k < places; ++k)
       distances.push_back((static_cast<double>(r) + (k + 0.5) / places) * width_m);
-  const auto light = by_quadrature(air, arrangement, waves, distances, 1000);
+  const auto light = by_quadrature(air, arrangement, waves, distances, {.rays = 1000});
   algebra::Grid<double> means(rings, waves.size());
   for (std::size_t r = 0; r < rings; ++r)
     for (std::size_t w = 0; w < waves.size(); ++w) {

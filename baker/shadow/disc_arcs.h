@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "algebra/grid.h"
+#include "photons/limb.h"
+#include "photons/limb_darkening.h"
+
+namespace coppermoon::shadow {
+
+/// A stretch of distances from the axis, in whole bins, over which what the Sun's disc about a place
+/// sheds along arcs is a square of the distance: through Gauss's three nodes.
+struct Stretch {
+  int from, to;
+  /// [node](term of the disc, part of the limb) its light along the arc of the limb [rad], lowest
+  /// distance first
+  std::array<algebra::Grid<double>, 3> light;
+};
+
+/// The polynomial in r, powers 0 to 2, through three values at Gauss's nodes between two ends.
+std::array<double, 3> square_through(double from, double to, const std::array<double, 3>& values);
+
+/// The arcs that the Sun's disc about a place takes in, about the axis, by stretches from the
+/// innermost to the outermost: narrow towards the disc's edges, where an arc goes as the root of the
+/// distance; one bin wide there, and of the mean over it.
+class DiscArcs {
+ public:
+  /// Given  gamma, a   of the place and of the disc's radius, in bins
+  ///        theta_rad  position angle of the place
+  DiscArcs(const photons::WholeLimb& limb, const photons::DiscTerms& sun, double gamma, double a,
+           double theta_rad);
+
+  /// On the place's side of the axis, or opposite, from the limb opposite, with light that crossed
+  /// the axis; as far inwards or outwards as a distance.
+  std::vector<Stretch> stretches(bool opposite, int from, int to) const;
+
+ private:
+  std::vector<double> marks() const;
+  double half_arc(double r) const;
+  void add_arc(double r, double middle_rad, double weight, algebra::Grid<double>& light) const;
+  algebra::Grid<double> mean_over(int from, int to, double middle_rad) const;
+
+  const photons::WholeLimb& limb_;
+  const photons::DiscTerms& sun_;
+  double gamma_, a_, theta_rad_;
+  std::vector<double> marks_;
+  std::vector<int> ends_;
+};
+
+}  // namespace coppermoon::shadow

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "shadow/landed_light.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "shadow/irradiance.h"
+#include "shadow/weighted_rows.h"
+
+namespace coppermoon::shadow {
+namespace {
+
+constexpr std::size_t row_size = moments * lanes;
+
+/// Below this size ∫ exp(k t) dt is expanded in powers of k: to the fifth, 1e-7 of it.
+constexpr double small = 0.3;
+
+/// ∫ exp(k t) dt from 0 to `part`, k small.
+double exponential_integral(double k, double part) {
+  const double x = k * part;
+  return part * (1 + x * (1. / 2 + x * (1. / 6 + x * (1. / 24 + x * (1. / 120 + x / 720)))));
+}
+
+/// The mean of what runs exponentially from `first` to `last`, its logarithm rising by k.
+double exponential_mean(double first, double last, double k) {
+  return std::abs(k) > small ? (last - first) / k : first * exponential_integral(k, 1);
+}
+
+/// ∫ exp(k t) dt from 0 to a part, over that from 0 to 1.
+class ExponentialShare {
+ public:
+  explicit ExponentialShare(double k)
+      : k_(k), over_whole_(std::abs(k) > small ? 0 : 1 / exponential_integral(k, 1)) {}
+
+  double operator()(double part) const {
+    if (over_whole_ != 0) return exponential_integral(k_, part) * over_whole_;
+    if (k_ < 0) return std::expm1(k_ * part) / std::expm1(k_);
+    return std::exp(k_ * (part - 1)) * std::expm1(-k_ * part) / std::expm1(-k_);
+  }
+
+ private:
+  double k_, over_whole_;
+};
+
+/// One wavelength's rays: where they land, in bins, and what they carry.
+struct Rays {
+  std::vector<double> place, impact_m, depth, transmittance;
+
+  Rays(const photons::Fan& fan, double radius_m, double sun_distance_m, double depth_m,
+       double bin_m)
+      : depth(fan.optical_depth) {
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+      impact_m.push_back(radius_m + fan.impact_height_m[i]);
+      place.push_back(landing_m(impact_m[i], fan.bending_rad[i], sun_distance_m, depth_m) / bin_m);
+      transmittance.push_back(std::exp(-depth[i]));
+    }
+  }
+};
+
+/// Gathers one wavelength's light, of a block's sums.
+class Gatherer {
+ public:
+  Gatherer(double* sums, int first, std::size_t lane) : sums_(sums + lane), first_(first) {}
+
+  void add(const Rays& rays, std::span<const double> filter) const {
+    constexpr double near = 4. / 3, far = -1. / 3;
+    const std::size_t last = rays.place.size() - 1;
+    for (std::size_t i = 0; i < last; ++i) add_cell(rays, i, i + 1, near * filter[i]);
+    for (std::size_t i = 0; i + 1 < last; i += 2) add_cell(rays, i, i + 2, far * filter[i]);
+  }
+
+ private:
+  void add_cell(const Rays& rays, std::size_t i, std::size_t j, double weight) const {
+    const double k = rays.depth[i] - rays.depth[j], b0 = rays.impact_m[i], b1 = rays.impact_m[j];
+    const double light = weight * (b1 - b0) * (b0 + b1) / 2 *
+                         exponential_mean(rays.transmittance[i], rays.transmittance[j], k);
+    if (rays.place[i] <= rays.place[j])
+      spread(rays.place[i], rays.place[j], light, k);
+    else
+      spread(rays.place[j], rays.place[i], light, -k);
+  }
+
+  /// Light that lands between two places and runs exponentially from one to the other.
+  void spread(double from, double to, double light, double steepness) const {
+    auto bin = static_cast<int>(std::floor(from));
+    if (to <= bin + 1) return put(bin, from, to, light);
+    const ExponentialShare share(steepness);
+    const double width = 1 / (to - from);
+    double before = 0, low = from;
+    for (; bin + 1 < to; ++bin) {
+      const double up_to = light * share((bin + 1 - from) * width);
+      put(bin, low, bin + 1, up_to - before);
+      before = up_to;
+      low = bin + 1;
+    }
+    put(bin, low, to, light - before);
+  }
+
+  /// Light spread evenly over a part of a bin, where the sum up to the bin's end will find it.
+  void put(int bin, double low, double high, double light) const {
+    const double middle = (low + high) / 2, width = high - low;
+    double* row = sums_ + static_cast<std::size_t>(bin + 1 - first_) * row_size;
+    row[0] += light;
+    row[lanes] += light * middle;
+    row[2 * lanes] += light * (middle * middle + width * width / 12);
+  }
+
+  double* sums_;
+  int first_;
+};
+
+}  // namespace
+
+LandedLight::LandedLight(const photons::WholeLimb::Part& limb, double sun_distance_m,
+                         double depth_m, double bin_m) {
+  const std::size_t waves = limb.fans.size();
+  std::vector<Rays> rays;
+  rays.reserve(waves);
+  double least = std::numeric_limits<double>::max(), greatest = -least;
+  for (const auto& fan : limb.fans) {
+    const auto& of_wave =
+        rays.emplace_back(fan, limb.radius_m, sun_distance_m, depth_m, bin_m).place;
+    const auto [low, high] = std::ranges::minmax(of_wave);
+    least = std::min(least, low), greatest = std::max(greatest, high);
+  }
+  first_ = static_cast<int>(std::floor(least));
+  last_ = static_cast<int>(std::floor(greatest)) + 1;
+  const std::size_t blocks = (waves + lanes - 1) / lanes;
+  const std::size_t block_size = static_cast<std::size_t>(last_ - first_ + 1) * row_size;
+  sums_.resize(blocks * block_size);
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+    double* sums = sums_.data() + block * block_size;
+    for (std::size_t w = block * lanes; w < std::min(waves, (block + 1) * lanes); ++w)
+      Gatherer(sums, first_, w % lanes).add(rays[w], limb.fans[w].filter);
+    for (std::size_t i = row_size; i < block_size; ++i) sums[i] += sums[i - row_size];
+  });
+}
+
+void LandedLight::add(std::span<const NodeTerm> terms, std::size_t block,
+                      std::span<double, lanes> sums) const {
+  const std::size_t block_size = static_cast<std::size_t>(last_ - first_ + 1) * row_size;
+  add_weighted_rows(sums_.data() + block * block_size, first_, terms, sums.data());
+}
+
+}  // namespace coppermoon::shadow

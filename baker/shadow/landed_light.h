@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "photons/limb.h"
+
+namespace coppermoon::shadow {
+
+/// What polynomials up to squares are integrated against.
+inline constexpr std::size_t moments = 3;
+
+/// Wavelengths whose sums stand side by side.
+inline constexpr std::size_t lanes = 8;
+
+/// A node between two bins, and how often the sums up to it count.
+struct NodeTerm {
+  std::int32_t node;
+  std::array<double, moments> factors;
+};
+
+/// ∫ r^m T b db over the rays of one part of the limb that land nearer than each of evenly spaced
+/// signed distances r from the axis, on one plane, by wavelength; r in bins.
+///
+/// Between two rays r is taken to run straight and T exponentially, once from each to the next and
+/// once to the next but one; 4/3 of the first less 1/3 of the second leaves errors of the fourth
+/// order in the rays' spacing (Richardson).
+class LandedLight {
+ public:
+  LandedLight(const photons::WholeLimb::Part& limb, double sun_distance_m, double depth_m,
+              double bin_m);
+
+  /// Adds Σ factor sum over the terms to one block's wavelengths.
+  ///
+  /// Given  terms  with nodes above first() and up to last()
+  void add(std::span<const NodeTerm> terms, std::size_t block, std::span<double, lanes> sums) const;
+
+  /// Up to the first node no light lands, up to the last all does.
+  int first() const { return first_; }
+  int last() const { return last_; }
+
+ private:
+  int first_ = 0, last_ = 0;
+  std::vector<double> sums_;  // [block][node][moment][lane]
+};
+
+}  // namespace coppermoon::shadow
