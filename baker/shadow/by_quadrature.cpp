@@ -23,6 +23,10 @@ using algebra::Grid;
 using atmosphere::Atmosphere;
 using std::numbers::pi;
 
+double sector_angle(std::size_t sector, std::size_t sectors) {
+  return 2 * pi * static_cast<double>(sector) / static_cast<double>(sectors);
+}
+
 /// Width of the bins that light is gathered in, of distance from the axis: finer as rays are.
 double bin_width_m(int rays) { return std::clamp(1.2e6 / rays, 100., 50e3); }
 
@@ -132,63 +136,176 @@ struct Harmonics {
   }
 };
 
-/// The places that are computed: each sector's; on an ellipsoid without regions only those towards
+/// The angles that are computed: each sector's; on an ellipsoid without regions only those towards
 /// its pole, its equator and half way.
-class Places {
+std::vector<double> angles(const Atmosphere& atmosphere, const QuadratureSettings& settings) {
+  if (atmosphere.symmetric()) return {0};
+  if (atmosphere.regions.empty()) return {0, pi / 4, pi / 2};
+  std::vector<double> all;
+  for (std::size_t i = 0; i < settings.sectors; ++i)
+    all.push_back(sector_angle((settings.first_sector + i) % sectors_around, sectors_around));
+  return all;
+}
+
+/// All that was computed at one axis distance: (plane × angles + angle, wavelength).
+struct Ring {
+  double gamma_m;
+  Grid<double> ratio;
+};
+
+/// Computes rings.
+class Solver {
  public:
-  Places(RefractedLight& light, std::size_t plane, bool ellipse_alone,
-         const QuadratureSettings& settings)
-      : light_(light), plane_(plane), ellipse_alone_(ellipse_alone) {
-    const auto& distances = light.axis_distances_m;
-    if (ellipse_alone) {
-      harmonics_ = Grid<double>(distances.size() * 3, light.wavelengths_nm.size());
-      for (std::size_t i = 0; i < harmonics_.rows(); ++i)
-        all_.push_back({distances[i / 3], static_cast<double>(i % 3) * pi / 4, harmonics_.row(i)});
-      return;
-    }
-    for (std::size_t i = 0; i < std::min(light.sectors, settings.sectors); ++i)
-      for (std::size_t d = 0; d < distances.size(); ++d) {
-        const std::size_t s = (settings.first_sector + i) % light.sectors;
-        all_.push_back({distances[d], sector_angle(s), sector(s).row(d)});
-      }
+  Solver(const photons::WholeLimb& limb, const photons::DiscTerms& sun,
+         const Arrangement& arrangement, std::vector<double> angles_rad, int rays)
+      : angles_rad_(std::move(angles_rad)), waves_(sun.brightness.columns()) {
+    planes_.reserve(arrangement.depths_m.size());
+    for (const double depth : arrangement.depths_m)
+      planes_.emplace_back(limb, sun, arrangement, depth, bin_width_m(rays));
   }
 
-  std::span<const Place> all() const { return all_; }
-
-  /// What the sectors between those computed have of them.
-  void finish() {
-    if (!ellipse_alone_) return;
-    for (std::size_t d = 0; d < light_.axis_distances_m.size(); ++d)
-      for (std::size_t s = 0; s < light_.sectors; ++s)
-        for (std::size_t w = 0; w < harmonics_.columns(); ++w) {
-          const Harmonics of{harmonics_(3 * d, w), harmonics_(3 * d + 1, w),
-                             harmonics_(3 * d + 2, w)};
-          sector(s)(d, w) = std::max(0., of.at(sector_angle(s)));  // at its rim
-        }
+  std::vector<Ring> rings(std::span<const double> gammas_m,
+                          const algebra::Progress& progress) const {
+    std::vector<Ring> all;
+    for (const double gamma : gammas_m)
+      all.push_back({gamma, {planes_.size() * angles_rad_.size(), waves_}});
+    std::vector<Place> places;  // plane by plane
+    for (std::size_t k = 0; k < planes_.size(); ++k)
+      for (auto& ring : all)
+        for (std::size_t i = 0; i < angles_rad_.size(); ++i)
+          places.push_back(
+              {ring.gamma_m, angles_rad_[i], ring.ratio.row(k * angles_rad_.size() + i)});
+    const std::size_t a_plane = all.size() * angles_rad_.size();
+    std::atomic<std::size_t> done = 0;
+    for (std::size_t k = 0; k < planes_.size(); ++k)
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(0, a_plane, together), [&](const auto& range) {
+            planes_[k].light(std::span(places).subspan(k * a_plane + range.begin(), range.size()));
+            if (progress)
+              progress(static_cast<double>(done += range.size()) /
+                       static_cast<double>(places.size()));
+          });
+    return all;
   }
 
  private:
-  double sector_angle(std::size_t s) const {
-    return 2 * pi * static_cast<double>(s) / static_cast<double>(light_.sectors);
-  }
-  Grid<double>& sector(std::size_t s) { return light_.ratio[plane_ * light_.sectors + s]; }
+  /// Places computed together, so that a block's sums stay at hand.
+  static constexpr std::size_t together = 64;
 
-  RefractedLight& light_;
-  std::size_t plane_;
-  bool ellipse_alone_;
-  Grid<double> harmonics_;  // (distance × 3 + angle, wavelength)
-  std::vector<Place> all_;
+  std::vector<double> angles_rad_;
+  std::size_t waves_;
+  std::vector<Plane> planes_;
 };
+
+/// What a ring has beside refracted light, of the direct.
+double direct_light(const Atmosphere& atmosphere, const Arrangement& arrangement, double gamma_m) {
+  return 1 - covered_part(gamma_m, arrangement.depths_m.front(), arrangement.sun_distance_m,
+                          atmosphere.top_radius_m());
+}
+
+/// The largest error of a cubic through the four rings about a middle, of light over all
+/// wavelengths.
+double surprise(std::span<const Ring> about, const Ring& middle, double direct) {
+  std::vector<double> shares;
+  for (const auto& ring : about) {
+    double share = 1;
+    for (const auto& other : about)
+      if (&other != &ring)
+        share *= (middle.gamma_m - other.gamma_m) / (ring.gamma_m - other.gamma_m);
+    shares.push_back(share);
+  }
+  double worst = 0;
+  for (std::size_t row = 0; row < middle.ratio.rows(); ++row) {
+    double foretold = 0, found = 0;
+    for (std::size_t w = 0; w < middle.ratio.columns(); ++w) {
+      found += middle.ratio(row, w);
+      for (std::size_t i = 0; i < about.size(); ++i) foretold += shares[i] * about[i].ratio(row, w);
+    }
+    const double whole = found + direct * static_cast<double>(middle.ratio.columns());
+    if (whole > 0) worst = std::max(worst, std::abs(foretold - found) / whole);
+  }
+  return worst;
+}
+
+/// The rings asked for, and between them as many more as it takes.
+class Refinement {
+ public:
+  Refinement(const Solver& solver, const Atmosphere& atmosphere, const Arrangement& arrangement)
+      : solver_(solver), atmosphere_(atmosphere), arrangement_(arrangement) {}
+
+  std::vector<Ring> rings(std::span<const double> gammas_m, double error,
+                          const algebra::Progress& progress) const {
+    auto all = solver_.rings(gammas_m, progress);
+    std::vector<bool> open(all.size(), error > 0);  // the interval above each
+    while (std::ranges::count(open, true) > 0 && all.size() >= 4) halve(error, all, open);
+    return all;
+  }
+
+ private:
+  /// Halves the open intervals; those half as good as foretold stay open.
+  void halve(double error, std::vector<Ring>& all, std::vector<bool>& open) const {
+    constexpr double narrowest_m = 3e3;
+    std::vector<double> middles;
+    for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+      open[i] = open[i] && all[i + 1].gamma_m - all[i].gamma_m > 2 * narrowest_m;
+      if (open[i]) middles.push_back((all[i].gamma_m + all[i + 1].gamma_m) / 2);
+    }
+    open.back() = false;
+    auto found = solver_.rings(middles, {});
+    std::vector<Ring> finer;
+    std::vector<bool> finer_open;
+    for (std::size_t i = 0, next = 0; i < all.size(); ++i) {
+      bool still = false;
+      if (open[i]) {
+        const std::size_t first = std::clamp<std::size_t>(i, 1, all.size() - 3) - 1;
+        still = surprise(std::span(all).subspan(first, 4), found[next],
+                         direct_light(atmosphere_, arrangement_, found[next].gamma_m)) > error;
+      }
+      finer.push_back(all[i]);
+      finer_open.push_back(still);
+      if (!open[i]) continue;
+      finer.push_back(std::move(found[next++]));
+      finer_open.push_back(still);
+    }
+    all = std::move(finer);
+    open = std::move(finer_open);
+  }
+
+  const Solver& solver_;
+  const Atmosphere& atmosphere_;
+  const Arrangement& arrangement_;
+};
+
+/// Rings of angles become sectors.
+void fill(std::span<const Ring> rings, const Atmosphere& atmosphere,
+          const QuadratureSettings& settings, RefractedLight& light) {
+  const bool ellipse_alone = atmosphere.regions.empty() && !atmosphere.symmetric();
+  const std::size_t waves = light.wavelengths_nm.size();
+  const std::size_t a_plane = rings[0].ratio.rows() / light.arrangement.depths_m.size();
+  for (std::size_t g = 0; g < light.ratio.size(); ++g) {
+    const std::size_t plane = g / light.sectors, s = g % light.sectors;
+    const std::size_t i = (s + light.sectors - settings.first_sector) % light.sectors;
+    for (std::size_t d = 0; d < rings.size(); ++d) {
+      const auto row = [&](std::size_t k) { return rings[d].ratio.row(plane * a_plane + k); };
+      for (std::size_t w = 0; w < waves; ++w) {
+        if (ellipse_alone) {
+          const Harmonics of{row(0)[w], row(1)[w], row(2)[w]};
+          light.ratio[g](d, w) = std::max(0., of.at(sector_angle(s, light.sectors)));  // at its rim
+        } else if (light.sectors == 1 || i < a_plane) {
+          light.ratio[g](d, w) = row(light.sectors == 1 ? 0 : i)[w];
+        }
+      }
+    }
+  }
+}
 
 void require_valid(const QuadratureSettings& settings) {
   algebra::require_within("rays", settings.rays, 2, 1e7);
   algebra::require_within("first sector", static_cast<double>(settings.first_sector), 0,
                           sectors_around - 1);
   algebra::require_within("sectors", static_cast<double>(settings.sectors), 1, sectors_around);
+  algebra::require_within("error between places", settings.place_error, 0, 1);
 }
-
-/// Places computed together, so that a block's sums stay at hand.
-constexpr std::size_t together = 64;
 
 }  // namespace
 
@@ -200,26 +317,19 @@ RefractedLight by_quadrature(const Atmosphere& atmosphere, const Arrangement& ar
   require_valid(atmosphere);
   require_valid(arrangement);
   require_valid(settings);
-  const std::size_t planes = arrangement.depths_m.size();
   const std::size_t sectors = atmosphere.symmetric() ? 1 : sectors_around;
-  auto light = darkness(arrangement, wavelengths_nm, axis_distances_m, sectors);
-  if (atmosphere.top_m() <= 0 || wavelengths_nm.empty()) return light;
+  if (atmosphere.top_m() <= 0 || wavelengths_nm.empty() || axis_distances_m.empty())
+    return darkness(arrangement, wavelengths_nm, axis_distances_m, sectors);
   const auto sun =
       photons::disc_terms(wavelengths_nm, arrangement.limb_darkening, settings.sun_terms);
   const photons::WholeLimb limb(atmosphere, optics_of(atmosphere, wavelengths_nm), settings.rays);
-  const bool ellipse_alone = atmosphere.regions.empty() && sectors > 1;
-  std::atomic<std::size_t> done = 0;
-  for (std::size_t k = 0; k < planes; ++k) {
-    const Plane plane(limb, sun, arrangement, arrangement.depths_m[k], bin_width_m(settings.rays));
-    Places places(light, k, ellipse_alone, settings);
-    const std::size_t count = places.all().size();
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, together), [&](const auto& range) {
-      plane.light(places.all().subspan(range.begin(), range.size()));
-      if (progress)
-        progress(static_cast<double>(done += range.size()) / static_cast<double>(count * planes));
-    });
-    places.finish();
-  }
+  const Solver solver(limb, sun, arrangement, angles(atmosphere, settings), settings.rays);
+  const auto rings = Refinement(solver, atmosphere, arrangement)
+                         .rings(axis_distances_m, settings.place_error, progress);
+  std::vector<double> distances_m;
+  for (const auto& ring : rings) distances_m.push_back(ring.gamma_m);
+  auto light = darkness(arrangement, wavelengths_nm, distances_m, sectors);
+  fill(rings, atmosphere, settings, light);
   return light;
 }
 

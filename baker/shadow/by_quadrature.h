@@ -17,6 +17,9 @@ struct QuadratureSettings {
   /// computed of sectors_around, going round from the first; the others stay dark. Only where the
   /// air has regions
   std::size_t first_sector = 0, sectors = sectors_around;
+  /// more axis distances are put between those given, where a cubic through four of them errs by more
+  /// than that of all light there, over all wavelengths; 0: none
+  double place_error = 0;
 };
 
 /// Refracted light without noise.
@@ -35,7 +38,7 @@ struct QuadratureSettings {
 /// limb-darkened disc is a sum of uniform ones.
 ///
 /// Given     wavelengths_nm  380 to 780; axis_distances_m: increasing, 0 or more
-/// Returned  one sector for air that is alike all around, else sectors_around; standard_error is 0
+/// Returned  at those distances, and more; one sector for air that is alike all around, else sectors_around; standard_error is 0
 /// Accuracy  against 8000 rays, any wavelength, up to 4500 km from the axis, worst and at 550 nm:
 ///           at 300 rays 1.3e-3 and 3e-4, at 1000 1.5e-4 and 8e-5; beyond, 1e-5 of unshaded
 ///           sunlight

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "plan/plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "algebra/error.h"
+#include "plan/laws.h"
+
+namespace coppermoon::plan {
+namespace {
+
+/// One knob: settings from the cheapest to the finest, and how to turn it.
+struct Knob {
+  std::vector<double> settings;
+  std::function<void(Work&, double)> turn;
+};
+
+template <typename Member>
+Knob knob(std::vector<double> settings, const std::optional<Member>& by_hand, Member Work::*member) {
+  if (by_hand) settings = {static_cast<double>(*by_hand)};
+  return {std::move(settings),
+          [member](Work& work, double value) { work.*member = static_cast<Member>(value); }};
+}
+
+Knob term(bool there, const std::optional<bool>& by_hand, bool Work::*member) {
+  std::vector<double> settings = there ? std::vector<double>{0, 1} : std::vector<double>{0};
+  return knob(by_hand ? std::vector<double>{} : settings, by_hand, member);
+}
+
+std::vector<Knob> knobs(const Scene& scene, const ByHand& by_hand) {
+  return {term(scene.without_refracted > 0, {}, &Work::refracted),
+          term(scene.ellipsoid, {}, &Work::ellipsoid),
+          term(scene.columns > 1, {}, &Work::regions),
+          term(true, by_hand.scattered_light, &Work::scattered_light),
+          knob({10, 16, 20, 40, 80, 200}, by_hand.bands, &Work::bands),
+          knob({60, 100, 200, 300, 600, 1000, 2000}, by_hand.rays, &Work::rays),
+          knob(scene.limb_darkening ? std::vector<double>{2, 3, 4, 6} : std::vector<double>{1},
+               by_hand.sun_terms, &Work::sun_terms),
+          knob({1, 2, 3, 5}, by_hand.planes, &Work::planes),
+          knob({200, 100, 50, 25, 12.5}, by_hand.spacing_km, &Work::spacing_km)};
+}
+
+/// The coarsest work, refined step by step until it is good enough.
+class Refinement {
+ public:
+  Refinement(const Scene& scene, const ByHand& by_hand)
+      : scene_(scene), knobs_(knobs(scene, by_hand)), at_(knobs_.size()) {
+    for (const auto& knob : knobs_) knob.turn(work_, knob.settings.front());
+  }
+
+  const Work& work() const { return work_; }
+
+  /// Whether there was anything left to refine.
+  bool refine() {
+    double best = 0;
+    std::size_t chosen = knobs_.size();
+    for (std::size_t k = 0; k < knobs_.size(); ++k) {
+      if (at_[k] + 1 == knobs_[k].settings.size()) continue;
+      const Work finer = turned(k);
+      const double gain = predicted_error(work_, scene_) - predicted_error(finer, scene_);
+      const double cost = predicted_seconds(finer, scene_, {}) - predicted_seconds(work_, scene_, {});
+      const double merit = gain / std::max(cost, 1e-6);
+      if (merit > best) best = merit, chosen = k;
+    }
+    if (chosen == knobs_.size()) return false;
+    work_ = turned(chosen);
+    ++at_[chosen];
+    return true;
+  }
+
+ private:
+  Work turned(std::size_t k) const {
+    Work finer = work_;
+    knobs_[k].turn(finer, knobs_[k].settings[at_[k] + 1]);
+    return finer;
+  }
+
+  const Scene& scene_;
+  std::vector<Knob> knobs_;
+  std::vector<std::size_t> at_;
+  Work work_;
+};
+
+/// What was left out, largest first.
+std::vector<LeftOut> left_out(const Work& work, const Scene& scene) {
+  std::vector<LeftOut> all;
+  if (!work.refracted) all.push_back({"light through the air", scene.without_refracted});
+  if (!work.ellipsoid && scene.ellipsoid) all.push_back({"ellipsoid", scene.without_ellipsoid});
+  if (!work.regions && scene.columns > 1) all.push_back({"regions", scene.without_regions});
+  if (!work.scattered_light) all.push_back({"scattered light", scene.without_scattered});
+  std::ranges::sort(all, std::greater{}, &LeftOut::size);
+  return all;
+}
+
+Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
+                 const ByHand& by_hand) {
+  Refinement refinement(scene, by_hand);
+  while (predicted_error(refinement.work(), scene) > tolerance && refinement.refine()) {
+  }
+  const auto& work = refinement.work();
+  return {work,
+          tolerance,
+          predicted_seconds(work, scene, machine),
+          predicted_error(work, scene),
+          left_out(work, scene),
+          {}};
+}
+
+}  // namespace
+
+Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine,
+              const ByHand& by_hand) {
+  constexpr double finest = 1e-4, coarsest = 0.5;
+  if (wish.tolerance)
+    algebra::require_within("tolerance", *wish.tolerance, finest, coarsest);
+  if (wish.budget_s) algebra::require_within("budget [s]", *wish.budget_s, 1e-3, 1e7);
+  const double asked = wish.tolerance.value_or(finest);
+  auto plan = plan_within(asked, scene, machine, by_hand);
+  for (double tolerance = asked; wish.budget_s && plan.seconds > *wish.budget_s;) {
+    tolerance *= 1.25;
+    if (tolerance > coarsest) break;
+    plan = plan_within(tolerance, scene, machine, by_hand);
+    if (wish.tolerance && plan.error > asked) plan.gave_way = "tolerance";
+  }
+  return plan;
+}
+
+}  // namespace coppermoon::plan
