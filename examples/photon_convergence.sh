@@ -10,11 +10,15 @@ set terminal pngcairo size 900,560
 set output 'photon_convergence.png'
 set datafile separator ','
 set logscale xy
-set xrange [700:*]
+set xrange [7000:*]
 set grid
 set xlabel 'photons'
 set ylabel 'relative error of a ring of 1000 km, 550 nm'
-plot 'photon_convergence.csv' skip 1 using 1:2 with linespoints lw 2 pt 7 title 'against the quadrature', \
-     '' skip 1 using 1:3 with lines lw 2 title 'standard error, as the photons say', \
+each(column) = stringcolumn(1) eq 'each' ? column : 1/0
+table(column) = stringcolumn(1) eq 'table' ? column : 1/0
+plot 'photon_convergence.csv' skip 1 using 2:(each($3)) with linespoints lw 2 pt 7 title 'traced each', \
+     '' skip 1 using 2:(each($4)) with lines lw 1 title 'standard error, as the photons say', \
+     '' skip 1 using 2:(table($3)) with linespoints lw 2 pt 7 title 'by the table', \
+     '' skip 1 using 2:(table($4)) with lines lw 1 title 'standard error, as the photons say', \
      0.3*sqrt(1000/x) with lines dashtype 2 title 'N^{-1/2}'
 EOF

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/by_photons.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <memory>
 #include <numbers>
-#include <optional>
 
 #include "algebra/error.h"
-#include "photons/limb.h"
 #include "photons/photon.h"
 #include "photons/solar_disc.h"
+#include "shadow/limb_landings.h"
+#include "shadow/photon_rows.h"
 
 namespace coppermoon::shadow {
 namespace {
@@ -21,96 +21,174 @@ namespace {
 using algebra::Grid;
 using atmosphere::Atmosphere;
 
-/// Sums over photons, cell by cell.
-struct Tally {
-  std::vector<Grid<double>> sum, sum_of_squares;  // [plane × sectors + sector](ring, wavelength)
+/// Photons whose rows are held at once.
+constexpr std::size_t batch = 32;
 
-  Tally(std::size_t grids, std::size_t rings, std::size_t waves)
-      : sum(grids, Grid<double>(rings, waves)), sum_of_squares(sum) {}
+/// Room that a thread works in.
+struct Workplace {
+  Tally tally;                   ///< of a block
+  Grid<float> light, landing_m;  ///< (photon of a batch, wavelength)
 
-  Tally& operator+=(const Tally& other) {
-    for (std::size_t g = 0; g < sum.size(); ++g)
-      for (std::size_t i = 0; i < sum[g].values().size(); ++i) {
-        sum[g].values()[i] += other.sum[g].values()[i];
-        sum_of_squares[g].values()[i] += other.sum_of_squares[g].values()[i];
-      }
-    return *this;
-  }
+  Workplace(std::size_t rows, std::size_t waves)
+      : tally(rows, waves), light(batch, padded(waves)), landing_m(light) {}
 };
 
-/// All that one photon needs to know.
-struct Simulation {
-  const Atmosphere& atmosphere;
-  const Arrangement& arrangement;
-  const PhotonSettings& settings;
-  std::vector<atmosphere::Optics> optics;
-  std::size_t rings;
-  std::optional<photons::WholeLimb> limb;  ///< where photons go by the table
+/// Sums over blocks, (row of a tally, wavelength).
+struct BlockSums {
+  Grid<double> sum, sum_of_squares;
 
-  std::size_t sector_of(const glm::dvec3& at) const {
-    const double turn = std::atan2(at.x, at.y) / (2 * std::numbers::pi);
-    const double sectors = static_cast<double>(settings.sectors);
-    const auto nearest = static_cast<std::int64_t>(std::floor((turn + 1) * sectors + 0.5));
-    return static_cast<std::size_t>(nearest) % settings.sectors;
+  BlockSums(std::size_t rows, std::size_t waves) : sum(rows, waves), sum_of_squares(sum) {}
+};
+
+void add(Grid<double>& sums, const Grid<double>& more) {
+  for (std::size_t i = 0; i < sums.values().size(); ++i) sums.values()[i] += more.values()[i];
+}
+
+/// All that photons need to know.
+class Simulation {
+ public:
+  Simulation(const Atmosphere& atmosphere, const Arrangement& arrangement,
+             std::span<const double> wavelengths_nm, const PhotonSettings& settings,
+             std::size_t rings)
+      : atmosphere_(atmosphere),
+        arrangement_(arrangement),
+        settings_(settings),
+        optics_(optics_of(atmosphere, wavelengths_nm)),
+        rings_{static_cast<float>(settings.ring_width_m), rings, settings.sectors} {
+    if (settings.trace == Trace::table)
+      landings_.emplace(atmosphere, arrangement, wavelengths_nm, settings.rays);
   }
 
+  std::size_t rows() const { return arrangement_.depths_m.size() * rings_.rows(); }
+  std::size_t waves() const { return optics_.size(); }
+
+  BlockSums simulated(BlockRange blocks) const {
+    BlockSums sums(rows(), waves());
+    Workplace work(rows(), waves());
+    for (auto block = blocks.from; block < blocks.to; ++block) {
+      if (landings_)
+        add_block(block, work);
+      else
+        for (std::uint64_t i = 0; i < photons_a_block; ++i)
+          add_literal_photon(block * photons_a_block + i, work.tally);
+      drain(work.tally, sums.sum, sums.sum_of_squares);
+    }
+    return sums;
+  }
+
+ private:
   /// Of the Sun's disc over its mean, at a place of it.
   double brightness_at(const glm::dvec3& source_m, std::size_t wave) const {
-    if (!arrangement.limb_darkening) return 1;
+    if (!arrangement_.limb_darkening) return 1;
     const double rho = std::hypot(source_m.x, source_m.y) / photons::solar_radius_m;
-    return photons::limb_darkening(algebra::nanometres(optics[wave].wavelength_nm),
+    return photons::limb_darkening(algebra::nanometres(optics_[wave].wavelength_nm),
                                    std::sqrt(std::max(0., 1 - rho * rho)));
   }
 
-  /// Through the air and out again.
-  std::optional<photons::Traced> followed(const photons::Ray& ray, std::size_t wave) const {
-    if (limb) return limb->passed(ray, wave);
-    const auto entering = photons::entered(ray, atmosphere.top_radius_m());
-    if (!entering) return std::nullopt;  // a graze lost to rounding
-    return photons::trace(*entering, atmosphere, optics[wave], settings.stepping);
+  /// The part of the ring that each photon stands for, of all wavelengths.
+  double literal_area_m2() const {
+    const double inner = photons::innermost_radius_m(atmosphere_);
+    const double outer = atmosphere_.top_radius_m();
+    return std::numbers::pi * (outer * outer - inner * inner) * static_cast<double>(waves());
   }
 
-  void add_photon(std::uint64_t index, Tally& tally) const {
-    algebra::Random random(settings.seed, index);
+  void add_literal_photon(std::uint64_t index, Tally& tally) const {
+    algebra::Random random(settings_.seed, index);
     const auto wave =
-        static_cast<std::size_t>(random.uniform() * static_cast<double>(optics.size()));
-    const auto ray = photons::aimed_at_the_ring(random, arrangement.sun_distance_m, atmosphere);
-    const auto traced = followed(ray, wave);
-    if (!traced) return;
-    const double weight = traced->transmittance * brightness_at(ray.position_m, wave);
-    for (std::size_t k = 0; k < arrangement.depths_m.size(); ++k) {
-      const auto landed = photons::at_depth(traced->leaving, arrangement.depths_m[k]);
-      const auto ring =
-          static_cast<std::size_t>(std::hypot(landed.x, landed.y) / settings.ring_width_m);
-      if (ring >= rings) continue;
-      const std::size_t grid = k * settings.sectors + sector_of(landed);
-      tally.sum[grid](ring, wave) += weight;
-      tally.sum_of_squares[grid](ring, wave) += weight * weight;
+        static_cast<std::size_t>(random.uniform() * static_cast<double>(optics_.size()));
+    const auto ray = photons::aimed_at_the_ring(random, arrangement_.sun_distance_m, atmosphere_);
+    const auto entering = photons::entered(ray, atmosphere_.top_radius_m());
+    if (!entering) return;  // a graze lost to rounding
+    const auto out = photons::trace(*entering, atmosphere_, optics_[wave], settings_.stepping);
+    if (!out) return;
+    const double light =
+        literal_area_m2() * out->transmittance * brightness_at(ray.position_m, wave);
+    for (std::size_t k = 0; k < arrangement_.depths_m.size(); ++k) {
+      const auto landed = photons::at_depth(out->leaving, arrangement_.depths_m[k]);
+      const std::size_t row = k * rings_.rows() + rings_.row(landed.x, landed.y);
+      tally.light(row, wave) += static_cast<float>(light);
+      tally.touched[row] = 1;
     }
+  }
+
+  void add_block(std::uint64_t block, Workplace& work) const {
+    const auto aims = landings_->aims(settings_.seed, block, settings_.sectors > 1);
+    for (std::size_t first = 0; first < aims.size(); first += batch)
+      add_photons(std::span(aims).subspan(first, std::min(batch, aims.size() - first)), work);
+  }
+
+  void add_photons(std::span<const Aim> aims, Workplace& work) const {
+    landings_->pass(aims, work.light);
+    std::vector<Aside> asides(aims.size());
+    for (std::size_t k = 0; k < arrangement_.depths_m.size(); ++k) {
+      const double sun_m = projected_solar_radius_m(arrangement_, arrangement_.depths_m[k]);
+      for (std::size_t i = 0; i < aims.size(); ++i)
+        asides[i] = {static_cast<float>(aims[i].toward.x), static_cast<float>(aims[i].toward.y),
+                     static_cast<float>(sun_m * aims[i].source.x),
+                     static_cast<float>(sun_m * aims[i].source.y)};
+      landings_->land(aims, k, work.landing_m);
+      gather(asides, work.landing_m, work.light, rings_, k * rings_.rows(), work.tally);
+    }
+  }
+
+  const Atmosphere& atmosphere_;
+  const Arrangement& arrangement_;
+  const PhotonSettings& settings_;
+  std::vector<atmosphere::Optics> optics_;
+  Rings rings_;
+  std::optional<LimbLandings> landings_;  ///< where photons go by the table
+};
+
+/// Tells how many of all blocks are done.
+struct BlockProgress {
+  const algebra::Progress& told;
+  std::uint64_t all, done;
+
+  void add(BlockRange blocks) {
+    done += blocks.to - blocks.from;
+    if (told) told(static_cast<double>(done) / static_cast<double>(all));
   }
 };
 
-/// Blocks of fixed size, merged in a fixed order: the same sums whatever the number of threads.
-Tally simulated(const Simulation& simulation, const Tally& none,
-                const algebra::Progress& progress) {
-  constexpr std::uint64_t block = 4096;
-  const std::uint64_t photons = simulation.settings.photons, blocks = (photons + block - 1) / block;
-  std::atomic<std::uint64_t> done = 0;
-  const auto add_blocks = [&](const tbb::blocked_range<std::uint64_t>& range, Tally tally) {
-    for (auto b = range.begin(); b != range.end(); ++b) {
-      for (auto i = b * block; i < std::min(photons, (b + 1) * block); ++i)
-        simulation.add_photon(i, tally);
-      if (progress) progress(static_cast<double>(++done) / static_cast<double>(blocks));
-    }
-    return tally;
+/// Parts of the blocks, added in their order: the same sums whatever the number of threads, which
+/// alone says how many parts are held at a time.
+void add_blocks(const Simulation& simulation, BlockRange blocks, BlockSums& sums,
+                BlockProgress& progress) {
+  constexpr std::uint64_t parts = 64, most = 4096;
+  const auto size = std::clamp<std::uint64_t>((blocks.to - blocks.from) / parts, 1, most);
+  auto next = blocks.from;
+  const auto held = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) + 1;
+  using Part = std::pair<BlockRange, std::shared_ptr<BlockSums>>;
+  const auto cut = [&](tbb::flow_control& flow) -> BlockRange {
+    if (next >= blocks.to) return flow.stop(), BlockRange{};
+    const auto from = next;
+    next = std::min(blocks.to, from + size);
+    return {from, next};
   };
-  const auto merge = [](Tally a, const Tally& b) { return std::move(a += b); };
-  const auto grain = std::max<std::uint64_t>(1, blocks / 64);
-  return tbb::parallel_deterministic_reduce(tbb::blocked_range<std::uint64_t>(0, blocks, grain),
-                                            none, add_blocks, merge);
+  const auto trace = [&](BlockRange range) -> Part {
+    return {range, std::make_shared<BlockSums>(simulation.simulated(range))};
+  };
+  const auto merge = [&](const Part& part) {
+    add(sums.sum, part.second->sum);
+    add(sums.sum_of_squares, part.second->sum_of_squares);
+    progress.add(part.first);
+  };
+  using tbb::filter_mode;
+  tbb::parallel_pipeline(held,
+                         tbb::make_filter<void, BlockRange>(filter_mode::serial_in_order, cut) &
+                             tbb::make_filter<BlockRange, Part>(filter_mode::parallel, trace) &
+                             tbb::make_filter<Part, void>(filter_mode::serial_in_order, merge));
 }
 
-void require_valid(const PhotonSettings& settings, const Atmosphere& atmosphere) {
+void require_valid(const StoppingRule& rule, std::size_t waves) {
+  algebra::require_within("tolerance", rule.tolerance, 1e-6, 1);
+  if (rule.weights.size() != waves)
+    throw algebra::Error(
+        fmt::format("weights = {}, allowed {}, one a wavelength", rule.weights.size(), waves));
+}
+
+void require_valid(const PhotonSettings& settings, const Atmosphere& atmosphere,
+                   std::size_t waves) {
   algebra::require_within("photons", static_cast<double>(settings.photons), 1, 1e12);
   algebra::require_within("step [km]", settings.stepping.step_m / 1e3, 1e-3, 100);
   algebra::require_within("rays", settings.rays, 2, 1e7);
@@ -118,60 +196,99 @@ void require_valid(const PhotonSettings& settings, const Atmosphere& atmosphere)
   algebra::require_within("sectors", static_cast<double>(settings.sectors), 1, 360);
   if (settings.sectors == 1 && !atmosphere.symmetric())
     throw algebra::Error("sectors = 1, allowed 2 to 360 for air that differs by region");
+  if (settings.enough) require_valid(*settings.enough, waves);
 }
 
-/// Irradiance ratio that one photon of full weight makes in a cell of ring r, times all photons.
-double cell_weight(const Simulation& simulation, double depth_m, std::size_t r) {
-  const double spread = 1 + depth_m / simulation.arrangement.sun_distance_m;
-  const double inner = photons::innermost_radius_m(simulation.atmosphere);
-  const double outer = simulation.atmosphere.top_radius_m();
-  const double width = simulation.settings.ring_width_m;
-  const double ring_area_over_pi = width * width * (2 * static_cast<double>(r) + 1);
-  return spread * spread * (outer * outer - inner * inner) / ring_area_over_pi *
-         static_cast<double>(simulation.settings.sectors * simulation.optics.size());
+PhotonSums no_photons(const Atmosphere& atmosphere, const Arrangement& arrangement,
+                      std::span<const double> wavelengths_nm, const PhotonSettings& settings) {
+  const double reach = refracted_reach_m(arrangement, atmosphere, arrangement.depths_m.back());
+  const auto rings = static_cast<std::size_t>(std::ceil(reach / settings.ring_width_m));
+  const std::vector<Grid<double>> nothing(arrangement.depths_m.size() * settings.sectors,
+                                          Grid<double>(rings, wavelengths_nm.size()));
+  return {settings.key,
+          arrangement,
+          {wavelengths_nm.begin(), wavelengths_nm.end()},
+          settings.ring_width_m,
+          rings,
+          settings.sectors,
+          settings.trace == Trace::table,
+          {},
+          nothing,
+          nothing};
 }
 
-/// Sums of weights and of their squares become a mean and its standard error.
-void become_estimates(std::span<double> sums, std::span<double> squares, double weight,
-                      double photons) {
-  for (std::size_t w = 0; w < sums.size(); ++w) {
-    const double mean = sums[w] / photons, variance = squares[w] / photons - mean * mean;
-    sums[w] = weight * mean;
-    squares[w] = weight * std::sqrt(std::max(0., variance) / photons);
+/// The rings of a plane's sectors, without what lands beyond.
+void add(const Grid<double>& rows, std::vector<Grid<double>>& grids) {
+  for (std::size_t g = 0; g < grids.size(); ++g)
+    for (std::size_t r = 0; r < grids[g].rows(); ++r)
+      for (std::size_t w = 0; w < grids[g].columns(); ++w)
+        grids[g](r, w) += rows(g * (grids[g].rows() + 1) + r, w);
+}
+
+/// Ranges of blocks, the first so many of them.
+std::vector<BlockRange> first_of(const std::vector<BlockRange>& ranges, std::uint64_t count) {
+  std::vector<BlockRange> first;
+  for (const auto& range : ranges) {
+    const auto taken = std::min(count, range.to - range.from);
+    if (taken > 0) first.push_back({range.from, range.from + taken});
+    count -= taken;
   }
+  return first;
+}
+
+/// Whether there are enough photons, as far as their settings can tell.
+bool enough(const PhotonSums& sums, const PhotonSettings& settings) {
+  if (!settings.enough || blocks_in(sums.done) < blocks_for_an_error) return false;
+  return worst_error(estimated(sums), *settings.enough) <= settings.enough->tolerance;
+}
+
+/// Traces blocks that are not done yet, into the sums.
+void add_ranges(const Simulation& simulation, const std::vector<BlockRange>& ranges,
+                PhotonSums& sums, BlockProgress& progress) {
+  BlockSums rows(simulation.rows(), simulation.waves());
+  PhotonSums more = sums;
+  more.done = ranges;
+  for (const auto& range : ranges) add_blocks(simulation, range, rows, progress);
+  for (auto* grids : {&more.sum, &more.sum_of_squares})
+    for (auto& grid : *grids) std::fill(grid.values().begin(), grid.values().end(), 0.);
+  add(rows.sum, more.sum);
+  add(rows.sum_of_squares, more.sum_of_squares);
+  sums = merged(std::move(sums), more);
 }
 
 }  // namespace
 
+PhotonSums traced(const Atmosphere& atmosphere, const Arrangement& arrangement,
+                  std::span<const double> wavelengths_nm, const PhotonSettings& settings,
+                  const PhotonSums* before, const algebra::Progress& progress) {
+  require_valid(atmosphere);
+  require_valid(arrangement);
+  require_valid(settings, atmosphere, wavelengths_nm.size());
+  auto sums = no_photons(atmosphere, arrangement, wavelengths_nm, settings);
+  if (before != nullptr) sums = merged(std::move(sums), *before);
+  const auto asked = settings.blocks.value_or(blocks_of(settings.photons));
+  auto left = missing(sums, asked);
+  if (left.empty() || enough(sums, settings)) return sums;
+  if (atmosphere.top_m() <= 0 || wavelengths_nm.empty()) {
+    auto none = no_photons(atmosphere, arrangement, wavelengths_nm, settings);
+    none.done = left;
+    return merged(std::move(sums), none);
+  }
+  const Simulation simulation(atmosphere, arrangement, wavelengths_nm, settings, sums.rings);
+  BlockProgress told{progress, blocks_in(left), 0};
+  constexpr std::uint64_t first_batch = 16;
+  while (!left.empty() && !enough(sums, settings)) {
+    const auto count = settings.enough ? std::max(first_batch, blocks_in(sums.done)) : asked.to;
+    add_ranges(simulation, first_of(left, count), sums, told);
+    left = missing(sums, asked);
+  }
+  return sums;
+}
+
 RefractedLight by_photons(const Atmosphere& atmosphere, const Arrangement& arrangement,
                           std::span<const double> wavelengths_nm, const PhotonSettings& settings,
                           const algebra::Progress& progress) {
-  require_valid(atmosphere);
-  require_valid(arrangement);
-  require_valid(settings, atmosphere);
-  const double reach = refracted_reach_m(arrangement, atmosphere, arrangement.depths_m.back());
-  const auto rings = static_cast<std::size_t>(std::ceil(reach / settings.ring_width_m));
-  Simulation simulation{atmosphere, arrangement, settings, optics_of(atmosphere, wavelengths_nm),
-                        rings,      {}};
-  if (settings.trace == Trace::table)
-    simulation.limb.emplace(atmosphere, simulation.optics, settings.rays);
-  const Tally none(arrangement.depths_m.size() * settings.sectors, rings, wavelengths_nm.size());
-  Tally tally = atmosphere.top_m() > 0 ? simulated(simulation, none, progress) : none;
-
-  RefractedLight light{arrangement,
-                       {wavelengths_nm.begin(), wavelengths_nm.end()},
-                       {},
-                       settings.sectors,
-                       std::move(tally.sum),
-                       std::move(tally.sum_of_squares)};
-  for (std::size_t r = 0; r < rings; ++r)
-    light.axis_distances_m.push_back((static_cast<double>(r) + 0.5) * settings.ring_width_m);
-  for (std::size_t g = 0; g < light.ratio.size(); ++g)
-    for (std::size_t r = 0; r < rings; ++r)
-      become_estimates(light.ratio[g].row(r), light.standard_error[g].row(r),
-                       cell_weight(simulation, arrangement.depths_m[g / settings.sectors], r),
-                       static_cast<double>(settings.photons));
-  return light;
+  return estimated(traced(atmosphere, arrangement, wavelengths_nm, settings, nullptr, progress));
 }
 
 RefractedLight smoothed(const RefractedLight& light, double sigma_m) {

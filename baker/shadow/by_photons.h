@@ -2,21 +2,25 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "algebra/progress.h"
 #include "photons/trace.h"
 #include "shadow/irradiance.h"
+#include "shadow/photon_sums.h"
 
 namespace coppermoon::shadow {
 
 /// How a photon finds its way through the air: step by step, in three dimensions, to the letter of
-/// the paper; or by a table of the limb's rays (photons::WholeLimb), in the plane of its own.
+/// the paper, each of one random wavelength; or by a table of the limb's rays (photons::WholeLimb),
+/// in the plane of its own, each of all wavelengths.
 enum class Trace { each, table };
 
 /// How many photons, which, and how they are traced and gathered.
 struct PhotonSettings {
-  std::uint64_t photons = 1'000'000;  ///< 1 to 1e12
+  std::uint64_t photons = 1'000'000;  ///< 1 to 1e12; rounded up to whole blocks of 1024
   std::uint64_t seed = 1;
   Trace trace = Trace::each;
   photons::Stepping stepping;  ///< of photons traced each
@@ -24,20 +28,32 @@ struct PhotonSettings {
   double ring_width_m = 50e3;  ///< of the rings that gather, 1e3 to 2e6 m
   /// parts of the position angle; 1 takes every photon all around the axis
   std::size_t sectors = 1;
+  std::optional<StoppingRule> enough;  ///< ends before all photons are traced
+  std::optional<BlockRange> blocks;    ///< traces these alone of all blocks
+  std::string key;                     ///< of the sums: what they belong to
 };
 
-/// Refracted light by the paper's photon simulation, for any atmosphere.
+/// Refracted light by photons, for any atmosphere, as sums that can be added to.
 ///
-/// Each photon has one wavelength, drawn at random; leaves a random place of the solar disc, aimed
-/// at the ring of the air; is traced; and is gathered on every plane in the ring of axis
-/// distances (and the sector) where it lands. One sector replicates each photon all around the
-/// axis, which only symmetric air allows. A cell's mean and standard error come from sums and sums
-/// of squares over all photons.
+/// Traced each, a photon has one wavelength, drawn at random; leaves a random place of the solar
+/// disc, aimed at the ring of the air; is traced; and is gathered on every plane in the ring of
+/// axis distances (and the sector) where it lands. By the table, it carries all wavelengths, and a
+/// block of photons is spread evenly: over tangent heights, over directions and distances of
+/// landing (LimbLandings). One sector replicates each photon all around the axis, which only
+/// symmetric air allows. Blocks are added until all are done, or, in batches that double, until
+/// there are enough.
 ///
-/// Returned  axis_distances_m at the rings' middles; the same for any number of threads
-/// Throws    Error  when an argument is outside its range, or one sector is asked of air that
-///                  differs by region
+/// Given     before   what was traced already, and is not traced again
+/// Returned  `before` and more; by the table alike to the last bit for any number of threads, on
+///           processors with the same vectors; memory does not grow with the number of photons
+/// Throws    Error  when an argument is outside its range, one sector is asked of air that differs
+///                  by region, or `before` belongs to something else
 /// Source    Yapo & Cutler (2009) §3.1 and 3.2
+PhotonSums traced(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
+                  std::span<const double> wavelengths_nm, const PhotonSettings& settings,
+                  const PhotonSums* before = nullptr, const algebra::Progress& progress = {});
+
+/// The light that they make: estimated(traced(…)).
 RefractedLight by_photons(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
                           std::span<const double> wavelengths_nm, const PhotonSettings& settings,
                           const algebra::Progress& progress = {});

@@ -29,6 +29,17 @@ RefractedLight darkness(const Arrangement& arrangement, std::span<const double> 
           dark};
 }
 
+double combined_error(const RefractedLight& light, std::span<const double> errors,
+                      std::span<const double> weights) {
+  double sum = 0, variance = 0;
+  for (std::size_t w = 0; w < weights.size(); ++w) {
+    const double error = std::abs(weights[w]) * errors[w];
+    sum += error;
+    variance += error * error;
+  }
+  return light.errors_add ? sum : std::sqrt(variance);
+}
+
 std::vector<atmosphere::Optics> optics_of(const atmosphere::Atmosphere& atmosphere,
                                           std::span<const double> wavelengths_nm) {
   std::vector<atmosphere::Optics> optics;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -33,11 +34,19 @@ struct RefractedLight {
   std::size_t sectors = 1;
   /// [plane × sectors + sector](axis distance, wavelength); sector s is centred at 2π s / sectors
   std::vector<algebra::Grid<double>> ratio, standard_error;
+  std::uint64_t photons = 0;  ///< that were traced for it
+  /// errors of a place's wavelengths are those of the same photons and add up; else independent
+  bool errors_add = false;
 };
 
 /// No light at all, on every plane in that many sectors.
 RefractedLight darkness(const Arrangement& arrangement, std::span<const double> wavelengths_nm,
                         std::span<const double> axis_distances_m, std::size_t sectors);
+
+/// The standard error of a weighted sum over wavelengths, from theirs; at most so much where they
+/// add up.
+double combined_error(const RefractedLight& light, std::span<const double> errors,
+                      std::span<const double> weights);
 
 /// The air at sea level for each wavelength.
 std::vector<atmosphere::Optics> optics_of(const atmosphere::Atmosphere& atmosphere,

@@ -75,13 +75,10 @@ void Lookup::fill(const RefractedLight& light, std::size_t g, std::size_t n,
     errors[w] = std::lerp(light.standard_error[g](low, w), light.standard_error[g](high, w), part);
   }
   for (std::size_t c = 0; c < channels(); ++c) {
-    double value = 0, variance = 0;
-    for (std::size_t w = 0; w < ratios.size(); ++w) {
-      value += weights(c, w) * ratios[w];
-      variance += weights(c, w) * errors[w] * weights(c, w) * errors[w];
-    }
+    double value = 0;
+    for (std::size_t w = 0; w < ratios.size(); ++w) value += weights(c, w) * ratios[w];
     values_(g * nodes_ + n, c) = value;
-    errors_(g * nodes_ + n, c) = std::sqrt(variance);
+    errors_(g * nodes_ + n, c) = combined_error(light, errors, weights.row(c));
   }
 }
 

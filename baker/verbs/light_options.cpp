@@ -36,7 +36,9 @@ void add_solver_options(CLI::App& verb, LightOptions& options) {
       ->check(CLI::IsMember({"each", "table"}))
       ->group(group);
   verb.add_option("--photons", options.photons,
-                  "how many, 1 to 1e12; 1e6 take minutes with --trace each, a second by the table")
+                  "how many, 1 to 1e12, rounded up to blocks of 1024; 1e6 take minutes with "
+                  "--trace each, a "
+                  "second by the table")
       ->group(group);
   verb.add_option("--seed", options.seed, "of the photons")
       ->check(CLI::NonNegativeNumber)
@@ -47,6 +49,7 @@ void add_solver_options(CLI::App& verb, LightOptions& options) {
   verb.add_option("--smoothing-km", options.smoothing_km,
                   "standard deviation of the Gaussian that smooths photons; 0: none")
       ->group(group);
+  add_photon_options(verb, options.photon_files);
 }
 
 shadow::PhotonSettings photon_settings(const LightOptions& options) {
@@ -64,6 +67,9 @@ shadow::PhotonSettings photon_settings(const LightOptions& options) {
 /// What a solver would find only when it is run, or never when the other one is.
 void require_sound(const LightOptions& options) {
   photon_settings(options);
+  if (options.solver != "photons" && given(options.photon_files))
+    throw algebra::Error(
+        fmt::format("solver = {}, allowed photons with --shard, --keep or --add", options.solver));
   algebra::require_within("smoothing [km]", options.smoothing_km, 0, 2000);
 }
 
@@ -78,7 +84,8 @@ shadow::RefractedLight solved(const LightOptions& options, const atmosphere::Atm
                                  bar.progress());
   auto settings = photon_settings(options);
   if (!air.symmetric()) settings.sectors = shadow::sectors_around;
-  const auto light = shadow::by_photons(air, arrangement, wavelengths_nm, settings, bar.progress());
+  const auto light = light_of_photons(options.photon_files, air, arrangement, wavelengths_nm,
+                                      settings, bar.progress());
   return shadow::smoothed(light, options.smoothing_km * 1e3);
 }
 

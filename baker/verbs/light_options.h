@@ -13,6 +13,7 @@
 #include "shadow/irradiance.h"
 #include "shadow/lookup.h"
 #include "verbs/air_options.h"
+#include "verbs/photon_options.h"
 
 namespace coppermoon::verbs {
 
@@ -25,6 +26,7 @@ struct LightOptions {
   int rays = 300;
   double photons = 1e6, step_km = 1, ring_km = 50, smoothing_km = 0;
   std::uint64_t seed = 1;
+  PhotonOptions photon_files;
 };
 
 void add_light_options(CLI::App& verb, LightOptions& options);

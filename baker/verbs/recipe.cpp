@@ -164,8 +164,8 @@ std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::
 std::string recipe_of(const CLI::App& verb) {
   std::string text;
   const std::string tables = air_tables(verb);
-  std::vector<std::string> no_part{"help",    "recipe", "json", "output",
-                                   "threads", "frame",  "plot", "region"};
+  std::vector<std::string> no_part{"help", "recipe", "json",  "output", "threads", "frame",
+                                   "plot", "region", "shard", "keep",   "add"};
   if (!tables.empty()) no_part.push_back("atmosphere");
   for (const auto* option : verb.get_options()) {
     if (option->get_lnames().empty() || holds(no_part, option->get_lnames().front())) continue;

@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
-foreach(noun error grid interpolation quadrature quantity random table)
+foreach(noun error grid interpolation low_discrepancy quadrature quantity random table)
   coppermoon_test(baker/algebra/${noun} LINKS algebra)
 endforeach()

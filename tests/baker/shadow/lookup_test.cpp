@@ -30,14 +30,14 @@ TEST(Lookup, IsTheQuadraturePlusDirectLightBetweenItsNodes) {
   const std::vector<double> waves{550};
   std::vector<double> nodes;
   for (double d = 0; d < 8.6e6; d += 25e3) nodes.push_back(d);
-  const Lookup lookup(by_quadrature({}, around_the_moon, waves, nodes), direct(waves), one_channel(1));
+  const Lookup lookup(by_quadrature({}, around_the_moon, waves, nodes), direct(waves),
+                      one_channel(1));
   for (const double at_m : {3e3, 1.2341e6, 3.333e6, 4.404e6, 5.0127e6, 7.77e6}) {
     const double depth = 3.8177e8;  // between planes
     const std::vector<double> here{at_m};
     const auto exact = by_quadrature({}, {around_the_moon.sun_distance_m, {depth}}, waves, here);
-    const double total =
-        exact.ratio[0](0, 0) +
-        1 - covered_part(at_m, depth, around_the_moon.sun_distance_m, 6.42e6);
+    const double total = exact.ratio[0](0, 0) + 1 -
+                         covered_part(at_m, depth, around_the_moon.sun_distance_m, 6.42e6);
     EXPECT_WITHIN_RELATIVE(
         read(lookup, place(at_m, depth)), total, 2e-3,
         "straight lines over 25 km, 10 km and 900 km of depth; worst at the umbra's rim");
@@ -70,6 +70,9 @@ TEST(Lookup, SumsWavelengthsWithTheChannelsWeights) {
   EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8)), 3 * 0.25 + 4 * 0.5, 1e-14, "closed form");
   EXPECT_WITHIN(lookup.worst_relative_error(0, 0, 1e6), 0.03 * 5 / 2.75, 1e-14,
                 "errors of 3 and 4 add to 5");
+  light.errors_add = true;
+  EXPECT_WITHIN(Lookup(light, direct({500, 600}), weights).worst_relative_error(0, 0, 1e6),
+                0.03 * 7 / 2.75, 1e-14, "of the same photons, to 7");
 }
 
 TEST(Lookup, TurnsWithThePositionAngle) {

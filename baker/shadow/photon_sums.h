@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "algebra/grid.h"
+#include "shadow/irradiance.h"
+
+namespace coppermoon::shadow {
+
+/// Photons come in blocks of so many.
+inline constexpr std::uint64_t photons_a_block = 1024;
+
+/// With fewer blocks their standard error is not known.
+inline constexpr std::uint64_t blocks_for_an_error = 8;
+
+/// Blocks of photons by number, without the last.
+struct BlockRange {
+  std::uint64_t from = 0, to = 0;
+
+  bool operator==(const BlockRange&) const = default;
+};
+
+/// The blocks that hold so many photons; a last one that is not full is filled.
+BlockRange blocks_of(std::uint64_t photons);
+
+/// One of some equal parts of them.
+///
+/// Given   part   1 to parts
+/// Throws  Error  when it is not
+BlockRange shard(BlockRange blocks, std::uint64_t part, std::uint64_t parts);
+
+/// What some blocks of photons brought to each cell: partial results that add up, wherever and
+/// whenever each was traced.
+struct PhotonSums {
+  std::string key;  ///< what they belong to: air, arrangement, seed and all else that changes them
+  Arrangement arrangement{};
+  std::vector<double> wavelengths_nm;
+  double ring_width_m = 0;
+  std::size_t rings = 0, sectors = 1;
+  bool all_wavelengths = true;   ///< each photon carries them; else one
+  std::vector<BlockRange> done;  ///< in order, none touching the next
+  /// [plane × sectors + sector](ring, wavelength), over blocks, of the light that a block brought:
+  /// the area of unshaded sunlight that has as much [m²], and its square
+  std::vector<algebra::Grid<double>> sum, sum_of_squares;
+};
+
+std::uint64_t blocks_in(const std::vector<BlockRange>& ranges);
+
+/// The blocks of a range that are not done yet.
+std::vector<BlockRange> missing(const PhotonSums& sums, BlockRange blocks);
+
+/// Both together.
+///
+/// Accuracy  as if traced in one run but for rounding, 1e-12
+/// Throws    Error  when they belong to different things, or hold the same blocks
+PhotonSums merged(PhotonSums a, const PhotonSums& b);
+
+/// Mean and standard error of each cell. Blocks are independent and alike: the mean has no bias,
+/// the error is that of the mean over blocks.
+///
+///     E/E₀ = (1 + z/D)² Σ / (n A)      A = the cell's area, n = photons
+///
+/// Returned  axis_distances_m at the rings' middles; the standard error equal to the ratio, 100 %,
+///           where there are fewer than blocks_for_an_error
+RefractedLight estimated(const PhotonSums& sums);
+
+/// When enough photons have been traced: the light that weights make of the wavelengths is known,
+/// between two axis distances, in every ring and sector.
+struct StoppingRule {
+  std::vector<double> weights;  ///< by wavelength
+  double tolerance;             ///< relative: of two standard errors, 1e-6 to 1
+  double from_m, to_m;          ///< axis distances
+};
+
+/// Twice the standard error of the weighted light over that light, at worst; 1 where nothing has
+/// landed, or the error is not known.
+double worst_error(const RefractedLight& light, const StoppingRule& rule);
+
+}  // namespace coppermoon::shadow

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/photon_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <sstream>
+#include <string_view>
+
+#include "algebra/error.h"
+#include "verbs/photon_sums.h"
+#include "verbs/recipe.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+/// Whether photons are others when this flag is.
+bool changes_photons(const CLI::App& verb, const std::string& flag) {
+  constexpr std::array<std::string_view, 5> ways{"seed", "trace", "rays", "step-km", "ring-km"};
+  constexpr std::array<std::string_view, 2> added_later{"scattered-light", "starlight"};
+  if (std::find(added_later.begin(), added_later.end(), flag) != added_later.end()) return false;
+  if (std::find(ways.begin(), ways.end(), flag) != ways.end()) return true;
+  const auto* option = verb.get_option_no_throw("--" + flag);
+  return option != nullptr && option->get_group() == "The Earth's air";
+}
+
+/// Of the recipe's flags those that count, and all of its tables of air.
+std::string key_of(const CLI::App& verb) {
+  std::istringstream recipe(recipe_of(verb));
+  std::string key;
+  bool in_tables = false;
+  for (std::string line; std::getline(recipe, line);) {
+    in_tables = in_tables || line.starts_with("[");
+    if (in_tables || changes_photons(verb, line.substr(0, line.find(' ')))) key += line + "\n";
+  }
+  return key;
+}
+
+shadow::BlockRange shard_of(const std::string& text, shadow::BlockRange blocks) {
+  std::uint64_t part = 0, parts = 0;
+  const auto slash = text.find('/');
+  if (slash == std::string::npos || !CLI::detail::lexical_cast(text.substr(0, slash), part) ||
+      !CLI::detail::lexical_cast(text.substr(slash + 1), parts))
+    throw algebra::Error(fmt::format("shard = {}, allowed K/N, as 2/8", text));
+  return shadow::shard(blocks, part, parts);
+}
+
+std::optional<shadow::PhotonSums> added(const std::vector<std::string>& paths) {
+  std::optional<shadow::PhotonSums> all;
+  for (const auto& path : paths) {
+    auto sums = read_sums(path);
+    try {
+      all = all ? merged(std::move(*all), sums) : std::move(sums);
+    } catch (const algebra::Error& error) {
+      throw algebra::Error(fmt::format("{}: {}", path, error.what()));
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+void add_photon_options(CLI::App& verb, PhotonOptions& options) {
+  const std::string group = "How light is computed";
+  verb.add_option("--shard", options.shard, "K/N: traces the K-th of N parts of the photons")
+      ->group(group);
+  verb.add_option("--keep", options.keep, "a file that the photons' sums are written to, JSON")
+      ->group(group);
+  verb.add_option("--add", options.add,
+                  "a file that --keep wrote, of the same scene: its photons count and are not "
+                  "traced again; may be given again")
+      ->expected(1)
+      ->take_all()
+      ->group(group);
+  options.key = [&verb] { return key_of(verb); };
+}
+
+bool given(const PhotonOptions& options) {
+  return !options.shard.empty() || !options.keep.empty() || !options.add.empty();
+}
+
+shadow::RefractedLight light_of_photons(const PhotonOptions& options,
+                                        const atmosphere::Atmosphere& air,
+                                        const shadow::Arrangement& arrangement,
+                                        std::span<const double> wavelengths_nm,
+                                        shadow::PhotonSettings settings,
+                                        const algebra::Progress& progress) {
+  if (options.key) settings.key = options.key();
+  if (!options.shard.empty())
+    settings.blocks = shard_of(options.shard, shadow::blocks_of(settings.photons));
+  const auto before = added(options.add);
+  const auto sums = shadow::traced(air, arrangement, wavelengths_nm, settings,
+                                   before ? &*before : nullptr, progress);
+  if (!options.keep.empty()) write_sums(options.keep, sums);
+  return shadow::estimated(sums);
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "shadow/limb_landings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "baker/shadow/ring_means.h"
+#include "photons/photon.h"
+#include "shadow/by_photons.h"
+#include "support/within.h"
+
+namespace coppermoon::shadow {
+namespace {
+
+const Arrangement february_2008{1.479e11, {3.83e8}};
+const std::vector<double> waves{500, 580, 680};
+
+/// By the table in rings of 50 km over the umbra, against the quadrature.
+class ByTheTable : public testing::Test {
+ protected:
+  static constexpr std::size_t rings = 90;
+  const algebra::Grid<double> exact = ring_means({}, february_2008, waves, 50e3, rings);
+
+  PhotonSettings settings(std::uint64_t photons, std::uint64_t seed) const {
+    PhotonSettings settings;
+    settings.photons = photons;
+    settings.trace = Trace::table;
+    settings.seed = seed;
+    return settings;
+  }
+};
+
+TEST_F(ByTheTable, StandardErrorsAreThoseThatPhotonsMake) {
+  // The mean over runs of 64 blocks of off²/error², which is t² of 63 degrees of freedom: 63/61.
+  // How well the mean is known comes from the scatter of the runs themselves.
+  constexpr int runs = 30;
+  double sum = 0, squares = 0;
+  for (int run = 0; run < runs; ++run) {
+    const auto light = by_photons({}, february_2008, waves,
+                                  settings(64 * photons_a_block, 100 + static_cast<unsigned>(run)));
+    double mean = 0;
+    for (std::size_t r = 0; r < rings; ++r)
+      for (std::size_t w = 0; w < waves.size(); ++w)
+        mean += std::pow((light.ratio[0](r, w) - exact(r, w)) / light.standard_error[0](r, w), 2) /
+                static_cast<double>(rings * waves.size());
+    sum += mean;
+    squares += mean * mean;
+  }
+  const double mean = sum / runs;
+  const double error = std::sqrt((squares / runs - mean * mean) / (runs - 1));
+  EXPECT_LT(error, 0.05) << "a test that sees errors of 10 %";
+  EXPECT_WITHIN(mean, 63. / 61, 3.66 * error, "t of 29 degrees of freedom, one run in a thousand");
+}
+
+TEST_F(ByTheTable, MeansOfManyHaveNoBias) {
+  // Bonferroni: 270 cells, one true run in a thousand has one of them beyond 4.6 errors.
+  const auto light = by_photons({}, february_2008, waves, settings(4'000'000, 5));
+  for (std::size_t r = 0; r < rings; ++r)
+    for (std::size_t w = 0; w < waves.size(); ++w) {
+      EXPECT_WITHIN(light.ratio[0](r, w), exact(r, w), 4.6 * light.standard_error[0](r, w),
+                    "4.6 standard errors");
+      EXPECT_LT(light.standard_error[0](r, w), 0.02 * exact(r, w)) << "a test that sees 10 %";
+    }
+}
+
+/// The mean over rings of the relative variance, of photons drawn one by one as they are traced:
+/// uniform over the disc and over the ring's area.
+double plain_variance(const algebra::Grid<double>& exact, std::size_t wave, int photons) {
+  const atmosphere::Atmosphere air;
+  const photons::WholeLimb limb(air, optics_of(air, waves), 500);
+  std::vector<double> squares(exact.rows());
+  for (int i = 0; i < photons; ++i) {
+    algebra::Random random(1, static_cast<std::uint64_t>(i));
+    const auto ray = photons::aimed_at_the_ring(random, february_2008.sun_distance_m, air);
+    const auto passed = limb.passed(ray, wave);
+    if (!passed) continue;
+    const auto landed = photons::at_depth(passed->leaving, february_2008.depths_m[0]);
+    const auto ring = static_cast<std::size_t>(std::hypot(landed.x, landed.y) / 50e3);
+    if (ring < exact.rows()) squares[ring] += passed->transmittance * passed->transmittance;
+  }
+  const double inner = photons::innermost_radius_m(air), outer = air.top_radius_m();
+  const double spread = 1 + february_2008.depths_m[0] / february_2008.sun_distance_m;
+  double mean = 0;
+  for (std::size_t r = 0; r < exact.rows(); ++r) {
+    const double scale = spread * spread * (outer * outer - inner * inner) /
+                         (50e3 * 50e3 * (2 * static_cast<double>(r) + 1)) / exact(r, wave);
+    mean += (scale * scale * squares[r] / photons - 1) / static_cast<double>(exact.rows());
+  }
+  return mean / photons;
+}
+
+TEST_F(ByTheTable, HaveATenthOfTheVarianceOfPlainPhotonsOrLess) {
+  constexpr int photons = 1'000'000;
+  const auto light = by_photons({}, february_2008, waves, settings(photons, 6));
+  for (std::size_t w = 0; w < waves.size(); ++w) {
+    double variance = 0;
+    for (std::size_t r = 0; r < rings; ++r)
+      variance += std::pow(light.standard_error[0](r, w) / exact(r, w), 2) / rings;
+    EXPECT_LT(variance, plain_variance(exact, w, photons) / 10) << waves[w] << " nm";
+  }
+}
+
+TEST_F(ByTheTable, StopAtTheirTolerance) {
+  auto few = settings(100'000'000, 7);
+  few.enough = StoppingRule{{0.2, 1, 0.1}, 0.05, 0, 4500e3};
+  const auto light = by_photons({}, february_2008, waves, few);
+  EXPECT_LE(worst_error(light, *few.enough), 0.05);
+  EXPECT_LT(light.photons, 4'000'000U) << "far fewer than were allowed";
+  int outside = 0;
+  for (std::size_t r = 0; r < rings; ++r) {
+    double value = 0, truth = 0;
+    for (std::size_t w = 0; w < waves.size(); ++w) {
+      value += few.enough->weights[w] * light.ratio[0](r, w);
+      truth += few.enough->weights[w] * exact(r, w);
+    }
+    outside += std::abs(value / truth - 1) > 0.05;
+  }
+  EXPECT_LE(outside, 12) << "of 90 at 95 % confidence, 4.5; Poisson, one run in a thousand fails";
+}
+
+TEST_F(ByTheTable, StopAtTheirCapWhereTheToleranceIsOutOfReach) {
+  auto capped = settings(50'000, 7);
+  capped.enough = StoppingRule{{1, 1, 1}, 1e-4, 0, 4500e3};
+  const auto light = by_photons({}, february_2008, waves, capped);
+  EXPECT_EQ(light.photons, 49 * photons_a_block) << "50 000 rounded up to whole blocks";
+}
+
+TEST_F(ByTheTable, SayAHundredPercentWhereBlocksAreTooFew) {
+  const auto light = by_photons({}, february_2008, waves, settings(7 * photons_a_block, 7));
+  EXPECT_EQ(light.standard_error[0](40, 1), light.ratio[0](40, 1));
+  EXPECT_GT(light.ratio[0](40, 1), 0);
+}
+
+TEST_F(ByTheTable, LandOnEveryPlane) {
+  // Planes apart by the Moon's radius; Bonferroni: 120 rings, one true run in a thousand has one
+  // beyond 4.5 errors.
+  const Arrangement planes{1.479e11, {3.813e8, 3.822e8, 3.83e8}, true};
+  const auto light = by_photons({}, planes, waves, settings(1'000'000, 8));
+  for (const std::size_t plane : {0U, 2U}) {
+    const auto means = ring_means({}, {1.479e11, {planes.depths_m[plane]}, true}, waves, 50e3, 60);
+    for (std::size_t r = 0; r < 60; ++r)
+      EXPECT_WITHIN(light.ratio[plane](r, 1), means(r, 1), 4.5 * light.standard_error[plane](r, 1),
+                    "4.5 standard errors");
+  }
+}
+
+TEST(LimbLandings, AimFromTheSunAtTheAirAndLandSpreadEvenly) {
+  // Every aim leaves the Sun's disc for a height between ground and top; landings of the middle
+  // wavelength take each sixteenth of the axis distances in turn, as 1024 strata do.
+  const LimbLandings landings({}, february_2008, waves, 300);
+  const double sun_m = projected_solar_radius_m(february_2008, february_2008.depths_m[0]);
+  const auto aims = landings.aims(1, 2, false);
+  algebra::Grid<float> landing_m(aims.size(), padded(waves.size()));
+  landings.land(aims, 0, landing_m);
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < aims.size(); ++i) {
+    EXPECT_LE(glm::dot(aims[i].source, aims[i].source), 1 + 1e-9);
+    EXPECT_GE(aims[i].tangent_height_m, 0);
+    EXPECT_LE(aims[i].tangent_height_m, 42e3);
+    const glm::dvec2 landed =
+        static_cast<double>(landing_m(i, 1)) * aims[i].toward - sun_m * aims[i].source;
+    distances.push_back(std::hypot(landed.x, landed.y));
+  }
+  ASSERT_GT(distances.size(), 1000U) << "nearly all of 1024 land";
+  std::sort(distances.begin(), distances.end());
+  const double step =
+      (distances.back() - distances.front()) / static_cast<double>(distances.size() - 1);
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    EXPECT_WITHIN(distances[i], distances.front() + static_cast<double>(i) * step, 30 * step,
+                  "strata jittered by one, and two dozen that meet no light at the rim");
+}
+
+}  // namespace
+}  // namespace coppermoon::shadow
