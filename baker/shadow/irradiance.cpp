@@ -89,21 +89,39 @@ DirectLight::DirectLight(const atmosphere::Atmosphere& atmosphere, const Arrange
       arrangement_(arrangement),
       sun_(photons::disc_layers(wavelengths_nm, arrangement.limb_darkening)) {}
 
-void DirectLight::ratios(double axis_distance_m, double position_angle_rad, double depth_m,
-                         std::span<double> values) const {
+void DirectLight::clear_parts(double axis_distance_m, double position_angle_rad, double depth_m,
+                              std::span<double> parts) const {
   const double opaque =
       atmosphere::limb_at(atmosphere_.earth, position_angle_rad).radius_m + atmosphere_.top_m();
-  const auto covered = [&](double disc_radius) {
-    return covered_part(axis_distance_m, depth_m, arrangement_.sun_distance_m, opaque, disc_radius);
-  };
-  const double whole = covered(1);
-  std::fill(values.begin(), values.end(), whole < 1 - 1e-12 ? 1. : 0.);
-  if (whole == 0 || whole >= 1 - 1e-12) return;
-  for (std::size_t k = 0; k < sun_.radius.size(); ++k) {
-    const double part = covered(sun_.radius[k]);
-    for (std::size_t w = 0; w < values.size(); ++w) values[w] -= sun_.brightness(k, w) * part;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const double radius = sun_.radius[k], area = radius * radius;
+    const double covered =
+        covered_part(axis_distance_m, depth_m, arrangement_.sun_distance_m, opaque, radius);
+    parts[k] = area - covered < 1e-12 ? 0 : area - covered;  // rounding
+    if (parts[0] > 0) continue;
+    std::ranges::fill(parts, 0);  // the whole is hidden
+    return;
   }
-  for (double& value : values) value = std::clamp(value, 0., 1.);  // rounding
+}
+
+algebra::Grid<double> DirectLight::in_layers(const algebra::Grid<double>& weights) const {
+  algebra::Grid<double> layers(weights.rows(), sun_.radius.size());
+  for (std::size_t c = 0; c < weights.rows(); ++c)
+    for (std::size_t k = 0; k < sun_.radius.size(); ++k)
+      for (std::size_t w = 0; w < weights.columns(); ++w)
+        layers(c, k) += weights(c, w) * sun_.brightness(k, w);
+  return layers;
+}
+
+void DirectLight::ratios(double axis_distance_m, double position_angle_rad, double depth_m,
+                         std::span<double> values) const {
+  std::vector<double> parts(sun_.radius.size());
+  clear_parts(axis_distance_m, position_angle_rad, depth_m, parts);
+  for (std::size_t w = 0; w < values.size(); ++w) {
+    double sum = 0;
+    for (std::size_t k = 0; k < parts.size(); ++k) sum += sun_.brightness(k, w) * parts[k];
+    values[w] = std::min(sum, 1.);  // rounding
+  }
 }
 
 double DirectLight::penumbra_m(double depth_m) const {

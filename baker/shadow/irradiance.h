@@ -95,6 +95,18 @@ class DirectLight {
   void ratios(double axis_distance_m, double position_angle_rad, double depth_m,
               std::span<double> values) const;
 
+  /// The same by layers of the Sun's disc, the whole of it first: the part of each, over the whole
+  /// unit disc, that is clear; as many values as in_layers has columns.
+  void clear_parts(double axis_distance_m, double position_angle_rad, double depth_m,
+                   std::span<double> parts) const;
+
+  /// What weights of wavelengths come to: Σ weight ratio is Σ over the layers of that times
+  /// clear_parts.
+  ///
+  /// Given     weights  (channel, wavelength)
+  /// Returned  (channel, layer)
+  algebra::Grid<double> in_layers(const algebra::Grid<double>& weights) const;
+
   /// Axis distance beyond which all sunlight is clear [m].
   double penumbra_m(double depth_m) const;
 

@@ -1,127 +1,215 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/lookup.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+
+#include "algebra/error.h"
+#include "algebra/interpolation.h"
 
 namespace coppermoon::shadow {
 namespace {
 
-/// Two neighbours in a list and how far the second counts.
-struct Between {
-  std::size_t low, high;
-  double part;
-};
-
-/// The end values hold outside.
-Between between(std::span<const double> x, double at) {
-  const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
-  if (above == 0) return {0, 0, 0};
-  if (above == x.size()) return {above - 1, above - 1, 0};
-  return {above - 1, above, (at - x[above - 1]) / (x[above] - x[above - 1])};
-}
+constexpr double widest_spacing_m = 10e3, closest_spacing_m = 1e3;
 
 /// Half a spacing beyond the last place: refracted light is held so far, for rings end there.
 double last_distance(std::span<const double> x) {
   return x.size() < 2 ? x.back() : x.back() + (x.back() - x[x.size() - 2]) / 2;
 }
 
+std::size_t padded(std::size_t channels) {
+  return (channels + channel_padding - 1) / channel_padding * channel_padding;
+}
+
 std::vector<double> row_sums(const ChannelWeights& weights) {
-  std::vector<double> sums;
-  for (std::size_t c = 0; c < weights.rows(); ++c) {
-    double sum = 0;
-    for (const double w : weights.row(c)) sum += w;
-    sums.push_back(sum);
-  }
+  std::vector<double> sums(padded(weights.rows()));
+  for (std::size_t c = 0; c < weights.rows(); ++c)
+    sums[c] = std::reduce(weights.row(c).begin(), weights.row(c).end());
   return sums;
+}
+
+double in_channel(std::span<const double> weights, std::span<const double> ratios) {
+  return std::transform_reduce(weights.begin(), weights.end(), ratios.begin(), 0.);
+}
+
+/// Up to four places in a row, and what each counts at a point between them.
+struct Cubic {
+  std::size_t first = 0, count = 0;
+  std::array<double, 4> share{};
+};
+
+/// Lagrange's polynomial through the two places on either side; the end values hold outside.
+Cubic cubic_at(std::span<const double> x, double at) {
+  if (at <= x.front()) return {0, 1, {1}};
+  if (at >= x.back()) return {x.size() - 1, 1, {1}};
+  const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
+  Cubic cubic{0, std::min<std::size_t>(4, x.size()), {}};
+  cubic.first = std::min(above - std::min<std::size_t>(2, above), x.size() - cubic.count);
+  for (std::size_t i = 0; i < cubic.count; ++i) {
+    cubic.share[i] = 1;
+    for (std::size_t k = 0; k < cubic.count; ++k)
+      if (k != i)
+        cubic.share[i] *= (at - x[cubic.first + k]) / (x[cubic.first + i] - x[cubic.first + k]);
+  }
+  return cubic;
+}
+
+void add_refracted(const algebra::Grid<double>& ratio, const Cubic& at, std::span<double> ratios) {
+  std::array<const double*, 4> row;
+  for (std::size_t i = 0; i < 4; ++i)
+    row[i] = ratio.row(at.first + std::min(i, at.count - 1)).data();
+  const auto [a, b, c, d] = row;
+  const auto [u, v, w, x] = at.share;
+  for (std::size_t k = 0; k < ratios.size(); ++k)
+    ratios[k] += std::max(0., u * a[k] + v * b[k] + w * c[k] + x * d[k]);
+}
+
+/// Standard errors of the channels where refracted light is known:
+/// (grid × places + place, channel).
+algebra::Grid<double> channel_errors(const RefractedLight& light, const ChannelWeights& weights) {
+  const std::size_t places = light.axis_distances_m.size();
+  algebra::Grid<double> errors(light.standard_error.size() * places, weights.rows());
+  for (std::size_t i = 0; i < errors.rows(); ++i)
+    for (std::size_t c = 0; c < weights.rows(); ++c)
+      errors(i, c) =
+          combined_error(light, light.standard_error[i / places].row(i % places), weights.row(c));
+  return errors;
+}
+
+/// What fills a table, node by node.
+struct Filling {
+  const RefractedLight& light;
+  const DirectLight& direct;
+  const ChannelWeights& weights;
+  algebra::Grid<double> direct_weights = direct.in_layers(weights);
+
+  /// Returned  whether refracted light is known there, and no direct light is
+  bool fill(LookupTable& table, std::size_t g, std::size_t n, std::span<double> ratios,
+            std::span<double> clear) const {
+    const double depth_m = table.depths_m[g / table.sectors];
+    const double at_m = sheared(table.first_m + static_cast<double>(n) * table.spacing_m,
+                                depth_m / table.middle_depth_m);
+    const double angle = 2 * std::numbers::pi * static_cast<double>(g % table.sectors) /
+                         static_cast<double>(table.sectors);
+    direct.clear_parts(at_m, angle, depth_m, clear);
+    const auto& places = light.axis_distances_m;
+    std::ranges::fill(ratios, 0);
+    if (at_m < last_distance(places)) add_refracted(light.ratio[g], cubic_at(places, at_m), ratios);
+    for (std::size_t c = 0; c < weights.rows(); ++c)
+      table.values(g * table.nodes + n, c) =
+          in_channel(weights.row(c), ratios) + in_channel(direct_weights.row(c), clear);
+    return clear.front() == 0 && at_m >= places.front() && at_m <= places.back();
+  }
+};
+
+/// How far the middle of three nodes is from a straight line between the outer ones, a quarter of
+/// it: what straight lines between all three err by. Over the brightest channel.
+double bend(const LookupTable& table, std::size_t middle) {
+  double bent = 0, brightest = 0;
+  for (std::size_t c = 0; c < table.channels; ++c) {
+    const auto value = [&](std::size_t i) {
+      return table.values(i, c) / std::max(std::abs(table.sunlight[c]), 1e-300);
+    };
+    const double line = (value(middle - 1) + value(middle + 1)) / 2;
+    bent = std::max(bent, std::abs(value(middle) - line) / 4);
+    brightest = std::max(brightest, std::abs(line));
+  }
+  return brightest > 0 ? bent / brightest : 0;
+}
+
+/// Returned  the largest bend where no direct light is
+double fill_table(LookupTable& table, const Filling& filling, const LookupRange& range,
+                  double to_m) {
+  table.nodes = static_cast<std::size_t>(std::ceil((to_m - table.first_m) / table.spacing_m)) + 1;
+  table.nodes = std::max<std::size_t>(2, table.nodes);
+  const std::size_t rows = table.depths_m.size() * table.sectors * table.nodes;
+  table.values = algebra::Grid<double>(rows, table.sunlight.size());
+  std::vector<char> umbra(rows);
+  const auto asked_for = [&](std::size_t sector) {
+    return (sector + table.sectors - range.first_sector % table.sectors) % table.sectors <
+           range.sectors;
+  };
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, 64), [&](const auto& part) {
+    std::vector<double> ratios(filling.weights.columns()), clear(filling.direct_weights.columns());
+    for (std::size_t i = part.begin(); i < part.end(); ++i)
+      if (asked_for(i / table.nodes % table.sectors))
+        umbra[i] = filling.fill(table, i / table.nodes, i % table.nodes, ratios, clear);
+  });
+  double worst = 0;
+  for (std::size_t i = 1; i + 1 < rows; ++i)
+    if (i % table.nodes != 0 && (i + 1) % table.nodes != 0 && umbra[i - 1] && umbra[i + 1])
+      worst = std::max(worst, bend(table, i));
+  return worst;
+}
+
+/// The straight line's error falls as the square of the spacing, somewhat slower where the cubics
+/// meet.
+double spacing_for(double tolerance, double error) {
+  const double finer = std::pow(std::min(1., 0.8 * tolerance / error), 0.6);
+  return std::max(closest_spacing_m, widest_spacing_m * finer);
 }
 
 }  // namespace
 
-Lookup::Lookup(const ChannelWeights& weights) : sunlight_(row_sums(weights)) {}
+Lookup::Lookup(const ChannelWeights& weights) {
+  table_.channels = weights.rows();
+  table_.sunlight = row_sums(weights);
+}
 
 Lookup::Lookup(const RefractedLight& light, const DirectLight& direct,
-               const ChannelWeights& weights, double axis_spacing_m)
-    : depths_m_(light.arrangement.depths_m),
-      sunlight_(row_sums(weights)),
-      sectors_(light.sectors),
-      spacing_m_(axis_spacing_m) {
-  nodes_ =
-      static_cast<std::size_t>(std::ceil(direct.penumbra_m(depths_m_.back()) / spacing_m_)) + 1;
-  const std::size_t grids = depths_m_.size() * sectors_;
-  values_ = errors_ = algebra::Grid<double>(grids * nodes_, channels());
-  tbb::parallel_for(std::size_t{0}, grids, [&](std::size_t g) {
-    const double angle =
-        2 * std::numbers::pi * static_cast<double>(g % sectors_) / static_cast<double>(sectors_);
-    std::vector<double> ratios(weights.columns());
-    for (std::size_t n = 0; n < nodes_; ++n) {
-      direct.ratios(static_cast<double>(n) * spacing_m_, angle, depths_m_[g / sectors_], ratios);
-      fill(light, g, n, ratios, weights);
-    }
-  });
-}
-
-void Lookup::fill(const RefractedLight& light, std::size_t g, std::size_t n,
-                  std::span<double> ratios, const ChannelWeights& weights) {
-  const double at_m = static_cast<double>(n) * spacing_m_;
-  const bool lit = at_m < last_distance(light.axis_distances_m);
-  const auto [low, high, part] = between(light.axis_distances_m, at_m);
-  std::vector<double> errors(ratios.size());
-  for (std::size_t w = 0; lit && w < ratios.size(); ++w) {
-    ratios[w] += std::lerp(light.ratio[g](low, w), light.ratio[g](high, w), part);
-    errors[w] = std::lerp(light.standard_error[g](low, w), light.standard_error[g](high, w), part);
+               const ChannelWeights& weights, const LookupRange& range)
+    : Lookup(weights) {
+  algebra::require_within("tolerance of the look-up", range.tolerance, 1e-6, 0.1);
+  table_.depths_m = light.arrangement.depths_m;
+  table_.middle_depth_m = std::midpoint(table_.depths_m.front(), table_.depths_m.back());
+  table_.sectors = light.sectors;
+  table_.end_m = direct.penumbra_m(table_.depths_m.back());
+  table_.first_m = std::clamp(range.from_m, 0., table_.end_m);
+  table_.spacing_m = widest_spacing_m;
+  const double to_m = std::clamp(range.to_m, table_.first_m, table_.end_m);
+  const Filling filling{light, direct, weights};
+  if (const double error = fill_table(table_, filling, range, to_m); error > range.tolerance) {
+    table_.spacing_m = spacing_for(range.tolerance, error);
+    fill_table(table_, filling, range, to_m);
   }
-  for (std::size_t c = 0; c < channels(); ++c) {
-    double value = 0;
-    for (std::size_t w = 0; w < ratios.size(); ++w) value += weights(c, w) * ratios[w];
-    values_(g * nodes_ + n, c) = value;
-    errors_(g * nodes_ + n, c) = combined_error(light, errors, weights.row(c));
-  }
-}
-
-std::span<const double> Lookup::entry(std::size_t plane, std::size_t sector,
-                                      std::size_t node) const {
-  return values_.row((plane * sectors_ + sector) * nodes_ + node);
+  places_m_ = light.axis_distances_m;
+  errors_ = channel_errors(light, weights);
 }
 
 void Lookup::read(const eclipse::ShadowPlace& place, std::span<double> values) const {
-  const double node = algebra::in_metres(place.axis_distance) / spacing_m_;
-  const double depth_m = algebra::in_metres(place.depth);
-  if (nodes_ == 0 || depth_m <= 0 || node >= static_cast<double>(nodes_ - 1)) {
-    std::copy(sunlight_.begin(), sunlight_.end(), values.begin());
-    return;
-  }
-  const auto n = static_cast<std::size_t>(node);
-  const double along = node - static_cast<double>(n);
-  const auto plane = between(depths_m_, depth_m);
-  const double turn = algebra::in_radians(place.position_angle) / (2 * std::numbers::pi) *
-                      static_cast<double>(sectors_);
-  const double first = std::floor(turn), around = turn - first;
-  const auto s0 = static_cast<std::size_t>(first) % sectors_, s1 = (s0 + 1) % sectors_;
-  const auto on_plane = [&](std::size_t p, std::size_t c) {
-    const double a = std::lerp(entry(p, s0, n)[c], entry(p, s0, n + 1)[c], along);
-    if (sectors_ == 1) return a;
-    return std::lerp(a, std::lerp(entry(p, s1, n)[c], entry(p, s1, n + 1)[c], along), around);
-  };
-  for (std::size_t c = 0; c < channels(); ++c)
-    values[c] = std::lerp(on_plane(plane.low, c), on_plane(plane.high, c), plane.part);
+  const double turn = algebra::in_radians(place.position_angle);
+  const double east_m = algebra::in_metres(place.axis_distance) * std::sin(turn),
+               north_m = algebra::in_metres(place.axis_distance) * std::cos(turn),
+               depth_m = algebra::in_metres(place.depth);
+  read({{&east_m, 1}, {&north_m, 1}, {&depth_m, 1}}, values);
 }
 
 void Lookup::transform(const std::function<void(std::span<double>)>& change) {
-  for (std::size_t i = 0; i < values_.rows(); ++i) change(values_.row(i));
-  change(sunlight_);
+  for (std::size_t i = 0; i < table_.values.rows(); ++i)
+    change(table_.values.row(i).first(channels()));
+  change(std::span(table_.sunlight).first(channels()));
 }
 
 double Lookup::worst_relative_error(std::size_t channel, double from_m, double to_m) const {
+  std::vector<double> errors(places_m_.size());
   double worst = 0;
-  for (std::size_t i = 0; i < values_.rows(); ++i) {
-    const double at_m = static_cast<double>(i % nodes_) * spacing_m_;
+  for (std::size_t i = 0; i < table_.values.rows(); ++i) {
+    const std::size_t g = i / table_.nodes, n = i % table_.nodes;
+    if (n == 0)
+      for (std::size_t p = 0; p < errors.size(); ++p)
+        errors[p] = errors_(g * errors.size() + p, channel);
+    const double at_m = table_.first_m + static_cast<double>(n) * table_.spacing_m;
     if (at_m < from_m || at_m > to_m) continue;
-    const double value = values_(i, channel);
-    worst = std::max(worst, value > 0 ? errors_(i, channel) / value : 1);
+    const double value = table_.values(i, channel);
+    const double error =
+        at_m < last_distance(places_m_) ? algebra::interpolated(places_m_, errors, at_m) : 0;
+    worst = std::max(worst, value > 0 ? error / value : 1);
   }
   return worst;
 }

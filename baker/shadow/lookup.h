@@ -2,36 +2,61 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "algebra/grid.h"
 #include "eclipse/shadow_axis.h"
 #include "shadow/irradiance.h"
+#include "shadow/lookup_table.h"
 
 namespace coppermoon::shadow {
 
 /// Weighted sums over wavelength, a row of weights for each channel.
 using ChannelWeights = algebra::Grid<double>;  // (channel, wavelength)
 
+/// Which axis distances a look-up is read at, and how exactly.
+struct LookupRange {
+  double from_m = 0;
+  double to_m = std::numeric_limits<double>::infinity();  ///< at most to the penumbra's end
+  double tolerance = 1e-4;                                ///< see Lookup's Accuracy; 1e-6 to 0.1
+  /// that are read, going round from the first; the others stay dark
+  std::size_t first_sector = 0, sectors = sectors_around;
+};
+
 /// All light in the shadow, refracted and direct, in a few channels: a table over place that is
 /// read once a texel. Linear in depth, axis distance and position angle; sunlight beyond the
-/// penumbra.
+/// penumbra. Planes are compared along lines from the limb (`sheared`), on which light hardly
+/// changes with depth.
+///
+/// The table's nodes stand closer than the places where refracted light is known: between those a
+/// cubic through four of them, each wavelength by itself and none below 0. Direct light is computed
+/// at the nodes.
 class Lookup {
  public:
-  /// Given   light            refracted light; direct: the sunlight that goes with it
-  ///         weights          what each channel makes of the ratio at each wavelength
-  ///         axis_spacing_m   of the table
+  /// Given     light    refracted light; direct: the sunlight that goes with it
+  ///           weights  what each channel makes of the ratio at each wavelength
+  ///           range    outside of it the outermost values hold, but for sunlight
+  /// Accuracy  in the umbra straight lines between nodes err by less than the tolerance of the
+  ///           brightest channel (each counted in its own sunlight), unless nodes were to stand
+  ///           closer than 1 km; where direct light begins by 2e-3 of the light there
+  /// Throws    Error    when the tolerance is outside its range
   Lookup(const RefractedLight& light, const DirectLight& direct, const ChannelWeights& weights,
-         double axis_spacing_m = 10e3);
+         const LookupRange& range = {});
 
   /// Full sunlight everywhere: no shadow.
   explicit Lookup(const ChannelWeights& weights);
 
-  std::size_t channels() const { return sunlight_.size(); }
+  std::size_t channels() const { return table_.channels; }
 
   /// Writes one value a channel.
   void read(const eclipse::ShadowPlace& place, std::span<double> values) const;
+
+  /// The same for many places: see LookupTable.
+  void read(const Places& places, std::span<double> values) const {
+    shadow::read(table_, places, values);
+  }
 
   /// Changes every entry in place: what a working space does to colours outside its gamut.
   void transform(const std::function<void(std::span<double>)>& change);
@@ -41,14 +66,9 @@ class Lookup {
   double worst_relative_error(std::size_t channel, double from_m, double to_m) const;
 
  private:
-  void fill(const RefractedLight& light, std::size_t grid, std::size_t node,
-            std::span<double> ratios, const ChannelWeights& weights);
-  std::span<const double> entry(std::size_t plane, std::size_t sector, std::size_t node) const;
-
-  std::vector<double> depths_m_, sunlight_;
-  std::size_t sectors_ = 1, nodes_ = 0;
-  double spacing_m_ = 1;
-  algebra::Grid<double> values_, errors_;  // ((plane × sectors + sector) × nodes + node, channel)
+  LookupTable table_;
+  std::vector<double> places_m_;  // where refracted light is known
+  algebra::Grid<double> errors_;  // there: (grid × places + place, channel)
 };
 
 }  // namespace coppermoon::shadow

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "surface/albedo_map.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "algebra/error.h"
 #include "surface/photometry.h"
@@ -42,6 +46,25 @@ Neighbours between_poles(double latitude_rad, std::size_t rows) {
   return {i, std::min(i + 1, rows - 1), y - static_cast<double>(i)};
 }
 
+/// Over texels of the disc that is seen from above latitude 0, longitude 0.
+struct DiscSum {
+  double light = 0, area = 0;
+};
+
+DiscSum disc_sum(const Grid<float>& map, Photometry photometry, std::size_t rows, std::size_t r,
+                 std::span<const double> cos_longitude) {
+  DiscSum sum;
+  const double cos_latitude = std::cos(algebra::in_radians(texel_centre(r, 0, rows).latitude));
+  for (std::size_t c = rows / 2; c < 2 * rows - rows / 2; ++c) {
+    const double mu = cos_latitude * cos_longitude[c];
+    const double on_disc = std::max(mu, 0.0) * cos_latitude;
+    const double albedo = rows == map.rows() ? map(r, c) : sampled(map, texel_centre(r, c, rows));
+    sum.light += on_disc * albedo * radiance_factor_at_full_moon(photometry, mu);
+    sum.area += on_disc;
+  }
+  return sum;
+}
+
 }  // namespace
 
 almanac::SelenographicPoint texel_centre(std::size_t row, std::size_t column, std::size_t rows) {
@@ -63,19 +86,16 @@ double geometric_albedo(const Grid<float>& map, Photometry photometry) {
   require_two_to_one(map);
   const std::size_t finer = (fewest_disc_rows + map.rows() - 1) / map.rows();
   const std::size_t rows = finer * map.rows();
-  double sum = 0, area = 0;
-  for (std::size_t r = 0; r < rows; ++r) {
-    const double cos_latitude = std::cos(algebra::in_radians(texel_centre(r, 0, rows).latitude));
-    for (std::size_t c = rows / 2; c < 2 * rows - rows / 2; ++c) {
-      const auto at = texel_centre(r, c, rows);
-      const double mu = cos_latitude * std::cos(algebra::in_radians(at.longitude));
-      const double on_disc = std::max(mu, 0.0) * cos_latitude;
-      const double albedo = finer == 1 ? map(r, c) : sampled(map, at);
-      sum += on_disc * albedo * radiance_factor_at_full_moon(photometry, mu);
-      area += on_disc;
-    }
-  }
-  return sum / area;
+  std::vector<double> cos_longitude(2 * rows);
+  for (std::size_t c = 0; c < 2 * rows; ++c)
+    cos_longitude[c] = std::cos(algebra::in_radians(texel_centre(0, c, rows).longitude));
+  std::vector<DiscSum> sums(rows);
+  tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t r) {
+    sums[r] = disc_sum(map, photometry, rows, r, cos_longitude);
+  });
+  DiscSum all;
+  for (const auto& row : sums) all.light += row.light, all.area += row.area;
+  return all.light / all.area;
 }
 
 Grid<float> normalised_to_geometric_albedo(Grid<float> map, Photometry photometry,
@@ -86,7 +106,9 @@ Grid<float> normalised_to_geometric_albedo(Grid<float> map, Photometry photometr
     throw algebra::Error(
         fmt::format("the albedo map's near side has mean {:g}, allowed above 0", found));
   const auto scale = geometric / found;
-  for (float& value : map.values()) value = static_cast<float>(value * scale);
+  tbb::parallel_for(std::size_t{0}, map.rows(), [&](std::size_t r) {
+    for (float& value : map.row(r)) value = static_cast<float>(value * scale);
+  });
   return map;
 }
 

@@ -28,23 +28,34 @@ double surface_phase_curve(algebra::Angle phase) {
 
 }  // namespace
 
-double radiance_factor_yapo_cutler(double cos_incidence) {
-  return cos_incidence > 0 ? cos_incidence / (0.1 + 0.9 * cos_incidence) : 0;
+CosineLaw cosine_law(Photometry photometry) {
+  if (photometry == Photometry::yapo_cutler) return {1, 0.9, 0, 0.1};
+  return {2, 1, 1, 0};
 }
 
-double radiance_factor_lommel_seeliger_rolo(double cos_incidence, double cos_emission,
-                                            algebra::Angle phase) {
+double phase_factor(Photometry photometry, algebra::Angle phase) {
+  if (photometry == Photometry::yapo_cutler) return 1;
   static const double at_full_moon = surface_phase_curve(full_moon_phase);
-  if (!(cos_incidence > 0)) return 0;
-  const double slant = 2 * cos_incidence / (cos_incidence + std::max(cos_emission, 0.));
-  return slant * surface_phase_curve(phase) / at_full_moon;
+  return surface_phase_curve(phase) / at_full_moon;
 }
 
 double radiance_factor(Photometry photometry, double cos_incidence, double cos_emission,
                        algebra::Angle phase) {
-  return photometry == Photometry::yapo_cutler
-             ? radiance_factor_yapo_cutler(cos_incidence)
-             : radiance_factor_lommel_seeliger_rolo(cos_incidence, cos_emission, phase);
+  if (!(cos_incidence > 0)) return 0;
+  const auto law = cosine_law(photometry);
+  return law.scale * cos_incidence /
+         (law.incidence * cos_incidence + law.emission * std::max(cos_emission, 0.) +
+          law.constant) *
+         phase_factor(photometry, phase);
+}
+
+double radiance_factor_yapo_cutler(double cos_incidence) {
+  return radiance_factor(Photometry::yapo_cutler, cos_incidence, cos_incidence, full_moon_phase);
+}
+
+double radiance_factor_lommel_seeliger_rolo(double cos_incidence, double cos_emission,
+                                            algebra::Angle phase) {
+  return radiance_factor(Photometry::lommel_seeliger_rolo, cos_incidence, cos_emission, phase);
 }
 
 double radiance_factor_at_full_moon(Photometry photometry, double cos_incidence) {

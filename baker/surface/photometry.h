@@ -25,6 +25,19 @@ inline constexpr algebra::Angle full_moon_phase = algebra::degrees(1.5);
 double radiance_factor(Photometry photometry, double cos_incidence, double cos_emission,
                        algebra::Angle phase);
 
+/// How either function depends on the cosines, for many places at once:
+///
+///     f(mu0, mu, g) = scale mu0 / (incidence mu0 + emission max(mu, 0) + constant) P(g)
+///
+/// with P the phase factor. The denominator is above 0 where mu0 is.
+struct CosineLaw {
+  double scale, incidence, emission, constant;
+};
+CosineLaw cosine_law(Photometry photometry);
+
+/// How either function depends on the phase alone: 1 at full Moon.
+double phase_factor(Photometry photometry, algebra::Angle phase);
+
 /// The same on the full Moon's disc, where Sun and viewer stand together: mu0 = mu, phase 1.5
 /// degrees. With lommel_seeliger_rolo it is 1 up to the limb.
 double radiance_factor_at_full_moon(Photometry photometry, double cos_incidence);

@@ -10,6 +10,7 @@
 #include "shadow/lookup.h"
 #include "surface/photometry.h"
 #include "texture/image.h"
+#include "texture/resize.h"
 
 namespace coppermoon::texture {
 
@@ -38,7 +39,20 @@ Image bake(const algebra::Grid<float>& normal_albedo, const almanac::SkyState& s
            const shadow::Lookup& light, std::vector<std::string> channels, std::size_t rows,
            surface::Photometry photometry, const algebra::Progress& progress = {});
 
-/// A map at another size: see `bake`.
-algebra::Grid<float> resized(const algebra::Grid<float>& map, std::size_t rows);
+/// Which texels are lit.
+enum class Extent {
+  whole,            ///< all
+  seen_from_earth,  ///< those that some place on Earth sees, and some beyond; the others stay 0
+};
+
+/// The same texture, row by row as it is asked for, on all threads: memory does not grow with it.
+///
+/// Given     normal_albedo, light  must outlive what is returned
+///           progress              told the fraction of rows lit
+/// Returned  the same values whatever rows are asked for at once and on how many threads
+/// Accuracy  1e-5 of the expression above: of the phase curve between its table's entries
+Rows lit_rows(const algebra::Grid<float>& normal_albedo, const almanac::SkyState& sky,
+              const shadow::Lookup& light, std::size_t rows, surface::Photometry photometry,
+              Extent extent = Extent::whole, const algebra::Progress& progress = {});
 
 }  // namespace coppermoon::texture

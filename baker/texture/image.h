@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -38,6 +39,16 @@ struct Image {
     return (row * width + column) * channels.size() + channel;
   }
 };
+
+/// What an image is but for its values.
+struct Layout {
+  std::size_t width = 0, height = 0;
+  std::vector<std::string> channels;
+};
+
+/// An image made as it is asked for: writes the values of whole rows, [row][column][channel], from
+/// that row of the image on.
+using Rows = std::function<void(std::size_t first_row, std::span<float> values)>;
 
 /// What an image file's header says beside the texels.
 using Attribute = std::variant<std::string, float, int, std::vector<float>>;

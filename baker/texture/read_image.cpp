@@ -8,8 +8,9 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
-#include <functional>
+#include <limits>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -61,29 +62,30 @@ std::unique_ptr<OIIO::ImageInput> opened(const fs::path& path) {
 }
 
 /// Some rows of an image, all its channels.
+template <class T>
 struct Band {
   std::size_t first_row, rows;
-  std::vector<float> values;
+  std::vector<T> values;
 };
 
 /// Reads some 64 rows at a time, whole rows of tiles where there are tiles: memory stays small.
-void for_each_band(OIIO::ImageInput& input, const fs::path& path,
-                   const std::function<void(const Band&)>& act) {
+template <class T>
+void for_each_band(OIIO::ImageInput& input, const fs::path& path, const auto& act) {
   const auto spec = input.spec();
+  constexpr auto type = OIIO::BaseTypeFromC<T>::value;
   const bool tiled = spec.tile_width > 0;
   const int step = tiled ? spec.tile_height * std::max(1, 64 / spec.tile_height) : 64;
-  Band band;
+  Band<T> band;
   for (int y = 0; y < spec.height; y += step) {
     const int begin = spec.y + y, end = spec.y + std::min(y + step, spec.height);
     band.first_row = static_cast<std::size_t>(y);
     band.rows = static_cast<std::size_t>(end - begin);
     band.values.resize(band.rows * static_cast<std::size_t>(spec.width) *
                        static_cast<std::size_t>(spec.nchannels));
-    const bool read =
-        tiled ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, 0, 1, 0,
-                                 spec.nchannels, OIIO::TypeDesc::FLOAT, band.values.data())
-              : input.read_scanlines(0, 0, begin, end, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT,
-                                     band.values.data());
+    const bool read = tiled ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, 0, 1,
+                                               0, spec.nchannels, type, band.values.data())
+                            : input.read_scanlines(0, 0, begin, end, 0, 0, spec.nchannels, type,
+                                                   band.values.data());
     if (!read) throw cannot_read(path, reason_of(&input));
     act(band);
   }
@@ -128,19 +130,57 @@ std::array<std::size_t, 3> rgb_channels(const OIIO::ImageSpec& spec) {
           static_cast<std::size_t>(found[2])};
 }
 
-void add_luminance(const Band& band, const OIIO::ImageSpec& spec, Curve curve,
-                   algebra::Grid<float>& map) {
-  const auto [r, g, b] = rgb_channels(spec);
-  const auto stride = static_cast<std::size_t>(spec.nchannels);
-  tbb::parallel_for(std::size_t{0}, band.rows, [&, r = r, g = g, b = b](std::size_t row) {
-    const float* texel = band.values.data() + row * map.columns() * stride;
-    for (float& value : map.row(band.first_row + row)) {
-      value = r == g ? linear(texel[r], curve)
-                     : 0.2126F * linear(texel[r], curve) + 0.7152F * linear(texel[g], curve) +
-                           0.0722F * linear(texel[b], curve);
-      texel += stride;
+float luminance(float red, float green, float blue) {
+  return 0.2126F * red + 0.7152F * green + 0.0722F * blue;
+}
+
+/// A band's numbers as light, and a power of their luminance.
+struct FloatingTone {
+  using Number = float;
+  Curve curve;
+  float exponent;
+
+  float grey(float v) const { return raised(linear(v, curve)); }
+  float coloured(float r, float g, float b) const {
+    return raised(luminance(linear(r, curve), linear(g, curve), linear(b, curve)));
+  }
+  float raised(float v) const { return exponent == 1 || !(v > 0) ? v : std::pow(v, exponent); }
+};
+
+/// The same for 8 bits: each of their 256 values computed once.
+struct ByteTone {
+  using Number = std::uint8_t;
+  explicit ByteTone(const FloatingTone& of) : tone(of) {
+    for (std::size_t i = 0; i < light.size(); ++i) {
+      light[i] = linear(static_cast<float>(i) / 255.0F, tone.curve);
+      raised_light[i] = tone.raised(light[i]);
     }
-  });
+  }
+  float grey(std::uint8_t v) const { return raised_light[v]; }
+  float coloured(std::uint8_t r, std::uint8_t g, std::uint8_t b) const {
+    if (r == g && g == b) return raised_light[r];
+    return tone.raised(luminance(light[r], light[g], light[b]));
+  }
+
+  FloatingTone tone;
+  std::array<float, 256> light{}, raised_light{};
+};
+
+template <class Tone>
+void read_luminance(OIIO::ImageInput& input, const fs::path& path, const Tone& tone,
+                    algebra::Grid<float>& map) {
+  const auto [r, g, b] = rgb_channels(input.spec());
+  const auto stride = static_cast<std::size_t>(input.spec().nchannels);
+  const auto add = [&, r = r, g = g, b = b](const auto& band) {
+    tbb::parallel_for(std::size_t{0}, band.rows, [&](std::size_t row) {
+      const auto* texel = band.values.data() + row * map.columns() * stride;
+      for (float& value : map.row(band.first_row + row)) {
+        value = r == g ? tone.grey(texel[r]) : tone.coloured(texel[r], texel[g], texel[b]);
+        texel += stride;
+      }
+    });
+  };
+  for_each_band<typename Tone::Number>(input, path, add);
 }
 
 void require_two_to_one(const fs::path& path, const OIIO::ImageSpec& spec) {
@@ -155,9 +195,11 @@ void require_two_to_one(const fs::path& path, const OIIO::ImageSpec& spec) {
 
 void require_albedo(const fs::path& path, const algebra::Grid<float>& map) {
   const auto values = map.values();
-  const auto wrong = std::find_if(values.begin(), values.end(),
-                                  [](float v) { return !(v >= 0 && std::isfinite(v)); });
-  if (wrong == values.end()) return;
+  const auto sound = [](float v) { return v >= 0 && v <= std::numeric_limits<float>::max(); };
+  bool all_sound = true;
+  for (const float v : values) all_sound &= sound(v);
+  if (all_sound) return;
+  const auto wrong = std::find_if_not(values.begin(), values.end(), sound);
   const auto at = static_cast<std::size_t>(wrong - values.begin());
   throw cannot_read(path, fmt::format("albedo at row {}, column {} = {:g}, allowed 0 or more",
                                       at / map.columns(), at % map.columns(), *wrong));
@@ -171,7 +213,7 @@ Image read_image(const fs::path& path) {
   return within_memory(path, spec, [&] {
     Image image(static_cast<std::size_t>(spec.width), static_cast<std::size_t>(spec.height),
                 spec.channelnames);
-    for_each_band(*input, path, [&](const Band& band) {
+    for_each_band<float>(*input, path, [&](const Band<float>& band) {
       const auto start = band.first_row * image.width * image.channels.size();
       std::copy(band.values.begin(), band.values.end(),
                 image.values.begin() + static_cast<std::ptrdiff_t>(start));
@@ -187,15 +229,19 @@ std::optional<std::string> read_attribute(const fs::path& path, std::string_view
   return found->get_string();
 }
 
-algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding) {
+algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding, double exponent) {
+  algebra::require_within("albedo exponent", exponent, 0.1, 10);
   const auto input = opened(path);
   const auto& spec = input->spec();
   require_two_to_one(path, spec);
-  const auto curve = curve_of(spec, coding);
+  const FloatingTone tone{curve_of(spec, coding), static_cast<float>(exponent)};
   return within_memory(path, spec, [&] {
     algebra::Grid<float> map(static_cast<std::size_t>(spec.height),
                              static_cast<std::size_t>(spec.width));
-    for_each_band(*input, path, [&](const Band& band) { add_luminance(band, spec, curve, map); });
+    if (spec.format == OIIO::TypeDesc::UINT8)
+      read_luminance(*input, path, ByteTone(tone), map);
+    else
+      read_luminance(*input, path, tone, map);
     require_albedo(path, map);
     return map;
   });

@@ -36,12 +36,14 @@ enum class Coding {
 ///
 ///     Y = 0.2126 R + 0.7152 G + 0.0722 B        of linear R, G, B; one channel stands for itself
 ///
-/// Given     path    of any image 2:1, longitude 0 in the middle, east to the right
-/// Returned  linear, in the image's own scale; normalise it before use
+/// Given     path      of any image 2:1, longitude 0 in the middle, east to the right
+///           exponent  power of Y that undoes a tone curve, 0.1 to 10
+/// Returned  Y^exponent, linear, in the image's own scale; normalise it before use
 /// Omits     chromaticities other than Rec. 709, alpha
-/// Throws    Error   as read_image, and when it is not 2:1 or a texel is negative, infinite or no
-/// number Source    ITU-R BT.709, IEC 61966-2-1
+/// Throws    Error     as read_image; when it is not 2:1, a texel is negative, infinite or no
+///                     number, or the exponent is outside its range
+/// Source    ITU-R BT.709, IEC 61966-2-1
 algebra::Grid<float> read_albedo_map(const std::filesystem::path& path,
-                                     Coding coding = Coding::as_file_says);
+                                     Coding coding = Coding::as_file_says, double exponent = 1);
 
 }  // namespace coppermoon::texture

@@ -2,9 +2,12 @@
 #include "texture/write_image.h"
 
 #include <OpenImageIO/filesystem.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <limits>
@@ -55,42 +58,127 @@ std::string one_line(std::string text) {
   return text.empty() ? "unknown reason" : text;
 }
 
-/// Whether OpenImageIO wrote it all; its error is fetched in any case, or it would print it at the
-/// end.
-std::string encoded(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec, const Image& image) {
-  const bool written =
-      output.open("", spec) && output.write_image(OIIO::TypeDesc::FLOAT, image.values.data());
+/// What a file's values may be.
+struct Limits {
+  float lowest, highest;
+
+  bool hold(float value) const { return value >= lowest && value <= highest; }
+};
+
+/// Some rows on their way into a file.
+struct Band {
+  std::size_t first_row = 0;
+  std::vector<float> values{};
+};
+
+/// An image to be encoded: rows are made, looked at and handed on, some at a time.
+struct Source {
+  const std::filesystem::path& path;
+  const Layout& layout;
+  const Rows& rows;
+  Limits limits;
+
+  std::size_t row_length() const { return layout.width * layout.channels.size(); }
+
+  /// A multiple of the 32 rows that PIZ packs together.
+  std::size_t rows_at_once() const {
+    constexpr std::size_t most_values = 4 << 20;
+    return std::max<std::size_t>(64, most_values / row_length() / 32 * 32);
+  }
+
+  void make(Band& band) const {
+    const std::size_t count = std::min(rows_at_once(), layout.height - band.first_row);
+    band.values.resize(count * row_length());
+    rows(band.first_row, band.values);
+    require_all(band.values, band.first_row);
+  }
+
+  void require_all(std::span<const float> values, std::size_t first_row = 0) const {
+    tbb::parallel_for(std::size_t{0}, values.size() / row_length(), [&](std::size_t r) {
+      require_values(first_row + r, values.subspan(r * row_length(), row_length()));
+    });
+  }
+
+  void require_values(std::size_t row, std::span<const float> values) const {
+    bool sound = true;
+    for (const float value : values) sound &= limits.hold(value);
+    if (sound) return;
+    const auto wrong = std::ranges::find_if(values, [&](float v) { return !limits.hold(v); });
+    const auto at = static_cast<std::size_t>(wrong - values.begin());
+    const auto& channels = layout.channels;
+    throw Error(fmt::format("{}: texel row {}, column {}, channel {} = {:g}, allowed {:g} to {:g}",
+                            path.string(), row, at / channels.size(),
+                            channels[at % channels.size()], *wrong, limits.lowest, limits.highest));
+  }
+
+  /// The next band is made while `act` is busy with one.
+  void for_each_band(const std::function<void(const Band&)>& act) const {
+    std::array<Band, 2> bands;
+    std::size_t next = 0;
+    const auto made = [&](tbb::flow_control& control) -> Band* {
+      const std::size_t first_row = next * rows_at_once();
+      if (first_row >= layout.height) {
+        control.stop();
+        return nullptr;
+      }
+      Band& band = bands[next++ % bands.size()];
+      band.first_row = first_row;
+      make(band);
+      return &band;
+    };
+    constexpr auto in_turn = tbb::filter_mode::serial_in_order;
+    tbb::parallel_pipeline(bands.size(), tbb::make_filter<void, Band*>(in_turn, made) &
+                                             tbb::make_filter<Band*, void>(
+                                                 in_turn, [&](const Band* band) { act(*band); }));
+  }
+};
+
+/// Closes it, and fetches its error in any case, or OpenImageIO would print it at the end.
+std::string closing_words(OIIO::ImageOutput& output, bool written) {
   const bool closed = output.close();
   const auto reason = output.geterror() + OIIO::geterror();
   return written && closed ? "" : one_line(reason);
 }
 
-void write_through(const std::filesystem::path& path, const char* format, OIIO::ImageSpec spec,
-                   const Image& image) {
-  const auto output = OIIO::ImageOutput::create(format);
-  if (!output)
-    throw Error(
-        fmt::format("{}: cannot be written: {}", path.string(), one_line(OIIO::geterror())));
-  write_whole(path, [&](int descriptor) {
+/// Returned  why OpenImageIO did not write it all, or nothing
+std::string encoded(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec, const Source& source) {
+  bool written = output.open("", spec);
+  try {
+    if (written)
+      source.for_each_band([&](const Band& band) {
+        const auto begin = static_cast<int>(band.first_row);
+        const auto count = static_cast<int>(band.values.size() / source.row_length());
+        written = written && output.write_scanlines(begin, begin + count, 0, OIIO::TypeDesc::FLOAT,
+                                                    band.values.data());
+      });
+  } catch (...) {
+    closing_words(output, false);
+    throw;
+  }
+  return closing_words(output, written);
+}
+
+void write_through(const char* format, OIIO::ImageSpec spec, const Source& source) {
+  const auto fail = [&](std::string_view reason) {
+    throw Error(fmt::format("{}: cannot be written: {}", source.path.string(), reason));
+  };
+  write_whole(source.path, [&](int descriptor) {
     FileSink sink(descriptor);
     OIIO::Filesystem::IOProxy* proxy = &sink;
     spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, static_cast<void*>(&proxy));
-    auto reason = encoded(*output, spec, image);
+    const auto output = OIIO::ImageOutput::create(format);
+    if (!output) fail(one_line(OIIO::geterror()));
+    auto reason = encoded(*output, spec, source);
     if (sink.refusal() != 0) reason = std::generic_category().message(sink.refusal());
-    if (!reason.empty())
-      throw Error(fmt::format("{}: cannot be written: {}", path.string(), reason));
+    if (!reason.empty()) fail(reason);
   });
 }
 
-void require_texels(const std::filesystem::path& path, const Image& image) {
-  const auto texels = image.width * image.height;
-  if (texels == 0 || image.channels.empty() ||
-      image.values.size() != texels * image.channels.size())
-    throw Error(fmt::format(
-        "{}: image of {} x {} texels, {} channels and {} values, allowed as many "
-        "values as the others say, and at least one",
-        path.string(), image.width, image.height, image.channels.size(), image.values.size()));
-  auto names = image.channels;
+void require_layout(const std::filesystem::path& path, const Layout& layout) {
+  if (layout.width == 0 || layout.height == 0 || layout.channels.empty())
+    throw Error(fmt::format("{}: image of {} x {} texels and {} channels, allowed at least one",
+                            path.string(), layout.width, layout.height, layout.channels.size()));
+  auto names = layout.channels;
   std::sort(names.begin(), names.end());
   const auto twice = std::adjacent_find(names.begin(), names.end());
   if (twice != names.end() || names.front().empty())
@@ -98,22 +186,26 @@ void require_texels(const std::filesystem::path& path, const Image& image) {
                             path.string(), twice != names.end() ? *twice : ""));
 }
 
-void require_values(const std::filesystem::path& path, const Image& image, float lowest,
-                    float highest) {
-  const auto wrong = std::find_if(image.values.begin(), image.values.end(),
-                                  [&](float v) { return !(v >= lowest && v <= highest); });
-  if (wrong == image.values.end()) return;
-  const auto at = static_cast<std::size_t>(wrong - image.values.begin());
-  const auto texel = at / image.channels.size();
-  throw Error(fmt::format("{}: texel row {}, column {}, channel {} = {:g}, allowed {:g} to {:g}",
-                          path.string(), texel / image.width, texel % image.width,
-                          image.channels[at % image.channels.size()], *wrong, lowest, highest));
+Layout layout_of(const std::filesystem::path& path, const Image& image) {
+  if (image.values.size() != image.width * image.height * image.channels.size())
+    throw Error(fmt::format(
+        "{}: image of {} x {} texels, {} channels and {} values, allowed as "
+        "many values as the others say",
+        path.string(), image.width, image.height, image.channels.size(), image.values.size()));
+  return {image.width, image.height, image.channels};
 }
 
-OIIO::ImageSpec spec_of(const Image& image, OIIO::TypeDesc type, const Attributes& attributes) {
-  OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height),
-                       static_cast<int>(image.channels.size()), type);
-  spec.channelnames = image.channels;
+Rows rows_of(const Image& image) {
+  return [&image](std::size_t first_row, std::span<float> values) {
+    const std::size_t length = image.width * image.channels.size();
+    std::copy_n(&image.values[first_row * length], values.size(), values.begin());
+  };
+}
+
+OIIO::ImageSpec spec_of(const Layout& layout, OIIO::TypeDesc type, const Attributes& attributes) {
+  OIIO::ImageSpec spec(static_cast<int>(layout.width), static_cast<int>(layout.height),
+                       static_cast<int>(layout.channels.size()), type);
+  spec.channelnames = layout.channels;
   spec.alpha_channel = -1;
   for (const auto& [name, value] : attributes) set_attribute(spec, name, value);
   return spec;
@@ -121,32 +213,41 @@ OIIO::ImageSpec spec_of(const Image& image, OIIO::TypeDesc type, const Attribute
 
 }  // namespace
 
-void write_exr(const std::filesystem::path& path, const Image& image, const Attributes& attributes,
-               const ExrOptions& options) {
+void write_exr(const std::filesystem::path& path, const Layout& layout, const Rows& rows,
+               const Attributes& attributes, const ExrOptions& options) {
   const bool half = options.type == ExrType::half;
   const float highest = half ? 65504.0F : std::numeric_limits<float>::max();
-  require_texels(path, image);
-  require_values(path, image, options.allow_negative ? -highest : 0, highest);
-  auto spec = spec_of(image, half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT, attributes);
-  spec.attribute("compression", half ? "piz" : "zip");
+  require_layout(path, layout);
+  auto spec = spec_of(layout, half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT, attributes);
+  spec.attribute("compression", !options.packed ? "none" : half ? "piz" : "zip");
   if (!attributes.contains("capDate"))
     spec.attribute("DateTime", "");  // or it would be the clock's
-  write_through(path, "openexr", spec, image);
+  write_through("openexr", spec,
+                {path, layout, rows, {options.allow_negative ? -highest : 0, highest}});
+}
+
+void write_exr(const std::filesystem::path& path, const Image& image, const Attributes& attributes,
+               const ExrOptions& options) {
+  write_exr(path, layout_of(path, image), rows_of(image), attributes, options);
 }
 
 void write_png(const std::filesystem::path& path, const Image& image, int bits,
                const Attributes& attributes) {
-  require_texels(path, image);
+  const auto layout = layout_of(path, image);
+  require_layout(path, layout);
   if (bits != 8 && bits != 16)
     throw Error(fmt::format("{}: PNG of {} bits, allowed 8 or 16", path.string(), bits));
   if (image.channels.size() != 1 && image.channels.size() != 3)
     throw Error(fmt::format("{}: PNG of {} channels, allowed 1 or 3", path.string(),
                             image.channels.size()));
-  require_values(path, image, 0, 1);
   auto spec =
-      spec_of(image, bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16, attributes);
+      spec_of(layout, bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16, attributes);
   spec.attribute("oiio:ColorSpace", "sRGB");
-  write_through(path, "png", spec, image);
+  spec.attribute("png:compressionLevel", 4);  // half of zlib's usual time, 6 % more bytes
+  const auto rows = rows_of(image);
+  const Source source{path, layout, rows, {0, 1}};
+  source.require_all(image.values);  // libpng prints when a file ends early
+  write_through("png", spec, source);
 }
 
 }  // namespace coppermoon::texture

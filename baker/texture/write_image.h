@@ -12,8 +12,9 @@ enum class ExrType { half, floating };
 
 /// What an OpenEXR file is to be like.
 struct ExrOptions {
-  ExrType type = ExrType::half;  ///< half is packed with PIZ, floating with ZIP, both without loss
-  bool allow_negative = false;   ///< light is never negative, colours outside a gamut are
+  ExrType type = ExrType::half;
+  bool allow_negative = false;  ///< light is never negative, colours outside a gamut are
+  bool packed = true;           ///< half with PIZ, floating with ZIP, both without loss
 };
 
 /// Writes scene-linear texels to an OpenEXR file, whole or not at all. The same image and
@@ -27,6 +28,12 @@ struct ExrOptions {
 ///                     written
 void write_exr(const std::filesystem::path& path, const Image& image, const Attributes& attributes,
                const ExrOptions& options = {});
+
+/// The same, rows made as they are written: some of them are in memory at a time, 16 MB or 64 rows,
+/// and the next are made while some are written. What making them throws ends the writing, and no
+/// file is left.
+void write_exr(const std::filesystem::path& path, const Layout& layout, const Rows& rows,
+               const Attributes& attributes, const ExrOptions& options = {});
 
 /// Writes a display-referred image (sRGB-coded, 0 to 1, grey or RGB) to a PNG file, whole or not at
 /// all.

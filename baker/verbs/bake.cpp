@@ -28,9 +28,9 @@ void run(const CLI::App& verb, const Options& options) {
   const auto recipe = recipe_of(verb);
   const auto moon = baked_moon(options.moon, sky, space, {}, recipe);
   texture::write_exr(
-      options.output, moon.texture, moon.attributes,
+      options.output, moon.layout, moon.rows, moon.attributes,
       {options.type == "half" ? texture::ExrType::half : texture::ExrType::floating});
-  report({options.output, recipe, moon.seconds, moon.relative_error}, options.json);
+  report({options.output, recipe, moon.seconds(), moon.relative_error}, options.json);
 }
 
 }  // namespace

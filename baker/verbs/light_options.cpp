@@ -152,7 +152,10 @@ shadow::RefractedLight refracted_light(const LightOptions& options,
 
 shadow::Lookup Moonlight::in_channels(const shadow::ChannelWeights& weights) const {
   if (!refracted) return shadow::Lookup(weights);
-  return shadow::Lookup(*refracted, *direct, weights);
+  const auto& known_m = refracted->axis_distances_m;
+  shadow::LookupRange range{.from_m = known_m.front()};
+  if (known_m.size() > 1) range.to_m = known_m.back() + known_m[1] - known_m[0];
+  return shadow::Lookup(*refracted, *direct, weights, range);
 }
 
 Moonlight light_on_the_moon(const LightOptions& options, const almanac::SkyState& sky,

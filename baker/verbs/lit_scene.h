@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "texture/write_image.h"
 #include "verbs/moon_options.h"
 #include "verbs/observer_options.h"
 
@@ -15,11 +16,13 @@ struct LitScene {
   View view;
 };
 
-/// Bakes the Moon and computes the view: all of a scene but its files.
-LitScene lit_scene(const MoonOptions& moon, const ViewOptions& view, const std::string& recipe);
+/// The view, and the Moon ready to be baked: all of a scene but its files.
+LitScene lit_scene(const MoonOptions& moon, const ViewOptions& view, const std::string& recipe,
+                   texture::Extent extent = texture::Extent::whole);
 
-/// Writes texture, scene and settings into a folder, made when only its last part is missing; a
-/// folder made so is gone again when they cannot be written.
-void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene);
+/// Bakes the texture, and writes it, scene and settings into a folder, made when only its last part
+/// is missing; a folder made so is gone again when they cannot be written.
+void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
+                     const texture::ExrOptions& options = {});
 
 }  // namespace coppermoon::verbs

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <memory>
 
 #include "algebra/error.h"
 #include "surface/albedo_map.h"
@@ -54,6 +54,15 @@ texture::Attributes header(const MoonOptions& options, const almanac::SkyState& 
           {"coppermoon:recipe", recipe}};
 }
 
+/// What the rows of a texture are made from, for as long as any may be asked for.
+struct Ground {
+  explicit Ground(algebra::Grid<float> albedo) : normal_albedo(std::move(albedo)) {}
+
+  algebra::Grid<float> normal_albedo;
+  shadow::Lookup light{shadow::ChannelWeights()};
+  ProgressBar bar{"bake"};
+};
+
 }  // namespace
 
 void add_moon_options(CLI::App& verb, MoonOptions& options) {
@@ -87,42 +96,43 @@ algebra::Grid<float> normal_albedo(const MoonOptions& options) {
   if (map == "built-in")
     return surface::normalised_to_geometric_albedo(
         surface::built_in_moon(options.texture_width / 2), photometry_of(options));
+  const double exponent = options.albedo_exponent.value_or(map == stellarium_map ? 0.5 : 1);
   auto albedo = [&] {
     const Silence silence;
-    return texture::read_albedo_map(map);
+    return texture::read_albedo_map(map, texture::Coding::as_file_says, exponent);
   }();
-  const double exponent = options.albedo_exponent.value_or(map == stellarium_map ? 0.5 : 1);
-  algebra::require_within("albedo exponent", exponent, 0.1, 10);
-  if (exponent != 1)
-    for (float& value : albedo.values()) value = std::pow(value, static_cast<float>(exponent));
   return surface::normalised_to_geometric_albedo(std::move(albedo), photometry_of(options));
+}
+
+double BakedMoon::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
                      colour::WorkingSpace space,
                      const std::optional<atmosphere::Sightline>& sightline,
-                     const std::string& recipe) {
+                     const std::string& recipe, texture::Extent extent) {
   const auto start = std::chrono::steady_clock::now();
   if (options.texture_width % 2 != 0)
     throw algebra::Error(fmt::format(
         "texture width [texels] = {}, allowed even numbers, 4 to 32768", options.texture_width));
   algebra::require_within("texture width [texels]", static_cast<double>(options.texture_width), 4,
                           32768);
-  const auto albedo = normal_albedo(options);
+  const auto ground = std::make_shared<Ground>(normal_albedo(options));
   const auto weights =
       moonlight_weights(colour::channel_weights(space, band_edges_nm()), sightline);
   const auto moonlight = light_on_the_moon(options.light, sky, options.unshadowed);
-  auto light = moonlight.in_channels(weights);
-  light.transform([&](std::span<double> colour) { colour::into_gamut(space, colour); });
-  ProgressBar bar("bake");
-  BakedMoon moon{texture::bake(albedo, sky, light, channel_names(space), options.texture_width / 2,
-                               photometry_of(options), bar.progress()),
-                 {},
-                 0,
-                 relative_error(options.light, sky, moonlight)};
-  moon.attributes = header(options, sky, space, recipe, moon.relative_error);
-  moon.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return moon;
+  ground->light = moonlight.in_channels(weights);
+  ground->light.transform([&](std::span<double> colour) { colour::into_gamut(space, colour); });
+  const std::size_t rows = options.texture_width / 2;
+  const double error = relative_error(options.light, sky, moonlight);
+  return {{2 * rows, rows, channel_names(space)},
+          [ground, lit = texture::lit_rows(ground->normal_albedo, sky, ground->light, rows,
+                                           photometry_of(options), extent, ground->bar.progress())](
+              std::size_t first_row, std::span<float> values) { lit(first_row, values); },
+          header(options, sky, space, recipe, error),
+          error,
+          start};
 }
 
 void require_place_for(const std::filesystem::path& file) {

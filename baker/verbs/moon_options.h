@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "atmosphere/observer_air.h"
 #include "colour/working_space.h"
 #include "surface/photometry.h"
+#include "texture/bake.h"
 #include "texture/image.h"
 #include "verbs/light_options.h"
 
@@ -39,11 +41,15 @@ surface::Photometry photometry_of(const MoonOptions& options);
 /// Throws Error as texture::read_albedo_map; when the exponent is outside 0.1 to 10
 algebra::Grid<float> normal_albedo(const MoonOptions& options);
 
-/// A baked Moon and what its file's header says.
+/// A Moon whose texture is baked as its rows are asked for, and what its file's header says.
 struct BakedMoon {
-  texture::Image texture;
+  texture::Layout layout;
+  texture::Rows rows;
   texture::Attributes attributes;
-  double seconds, relative_error;
+  double relative_error;
+  std::chrono::steady_clock::time_point start;
+
+  double seconds() const;  ///< since it was begun
 };
 
 /// The texture in a working space, cd/m².
@@ -53,7 +59,7 @@ struct BakedMoon {
 BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
                      colour::WorkingSpace space,
                      const std::optional<atmosphere::Sightline>& sightline,
-                     const std::string& recipe);
+                     const std::string& recipe, texture::Extent extent = texture::Extent::whole);
 
 /// Throws Error when a file could not be put there: its folder is missing, or it is a folder
 /// itself. Said before the work is done.

@@ -48,11 +48,13 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-texture::Image rendered(const LitScene& scene) {
+/// Returned  the frame, and the seconds until it was begun
+std::pair<texture::Image, double> rendered(const LitScene& scene) {
   const TemporaryFolder folder;
-  write_lit_scene(folder.path(), scene);
+  write_lit_scene(folder.path(), scene, {.packed = false});
+  const double seconds = scene.moon.seconds();
   ProgressBar bar("render");
-  return texture::read_image(povray_scenes::render(folder.path(), {}, bar.progress()));
+  return {texture::read_image(povray_scenes::render(folder.path(), {}, bar.progress())), seconds};
 }
 
 void run(const CLI::App& verb, const Options& options) {
@@ -60,8 +62,9 @@ void run(const CLI::App& verb, const Options& options) {
   require_place_for(options.output);
   if (!options.frame.empty()) require_place_for(options.frame);
   const auto recipe = recipe_of(verb);
-  const auto scene = lit_scene(options.moon, options.view, recipe);
-  const auto frame = rendered(scene);
+  const auto scene =
+      lit_scene(options.moon, options.view, recipe, texture::Extent::seen_from_earth);
+  const auto [frame, seconds] = rendered(scene);
   const auto exposure = exposure_for(options.develop, frame, space);
   if (!options.frame.empty()) {
     auto attributes = scene.moon.attributes;
@@ -71,7 +74,7 @@ void run(const CLI::App& verb, const Options& options) {
   write_developed(
       options.develop, exposure, frame, space, options.output,
       {{"coppermoon:recipe", recipe}, {"coppermoon:version", std::string(COPPERMOON_VERSION)}});
-  report({options.output, recipe, scene.moon.seconds, scene.moon.relative_error}, options.json);
+  report({options.output, recipe, seconds, scene.moon.relative_error}, options.json);
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/lookup.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "shadow/by_quadrature.h"
@@ -90,6 +92,94 @@ TEST(Lookup, TurnsWithThePositionAngle) {
                 "half way to sector 2");
   EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, 3.5 * quarter)), 0.15, 1e-14,
                 "half way from sector 3 to 0");
+}
+
+/// Light of one wavelength, the same on all planes and around the axis.
+RefractedLight light_of(const std::function<double(double)>& ratio, double spacing_m,
+                        std::size_t places) {
+  RefractedLight light{around_the_moon, {550}, {}, 1, {}, {}};
+  algebra::Grid<double> values(places, 1);
+  for (std::size_t i = 0; i < places; ++i) {
+    light.axis_distances_m.push_back(spacing_m * static_cast<double>(i));
+    values(i, 0) = ratio(light.axis_distances_m.back());
+  }
+  light.ratio.assign(3, values);
+  light.standard_error.assign(3, algebra::Grid<double>(places, 1));
+  return light;
+}
+
+TEST(Lookup, FollowsACubicBetweenPlaces) {
+  const auto cubic = [](double m) { return 1e-3 * (1 + std::pow(m / 1e6 - 1.5, 3)) + 5e-3; };
+  const Lookup lookup(light_of(cubic, 250e3, 13), direct({550}), one_channel(1));
+  for (const double at_m : {10e3, 333e3, 1.4567e6, 2.7182e6, 2.99e6})
+    EXPECT_WITHIN_RELATIVE(read(lookup, place(at_m, 3.82e8)), cubic(at_m), 1e-4,
+                           "the tolerance of the straight lines between nodes");
+}
+
+TEST(Lookup, KeepsTheToleranceAskedFor) {
+  const auto falling = [](double m) { return 1e-2 * std::exp(-m / 300e3); };
+  const auto light = light_of(falling, 25e3, 121);
+  for (const double tolerance : {1e-3, 1e-4, 1e-5}) {
+    const Lookup lookup(light, direct({550}), one_channel(1), {.tolerance = tolerance});
+    for (double at_m = 1e3; at_m < 2.9e6; at_m += 7e3)
+      EXPECT_WITHIN_RELATIVE(read(lookup, place(at_m, 3.82e8)), falling(at_m), tolerance + 2e-6,
+                             "the cubics of 25 km add 1e-6");
+  }
+}
+
+TEST(Lookup, IsNeverDarkerThanBlack) {
+  const auto noisy = [](double m) { return std::fmod(m / 50e3, 5) == 2 ? 1e-3 : 0; };
+  const Lookup lookup(light_of(noisy, 50e3, 40), direct({550}), one_channel(1));
+  for (double at_m = 0; at_m < 1.9e6; at_m += 1.3e3)
+    EXPECT_GE(read(lookup, place(at_m, 3.82e8)), 0) << at_m;
+}
+
+TEST(Lookup, HoldsItsEndsOutsideItsRange) {
+  const auto falling = [](double m) { return 1e-2 * std::exp(-m / 300e3); };
+  const Lookup lookup(light_of(falling, 25e3, 121), direct({550}), one_channel(1),
+                      {.from_m = 1e6, .to_m = 2e6});
+  EXPECT_WITHIN_RELATIVE(read(lookup, place(0, 3.82e8)), falling(1e6), 1e-5, "a node");
+  EXPECT_WITHIN_RELATIVE(read(lookup, place(1.5e6, 3.82e8)), falling(1.5e6), 1e-4, "tolerance");
+  EXPECT_WITHIN_RELATIVE(read(lookup, place(3e6, 3.82e8)), falling(2e6), 0.04,
+                         "the last node is less than 10 km beyond");
+  EXPECT_EQ(read(lookup, place(1e7, 3.82e8)), 1) << "sunlight";
+}
+
+/// Ratios that are linear in depth, and by sector 0.1 + 0.01 s.
+RefractedLight light_by_sector(std::size_t sectors) {
+  RefractedLight light{around_the_moon, {500, 600}, {0, 1e6, 2e6, 3e6}, sectors, {}, {}};
+  for (std::size_t plane = 0; plane < 3; ++plane)
+    for (std::size_t s = 0; s < sectors; ++s) {
+      const double depth_part = (around_the_moon.depths_m[plane] - 3.812e8) / 1.7e6;
+      light.ratio.emplace_back(4, 2, (0.1 + 0.01 * static_cast<double>(s)) * (1 + depth_part));
+      light.standard_error.emplace_back(4, 2);
+    }
+  return light;
+}
+
+TEST(Lookup, ReadsManyPlacesByTheClosedForm) {
+  constexpr std::size_t sectors = 24, count = 151, channels = 5;
+  ChannelWeights weights(channels, 2, 1);
+  for (std::size_t c = 0; c < channels; ++c) weights(c, 0) = static_cast<double>(c);
+  const Lookup lookup(light_by_sector(sectors), direct({500, 600}), weights);
+  std::vector<double> east, north, depth, values(count * channels);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double turn = 0.7 * static_cast<double>(i), r = 1e4 * static_cast<double>(i);
+    east.push_back(r * std::sin(turn));
+    north.push_back(r * std::cos(turn));
+    depth.push_back(3.810e8 + 1.5e4 * static_cast<double>(i));
+  }
+  lookup.read({east, north, depth}, values);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = std::atan2(east[i], north[i]), whole = 2 * std::numbers::pi;
+    const double turn = (angle < 0 ? angle + whole : angle) / whole * sectors;
+    const double s = turn < 23 ? turn : 23 * (24 - turn);  // from sector 23 back to 0
+    const double in_depth = 1 + std::clamp((depth[i] - 3.812e8) / 1.7e6, 0., 1.);
+    for (std::size_t c = 0; c < channels; ++c)
+      EXPECT_WITHIN_RELATIVE(values[i * channels + c],
+                             static_cast<double>(c + 1) * (0.1 + 0.01 * s) * in_depth, 1e-12,
+                             "linear in depth and angle: rounding alone");
+  }
 }
 
 }  // namespace

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "texture/bake.h"
 
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <numbers>
 #include <numeric>
 
 #include "algebra/error.h"
+#include "eclipse/shadow_axis.h"
 #include "shadow/by_quadrature.h"
 #include "support/within.h"
 #include "surface/albedo_map.h"
@@ -165,6 +169,114 @@ TEST(Bake, DarkensTheSideThatIsDeeperInTheShadow) {
   EXPECT_LT(at(0, 0), at(-50, 50));
   EXPECT_LT(at(0, -60), at(0, 60));
   EXPECT_LT(at(60, 0), at(-60, 0));
+}
+
+/// Refracted and direct light over the whole shadow, three channels.
+shadow::Lookup eclipse_light() {
+  const std::vector<double> waves{450, 550, 650};
+  std::vector<double> distances;
+  for (double d = 0; d < 9.4e6; d += 5e4) distances.push_back(d);
+  const auto light =
+      shadow::by_quadrature({}, {1.479e11, {3.80e8, 3.82e8, 3.84e8}}, waves, distances, 100);
+  const shadow::DirectLight direct({}, light.arrangement, waves);
+  shadow::ChannelWeights each(3, 3);
+  for (std::size_t c = 0; c < 3; ++c) each(c, c) = 1000;
+  return {light, direct, each};
+}
+
+/// The docstring's expression for one texel, by way of the photometric function and of the shadow's
+/// axis, one vector at a time.
+std::vector<double> expected_texel(const almanac::SkyState& sky, const shadow::Lookup& light,
+                                   const almanac::SelenographicPoint& at, double albedo,
+                                   surface::Photometry photometry) {
+  std::vector<double> values(light.channels());
+  const glm::dvec3 normal =
+      glm::transpose(sky.selenographic_from_gcrs) * almanac::selenographic_direction(at);
+  const glm::dvec3 place = sky.moon_m + 1737.4e3 * normal, to_sun = sky.sun_m - place;
+  const double sun_m = glm::length(to_sun), earth_m = glm::length(place);
+  const double phase =
+      std::max(std::atan2(glm::length(glm::cross(to_sun, -place)), glm::dot(to_sun, -place)),
+               std::asin(6378.137e3 / earth_m));
+  const double factor =
+      surface::radiance_factor(photometry, glm::dot(normal, to_sun) / sun_m,
+                               -glm::dot(normal, place) / earth_m, algebra::radians(phase));
+  light.read(eclipse::place_in_shadow(eclipse::shadow_axis(sky), place), values);
+  for (double& value : values)
+    value *= albedo * factor * std::pow(almanac::astronomical_unit_m / sun_m, 2);
+  return values;
+}
+
+algebra::Grid<float> spotted(std::size_t rows) {
+  auto map = uniform(rows);
+  for (std::size_t i = 0; i < map.values().size(); ++i)
+    map.values()[i] = 0.05F + 0.001F * static_cast<float>(i * 7919 % 100);
+  return map;
+}
+
+TEST(Bake, IsItsExpressionAtEveryTexel) {
+  constexpr std::size_t rows = 90;
+  const auto map = spotted(rows);
+  const auto light = eclipse_light();
+  for (const char* when : {"2008-02-21T03:26:05Z", "2008-02-21T02:10:00Z", "2008-02-24T03:26:05Z"})
+    for (const auto photometry : {yapo_cutler, lommel_seeliger_rolo}) {
+      const auto sky = almanac::sky_at(almanac::instant_from_utc(when));
+      const auto moon = bake(map, sky, light, {"R", "G", "B"}, rows, photometry);
+      for (std::size_t r = 0; r < rows; ++r)
+        for (std::size_t c = 0; c < 2 * rows; ++c) {
+          const auto expected =
+              expected_texel(sky, light, surface::texel_centre(r, c, rows), map(r, c), photometry);
+          for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_WITHIN_RELATIVE(moon(r, c, k), expected[k], 1e-5,
+                                   "the phase curve between its table's entries; float texels");
+        }
+    }
+}
+
+TEST(Bake, IsTheSameHoweverItIsCutIntoRowsAndThreads) {
+  constexpr std::size_t rows = 150;
+  const auto sky = almanac::sky_at(february_2008);
+  const auto map = spotted(64);
+  const auto light = eclipse_light();
+  const auto whole = bake(map, sky, light, {"R", "G", "B"}, rows, lommel_seeliger_rolo);
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  const auto lit = lit_rows(map, sky, light, rows, lommel_seeliger_rolo);
+  std::vector<float> band(7 * 2 * rows * 3);
+  for (std::size_t r = 0; r + 7 <= rows; r += 7) {
+    lit(r, band);
+    EXPECT_TRUE(std::equal(band.begin(), band.end(), &whole.values[r * 2 * rows * 3])) << r;
+  }
+}
+
+TEST(Bake, LeavesOutOnlyWhatNoPlaceOnEarthSees) {
+  // Three days past full: a fifth of the lit half is beyond the limb.
+  constexpr std::size_t rows = 180;
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-24T03:26:05Z"));
+  const auto map = uniform(rows);
+  const auto light = sunlight(1);
+  const auto whole = bake(map, sky, light, {"Y"}, rows, yapo_cutler);
+  std::vector<float> seen(whole.values.size());
+  lit_rows(map, sky, light, rows, yapo_cutler, Extent::seen_from_earth)(0, seen);
+  std::size_t left_out = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const auto at = surface::texel_centre(i / (2 * rows), i % (2 * rows), rows);
+    const glm::dvec3 normal =
+        glm::transpose(sky.selenographic_from_gcrs) * almanac::selenographic_direction(at);
+    const double up = -glm::dot(normal, glm::normalize(sky.moon_m + 1737.4e3 * normal));
+    const bool needed = up > -0.02 - 6378.0 / 360e3, far_beyond = up < -0.1;
+    EXPECT_TRUE(!needed || seen[i] == whole.values[i]) << up;
+    EXPECT_TRUE(!far_beyond || seen[i] == 0) << up;
+    left_out += seen[i] == 0 && whole.values[i] > 0;
+  }
+  EXPECT_GT(left_out, seen.size() / 20);
+}
+
+TEST(Resized, LargerIsBilinear) {
+  const auto map = spotted(9);
+  const auto large = resized(map, 40);
+  for (std::size_t r = 0; r < 40; ++r)
+    for (std::size_t c = 0; c < 80; ++c)
+      EXPECT_WITHIN(large(r, c), surface::sampled(map, surface::texel_centre(r, c, 40)), 1e-7,
+                    "float texels");
 }
 
 TEST(Resized, KeepsTheMeanOfASmallerMap) {

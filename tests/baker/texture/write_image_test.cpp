@@ -10,6 +10,7 @@
 #include <limits>
 #include <thread>
 
+#include "algebra/error.h"
 #include "baker/texture/exr_header.h"
 #include "baker/texture/scratch_folder.h"
 #include "support/within.h"
@@ -255,6 +256,49 @@ TEST_F(WriteImage, PngRefusesWhatItCannotHold) {
   EXPECT_ERROR(write_png(path, one_texel(NAN), 8), "= nan");
   EXPECT_ERROR(write_png(path, one_texel(1), 12), "12 bits, allowed 8 or 16");
   EXPECT_ERROR(write_png(path, Image(1, 1, {"a", "b"}), 8), "2 channels, allowed 1 or 3");
+}
+
+/// So wide that the writer takes 64 rows at a time; each value tells its row and column.
+const Layout wide{30000, 130, {"R", "G", "B"}};
+
+void number_rows(std::size_t first_row, std::span<float> values) {
+  const std::size_t length = wide.width * wide.channels.size();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = static_cast<float>((first_row + i / length) * 10 + i % length % 7);
+}
+
+TEST_F(WriteImage, RowsMadeAsTheyAreWrittenStandInTheirPlaces) {
+  std::size_t most = 0;
+  const auto rows = [&](std::size_t first_row, std::span<float> values) {
+    most = std::max(most, values.size());
+    number_rows(first_row, values);
+  };
+  write_exr(in_folder("a.exr"), wide, rows, {});
+  Image whole(wide.width, wide.height, wide.channels);
+  number_rows(0, whole.values);
+  EXPECT_TRUE(read_image(in_folder("a.exr")).values == whole.values);
+  EXPECT_EQ(most, 64 * wide.width * 3) << "not the whole image at once";
+}
+
+TEST_F(WriteImage, WhatMakingRowsThrowsLeavesNoFile) {
+  const auto failing = [](std::size_t first_row, std::span<float>) {
+    if (first_row > 0) throw coppermoon::algebra::Error("no more light");
+  };
+  EXPECT_ERROR(write_exr(in_folder("a.exr"), wide, failing, {}), "no more light");
+  const auto wrong = [](std::size_t first_row, std::span<float> values) {
+    if (first_row > 0) values[wide.width * 3 + 4] = NAN;
+  };
+  EXPECT_ERROR(write_exr(in_folder("a.exr"), wide, wrong, {}),
+               "a.exr: texel row 65, column 1, channel G = nan, allowed 0 to 65504");
+  EXPECT_EQ(files_in_folder(), 0);
+}
+
+TEST_F(WriteImage, MayBeLeftUnpacked) {
+  const auto image = eclipse_like(16);
+  write_exr(in_folder("a.exr"), image, {}, {.packed = false});
+  EXPECT_EQ(exr_header(bytes_of(in_folder("a.exr"))).at("compression").bytes, std::string(1, '\0'));
+  write_exr(in_folder("b.exr"), image, {});
+  EXPECT_EQ(read_image(in_folder("a.exr")).values, read_image(in_folder("b.exr")).values);
 }
 
 }  // namespace

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "shadow/lookup_table.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "shadow/lookup_table.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <hwy/contrib/math/math-inl.h>
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <numbers>
+
+HWY_BEFORE_NAMESPACE();
+namespace coppermoon::shadow::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Where the first of two neighbours begins in the table's values, and how far the second counts.
+template <class V>
+struct Between {
+  V low, part;
+};
+
+constexpr std::size_t places_at_once = 64;
+
+/// Some places found in the table.
+struct Found {
+  std::array<std::int64_t, places_at_once> start, start_of_next_sector;  ///< -1 in sunlight
+  std::array<double, places_at_once> along, deeper, around;
+};
+
+template <class D, class V = hn::VFromD<D>>
+Between<V> between_nodes(D d, const LookupTable& table, V axis_distance_m) {
+  const auto last = hn::Set(d, static_cast<double>(table.nodes - 1));
+  const auto step = hn::Set(d, static_cast<double>(table.values.columns()));
+  const auto beyond_first = hn::Sub(axis_distance_m, hn::Set(d, table.first_m));
+  const auto node =
+      hn::Clamp(hn::Mul(beyond_first, hn::Set(d, 1 / table.spacing_m)), hn::Zero(d), last);
+  const auto low = hn::Min(hn::Floor(node), hn::Sub(last, hn::Set(d, 1)));
+  return {hn::Mul(low, step), hn::Sub(node, low)};
+}
+
+template <class D, class V = hn::VFromD<D>>
+Between<V> between_planes(D d, const LookupTable& table, V depth_m) {
+  const auto& depths = table.depths_m;
+  const auto size = static_cast<double>(table.sectors * table.nodes * table.values.columns());
+  auto low = hn::Zero(d), part = hn::Zero(d);
+  for (std::size_t k = 0; k + 1 < depths.size(); ++k) {
+    const auto behind = hn::Sub(depth_m, hn::Set(d, depths[k]));
+    const auto here = hn::Ge(behind, hn::Zero(d));
+    const auto share = hn::Mul(behind, hn::Set(d, 1 / (depths[k + 1] - depths[k])));
+    low = hn::IfThenElse(here, hn::Set(d, static_cast<double>(k) * size), low);
+    part = hn::IfThenElse(here, hn::Min(share, hn::Set(d, 1)), part);
+  }
+  return {low, part};
+}
+
+/// From north through east, 0 to 2π.
+template <class D, class V = hn::VFromD<D>>
+V position_angle(D d, V east, V north) {
+  const auto x = hn::Abs(east), y = hn::Abs(north);
+  const auto steep = hn::Gt(x, y), middle = hn::Eq(hn::Max(x, y), hn::Zero(d));
+  const auto slope = hn::Div(hn::Min(x, y), hn::IfThenElse(middle, hn::Set(d, 1), hn::Max(x, y)));
+  const auto pi = hn::Set(d, std::numbers::pi);
+  auto angle = hn::Atan(d, slope);
+  angle = hn::IfThenElse(steep, hn::Sub(hn::Set(d, std::numbers::pi / 2), angle), angle);
+  angle = hn::IfThenElse(hn::Lt(north, hn::Zero(d)), hn::Sub(pi, angle), angle);
+  return hn::IfThenElse(hn::Lt(east, hn::Zero(d)), hn::Sub(hn::Add(pi, pi), angle), angle);
+}
+
+template <class D, class V = hn::VFromD<D>>
+V sheared_by(D d, V axis_distance_m, V deeper) {
+  const auto one = hn::Set(d, 1);
+  const auto shift = hn::Mul(hn::Sub(axis_distance_m, hn::Set(d, limb_m)), hn::Sub(deeper, one));
+  const auto part = hn::Min(one, hn::Mul(axis_distance_m, hn::Set(d, 1 / one_limb_m)));
+  return hn::MulAdd(shift, part, axis_distance_m);
+}
+
+/// Finds as many places as D has lanes, from the i-th on; the first becomes `found`'s k-th.
+template <class D>
+void find_lanes(D d, const LookupTable& table, const Places& places, std::size_t i, std::size_t k,
+                Found& found) {
+  const hn::RebindToSigned<D> indices;
+  const auto east = hn::LoadU(d, &places.east_m[i]), north = hn::LoadU(d, &places.north_m[i]);
+  const auto depth = hn::LoadU(d, &places.depth_m[i]);
+  const auto axis_distance = hn::Sqrt(hn::MulAdd(east, east, hn::Mul(north, north)));
+  const auto sunlit =
+      hn::Or(hn::Ge(axis_distance, hn::Set(d, table.end_m)), hn::Le(depth, hn::Zero(d)));
+  const auto deeper = hn::Div(hn::Set(d, table.middle_depth_m), depth);
+  const auto node = between_nodes(d, table, sheared_by(d, axis_distance, deeper));
+  const auto plane = between_planes(d, table, depth);
+  const auto store_start = [&](auto sector_start, std::int64_t* to) {
+    const auto start = hn::Add(hn::Add(node.low, plane.low), sector_start);
+    hn::StoreU(hn::ConvertTo(indices, hn::IfThenElse(sunlit, hn::Set(d, -1), start)), indices, to);
+  };
+  hn::StoreU(node.part, d, &found.along[k]);
+  hn::StoreU(plane.part, d, &found.deeper[k]);
+  if (table.sectors == 1) return store_start(hn::Zero(d), &found.start[k]);
+  const auto count = hn::Set(d, static_cast<double>(table.sectors));
+  const auto size = hn::Set(d, static_cast<double>(table.nodes * table.values.columns()));
+  const auto turn = hn::Mul(position_angle(d, east, north),
+                            hn::Mul(count, hn::Set(d, 1 / (2 * std::numbers::pi))));
+  const auto whole = hn::Floor(turn), next = hn::Add(whole, hn::Set(d, 1));
+  const auto wrapped = [&](auto s) {
+    return hn::IfThenElse(hn::Ge(s, count), hn::Sub(s, count), s);
+  };
+  store_start(hn::Mul(wrapped(whole), size), &found.start[k]);
+  store_start(hn::Mul(wrapped(wrapped(next)), size), &found.start_of_next_sector[k]);
+  hn::StoreU(hn::Sub(turn, whole), d, &found.around[k]);
+}
+
+/// Some channels of a place: D has as many lanes.
+template <class D, class V = hn::VFromD<D>>
+V blended(D d, const LookupTable& table, const Found& found, std::size_t k, std::size_t channel) {
+  if (found.start[k] < 0) return hn::LoadU(d, &table.sunlight[channel]);
+  const std::size_t node = table.values.columns();
+  const std::size_t plane = table.depths_m.size() > 1 ? table.sectors * table.nodes * node : 0;
+  const auto along = hn::Set(d, found.along[k]), deeper = hn::Set(d, found.deeper[k]);
+  const auto mixed = [](V a, V b, V part) { return hn::MulAdd(part, hn::Sub(b, a), a); };
+  const auto in_sector = [&](std::int64_t start) {
+    const double* at = table.values.values().data() + start + channel;
+    return mixed(mixed(hn::LoadU(d, at), hn::LoadU(d, at + node), along),
+                 mixed(hn::LoadU(d, at + plane), hn::LoadU(d, at + plane + node), along), deeper);
+  };
+  const auto value = in_sector(found.start[k]);
+  if (table.sectors == 1) return value;
+  return mixed(value, in_sector(found.start_of_next_sector[k]), hn::Set(d, found.around[k]));
+}
+
+/// A place's channels; whole vectors where there is room behind them: the next place comes later.
+void store(const LookupTable& table, const Found& found, std::size_t k, std::size_t place,
+           std::span<double> values) {
+  const hn::CappedTag<double, channel_padding> d;
+  const std::size_t lanes = hn::Lanes(d);
+  for (std::size_t c = 0; c < table.channels; c += lanes) {
+    const auto blend = blended(d, table, found, k, c);
+    const std::size_t to = place * table.channels + c;
+    if (to + lanes <= values.size()) {
+      hn::StoreU(blend, d, &values[to]);
+      continue;
+    }
+    std::array<double, channel_padding> last;
+    hn::StoreU(blend, d, last.data());
+    std::copy_n(last.begin(), values.size() - to, &values[to]);
+  }
+}
+
+void read_all(const LookupTable& table, const Places& places, std::span<double> values) {
+  const hn::CappedTag<double, places_at_once> many;
+  const hn::CappedTag<double, 1> one;
+  const std::size_t lanes = hn::Lanes(many), count = places.depth_m.size();
+  Found found;
+  for (std::size_t i = 0; i < count; i += places_at_once) {
+    const std::size_t here = std::min(places_at_once, count - i);
+    std::size_t k = 0;
+    for (; k + lanes <= here; k += lanes) find_lanes(many, table, places, i + k, k, found);
+    for (; k < here; ++k) find_lanes(one, table, places, i + k, k, found);
+    for (k = 0; k < here; ++k) store(table, found, k, i + k, values);
+  }
+}
+
+}  // namespace coppermoon::shadow::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace coppermoon::shadow {
+
+HWY_EXPORT(read_all);
+
+void read(const LookupTable& table, const Places& places, std::span<double> values) {
+  assert(values.size() == table.channels * places.depth_m.size());
+  if (table.nodes > 0) return HWY_DYNAMIC_DISPATCH(read_all)(table, places, values);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = table.sunlight[i % table.channels];
+}
+
+}  // namespace coppermoon::shadow
+#endif

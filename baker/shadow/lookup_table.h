@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "algebra/grid.h"
+
+namespace coppermoon::shadow {
+
+/// Places in the shadow, many at once: coordinates in the frame of eclipse::ShadowAxis, as many of
+/// each.
+struct Places {
+  std::span<const double> east_m, north_m, depth_m;
+};
+
+/// Channel values over place in the shadow, at even axis distances, on planes and in sectors.
+struct LookupTable {
+  std::size_t channels = 0;
+  std::vector<double> depths_m;  ///< of the planes, increasing
+  double middle_depth_m = 0;     ///< where nodes are at their axis distances; see `sheared`
+  std::vector<double> sunlight;  ///< [channel], padded
+  std::size_t sectors = 1, nodes = 0;
+  double first_m = 0, spacing_m = 1;  ///< axis distance of the first node, and between nodes
+  double end_m = 0;                   ///< beyond this axis distance all is sunlight
+  algebra::Grid<double> values;  ///< ((plane × sectors + sector) × nodes + node, padded channel)
+};
+
+/// The limb, as a ray passes it.
+inline constexpr double limb_m = 6.39e6;
+
+/// Nearer to the axis than that the light of both limbs counts.
+inline constexpr double one_limb_m = 1.5e6;
+
+/// Where a straight line from the limb that crosses a plane at one axis distance crosses another
+/// plane. Light in the shadow hardly changes along these lines. Near the axis, where the opposite
+/// limb's lines cross them, the distance shifts less, on the axis not at all.
+///
+/// Given  deeper  depth of the other plane over that of the one
+inline double sheared(double axis_distance_m, double deeper) {
+  const double shift = (axis_distance_m - limb_m) * (deeper - 1);
+  return axis_distance_m + shift * std::min(1., axis_distance_m / one_limb_m);
+}
+
+/// Rows of the table are a multiple of that long, so that whole vectors can be read.
+inline constexpr std::size_t channel_padding = 4;
+
+/// Reads the table: straight lines between planes, between nodes and around the axis; the outermost
+/// planes and nodes hold outside, but sunlight begins at `end_m` and on the Sun's side of Earth.
+///
+/// Given     table   with two nodes or more, or none: sunlight everywhere
+/// Returned  values  [place × channels + channel]
+void read(const LookupTable& table, const Places& places, std::span<double> values);
+
+}  // namespace coppermoon::shadow
