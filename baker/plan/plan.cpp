@@ -18,35 +18,57 @@ struct Knob {
 };
 
 template <typename Member>
-Knob knob(std::vector<double> settings, const std::optional<Member>& by_hand, Member Work::*member) {
+Knob knob(std::vector<double> settings, const std::optional<Member>& by_hand,
+          Member Work::*member) {
   if (by_hand) settings = {static_cast<double>(*by_hand)};
   return {std::move(settings),
           [member](Work& work, double value) { work.*member = static_cast<Member>(value); }};
 }
 
-Knob term(bool there, const std::optional<bool>& by_hand, bool Work::*member) {
-  std::vector<double> settings = there ? std::vector<double>{0, 1} : std::vector<double>{0};
-  return knob(by_hand ? std::vector<double>{} : settings, by_hand, member);
+/// A switch: off, and where it makes a difference, on.
+Knob term(bool there, const ByHand& by_hand, bool Work::*member) {
+  const auto hand = by_hand.terms ? std::optional(*by_hand.terms.*member) : std::nullopt;
+  return knob(there ? std::vector<double>{0, 1} : std::vector<double>{0}, hand, member);
 }
 
-std::vector<Knob> knobs(const Scene& scene, const ByHand& by_hand) {
-  return {term(scene.without_refracted > 0, {}, &Work::refracted),
-          term(scene.ellipsoid, {}, &Work::ellipsoid),
-          term(scene.columns > 1, {}, &Work::regions),
-          term(true, by_hand.scattered_light, &Work::scattered_light),
-          knob({10, 16, 20, 40, 80, 200}, by_hand.bands, &Work::bands),
+std::vector<Knob> knobs_of_photons(const ByHand& by_hand) {
+  std::vector<double> photons;
+  for (double n = 1024; n < 1e12; n *= 2) photons.push_back(n);
+  Work all;
+  all.scattered_light = true;
+  ByHand every;
+  every.terms = by_hand.terms.value_or(all);
+  return {term(true, every, &Work::refracted),
+          term(true, every, &Work::ellipsoid),
+          term(true, every, &Work::regions),
+          term(true, every, &Work::scattered_light),
+          knob({10, 20, 40, 60, 80, 200, 400}, by_hand.bands, &Work::bands),
+          knob({1000}, by_hand.rays, &Work::rays),
+          knob({1, 2, 3, 5, 9}, by_hand.planes, &Work::planes),
+          knob(photons, by_hand.photons, &Work::photons)};
+}
+
+std::vector<Knob> knobs(const Scene& scene, const ByHand& by_hand, Method method) {
+  if (method != Method::quadrature) return knobs_of_photons(by_hand);
+  return {term(scene.without_refracted > 0, by_hand, &Work::refracted),
+          term(scene.ellipsoid, by_hand, &Work::ellipsoid),
+          term(scene.columns > 1, by_hand, &Work::regions),
+          term(scene.without_scattered > 0, by_hand, &Work::scattered_light),
+          knob({10, 20, 40, 60, 80, 200, 400}, by_hand.bands, &Work::bands),
           knob({60, 100, 200, 300, 600, 1000, 2000}, by_hand.rays, &Work::rays),
           knob(scene.limb_darkening ? std::vector<double>{2, 3, 4, 6} : std::vector<double>{1},
                by_hand.sun_terms, &Work::sun_terms),
-          knob({1, 2, 3, 5}, by_hand.planes, &Work::planes),
-          knob({200, 100, 50, 25, 12.5}, by_hand.spacing_km, &Work::spacing_km)};
+          knob({1, 2, 3, 5, 9}, by_hand.planes, &Work::planes),
+          knob({0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5}, by_hand.place_error,
+               &Work::place_error)};
 }
 
 /// The coarsest work, refined step by step until it is good enough.
 class Refinement {
  public:
-  Refinement(const Scene& scene, const ByHand& by_hand)
-      : scene_(scene), knobs_(knobs(scene, by_hand)), at_(knobs_.size()) {
+  Refinement(const Scene& scene, const ByHand& by_hand, Method method)
+      : scene_(scene), knobs_(knobs(scene, by_hand, method)), at_(knobs_.size()) {
+    work_.method = method;
     for (const auto& knob : knobs_) knob.turn(work_, knob.settings.front());
   }
 
@@ -60,7 +82,8 @@ class Refinement {
       if (at_[k] + 1 == knobs_[k].settings.size()) continue;
       const Work finer = turned(k);
       const double gain = predicted_error(work_, scene_) - predicted_error(finer, scene_);
-      const double cost = predicted_seconds(finer, scene_, {}) - predicted_seconds(work_, scene_, {});
+      const double cost =
+          predicted_seconds(finer, scene_, {}) - predicted_seconds(work_, scene_, {});
       const double merit = gain / std::max(cost, 1e-6);
       if (merit > best) best = merit, chosen = k;
     }
@@ -94,9 +117,9 @@ std::vector<LeftOut> left_out(const Work& work, const Scene& scene) {
   return all;
 }
 
-Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
-                 const ByHand& by_hand) {
-  Refinement refinement(scene, by_hand);
+Plan plan_with(Method method, double tolerance, const Scene& scene, const Machine& machine,
+               const ByHand& by_hand) {
+  Refinement refinement(scene, by_hand, method);
   while (predicted_error(refinement.work(), scene) > tolerance && refinement.refine()) {
   }
   const auto& work = refinement.work();
@@ -105,16 +128,45 @@ Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
           predicted_seconds(work, scene, machine),
           predicted_error(work, scene),
           left_out(work, scene),
+          {},
           {}};
+}
+
+/// By the cheapest method.
+Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
+                 const ByHand& by_hand) {
+  using enum Method;
+  const std::vector<Method> methods = by_hand.method
+                                          ? std::vector{*by_hand.method}
+                                          : std::vector{quadrature, table, marched, literal};
+  std::vector<Plan> plans;
+  for (const auto method : methods)
+    plans.push_back(plan_with(method, tolerance, scene, machine, by_hand));
+  std::ranges::sort(plans, {}, &Plan::seconds);
+  Plan best = plans.front();
+  for (const auto& plan : plans)
+    best.methods.push_back({plan.work.method, plan.seconds, plan.error});
+  return best;
 }
 
 }  // namespace
 
-Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine,
-              const ByHand& by_hand) {
+std::string_view name(Method method) {
+  switch (method) {
+    case Method::table:
+      return "photons by table";
+    case Method::marched:
+      return "photons marched";
+    case Method::literal:
+      return "photons literal";
+    default:
+      return "quadrature";
+  }
+}
+
+Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine, const ByHand& by_hand) {
   constexpr double finest = 1e-4, coarsest = 0.5;
-  if (wish.tolerance)
-    algebra::require_within("tolerance", *wish.tolerance, finest, coarsest);
+  if (wish.tolerance) algebra::require_within("tolerance", *wish.tolerance, finest, coarsest);
   if (wish.budget_s) algebra::require_within("budget [s]", *wish.budget_s, 1e-3, 1e7);
   const double asked = wish.tolerance.value_or(finest);
   auto plan = plan_within(asked, scene, machine, by_hand);

@@ -30,7 +30,8 @@ void run(const CLI::App& verb, const Options& options) {
   texture::write_exr(
       options.output, moon.layout, moon.rows, moon.attributes,
       {options.type == "half" ? texture::ExrType::half : texture::ExrType::floating});
-  report({options.output, recipe, moon.seconds(), moon.relative_error}, options.json);
+  report({options.output, moon.recipe, moon.seconds(), moon.relative_error, moon.plan},
+         options.json);
 }
 
 }  // namespace

@@ -19,16 +19,11 @@
 namespace coppermoon::verbs {
 namespace {
 
-constexpr double quadrature_error = 1e-3;  // of luminance, at 300 rays
-
 void add_solver_options(CLI::App& verb, LightOptions& options) {
   const std::string group = "How light is computed";
   verb.add_option("--solver", options.solver,
-                  "quadrature: without noise; photons: the paper's simulation")
-      ->check(CLI::IsMember({"quadrature", "photons"}))
-      ->group(group);
-  verb.add_option("--rays", options.rays,
-                  "from the ground to the top of the air: of the quadrature and of the table")
+                  "quadrature: without noise; photons: the paper's simulation; auto: the quicker")
+      ->check(CLI::IsMember({"auto", "quadrature", "photons"}))
       ->group(group);
   verb.add_option(
           "--trace", options.trace,
@@ -37,8 +32,7 @@ void add_solver_options(CLI::App& verb, LightOptions& options) {
       ->group(group);
   verb.add_option("--photons", options.photons,
                   "how many, 1 to 1e12, rounded up to blocks of 1024; 1e6 take minutes with "
-                  "--trace each, a "
-                  "second by the table")
+                  "--trace each, a second by the table; without: until the tolerance is reached")
       ->group(group);
   verb.add_option("--seed", options.seed, "of the photons")
       ->check(CLI::NonNegativeNumber)
@@ -52,13 +46,17 @@ void add_solver_options(CLI::App& verb, LightOptions& options) {
   add_photon_options(verb, options.photon_files);
 }
 
+/// How many photons, where none are asked for: an end to those that a tolerance asks for.
+constexpr double most_photons = 1e10;
+
 shadow::PhotonSettings photon_settings(const LightOptions& options) {
-  algebra::require_within("photons", options.photons, 1, 1e12);
+  const double photons = options.photons.value_or(most_photons);
+  algebra::require_within("photons", photons, 1, 1e12);
   shadow::PhotonSettings settings;
-  settings.photons = static_cast<std::uint64_t>(options.photons);
+  settings.photons = static_cast<std::uint64_t>(photons);
   settings.seed = options.seed;
   settings.trace = options.trace == "table" ? shadow::Trace::table : shadow::Trace::each;
-  settings.rays = options.rays;
+  settings.rays = options.plan.rays.value_or(settings.rays);
   settings.stepping.step_m = options.step_km * 1e3;
   settings.ring_width_m = options.ring_km * 1e3;
   return settings;
@@ -73,36 +71,28 @@ void require_sound(const LightOptions& options) {
   algebra::require_within("smoothing [km]", options.smoothing_km, 0, 2000);
 }
 
-/// Refracted light alone, by the solver chosen.
-shadow::RefractedLight solved(const LightOptions& options, const atmosphere::Atmosphere& air,
-                              const shadow::Arrangement& arrangement,
-                              std::span<const double> wavelengths_nm,
-                              std::span<const double> axis_distances_m) {
+/// --quality paper is a word for other flags.
+LightOptions meant(LightOptions options) {
+  if (options.plan.quality != "paper") return options;
+  options.solver = "photons";
+  options.trace = "each";
+  options.photons = options.photons.value_or(1e7);
+  options.plan.bands = options.plan.bands.value_or(200);
+  options.plan.leave_out = options.plan.leave_out.value_or("scattered-light");
+  return options;
+}
+
+shadow::RefractedLight photons_of(const LightOptions& options, const atmosphere::Atmosphere& air,
+                                  const shadow::Arrangement& arrangement,
+                                  std::span<const double> wavelengths_nm,
+                                  const std::optional<shadow::StoppingRule>& enough) {
   ProgressBar bar(options.solver);
-  if (options.solver == "quadrature")
-    return shadow::by_quadrature(air, arrangement, wavelengths_nm, axis_distances_m, {.rays = options.rays},
-                                 bar.progress());
   auto settings = photon_settings(options);
   if (!air.symmetric()) settings.sectors = shadow::sectors_around;
+  if (!options.photons) settings.enough = enough;
   const auto light = light_of_photons(options.photon_files, air, arrangement, wavelengths_nm,
                                       settings, bar.progress());
   return shadow::smoothed(light, options.smoothing_km * 1e3);
-}
-
-eclipse::ShadowPlace moon_in_shadow(const almanac::SkyState& sky) {
-  return eclipse::place_in_shadow(eclipse::shadow_axis(sky), sky.moon_m);
-}
-
-/// Axis distances that the Moon's disc takes in, closely spaced; the rest of the shadow is not
-/// asked for.
-std::vector<double> distances_over_the_disc(const eclipse::ShadowPlace& centre) {
-  constexpr double spacing_m = 25e3;
-  const double radius = algebra::in_metres(almanac::lunar_radius) + spacing_m;
-  const double from = std::max(0., algebra::in_metres(centre.axis_distance) - radius);
-  const double to = algebra::in_metres(centre.axis_distance) + radius;
-  std::vector<double> distances;
-  for (double d = from; d < to + spacing_m; d += spacing_m) distances.push_back(d);
-  return distances;
 }
 
 void require_eclipse(const almanac::SkyState& sky) {
@@ -122,13 +112,15 @@ void add_light_options(CLI::App& verb, LightOptions& options) {
                   "of the Sun, by wavelength, on or off; with --atmosphere paper it is off")
       ->check(CLI::IsMember({"on", "off"}))
       ->group("The Earth's air");
-  verb.add_option("--scattered-light", options.scattered_light,
-                  "sunlight that the air scatters into the shadow, on or off")
-      ->check(CLI::IsMember({"on", "off"}))
+  verb.add_option(
+          "--scattered-light", options.scattered_light,
+          "sunlight that the air scatters into the shadow, on, off, or where it counts: auto")
+      ->check(CLI::IsMember({"auto", "on", "off"}))
       ->group("The Earth's air");
   verb.add_option("--starlight", options.starlight, "the stars' light on the Moon, on or off")
       ->check(CLI::IsMember({"on", "off"}))
       ->group("The Earth's air");
+  add_plan_options(verb, options.plan);
   add_solver_options(verb, options);
 }
 
@@ -138,54 +130,132 @@ shadow::Arrangement arrangement_of(const LightOptions& options, double sun_dista
   return {sun_distance_m, std::move(depths_m), options.limb_darkening.value_or(usual) == "on"};
 }
 
-shadow::RefractedLight refracted_light(const LightOptions& options,
-                                       const atmosphere::Atmosphere& air,
+shadow::RefractedLight refracted_light(const LightOptions& asked, const atmosphere::Atmosphere& air,
                                        const shadow::Arrangement& arrangement,
                                        std::span<const double> wavelengths_nm,
                                        std::span<const double> axis_distances_m) {
+  const auto options = meant(asked);
   require_sound(options);
-  auto light = solved(options, air, arrangement, wavelengths_nm, axis_distances_m);
+  auto light = [&] {
+    if (options.solver == "photons") {
+      if (!options.photons)
+        throw algebra::Error("photons = none, allowed 1 to 1e12 where no Moon is to be lit");
+      return photons_of(options, air, arrangement, wavelengths_nm, {});
+    }
+    // what a hundredth of the light's tolerance takes, and no places of its own
+    auto wish = wish_of(options.plan);
+    auto hand = by_hand(options.plan);
+    hand.bands = 400, hand.planes = 9, hand.place_error = 3e-5;
+    wish.tolerance = std::min(wish.tolerance.value_or(1e-3), 1e-3);
+    wish.budget_s = {};
+    const auto work =
+        plan::plan_for({.limb_darkening = arrangement.limb_darkening, .ellipsoid = false}, wish, {},
+                       hand)
+            .work;
+    ProgressBar bar(options.solver);
+    return shadow::by_quadrature(air, arrangement, wavelengths_nm, axis_distances_m,
+                                 {.rays = work.rays, .sun_terms = work.sun_terms}, bar.progress());
+  }();
   if (options.scattered_light == "on") shadow::add_twilight(light, air);
   if (options.starlight == "on") shadow::add_starlight(light);
   return light;
 }
 
+namespace {
+
+ShadowedMoon shadowed_moon(const LightOptions& options, const almanac::SkyState& sky) {
+  const auto axis = eclipse::shadow_axis(sky);
+  return {eclipse::place_in_shadow(axis, sky.moon_m), algebra::in_metres(axis.sun_distance),
+          arrangement_of(options, algebra::in_metres(axis.sun_distance), {}).limb_darkening,
+          atmosphere_of(options.air, axis.sun_declination)};
+}
+
+/// Of luminance: what the quadrature is found to err by; two standard errors of photons.
+double found_error(const ShadowedMoon& moon, const Moonlight& light) {
+  const auto luminance = light.in_channels(luminance_weights());
+  if (light.plan.work.method == plan::Method::quadrature || !light.plan.work.refracted)
+    return error_found(moon, light.plan.work, luminance);
+  const auto distances = distances_over_the_disc(moon);
+  return 2 * luminance.worst_relative_error(0, distances.front(), distances.back());
+}
+
+plan::Method method_of(const LightOptions& options) {
+  return options.trace == "table" ? plan::Method::table : plan::Method::literal;
+}
+
+plan::Plan plan_of(const LightOptions& options, const ShadowedMoon& moon, const Purpose& purpose) {
+  auto scene = scene_of(moon, purpose);
+  auto hand = by_hand(options.plan);
+  if (options.scattered_light == "off") scene.without_scattered = 0;
+  if (options.scattered_light == "on") scene.without_scattered = 1;
+  hand.photons = options.photons;
+  if (options.solver == "quadrature") hand.method = plan::Method::quadrature;
+  if (options.solver == "photons") hand.method = method_of(options);
+  const auto wish = wish_of(options.plan);
+  return plan::plan_for(scene, wish, this_machine(), hand);
+}
+
+shadow::RefractedLight light_of_work(const LightOptions& options, const ShadowedMoon& moon,
+                                     const plan::Plan& plan,
+                                     const shadow::Arrangement& arrangement) {
+  const auto waves = wavelengths_nm(plan.work.bands);
+  const auto distances = distances_over_the_disc(moon);
+  if (!plan.work.refracted) return shadow::darkness(arrangement, waves, distances, 1);
+  const auto air = air_for(plan.work, moon);
+  if (plan.work.method == plan::Method::quadrature) {
+    ProgressBar bar("quadrature");
+    return shadow::by_quadrature(air, arrangement, waves, distances,
+                                 quadrature_for(plan.work, moon), bar.progress());
+  }
+  const auto weights = at_wavelengths(luminance_weights(), plan.work.bands);
+  const auto row = weights.row(0);
+  return photons_of(
+      options, air, arrangement, waves,
+      shadow::StoppingRule{
+          {row.begin(), row.end()}, plan.tolerance, distances.front(), distances.back()});
+}
+
+}  // namespace
+
 shadow::Lookup Moonlight::in_channels(const shadow::ChannelWeights& weights) const {
   if (!refracted) return shadow::Lookup(weights);
-  const auto& known_m = refracted->axis_distances_m;
-  shadow::LookupRange range{.from_m = known_m.front()};
-  if (known_m.size() > 1) range.to_m = known_m.back() + known_m[1] - known_m[0];
-  return shadow::Lookup(*refracted, *direct, weights, range);
+  return shadow::Lookup(*refracted, *direct, at_wavelengths(weights, plan.work.bands), range);
 }
 
-Moonlight light_on_the_moon(const LightOptions& options, const almanac::SkyState& sky,
-                            bool unshadowed) {
-  const auto axis = eclipse::shadow_axis(sky);
-  const auto air = atmosphere_of(options.air, axis.sun_declination);
+plan::Plan planned_light(const LightOptions& asked, const almanac::SkyState& sky, bool unshadowed,
+                         const Purpose& purpose) {
+  const auto options = meant(asked);
+  require_sound(options);
   if (unshadowed) return {};
   require_eclipse(sky);
-  const auto centre = moon_in_shadow(sky);
-  // Planes through the half of the Moon that faces the Sun.
-  const double depth = algebra::in_metres(centre.depth);
-  const double radius = algebra::in_metres(almanac::lunar_radius);
-  const auto arrangement = arrangement_of(options, algebra::in_metres(axis.sun_distance),
-                                          {depth - radius, depth - radius / 2, depth});
-  const auto wavelengths = band_centres_nm();
-  return {refracted_light(options, air, arrangement, wavelengths, distances_over_the_disc(centre)),
-          shadow::DirectLight(air, arrangement, wavelengths)};
+  return plan_of(options, shadowed_moon(options, sky), purpose);
 }
 
-double relative_error(const LightOptions& options, const almanac::SkyState& sky,
-                      const Moonlight& light) {
-  if (!light.refracted) return 0;
-  if (options.solver == "quadrature") return quadrature_error;
-  const auto xyz = colour::xyz_weights(band_edges_nm());
-  shadow::ChannelWeights luminance(1, xyz.columns());
-  std::copy(xyz.row(1).begin(), xyz.row(1).end(), luminance.row(0).begin());
-  const double centre = algebra::in_metres(moon_in_shadow(sky).axis_distance);
-  const double radius = algebra::in_metres(almanac::lunar_radius);
-  return light.in_channels(moonlight_weights(luminance))
-      .worst_relative_error(0, std::max(0., centre - radius), centre + radius);
+Moonlight light_on_the_moon(const LightOptions& asked, const almanac::SkyState& sky,
+                            bool unshadowed, const Purpose& purpose) {
+  const auto options = meant(asked);
+  const auto moon = shadowed_moon(options, sky);
+  require_sound(options);
+  if (unshadowed) return {};
+  require_eclipse(sky);
+  Moonlight light;
+  light.plan = plan_of(options, moon, purpose);
+  const auto& work = light.plan.work;
+  const auto arrangement =
+      arrangement_of(options, moon.sun_distance_m, depths_of(moon, work.planes));
+  light.refracted = light_of_work(options, moon, light.plan, arrangement);
+  if (light.refracted->photons > 0)
+    light.plan.work.photons = static_cast<double>(light.refracted->photons);
+  if (work.scattered_light) shadow::add_twilight(*light.refracted, moon.air);
+  if (options.starlight == "on") shadow::add_starlight(*light.refracted);
+  const auto waves = wavelengths_nm(work.bands);
+  light.direct.emplace(air_for(work, moon), arrangement, waves);
+  const auto settings = quadrature_for(work, moon);
+  light.range = {
+      light.refracted->axis_distances_m.front(), light.refracted->axis_distances_m.back(),
+      std::clamp(light.plan.tolerance / 10, 1e-5, 1e-3), settings.first_sector, settings.sectors};
+  light.error_found = found_error(moon, light);
+  return light;
 }
 
 }  // namespace coppermoon::verbs

@@ -14,6 +14,8 @@
 #include "shadow/lookup.h"
 #include "verbs/air_options.h"
 #include "verbs/photon_options.h"
+#include "verbs/plan_options.h"
+#include "verbs/planning.h"
 
 namespace coppermoon::verbs {
 
@@ -21,10 +23,11 @@ namespace coppermoon::verbs {
 struct LightOptions {
   AirOptions air;
   std::optional<std::string> limb_darkening;  ///< without: on, but for the paper's atmosphere
-  std::string scattered_light = "off", starlight = "off";
-  std::string solver = "quadrature", trace = "table";
-  int rays = 300;
-  double photons = 1e6, step_km = 1, ring_km = 50, smoothing_km = 0;
+  std::string scattered_light = "auto", starlight = "off";
+  std::string solver = "auto", trace = "table";
+  PlanOptions plan;
+  std::optional<double> photons;  ///< without: as many as the tolerance asks for
+  double step_km = 1, ring_km = 50, smoothing_km = 0;
   std::uint64_t seed = 1;
   PhotonOptions photon_files;
 };
@@ -35,8 +38,9 @@ void add_light_options(CLI::App& verb, LightOptions& options);
 shadow::Arrangement arrangement_of(const LightOptions& options, double sun_distance_m,
                                    std::vector<double> depths_m);
 
-/// Refracted light by the solver chosen, with a progress bar; scattered light and starlight are
-/// added to it where they are on.
+/// Refracted light by the solver chosen, with a progress bar; scattered light and starlight are added
+/// to it where they are on. Its rays and the terms of the Sun are those that 0.1 % of light asks for,
+/// or a finer tolerance.
 ///
 /// Given  axis_distances_m  for the quadrature; photons gather in rings of their own
 shadow::RefractedLight refracted_light(const LightOptions& options,
@@ -50,20 +54,26 @@ shadow::RefractedLight refracted_light(const LightOptions& options,
 struct Moonlight {
   std::optional<shadow::RefractedLight> refracted;
   std::optional<shadow::DirectLight> direct;
+  shadow::LookupRange range;
+  plan::Plan plan;
+  double error_found = 0;  ///< of luminance, the largest at some places of the disc
 
   /// Given  weights  (channel, band)
   shadow::Lookup in_channels(const shadow::ChannelWeights& weights) const;
 };
 
+/// Plans and computes it.
+///
 /// Given   unshadowed  as if the Earth were away
 /// Throws  Error       when the Moon is not in the Earth's shadow at that moment, unless
 ///                     unshadowed: names the nearest eclipse
 Moonlight light_on_the_moon(const LightOptions& options, const almanac::SkyState& sky,
-                            bool unshadowed);
+                            bool unshadowed, const Purpose& purpose = {});
 
-/// The worst relative error of luminance on the Moon's disc: the quadrature's own, or one standard
-/// error of the photons; 1 where too few of them landed to know.
-double relative_error(const LightOptions& options, const almanac::SkyState& sky,
-                      const Moonlight& light);
+/// What light_on_the_moon would do.
+///
+/// Throws  Error  as it
+plan::Plan planned_light(const LightOptions& options, const almanac::SkyState& sky, bool unshadowed,
+                         const Purpose& purpose);
 
 }  // namespace coppermoon::verbs

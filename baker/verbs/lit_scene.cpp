@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/lit_scene.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
 #include "almanac/instant.h"
 #include "povray_scenes/scene.h"
 
@@ -15,15 +22,48 @@ void add_observer(texture::Attributes& attributes, const almanac::Observer& obse
   attributes["altitude"] = static_cast<float>(algebra::in_metres(observer.elevation));
 }
 
+/// Of the disc, in pixels.
+double diameter(const povray_scenes::Camera& camera) {
+  const double away = glm::length(camera.position);  // in lunar radii
+  const double tangent = 1 / std::sqrt(away * away - 1);
+  return static_cast<double>(camera.width) * tangent /
+         std::tan(algebra::in_radians(camera.horizontal_field) / 2);
+}
+
 }  // namespace
 
-LitScene lit_scene(const MoonOptions& moon, const ViewOptions& view, const std::string& recipe,
+FrameView view_for_frame(const ViewOptions& options, const almanac::SkyState& sky) {
+  constexpr double visible_px = 0.25;
+  FrameView frame{view_of(options, sky), {}};
+  auto& camera = frame.view.camera;
+  const double flattened_px = (1 - camera.flattening) * diameter(camera);
+  if (camera.flattening < 1 && flattened_px < visible_px) {
+    frame.left_out.push_back(fmt::format("flattening of the disc: {:.2g} pixel", flattened_px));
+    camera.flattening = 1;
+  }
+  if (!frame.view.sightline) frame.left_out.push_back("air above the observer, who is in space");
+  return frame;
+}
+
+MoonOptions fitted(MoonOptions moon, const povray_scenes::Camera& camera) {
+  if (moon.texture_width) return moon;
+  const double share = moon.light.plan.quality == "draft" ? 0.5 : 1;
+  const double width = share * std::numbers::pi * diameter(camera);
+  moon.texture_width =
+      static_cast<std::size_t>(std::ceil(std::clamp(width, 64., 16384.) / 32)) * 32;
+  return moon;
+}
+
+LitScene lit_scene(const MoonOptions& options, const ViewOptions& view, const std::string& recipe,
                    texture::Extent extent) {
-  const auto sky = almanac::sky_at(almanac::instant_from_utc(moon.instant));
-  const auto seen = view_of(view, sky);
-  LitScene scene{
-      baked_moon(moon, sky, colour::WorkingSpace::linear_rec709, seen.sightline, recipe, extent),
-      seen};
+  const auto sky = almanac::sky_at(almanac::instant_from_utc(options.instant));
+  const auto seen = view_for_frame(view, sky).view;
+  const auto moon = fitted(options, seen.camera);
+  const auto width =
+      options.texture_width ? "" : fmt::format("texture-width = {}\n", *moon.texture_width);
+  LitScene scene{baked_moon(moon, sky, colour::WorkingSpace::linear_rec709, seen.sightline,
+                            width + recipe, extent),
+                 seen};
   if (seen.observer) add_observer(scene.moon.attributes, *seen.observer);
   return scene;
 }

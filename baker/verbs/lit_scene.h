@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "texture/write_image.h"
 #include "verbs/moon_options.h"
@@ -16,8 +17,22 @@ struct LitScene {
   View view;
 };
 
+/// A view with what its frame does not show left out: the flattening of a disc by less than a quarter
+/// of a pixel.
+struct FrameView {
+  View view;
+  std::vector<std::string> left_out;
+};
+
+/// Throws  Error  as view_of
+FrameView view_for_frame(const ViewOptions& options, const almanac::SkyState& sky);
+
+/// A texture without a width of its own has as many texels around the equator as the middle of the
+/// disc has pixels: π times the disc's diameter; half as many for a draft.
+MoonOptions fitted(MoonOptions moon, const povray_scenes::Camera& camera);
+
 /// The view, and the Moon ready to be baked: all of a scene but its files.
-LitScene lit_scene(const MoonOptions& moon, const ViewOptions& view, const std::string& recipe,
+LitScene lit_scene(const MoonOptions& options, const ViewOptions& view, const std::string& recipe,
                    texture::Extent extent = texture::Extent::whole);
 
 /// Bakes the texture, and writes it, scene and settings into a folder, made when only its last part

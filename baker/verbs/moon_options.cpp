@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/moon_options.h"
 
+#include <tbb/task_group.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -80,7 +82,8 @@ void add_moon_options(CLI::App& verb, MoonOptions& options) {
       "--albedo-exponent", options.albedo_exponent,
       "power of the map's values, which undoes a tone curve, 0.1 to 10; without: 0.5 for "
       "Stellarium's map, 1 for any other");
-  verb.add_option("--texture-width", options.texture_width, "in texels, even, 4 to 32768")
+  verb.add_option("--texture-width", options.texture_width,
+                  "in texels, even, 4 to 32768; without: 4096, for a frame what it can show")
       ->check(CLI::NonNegativeNumber);
   verb.add_flag("--unshadowed", options.unshadowed, "light the Moon as if the Earth were away");
   add_light_options(verb, options.light);
@@ -91,11 +94,22 @@ surface::Photometry photometry_of(const MoonOptions& options) {
   return options.photometry == "yapo-cutler" ? yapo_cutler : lommel_seeliger_rolo;
 }
 
+std::size_t texture_width_of(const MoonOptions& options) {
+  const std::size_t width = options.texture_width.value_or(4096);
+  if (width % 2 != 0)
+    throw algebra::Error(
+        fmt::format("texture width [texels] = {}, allowed even numbers, 4 to 32768", width));
+  algebra::require_within("texture width [texels]", static_cast<double>(width), 4, 32768);
+  return width;
+}
+
+bool reads_map(const MoonOptions& options) { return map_chosen(options) != "built-in"; }
+
 algebra::Grid<float> normal_albedo(const MoonOptions& options) {
   const auto map = map_chosen(options);
   if (map == "built-in")
     return surface::normalised_to_geometric_albedo(
-        surface::built_in_moon(options.texture_width / 2), photometry_of(options));
+        surface::built_in_moon(texture_width_of(options) / 2), photometry_of(options));
   const double exponent = options.albedo_exponent.value_or(map == stellarium_map ? 0.5 : 1);
   auto albedo = [&] {
     const Silence silence;
@@ -113,25 +127,27 @@ BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
                      const std::optional<atmosphere::Sightline>& sightline,
                      const std::string& recipe, texture::Extent extent) {
   const auto start = std::chrono::steady_clock::now();
-  if (options.texture_width % 2 != 0)
-    throw algebra::Error(fmt::format(
-        "texture width [texels] = {}, allowed even numbers, 4 to 32768", options.texture_width));
-  algebra::require_within("texture width [texels]", static_cast<double>(options.texture_width), 4,
-                          32768);
-  const auto ground = std::make_shared<Ground>(normal_albedo(options));
+  const std::size_t width = texture_width_of(options), rows = width / 2;
+  const Purpose purpose{static_cast<double>(width * rows), reads_map(options)};
+  std::shared_ptr<Ground> ground;
+  Moonlight light;
+  tbb::task_group together;  // the map and the light have nothing in common
+  together.run([&] { ground = std::make_shared<Ground>(normal_albedo(options)); });
+  together.run_and_wait(
+      [&] { light = light_on_the_moon(options.light, sky, options.unshadowed, purpose); });
   const auto weights =
       moonlight_weights(colour::channel_weights(space, band_edges_nm()), sightline);
-  const auto moonlight = light_on_the_moon(options.light, sky, options.unshadowed);
-  ground->light = moonlight.in_channels(weights);
+  ground->light = light.in_channels(weights);
   ground->light.transform([&](std::span<double> colour) { colour::into_gamut(space, colour); });
-  const std::size_t rows = options.texture_width / 2;
-  const double error = relative_error(options.light, sky, moonlight);
-  return {{2 * rows, rows, channel_names(space)},
-          [ground, lit = texture::lit_rows(ground->normal_albedo, sky, ground->light, rows,
-                                           photometry_of(options), extent, ground->bar.progress())](
-              std::size_t first_row, std::span<float> values) { lit(first_row, values); },
-          header(options, sky, space, recipe, error),
-          error,
+  const auto made = options.unshadowed ? recipe : with_work(recipe, light.plan.work);
+  auto lit = texture::lit_rows(ground->normal_albedo, sky, ground->light, rows,
+                               photometry_of(options), extent, ground->bar.progress());
+  return {{width, rows, channel_names(space)},
+          [ground, lit](std::size_t first_row, std::span<float> values) { lit(first_row, values); },
+          header(options, sky, space, made, light.error_found),
+          made,
+          light.plan,
+          light.error_found,
           start};
 }
 

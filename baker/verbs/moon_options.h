@@ -23,14 +23,20 @@ struct MoonOptions {
   std::string instant;
   LightOptions light;
   std::string albedo_map = "auto", photometry = "lommel-seeliger-rolo";
-  std::optional<double> albedo_exponent;  ///< without: as the map needs
-  std::size_t texture_width = 4096;
+  std::optional<double> albedo_exponent;     ///< without: as the map needs
+  std::optional<std::size_t> texture_width;  ///< without: 4096, or what the frame can show
   bool unshadowed = false;
 };
 
 void add_moon_options(CLI::App& verb, MoonOptions& options);
 
 surface::Photometry photometry_of(const MoonOptions& options);
+
+/// Throws Error when it is odd, or outside 4 to 32768
+std::size_t texture_width_of(const MoonOptions& options);
+
+/// Whether the albedo comes from a file.
+bool reads_map(const MoonOptions& options);
 
 /// The normal albedo of the ground, so that the full Moon has the geometric albedo 0.12: the map
 /// named, or with "auto" Stellarium's where it is installed, else the built-in one. A power of the
@@ -46,6 +52,8 @@ struct BakedMoon {
   texture::Layout layout;
   texture::Rows rows;
   texture::Attributes attributes;
+  std::string recipe;  ///< that makes it again, with the work that was planned
+  plan::Plan plan;
   double relative_error;
   std::chrono::steady_clock::time_point start;
 
@@ -55,7 +63,7 @@ struct BakedMoon {
 /// The texture in a working space, cd/m².
 ///
 /// Given   sightline  through the air of an observer, which reddens it
-///         recipe     that makes it again, for the header
+///         recipe     of what was asked for
 BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
                      colour::WorkingSpace space,
                      const std::optional<atmosphere::Sightline>& sightline,

@@ -4,22 +4,39 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace coppermoon::verbs {
 
+nlohmann::ordered_json as_json(const std::string& recipe) {
+  std::ostringstream text;
+  text << toml::json_formatter(toml::parse(recipe));
+  return nlohmann::ordered_json::parse(text.str());
+}
+
+nlohmann::ordered_json as_json(const plan::Plan& plan) {
+  nlohmann::ordered_json all{{"left_out", nlohmann::ordered_json::array()},
+                             {"predicted", {{"seconds", plan.seconds}, {"error", plan.error}}}};
+  for (const auto& [term, size] : plan.left_out)
+    all["left_out"].push_back({{"term", term}, {"size", size}});
+  for (const auto& [method, seconds, error] : plan.methods)
+    all["methods"].push_back({{"method", name(method)}, {"seconds", seconds}, {"error", error}});
+  if (!plan.gave_way.empty()) all["gave_way"] = plan.gave_way;
+  return all;
+}
+
 void report(const Report& made, bool json) {
   if (!json) {
     fmt::print("{}: {:.1f} s, error {:.2g}\n", made.file, made.seconds, made.relative_error);
+    if (!made.plan.gave_way.empty())
+      fmt::print(stderr,
+                 "coppermoon: the budget left no time for the tolerance: {:.2g} predicted\n",
+                 made.plan.error);
     return;
   }
-  std::ostringstream chosen;
-  chosen << toml::json_formatter(toml::parse(made.recipe));
-  const nlohmann::ordered_json all{
-      {"file", made.file},
-      {"chosen", nlohmann::ordered_json::parse(chosen.str())},
-      {"reached", {{"seconds", made.seconds}, {"error", made.relative_error}}}};
+  nlohmann::ordered_json all{{"file", made.file}, {"chosen", as_json(made.recipe)}};
+  all.update(as_json(made.plan));
+  all["reached"] = {{"seconds", made.seconds}, {"error", made.relative_error}};
   fmt::print("{}\n", all.dump(2));
 }
 

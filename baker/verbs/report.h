@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
+
+#include "plan/plan.h"
 
 namespace coppermoon::verbs {
 
@@ -9,9 +12,17 @@ namespace coppermoon::verbs {
 struct Report {
   std::string file, recipe;
   double seconds, relative_error;
+  plan::Plan plan;
 };
 
-/// On stdout: one line, or one JSON document with the keys file, chosen and reached.
+/// On stdout: one line, or one JSON document with the keys file, chosen, left_out, predicted and
+/// reached.
 void report(const Report& made, bool json);
+
+/// A recipe as JSON.
+nlohmann::ordered_json as_json(const std::string& recipe);
+
+/// `left_out` and `predicted`, `methods` and `gave_way` where there is more than one, or one did.
+nlohmann::ordered_json as_json(const plan::Plan& plan);
 
 }  // namespace coppermoon::verbs

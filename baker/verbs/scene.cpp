@@ -26,7 +26,9 @@ void run(const CLI::App& verb, const Options& options) {
   const auto recipe = recipe_of(verb);
   const auto scene = lit_scene(options.moon, options.view, recipe);
   write_lit_scene(folder, scene);
-  report({options.output, recipe, scene.moon.seconds(), scene.moon.relative_error}, options.json);
+  report({options.output, scene.moon.recipe, scene.moon.seconds(), scene.moon.relative_error,
+          scene.moon.plan},
+         options.json);
 }
 
 }  // namespace

@@ -232,14 +232,15 @@ void run(const Options& options) {
     fmt::print("{}", as_csv(result));
     return;
   }
-  const nlohmann::ordered_json all{{"moon_distance_km", arrangement.depths_m[0] / 1e3},
-                                   {"sun_distance_km", arrangement.sun_distance_m / 1e3},
-                                   {"solver", options.light.solver},
-                                   {"seconds", seconds},
-                                   {"wavelengths_nm", result.wavelengths_nm},
-                                   {"axis_distance_km", in_kilometres(result.axis_distances_m)},
-                                   {"irradiance_ratio", rows_of(result.ratio)},
-                                   {"standard_error", rows_of(result.standard_error)}};
+  const nlohmann::ordered_json all{
+      {"moon_distance_km", arrangement.depths_m[0] / 1e3},
+      {"sun_distance_km", arrangement.sun_distance_m / 1e3},
+      {"solver", options.light.solver == "photons" ? "photons" : "quadrature"},
+      {"seconds", seconds},
+      {"wavelengths_nm", result.wavelengths_nm},
+      {"axis_distance_km", in_kilometres(result.axis_distances_m)},
+      {"irradiance_ratio", rows_of(result.ratio)},
+      {"standard_error", rows_of(result.standard_error)}};
   fmt::print("{}\n", all.dump(2));
 }
 

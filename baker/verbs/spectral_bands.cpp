@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/spectral_bands.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
+#include "algebra/error.h"
 #include "colour/cie_observer.h"
 #include "photons/solar_disc.h"
 #include "surface/reflectance.h"
@@ -10,8 +13,8 @@
 namespace coppermoon::verbs {
 namespace {
 
-constexpr int bands = 200;
-constexpr double first_nm = 380, width_nm = 2;
+constexpr int bands = 400;
+constexpr double first_nm = 380, width_nm = 1;
 
 std::vector<double> lunar_reflectance() {
   const auto xyz = colour::xyz_weights(band_edges_nm());
@@ -47,6 +50,32 @@ std::vector<double> band_centres_nm() {
   std::vector<double> centres;
   for (int i = 0; i < bands; ++i) centres.push_back(first_nm + width_nm * (i + 0.5));
   return centres;
+}
+
+std::vector<double> wavelengths_nm(int count) {
+  algebra::require_within("wavelengths", count, 1, bands);
+  std::vector<double> middles;
+  for (int i = 0; i < count; ++i)
+    middles.push_back(first_nm + bands * width_nm * (i + 0.5) / count);
+  return middles;
+}
+
+algebra::Grid<double> at_wavelengths(const algebra::Grid<double>& weights, int count) {
+  const int points = std::min(4, count);
+  algebra::Grid<double> nodes(weights.rows(), static_cast<std::size_t>(count));
+  for (int b = 0; b < bands; ++b) {
+    const double place = (b + 0.5) * count / bands - 0.5;
+    const int first =
+        std::clamp(static_cast<int>(std::floor(place)) - (points / 2 - 1), 0, count - points);
+    for (int j = first; j < first + points; ++j) {
+      double share = 1;
+      for (int k = first; k < first + points; ++k)
+        if (k != j) share *= (place - k) / (j - k);
+      for (std::size_t c = 0; c < weights.rows(); ++c)
+        nodes(c, static_cast<std::size_t>(j)) += share * weights(c, static_cast<std::size_t>(b));
+    }
+  }
+  return nodes;
 }
 
 algebra::Grid<double> moonlight_weights(const algebra::Grid<double>& response,

@@ -9,11 +9,22 @@
 
 namespace coppermoon::verbs {
 
-/// The bands light is computed in: 200 of 2 nm, from 380 to 780 nm.
-///
-/// Source  Yapo & Cutler (2009) §2.2
+/// The bands that sunlight and responses are known in: 400 of 1 nm, from 380 to 780 nm.
 std::vector<double> band_edges_nm();
 std::vector<double> band_centres_nm();
+
+/// Where light is computed: the middles of so many even bands from 380 to 780 nm, 1 to 400.
+///
+/// Throws  Error  when the count is outside its range
+/// Source  Yapo & Cutler (2009) §2.2, for 200 of them
+std::vector<double> wavelengths_nm(int count);
+
+/// What weights of bands come to at those wavelengths, between which light is taken to run as a cubic
+/// through the four nearest: Σ weight(band) light(band) is the sum over them.
+///
+/// Given     weights  (channel, band)
+/// Returned  (channel, wavelength), as many as `count`
+algebra::Grid<double> at_wavelengths(const algebra::Grid<double>& weights, int count);
 
 /// What a white ground that faces the Sun at 1 au makes of sunlight in some channels, band by band,
 /// were it as reddish as the Moon and as bright as its normal albedo in V says:

@@ -71,10 +71,11 @@ void run(const CLI::App& verb, const Options& options) {
     add_exposure(attributes, exposure);
     texture::write_exr(options.frame, frame, attributes);
   }
-  write_developed(
-      options.develop, exposure, frame, space, options.output,
-      {{"coppermoon:recipe", recipe}, {"coppermoon:version", std::string(COPPERMOON_VERSION)}});
-  report({options.output, recipe, seconds, scene.moon.relative_error}, options.json);
+  write_developed(options.develop, exposure, frame, space, options.output,
+                  {{"coppermoon:recipe", scene.moon.recipe},
+                   {"coppermoon:version", std::string(COPPERMOON_VERSION)}});
+  report({options.output, scene.moon.recipe, seconds, scene.moon.relative_error, scene.moon.plan},
+         options.json);
 }
 
 }  // namespace

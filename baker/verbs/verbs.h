@@ -9,6 +9,7 @@ namespace coppermoon::verbs {
 /// What it does throws algebra::Error when it cannot, CLI::ParseError when the usage is wrong.
 void add_almanac(CLI::App& program);
 void add_sky(CLI::App& program);
+void add_plan(CLI::App& program);
 void add_shadow(CLI::App& program);
 void add_brightness(CLI::App& program);
 void add_bake(CLI::App& program);

@@ -122,8 +122,10 @@ TEST(Lookup, KeepsTheToleranceAskedFor) {
   for (const double tolerance : {1e-3, 1e-4, 1e-5}) {
     const Lookup lookup(light, direct({550}), one_channel(1), {.tolerance = tolerance});
     for (double at_m = 1e3; at_m < 2.9e6; at_m += 7e3)
-      EXPECT_WITHIN_RELATIVE(read(lookup, place(at_m, 3.82e8)), falling(at_m), tolerance + 2e-6,
-                             "the cubics of 25 km add 1e-6");
+      EXPECT_WITHIN_RELATIVE(read(lookup, place(at_m, 3.82e8)), falling(at_m),
+                             1.1 * tolerance + 2e-6,
+                             "the cubics of 25 km add 1e-6; light that is the same on all planes, not "
+                             "along lines from the limb, a tenth");
   }
 }
 

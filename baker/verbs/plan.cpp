@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "almanac/instant.h"
+#include "verbs/lit_scene.h"
+#include "verbs/recipe.h"
+#include "verbs/report.h"
+#include "verbs/verbs.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+struct Options {
+  MoonOptions moon;
+  ViewOptions view;
+  bool json = false;
+};
+
+/// Whether a picture is meant: any flag of a view says so.
+bool of_a_picture(const CLI::App& verb) {
+  for (const auto* flag : {"--at", "--width", "--height", "--field", "--focal-length-mm"})
+    if (const auto* option = verb.get_option_no_throw(flag); option && option->count() > 0)
+      return true;
+  return false;
+}
+
+/// A plan, and what it is for.
+struct Planned {
+  plan::Plan plan;
+  std::size_t texture_width;
+  std::vector<std::string> picture_left_out;
+};
+
+Planned planned(const Options& options, bool picture) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc(options.moon.instant));
+  auto moon = options.moon;
+  Planned result;
+  if (picture) {
+    const auto seen = view_for_frame(options.view, sky);
+    moon = fitted(moon, seen.view.camera);
+    result.picture_left_out = seen.left_out;
+  }
+  result.texture_width = texture_width_of(moon);
+  const auto texels = static_cast<double>(result.texture_width * result.texture_width / 2);
+  result.plan = planned_light(moon.light, sky, moon.unshadowed,
+                              {picture ? texels / 2 : texels, reads_map(moon)});
+  return result;
+}
+
+std::string percent(double size) { return fmt::format("{:.2g} %", 100 * size); }
+
+void print(const Planned& all) {
+  const auto& [plan, width, picture_left_out] = all;
+  const auto& work = plan.work;
+  if (!work.refracted)
+    fmt::print("light       direct sunlight alone\n");
+  else if (work.method == plan::Method::quadrature)
+    fmt::print("light       quadrature: {} wavelengths, {} rays, {} of the Sun's terms\n",
+               work.bands, work.rays, work.sun_terms);
+  else
+    fmt::print("light       {}: {:.2g} photons, {} wavelengths\n", name(work.method), work.photons,
+               work.bands);
+  if (work.refracted)
+    fmt::print("            {} plane{} across the Moon's depth, {} between places\n", work.planes,
+               work.planes == 1 ? "" : "s", percent(work.place_error));
+  fmt::print("Earth       {}, {}{}\n", work.ellipsoid ? "ellipsoid" : "sphere",
+             work.regions ? "air by region" : "air alike all around",
+             work.scattered_light ? ", scattered light" : "");
+  fmt::print("texture     {} x {} texels\n", width, width / 2);
+  for (const auto& [term, size] : plan.left_out)
+    fmt::print("left out    {}: {} of luminance at most\n", term, percent(size));
+  for (const auto& text : picture_left_out) fmt::print("left out    {}\n", text);
+  fmt::print("predicted   {:.2g} s, error {}\n", plan.seconds, percent(plan.error));
+  for (std::size_t i = 1; i < plan.methods.size(); ++i)
+    fmt::print("or          {:.2g} s by {}, error {}\n", plan.methods[i].seconds,
+               name(plan.methods[i].method), percent(plan.methods[i].error));
+  if (!plan.gave_way.empty()) fmt::print("gave way    {}\n", plan.gave_way);
+}
+
+void run(const CLI::App& verb, const Options& options) {
+  const auto all = planned(options, of_a_picture(verb));
+  if (!options.json) return print(all);
+  auto recipe = recipe_of(verb);
+  if (!options.moon.texture_width)
+    recipe = fmt::format("texture-width = {}\n", all.texture_width) + recipe;
+  nlohmann::ordered_json json{{"chosen", as_json(with_work(recipe, all.plan.work))}};
+  json.update(as_json(all.plan));
+  for (const auto& text : all.picture_left_out)
+    json["left_out"].push_back({{"term", text}, {"size", nullptr}});
+  fmt::print("{}\n", json.dump(2));
+}
+
+}  // namespace
+
+void add_plan(CLI::App& program) {
+  auto* verb = program.add_subcommand("plan", "What a texture or a picture requires and will cost");
+  const auto options = std::make_shared<Options>();
+  add_moon_options(*verb, options->moon);
+  add_view_options(*verb, options->view);
+  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_recipe_option(*verb);
+  verb->callback([verb, options] { run(*verb, *options); });
+}
+
+}  // namespace coppermoon::verbs

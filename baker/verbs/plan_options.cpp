@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/plan_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <vector>
+
+#include "algebra/error.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+constexpr const char* group = "How light is computed";
+
+/// A term that may be left out, and its switch.
+struct Term {
+  std::string_view name;
+  bool plan::Work::*in;
+};
+
+constexpr std::array terms{
+    Term{"refracted-light", &plan::Work::refracted}, Term{"ellipsoid", &plan::Work::ellipsoid},
+    Term{"regions", &plan::Work::regions}, Term{"scattered-light", &plan::Work::scattered_light}};
+
+std::string term_names() {
+  std::vector<std::string_view> names;
+  for (const auto& term : terms) names.push_back(term.name);
+  return fmt::format("none or {}, with commas between", fmt::join(names, ", "));
+}
+
+/// A number with one of some endings, each with what it multiplies by.
+std::optional<double> number_with_unit(const std::string& text,
+                                       const std::vector<std::pair<std::string, double>>& units) {
+  for (const auto& [unit, size] : units) {
+    double number = 0;
+    if (text.ends_with(unit) &&
+        CLI::detail::lexical_cast(text.substr(0, text.size() - unit.size()), number))
+      return number * size;
+  }
+  return std::nullopt;
+}
+
+double tolerance_of(const std::string& text) {
+  const auto tolerance = number_with_unit(text, {{"%", 0.01}, {"", 1}});
+  if (!tolerance)
+    throw algebra::Error(fmt::format("tolerance = {}, allowed 0.01% to 50%, or 1e-4 to 0.5", text));
+  return *tolerance;
+}
+
+double budget_of(const std::string& text) {
+  const auto budget = number_with_unit(text, {{"ms", 1e-3}, {"s", 1}, {"min", 60}, {"", 1}});
+  if (!budget)
+    throw algebra::Error(fmt::format("budget = {}, allowed a time as 500ms, 2s or 1min", text));
+  return *budget;
+}
+
+/// Of the named qualities.
+double tolerance_named(const std::string& quality) {
+  if (quality == "draft") return 0.05;
+  return quality == "reference" ? 5e-4 : 0.01;
+}
+
+plan::Work everything_but(const std::string& list) {
+  plan::Work work;
+  for (const auto& term : terms) work.*term.in = true;
+  if (list == "none") return work;
+  std::istringstream names(list);
+  for (std::string name; std::getline(names, name, ',');) {
+    const auto term = std::ranges::find(terms, name, &Term::name);
+    if (term == terms.end())
+      throw algebra::Error(fmt::format("leave-out = {}, allowed {}", list, term_names()));
+    work.*term->in = false;
+  }
+  return work;
+}
+
+}  // namespace
+
+void add_plan_options(CLI::App& verb, PlanOptions& options) {
+  const auto add = [&](const char* flag, auto& value, const std::string& text) {
+    return verb.add_option(flag, value, text)->group(group);
+  };
+  add("--quality", options.quality,
+      "draft: 5 % of luminance; standard: 1 %; reference: 0.05 %; paper: the photons of Yapo & "
+      "Cutler (2009), 1e7 of them, step by step")
+      ->check(CLI::IsMember({"draft", "standard", "reference", "paper"}));
+  add("--tolerance", options.tolerance,
+      "of luminance anywhere on the disc, as 1% or 0.01: 0.01% to 50%");
+  add("--budget", options.budget, "the best that can be done in a time, as 500ms, 2s or 1min");
+  add("--bands", options.bands, "wavelengths that light is computed at, 1 to 400");
+  add("--rays", options.rays,
+      "from the ground to the top of the air, of the quadrature and of the table, 2 to 1e7");
+  add("--sun-terms", options.sun_terms, "of the limb-darkened Sun, 1 to 6: 6 is exact");
+  add("--planes", options.planes, "across the Moon's depth, 1 to 9");
+  add("--place-error", options.place_error,
+      "of light between the places where it is computed, 1e-5 to 1");
+  add("--leave-out", options.leave_out, term_names());
+}
+
+plan::Wish wish_of(const PlanOptions& options) {
+  plan::Wish wish;
+  if (options.tolerance) wish.tolerance = tolerance_of(*options.tolerance);
+  if (options.budget) wish.budget_s = budget_of(*options.budget);
+  if (!options.tolerance && !options.budget) wish.tolerance = tolerance_named(options.quality);
+  return wish;
+}
+
+plan::ByHand by_hand(const PlanOptions& options) {
+  const auto within = [](const char* what, const auto& value, double low, double high) {
+    if (value) algebra::require_within(what, static_cast<double>(*value), low, high);
+  };
+  within("bands", options.bands, 1, 400);
+  within("rays", options.rays, 2, 1e7);
+  within("sun terms", options.sun_terms, 1, 6);
+  within("planes", options.planes, 1, 9);
+  within("place error", options.place_error, 1e-5, 1);
+  plan::ByHand hand{.bands = options.bands,
+                    .rays = options.rays,
+                    .sun_terms = options.sun_terms,
+                    .planes = options.planes,
+                    .place_error = options.place_error};
+  if (options.leave_out) hand.terms = everything_but(*options.leave_out);
+  return hand;
+}
+
+std::string with_work(const std::string& recipe, const plan::Work& work) {
+  constexpr std::array replaced{"tolerance", "budget",      "bands",     "rays",    "sun-terms",
+                                "planes",    "place-error", "leave-out", "photons", "solver"};
+  std::vector<std::string_view> out;
+  for (const auto& term : terms)
+    if (!(work.*term.in)) out.push_back(term.name);
+  std::string text = fmt::format(
+      "bands = {}\nrays = {}\nsun-terms = {}\nplanes = {}\nplace-error = {}\nleave-out = \"{}\"\n",
+      work.bands, work.rays, work.sun_terms, work.planes, work.place_error,
+      out.empty() ? "none" : fmt::format("{}", fmt::join(out, ",")));
+  const bool photons = work.method != plan::Method::quadrature;
+  text += fmt::format("solver = \"{}\"\n", photons ? "photons" : "quadrature");
+  if (photons) text += fmt::format("photons = {}\n", work.photons);
+  std::istringstream lines(recipe);
+  bool in_tables = false;
+  for (std::string line; std::getline(lines, line);) {
+    in_tables = in_tables || line.starts_with("[");
+    const auto key = line.substr(0, line.find(' '));
+    if (in_tables || std::ranges::find(replaced, key) == replaced.end()) text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "plan/plan.h"
+
+namespace coppermoon::verbs {
+
+/// How exact a Moon is to be, or how quick; and every knob by hand.
+struct PlanOptions {
+  std::string quality = "standard";
+  std::optional<std::string> tolerance, budget, leave_out;
+  std::optional<int> bands, rays, sun_terms, planes;
+  std::optional<double> place_error;
+};
+
+void add_plan_options(CLI::App& verb, PlanOptions& options);
+
+/// What is asked for: a tolerance as "1%" or "0.01", a budget as "2s", "500ms" or "2"; without
+/// either the tolerance of the quality.
+///
+/// Throws  Error  when one of them cannot be understood
+plan::Wish wish_of(const PlanOptions& options);
+
+/// Throws  Error  when a knob is outside its range
+plan::ByHand by_hand(const PlanOptions& options);
+
+/// A recipe in which the work that was planned stands knob by knob, in the place of what was asked
+/// for: the same Moon on any machine. The quality stays: it may say more.
+std::string with_work(const std::string& recipe, const plan::Work& work);
+
+}  // namespace coppermoon::verbs

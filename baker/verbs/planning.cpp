@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/planning.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <thread>
+
+#include "almanac/lunar_orientation.h"
+#include "atmosphere/presets.h"
+#include "colour/cie_observer.h"
+#include "shadow/twilight.h"
+#include "verbs/spectral_bands.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+using std::numbers::pi;
+
+const double lunar_radius_m = algebra::in_metres(almanac::lunar_radius);
+
+/// Where half of the lit half of the Moon is.
+double mean_depth_m(const ShadowedMoon& moon) {
+  return algebra::in_metres(moon.centre.depth) - lunar_radius_m / 2;
+}
+
+struct Range {
+  double from_m, to_m;
+};
+
+Range disc_of(const ShadowedMoon& moon) {
+  const double centre = algebra::in_metres(moon.centre.axis_distance);
+  return {std::max(0., centre - lunar_radius_m), centre + lunar_radius_m};
+}
+
+std::vector<double> evenly(Range range, int intervals) {
+  std::vector<double> all;
+  for (int i = 0; i <= intervals; ++i)
+    all.push_back(range.from_m + (range.to_m - range.from_m) * i / intervals);
+  return all;
+}
+
+/// Sectors that the disc takes in, going round from the first.
+struct Sectors {
+  std::size_t first, count;
+};
+
+Sectors sectors_of(const ShadowedMoon& moon) {
+  const double centre = algebra::in_metres(moon.centre.axis_distance);
+  constexpr std::size_t all = shadow::sectors_around;
+  if (centre <= lunar_radius_m) return {0, all};
+  const double a_sector = 2 * pi / static_cast<double>(all);
+  const double half = std::asin(lunar_radius_m / centre),
+               middle = algebra::in_radians(moon.centre.position_angle);
+  const int from = static_cast<int>(std::floor((middle - half) / a_sector)),
+            to = static_cast<int>(std::ceil((middle + half) / a_sector));
+  const int count = static_cast<int>(all);
+  return {static_cast<std::size_t>(((from % count) + count) % count),
+          std::min(all, static_cast<std::size_t>(to - from + 1))};
+}
+
+/// Luminance over that of unshadowed sunlight, by place, in every sector of the disc (or one).
+struct Trial {
+  std::vector<std::vector<double>> refracted;  ///< [sector][place]
+  std::vector<double> direct;                  ///< [place]
+};
+
+/// A coarse look at the disc's light.
+Trial tried(const ShadowedMoon& moon, const atmosphere::Atmosphere& air,
+            std::span<const double> places_m) {
+  constexpr int bands = 10;
+  const auto waves = wavelengths_nm(bands);
+  const auto weights = at_wavelengths(luminance_weights(), bands);
+  double sunlight = 0;
+  for (const double w : weights.row(0)) sunlight += w;
+  const auto luminance = [&](std::span<const double> ratio) {
+    double sum = 0;
+    for (std::size_t w = 0; w < ratio.size(); ++w) sum += weights(0, w) * ratio[w];
+    return std::max(sum, 0.) / sunlight;
+  };
+  const shadow::Arrangement arrangement{
+      moon.sun_distance_m, {mean_depth_m(moon)}, moon.limb_darkening};
+  const auto sectors = sectors_of(moon);
+  const auto light = shadow::by_quadrature(
+      air, arrangement, waves, places_m,
+      {.rays = 100, .sun_terms = 2, .first_sector = sectors.first, .sectors = sectors.count});
+  const shadow::DirectLight clear(air, arrangement, waves);
+  Trial trial;
+  for (std::size_t i = 0; i < std::min(light.sectors, sectors.count); ++i) {
+    const auto& grid = light.ratio[(sectors.first + i) % light.sectors];
+    auto& row = trial.refracted.emplace_back();
+    for (std::size_t d = 0; d < places_m.size(); ++d) row.push_back(luminance(grid.row(d)));
+  }
+  std::vector<double> ratios(waves.size());
+  for (const double place : places_m) {
+    clear.ratios(place, algebra::in_radians(moon.centre.position_angle), arrangement.depths_m[0],
+                 ratios);
+    trial.direct.push_back(luminance(ratios));
+  }
+  return trial;
+}
+
+/// The largest change of luminance, over itself.
+double largest_change(const Trial& all, const Trial& without) {
+  double worst = 0;
+  for (std::size_t s = 0; s < all.refracted.size(); ++s)
+    for (std::size_t d = 0; d < all.direct.size(); ++d) {
+      const double there = all.refracted[s][d],
+                   left = without.refracted[s % without.refracted.size()][d];
+      if (there + all.direct[d] > 0)
+        worst = std::max(worst, std::abs(there - left) / (there + all.direct[d]));
+    }
+  return worst;
+}
+
+/// Scattered light where the disc is darkest: as much as it can be, and where that may count, as much
+/// as it is.
+double scattered_share(const ShadowedMoon& moon, const Trial& trial,
+                       std::span<const double> places_m) {
+  constexpr double most = 1.2e-6, counts = 1e-5;
+  double darkest = std::numeric_limits<double>::max();
+  std::size_t where = 0;
+  for (std::size_t d = 0; d < places_m.size(); ++d)
+    for (const auto& row : trial.refracted)
+      if (row[d] + trial.direct[d] < darkest) darkest = row[d] + trial.direct[d], where = d;
+  if (moon.air.top_m() <= 0) return 0;
+  if (most / darkest < counts) return most / darkest;
+  const std::array wavelengths{560.};
+  const auto scattered =
+      shadow::twilight(moon.air, {moon.sun_distance_m, {mean_depth_m(moon)}, moon.limb_darkening},
+                       wavelengths, places_m.subspan(where, 1));
+  double share = 0;
+  for (const auto& grid : scattered.ratio) share = std::max(share, grid(0, 0));
+  return share / (darkest + share);
+}
+
+/// Of one trial, for what it was too coarse to see.
+constexpr double margin = 1.5;
+
+}  // namespace
+
+std::vector<double> depths_of(const ShadowedMoon& moon, int planes) {
+  if (planes == 1) return {mean_depth_m(moon)};
+  std::vector<double> depths;
+  for (int i = 0; i < planes; ++i)
+    depths.push_back(algebra::in_metres(moon.centre.depth) -
+                     lunar_radius_m * (planes - 1 - i) / (planes - 1));
+  return depths;
+}
+
+std::vector<double> distances_over_the_disc(const ShadowedMoon& moon) {
+  constexpr double spacing_m = 200e3, beyond_m = 50e3;
+  auto range = disc_of(moon);
+  range.from_m = std::max(0., range.from_m - beyond_m);
+  range.to_m += beyond_m;
+  return evenly(range, static_cast<int>(std::ceil((range.to_m - range.from_m) / spacing_m)));
+}
+
+atmosphere::Atmosphere air_for(const plan::Work& work, const ShadowedMoon& moon) {
+  auto air = moon.air;
+  if (!work.ellipsoid && !air.earth.sphere()) {
+    const double radius =
+        atmosphere::limb_at(air.earth, algebra::in_radians(moon.centre.position_angle)).radius_m;
+    air.earth = {radius, radius, air.earth.sun_declination_rad};
+  }
+  if (!work.regions) air.regions.clear();
+  return air;
+}
+
+shadow::QuadratureSettings quadrature_for(const plan::Work& work, const ShadowedMoon& moon) {
+  const auto sectors = sectors_of(moon);
+  return {.rays = work.rays,
+          .sun_terms = work.sun_terms,
+          .first_sector = sectors.first,
+          .sectors = sectors.count,
+          .place_error = work.place_error};
+}
+
+plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose) {
+  const auto disc = disc_of(moon);
+  plan::Scene scene{.nearest_m = disc.from_m,
+                    .farthest_m = disc.to_m,
+                    .limb_darkening = moon.limb_darkening,
+                    .ellipsoid = !moon.air.earth.sphere(),
+                    .columns = 1 + moon.air.regions.size(),
+                    .sectors = sectors_of(moon).count,
+                    .texels = purpose.texels,
+                    .map_file = purpose.map_file};
+  const auto places = evenly(disc, 8);
+  const auto trial = tried(moon, moon.air, places);
+  Trial direct_alone = trial;
+  for (auto& row : direct_alone.refracted) std::ranges::fill(row, 0);
+  scene.without_refracted = largest_change(trial, direct_alone);
+  plan::Work all;
+  const auto change_without = [&](bool plan::Work::*term) {
+    plan::Work work = all;
+    work.*term = false;
+    return margin * largest_change(trial, tried(moon, air_for(work, moon), places));
+  };
+  if (scene.without_refracted > 0 && scene.ellipsoid)
+    scene.without_ellipsoid = change_without(&plan::Work::ellipsoid);
+  if (scene.without_refracted > 0 && scene.columns > 1)
+    scene.without_regions = change_without(&plan::Work::regions);
+  scene.without_refracted = std::min(1., margin * scene.without_refracted);
+  scene.without_scattered = margin * scattered_share(moon, trial, places);
+  return scene;
+}
+
+plan::Machine this_machine() {
+  constexpr double seconds_elsewhere = 1.0e-3;
+  const std::vector<double> waves{400, 450, 500, 550, 600, 650, 700, 750};
+  std::vector<double> places;
+  for (double d = 1e6; d < 5e6; d += 2e5) places.push_back(d);
+  double least = std::numeric_limits<double>::max();
+  for (int i = 0; i < 3; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    shadow::by_quadrature({}, {1.479e11, {3.83e8}}, waves, places, {.rays = 60});
+    least = std::min(
+        least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return {seconds_elsewhere / least,
+          std::max(1, static_cast<int>(std::thread::hardware_concurrency()))};
+}
+
+shadow::ChannelWeights luminance_weights() {
+  const auto xyz = colour::xyz_weights(band_edges_nm());
+  shadow::ChannelWeights luminance(1, xyz.columns());
+  std::ranges::copy(xyz.row(1), luminance.row(0).begin());
+  return moonlight_weights(luminance);
+}
+
+double error_found(const ShadowedMoon& moon, const plan::Work& work,
+                   const shadow::Lookup& luminance) {
+  plan::Work finer;
+  finer.bands = std::min(400, 2 * work.bands);
+  finer.rays = 2 * work.rays;
+  finer.place_error = 0;
+  constexpr double off_nodes = 0.07;  // of the disc: between the places light was computed at
+  const auto disc = disc_of(moon);
+  auto places = evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, 5);
+  const double depth = mean_depth_m(moon) + lunar_radius_m / 4;
+  const shadow::Arrangement arrangement{moon.sun_distance_m, {depth}, moon.limb_darkening};
+  const auto waves = wavelengths_nm(finer.bands);
+  auto settings = quadrature_for(finer, moon);
+  if (!moon.air.regions.empty()) settings.sectors = std::min<std::size_t>(settings.sectors, 3);
+  settings.place_error = 0;
+  auto light = shadow::by_quadrature(moon.air, arrangement, waves, places, settings);
+  if (work.scattered_light) shadow::add_twilight(light, moon.air);
+  const auto weights = at_wavelengths(luminance_weights(), finer.bands);
+  const shadow::DirectLight clear(moon.air, arrangement, waves);
+  const std::size_t sectors = std::min(light.sectors, settings.sectors);
+  std::vector<double> ratios(waves.size());
+  std::array<double, 1> found;
+  double worst = 0;
+  for (std::size_t i = 0; i < sectors; ++i) {
+    const std::size_t s = (settings.first_sector + i) % light.sectors;
+    const double angle = light.sectors == 1
+                             ? algebra::in_radians(moon.centre.position_angle)
+                             : 2 * pi * static_cast<double>(s) / static_cast<double>(light.sectors);
+    for (std::size_t d = 0; d < places.size(); ++d) {
+      clear.ratios(places[d], angle, depth, ratios);
+      double exact = 0;
+      for (std::size_t w = 0; w < ratios.size(); ++w)
+        exact += weights(0, w) * (ratios[w] + light.ratio[s](d, w));
+      luminance.read({.axis_distance = algebra::metres(places[d]),
+                      .position_angle = algebra::radians(angle),
+                      .depth = algebra::metres(depth)},
+                     found);
+      if (exact > 0) worst = std::max(worst, std::abs(found[0] / exact - 1));
+    }
+  }
+  return worst;
+}
+
+}  // namespace coppermoon::verbs
