@@ -9,34 +9,59 @@
 namespace coppermoon::plan {
 namespace {
 
-/// Seconds on one core of the machine that the model was measured on: AVX-512 at 3 GHz.
+/// Seconds on one core of the machine that the model was measured on: AVX-512 at 3 GHz, busy.
 struct Costs {
-  double start = 1.5e-3;           ///< of any light
-  double ray_followed = 20e-6;     ///< through the air, by limb_path
-  double fan_ray = 35e-9;          ///< of one wavelength
-  double landed_ray = 120e-9;      ///< of one wavelength on one plane
-  double place = 14e-6;            ///< and disc's term: the arcs the disc takes in
-  double place_wavelength = 9e-9;  ///< and disc's term, of one part of the limb
-  double lookup_node = 2e-6;
+  double ray_followed = 28e-6;      ///< of 250 and more, for each part of the limb
+  double fan_ray = 58e-9;           ///< of one wavelength
+  double landed_ray = 160e-9;       ///< of one wavelength on one plane
+  double place = 33e-6;             ///< cutting the disc into stretches
+  double place_term = 6e-6;         ///< the arcs of one of the Sun's terms
+  double place_wavelength = 74e-9;  ///< of one term and part of the limb
+  double lookup = 6e-3;
+  double trial = 10e-3;  ///< at what terms matter
   double twilight = 40e-3, twilight_wavelength = 1e-3;
   double photon_wavelength = 2.2e-9;  ///< by the table, on one plane
   double photon_marched = 14e-6, photon_literal = 163e-6;
-  double texel = 12e-9;
+  double texel = 48e-9;  ///< lit and written
   double map_file = 0.2;
-  double texel_resized = 6e-9;
 };
 
 /// Two standard errors of luminance in the worst ring of 50 km of one photon; they fall as the root
 /// of the number.
 double noise(Method method) { return method == Method::literal ? 200 : 25; }
 
-/// Axis distances that light is computed at: every 200 km, and more where it is not smooth.
+/// Axis distances that light is computed at: every 100 km, and more where it is not smooth.
 double distances(const Work& work, const Scene& scene) {
-  const double across_km = (scene.farthest_m - scene.nearest_m) / 1e3;
+  const double across_m = scene.farthest_m - scene.nearest_m;
   const double share = std::min(1., scene.without_refracted);
-  return across_km / 200 * 2 + 3 +
-         12 * share * std::max(0., std::log10(0.3 / work.place_error)) *
-             std::pow(0.1 / work.place_error, 0.2);
+  return across_m / 100e3 + 2 + 26 * share * std::max(0., std::log10(0.1 / work.place_error));
+}
+
+/// What the quadrature takes.
+double seconds_of_quadrature(const Work& work, const Scene& scene, double distances) {
+  const Costs cost;
+  const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
+  const bool regions = work.regions && scene.columns > 1;
+  const double parts = (regions ? static_cast<double>(scene.columns) : 1) * (ellipsoid ? 2 : 1);
+  const double angles = regions ? static_cast<double>(scene.sectors) : ellipsoid ? 3 : 1;
+  const double waves = 8 * std::ceil(work.bands / 8.), rays = work.rays;
+  const double terms = scene.limb_darkening ? work.sun_terms : 1;
+  const double places = distances * angles * work.planes * (1 + rays / 1000);  // finer, more cuts
+  return cost.ray_followed * parts * (250 + 0.45 * rays) +
+         parts * work.bands * rays * (cost.fan_ray + cost.landed_ray * work.planes) +
+         places * (cost.place + terms * (cost.place_term + cost.place_wavelength * parts * waves));
+}
+
+/// What it takes to see how exact the light is, at eighteen places.
+double seconds_of_check(Work work, const Scene& scene) {
+  work.bands = std::min(400, 2 * work.bands);
+  work.rays *= 2;
+  work.sun_terms = 6;
+  work.planes = 1;
+  work.ellipsoid = work.regions = true;
+  Scene few = scene;
+  few.sectors = std::min<std::size_t>(3, scene.sectors);
+  return seconds_of_quadrature(work, few, 6);
 }
 
 /// How much of a scene's parallel work one more core takes off.
@@ -72,27 +97,19 @@ double predicted_error(const Work& work, const Scene& scene) {
 
 double predicted_seconds(const Work& work, const Scene& scene, const Machine& machine) {
   const Costs cost;
-  double seconds = cost.start + cost.texel * scene.texels;
-  if (scene.map_file) seconds += cost.map_file + cost.texel_resized * scene.texels;
+  double seconds = cost.trial + cost.lookup + cost.texel * scene.texels;
+  if (scene.map_file) seconds += cost.map_file;
   if (work.scattered_light)
     seconds += cost.twilight + cost.twilight_wavelength * std::min(work.bands, 80);
-  if (work.refracted && work.method != Method::quadrature) {
-    const double a_photon = work.method == Method::literal
-                                ? cost.photon_literal
-                                : cost.photon_wavelength * work.bands * work.planes +
-                                      (work.method == Method::marched ? cost.photon_marched : 0);
-    seconds += 0.05 + work.photons * a_photon;
+  if (work.refracted && work.method == Method::quadrature) {
+    seconds +=
+        seconds_of_quadrature(work, scene, distances(work, scene)) + seconds_of_check(work, scene);
   } else if (work.refracted) {
-    const double columns = work.regions ? static_cast<double>(scene.columns) : 1;
-    const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
-    const double parts = columns * (ellipsoid ? 2 : 1);
-    const double angles = columns > 1 ? static_cast<double>(scene.sectors) : ellipsoid ? 3 : 1;
-    const double waves = 8 * std::ceil(work.bands / 8.), rays = work.rays;
-    const double terms = scene.limb_darkening ? work.sun_terms : 1;
-    const double places = distances(work, scene) * angles * work.planes;
-    seconds += cost.ray_followed * parts * (150 + 0.6 * rays) +
-               parts * waves * rays * (cost.fan_ray + cost.landed_ray * work.planes) +
-               places * terms * (cost.place + cost.place_wavelength * waves * parts);
+    const double by_wavelength = cost.photon_wavelength * work.bands * work.planes;
+    const double a_photon = work.method == Method::literal   ? cost.photon_literal
+                            : work.method == Method::marched ? cost.photon_marched + by_wavelength
+                                                             : by_wavelength;
+    seconds += 0.05 + work.photons * a_photon;
   }
   return seconds / machine.speed / cores(machine) + scene.other_seconds;
 }

@@ -177,11 +177,11 @@ shadow::Lookup eclipse_light() {
   std::vector<double> distances;
   for (double d = 0; d < 9.4e6; d += 5e4) distances.push_back(d);
   const auto light =
-      shadow::by_quadrature({}, {1.479e11, {3.80e8, 3.82e8, 3.84e8}}, waves, distances, 100);
+      shadow::by_quadrature({}, {1.479e11, {3.80e8, 3.82e8, 3.84e8}}, waves, distances, {.rays = 100});
   const shadow::DirectLight direct({}, light.arrangement, waves);
   shadow::ChannelWeights each(3, 3);
   for (std::size_t c = 0; c < 3; ++c) each(c, c) = 1000;
-  return {light, direct, each};
+  return shadow::Lookup(light, direct, each);
 }
 
 /// The docstring's expression for one texel, by way of the photometric function and of the shadow's
