@@ -27,8 +27,10 @@ struct LimbPath {
 /// Given     tangent_height_m      0 to the top of the air
 ///           earth_radius_m        of the ground's curvature along the path
 ///           refractivity          n₀ − 1, at sea level
-/// Accuracy  1e-8 relative; in the last millimetre under the top of the air, what the rounding of
-///           altitudes leaves
+/// Accuracy  1e-8 relative, of bending, air, dust and the troposphere's aerosol; where profiles have
+///           knees, of ozone 5e-5, of the stratosphere's aerosol 2e-4 up to high, 1e-3 extreme; of
+///           all optical depth in standard air 5e-5. In the last millimetre under the top of the
+///           air, what the rounding of altitudes leaves
 /// Source    Auer & Standish (2000), AJ 119, 2472, for the integrals
 LimbPath limb_path(double tangent_height_m, double earth_radius_m, const atmosphere::Column& column,
                    double refractivity);

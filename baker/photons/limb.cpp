@@ -40,7 +40,7 @@ WholeLimb::WholeLimb(const atmosphere::Atmosphere& atmosphere,
     const auto limb =
         atmosphere::limb_at(atmosphere.earth, i % ends == 0 ? std::numbers::pi / 2 : 0);
     const LimbTable table(*columns[i / ends], limb.curvature_radius_m, optics, rays);
-    parts_[i].radius_m = limb.radius_m;
+    parts_[i] = {limb.radius_m, {}, limb.curvature_radius_m, *columns[i / ends]};
     for (const auto& o : optics) parts_[i].fans.push_back(table.fan(o));
   });
   find_stretches();

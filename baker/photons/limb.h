@@ -17,6 +17,8 @@ class WholeLimb {
   struct Part {
     double radius_m;        ///< of the limb's ground
     std::vector<Fan> fans;  ///< by wavelength
+    double curvature_radius_m;
+    atmosphere::Column column{};
   };
   struct Share {
     std::size_t part;

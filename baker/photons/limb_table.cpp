@@ -181,7 +181,8 @@ std::vector<int> shares_of_rays(std::span<const double> unevenness, int rays) {
   for (const double u : unevenness) all += std::sqrt(u);
   std::vector<int> shares;
   for (const double u : unevenness)
-    shares.push_back(2 * std::max(2, static_cast<int>(rays / 2 * (all > 0 ? std::sqrt(u) / all : 0))));
+    shares.push_back(2 *
+                     std::max(2, static_cast<int>(rays / 2 * (all > 0 ? std::sqrt(u) / all : 0))));
   return shares;
 }
 
@@ -194,15 +195,40 @@ std::vector<Piece> pieces_of(const Column& column) {
 
 }  // namespace
 
+std::vector<double> refractivity_nodes(const Column& column, std::span<const Optics> optics,
+                                       int count) {
+  if (!column.refraction) return {0};
+  const auto [least, greatest] = std::ranges::minmax(optics, {}, &Optics::refractivity);
+  return chebyshev_roots(least.refractivity, greatest.refractivity, count);
+}
+
+Blend blend(const Column& column, const Optics& optics, std::span<const double> nodes) {
+  Blend blend{column.refraction ? optics.refractivity : 0,
+              lagrange(nodes, optics.refractivity),
+              {},
+              limb_filter(column, optics, 0),
+              limb_filter(column, optics, column.cloud_top_m)};
+  for (const double share : blend.shares) {
+    blend.extinction.push_back(atmosphere::spectra(column, optics));
+    for (double& extinction : blend.extinction.back()) extinction *= share;
+  }
+  return blend;
+}
+
+atmosphere::ValueAndSlope optical_excess_m(const Column& column, double earth_radius_m,
+                                           double tangent_height_m) {
+  const auto density = atmosphere::density_ratio(column, tangent_height_m);
+  const double r = earth_radius_m + tangent_height_m;
+  return {density.value * r, density.slope_per_m * r + density.value};
+}
+
 LimbTable::LimbTable(const Column& column, double earth_radius_m, std::span<const Optics> optics,
                      int rays)
     : column_(column) {
   const double error = 10. / rays / rays;
-  const auto [least, greatest] = std::ranges::minmax(optics, {}, &Optics::refractivity);
+  const auto greatest = std::ranges::max(optics, {}, &Optics::refractivity);
   const int nodes = error < 3e-5 ? 4 : 3;
-  refractivities_ = column.refraction
-                        ? chebyshev_roots(least.refractivity, greatest.refractivity, nodes)
-                        : std::vector<double>{0};
+  refractivities_ = refractivity_nodes(column, optics, nodes);
   const Follower follower{column, earth_radius_m};
   const Significance significance(column, greatest);
   const auto pieces = pieces_of(column);
@@ -222,18 +248,14 @@ LimbTable::LimbTable(const Column& column, double earth_radius_m, std::span<cons
     for (int i = 0; i < shares[p] + (p + 1 == pieces.size() ? 1 : 0); ++i) {
       const double place = static_cast<double>(i) / shares[p], h = pieces[p].height_m(place);
       tangent_heights_m_.push_back(h);
-      optical_excess_m_.push_back(density_ratio(column, h).value * (earth_radius_m + h));
+      optical_excess_m_.push_back(optical_excess_m(column, earth_radius_m, h).value);
       for (std::size_t k = 0; k < paths_.size(); ++k)
         paths_[k].push_back(path_of(h, polynomials[k][p](place)));
     }
 }
 
 Fan LimbTable::fan(const Optics& optics) const {
-  const auto shares = lagrange(refractivities_, optics.refractivity);
-  const auto spectra = atmosphere::spectra(column_, optics);
-  const double cloudy = limb_filter(column_, optics, 0),
-               clear = limb_filter(column_, optics, column_.cloud_top_m);
-  const double refractivity = column_.refraction ? optics.refractivity : 0;
+  const auto wave = blend(column_, optics, refractivities_);
   const std::size_t rays = tangent_heights_m_.size();
   Fan fan{tangent_heights_m_,
           std::vector<double>(rays),
@@ -242,12 +264,12 @@ Fan LimbTable::fan(const Optics& optics) const {
           {}};
   for (std::size_t i = 0; i < rays; ++i) {
     const double h = tangent_heights_m_[i];
-    fan.impact_height_m[i] = h + refractivity * optical_excess_m_[i];
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      fan.bending_rad[i] += shares[k] * paths_[k][i].bending_rad;
-      fan.optical_depth[i] += shares[k] * atmosphere::product(paths_[k][i].amounts, spectra);
+    fan.impact_height_m[i] = h + wave.refractivity * optical_excess_m_[i];
+    for (std::size_t k = 0; k < wave.shares.size(); ++k) {
+      fan.bending_rad[i] += wave.shares[k] * paths_[k][i].bending_rad;
+      fan.optical_depth[i] += atmosphere::product(paths_[k][i].amounts, wave.extinction[k]);
     }
-    if (i > 0) fan.filter.push_back(h <= column_.cloud_top_m ? cloudy : clear);
+    if (i > 0) fan.filter.push_back(h <= column_.cloud_top_m ? wave.cloudy : wave.clear);
   }
   return fan;
 }

@@ -15,6 +15,35 @@ struct Fan {
   std::vector<double> filter;         ///< of cloud and filters, between each ray and the next
 };
 
+/// Refractivities between those of some wavelengths that rays are followed at for them all: from one
+/// to the next a ray changes smoothly.
+///
+/// Given     count  3 or more
+/// Returned  Chebyshev's nodes; one alone where all are the same, 0 where the air does not bend
+std::vector<double> refractivity_nodes(const atmosphere::Column& column,
+                                       std::span<const atmosphere::Optics> optics, int count);
+
+/// How a wavelength's ray is made of the same ray at such nodes.
+///
+///     δ = Σ s_k δ_k        τ = Σ s_k β · a_k
+///
+/// s_k Lagrange's weights, β the spectra of what stands along the path, a_k its amounts.
+struct Blend {
+  double refractivity;                          ///< n₀ − 1; 0 where the air does not bend
+  std::vector<double> shares;                   ///< s_k
+  std::vector<atmosphere::Amounts> extinction;  ///< s_k β
+  double cloudy, clear;  ///< limb_filter of paths below the cloud's top, and above
+};
+
+Blend blend(const atmosphere::Column& column, const atmosphere::Optics& optics,
+            std::span<const double> nodes);
+
+/// (ρ/ρ₀) r and its slope over altitude: b − R is h and the refractivity times that.
+///
+/// Given  earth_radius_m  of the ground's curvature along the path
+atmosphere::ValueAndSlope optical_excess_m(const atmosphere::Column& column, double earth_radius_m,
+                                           double tangent_height_m);
+
 /// Limb rays of a column of air, computed once for all wavelengths: path and amounts are smooth in
 /// refractivity, and between the breaks of the air in √(h_b − h), h_b the next break above the
 /// tangent height h. In both they are polynomials through Chebyshev's points; between two breaks as

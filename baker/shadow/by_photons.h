@@ -7,6 +7,7 @@
 #include <string>
 
 #include "algebra/progress.h"
+#include "photons/march.h"
 #include "photons/trace.h"
 #include "shadow/irradiance.h"
 #include "shadow/photon_sums.h"
@@ -14,9 +15,10 @@
 namespace coppermoon::shadow {
 
 /// How a photon finds its way through the air: step by step, in three dimensions, to the letter of
-/// the paper, each of one random wavelength; or by a table of the limb's rays (photons::WholeLimb),
-/// in the plane of its own, each of all wavelengths.
-enum class Trace { each, table };
+/// the paper, each of one random wavelength; or in the plane of its own, each of all wavelengths:
+/// marched through the air itself (photons::Marcher), or by a table of the limb's rays
+/// (photons::WholeLimb).
+enum class Trace { each, marched, table };
 
 /// How many photons, which, and how they are traced and gathered.
 struct PhotonSettings {
@@ -24,6 +26,7 @@ struct PhotonSettings {
   std::uint64_t seed = 1;
   Trace trace = Trace::each;
   photons::Stepping stepping;  ///< of photons traced each
+  photons::Marching marching;  ///< of photons that are marched
   int rays = 500;              ///< of the table
   double ring_width_m = 50e3;  ///< of the rings that gather, 1e3 to 2e6 m
   /// parts of the position angle; 1 takes every photon all around the axis
@@ -37,15 +40,18 @@ struct PhotonSettings {
 ///
 /// Traced each, a photon has one wavelength, drawn at random; leaves a random place of the solar
 /// disc, aimed at the ring of the air; is traced; and is gathered on every plane in the ring of
-/// axis distances (and the sector) where it lands. By the table, it carries all wavelengths, and a
-/// block of photons is spread evenly: over tangent heights, over directions and distances of
-/// landing (LimbLandings). One sector replicates each photon all around the axis, which only
-/// symmetric air allows. Blocks are added until all are done, or, in batches that double, until
-/// there are enough.
+/// axis distances (and the sector) where it lands. Marched or by the table, it carries all
+/// wavelengths, and a block of photons is spread evenly: over tangent heights, over directions and
+/// distances of landing (LimbLandings). For those that are marched a coarse table only says where
+/// to aim, which costs noise at worst; where they land, and with how much light, is that of the ray
+/// that each went (MarchedPhotons). One sector replicates each photon all around the axis, which
+/// only symmetric air allows. Blocks are added until all are done, or, in batches that double,
+/// until there are enough.
 ///
 /// Given     before   what was traced already, and is not traced again
-/// Returned  `before` and more; by the table alike to the last bit for any number of threads, on
-///           processors with the same vectors; memory does not grow with the number of photons
+/// Returned  `before` and more; marched or by the table alike to the last bit for any number of
+///           threads, on processors with the same vectors; memory does not grow with the number of
+///           photons
 /// Throws    Error  when an argument is outside its range, one sector is asked of air that differs
 ///                  by region, or `before` belongs to something else
 /// Source    Yapo & Cutler (2009) §3.1 and 3.2

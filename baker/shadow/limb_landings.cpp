@@ -255,18 +255,24 @@ std::vector<Aim> LimbLandings::aims(std::uint64_t seed, std::uint64_t block, boo
 }
 
 void LimbLandings::pass(std::span<const Aim> aims, Grid<float>& light) const {
-  std::vector<Between> places, on_the_sun;
-  for (const auto& aim : aims) {
+  std::vector<Between> places;
+  for (const auto& aim : aims)
     places.push_back({tables_[aim.part].light.row(2 * aim.cell).data(),
                       static_cast<float>(aim.along), static_cast<float>(aim.weight_m)});
-    if (brightness_.empty()) continue;
+  interpolate(places, light);
+  darken(aims, light);
+}
+
+void LimbLandings::darken(std::span<const Aim> aims, Grid<float>& light) const {
+  if (brightness_.empty()) return;
+  std::vector<Between> on_the_sun;
+  for (const auto& aim : aims) {
     const double mu = std::sqrt(std::max(0., 1 - glm::dot(aim.source, aim.source)));
     const double place = mu * brightness_cells;
     const auto cell = std::min(static_cast<std::size_t>(place), brightness_cells - 1);
     on_the_sun.push_back(
         {brightness_.row(cell).data(), static_cast<float>(place - static_cast<double>(cell))});
   }
-  interpolate(places, light);
   multiply(on_the_sun, light);
 }
 

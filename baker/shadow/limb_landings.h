@@ -52,11 +52,17 @@ class LimbLandings {
   /// Given  around  whether from all position angles; else from one, for all
   std::vector<Aim> aims(std::uint64_t seed, std::uint64_t block, bool around) const;
 
+  /// The limb that they pass.
+  const std::vector<photons::WholeLimb::Part>& parts() const { return limb_.parts(); }
+
   /// Writes the light that photons carry behind the limb, by wavelength [m²], the Sun's brightness
   /// where they come from included.
   ///
   /// Given  light  as many rows as aims, or more
   void pass(std::span<const Aim> aims, algebra::Grid<float>& light) const;
+
+  /// Multiplies light by the Sun's brightness where each photon comes from, by wavelength.
+  void darken(std::span<const Aim> aims, algebra::Grid<float>& light) const;
 
   /// Writes the signed distances from the axis where light from the Sun's centre would land, by
   /// wavelength.

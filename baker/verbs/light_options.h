@@ -24,7 +24,7 @@ struct LightOptions {
   AirOptions air;
   std::optional<std::string> limb_darkening;  ///< without: on, but for the paper's atmosphere
   std::string scattered_light = "auto", starlight = "off";
-  std::string solver = "auto", trace = "table";
+  std::string solver = "auto", trace = "table", precision = "full";
   PlanOptions plan;
   std::optional<double> photons;  ///< without: as many as the tolerance asks for
   double step_km = 1, ring_km = 50, smoothing_km = 0;

@@ -19,7 +19,8 @@ namespace {
 
 /// Whether photons are others when this flag is.
 bool changes_photons(const CLI::App& verb, const std::string& flag) {
-  constexpr std::array<std::string_view, 5> ways{"seed", "trace", "rays", "step-km", "ring-km"};
+  constexpr std::array<std::string_view, 6> ways{"seed",    "trace",   "rays",
+                                                 "step-km", "ring-km", "precision"};
   constexpr std::array<std::string_view, 2> added_later{"scattered-light", "starlight"};
   if (std::find(added_later.begin(), added_later.end(), flag) != added_later.end()) return false;
   if (std::find(ways.begin(), ways.end(), flag) != ways.end()) return true;

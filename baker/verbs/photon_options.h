@@ -19,7 +19,7 @@ struct PhotonOptions {
 };
 
 /// --shard K/N, --keep FILE, --add FILE. The key is those lines of the verb's recipe that change
-/// photons: the air, the Sun's disc, seed, rays, steps, rings.
+/// photons: the air, the Sun's disc, seed, way of tracing, rays, steps, precision, rings.
 void add_photon_options(CLI::App& verb, PhotonOptions& options);
 
 /// Whether any of them was given: they mean nothing to another solver.

@@ -34,11 +34,11 @@ struct Scene {
     const std::vector<double> waves{450, 550, 650};
     std::vector<double> distances_m;
     for (double d = 0; d < 9.4e6; d += 25e3) distances_m.push_back(d);
-    const auto refracted =
-        shadow::by_quadrature({}, {1.479e11, {3.80e8, 3.82e8, 3.84e8}}, waves, distances_m, {.rays = 100});
+    const auto refracted = shadow::by_quadrature({}, {1.479e11, {3.80e8, 3.82e8, 3.84e8}}, waves,
+                                                 distances_m, {.rays = 100});
     shadow::ChannelWeights each(3, 3);
     for (std::size_t c = 0; c < 3; ++c) each(c, c) = 1000;
-    return {refracted, shadow::DirectLight({}, refracted.arrangement, waves), each};
+    return shadow::Lookup(refracted, shadow::DirectLight({}, refracted.arrangement, waves), each);
   }
 
   texture::Rows lit() const { return texture::lit_rows(albedo, sky, light, rows, photometry); }

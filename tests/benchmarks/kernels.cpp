@@ -9,6 +9,7 @@
 #include "photons/march.h"
 #include "photons/photon.h"
 #include "photons/trace.h"
+#include "shadow/by_photons.h"
 #include "shadow/by_quadrature.h"
 
 namespace coppermoon {
@@ -101,6 +102,20 @@ void by_quadrature(benchmark::State& state, const char* preset) {
   state.SetItemsProcessed(state.iterations() *
                           static_cast<std::int64_t>(wavelengths_nm.size() * places_m.size()));
 }
+
+/// Photons of 200 wavelengths in rings, or rings and sectors, all threads; what is tabulated first
+/// included.
+void by_photons(benchmark::State& state, const char* preset, shadow::PhotonSettings settings) {
+  const auto air = air_of(preset);
+  std::vector<double> wavelengths_nm;
+  for (int i = 0; i < 200; ++i) wavelengths_nm.push_back(381 + 2 * i);
+  if (!air.symmetric()) settings.sectors = shadow::sectors_around;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        shadow::traced(air, {sun_distance_m, {3.8e8}}, wavelengths_nm, settings));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(settings.photons));
+}
+
 template <class... Arguments>
 auto* registered(const std::string& kernel, const char* preset, Arguments... arguments) {
   return benchmark::RegisterBenchmark((kernel + "/" + preset).c_str(), arguments...)
@@ -118,6 +133,20 @@ void register_kernels(const char* preset) {
   registered("march_tables", preset, march_tables, preset);
   registered("limb_path", preset, limb_path, preset);
   registered("by_quadrature", preset, by_quadrature, preset)->UseRealTime();
+  using shadow::Trace;
+  shadow::PhotonSettings settings;
+  settings.photons = 100 * shadow::photons_a_block;
+  settings.trace = Trace::table;
+  registered("photons_table", preset, by_photons, preset, settings)->UseRealTime();
+  settings.trace = Trace::marched;
+  for (const double step_m : {1000., 10e3})
+    for (const auto precision : {Precision::full, Precision::single}) {
+      settings.marching = {step_m, precision};
+      const std::string digits = precision == Precision::full ? "full_" : "single_";
+      registered("photons_" + digits + std::to_string(static_cast<int>(step_m)) + "m", preset,
+                 by_photons, preset, settings)
+          ->UseRealTime();
+    }
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "algebra/error.h"
 #include "atmosphere/density.h"
 #include "atmosphere/ozone.h"
+#include "atmosphere/presets.h"
 #include "support/within.h"
 
 namespace coppermoon::photons {
@@ -65,8 +66,7 @@ struct Independent {
   }
   double optical_depth() const {
     return 2 * along_half([&](double h) {
-             return extinction_per_m(air.column, optics, h) *
-                    (radius_m + h + optical_excess(h));
+             return extinction_per_m(air.column, optics, h) * (radius_m + h + optical_excess(h));
            });
   }
 };
@@ -212,10 +212,10 @@ TEST(LimbRay, ReachesTheTopOfUs1976) {
   const Column full{.density = atmosphere::Density::us_1976};
   EXPECT_EQ(ray_at(86e3, full).optical_depth, 0);
   const double h = 50e3, scale_m = 8e3, density = atmosphere::density_ratio_us_1976(h);
-  EXPECT_WITHIN_RELATIVE(ray_at(h, full).optical_depth,
-                         green.rayleigh_per_m * density *
-                             std::sqrt(2 * std::numbers::pi * (radius_m + h) * scale_m),
-                         0.03, "the scale height at 50 km is 8.0 km and falls by 5 % in 10 km");
+  EXPECT_WITHIN_RELATIVE(
+      ray_at(h, full).optical_depth,
+      green.rayleigh_per_m * density * std::sqrt(2 * std::numbers::pi * (radius_m + h) * scale_m),
+      0.03, "the scale height at 50 km is 8.0 km and falls by 5 % in 10 km");
 }
 
 TEST(LimbRay, CrossesTheOzoneOnItsOwnPath) {
@@ -241,10 +241,57 @@ TEST(LimbRay, CrossesTheOzoneOnItsOwnPath) {
   EXPECT_WITHIN(amount(0), 24.1, 4, "a thin layer at 22 km: the filter's air mass");
 }
 
+// limb_path's integrals by 400 000 midpoints, which knees in the profiles do not disturb.
+atmosphere::Amounts amounts_by_midpoints(const Column& column, double tangent_m) {
+  constexpr int points = 400'000;
+  const auto excess = [&](double h) { return refractivity(column, green, h) * (radius_m + h); };
+  const double at_tangent = excess(tangent_m);
+  const double width = std::sqrt(atmosphere::top_m(column) - tangent_m) / points;
+  atmosphere::Amounts sums{};
+  for (int i = 0; i < points; ++i) {
+    const double u = (i + 0.5) * width, h = tangent_m + u * u, nr = radius_m + h + excess(h);
+    const double over_b = u * u + excess(h) - at_tangent;  // n r − b
+    const double ds = nr / std::sqrt(over_b * (2 * nr - over_b)) * 4 * u * width;
+    const auto profiles = atmosphere::profiles(column, h);
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += profiles[k] * ds;
+  }
+  return sums;
+}
+
+void expect_stated_amounts(const Column& column, double of_the_stratosphere) {
+  constexpr auto reason = "as the header says";
+  const auto spectra = atmosphere::spectra(column, green);
+  for (const double h : {37., 2500., 5000., 7319., 8643., 12e3, 16256., 22e3, 24862., 29e3}) {
+    const auto exact = amounts_by_midpoints(column, h);
+    const auto amounts = limb_path(h, radius_m, column, green.refractivity).amounts;
+    for (const auto k : {atmosphere::air, atmosphere::troposphere})
+      EXPECT_WITHIN_RELATIVE(amounts[k], exact[k], 1e-8, reason) << h;
+    EXPECT_WITHIN_RELATIVE(amounts[atmosphere::ozone], exact[atmosphere::ozone], 5e-5, reason) << h;
+    EXPECT_WITHIN_RELATIVE(amounts[atmosphere::stratosphere], exact[atmosphere::stratosphere],
+                           of_the_stratosphere, reason)
+        << h;
+    const bool background = column.stratosphere == atmosphere::StratosphericAerosol::background;
+    EXPECT_WITHIN_RELATIVE(atmosphere::product(amounts, spectra),
+                           atmosphere::product(exact, spectra),
+                           background ? 5e-5 : of_the_stratosphere, reason)
+        << h;
+  }
+}
+
+TEST(LimbRay, HasAirOzoneAndAerosolToWhatIsStated) {
+  auto column = atmosphere::preset("standard", algebra::degrees(0)).column;
+  expect_stated_amounts(column, 2e-4);
+  column.stratosphere = atmosphere::StratosphericAerosol::moderate;
+  expect_stated_amounts(column, 2e-4);
+  column.stratosphere = atmosphere::StratosphericAerosol::extreme;
+  expect_stated_amounts(column, 1e-3);
+}
+
 TEST(LimbRay, RefusesImpactHeightsOutsideItsRange) {
   EXPECT_THROW(limb_ray(42000.001, radius_m, {}, green), algebra::Error);
   EXPECT_THROW(limb_ray(-10000.1, radius_m, {}, green), algebra::Error);
-  EXPECT_THROW(limb_ray(std::numeric_limits<double>::quiet_NaN(), radius_m, {}, green), algebra::Error);
+  EXPECT_THROW(limb_ray(std::numeric_limits<double>::quiet_NaN(), radius_m, {}, green),
+               algebra::Error);
 }
 
 }  // namespace
