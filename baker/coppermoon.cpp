@@ -23,8 +23,9 @@ void add_words(CLI::App& program) {
   program.require_subcommand(1);
   program.set_version_flag("--version", "coppermoon " COPPERMOON_VERSION);
   for (const auto add :
-       {verbs::add_almanac, verbs::add_sky, verbs::add_plan, verbs::add_shadow, verbs::add_brightness,
-        verbs::add_bake, verbs::add_scene, verbs::add_still, verbs::add_develop})
+       {verbs::add_almanac, verbs::add_sky, verbs::add_plan, verbs::add_shadow,
+        verbs::add_brightness, verbs::add_bake, verbs::add_scene, verbs::add_still,
+        verbs::add_develop, verbs::add_tradeoff})
     add(program);
 }
 

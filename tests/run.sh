@@ -27,6 +27,7 @@ small="--photons 2e4 --texture-width 512 --width 150 --height 100"
 "$root/examples/paper_figures.sh" $small
 "$root/examples/photon_convergence.sh" 1e4
 "$root/examples/term_sizes.sh" $small
+"$root/examples/tradeoff.sh" --quick
 ls -l
 
 say "all passed"

@@ -223,9 +223,9 @@ void require_valid(const PhotonSettings& settings, const Atmosphere& atmosphere,
   algebra::require_within("step [km]", settings.marching.step_m / 1e3, 1e-3, 100);
   algebra::require_within("rays", settings.rays, 2, 1e7);
   algebra::require_within("ring width [km]", settings.ring_width_m / 1e3, 1, 2000);
-  algebra::require_within("sectors", static_cast<double>(settings.sectors), 1, 360);
+  algebra::require_within("sectors", static_cast<double>(settings.sectors), 1, 1000);
   if (settings.sectors == 1 && !atmosphere.symmetric())
-    throw algebra::Error("sectors = 1, allowed 2 to 360 for air that differs by region");
+    throw algebra::Error("sectors = 1, allowed 2 to 1000 for air that differs by region");
   if (settings.enough) require_valid(*settings.enough, waves);
 }
 

@@ -29,7 +29,7 @@ struct PhotonSettings {
   photons::Marching marching;  ///< of photons that are marched
   int rays = 500;              ///< of the table
   double ring_width_m = 50e3;  ///< of the rings that gather, 1e3 to 2e6 m
-  /// parts of the position angle; 1 takes every photon all around the axis
+  /// parts of the position angle, 1 to 1000; 1 takes every photon all around the axis
   std::size_t sectors = 1;
   std::optional<StoppingRule> enough;  ///< ends before all photons are traced
   std::optional<BlockRange> blocks;    ///< traces these alone of all blocks

@@ -96,9 +96,8 @@ void require_sound(const DevelopOptions& options, const std::filesystem::path& p
         fmt::format("view = {}, allowed {}", options.view, fmt::join(views, ", ")));
 }
 
-void write_developed(const DevelopOptions& options, const colour::Exposure& exposure,
-                     const texture::Image& frame, colour::WorkingSpace space,
-                     const std::filesystem::path& picture, texture::Attributes attributes) {
+texture::Image developed(const DevelopOptions& options, const colour::Exposure& exposure,
+                         const texture::Image& frame, colour::WorkingSpace space) {
   const auto shown = colour::developed(
       pixels_of(frame), space,
       {colour::exposure_scale(exposure), options.view, options.display, options.config});
@@ -106,6 +105,13 @@ void write_developed(const DevelopOptions& options, const colour::Exposure& expo
   for (std::size_t r = 0; r < frame.height; ++r)
     for (std::size_t c = 0; c < frame.width; ++c)
       for (std::size_t k = 0; k < 3; ++k) image(r, c, k) = std::clamp(shown(r, c)[k], 0.F, 1.F);
+  return image;
+}
+
+void write_developed(const DevelopOptions& options, const colour::Exposure& exposure,
+                     const texture::Image& frame, colour::WorkingSpace space,
+                     const std::filesystem::path& picture, texture::Attributes attributes) {
+  const auto image = developed(options, exposure, frame, space);
   attributes["coppermoon:view"] = options.display + ", " + options.view;
   add_exposure(attributes, exposure);
   texture::write_png(picture, image, options.bits, attributes);

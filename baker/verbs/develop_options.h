@@ -35,6 +35,10 @@ void add_exposure(texture::Attributes& attributes, const colour::Exposure& expos
 /// range, a picture that does not end in .png, a view there is not
 void require_sound(const DevelopOptions& options, const std::filesystem::path& picture);
 
+/// A scene-linear frame [cd/m²] as the display shows it: channels R, G, B, 0 to 1.
+texture::Image developed(const DevelopOptions& options, const colour::Exposure& exposure,
+                         const texture::Image& frame, colour::WorkingSpace space);
+
 /// Develops a scene-linear frame [cd/m²] and writes the picture.
 void write_developed(const DevelopOptions& options, const colour::Exposure& exposure,
                      const texture::Image& frame, colour::WorkingSpace space,

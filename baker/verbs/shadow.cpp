@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <unistd.h>
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
-#include <csignal>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -16,6 +12,7 @@
 #include "algebra/interpolation.h"
 #include "almanac/instant.h"
 #include "eclipse/shadow_axis.h"
+#include "verbs/gnuplot.h"
 #include "verbs/light_options.h"
 #include "verbs/moon_options.h"
 #include "verbs/number_list.h"
@@ -176,46 +173,18 @@ std::string as_csv(const Across& result) {
   return text;
 }
 
-/// As gnuplot reads a text between single quotes.
-std::string quoted(const std::string& text) {
-  std::string all = "'";
-  for (const char c : text) all += c == '\'' ? std::string("''") : std::string(1, c);
-  return all + "'";
-}
-
-std::string plot_script(const Across& result, const std::string& picture) {
+std::string plot_script(const Across& result) {
   const std::string table = as_csv(result);
   std::string script = fmt::format(
-      "set terminal pngcairo size 1000,640\nset output {}\nset logscale y\n"
+      "set logscale y\n"
       "set format y '10^{{%L}}'\nset grid\nset key bottom right\n"
       "set xlabel 'distance from the shadow axis [km]'\nset ylabel 'irradiance over sunlight'\n"
       "$data << EOD\n{}EOD\nset datafile separator ','\nplot",
-      quoted(picture), table.substr(table.find('\n') + 1));
+      table.substr(table.find('\n') + 1));
   for (std::size_t w = 0; w < result.wavelengths_nm.size(); ++w)
     script += fmt::format("{} $data using 1:{} with lines linewidth 2 title '{:g} nm'",
                           w == 0 ? "" : ",", 2 * w + 2, result.wavelengths_nm[w]);
   return script + "\n";
-}
-
-/// Whether gnuplot did all it was told. One that is not there hangs up while it is spoken to.
-bool gnuplot_did(const std::string& script) {
-  const auto before = std::signal(SIGPIPE, SIG_IGN);
-  FILE* gnuplot = popen("gnuplot 2>/dev/null", "w");
-  const bool told =
-      gnuplot != nullptr && std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
-  const bool done = gnuplot != nullptr && pclose(gnuplot) == 0 && told;
-  std::signal(SIGPIPE, before);
-  return done;
-}
-
-/// gnuplot's picture of it, whole or not at all.
-void write_plot(const Options& options, const Across& result) {
-  const std::string temporary = fmt::format("{}.tmp.{}", options.plot, getpid());
-  if (!gnuplot_did(plot_script(result, temporary))) {
-    std::filesystem::remove(temporary);
-    throw algebra::Error("gnuplot failed; install the package gnuplot-nox");
-  }
-  std::filesystem::rename(temporary, options.plot);
 }
 
 void run(const Options& options) {
@@ -227,7 +196,8 @@ void run(const Options& options) {
   const auto result = across(options, air, arrangement);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (!options.plot.empty()) write_plot(options, result);
+  if (!options.plot.empty())
+    write_plot(options.plot, "pngcairo size 1000,640", plot_script(result));
   if (!options.json) {
     fmt::print("{}", as_csv(result));
     return;

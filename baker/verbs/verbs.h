@@ -16,5 +16,6 @@ void add_bake(CLI::App& program);
 void add_scene(CLI::App& program);
 void add_still(CLI::App& program);
 void add_develop(CLI::App& program);
+void add_tradeoff(CLI::App& program);
 
 }  // namespace coppermoon::verbs

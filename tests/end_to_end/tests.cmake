@@ -21,3 +21,5 @@ target_link_libraries(end_to_end_terms_test PRIVATE nlohmann_json::nlohmann_json
 coppermoon_end_to_end(eclipses LINKS algebra)
 target_link_libraries(end_to_end_eclipses_test PRIVATE nlohmann_json::nlohmann_json)
 coppermoon_end_to_end(craters LINKS colour shadow surface texture)
+coppermoon_end_to_end(tradeoff LINKS algebra)
+target_link_libraries(end_to_end_tradeoff_test PRIVATE nlohmann_json::nlohmann_json)

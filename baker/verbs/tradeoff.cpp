@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "algebra/error.h"
+#include "almanac/instant.h"
+#include "eclipse/shadow_axis.h"
+#include "texture/whole_file.h"
+#include "verbs/gnuplot.h"
+#include "verbs/moon_options.h"
+#include "verbs/progress_bar.h"
+#include "verbs/recipe.h"
+#include "verbs/tradeoff_files.h"
+#include "verbs/tradeoff_runs.h"
+#include "verbs/tradeoff_sweeps.h"
+#include "verbs/verbs.h"
+#include "verbs/yardstick.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+struct Options {
+  MoonOptions moon;
+  std::string output;
+  std::vector<std::string> only;
+  RunLimits limits;
+  bool quick = false, json = false;
+};
+
+MeasuredScene scene_of(const Options& options, std::size_t widest_texture) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc(options.moon.instant));
+  const auto axis = eclipse::shadow_axis(sky);
+  const double depth_m = algebra::in_metres(eclipse::place_in_shadow(axis, sky.moon_m).depth);
+  const auto& light = options.moon.light;
+  auto moon = options.moon;
+  moon.texture_width = widest_texture;  // of the built-in map
+  return {sky, atmosphere_of(light.air, axis.sun_declination),
+          arrangement_of(light, algebra::in_metres(axis.sun_distance), {depth_m}),
+          normal_albedo(moon), photometry_of(moon)};
+}
+
+std::vector<Sweep> chosen_sweeps(const Options& options, bool symmetric) {
+  auto all = sweeps(options.quick, symmetric ? most_replicas : most_replicas / 2);
+  std::erase_if(all, [&](const Sweep& sweep) {
+    return !options.only.empty() &&
+           std::ranges::find(options.only, sweep.middle.solver) == options.only.end();
+  });
+  return all;
+}
+
+std::size_t widest_texture(bool quick) {
+  double widest = 0;
+  for (const auto& sweep : sweeps(quick, most_replicas))
+    for (const auto& trial : sweep.trials()) widest = std::max(widest, trial.texture_width);
+  return static_cast<std::size_t>(widest);
+}
+
+std::string document(const Options& options, const ReferenceSettings& reference,
+                     std::span<const Measured> all) {
+  return fmt::format(
+      "Made by `coppermoon tradeoff {}{}`: what each method takes at each setting, and how far its "
+      "light is from the\nreference, the quadrature of {} rays and {} bands every {:g} km.\n\n"
+      "Irradiance counts as the eye sees it, errors relative to all light at the place, refracted "
+      "and direct: root mean square\nover the area, and the worst place, within 4500 km of the "
+      "axis "
+      "(umbra) and beyond (penumbra). Photons are gathered in rings\nof 50 km and 1000 / replicas "
+      "sectors, and each such cell is compared. The picture: CIEDE2000 over the Moon's disc,\n"
+      "developed at the exposure that suits the reference's.\n\n"
+      "Steps are in km; their own error hides under the noise of so few photons. Seconds include "
+      "the "
+      "making of tables; those of\na texture's width are the bake's alone, and its ΔE that against "
+      "the widest texture. Extrapolated: time as the number of\nphotons and of steps, errors as "
+      "N^(−1/2); a ΔE extrapolated from more than 10 is too small, by up to two times.\n\n{}",
+      options.moon.instant, options.quick ? " --quick" : "", reference.rays, reference.bands,
+      reference.spacing_m / 1e3, as_markdown(all));
+}
+
+void write_files(const std::filesystem::path& folder, const Options& options,
+                 const ReferenceSettings& reference, std::span<const Measured> all) {
+  texture::write_whole(folder / "tradeoff.csv", as_csv(all));
+  texture::write_whole(folder / "tradeoff.md", document(options, reference, all));
+  write_plot(folder / "tradeoff.svg",
+             "svg size 1100,680 background rgb 'white' font 'sans-serif,13'", as_plot(all));
+}
+
+/// Writes into a folder, made when it is missing, and gone again when nothing could be written.
+void write_folder(const Options& options, const ReferenceSettings& reference,
+                  std::span<const Measured> all) {
+  std::error_code ignored;
+  const bool made = std::filesystem::create_directory(options.output, ignored);
+  try {
+    write_files(options.output, options, reference, all);
+  } catch (...) {
+    if (made) std::filesystem::remove(options.output, ignored);
+    throw;
+  }
+}
+
+void require_sound(const Options& options) {
+  algebra::require_within("longest run [s]", options.limits.longest_s, 0, 1e6);
+  algebra::require_within("repeat", options.limits.repeat, 1, 100);
+  if (std::filesystem::is_directory(options.output)) return;
+  require_place_for(options.output);
+  if (std::filesystem::exists(options.output))
+    throw algebra::Error(fmt::format("{}: is not a directory", options.output));
+}
+
+void run(const Options& options) {
+  require_sound(options);
+  const auto scene = scene_of(options, widest_texture(options.quick));
+  const auto chosen = chosen_sweeps(options, scene.air.symmetric());
+  const ReferenceSettings reference =
+      options.quick ? ReferenceSettings{3000, 200, 50e3, 256} : ReferenceSettings{};
+  auto yardstick = [&] {
+    ProgressBar bar("reference");
+    return Yardstick(scene, reference, bar.progress());
+  }();
+  const auto all = [&] {
+    ProgressBar bar("tradeoff");
+    return measured(chosen, yardstick, options.limits, bar.progress());
+  }();
+  write_folder(options, reference, all);
+  if (options.json)
+    fmt::print("{}\n", as_json(all).dump(2));
+  else
+    fmt::print("{}: tradeoff.csv, tradeoff.md, tradeoff.svg, {} rows\n", options.output,
+               all.size());
+}
+
+}  // namespace
+
+void add_tradeoff(CLI::App& program) {
+  auto* verb = program.add_subcommand(
+      "tradeoff", "Speed against accuracy, measured for every method and setting");
+  const auto options = std::make_shared<Options>();
+  options->moon.instant = "2008-02-21T03:26:05Z";
+  verb->add_option("instant,--instant", options->moon.instant,
+                   "ISO 8601 UTC; the scene that is lit");
+  verb->add_option("-o,--output", options->output,
+                   "folder of tradeoff.csv, tradeoff.md and tradeoff.svg")
+      ->required();
+  verb->add_option("--only", options->only, "one solver's sweeps; may be given again")
+      ->check(CLI::IsMember(solver_names()))
+      ->allow_extra_args(false);
+  verb->add_option("--longest", options->limits.longest_s,
+                   "of one run [s]; a row that would take longer is extrapolated");
+  verb->add_option("--repeat", options->limits.repeat,
+                   "runs of which the least time counts; those under a second: three or more");
+  verb->add_flag("--quick", options->quick, "few values, small ones: seconds");
+  verb->add_option("--albedo-map", options->moon.albedo_map,
+                   "any image 2:1, longitude 0 in the middle; auto; built-in");
+  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_air_options(*verb, options->moon.light.air);
+  add_recipe_option(*verb);
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "end_to_end/program.h"
+#include "support/within.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using Row = std::map<std::string, std::string>;
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  for (const char c : line)
+    if (c == ',')
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  return cells;
+}
+
+std::vector<Row> rows_of(const std::filesystem::path& csv) {
+  std::istringstream text(text_of(csv));
+  std::string line;
+  std::getline(text, line);
+  const auto names = cells_of(line);
+  std::vector<Row> rows;
+  while (std::getline(text, line)) {
+    const auto cells = cells_of(line);
+    EXPECT_EQ(cells.size(), names.size()) << line;
+    Row row;
+    for (std::size_t i = 0; i < std::min(cells.size(), names.size()); ++i) row[names[i]] = cells[i];
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+class Tradeoff : public ProgramTest {
+ protected:
+  std::vector<Row> quick(std::vector<std::string> words = {}) const {
+    words.insert(words.begin(),
+                 {"tradeoff", "--quick", "--albedo-map", "built-in", "-o", "measured"});
+    expect_done(coppermoon(words));
+    return rows_of(here("measured/tradeoff.csv"));
+  }
+};
+
+/// One column of a sweep.
+std::vector<double> column(const std::vector<Row>& rows, const std::string& solver,
+                           const std::string& varied, const std::string& name) {
+  std::vector<double> values;
+  for (const auto& row : rows)
+    if (row.at("solver") == solver && row.at("varied") == varied)
+      values.push_back(std::stod(row.at(name)));
+  return values;
+}
+
+void expect_falling(const std::vector<double>& errors, double share, const char* why) {
+  ASSERT_GE(errors.size(), 3U);
+  for (std::size_t i = 1; i < errors.size(); ++i)
+    EXPECT_LT(errors[i], share * errors[i - 1]) << why;
+}
+
+TEST_F(Tradeoff, MeasuresEverySolverAndEveryErrorFallsAsItIsPaidFor) {
+  const auto rows = quick();
+  EXPECT_EQ(listing(),
+            std::set<std::string>({"here/measured", "here/measured/tradeoff.csv",
+                                   "here/measured/tradeoff.md", "here/measured/tradeoff.svg"}));
+  EXPECT_NE(text_of(here("measured/tradeoff.svg")).find("</svg>"), std::string::npos);
+  for (const auto& row : rows)
+    for (const auto& [name, cell] : row) {
+      if (name == "solver" || name == "varied" || name == "extrapolated" || cell.empty()) continue;
+      EXPECT_TRUE(std::isfinite(std::stod(cell)) && std::stod(cell) >= 0) << name << " " << cell;
+    }
+  const auto errors = [&](const char* solver, const char* varied, const char* of) {
+    return column(rows, solver, varied, of);
+  };
+  constexpr auto hundred =
+                     "each value has a hundred times the photons of the one before, so a "
+                     "tenth of its noise; some hundred cells know that to a tenth",
+                 ten = "ten times the photons, a third of the noise",
+                 noiseless =
+                     "the quadrature has no noise, and its error falls as the square of "
+                     "its spacing";
+  expect_falling(errors("photons by table", "photons", "umbra_rms"), 0.3, hundred);
+  expect_falling(errors("photons by table", "photons", "delta_e_mean"), 1, hundred);
+  expect_falling(errors("photons literal", "photons", "umbra_rms"), 0.7, ten);
+  for (const char* of : {"umbra_rms", "penumbra_rms", "delta_e_mean"}) {
+    expect_falling(errors("quadrature", "rays", of), 0.5, noiseless);
+    expect_falling(errors("quadrature", "wavelengths", of), 0.5, noiseless);
+  }
+  expect_falling(errors("quadrature", "texture width", "delta_e_mean"), 1,
+                 "against the widest, whose own is 0");
+  EXPECT_LT(errors("quadrature", "rays", "umbra_worst").back(), 0.01) << "1000 rays";
+}
+
+TEST_F(Tradeoff, ExtrapolatesWhatWouldTakeTooLong) {
+  const auto rows = quick({"--only", "photons literal", "--longest", "0"});
+  const auto photons = column(rows, "photons literal", "photons", "photons"),
+             seconds = column(rows, "photons literal", "photons", "seconds"),
+             errors = column(rows, "photons literal", "photons", "umbra_rms");
+  ASSERT_EQ(photons.size(), 3U);
+  EXPECT_EQ(rows.size(), 6U) << "no other solver's";
+  for (std::size_t i = 1; i < 3; ++i) {
+    const double more = photons[i] / photons[0];
+    EXPECT_EQ(rows[i].at("extrapolated"), "yes");
+    EXPECT_WITHIN_RELATIVE(seconds[i] / seconds[0], more, 1e-3, "written to four digits");
+    EXPECT_WITHIN_RELATIVE(errors[i] / errors[0], 1 / std::sqrt(more), 1e-3,
+                           "written to four digits");
+  }
+  EXPECT_EQ(rows[0].at("extrapolated"), "no");
+  EXPECT_NE(text_of(here("measured/tradeoff.md")).find("| extrapolated |"), std::string::npos);
+}
+
+TEST_F(Tradeoff, LeavesNothingWhereThereIsNoRoom) {
+  const auto full = coppermoon(
+      {"tradeoff", "--quick", "--only", "quadrature", "--albedo-map", "built-in", "-o", "measured"},
+      {.file_limit = 500});
+  EXPECT_EQ(full.status, 1);
+  EXPECT_EQ(std::count(full.err.begin(), full.err.end(), '\n'), 1) << full.err;
+  EXPECT_TRUE(listing().empty()) << "the table has more than 500 bytes";
+}
+
+TEST_F(Tradeoff, KeepsTheTablesWhenThePlotCannotBeDrawn) {
+  const auto plotless = coppermoon(
+      {"tradeoff", "--quick", "--only", "quadrature", "--albedo-map", "built-in", "-o", "measured"},
+      {.path = "/nowhere"});
+  EXPECT_EQ(plotless.status, 1);
+  EXPECT_NE(plotless.err.find("gnuplot"), std::string::npos) << plotless.err;
+  EXPECT_EQ(listing(), std::set<std::string>({"here/measured", "here/measured/tradeoff.csv",
+                                              "here/measured/tradeoff.md"}));
+}
+
+TEST_F(Tradeoff, SaysItsRowsAsOneDocument) {
+  const auto outcome = coppermoon({"tradeoff", "--quick", "--only", "quadrature", "--albedo-map",
+                                   "built-in", "-o", "measured", "--json"});
+  expect_done(outcome);
+  const auto said = nlohmann::json::parse(outcome.out, nullptr, false);
+  const auto written = rows_of(here("measured/tradeoff.csv"));
+  ASSERT_TRUE(said.is_array());
+  ASSERT_EQ(said.size(), written.size());
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    EXPECT_TRUE(said[i]["photons"].is_null()) << "the quadrature has none";
+    EXPECT_EQ(said[i]["extrapolated"], false);
+    for (const char* name : {"seconds", "umbra_rms", "delta_e_99"})
+      EXPECT_WITHIN_RELATIVE(said[i][name].get<double>(), std::stod(written[i].at(name)), 1e-3,
+                             "written to four digits");
+  }
+}
+
+TEST_F(Tradeoff, RefusesAFolderThatCannotBeAndASolverThereIsNot) {
+  EXPECT_EQ(coppermoon({"tradeoff", "--quick", "-o", "no/such/folder"}).status, 1);
+  file("taken", "");
+  EXPECT_EQ(coppermoon({"tradeoff", "--quick", "-o", "taken"}).status, 1);
+  EXPECT_EQ(coppermoon({"tradeoff", "--quick", "--only", "guessing", "-o", "x"}).status, 2);
+  EXPECT_EQ(coppermoon({"tradeoff", "--quick"}).status, 2);
+  EXPECT_EQ(listing(), std::set<std::string>({"here/taken"}));
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end
