@@ -83,15 +83,15 @@ double predicted_error(const Work& work, const Scene& scene) {
   const double share = std::min(1., scene.without_refracted);
   double error = 0;
   if (!work.scattered_light) error += scene.without_scattered;
-  if (!work.refracted) return error + scene.without_refracted;
   if (!work.ellipsoid && scene.ellipsoid) error += scene.without_ellipsoid;
   if (!work.regions && scene.columns > 1) error += scene.without_regions;
+  if (!work.refracted) return error + scene.without_refracted;
   const double everywhere = law(law_of_bands, work.bands) + law(law_of_planes, work.planes);
   if (work.method != Method::quadrature)
     return error + share * (everywhere + noise(work.method) / std::sqrt(work.photons));
   const double knobs = everywhere + law(law_of_rays, work.rays) +
                        (scene.limb_darkening ? law(law_of_sun_terms, work.sun_terms) : 0) +
-                       law(law_of_planes, work.planes) + law(law_of_place_error, work.place_error);
+                       law(law_of_place_error, work.place_error);
   return error + share * knobs;
 }
 

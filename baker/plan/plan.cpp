@@ -25,10 +25,11 @@ Knob knob(std::vector<double> settings, const std::optional<Member>& by_hand,
           [member](Work& work, double value) { work.*member = static_cast<Member>(value); }};
 }
 
-/// A switch: off, and where it makes a difference, on.
-Knob term(bool there, const ByHand& by_hand, bool Work::*member) {
+/// A switch: off, and where it makes a difference, on; else as it `rests`.
+Knob term(bool there, bool rests, const ByHand& by_hand, bool Work::*member) {
   const auto hand = by_hand.terms ? std::optional(*by_hand.terms.*member) : std::nullopt;
-  return knob(there ? std::vector<double>{0, 1} : std::vector<double>{0}, hand, member);
+  const double as_is = rests ? 1 : 0;
+  return knob(there ? std::vector<double>{0, 1} : std::vector<double>{as_is}, hand, member);
 }
 
 std::vector<Knob> knobs_of_photons(const ByHand& by_hand) {
@@ -38,10 +39,10 @@ std::vector<Knob> knobs_of_photons(const ByHand& by_hand) {
   all.scattered_light = true;
   ByHand every;
   every.terms = by_hand.terms.value_or(all);
-  return {term(true, every, &Work::refracted),
-          term(true, every, &Work::ellipsoid),
-          term(true, every, &Work::regions),
-          term(true, every, &Work::scattered_light),
+  return {term(true, true, every, &Work::refracted),
+          term(true, true, every, &Work::ellipsoid),
+          term(true, true, every, &Work::regions),
+          term(true, true, every, &Work::scattered_light),
           knob({10, 20, 40, 60, 80, 200, 400}, by_hand.bands, &Work::bands),
           knob({1000}, by_hand.rays, &Work::rays),
           knob({1, 2, 3, 5, 9}, by_hand.planes, &Work::planes),
@@ -50,10 +51,10 @@ std::vector<Knob> knobs_of_photons(const ByHand& by_hand) {
 
 std::vector<Knob> knobs(const Scene& scene, const ByHand& by_hand, Method method) {
   if (method != Method::quadrature) return knobs_of_photons(by_hand);
-  return {term(scene.without_refracted > 0, by_hand, &Work::refracted),
-          term(scene.ellipsoid, by_hand, &Work::ellipsoid),
-          term(scene.columns > 1, by_hand, &Work::regions),
-          term(scene.without_scattered > 0, by_hand, &Work::scattered_light),
+  return {term(scene.without_refracted > 0, false, by_hand, &Work::refracted),
+          term(scene.ellipsoid, true, by_hand, &Work::ellipsoid),
+          term(scene.columns > 1, true, by_hand, &Work::regions),
+          term(scene.without_scattered > 0, false, by_hand, &Work::scattered_light),
           knob({10, 20, 40, 60, 80, 200, 400}, by_hand.bands, &Work::bands),
           knob({60, 100, 200, 300, 600, 1000, 2000}, by_hand.rays, &Work::rays),
           knob(scene.limb_darkening ? std::vector<double>{2, 3, 4, 6} : std::vector<double>{1},
@@ -74,13 +75,19 @@ class Refinement {
 
   const Work& work() const { return work_; }
 
+  Work finest() const {
+    Work work = work_;
+    for (const auto& knob : knobs_) knob.turn(work, knob.settings.back());
+    return work;
+  }
+
   /// Whether there was anything left to refine.
   bool refine() {
     double best = 0;
     std::size_t chosen = knobs_.size();
     for (std::size_t k = 0; k < knobs_.size(); ++k) {
       if (at_[k] + 1 == knobs_[k].settings.size()) continue;
-      const Work finer = turned(k);
+      const Work finer = turned(k, at_[k] + 1);
       const double gain = predicted_error(work_, scene_) - predicted_error(finer, scene_);
       const double cost =
           predicted_seconds(finer, scene_, {}) - predicted_seconds(work_, scene_, {});
@@ -88,16 +95,35 @@ class Refinement {
       if (merit > best) best = merit, chosen = k;
     }
     if (chosen == knobs_.size()) return false;
-    work_ = turned(chosen);
+    work_ = turned(chosen, at_[chosen] + 1);
     ++at_[chosen];
     return true;
   }
 
+  /// Takes back what turned out not to be needed, dearest first.
+  void coarsen(double tolerance) {
+    for (;;) {
+      double saved = 0;
+      std::size_t chosen = knobs_.size();
+      for (std::size_t k = 0; k < knobs_.size(); ++k) {
+        if (at_[k] == 0) continue;
+        const Work coarser = turned(k, at_[k] - 1);
+        const double saves =
+            predicted_seconds(work_, scene_, {}) - predicted_seconds(coarser, scene_, {});
+        if (predicted_error(coarser, scene_) <= tolerance && saves > saved)
+          saved = saves, chosen = k;
+      }
+      if (chosen == knobs_.size()) return;
+      --at_[chosen];
+      work_ = turned(chosen, at_[chosen]);
+    }
+  }
+
  private:
-  Work turned(std::size_t k) const {
-    Work finer = work_;
-    knobs_[k].turn(finer, knobs_[k].settings[at_[k] + 1]);
-    return finer;
+  Work turned(std::size_t k, std::size_t to) const {
+    Work other = work_;
+    knobs_[k].turn(other, knobs_[k].settings[to]);
+    return other;
   }
 
   const Scene& scene_;
@@ -120,8 +146,12 @@ std::vector<LeftOut> left_out(const Work& work, const Scene& scene) {
 Plan plan_with(Method method, double tolerance, const Scene& scene, const Machine& machine,
                const ByHand& by_hand) {
   Refinement refinement(scene, by_hand, method);
-  while (predicted_error(refinement.work(), scene) > tolerance && refinement.refine()) {
+  // what is by hand may leave more error than that; the rest need not make up for it
+  const double least = predicted_error(refinement.finest(), scene);
+  const double goal = least > tolerance ? least + tolerance : tolerance;
+  while (predicted_error(refinement.work(), scene) > goal && refinement.refine()) {
   }
+  refinement.coarsen(goal);
   const auto& work = refinement.work();
   return {work,
           tolerance,
