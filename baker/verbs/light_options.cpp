@@ -86,8 +86,11 @@ void require_sound(const LightOptions& options) {
   algebra::require_within("smoothing [km]", options.smoothing_km, 0, 2000);
 }
 
-/// --quality paper is a word for other flags.
+/// --quality paper is a word for other flags; --danjon's air stands for all that was seen of such
+/// eclipses, scattered light included.
 LightOptions meant(LightOptions options) {
+  if (options.air.column.danjon && options.scattered_light == "auto")
+    options.scattered_light = "off";
   if (options.plan.quality != "paper") return options;
   options.solver = "photons";
   options.trace = "each";

@@ -32,8 +32,8 @@ TEST(PhotometricBands, PeakAtOne) {
   const auto response = photometric_response(band_edges_nm());
   for (std::size_t band = 0; band < response.rows(); ++band) {
     double most = 0;
-    for (const double r : response.row(band)) most = std::max(most, r / 2);  // bands of 2 nm
-    EXPECT_WITHIN(most, 1, 0.01, "means over 2 nm around the peak");
+    for (const double r : response.row(band)) most = std::max(most, r);  // bands of 1 nm
+    EXPECT_WITHIN(most, 1, 0.01, "means over 1 nm around the peak");
   }
 }
 
