@@ -44,14 +44,14 @@ std::vector<Sweep> quick_sweeps(double replicas) {
       {exact, "rays", &Trial::rays, {30, 100, 300, 1000}},
       {exact, "wavelengths", &Trial::wavelengths, {3, 10, 40}},
       {exact, texture_width, &Trial::texture_width, {64, 128, 256}},
-      {table, "photons", &Trial::photons, {1e2, 1e4, 1e6}},
+      {table, "photons", &Trial::photons, {1e3, 1e5, 1e7}},
       {table, "rays", &Trial::rays, {30, 300}},
       {table, "wavelengths", &Trial::wavelengths, {3, 40}},
       with_at_most({in_ten_bands(table), "replicas", &Trial::replicas, {10, 100, 1000}}, replicas),
       {marched, "photons", &Trial::photons, {1e3, 1e4, 1e5}},
       {marched, "step", &Trial::step_km, {30, 3}},
       {marched, "precision", &Trial::precision_bits, {32, 64}},
-      {stepped, "photons", &Trial::photons, {1e2, 1e3, 1e4}},
+      {stepped, "photons", &Trial::photons, {1e3, 1e4, 1e5}},
       {stepped, "step", &Trial::step_km, {30, 10, 3}}};
 }
 
