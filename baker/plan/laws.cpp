@@ -20,7 +20,8 @@ struct Costs {
   double lookup = 6e-3;
   double trial = 10e-3;  ///< at what terms matter
   double twilight = 40e-3, twilight_wavelength = 1e-3;
-  double photon_wavelength = 2.2e-9;  ///< by the table, on one plane
+  double photon_wavelength = 2.2e-9;  ///< by the table, on one plane, gathered in rings alone
+  double sectors_dearer = 8;          ///< gathered in sectors too
   double photon_marched = 14e-6, photon_literal = 163e-6;
   double texel = 48e-9;  ///< lit and written
   double map_file = 0.2;
@@ -28,7 +29,13 @@ struct Costs {
 
 /// Two standard errors of luminance in the worst ring of 50 km of one photon; they fall as the root
 /// of the number.
-double noise(Method method) { return method == Method::literal ? 200 : 25; }
+double noise(Method method) { return method == Method::literal ? 250 : 35; }
+
+/// Cells that a ring is gathered in, where light is not alike all around.
+double sectors(const Work& work, const Scene& scene) {
+  const bool alike = !(work.ellipsoid && scene.ellipsoid) && !(work.regions && scene.columns > 1);
+  return alike ? 1 : 24;
+}
 
 /// Axis distances that light is computed at: every 100 km, and more where it is not smooth.
 double distances(const Work& work, const Scene& scene) {
@@ -88,7 +95,8 @@ double predicted_error(const Work& work, const Scene& scene) {
   if (!work.refracted) return error + scene.without_refracted;
   const double everywhere = law(law_of_bands, work.bands) + law(law_of_planes, work.planes);
   if (work.method != Method::quadrature)
-    return error + share * (everywhere + noise(work.method) / std::sqrt(work.photons));
+    return error + share * (everywhere +
+                            noise(work.method) * std::sqrt(sectors(work, scene) / work.photons));
   const double knobs = everywhere + law(law_of_rays, work.rays) +
                        (scene.limb_darkening ? law(law_of_sun_terms, work.sun_terms) : 0) +
                        law(law_of_place_error, work.place_error);
@@ -105,7 +113,8 @@ double predicted_seconds(const Work& work, const Scene& scene, const Machine& ma
     seconds +=
         seconds_of_quadrature(work, scene, distances(work, scene)) + seconds_of_check(work, scene);
   } else if (work.refracted) {
-    const double by_wavelength = cost.photon_wavelength * work.bands * work.planes;
+    const double dearer = sectors(work, scene) > 1 ? cost.sectors_dearer : 1;
+    const double by_wavelength = dearer * cost.photon_wavelength * work.bands * work.planes;
     const double a_photon = work.method == Method::literal   ? cost.photon_literal
                             : work.method == Method::marched ? cost.photon_marched + by_wavelength
                                                              : by_wavelength;

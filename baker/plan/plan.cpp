@@ -32,43 +32,51 @@ Knob term(bool there, bool rests, const ByHand& by_hand, bool Work::*member) {
   return knob(there ? std::vector<double>{0, 1} : std::vector<double>{as_is}, hand, member);
 }
 
-std::vector<Knob> knobs_of_photons(const ByHand& by_hand) {
-  std::vector<double> photons;
-  for (double n = 1024; n < 1e12; n *= 2) photons.push_back(n);
-  Work all;
-  all.scattered_light = true;
-  ByHand every;
-  every.terms = by_hand.terms.value_or(all);
-  return {term(true, true, every, &Work::refracted),
-          term(true, true, every, &Work::ellipsoid),
-          term(true, true, every, &Work::regions),
-          term(true, true, every, &Work::scattered_light),
-          knob({10, 20, 40, 60, 80, 200, 400}, by_hand.bands, &Work::bands),
-          knob({1000}, by_hand.rays, &Work::rays),
-          knob({1, 2, 3, 5, 9}, by_hand.planes, &Work::planes),
-          knob(photons, by_hand.photons, &Work::photons)};
+/// Light through the air that is needed is no choice: coarsely computed it may be more wrong than
+/// none.
+Knob refracted(double tolerance, const Scene& scene, const ByHand& by_hand) {
+  if (by_hand.terms || scene.without_refracted <= tolerance)
+    return term(scene.without_refracted > 0, false, by_hand, &Work::refracted);
+  return knob({1}, std::optional<bool>{}, &Work::refracted);
 }
 
-std::vector<Knob> knobs(const Scene& scene, const ByHand& by_hand, Method method) {
-  if (method != Method::quadrature) return knobs_of_photons(by_hand);
-  return {term(scene.without_refracted > 0, false, by_hand, &Work::refracted),
+std::vector<Knob> switches(double tolerance, const Scene& scene, const ByHand& by_hand) {
+  return {refracted(tolerance, scene, by_hand),
           term(scene.ellipsoid, true, by_hand, &Work::ellipsoid),
           term(scene.columns > 1, true, by_hand, &Work::regions),
-          term(scene.without_scattered > 0, false, by_hand, &Work::scattered_light),
-          knob({10, 20, 40, 60, 80, 200, 400}, by_hand.bands, &Work::bands),
-          knob({60, 100, 200, 300, 600, 1000, 2000}, by_hand.rays, &Work::rays),
-          knob(scene.limb_darkening ? std::vector<double>{2, 3, 4, 6} : std::vector<double>{1},
-               by_hand.sun_terms, &Work::sun_terms),
-          knob({1, 2, 3, 5, 9}, by_hand.planes, &Work::planes),
-          knob({0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5}, by_hand.place_error,
-               &Work::place_error)};
+          term(scene.without_scattered > 0, false, by_hand, &Work::scattered_light)};
+}
+
+std::vector<double> doubled(double from, double to) {
+  std::vector<double> all;
+  for (double n = from; n < to; n *= 2) all.push_back(n);
+  return all;
+}
+
+std::vector<Knob> knobs(double tolerance, const Scene& scene, const ByHand& by_hand,
+                        Method method) {
+  auto all = switches(tolerance, scene, by_hand);
+  all.push_back(knob({10, 20, 40, 60, 80, 200, 400}, by_hand.bands, &Work::bands));
+  all.push_back(knob({1, 2, 3, 5, 9}, by_hand.planes, &Work::planes));
+  if (method != Method::quadrature) {
+    all.push_back(knob({1000}, by_hand.rays, &Work::rays));
+    all.push_back(knob(doubled(1024, 1e12), by_hand.photons, &Work::photons));
+    return all;
+  }
+  all.push_back(knob({60, 100, 200, 300, 600, 1000, 2000}, by_hand.rays, &Work::rays));
+  all.push_back(
+      knob(scene.limb_darkening ? std::vector<double>{2, 3, 4, 6} : std::vector<double>{1},
+           by_hand.sun_terms, &Work::sun_terms));
+  all.push_back(knob({0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5}, by_hand.place_error,
+                     &Work::place_error));
+  return all;
 }
 
 /// The coarsest work, refined step by step until it is good enough.
 class Refinement {
  public:
-  Refinement(const Scene& scene, const ByHand& by_hand, Method method)
-      : scene_(scene), knobs_(knobs(scene, by_hand, method)), at_(knobs_.size()) {
+  Refinement(double tolerance, const Scene& scene, const ByHand& by_hand, Method method)
+      : scene_(scene), knobs_(knobs(tolerance, scene, by_hand, method)), at_(knobs_.size()) {
     work_.method = method;
     for (const auto& knob : knobs_) knob.turn(work_, knob.settings.front());
   }
@@ -145,7 +153,7 @@ std::vector<LeftOut> left_out(const Work& work, const Scene& scene) {
 
 Plan plan_with(Method method, double tolerance, const Scene& scene, const Machine& machine,
                const ByHand& by_hand) {
-  Refinement refinement(scene, by_hand, method);
+  Refinement refinement(tolerance, scene, by_hand, method);
   // what is by hand may leave more error than that; the rest need not make up for it
   const double least = predicted_error(refinement.finest(), scene);
   const double goal = least > tolerance ? least + tolerance : tolerance;

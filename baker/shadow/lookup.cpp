@@ -123,6 +123,12 @@ double bend(const LookupTable& table, std::size_t middle) {
   return brightest > 0 ? bent / brightest : 0;
 }
 
+/// Given  grid  plane × sectors + sector
+bool asked_for(const LookupRange& range, const LookupTable& table, std::size_t grid) {
+  return (grid + table.sectors - range.first_sector % table.sectors) % table.sectors <
+         range.sectors;
+}
+
 /// Returned  the largest bend where no direct light is
 double fill_table(LookupTable& table, const Filling& filling, const LookupRange& range,
                   double to_m) {
@@ -131,14 +137,10 @@ double fill_table(LookupTable& table, const Filling& filling, const LookupRange&
   const std::size_t rows = table.depths_m.size() * table.sectors * table.nodes;
   table.values = algebra::Grid<double>(rows, table.sunlight.size());
   std::vector<char> umbra(rows);
-  const auto asked_for = [&](std::size_t sector) {
-    return (sector + table.sectors - range.first_sector % table.sectors) % table.sectors <
-           range.sectors;
-  };
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, 64), [&](const auto& part) {
     std::vector<double> ratios(filling.weights.columns()), clear(filling.direct_weights.columns());
     for (std::size_t i = part.begin(); i < part.end(); ++i)
-      if (asked_for(i / table.nodes % table.sectors))
+      if (asked_for(range, table, i / table.nodes))
         umbra[i] = filling.fill(table, i / table.nodes, i % table.nodes, ratios, clear);
   });
   double worst = 0;
@@ -178,6 +180,7 @@ Lookup::Lookup(const RefractedLight& light, const DirectLight& direct,
     table_.spacing_m = spacing_for(range.tolerance, error);
     fill_table(table_, filling, range, to_m);
   }
+  range_ = range;
   places_m_ = light.axis_distances_m;
   errors_ = channel_errors(light, weights);
 }
@@ -201,6 +204,7 @@ double Lookup::worst_relative_error(std::size_t channel, double from_m, double t
   double worst = 0;
   for (std::size_t i = 0; i < table_.values.rows(); ++i) {
     const std::size_t g = i / table_.nodes, n = i % table_.nodes;
+    if (!asked_for(range_, table_, g)) continue;
     if (n == 0)
       for (std::size_t p = 0; p < errors.size(); ++p)
         errors[p] = errors_(g * errors.size() + p, channel);

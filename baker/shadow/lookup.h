@@ -67,6 +67,7 @@ class Lookup {
 
  private:
   LookupTable table_;
+  LookupRange range_;
   std::vector<double> places_m_;  // where refracted light is known
   algebra::Grid<double> errors_;  // there: (grid × places + place, channel)
 };
