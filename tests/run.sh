@@ -28,6 +28,7 @@ small="--photons 2e4 --texture-width 512 --width 150 --height 100"
 "$root/examples/photon_convergence.sh" 1e4
 "$root/examples/term_sizes.sh" $small
 "$root/examples/tradeoff.sh" --quick
+"$root/examples/plans.sh"
 ls -l
 
 say "all passed"

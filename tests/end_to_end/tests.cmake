@@ -23,3 +23,6 @@ target_link_libraries(end_to_end_eclipses_test PRIVATE nlohmann_json::nlohmann_j
 coppermoon_end_to_end(craters LINKS colour shadow surface texture)
 coppermoon_end_to_end(tradeoff LINKS algebra)
 target_link_libraries(end_to_end_tradeoff_test PRIVATE nlohmann_json::nlohmann_json)
+coppermoon_end_to_end(plans LINKS algebra)
+target_link_libraries(end_to_end_plans_test PRIVATE nlohmann_json::nlohmann_json)
+coppermoon_test(end_to_end/planned_runs LINKS verbs LABELS slow TIMEOUT 1500)

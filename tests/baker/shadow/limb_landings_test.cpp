@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "baker/shadow/ring_means.h"
 #include "photons/photon.h"
@@ -64,6 +65,33 @@ TEST_F(ByTheTable, MeansOfManyHaveNoBias) {
     }
 }
 
+struct Landing {
+  double axis_distance_m, transmittance;
+};
+
+/// Through a sphere's air by straight lines between the rays of its fan; nothing where it meets the
+/// ground.
+std::optional<Landing> landed(const photons::Ray& ray, const photons::WholeLimb::Part& limb,
+                              std::size_t wave) {
+  const auto& fan = limb.fans[wave];
+  const glm::dvec3 nearest =
+      ray.position_m - glm::dot(ray.position_m, ray.direction) * ray.direction;
+  const double b = glm::length(nearest), height = b - limb.radius_m;
+  const auto& heights = fan.impact_height_m;
+  const auto above = std::upper_bound(heights.begin(), heights.end(), height);
+  if (above == heights.begin() || above == heights.end()) return std::nullopt;
+  const auto i = static_cast<std::size_t>(above - heights.begin()) - 1;
+  const double part = (height - heights[i]) / (heights[i + 1] - heights[i]);
+  const double bending = std::lerp(fan.bending_rad[i], fan.bending_rad[i + 1], part),
+               depth = std::lerp(fan.optical_depth[i], fan.optical_depth[i + 1], part);
+  const double sine = std::sin(bending), cosine = std::cos(bending);
+  const glm::dvec3 up = nearest / b;
+  const photons::Ray leaving{b * (cosine * up + sine * ray.direction),
+                             cosine * ray.direction - sine * up};
+  const auto at = photons::at_depth(leaving, february_2008.depths_m[0]);
+  return Landing{std::hypot(at.x, at.y), std::exp(-depth) * fan.filter[i]};
+}
+
 /// The mean over rings of the relative variance, of photons drawn one by one as they are traced:
 /// uniform over the disc and over the ring's area.
 double plain_variance(const algebra::Grid<double>& exact, std::size_t wave, int photons) {
@@ -73,11 +101,10 @@ double plain_variance(const algebra::Grid<double>& exact, std::size_t wave, int 
   for (int i = 0; i < photons; ++i) {
     algebra::Random random(1, static_cast<std::uint64_t>(i));
     const auto ray = photons::aimed_at_the_ring(random, february_2008.sun_distance_m, air);
-    const auto passed = limb.passed(ray, wave);
-    if (!passed) continue;
-    const auto landed = photons::at_depth(passed->leaving, february_2008.depths_m[0]);
-    const auto ring = static_cast<std::size_t>(std::hypot(landed.x, landed.y) / 50e3);
-    if (ring < exact.rows()) squares[ring] += passed->transmittance * passed->transmittance;
+    const auto light = landed(ray, limb.parts()[0], wave);
+    if (!light) continue;
+    const auto ring = static_cast<std::size_t>(light->axis_distance_m / 50e3);
+    if (ring < exact.rows()) squares[ring] += light->transmittance * light->transmittance;
   }
   const double inner = photons::innermost_radius_m(air), outer = air.top_radius_m();
   const double spread = 1 + february_2008.depths_m[0] / february_2008.sun_distance_m;

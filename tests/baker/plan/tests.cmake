@@ -1,0 +1,3 @@
+# SPDX-License-Identifier: MIT
+coppermoon_test(baker/plan/laws LINKS plan)
+coppermoon_test(baker/plan/plan LINKS plan)
