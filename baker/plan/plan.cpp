@@ -25,26 +25,24 @@ Knob knob(std::vector<double> settings, const std::optional<Member>& by_hand,
           [member](Work& work, double value) { work.*member = static_cast<Member>(value); }};
 }
 
-/// A switch: off, and where it makes a difference, on; else as it `rests`.
-Knob term(bool there, bool rests, const ByHand& by_hand, bool Work::*member) {
+/// A switch: off, and where it makes a difference, on.
+Knob term(bool there, const ByHand& by_hand, bool Work::*member) {
   const auto hand = by_hand.terms ? std::optional(*by_hand.terms.*member) : std::nullopt;
-  const double as_is = rests ? 1 : 0;
-  return knob(there ? std::vector<double>{0, 1} : std::vector<double>{as_is}, hand, member);
+  return knob(there ? std::vector<double>{0, 1} : std::vector<double>{0}, hand, member);
 }
 
 /// Light through the air that is needed is no choice: coarsely computed it may be more wrong than
 /// none.
 Knob refracted(double tolerance, const Scene& scene, const ByHand& by_hand) {
   if (by_hand.terms || scene.without_refracted <= tolerance)
-    return term(scene.without_refracted > 0, false, by_hand, &Work::refracted);
+    return term(scene.without_refracted > 0, by_hand, &Work::refracted);
   return knob({1}, std::optional<bool>{}, &Work::refracted);
 }
 
 std::vector<Knob> switches(double tolerance, const Scene& scene, const ByHand& by_hand) {
-  return {refracted(tolerance, scene, by_hand),
-          term(scene.ellipsoid, true, by_hand, &Work::ellipsoid),
-          term(scene.columns > 1, true, by_hand, &Work::regions),
-          term(scene.without_scattered > 0, false, by_hand, &Work::scattered_light)};
+  return {refracted(tolerance, scene, by_hand), term(scene.ellipsoid, by_hand, &Work::ellipsoid),
+          term(scene.columns > 1, by_hand, &Work::regions),
+          term(scene.without_scattered > 0, by_hand, &Work::scattered_light)};
 }
 
 std::vector<double> doubled(double from, double to) {
