@@ -27,6 +27,9 @@ struct Costs {
   double map_file = 0.2;
 };
 
+/// Of scattered light, as it is computed at few places and wavelengths.
+constexpr double scattered_error = 3e-3;
+
 /// Two standard errors of luminance in the worst ring of 50 km of one photon; they fall as the root
 /// of the number.
 double noise(Method method) { return method == Method::literal ? 250 : 35; }
@@ -89,7 +92,7 @@ double law(std::span<const LawPoint> points, double setting) {
 double predicted_error(const Work& work, const Scene& scene) {
   const double share = std::min(1., scene.without_refracted);
   double error = 0;
-  if (!work.scattered_light) error += scene.without_scattered;
+  error += std::min(1., scene.without_scattered) * (work.scattered_light ? scattered_error : 1);
   if (!work.ellipsoid && scene.ellipsoid) error += scene.without_ellipsoid;
   if (!work.regions && scene.columns > 1) error += scene.without_regions;
   if (!work.refracted) return error + scene.without_refracted;

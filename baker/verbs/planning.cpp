@@ -62,10 +62,9 @@ Sectors sectors_of(const ShadowedMoon& moon) {
           std::min(all, static_cast<std::size_t>(to - from + 1))};
 }
 
-/// Luminance over that of unshadowed sunlight, by place, in every sector of the disc (or one).
+/// Luminance over that of unshadowed sunlight, in every sector of the disc (or one).
 struct Trial {
-  std::vector<std::vector<double>> refracted;  ///< [sector][place]
-  std::vector<double> direct;                  ///< [place]
+  std::vector<std::vector<double>> refracted, direct;  ///< [sector][place]
 };
 
 /// A coarse look at the disc's light.
@@ -89,16 +88,16 @@ Trial tried(const ShadowedMoon& moon, const atmosphere::Atmosphere& air,
       {.rays = 100, .sun_terms = 2, .first_sector = sectors.first, .sectors = sectors.count});
   const shadow::DirectLight clear(air, arrangement, waves);
   Trial trial;
-  for (std::size_t i = 0; i < std::min(light.sectors, sectors.count); ++i) {
-    const auto& grid = light.ratio[(sectors.first + i) % light.sectors];
-    auto& row = trial.refracted.emplace_back();
-    for (std::size_t d = 0; d < places_m.size(); ++d) row.push_back(luminance(grid.row(d)));
-  }
   std::vector<double> ratios(waves.size());
-  for (const double place : places_m) {
-    clear.ratios(place, algebra::in_radians(moon.centre.position_angle), arrangement.depths_m[0],
-                 ratios);
-    trial.direct.push_back(luminance(ratios));
+  for (std::size_t i = 0; i < std::min(light.sectors, sectors.count); ++i) {
+    const std::size_t s = (sectors.first + i) % light.sectors;
+    const double angle = 2 * pi * static_cast<double>(s) / static_cast<double>(light.sectors);
+    auto &refracted = trial.refracted.emplace_back(), &direct = trial.direct.emplace_back();
+    for (std::size_t d = 0; d < places_m.size(); ++d) {
+      refracted.push_back(luminance(light.ratio[s].row(d)));
+      clear.ratios(places_m[d], angle, arrangement.depths_m[0], ratios);
+      direct.push_back(luminance(ratios));
+    }
   }
   return trial;
 }
@@ -107,11 +106,11 @@ Trial tried(const ShadowedMoon& moon, const atmosphere::Atmosphere& air,
 double largest_change(const Trial& all, const Trial& without) {
   double worst = 0;
   for (std::size_t s = 0; s < all.refracted.size(); ++s)
-    for (std::size_t d = 0; d < all.direct.size(); ++d) {
-      const double there = all.refracted[s][d],
-                   left = without.refracted[s % without.refracted.size()][d];
-      if (there + all.direct[d] > 0)
-        worst = std::max(worst, std::abs(there - left) / (there + all.direct[d]));
+    for (std::size_t d = 0; d < all.direct[s].size(); ++d) {
+      const std::size_t k = s % without.refracted.size();
+      const double there = all.refracted[s][d] + all.direct[s][d],
+                   left = without.refracted[k][d] + without.direct[k][d];
+      if (there > 0) worst = std::max(worst, std::abs(there - left) / there);
     }
   return worst;
 }
@@ -124,8 +123,9 @@ double scattered_share(const ShadowedMoon& moon, const Trial& trial,
   double darkest = std::numeric_limits<double>::max();
   std::size_t where = 0;
   for (std::size_t d = 0; d < places_m.size(); ++d)
-    for (const auto& row : trial.refracted)
-      if (row[d] + trial.direct[d] < darkest) darkest = row[d] + trial.direct[d], where = d;
+    for (std::size_t s = 0; s < trial.refracted.size(); ++s)
+      if (const double here = trial.refracted[s][d] + trial.direct[s][d]; here < darkest)
+        darkest = here, where = d;
   if (moon.air.top_m() <= 0) return 0;
   if (most / darkest < counts) return most / darkest;
   const std::array wavelengths{560.};
@@ -138,7 +138,7 @@ double scattered_share(const ShadowedMoon& moon, const Trial& trial,
 }
 
 /// Of one trial, for what it was too coarse to see.
-constexpr double margin = 1.5;
+constexpr double margin = 2;
 
 }  // namespace
 
@@ -189,7 +189,7 @@ plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose) {
                     .sectors = sectors_of(moon).count,
                     .texels = purpose.texels,
                     .map_file = purpose.map_file};
-  const auto places = evenly(disc, 8);
+  const auto places = evenly(disc, 12);
   const auto trial = tried(moon, moon.air, places);
   Trial direct_alone = trial;
   for (auto& row : direct_alone.refracted) std::ranges::fill(row, 0);
