@@ -142,8 +142,8 @@ std::vector<double> angles(const Atmosphere& atmosphere, const QuadratureSetting
   if (atmosphere.symmetric()) return {0};
   if (atmosphere.regions.empty()) return {0, pi / 4, pi / 2};
   std::vector<double> all;
-  for (std::size_t i = 0; i < settings.sectors; ++i)
-    all.push_back(sector_angle((settings.first_sector + i) % sectors_around, sectors_around));
+  for (std::size_t i = 0; i < std::min(settings.sectors, settings.around); ++i)
+    all.push_back(sector_angle((settings.first_sector + i) % settings.around, settings.around));
   return all;
 }
 
@@ -302,8 +302,9 @@ void fill(std::span<const Ring> rings, const Atmosphere& atmosphere,
 void require_valid(const QuadratureSettings& settings) {
   algebra::require_within("rays", settings.rays, 2, 1e7);
   algebra::require_within("first sector", static_cast<double>(settings.first_sector), 0,
-                          sectors_around - 1);
-  algebra::require_within("sectors", static_cast<double>(settings.sectors), 1, sectors_around);
+                          static_cast<double>(settings.around) - 1);
+  algebra::require_within("sectors around", static_cast<double>(settings.around), 4, 360);
+  algebra::require_within("sectors", static_cast<double>(settings.sectors), 1, 360);
   algebra::require_within("error between places", settings.place_error, 0, 1);
 }
 
@@ -317,7 +318,7 @@ RefractedLight by_quadrature(const Atmosphere& atmosphere, const Arrangement& ar
   require_valid(atmosphere);
   require_valid(arrangement);
   require_valid(settings);
-  const std::size_t sectors = atmosphere.symmetric() ? 1 : sectors_around;
+  const std::size_t sectors = atmosphere.symmetric() ? 1 : settings.around;
   if (atmosphere.top_m() <= 0 || wavelengths_nm.empty() || axis_distances_m.empty())
     return darkness(arrangement, wavelengths_nm, axis_distances_m, sectors);
   const auto sun =

@@ -276,9 +276,13 @@ Moonlight light_on_the_moon(const LightOptions& asked, const almanac::SkyState& 
   const auto waves = wavelengths_nm(work.bands);
   light.direct.emplace(air_for(work, moon), arrangement, waves);
   const auto settings = quadrature_for(work, moon);
-  light.range = {
-      light.refracted->axis_distances_m.front(), light.refracted->axis_distances_m.back(),
-      std::clamp(light.plan.tolerance / 10, 1e-5, 1e-3), settings.first_sector, settings.sectors};
+  light.range = {light.refracted->axis_distances_m.front(),
+                 light.refracted->axis_distances_m.back(),
+                 std::clamp(light.plan.tolerance / 10, 1e-5, 1e-3)};
+  if (work.method == plan::Method::quadrature) {  // photons are gathered all around
+    light.range.first_sector = settings.first_sector;
+    light.range.sectors = settings.sectors;
+  }
   light.error_found = found_error(moon, light);
   return light;
 }

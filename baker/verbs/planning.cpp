@@ -43,6 +43,10 @@ std::vector<double> evenly(Range range, int intervals) {
   return all;
 }
 
+/// Straight lines are drawn between sectors: 24 leave half a percent at the umbra's edge on an
+/// ellipsoid.
+constexpr std::size_t sectors_of_a_plan = 96;
+
 /// Sectors that the disc takes in, going round from the first.
 struct Sectors {
   std::size_t first, count;
@@ -50,7 +54,7 @@ struct Sectors {
 
 Sectors sectors_of(const ShadowedMoon& moon) {
   const double centre = algebra::in_metres(moon.centre.axis_distance);
-  constexpr std::size_t all = shadow::sectors_around;
+  constexpr std::size_t all = sectors_of_a_plan;
   if (centre <= lunar_radius_m) return {0, all};
   const double a_sector = 2 * pi / static_cast<double>(all);
   const double half = std::asin(lunar_radius_m / centre),
@@ -83,9 +87,12 @@ Trial tried(const ShadowedMoon& moon, const atmosphere::Atmosphere& air,
   const shadow::Arrangement arrangement{
       moon.sun_distance_m, {mean_depth_m(moon)}, moon.limb_darkening};
   const auto sectors = sectors_of(moon);
-  const auto light = shadow::by_quadrature(
-      air, arrangement, waves, places_m,
-      {.rays = 100, .sun_terms = 2, .first_sector = sectors.first, .sectors = sectors.count});
+  const auto light = shadow::by_quadrature(air, arrangement, waves, places_m,
+                                           {.rays = 100,
+                                            .sun_terms = 2,
+                                            .around = sectors_of_a_plan,
+                                            .first_sector = sectors.first,
+                                            .sectors = sectors.count});
   const shadow::DirectLight clear(air, arrangement, waves);
   Trial trial;
   std::vector<double> ratios(waves.size());
@@ -174,6 +181,7 @@ shadow::QuadratureSettings quadrature_for(const plan::Work& work, const Shadowed
   const auto sectors = sectors_of(moon);
   return {.rays = work.rays,
           .sun_terms = work.sun_terms,
+          .around = sectors_of_a_plan,
           .first_sector = sectors.first,
           .sectors = sectors.count,
           .place_error = work.place_error};

@@ -45,12 +45,13 @@ std::vector<double> luminances(const ShadowedMoon& moon, const std::vector<doubl
   const auto waves = wavelengths_nm(bands);
   const double depth = algebra::in_metres(moon.centre.depth) - radius_m / 2;
   const shadow::Arrangement arrangement{moon.sun_distance_m, {depth}, moon.limb_darkening};
-  auto light = shadow::by_quadrature(moon.air, arrangement, waves, places_m,
-                                     {.rays = 400, .first_sector = sector, .sectors = 1});
+  auto light =
+      shadow::by_quadrature(moon.air, arrangement, waves, places_m,
+                            {.rays = 400, .around = 96, .first_sector = sector, .sectors = 1});
   if (scattered) shadow::add_twilight(light, moon.air);
   const auto weights = at_wavelengths(luminance_weights(), bands);
   const shadow::DirectLight clear(moon.air, arrangement, waves);
-  const double angle = 2 * std::numbers::pi * static_cast<double>(sector) / 24;
+  const double angle = 2 * std::numbers::pi * static_cast<double>(sector) / 96;
   std::vector<double> all, ratios(waves.size());
   for (std::size_t d = 0; d < places_m.size(); ++d) {
     clear.ratios(places_m[d], angle, depth, ratios);
@@ -77,7 +78,7 @@ double change(const ShadowedMoon& all, const ShadowedMoon& without) {
   const auto settings = quadrature_for({}, all);
   double worst = 0;
   for (std::size_t i = 0; i < settings.sectors; ++i) {
-    const std::size_t sector = (settings.first_sector + i) % shadow::sectors_around;
+    const std::size_t sector = (settings.first_sector + i) % settings.around;
     const auto one = luminances(all, places, sector), other = luminances(without, places, sector);
     for (std::size_t d = 0; d < places.size(); ++d)
       if (one[d] > 0) worst = std::max(worst, std::abs(other[d] / one[d] - 1));
@@ -94,7 +95,7 @@ ShadowedMoon on_a_sphere(const ShadowedMoon& moon) {
 }
 
 /// What scene_of adds to a size for what a coarse look does not see.
-constexpr double margin = 1.5;
+constexpr double margin = 2;
 constexpr const char* coarse =
     "10 wavelengths, 100 rays and 9 places against 40, 400 and 17: a brief look may be 30 % off";
 
@@ -119,7 +120,7 @@ TEST(SceneOf, KnowsHowMuchScatteredLightMatters) {
   const auto moon = deep();
   const auto places = over_the_disc(moon, 16);
   double share = 0;
-  for (const std::size_t sector : {0U, 6U, 12U, 18U}) {
+  for (const std::size_t sector : {0U, 24U, 48U, 72U}) {
     const auto with = luminances(moon, places, sector, true),
                without = luminances(moon, places, sector);
     for (std::size_t d = 0; d < places.size(); ++d)
@@ -176,10 +177,10 @@ TEST(QuadratureFor, TakesEverySectorThatTheDiscLiesIn) {
       for (double phi = 0; phi < 6.28; phi += 0.01) {
         const double east = distance * std::sin(theta) + radius_m * std::cos(phi),
                      north = distance * std::cos(theta) + radius_m * std::sin(phi);
-        const double sector = std::atan2(east, north) / (2 * std::numbers::pi) * 24;
+        const double sector = std::atan2(east, north) / (2 * std::numbers::pi) * 96;
         for (const double between : {std::floor(sector), std::ceil(sector)}) {
-          const auto s = static_cast<std::size_t>(static_cast<int>(between) + 48) % 24;
-          EXPECT_LT((s + 24 - settings.first_sector) % 24, settings.sectors)
+          const auto s = static_cast<std::size_t>(static_cast<int>(between) + 192) % 96;
+          EXPECT_LT((s + 96 - settings.first_sector) % 96, settings.sectors)
               << distance << " m, " << middle << " degrees, sector " << s;
         }
       }
@@ -187,8 +188,8 @@ TEST(QuadratureFor, TakesEverySectorThatTheDiscLiesIn) {
 }
 
 TEST(QuadratureFor, TakesFewSectorsFarFromTheAxisAndAllOnIt) {
-  EXPECT_EQ(quadrature_for({}, standing(1e6, 10)).sectors, 24U);
-  EXPECT_LE(quadrature_for({}, standing(6e6, 10)).sectors, 2 * 17 / 15 + 3)
+  EXPECT_EQ(quadrature_for({}, standing(1e6, 10)).sectors, 96U);
+  EXPECT_LE(quadrature_for({}, standing(6e6, 10)).sectors, 8 * 17 / 15 + 3)
       << "an angle of 17 degrees to either side";
 }
 
