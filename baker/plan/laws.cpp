@@ -23,7 +23,8 @@ struct Costs {
   double photon_wavelength = 2.2e-9;  ///< by the table, on one plane, gathered in rings alone
   double sectors_dearer = 8;          ///< gathered in sectors too
   double photon_marched = 14e-6, photon_literal = 163e-6;
-  double texel = 48e-9;  ///< lit and written
+  double together = 2.2;  ///< what all parts of light take over their sum: a hundred planned runs
+  double texel = 48e-9;   ///< lit and written
   double map_file = 0.2;
 };
 
@@ -108,12 +109,11 @@ double predicted_error(const Work& work, const Scene& scene) {
 
 double predicted_seconds(const Work& work, const Scene& scene, const Machine& machine) {
   const Costs cost;
-  double seconds = cost.trial + cost.lookup + cost.texel * scene.texels;
-  if (scene.map_file) seconds += cost.map_file;
+  double light = cost.trial + cost.lookup;
   if (work.scattered_light)
-    seconds += cost.twilight + cost.twilight_wavelength * std::min(work.bands, 80);
+    light += cost.twilight + cost.twilight_wavelength * std::min(work.bands, 80);
   if (work.refracted && work.method == Method::quadrature) {
-    seconds +=
+    light +=
         seconds_of_quadrature(work, scene, distances(work, scene)) + seconds_of_check(work, scene);
   } else if (work.refracted) {
     const double dearer = sectors(work, scene) > 1 ? cost.sectors_dearer : 1;
@@ -121,9 +121,10 @@ double predicted_seconds(const Work& work, const Scene& scene, const Machine& ma
     const double a_photon = work.method == Method::literal   ? cost.photon_literal
                             : work.method == Method::marched ? cost.photon_marched + by_wavelength
                                                              : by_wavelength;
-    seconds += 0.05 + work.photons * a_photon;
+    light += 0.05 + work.photons * a_photon;
   }
-  return seconds / machine.speed / cores(machine) + scene.other_seconds;
+  const double texture = cost.texel * scene.texels + (scene.map_file ? cost.map_file : 0);
+  return (cost.together * light + texture) / machine.speed / cores(machine) + scene.other_seconds;
 }
 
 }  // namespace coppermoon::plan

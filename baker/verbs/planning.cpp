@@ -253,6 +253,9 @@ double error_found(const ShadowedMoon& moon, const plan::Work& work,
   const shadow::Arrangement arrangement{moon.sun_distance_m, {depth}, moon.limb_darkening};
   const auto waves = wavelengths_nm(finer.bands);
   auto settings = quadrature_for(finer, moon);
+  constexpr std::size_t between = 101;  // sectors, no multiple of a plan's: off their middles
+  settings.first_sector = settings.first_sector * between / settings.around;
+  settings.around = between;
   if (!moon.air.regions.empty()) settings.sectors = std::min<std::size_t>(settings.sectors, 3);
   settings.place_error = 0;
   auto light = shadow::by_quadrature(moon.air, arrangement, waves, places, settings);

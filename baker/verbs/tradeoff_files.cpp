@@ -203,7 +203,7 @@ std::string as_plot(std::span<const Measured> all) {
     if (sweep[0].varied == "photons")
       drawing.add(
           "paper", sweep, [](const Measured& one) { return is_the_papers(one.trial); },
-          "using 1:2 with points pt 3 ps 2 lc rgb 'black' title 'Yapo \\& Cutler (2009)'");
+          "using 1:2 with points pt 3 ps 2 lc rgb 'black' title 'Yapo and Cutler (2009)'");
     all = all.subspan(sweep.size());
   }
   return "set logscale xy\nset format xy '10^{%L}'\nset grid lt 1 lc rgb '#dddddd'\n"
