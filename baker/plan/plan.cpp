@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "algebra/error.h"
 #include "plan/laws.h"
@@ -27,8 +28,9 @@ Knob knob(std::vector<double> settings, const std::optional<Member>& by_hand,
 
 /// A switch: off, and where it makes a difference, on.
 Knob term(bool there, const ByHand& by_hand, bool Work::*member) {
-  const auto hand = by_hand.terms ? std::optional(*by_hand.terms.*member) : std::nullopt;
-  return knob(there ? std::vector<double>{0, 1} : std::vector<double>{0}, hand, member);
+  std::vector<double> settings = there ? std::vector<double>{0, 1} : std::vector<double>{0};
+  if (by_hand.terms) settings = {*by_hand.terms.*member ? 1. : 0.};
+  return {std::move(settings), [member](Work& work, double value) { work.*member = value != 0; }};
 }
 
 /// Light through the air that is needed is no choice: coarsely computed it may be more wrong than
@@ -36,7 +38,7 @@ Knob term(bool there, const ByHand& by_hand, bool Work::*member) {
 Knob refracted(double tolerance, const Scene& scene, const ByHand& by_hand) {
   if (by_hand.terms || scene.without_refracted <= tolerance)
     return term(scene.without_refracted > 0, by_hand, &Work::refracted);
-  return knob({1}, std::optional<bool>{}, &Work::refracted);
+  return {{1}, [](Work& work, double) { work.refracted = true; }};
 }
 
 std::vector<Knob> switches(double tolerance, const Scene& scene, const ByHand& by_hand) {
@@ -168,7 +170,7 @@ Plan plan_with(Method method, double tolerance, const Scene& scene, const Machin
           {}};
 }
 
-/// By the cheapest method.
+/// By the cheapest method that is good enough; else by the best.
 Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
                  const ByHand& by_hand) {
   using enum Method;
@@ -178,7 +180,10 @@ Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
   std::vector<Plan> plans;
   for (const auto method : methods)
     plans.push_back(plan_with(method, tolerance, scene, machine, by_hand));
-  std::ranges::sort(plans, {}, &Plan::seconds);
+  // those that are good enough by their time, before those that are not by their error
+  std::ranges::sort(plans, {}, [&](const Plan& plan) {
+    return std::pair{plan.error > tolerance ? plan.error : 0., plan.seconds};
+  });
   Plan best = plans.front();
   for (const auto& plan : plans)
     best.methods.push_back({plan.work.method, plan.seconds, plan.error});

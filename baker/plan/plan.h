@@ -83,7 +83,7 @@ struct Plan {
   double tolerance = 0;  ///< that was met
   double seconds = 0, error = 0;
   std::vector<LeftOut> left_out{};
-  std::vector<Alternative> methods{};  ///< those that were weighed up, cheapest first
+  std::vector<Alternative> methods{};  ///< those that were weighed up, best first
   std::string gave_way{};  ///< "tolerance" where the budget took more than was asked, else empty
 };
 

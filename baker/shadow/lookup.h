@@ -22,7 +22,7 @@ struct LookupRange {
   double to_m = std::numeric_limits<double>::infinity();  ///< at most to the penumbra's end
   double tolerance = 1e-4;                                ///< see Lookup's Accuracy; 1e-6 to 0.1
   /// that are read, going round from the first; the others stay dark
-  std::size_t first_sector = 0, sectors = 360;
+  std::size_t first_sector = 0, sectors = std::numeric_limits<std::size_t>::max();
 };
 
 /// All light in the shadow, refracted and direct, in a few channels: a table over place that is

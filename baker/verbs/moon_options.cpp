@@ -138,7 +138,7 @@ BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
   const auto weights =
       moonlight_weights(colour::channel_weights(space, band_edges_nm()), sightline);
   ground->light = light.in_channels(weights);
-  ground->light.transform([&](std::span<double> colour) { colour::into_gamut(space, colour); });
+  ground->light.transform([&](std::span<double> colour) { into_gamut_or_black(space, colour); });
   const auto made = options.unshadowed ? recipe : with_work(recipe, light.plan.work);
   auto lit = texture::lit_rows(ground->normal_albedo, sky, ground->light, rows,
                                photometry_of(options), extent, ground->bar.progress());

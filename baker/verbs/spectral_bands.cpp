@@ -78,6 +78,13 @@ algebra::Grid<double> at_wavelengths(const algebra::Grid<double>& weights, int c
   return nodes;
 }
 
+void into_gamut_or_black(colour::WorkingSpace space, std::span<double> channels) {
+  if (colour::luminance(space, channels) < 0)
+    std::ranges::fill(channels, 0);
+  else
+    colour::into_gamut(space, channels);
+}
+
 algebra::Grid<double> moonlight_weights(const algebra::Grid<double>& response,
                                         const std::optional<atmosphere::Sightline>& sightline) {
   const auto sunlight = photons::solar_irradiance(band_edges_nm());

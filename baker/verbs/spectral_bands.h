@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "algebra/grid.h"
 #include "atmosphere/observer_air.h"
+#include "colour/working_space.h"
 
 namespace coppermoon::verbs {
 
@@ -25,6 +27,10 @@ std::vector<double> wavelengths_nm(int count);
 /// Given     weights  (channel, band)
 /// Returned  (channel, wavelength), as many as `count`
 algebra::Grid<double> at_wavelengths(const algebra::Grid<double>& weights, int count);
+
+/// Colours of light that was computed at few wavelengths, or by few photons: less than no luminance,
+/// as cubics through noise may leave, is black; others are brought into the gamut.
+void into_gamut_or_black(colour::WorkingSpace space, std::span<double> channels);
 
 /// What a white ground that faces the Sun at 1 au makes of sunlight in some channels, band by band,
 /// were it as reddish as the Moon and as bright as its normal albedo in V says:

@@ -228,7 +228,7 @@ texture::Image Yardstick::baked(const shadow::RefractedLight& light, std::size_t
       light, direct,
       at_wavelengths(moonlight_weights(colour::channel_weights(space, band_edges_nm())),
                      static_cast<int>(bands)));
-  lookup.transform([](std::span<double> colour) { colour::into_gamut(space, colour); });
+  lookup.transform([](std::span<double> colour) { into_gamut_or_black(space, colour); });
   return texture::bake(scene_.normal_albedo, scene_.sky, lookup, {"R", "G", "B"}, width / 2,
                        scene_.photometry);
 }

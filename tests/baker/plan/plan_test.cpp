@@ -202,6 +202,14 @@ TEST(PlanFor, LetsTheToleranceGiveWayToTheBudgetAndSaysSo) {
   EXPECT_GE(both.tolerance, both.error) << "the tolerance that was met in its place";
 }
 
+TEST(PlanFor, PrefersADearerMethodToOneThatIsNotGoodEnough) {
+  ByHand few;
+  few.photons = 2048;  // a cheap simulation, and a useless one
+  const auto plan = plan_for(ordinary(), {.tolerance = 0.01}, {}, few);
+  EXPECT_EQ(plan.work.method, Method::quadrature);
+  EXPECT_LE(plan.error, 0.01);
+}
+
 TEST(PlanFor, StopsAtTheToleranceThoughThereIsTime) {
   const auto scene = ordinary();
   const auto plan = plan_for(scene, {.tolerance = 0.01, .budget_s = 100}, {});
