@@ -21,10 +21,11 @@ root=$PWD
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
-small="--photons 2e4 --texture-width 512 --width 150 --height 100"
-"$root/examples/first_eclipse.sh" $small
-"$root/examples/standard_figures.sh" $small
-"$root/examples/paper_figures.sh" $small
+small="--texture-width 512 --width 150 --height 100"
+few="--photons 2e4 $small"
+"$root/examples/first_eclipse.sh" $few
+"$root/examples/standard_figures.sh" $few
+"$root/examples/paper_figures.sh" $few
 "$root/examples/photon_convergence.sh" 1e4
 "$root/examples/term_sizes.sh" $small
 "$root/examples/tradeoff.sh" --quick

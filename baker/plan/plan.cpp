@@ -170,20 +170,24 @@ Plan plan_with(Method method, double tolerance, const Scene& scene, const Machin
           {}};
 }
 
-/// By the cheapest method that is good enough; else by the best.
+/// By the cheapest method that is good enough, else by the best. A method is chosen as if nothing
+/// were set by hand: few rays ask for a coarse quadrature, not for photons.
 Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
                  const ByHand& by_hand) {
   using enum Method;
   const std::vector<Method> methods = by_hand.method
                                           ? std::vector{*by_hand.method}
                                           : std::vector{quadrature, table, marched, literal};
-  std::vector<Plan> plans;
+  std::vector<Plan> free;
   for (const auto method : methods)
-    plans.push_back(plan_with(method, tolerance, scene, machine, by_hand));
+    free.push_back(plan_with(method, tolerance, scene, machine, {}));
   // those that are good enough by their time, before those that are not by their error
-  std::ranges::sort(plans, {}, [&](const Plan& plan) {
+  std::ranges::sort(free, {}, [&](const Plan& plan) {
     return std::pair{plan.error > tolerance ? plan.error : 0., plan.seconds};
   });
+  std::vector<Plan> plans;
+  for (const auto& plan : free)
+    plans.push_back(plan_with(plan.work.method, tolerance, scene, machine, by_hand));
   Plan best = plans.front();
   for (const auto& plan : plans)
     best.methods.push_back({plan.work.method, plan.seconds, plan.error});

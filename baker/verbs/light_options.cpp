@@ -22,7 +22,8 @@ namespace {
 void add_solver_options(CLI::App& verb, LightOptions& options) {
   const std::string group = "How light is computed";
   verb.add_option("--solver", options.solver,
-                  "quadrature: without noise; photons: the paper's simulation; auto: the quicker")
+                  "quadrature: without noise; photons: the paper's simulation; auto: the quicker, "
+                  "or photons where --photons says how many")
       ->check(CLI::IsMember({"auto", "quadrature", "photons"}))
       ->group(group);
   verb.add_option(
@@ -208,6 +209,11 @@ plan::Method method_of(const LightOptions& options) {
   }
 }
 
+/// Whoever says how many photons wants photons.
+bool wants_photons(const LightOptions& options) {
+  return options.solver == "photons" || (options.solver == "auto" && options.photons);
+}
+
 plan::Plan plan_of(const LightOptions& options, const ShadowedMoon& moon, const Purpose& purpose) {
   auto scene = scene_of(moon, purpose);
   auto hand = by_hand(options.plan);
@@ -215,7 +221,7 @@ plan::Plan plan_of(const LightOptions& options, const ShadowedMoon& moon, const 
   if (options.scattered_light == "on") scene.without_scattered = 1;
   hand.photons = options.photons;
   if (options.solver == "quadrature") hand.method = plan::Method::quadrature;
-  if (options.solver == "photons") hand.method = method_of(options);
+  if (wants_photons(options)) hand.method = method_of(options);
   const auto wish = wish_of(options.plan);
   return plan::plan_for(scene, wish, this_machine(), hand);
 }

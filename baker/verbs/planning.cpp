@@ -254,7 +254,13 @@ double error_found(const ShadowedMoon& moon, const plan::Work& work,
   const auto waves = wavelengths_nm(finer.bands);
   auto settings = quadrature_for(finer, moon);
   constexpr std::size_t between = 101;  // sectors, no multiple of a plan's: off their middles
-  settings.first_sector = settings.first_sector * between / settings.around;
+  const std::size_t last = settings.first_sector + settings.sectors - 1, around = settings.around;
+  if (settings.sectors < around) {  // those within what was computed
+    settings.first_sector = (settings.first_sector * between + around - 1) / around;
+    settings.sectors = std::max<std::size_t>(1, last * between / around + 1 - settings.first_sector);
+  } else {
+    settings.sectors = between;
+  }
   settings.around = between;
   if (!moon.air.regions.empty()) settings.sectors = std::min<std::size_t>(settings.sectors, 3);
   settings.place_error = 0;

@@ -74,7 +74,6 @@ TEST_F(Plans, OfAPreviewAreCoarseAndSmall) {
   EXPECT_LT(draft["chosen"]["texture-width"], standard["chosen"]["texture-width"]);
   EXPECT_GT(draft["predicted"]["error"], standard["predicted"]["error"]);
   EXPECT_LE(draft["chosen"]["texture-width"], 512);
-  EXPECT_LT(draft["predicted"]["seconds"], standard["predicted"]["seconds"]);
 }
 
 TEST_F(Plans, OfALargeMapDoTheSameLightForMoreTexels) {

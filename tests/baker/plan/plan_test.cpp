@@ -202,12 +202,15 @@ TEST(PlanFor, LetsTheToleranceGiveWayToTheBudgetAndSaysSo) {
   EXPECT_GE(both.tolerance, both.error) << "the tolerance that was met in its place";
 }
 
-TEST(PlanFor, PrefersADearerMethodToOneThatIsNotGoodEnough) {
-  ByHand few;
-  few.photons = 2048;  // a cheap simulation, and a useless one
-  const auto plan = plan_for(ordinary(), {.tolerance = 0.01}, {}, few);
-  EXPECT_EQ(plan.work.method, Method::quadrature);
-  EXPECT_LE(plan.error, 0.01);
+TEST(PlanFor, ChoosesTheMethodAsIfNothingWereSetByHand) {
+  ByHand without_terms;
+  without_terms.terms = Work{.ellipsoid = false};
+  for (const ByHand& coarse :
+       {ByHand{.rays = 20}, ByHand{.bands = 1}, ByHand{.place_error = 1}, without_terms}) {
+    const auto plan = plan_for(ordinary(), {.tolerance = 0.01}, {}, coarse);
+    EXPECT_EQ(plan.work.method, Method::quadrature) << "coarse as was asked, in no time";
+    EXPECT_GT(plan.error, 0.01);
+  }
 }
 
 TEST(PlanFor, StopsAtTheToleranceThoughThereIsTime) {
