@@ -248,16 +248,17 @@ double error_found(const ShadowedMoon& moon, const plan::Work& work,
   finer.place_error = 0;
   constexpr double off_nodes = 0.07;  // of the disc: between the places light was computed at
   const auto disc = disc_of(moon);
-  auto places = evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, 5);
+  const auto places = evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, 23);
   const double depth = mean_depth_m(moon) + lunar_radius_m / 4;
   const shadow::Arrangement arrangement{moon.sun_distance_m, {depth}, moon.limb_darkening};
   const auto waves = wavelengths_nm(finer.bands);
   auto settings = quadrature_for(finer, moon);
-  constexpr std::size_t between = 101;  // sectors, no multiple of a plan's: off their middles
+  constexpr std::size_t between = 29;  // sectors, no multiple of a plan's: off their middles
   const std::size_t last = settings.first_sector + settings.sectors - 1, around = settings.around;
   if (settings.sectors < around) {  // those within what was computed
     settings.first_sector = (settings.first_sector * between + around - 1) / around;
-    settings.sectors = std::max<std::size_t>(1, last * between / around + 1 - settings.first_sector);
+    settings.sectors =
+        std::max<std::size_t>(1, last * between / around + 1 - settings.first_sector);
   } else {
     settings.sectors = between;
   }
