@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <tbb/global_control.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <memory>
+#include <new>
+#include <string_view>
 
 #include "algebra/error.h"
 #include "verbs/recipe.h"
@@ -22,10 +27,9 @@ void add_words(CLI::App& program) {
       CLI::MultiOptionPolicy::TakeLast);
   program.require_subcommand(1);
   program.set_version_flag("--version", "coppermoon " COPPERMOON_VERSION);
-  for (const auto add :
-       {verbs::add_almanac, verbs::add_sky, verbs::add_plan, verbs::add_shadow,
-        verbs::add_brightness, verbs::add_bake, verbs::add_scene, verbs::add_still,
-        verbs::add_develop, verbs::add_tradeoff})
+  for (const auto add : {verbs::add_almanac, verbs::add_sky, verbs::add_plan, verbs::add_shadow,
+                         verbs::add_brightness, verbs::add_bake, verbs::add_scene, verbs::add_still,
+                         verbs::add_develop, verbs::add_tradeoff})
     add(program);
 }
 
@@ -45,7 +49,16 @@ void add_threads(CLI::App& program, std::unique_ptr<tbb::global_control>& contro
 }
 
 /// The first line of an error, whoever wrote it.
-std::string one_line(std::string text) { return text.substr(0, text.find('\n')); }
+void say(std::string_view error) {
+  std::fputs(fmt::format("coppermoon: {}\n", error.substr(0, error.find('\n'))).c_str(), stderr);
+}
+
+/// What a thread that cannot begin, or a library's promise not to throw, make of too little memory.
+[[noreturn]] void end_at_once() {
+  constexpr std::string_view why = "coppermoon: not enough memory\n";
+  [[maybe_unused]] const auto said = ::write(STDERR_FILENO, why.data(), why.size());
+  std::_Exit(could_not);
+}
 
 int run(CLI::App& program, int count, char** words) {
   try {
@@ -58,10 +71,13 @@ int run(CLI::App& program, int count, char** words) {
   } catch (const CLI::CallForVersion& call) {
     return program.exit(call);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "coppermoon: {}\n", one_line(error.what()));
+    say(error.what());
     return wrong_usage;
+  } catch (const std::bad_alloc&) {
+    say("not enough memory");
+    return could_not;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "coppermoon: {}\n", one_line(error.what()));
+    say(error.what());
     return could_not;
   }
 }
@@ -70,9 +86,13 @@ int run(CLI::App& program, int count, char** words) {
 
 int main(int count, char** words) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error like any other, said in one line
+  std::set_terminate(end_at_once);
   CLI::App program{"coppermoon bakes eclipsed Moons", "coppermoon"};
   std::unique_ptr<tbb::global_control> threads;
   add_words(program);
   add_threads(program, threads);
-  return run(program, count, words);
+  const int status = run(program, count, words);
+  if (std::fflush(stdout) == 0 || status != 0) return status;
+  say("standard output: cannot be written");
+  return could_not;
 }

@@ -21,16 +21,17 @@ algebra::Error cannot_write(const fs::path& path, int reason) {
                                     std::generic_category().message(reason)));
 }
 
-/// A new file beside the final one; gone at the end unless it was renamed.
+/// A new file beside the final one; gone at the end, however that comes, unless it was renamed. Where
+/// the file system can, it has no name until then.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& final_path) : final_(final_path) {
-    for (int n = 0; descriptor_ < 0; ++n) {
-      path_ = final_.parent_path() /
-              fmt::format(".{}.{}-{}.tmp", final_.filename().string(), ::getpid(), n);
-      descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (descriptor_ < 0 && errno != EEXIST) throw cannot_write(final_, errno);
-    }
+    if (fs::exists("/proc/self/fd"))
+      descriptor_ = ::open(final_.parent_path().c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    if (descriptor_ < 0)
+      descriptor_ = with_a_name([](const char* name) {
+        return ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      });
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -43,12 +44,33 @@ class TemporaryFile {
 
   void rename_to_final() {
     if (::fsync(descriptor_) != 0) throw cannot_write(final_, errno);
+    if (path_.empty()) name_it();
     if (::close(std::exchange(descriptor_, -1)) != 0) throw cannot_write(final_, errno);
     if (::rename(path_.c_str(), final_.c_str()) != 0) throw cannot_write(final_, errno);
     path_.clear();
   }
 
  private:
+  /// Makes a name that nobody has.
+  template <typename Make>
+  int with_a_name(Make make) {
+    for (int n = 0;; ++n) {
+      path_ = final_.parent_path() /
+              fmt::format(".{}.{}-{}.tmp", final_.filename().string(), ::getpid(), n);
+      const int made = make(path_.c_str());
+      if (made >= 0) return made;
+      path_.clear();
+      if (errno != EEXIST) throw cannot_write(final_, errno);
+    }
+  }
+
+  void name_it() {
+    const auto open_file = fmt::format("/proc/self/fd/{}", descriptor_);
+    with_a_name([&](const char* name) {
+      return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW);
+    });
+  }
+
   fs::path final_, path_;
   int descriptor_ = -1;
 };

@@ -8,16 +8,10 @@
 #include <cstdio>
 
 #include "algebra/error.h"
+#include "texture/whole_file.h"
 
 namespace coppermoon::verbs {
 namespace {
-
-/// As gnuplot reads a text between single quotes.
-std::string quoted(const std::string& text) {
-  std::string all = "'";
-  for (const char c : text) all += c == '\'' ? std::string("''") : std::string(1, c);
-  return all + "'";
-}
 
 /// Whether gnuplot did all it was told. One that is not there hangs up while it is spoken to.
 bool gnuplot_did(const std::string& script) {
@@ -34,13 +28,11 @@ bool gnuplot_did(const std::string& script) {
 
 void write_plot(const std::filesystem::path& picture, const std::string& terminal,
                 const std::string& script) {
-  const std::string temporary = fmt::format("{}.tmp.{}", picture.string(), getpid());
-  if (!gnuplot_did(
-          fmt::format("set terminal {}\nset output {}\n{}", terminal, quoted(temporary), script))) {
-    std::filesystem::remove(temporary);
-    throw algebra::Error("gnuplot failed; install the package gnuplot-nox");
-  }
-  std::filesystem::rename(temporary, picture);
+  texture::write_whole(picture, [&](int descriptor) {
+    const auto output = fmt::format("/proc/{}/fd/{}", getpid(), descriptor);
+    if (!gnuplot_did(fmt::format("set terminal {}\nset output '{}'\n{}", terminal, output, script)))
+      throw algebra::Error("gnuplot failed; install the package gnuplot-nox");
+  });
 }
 
 }  // namespace coppermoon::verbs

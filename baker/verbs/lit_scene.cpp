@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/lit_scene.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,11 +71,33 @@ LitScene lit_scene(const MoonOptions& options, const ViewOptions& view, const st
   return scene;
 }
 
+namespace {
+
+/// Who writes into a folder while it is locked; another waits.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::filesystem::path& folder)
+      : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX);
+  }
+  ~FolderLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int descriptor_;
+};
+
+}  // namespace
+
 void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
                      const texture::ExrOptions& options) {
   povray_scenes::Scene pov{.camera = scene.view.camera, .texture = texture_file, .caption = {}};
   std::error_code ignored;
   const bool made = std::filesystem::create_directory(folder, ignored);
+  const FolderLock alone(folder);
   try {
     texture::write_exr(folder / texture_file, scene.moon.layout, scene.moon.rows,
                        scene.moon.attributes, options);

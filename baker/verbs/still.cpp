@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
-#include <cstdlib>
 #include <memory>
 
-#include "algebra/error.h"
 #include "povray_scenes/render.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
@@ -12,6 +10,7 @@
 #include "verbs/progress_bar.h"
 #include "verbs/recipe.h"
 #include "verbs/report.h"
+#include "verbs/temporary_folder.h"
 #include "verbs/verbs.h"
 
 namespace coppermoon::verbs {
@@ -25,27 +24,6 @@ struct Options {
   DevelopOptions develop;
   std::string output, frame;
   bool json = false;
-};
-
-/// A folder that is there for as long as this is.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "coppermoon-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw algebra::Error(fmt::format("{}: cannot be made", name));
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
 };
 
 /// Returned  the frame, and the seconds until it was begun

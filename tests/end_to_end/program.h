@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -25,8 +26,11 @@ struct Outcome {
 
 /// What a program finds around it.
 struct Surroundings {
-  std::optional<std::string> path = {};   ///< PATH, instead of ours
-  std::optional<rlim_t> file_limit = {};  ///< bytes that a file may have: the disk is full there
+  std::optional<std::string> path = {};     ///< PATH, instead of ours
+  std::optional<rlim_t> file_limit = {};    ///< bytes that a file may have: the disk is full there
+  std::optional<rlim_t> memory_limit = {};  ///< bytes of addresses that it may have
+  std::optional<double> killed_after_s = {};            ///< by kill -9, unless it has ended
+  std::optional<std::filesystem::path> preloaded = {};  ///< a library that goes before all others
   std::optional<std::filesystem::path> folder = {};  ///< where it runs, instead of the test's own
 };
 
@@ -64,8 +68,21 @@ class ProgramTest : public testing::Test {
   }
 
   Outcome run(std::vector<std::string> words, const Surroundings& around = {}) const {
+    return ended(begun(std::move(words), around), around);
+  }
+
+  /// One that goes on in the background: see ended.
+  pid_t begun(std::vector<std::string> words, const Surroundings& around = {}) const {
     const pid_t child = ::fork();
     if (child == 0) become(words, around);
+    return child;
+  }
+
+  Outcome ended(pid_t child, const Surroundings& around = {}) const {
+    if (around.killed_after_s) {
+      ::usleep(static_cast<useconds_t>(*around.killed_after_s * 1e6));
+      ::kill(child, SIGKILL);
+    }
     int status = 0;
     ::waitpid(child, &status, 0);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
@@ -91,6 +108,11 @@ class ProgramTest : public testing::Test {
     if (::chdir(around.folder.value_or(here()).c_str()) != 0) ::_exit(126);
     const rlimit limit{around.file_limit.value_or(RLIM_INFINITY), RLIM_INFINITY};
     ::setrlimit(RLIMIT_FSIZE, &limit);
+    if (around.memory_limit) {
+      const rlimit memory{*around.memory_limit, RLIM_INFINITY};
+      ::setrlimit(RLIMIT_AS, &memory);
+    }
+    if (around.preloaded) ::setenv("LD_PRELOAD", around.preloaded->c_str(), 1);
     std::vector<char*> pointers;
     for (auto& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);

@@ -1,1 +1,8 @@
 # SPDX-License-Identifier: MIT
+
+# the whole program, while things go wrong around it
+add_library(extremes_clock_set_back MODULE extremes/clock_set_back.cpp)
+coppermoon_test(extremes/faults LINKS algebra LABELS render)
+add_dependencies(extremes_faults_test coppermoon_program extremes_clock_set_back)
+target_compile_definitions(extremes_faults_test PRIVATE
+  COPPERMOON_CLOCK_SET_BACK="$<TARGET_FILE:extremes_clock_set_back>")

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+// What goes wrong around the program: after each fault no partial file under its final name, one clear line from
+// whoever is left to say it, and a second run that completes with the bytes of an undisturbed one.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <thread>
+
+#include "algebra/random.h"
+#include "end_to_end/program.h"
+#include "extremes/tried.h"
+
+namespace coppermoon::extremes {
+namespace {
+
+using end_to_end::expect_done;
+using end_to_end::Outcome;
+using end_to_end::Surroundings;
+using end_to_end::text_of;
+using Words = std::vector<std::string>;
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t seed = 20080221;
+const Words bake{
+    "bake",    "2008-02-21T03:26:05Z", "--texture-width", "512", "--albedo-map", "built-in", "-o",
+    "moon.exr"};
+const Words still{
+    "still", "2008-02-21T03:26:05Z", "--texture-width", "256", "--width", "96", "--height",
+    "72",    "--albedo-map",         "built-in",        "-o",  "moon.png"};
+const Words scene{
+    "scene", "2008-02-21T03:26:05Z", "--texture-width", "256", "--width", "96", "--height",
+    "72",    "--albedo-map",         "built-in",        "-o",  "eclipse"};
+
+class Faults : public end_to_end::ProgramTest {
+ protected:
+  void done(const Words& words) const { expect_done(coppermoon(words)); }
+
+  /// Seconds that a run takes.
+  double seconds_of(const Words& words) const {
+    const auto start = std::chrono::steady_clock::now();
+    done(words);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  /// Every file in the folder, and what is in it.
+  std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(here()))
+      if (entry.is_regular_file())
+        all[entry.path().lexically_relative(here()).string()] = text_of(entry.path());
+    return all;
+  }
+
+  /// Whether any process stands in the test's folders.
+  bool any_at_work() const {
+    const auto home = here().parent_path().parent_path().string();
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+      std::error_code none;
+      const auto folder = fs::read_symlink(entry.path() / "cwd", none).string();
+      if (!none && folder.starts_with(home)) return true;
+    }
+    return false;
+  }
+
+  /// What is left in the temporary folder once all have gone, for ten seconds at most.
+  std::set<std::string> left_behind() const {
+    std::set<std::string> left;
+    for (int tenths = 0; tenths < 100; ++tenths) {
+      left.clear();
+      for (const auto& name : listing())
+        if (name.starts_with("tmp")) left.insert(name);
+      if (left.empty() && !any_at_work()) return left;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    if (any_at_work()) left.insert("a process");
+    return left;
+  }
+
+  /// Kills a run at random moments of its time; each time nothing partial may be left, and the next run
+  /// has to complete.
+  ///
+  /// Given  fresh  makes the folder ready again
+  void expect_whole_wherever_killed(const Words& words, int times,
+                                    const std::function<void()>& fresh) {
+    const auto before = files();
+    const double lasts_s = seconds_of(words);
+    const auto whole = files();
+    algebra::Random random(seed, 0);
+    for (int i = 0; i < times; ++i) {
+      fresh();
+      const double moment_s = lasts_s * 1.1 * random.uniform();
+      coppermoon(words, {.killed_after_s = moment_s});
+      EXPECT_EQ(left_behind(), std::set<std::string>{}) << "killed after " << moment_s << " s";
+      for (const auto& [name, bytes] : files()) {
+        const bool old = before.contains(name) && before.at(name) == bytes;
+        EXPECT_TRUE(old || (whole.contains(name) && whole.at(name) == bytes))
+            << name << ", killed after " << moment_s << " s";
+      }
+      done(words);
+      EXPECT_TRUE(files() == whole) << "the run after the one killed after " << moment_s << " s";
+    }
+  }
+
+  /// A program of the folder that goes before the system's.
+  Surroundings with_povray(const std::string& script) const {
+    fs::create_directory(here("bin"));
+    file("bin/povray", "#!/bin/sh\n" + script);
+    fs::permissions(here("bin/povray"), fs::perms::owner_all);
+    return {.path = here("bin").string() + ":" + ::getenv("PATH")};
+  }
+
+  void expect_one_line(const Outcome& outcome, const std::string& what) const {
+    EXPECT_EQ(outcome.status, 1) << what << ": " << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("coppermoon: ")) << what << ": " << outcome.err;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << what << ": " << outcome.err;
+  }
+};
+
+std::string said(const Outcome& outcome) { return outcome.err.substr(0, outcome.err.find('\n')); }
+
+TEST_F(Faults, BakeKilledLeavesNothingOrAll) {
+  constexpr int times = 25;
+  expect_whole_wherever_killed(bake, times, [&] { fs::remove(here("moon.exr")); });
+  tried(fmt::format("`bake`, kill -9 at {} random moments", times),
+        "the whole file or none; the next run's bytes");
+}
+
+TEST_F(Faults, BakeKilledOverAnOldFileLeavesTheOldOrTheNew) {
+  constexpr int times = 15;
+  file("moon.exr", "old");
+  expect_whole_wherever_killed(bake, times, [&] { file("moon.exr", "old"); });
+  tried(fmt::format("`bake` over an old file, kill -9 at {} random moments", times),
+        "the old file or the new");
+}
+
+TEST_F(Faults, SceneKilledLeavesWholeFiles) {
+  constexpr int times = 15;
+  expect_whole_wherever_killed(scene, times, [&] { fs::remove_all(here("eclipse")); });
+  tried(fmt::format("`scene`, kill -9 at {} random moments", times),
+        "each file whole; the next run's bytes");
+}
+
+TEST_F(Faults, PhotonsKilledLeaveWholeSums) {
+  constexpr int times = 15;
+  auto photons = bake;
+  photons.insert(photons.end(), {"--solver", "photons", "--photons", "3e4", "--smoothing-km", "300",
+                                 "--keep", "sums.json"});
+  expect_whole_wherever_killed(photons, times, [&] {
+    fs::remove(here("moon.exr"));
+    fs::remove(here("sums.json"));
+  });
+  tried(fmt::format("`bake --keep`, kill -9 at {} random moments", times),
+        "texture and sums each whole or absent");
+}
+
+TEST_F(Faults, StillKilledTakesPovrayAndItsFolderAlong) {
+  constexpr int times = 15;
+  expect_whole_wherever_killed(still, times, [&] { fs::remove(here("moon.png")); });
+  tried(fmt::format("`still`, kill -9 at {} random moments", times),
+        "the whole picture or none; POV-Ray and the temporary folder gone");
+}
+
+TEST_F(Faults, StillInterruptedLeavesNothing) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const pid_t child = begun([] {
+      auto words = still;
+      words.insert(words.begin(), COPPERMOON_PROGRAM);
+      return words;
+    }());
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    ::kill(child, signal);
+    ended(child);
+    EXPECT_EQ(left_behind(), std::set<std::string>{}) << signal;
+    fs::remove(here("moon.png"));
+  }
+  tried("`still`, interrupted, terminated, its terminal closed", "nothing is left");
+}
+
+TEST_F(Faults, PovrayKilledIsSaid) {
+  const auto around = with_povray("/usr/bin/povray \"$@\" & sleep 0.1; kill -9 $!; kill -9 $$\n");
+  const auto outcome = coppermoon(still, around);
+  expect_one_line(outcome, "POV-Ray killed");
+  EXPECT_NE(outcome.err.find("signal 9"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(here("moon.png")));
+  EXPECT_EQ(left_behind(), std::set<std::string>{});
+  refused("`still`, POV-Ray killed", said(outcome));
+}
+
+TEST_F(Faults, AFullDiskKeepsTheOldFileWhereverItFills) {
+  done(bake);
+  const auto size = fs::file_size(here("moon.exr"));
+  file("moon.exr", "old");
+  Outcome outcome;
+  for (const double part : {0.01, 0.03, 0.1, 0.5, 0.9, 0.999}) {
+    const auto limit = static_cast<rlim_t>(part * static_cast<double>(size));
+    outcome = coppermoon(bake, {.file_limit = limit});
+    expect_one_line(outcome, fmt::format("full after {} bytes", limit));
+    EXPECT_EQ(text_of(here("moon.exr")), "old") << limit;
+    EXPECT_EQ(listing(), std::set<std::string>{"here/moon.exr"}) << limit;
+  }
+  refused("`bake`, the disk full after 1 to 99.9 % of the file", said(outcome));
+}
+
+TEST_F(Faults, AFullDiskEndsAStillInOneLine) {
+  Outcome outcome;
+  for (const rlim_t limit : {300, 1000, 3000, 30000}) {
+    outcome = coppermoon(still, {.file_limit = limit});
+    expect_one_line(outcome, fmt::format("full after {} bytes", limit));
+    EXPECT_EQ(files().size(), 0U) << limit;
+    EXPECT_EQ(left_behind(), std::set<std::string>{}) << limit;
+  }
+  refused("`still`, the disk full after 300 to 30 000 bytes", said(outcome));
+}
+
+TEST_F(Faults, FullStandardOutputsAreNoCrash) {
+  const auto shell = [&](const std::string& redirected) {
+    return run({"sh", "-c", fmt::format("'{}' sky {}", COPPERMOON_PROGRAM, redirected)});
+  };
+  const auto outcome = shell("2008-02-21T03:26:05Z > /dev/full");
+  expect_one_line(outcome, "stdout full");
+  EXPECT_EQ(shell("2008-02-99 2> /dev/full").status, 1);
+  refused("`sky`, the disk of its standard output full", said(outcome));
+}
+
+TEST_F(Faults, AReadOnlyPlaceIsSaid) {
+  auto words = bake;
+  words.back() = "/proc/moon.exr";
+  const auto outcome = coppermoon(words);
+  expect_one_line(outcome, "/proc");
+  refused("`bake` to a file system that takes no files", said(outcome));
+}
+
+TEST_F(Faults, TooLittleMemoryIsSaid) {
+  int done_at_all = 0, said_at_all = 0;
+  std::string message;
+  for (rlim_t megabytes = 150; megabytes <= 900; megabytes += 25) {
+    const Surroundings little{.memory_limit = megabytes << 20U};
+    if (coppermoon({"--version"}, little).status != 0) continue;  // not even its libraries begin
+    const auto outcome = coppermoon(bake, little);
+    if (outcome.status == 0) {
+      ++done_at_all;
+      EXPECT_GT(fs::file_size(here("moon.exr")), 1000U);
+    } else {
+      ++said_at_all;
+      expect_one_line(outcome, fmt::format("{} MB", megabytes));
+      if (message.empty()) message = said(outcome);
+      EXPECT_FALSE(fs::exists(here("moon.exr"))) << megabytes << " MB";
+    }
+    fs::remove(here("moon.exr"));
+  }
+  EXPECT_GT(done_at_all, 0);
+  EXPECT_GT(said_at_all, 0);
+  refused("`bake` with less memory than it takes", message);
+}
+
+TEST_F(Faults, TwoRunsIntoOneFileLeaveOneOfThem) {
+  auto other = bake;
+  other.insert(other.end(), {"--ozone-du", "100"});
+  done(other);
+  const auto second = text_of(here("moon.exr"));
+  done(bake);
+  const auto first = text_of(here("moon.exr"));
+  ASSERT_TRUE(first != second);
+  for (int i = 0; i < 5; ++i) {
+    auto words = bake;
+    words.insert(words.begin(), COPPERMOON_PROGRAM);
+    const pid_t one = begun(words);
+    coppermoon(other);
+    ended(one);
+    const auto left = text_of(here("moon.exr"));
+    EXPECT_TRUE(left == first || left == second);
+    EXPECT_EQ(listing(), std::set<std::string>{"here/moon.exr"});
+  }
+  tried("two bakes into one file at once", "the file of one of them");
+}
+
+TEST_F(Faults, TwoRunsIntoOneFolderLeaveOneOfThem) {
+  auto other = scene;
+  other.insert(other.end(), {"--ozone-du", "100", "--width", "120"});
+  done(other);
+  const auto second = files();
+  done(scene);
+  const auto first = files();
+  ASSERT_TRUE(first != second);
+  for (int i = 0; i < 8; ++i) {
+    auto words = scene;
+    words.insert(words.begin(), COPPERMOON_PROGRAM);
+    const pid_t one = begun(words);
+    coppermoon(other);
+    ended(one);
+    EXPECT_TRUE(files() == first || files() == second);
+  }
+  tried("two scenes into one folder at once", "the files of one of them");
+}
+
+TEST_F(Faults, AClockThatIsSetBackChangesNothing) {
+  done(bake);
+  const auto usual = files();
+  fs::remove(here("moon.exr"));
+  expect_done(coppermoon(bake, {.preloaded = COPPERMOON_CLOCK_SET_BACK}));
+  EXPECT_TRUE(files() == usual);
+  fs::last_write_time(here("moon.exr"),
+                      fs::file_time_type::clock::now() + std::chrono::hours(24 * 365));
+  done(bake);
+  EXPECT_TRUE(files() == usual);
+  tried("the clock set back a day at each look, a file from next year", "the same bytes");
+}
+
+TEST_F(Faults, SumsThatAreSpoiltAreRefused) {
+  auto photons = bake;
+  photons.insert(photons.end(),
+                 {"--solver", "photons", "--photons", "2e3", "--smoothing-km", "300"});
+  auto keep = photons, add = photons;
+  keep.insert(keep.end(), {"--keep", "sums.json"});
+  add.insert(add.end(), {"--add", "sums.json"});
+  done(keep);
+  const auto sums = text_of(here("sums.json"));
+  fs::remove(here("moon.exr"));
+  Outcome outcome;
+  for (int tenth = 0; tenth < 10; ++tenth) {
+    file("sums.json", sums.substr(0, sums.size() * static_cast<std::size_t>(tenth) / 10));
+    outcome = coppermoon(add);
+    expect_one_line(outcome, fmt::format("{} tenths of the sums", tenth));
+    EXPECT_FALSE(fs::exists(here("moon.exr"))) << tenth;
+  }
+  refused("photons' sums that end early", said(outcome));
+}
+
+}  // namespace
+}  // namespace coppermoon::extremes
