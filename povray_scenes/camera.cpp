@@ -49,7 +49,7 @@ Camera camera_at(const almanac::SkyState& sky, Up up, algebra::Angle field, std:
                  std::size_t height) {
   if (up == Up::zenith)
     throw algebra::Error(
-        "up = zenith, which the Earth's centre has not: celestial_north or moon_north");
+        "up = zenith, which the Earth's centre has not: celestial-north or moon-north");
   return looking_from(sky, {0, 0, 0}, celestial_north(sky), up, {{}, {}, field, width, height});
 }
 

@@ -109,7 +109,8 @@ algebra::Grid<float> normal_albedo(const MoonOptions& options) {
   const auto map = map_chosen(options);
   if (map == "built-in")
     return surface::normalised_to_geometric_albedo(
-        surface::built_in_moon(texture_width_of(options) / 2), photometry_of(options));
+        surface::built_in_moon(std::max<std::size_t>(8, texture_width_of(options) / 2)),
+        photometry_of(options));
   const double exponent = options.albedo_exponent.value_or(map == stellarium_map ? 0.5 : 1);
   auto albedo = [&] {
     const Silence silence;
