@@ -257,9 +257,11 @@ double error_found(const ShadowedMoon& moon, const plan::Work& work,
   const std::size_t last = settings.first_sector + settings.sectors - 1, around = settings.around;
   if (settings.sectors < around) {  // those within what was computed
     settings.first_sector = (settings.first_sector * between + around - 1) / around;
-    settings.sectors =
-        std::max<std::size_t>(1, last * between / around + 1 - settings.first_sector);
+    const std::size_t end = last * between / around + 1;
+    settings.sectors = end > settings.first_sector ? end - settings.first_sector : 1;
+    settings.first_sector %= between;
   } else {
+    settings.first_sector = 0;
     settings.sectors = between;
   }
   settings.around = between;

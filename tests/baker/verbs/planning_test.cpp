@@ -272,6 +272,14 @@ TEST(ErrorFound, OfCoarseWorkIsFarAboveThatOfFine) {
   EXPECT_GT(coarse_error, 10 * fine_error);
 }
 
+TEST(ErrorFound, IsFoundWhereverTheDiscLiesAroundTheAxis) {
+  // from the axis on the disc, through discs that take in nearly all sectors, to those that take in few
+  for (const char* utc : {"2018-07-27T20:21:45Z", "2018-07-27T20:00:00Z", "2018-07-27T19:50:00Z",
+                          "2018-07-27T19:45:00Z", "2018-07-27T19:40:00Z", "2018-07-27T19:00:00Z",
+                          "2018-07-27T20:55:00Z", "2018-07-27T21:40:00Z", "2011-06-15T20:13:00Z"})
+    EXPECT_LT(light_of(utc, 20, 200, 0.01).error_found, 0.05) << utc;
+}
+
 TEST(ErrorFound, SeesATermThatWasLeftOut) {
   LightOptions options;
   options.plan.leave_out = "ellipsoid";
