@@ -5,7 +5,7 @@ namespace coppermoon::colour {
 
 /// How a camera is set.
 struct Exposure {
-  double time_s = 1;    ///< 1e-6 to 1e5
+  double time_s = 1;    ///< 1e-6 to 1e6
   double f_number = 8;  ///< 0.5 to 512
   double iso = 100;     ///< 1 to 1e7; the saturation-based speed
 };

@@ -15,10 +15,14 @@ struct Error : std::runtime_error {
 };
 
 /// Throws Error("<what> = <value>, allowed <lowest> to <highest>") unless lowest <= value <=
-/// highest. A NaN is never inside. `what` carries the unit: "wavelength [nm]".
+/// highest. A NaN is never inside. `what` carries the unit: "wavelength [nm]". Six digits, and as
+/// many as it takes where the value would look like a limit.
 inline void require_within(std::string_view what, double value, double lowest, double highest) {
-  if (!(value >= lowest && value <= highest))
-    throw Error(fmt::format("{} = {:g}, allowed {:g} to {:g}", what, value, lowest, highest));
+  if (value >= lowest && value <= highest) return;
+  const auto short_text = [](double x) { return fmt::format("{:g}", x); };
+  auto shown = short_text(value);
+  if (shown == short_text(lowest) || shown == short_text(highest)) shown = fmt::format("{}", value);
+  throw Error(fmt::format("{} = {}, allowed {:g} to {:g}", what, shown, lowest, highest));
 }
 
 }  // namespace coppermoon::algebra

@@ -68,7 +68,7 @@ ObserverView view_from(const Observer& observer, const SkyState& sky) {
   const glm::dvec3 direction = glm::normalize(to_moon_m);
   view.moon_distance = algebra::metres(glm::length(to_moon_m));
   const glm::dvec3 horizon = glm::transpose(gcrs_from_horizon) * direction;
-  view.altitude = algebra::radians(std::asin(horizon.z));
+  view.altitude = algebra::radians(std::atan2(horizon.z, std::hypot(horizon.x, horizon.y)));
   const double azimuth = std::atan2(horizon.y, horizon.x);
   view.azimuth = algebra::radians(azimuth < 0 ? azimuth + 2 * std::numbers::pi : azimuth);
   view.parallactic_angle = position_angle(direction, view.zenith, view.north);

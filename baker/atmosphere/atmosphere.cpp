@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -177,6 +178,17 @@ ValueAndSlope density_ratio(const Column& column, double altitude_m) {
 
 double refractivity(const Column& column, const Optics& optics, double altitude_m) {
   return column.refraction ? optics.refractivity * density_alone(column.density, altitude_m) : 0;
+}
+
+double critical_refractivity(const Column& column, double earth_radius_m) {
+  const auto ground = density_ratio(column, 0);
+  const double fall = -ground.value - earth_radius_m * ground.slope_per_m;
+  return column.refraction && fall > 0 ? 1 / fall : std::numeric_limits<double>::infinity();
+}
+
+void require_no_trap(const Column& column, double earth_radius_m, double refractivity) {
+  algebra::require_within("refractivity of air that light can leave", refractivity, 0,
+                          critical_refractivity(column, earth_radius_m));
 }
 
 double extinction_per_m(const Column& column, const Optics& optics, double altitude_m) {

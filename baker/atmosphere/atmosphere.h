@@ -121,6 +121,18 @@ ValueAndSlope density_ratio(const Column& column, double altitude_m);
 /// n(h, λ) − 1: the sea-level refractivity times the density ratio (Gladstone–Dale).
 double refractivity(const Column& column, const Optics& optics, double altitude_m);
 
+/// Refractivity n₀ − 1 at sea level from which on light can go round within the air: over the ground
+/// n r, which has to rise for a ray to leave again, falls.
+///
+///     n₀ − 1 = −1 / (ρ/ρ₀ + R d(ρ/ρ₀)/dh)     on the ground, where density falls fastest
+///
+/// Given     earth_radius_m  R, of the ground's curvature along the path
+/// Returned  1.636e-3 over R = 6378 km, six times that of air; infinite where light goes straight
+double critical_refractivity(const Column& column, double earth_radius_m);
+
+/// Throws Error when light could not leave the air: names its refractivity and what is allowed.
+void require_no_trap(const Column& column, double earth_radius_m, double refractivity);
+
 /// Extinction [m⁻¹] at an altitude.
 double extinction_per_m(const Column& column, const Optics& optics, double altitude_m);
 

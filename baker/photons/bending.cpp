@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -32,10 +33,11 @@ struct Air {
   double optical_height(double h) const { return h + optical_excess(h); }
 };
 
-/// The altitude where n r = b: bisection to the last digit, for n r rises all the way.
+/// The altitude where n r = b: bisection to the last digit, for n r rises all the way from the ground
+/// (not from below it, where air grows denser still).
 double tangent_height(const Air& air, double impact_height_m, double top_m) {
   constexpr int halvings = 64;
-  double low = -2e4, high = top_m;
+  double low = 0, high = top_m;
   for (int i = 0; i < halvings; ++i) {
     const double middle = std::midpoint(low, high);
     (air.optical_height(middle) < impact_height_m ? low : high) = middle;
@@ -61,8 +63,7 @@ std::vector<double> pieces_above(double bottom_m, const Column& column, double t
   breaks.insert(breaks.end(), {bottom_m, top_m});
   for (double h = 8e3; h < top_m; h += 8e3) breaks.push_back(h);
   std::sort(breaks.begin(), breaks.end());
-  constexpr double rounding_m =
-      1e-4;  // a break closer above the tangent height than that drowns in it
+  constexpr double rounding_m = 1e-11;  // of altitudes: a closer break drowns in it
   std::erase_if(breaks, [&](double h) {
     return h != bottom_m && h != top_m && (h < bottom_m + rounding_m || h > top_m);
   });
@@ -70,36 +71,72 @@ std::vector<double> pieces_above(double bottom_m, const Column& column, double t
   return breaks.size() > 2 ? with_short_pieces_first(std::move(breaks)) : breaks;
 }
 
-/// Half a ray, from one altitude to the next above the tangent height.
-void add_piece(const Air& air, double from_m, double to_m, LimbPath& path) {
-  const double tangent_m = path.tangent_height_m;
-  const double u0 = std::sqrt(from_m - tangent_m), u1 = std::sqrt(to_m - tangent_m);
-  const double b = air.earth_radius_m + path.impact_height_m;
-  const double at_tangent = air.optical_excess(tangent_m);
-  for (const auto& [x, weight] : algebra::gauss_legendre(nodes_a_piece)) {
-    const double u = (u0 + u1) / 2 + (u1 - u0) / 2 * x, h = tangent_m + u * u;
-    const auto density = atmosphere::density_ratio(air.column, h);
-    const double r = air.earth_radius_m + h, n = 1 + air.refractivity * density.value;
-    const double excess = u * u + (air.refractivity * density.value * r - at_tangent);  // n r − b
-    const double dh = weight * (u1 - u0) / 2 * 2 * u;
-    const double root = std::sqrt(excess * (n * r + b));
-    path.bending_rad -= 2 * b * air.refractivity * density.slope_per_m / (n * root) * dh;
-    const auto profiles = atmosphere::profiles(air.column, h);
-    for (std::size_t k = 0; k < profiles.size(); ++k)
-      path.amounts[k] += 2 * profiles[k] * n * r / root * dh;
+/// Altitudes between which the air is smooth.
+struct Piece {
+  double from_m, to_m;
+  double over_b;  ///< n r − b at the lower end, if that is close to the tangent height
+};
+
+/// A ray from its tangent height up.
+struct HalfRay {
+  const Air& air;
+  LimbPath path;
+  double at_tangent = air.optical_excess(path.tangent_height_m);
+
+  /// Closer above the tangent height the difference of two excesses drowns in rounding.
+  static constexpr double close_m = 1e-4;
+
+  /// n r − b; close to the tangent height by the slope of n r, from the piece's lower end.
+  double over_b(const Piece& piece, double above_m, const atmosphere::ValueAndSlope& density,
+                double r) const {
+    if (above_m > close_m) return above_m + (air.refractivity * density.value * r - at_tangent);
+    const double slope = 1 + air.refractivity * (density.value + density.slope_per_m * r);
+    return piece.over_b + (above_m - (piece.from_m - path.tangent_height_m)) * slope;
   }
-}
+
+  void add(const Piece& piece) {
+    const double tangent_m = path.tangent_height_m, b = air.earth_radius_m + path.impact_height_m;
+    const double u0 = std::sqrt(piece.from_m - tangent_m), u1 = std::sqrt(piece.to_m - tangent_m);
+    for (const auto& [x, weight] : algebra::gauss_legendre(nodes_a_piece)) {
+      const double u = (u0 + u1) / 2 + (u1 - u0) / 2 * x, h = tangent_m + u * u;
+      const auto density = atmosphere::density_ratio(air.column, h);
+      const double r = air.earth_radius_m + h, n = 1 + air.refractivity * density.value;
+      const double dh = weight * (u1 - u0) / 2 * 2 * u;
+      const double root = std::sqrt(over_b(piece, u * u, density, r) * (n * r + b));
+      path.bending_rad -= 2 * b * air.refractivity * density.slope_per_m / (n * root) * dh;
+      const auto profiles = atmosphere::profiles(air.column, h);
+      for (std::size_t k = 0; k < profiles.size(); ++k)
+        path.amounts[k] += 2 * profiles[k] * n * r / root * dh;
+    }
+  }
+
+  double over_b_at_end(const Piece& piece) const {
+    const double above_m = piece.to_m - path.tangent_height_m;
+    if (above_m > close_m) return 0;
+    const double h = std::midpoint(piece.from_m, piece.to_m);  // on this side of the break
+    return over_b(piece, above_m, atmosphere::density_ratio(air.column, h), air.earth_radius_m + h);
+  }
+};
 
 }  // namespace
 
 LimbPath limb_path(double tangent_height_m, double earth_radius_m, const Column& column,
                    double refractivity) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  algebra::require_within("tangent height [m]", tangent_height_m, 0, infinity);
+  atmosphere::require_no_trap(column, earth_radius_m, refractivity);
   const Air air{earth_radius_m, column, column.refraction ? refractivity : 0};
-  LimbPath path{tangent_height_m, air.optical_height(tangent_height_m), 0, {}};
-  const auto breaks = pieces_above(tangent_height_m, column, atmosphere::top_m(column));
-  for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
-    add_piece(air, breaks[i], breaks[i + 1], path);
-  return path;
+  HalfRay ray{air, {tangent_height_m, air.optical_height(tangent_height_m), 0, {}}};
+  const double top_m = atmosphere::top_m(column);
+  if (tangent_height_m >= top_m) return ray.path;
+  const auto breaks = pieces_above(tangent_height_m, column, top_m);
+  double over_b = 0;
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+    const Piece piece{breaks[i], breaks[i + 1], over_b};
+    ray.add(piece);
+    over_b = ray.over_b_at_end(piece);
+  }
+  return ray.path;
 }
 
 std::optional<LimbRay> limb_ray(double impact_height_m, double earth_radius_m, const Column& column,
@@ -107,8 +144,9 @@ std::optional<LimbRay> limb_ray(double impact_height_m, double earth_radius_m, c
   const double top = atmosphere::top_m(column);
   algebra::require_within("impact height [m]", impact_height_m, -1e4, top);
   const Air air{earth_radius_m, column, column.refraction ? optics.refractivity : 0};
+  atmosphere::require_no_trap(column, earth_radius_m, optics.refractivity);
+  if (impact_height_m < air.optical_height(0)) return std::nullopt;
   const double tangent_m = tangent_height(air, impact_height_m, top);
-  if (tangent_m < 0) return std::nullopt;
   const auto path = limb_path(tangent_m, earth_radius_m, column, optics.refractivity);
   const double optical_depth =
       atmosphere::product(path.amounts, atmosphere::spectra(column, optics));

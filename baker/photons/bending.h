@@ -24,13 +24,16 @@ struct LimbPath {
 /// slope breaks. Refractivity and altitude are carried, not n and r: n r − b = h − h_t + (n − 1) r −
 /// (n_t − 1) r_t loses no digits.
 ///
-/// Given     tangent_height_m      0 to the top of the air
+/// Given     tangent_height_m      0 or more; above the top of the air the path is straight
 ///           earth_radius_m        of the ground's curvature along the path
 ///           refractivity          n₀ − 1, at sea level
 /// Accuracy  1e-8 relative, of bending, air, dust and the troposphere's aerosol; where profiles have
 ///           knees, of ozone 5e-5, of the stratosphere's aerosol 2e-4 up to high, 1e-3 extreme; of
-///           all optical depth in standard air 5e-5. In the last millimetre under the top of the
-///           air, what the rounding of altitudes leaves
+///           all optical depth in standard air 5e-5. In the last micrometre under a break or the top
+///           of the air, what the rounding of altitudes leaves; in the last metre under 86 km, where
+///           US 1976 ends 5 cm lower, 6 % of what is left
+/// Throws    Error  when the tangent height is below 0, or the air would not let light out again
+///                  (atmosphere::critical_refractivity)
 /// Source    Auer & Standish (2000), AJ 119, 2472, for the integrals
 LimbPath limb_path(double tangent_height_m, double earth_radius_m, const atmosphere::Column& column,
                    double refractivity);
@@ -46,7 +49,8 @@ struct LimbRay {
 ///
 /// Given     impact_height_m  b − R, the impact parameter above the Earth's radius
 /// Returned  nothing when the ray meets the ground
-/// Throws    Error  when the impact height is above the air's top or over 10 km below the ground
+/// Throws    Error  when the impact height is above the air's top or over 10 km below the ground, or
+///                  the air would not let light out again
 std::optional<LimbRay> limb_ray(double impact_height_m, double earth_radius_m,
                                 const atmosphere::Column& column, const atmosphere::Optics& optics);
 

@@ -23,7 +23,8 @@ WholeLimb::WholeLimb(const atmosphere::Atmosphere& atmosphere,
   tbb::parallel_for(std::size_t{0}, parts_.size(), [&](std::size_t i) {
     const auto limb =
         atmosphere::limb_at(atmosphere.earth, i % ends == 0 ? std::numbers::pi / 2 : 0);
-    const LimbTable table(*columns[i / ends], limb.curvature_radius_m, optics, rays);
+    const LimbTable table(*columns[i / ends], limb.curvature_radius_m, optics, rays,
+                          atmosphere.top_m());
     parts_[i] = {limb.radius_m, {}, limb.curvature_radius_m, *columns[i / ends]};
     for (const auto& o : optics) parts_[i].fans.push_back(table.fan(o));
   });

@@ -32,10 +32,10 @@ LimbPath path_of(double tangent_height_m, const Path& all) {
   return path;
 }
 
-/// Where rays must stand: the ground, the breaks, the cloud's top, the air's.
-std::vector<double> stations(const Column& column) {
+/// Where rays must stand: the ground, the breaks, the cloud's top, the air's, and the top of all.
+std::vector<double> stations(const Column& column, double top_m) {
   auto heights = atmosphere::breaks_m(column);
-  heights.push_back(0);
+  heights.insert(heights.end(), {0, std::max(top_m, heights.back())});
   if (column.cloud_cover > 0) heights.push_back(column.cloud_top_m);
   std::sort(heights.begin(), heights.end());
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
@@ -186,8 +186,8 @@ std::vector<int> shares_of_rays(std::span<const double> unevenness, int rays) {
   return shares;
 }
 
-std::vector<Piece> pieces_of(const Column& column) {
-  const auto ends = stations(column);
+std::vector<Piece> pieces_of(const Column& column, double top_m) {
+  const auto ends = stations(column, top_m);
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) pieces.push_back({ends[i], ends[i + 1]});
   return pieces;
@@ -223,7 +223,7 @@ atmosphere::ValueAndSlope optical_excess_m(const Column& column, double earth_ra
 }
 
 LimbTable::LimbTable(const Column& column, double earth_radius_m, std::span<const Optics> optics,
-                     int rays)
+                     int rays, double top_m)
     : column_(column) {
   const double error = 10. / rays / rays;
   const auto greatest = std::ranges::max(optics, {}, &Optics::refractivity);
@@ -231,7 +231,7 @@ LimbTable::LimbTable(const Column& column, double earth_radius_m, std::span<cons
   refractivities_ = refractivity_nodes(column, optics, nodes);
   const Follower follower{column, earth_radius_m};
   const Significance significance(column, greatest);
-  const auto pieces = pieces_of(column);
+  const auto pieces = pieces_of(column, top_m);
   std::vector<std::vector<Polynomial>> polynomials(refractivities_.size());
   std::vector<double> uneven;
   for (const auto& piece : pieces) {

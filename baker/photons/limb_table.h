@@ -51,6 +51,7 @@ atmosphere::ValueAndSlope optical_excess_m(const atmosphere::Column& column, dou
 ///
 /// Given     earth_radius_m  of the ground's curvature along the path
 ///           optics          of all wavelengths that will be asked for
+///           top_m           altitude up to which a fan has rays, where that is above this air
 ///           rays            of a fan: closest below the breaks, and most where bending and optical
 ///                           depth are least like straight lines
 /// Accuracy  against limb_path at the same tangent height, with e = 10/rays²: of bending e times
@@ -60,7 +61,7 @@ atmosphere::ValueAndSlope optical_excess_m(const atmosphere::Column& column, dou
 class LimbTable {
  public:
   LimbTable(const atmosphere::Column& column, double earth_radius_m,
-            std::span<const atmosphere::Optics> optics, int rays);
+            std::span<const atmosphere::Optics> optics, int rays, double top_m = 0);
 
   /// Given  optics  within those the table was made for
   Fan fan(const atmosphere::Optics& optics) const;

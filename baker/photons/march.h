@@ -39,7 +39,9 @@ struct Marching {
 ///           5e-7 at 1 km, 6e-5 at 10 km, 5e-4 at 30 km; single precision 4e-6 at 1 km, 4e-5 at
 ///           100 m. Of ozone and aerosol, against as exact an integral: 3e-6 at 1 km, 6e-5 at 10 km,
 ///           1.5e-3 at 30 km; single precision 6e-6 at 1 km
-/// Omits     the step in refractivity where US 1976 ends at 86 km, 1.5e-9
+/// Omits     breaks of the air that a ray dips under within one step, less deep than step²/8R, 2 cm
+///           at 1 km: up to 2e-3 of its bending at 1 km and 1e-2 at 10 km, under the top of the air
+///           all of it; the step in refractivity where US 1976 ends at 86 km, 1.5e-9
 /// Throws    Error  when the step or the Earth's radius, 1e6 to 1e7 m, is outside its range
 /// Source    Sharma, Kumar & Ghatak (1982), Appl. Opt. 21, 984, for the parameter σ; Hairer, Nørsett &
 ///           Wanner (1993), Solving Ordinary Differential Equations I, III.10, for the step

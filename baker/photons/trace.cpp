@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "photons/trace.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -38,6 +39,16 @@ glm::dvec3 refractivity_gradient(const Column& column, const Optics& optics, con
   return gradient;
 }
 
+void require_valid(const Stepping& stepping, const Atmosphere& atmosphere, const Optics& optics) {
+  algebra::require_within("step [m]", stepping.step_m, 1, 1e5);
+  algebra::require_within("step of the gradient [m]", stepping.gradient_step_m, 1e-3, 1e4);
+  const auto& earth = atmosphere.earth;
+  const double radius_m = std::max(earth.equatorial_radius_m, earth.polar_radius_m);
+  atmosphere::require_no_trap(atmosphere.column, radius_m, optics.refractivity);
+  for (const auto& region : atmosphere.regions)
+    atmosphere::require_no_trap(region.column, radius_m, optics.refractivity);
+}
+
 }  // namespace
 
 std::optional<Ray> entered(const Ray& ray, double radius_m) {
@@ -50,7 +61,7 @@ std::optional<Ray> entered(const Ray& ray, double radius_m) {
 
 std::optional<Traced> trace(const Ray& entering, const Atmosphere& atmosphere, const Optics& optics,
                             const Stepping& stepping) {
-  algebra::require_within("step [m]", stepping.step_m, 1, 1e5);
+  require_valid(stepping, atmosphere, optics);
   const double length = stepping.step_m, top = atmosphere.top_m();
   const auto& earth = atmosphere.earth;
   glm::dvec3 at = entering.position_m, direction = entering.direction;

@@ -16,7 +16,7 @@ struct Ray {
 /// How finely a ray is stepped through the air.
 struct Stepping {
   double step_m = 1000;         ///< arc length of one step, 1 to 100 000 m
-  double gradient_step_m = 10;  ///< of the one-sided difference that stands for ∂n/∂x
+  double gradient_step_m = 10;  ///< of the one-sided difference that stands for ∂n/∂x, 1e-3 to 1e4
 };
 
 /// A ray that left the air again.
@@ -47,7 +47,8 @@ std::optional<Ray> entered(const Ray& ray, double radius_m);
 ///           ellipsoid's pole
 /// Accuracy  at 1 km: bending 0.14 % too little for a ray that grazes at 876 m, 0.11 % at 3791 m;
 ///           0.06 % of it is the one-sided difference and stays as the step shrinks
-/// Throws    Error  when the step is outside its range
+/// Throws    Error  when a step is outside its range, or the air would not let light out again
+///                  (atmosphere::critical_refractivity)
 /// Source    Yapo & Cutler (2009), Eq. 1 to 3, 11 and 12, after Seron et al. (2004)
 std::optional<Traced> trace(const Ray& entering, const atmosphere::Atmosphere& atmosphere,
                             const atmosphere::Optics& optics, const Stepping& stepping);

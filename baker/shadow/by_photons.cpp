@@ -278,6 +278,8 @@ void add_ranges(const Simulation& simulation, const std::vector<BlockRange>& ran
   BlockSums rows(simulation.rows(), simulation.waves());
   PhotonSums more = sums;
   more.done = ranges;
+  more.sum_rest.clear();
+  more.sum_of_squares_rest.clear();
   for (const auto& range : ranges) add_blocks(simulation, range, rows, progress);
   for (auto* grids : {&more.sum, &more.sum_of_squares})
     for (auto& grid : *grids) std::fill(grid.values().begin(), grid.values().end(), 0.);

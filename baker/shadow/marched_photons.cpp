@@ -173,12 +173,13 @@ MarchedPhotons::Part MarchedPhotons::part_of(const photons::WholeLimb::Part& lim
 
 void MarchedPhotons::follow(const Part& part, std::span<const Aim> aims,
                             std::vector<MarchedPhoton>& photons) const {
+  const double top_m = atmosphere::top_m(part.column);  // others' air may end higher
   std::vector<double> heights_m;
   const std::size_t first = photons.size();
   for (const auto& aim : aims) {
     const double h = aim.tangent_height_m;
     const auto excess = photons::optical_excess_m(part.column, part.curvature_radius_m, h);
-    heights_m.push_back(h);
+    heights_m.push_back(std::min(h, top_m));
     photons.push_back({aim.part,
                        static_cast<float>(part.radius_m + h),
                        static_cast<float>(excess.value),

@@ -38,11 +38,27 @@ std::vector<BlockRange> united(std::vector<BlockRange> ranges,
   return all;
 }
 
-void add(std::vector<algebra::Grid<double>>& grids,
-         const std::vector<algebra::Grid<double>>& more) {
+using Grids = std::vector<algebra::Grid<double>>;
+
+/// Adds y to x + rest, and keeps what x has no digits for in the rest.
+///
+/// Source  Knuth (1998), The Art of Computer Programming 2, 4.2.2, theorem B
+void add(double& x, double& rest, double y) {
+  const double sum = x + y, of_y = sum - x;
+  rest += (x - (sum - of_y)) + (y - of_y);
+  x = sum + rest;
+  rest -= x - sum;
+}
+
+void add(Grids& grids, Grids& rests, const Grids& more, const Grids& more_rests) {
+  if (rests.empty())
+    for (const auto& grid : grids) rests.emplace_back(grid.rows(), grid.columns());
   for (std::size_t g = 0; g < grids.size(); ++g)
-    for (std::size_t i = 0; i < grids[g].values().size(); ++i)
-      grids[g].values()[i] += more[g].values()[i];
+    for (std::size_t i = 0; i < grids[g].values().size(); ++i) {
+      double& rest = rests[g].values()[i];
+      if (!more_rests.empty()) rest += more_rests[g].values()[i];
+      add(grids[g].values()[i], rest, more[g].values()[i]);
+    }
 }
 
 /// Irradiance ratio in a cell of a ring that a square metre of sunlight makes.
@@ -108,8 +124,8 @@ PhotonSums merged(PhotonSums a, const PhotonSums& b) {
         "photons of different scenes, allowed those of one: the same air, "
         "distances, wavelengths, rings and seed");
   a.done = united(std::move(a.done), b.done);
-  add(a.sum, b.sum);
-  add(a.sum_of_squares, b.sum_of_squares);
+  add(a.sum, a.sum_rest, b.sum, b.sum_rest);
+  add(a.sum_of_squares, a.sum_of_squares_rest, b.sum_of_squares, b.sum_of_squares_rest);
   return a;
 }
 

@@ -45,6 +45,8 @@ struct PhotonSums {
   /// [plane × sectors + sector](ring, wavelength), over blocks, of the light that a block brought:
   /// the area of unshaded sunlight that has as much [m²], and its square
   std::vector<algebra::Grid<double>> sum, sum_of_squares;
+  /// what rounding has kept out of them, as far as they were merged here; empty: nothing
+  std::vector<algebra::Grid<double>> sum_rest{}, sum_of_squares_rest{};
 };
 
 std::uint64_t blocks_in(const std::vector<BlockRange>& ranges);
@@ -54,7 +56,7 @@ std::vector<BlockRange> missing(const PhotonSums& sums, BlockRange blocks);
 
 /// Both together.
 ///
-/// Accuracy  as if traced in one run but for rounding, 1e-12
+/// Accuracy  as if traced in one run but for rounding, 1e-12, however many are merged one by one
 /// Throws    Error  when they belong to different things, or hold the same blocks
 PhotonSums merged(PhotonSums a, const PhotonSums& b);
 

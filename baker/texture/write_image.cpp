@@ -106,7 +106,7 @@ struct Source {
     const auto wrong = std::ranges::find_if(values, [&](float v) { return !limits.hold(v); });
     const auto at = static_cast<std::size_t>(wrong - values.begin());
     const auto& channels = layout.channels;
-    throw Error(fmt::format("{}: texel row {}, column {}, channel {} = {:g}, allowed {:g} to {:g}",
+    throw Error(fmt::format("{}: texel row {}, column {}, channel {} = {}, allowed {:g} to {:g}",
                             path.string(), row, at / channels.size(),
                             channels[at % channels.size()], *wrong, limits.lowest, limits.highest));
   }

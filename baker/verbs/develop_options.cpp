@@ -15,7 +15,7 @@ namespace {
 double seconds_from(const std::string& text) {
   double seconds = 0;
   if (!CLI::detail::lexical_cast(text, seconds))
-    throw algebra::Error(fmt::format("exposure time = {}, allowed auto or 1e-6 to 1e5 s", text));
+    throw algebra::Error(fmt::format("exposure time = {}, allowed auto or 1e-6 to 1e6 s", text));
   return seconds;
 }
 

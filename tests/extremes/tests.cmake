@@ -11,3 +11,7 @@ target_compile_definitions(extremes_faults_test PRIVATE
 coppermoon_test(extremes/sweep LINKS algebra texture LABELS sweep TIMEOUT 1500)
 target_link_libraries(extremes_sweep_test PRIVATE nlohmann_json::nlohmann_json)
 add_dependencies(extremes_sweep_test coppermoon_program)
+coppermoon_test(extremes/numbers LINKS shadow)
+coppermoon_test(extremes/numbers_of_light LINKS shadow)
+coppermoon_test(extremes/numbers_of_scenes LINKS colour texture LABELS files)
+coppermoon_test(extremes/invariances LINKS texture)
