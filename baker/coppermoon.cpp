@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -12,26 +13,14 @@
 #include <new>
 #include <string_view>
 
-#include "algebra/error.h"
-#include "verbs/recipe.h"
-#include "verbs/verbs.h"
+#include "verbs/command_line.h"
+#include "verbs/one_line.h"
 
 namespace {
 
 namespace verbs = coppermoon::verbs;
 
 constexpr int could_not = 1, wrong_usage = 2;
-
-void add_words(CLI::App& program) {
-  program.option_defaults()->always_capture_default()->multi_option_policy(
-      CLI::MultiOptionPolicy::TakeLast);
-  program.require_subcommand(1);
-  program.set_version_flag("--version", "coppermoon " COPPERMOON_VERSION);
-  for (const auto add : {verbs::add_almanac, verbs::add_sky, verbs::add_plan, verbs::add_shadow,
-                         verbs::add_brightness, verbs::add_bake, verbs::add_scene, verbs::add_still,
-                         verbs::add_develop, verbs::add_tradeoff})
-    add(program);
-}
 
 /// Threads of all that follows; 0: as many as there are processors.
 void add_threads(CLI::App& program, std::unique_ptr<tbb::global_control>& control) {
@@ -48,9 +37,9 @@ void add_threads(CLI::App& program, std::unique_ptr<tbb::global_control>& contro
         ->check(CLI::Range(0, 512));
 }
 
-/// The first line of an error, whoever wrote it.
+/// An error, whoever wrote it.
 void say(std::string_view error) {
-  std::fputs(fmt::format("coppermoon: {}\n", error.substr(0, error.find('\n'))).c_str(), stderr);
+  std::fputs(fmt::format("coppermoon: {}\n", verbs::one_line(error)).c_str(), stderr);
 }
 
 /// What a thread that cannot begin, or a library's promise not to throw, make of too little memory.
@@ -62,9 +51,7 @@ void say(std::string_view error) {
 
 int run(CLI::App& program, int count, char** words) {
   try {
-    auto arguments = verbs::with_recipes(program, {words + 1, words + count});
-    std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
-    program.parse(arguments);
+    verbs::obey(program, {words + std::min(count, 1), words + count});
     return 0;
   } catch (const CLI::CallForHelp& call) {
     return program.exit(call);
@@ -89,7 +76,7 @@ int main(int count, char** words) {
   std::set_terminate(end_at_once);
   CLI::App program{"coppermoon bakes eclipsed Moons", "coppermoon"};
   std::unique_ptr<tbb::global_control> threads;
-  add_words(program);
+  verbs::add_words(program);
   add_threads(program, threads);
   const int status = run(program, count, words);
   if (std::fflush(stdout) == 0 || status != 0) return status;

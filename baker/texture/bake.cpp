@@ -82,8 +82,8 @@ Rows lit_rows(const algebra::Grid<float>& normal_albedo, const almanac::SkyState
   const ResizedRows albedo(normal_albedo, rows);
   const double unseen = extent == Extent::seen_from_earth ? sine_of_the_unseen(rows)
                                                           : std::numeric_limits<double>::infinity();
-  const auto baking =
-      std::make_shared<Baking>(Globe(sky, rows, photometry, unseen), light, albedo, progress);
+  const std::shared_ptr<Baking> baking(
+      new Baking{Globe(sky, rows, photometry, unseen), light, albedo, progress});
   return [baking](std::size_t first_row, std::span<float> values) {
     const std::size_t length = 2 * baking->globe.rows * baking->light.channels();
     tbb::parallel_for(std::size_t{0}, values.size() / length, [&](std::size_t r) {

@@ -10,13 +10,17 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "algebra/error.h"
+#include "texture/exr_claims.h"
 #include "texture/oiio_attributes.h"
 
 namespace coppermoon::texture {
@@ -51,13 +55,52 @@ void require_readable_file(const fs::path& path) {
   if (!file) throw cannot_read(path, std::generic_category().message(errno));
 }
 
+/// A header may claim any size: the file must be able to hold it before any memory is asked for.
+void require_size(const fs::path& path, const OIIO::ImageSpec& spec) {
+  const auto within = [&](std::string_view what, double value, double most) {
+    if (value <= most) return;
+    throw cannot_read(path, fmt::format("{} = {:g}, allowed up to {:g}", what, value, most));
+  };
+  within("width [texels]", spec.width, most_texels_a_side);
+  within("height [texels]", spec.height, most_texels_a_side);
+  within("distance from the origin [texels]", std::max(std::abs(spec.x * 1.), std::abs(spec.y * 1.)),
+         most_texels_a_side);
+  const double numbers = 1. * spec.width * spec.height * spec.nchannels;
+  within("numbers, texels by channels", numbers, most_numbers);
+  within("numbers in a file so small", numbers,
+         most_numbers_of_any_file + most_numbers_a_byte * static_cast<double>(fs::file_size(path)));
+}
+
+/// OpenImageIO's name for what reads a file: by its first bytes, else by its name's ending. Left alone
+/// it would hand a file that one reader refuses to all of its others, films and medicine included.
+std::string format_of(const fs::path& path) {
+  using namespace std::string_view_literals;
+  constexpr std::array<std::pair<std::string_view, const char*>, 7> known{{{"v/1\x01"sv, "openexr"},
+                                                                           {"II*\0"sv, "tiff"},
+                                                                           {"MM\0*"sv, "tiff"},
+                                                                           {"II+\0"sv, "tiff"},
+                                                                           {"MM\0+"sv, "tiff"},
+                                                                           {"\x89PNG"sv, "png"},
+                                                                           {"\xFF\xD8\xFF"sv, "jpeg"}}};
+  std::array<char, 4> bytes{};
+  std::ifstream(path, std::ios::binary).read(bytes.data(), bytes.size());
+  const std::string_view beginning(bytes.data(), bytes.size());
+  for (const auto& [sign, format] : known)
+    if (beginning.starts_with(sign)) return format;
+  const auto ending = path.extension().string();
+  return ending.empty() ? ending : ending.substr(1);
+}
+
 std::unique_ptr<OIIO::ImageInput> opened(const fs::path& path) {
   require_readable_file(path);
-  auto input = OIIO::ImageInput::open(path.string());
-  if (!input) throw cannot_read(path, reason_of(nullptr));
-  const auto& spec = input->spec();
+  const auto format = format_of(path);
+  if (format == "openexr") require_honest_exr(path);
+  auto input = format.empty() ? nullptr : OIIO::ImageInput::create(format);
+  OIIO::ImageSpec spec;
+  if (!input || !input->open(path.string(), spec)) throw cannot_read(path, reason_of(input.get()));
   if (spec.deep || spec.depth > 1 || spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
     throw cannot_read(path, "not a flat image with texels");
+  require_size(path, spec);
   return input;
 }
 
@@ -86,12 +129,13 @@ void for_each_band(OIIO::ImageInput& input, const fs::path& path, const auto& ac
                                                0, spec.nchannels, type, band.values.data())
                             : input.read_scanlines(0, 0, begin, end, 0, 0, spec.nchannels, type,
                                                    band.values.data());
-    if (!read) throw cannot_read(path, reason_of(&input));
+    if (!read || input.has_error())  // of TIFF and JPEG that end early it says both
+      throw cannot_read(path, reason_of(&input));
     act(band);
   }
 }
 
-/// A header may claim any size: what does not fit into memory is an error of the file's.
+/// What does not fit into memory is an error of the file's.
 template <class Make>
 auto within_memory(const fs::path& path, const OIIO::ImageSpec& spec, Make make) {
   try {
@@ -193,6 +237,12 @@ void require_two_to_one(const fs::path& path, const OIIO::ImageSpec& spec) {
                                   spec.full_width, spec.full_height));
 }
 
+/// OpenImageIO makes light of cyan, magenta, yellow and black, but not of other inks.
+void require_light(const fs::path& path, const OIIO::ImageSpec& spec) {
+  if (spec.channelnames[0].starts_with("ink"))
+    throw cannot_read(path, "channels of inks, allowed grey, colours of light, or CMYK");
+}
+
 void require_albedo(const fs::path& path, const algebra::Grid<float>& map) {
   const auto values = map.values();
   const auto sound = [](float v) { return v >= 0 && v <= std::numeric_limits<float>::max(); };
@@ -234,6 +284,7 @@ algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding, double
   const auto input = opened(path);
   const auto& spec = input->spec();
   require_two_to_one(path, spec);
+  require_light(path, spec);
   const FloatingTone tone{curve_of(spec, coding), static_cast<float>(exponent)};
   return within_memory(path, spec, [&] {
     algebra::Grid<float> map(static_cast<std::size_t>(spec.height),

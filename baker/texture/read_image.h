@@ -11,12 +11,20 @@
 
 namespace coppermoon::texture {
 
+/// What is read of an image at most, so that no header's claim takes memory or time that its file is
+/// not worth: 4 bytes for each number. 65536 x 32768 texels of four channels are within, and a uniform
+/// image as DWA packs it, the densest of all: 7000 numbers a byte.
+inline constexpr double most_texels_a_side = 1 << 20, most_numbers = 8589934592.,
+                        most_numbers_of_any_file = 1 << 24, most_numbers_a_byte = 8192;
+
 /// Every texel of an image file of any kind: floating-point formats as they are, integer formats 0
-/// to 1, still coded as in the file.
+/// to 1, still coded as in the file. EXR, TIFF, PNG and JPEG are known by their first bytes, others by
+/// their names' endings.
 ///
 /// Throws  Error  one line with the path: no such file, not permitted, a directory, empty, no
-/// image,
-///                or an image that ends early
+///                image, an image that ends early; a side of more than most_texels_a_side, more
+///                numbers (texels by channels) than most_numbers, or more than
+///                most_numbers_of_any_file and most_numbers_a_byte for each byte of the file
 Image read_image(const std::filesystem::path& path);
 
 /// One attribute of an image file's header, as text; empty when there is none of that name.

@@ -9,6 +9,7 @@
 #include "texture/read_image.h"
 #include "verbs/develop_options.h"
 #include "verbs/moon_options.h"
+#include "verbs/one_line.h"
 #include "verbs/recipe.h"
 #include "verbs/silence.h"
 #include "verbs/verbs.h"
@@ -55,7 +56,7 @@ void run(const Options& options) {
   if (options.json)
     fmt::print("{}\n", all.dump(2));
   else
-    fmt::print("{}: {:.3g} s, f/{:g}, ISO {:g}\n", options.output, exposure.time_s,
+    fmt::print("{}: {:.3g} s, f/{:g}, ISO {:g}\n", one_line(options.output), exposure.time_s,
                exposure.f_number, exposure.iso);
 }
 

@@ -14,9 +14,13 @@ namespace coppermoon::verbs {
 namespace {
 
 /// Whether gnuplot did all it was told. One that is not there hangs up while it is spoken to.
-bool gnuplot_did(const std::string& script) {
+///
+/// Given  picture  a file that it inherits and draws into: no file's name comes into its script,
+///                 where a line of it could be taken for an order
+bool gnuplot_did(const std::string& script, int picture) {
   const auto before = std::signal(SIGPIPE, SIG_IGN);
-  FILE* gnuplot = popen("gnuplot 2>/dev/null", "w");
+  const auto command = fmt::format("gnuplot >/dev/fd/{} 2>/dev/null", picture);
+  FILE* gnuplot = popen(command.c_str(), "w");
   const bool told =
       gnuplot != nullptr && std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
   const bool done = gnuplot != nullptr && pclose(gnuplot) == 0 && told;
@@ -29,9 +33,10 @@ bool gnuplot_did(const std::string& script) {
 void write_plot(const std::filesystem::path& picture, const std::string& terminal,
                 const std::string& script) {
   texture::write_whole(picture, [&](int descriptor) {
-    const auto output = fmt::format("/proc/{}/fd/{}", getpid(), descriptor);
-    if (!gnuplot_did(fmt::format("set terminal {}\nset output '{}'\n{}", terminal, output, script)))
-      throw algebra::Error("gnuplot failed; install the package gnuplot-nox");
+    const int inherited = ::dup(descriptor);  // what is opened here is closed to other programs
+    const bool done = gnuplot_did(fmt::format("set terminal {}\n{}", terminal, script), inherited);
+    ::close(inherited);
+    if (!done) throw algebra::Error("gnuplot failed; install the package gnuplot-nox");
   });
 }
 

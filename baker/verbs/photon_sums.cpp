@@ -138,7 +138,9 @@ void write_sums(const std::filesystem::path& path, const PhotonSums& sums) {
 
 PhotonSums read_sums(const std::filesystem::path& path) {
   std::ifstream file(path);
-  if (!file) throw Error(fmt::format("{}: cannot be read", path.string()));
+  std::error_code ignored;
+  if (!file || std::filesystem::is_directory(path, ignored))
+    throw Error(fmt::format("{}: cannot be read", path.string()));
   try {
     return sums_of(json::parse(file));
   } catch (const json::parse_error& error) {

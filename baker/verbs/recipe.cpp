@@ -30,10 +30,22 @@ const CLI::App& verb_named(const CLI::App& program, const std::string& name) {
       fmt::format("{}: no such word; the nearest is {}", name, nearest(name, words_of(program))));
 }
 
+bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7F'; }
+
+/// As a text in TOML that stays on its line.
 std::string quoted(const std::string& text) {
-  std::ostringstream literal;
-  literal << toml::value<std::string>(text);
-  return literal.str();
+  if (std::ranges::none_of(text, is_control)) {
+    std::ostringstream literal;
+    literal << toml::value<std::string>(text);
+    return literal.str();
+  }
+  std::string literal = "\"";
+  for (const char c : text)
+    if (is_control(c))
+      literal += fmt::format("\\u{:04x}", static_cast<int>(c));
+    else
+      literal += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+  return literal + "\"";
 }
 
 /// An option's value as TOML, numbers spelt alike however the user spelt them; empty when it has
@@ -164,8 +176,8 @@ std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::
 std::string recipe_of(const CLI::App& verb) {
   std::string text;
   const std::string tables = air_tables(verb);
-  std::vector<std::string> no_part{"help", "recipe", "json",  "output", "threads", "frame",
-                                   "plot", "region", "shard", "keep",   "add"};
+  auto no_part = no_part_of_recipes();
+  no_part.push_back("region");
   if (!tables.empty()) no_part.push_back("atmosphere");
   for (const auto* option : verb.get_options()) {
     if (option->get_lnames().empty() || holds(no_part, option->get_lnames().front())) continue;

@@ -14,13 +14,18 @@
 #include "texture/read_image.h"
 #include "verbs/air_options.h"
 #include "verbs/known_words.h"
+#include "verbs/one_line.h"
 
 namespace coppermoon::verbs {
 namespace {
 
 std::string as_text(const toml::node& value, const std::string& where) {
   std::ostringstream text;
-  if (const auto* word = value.as_string()) return word->get();
+  if (const auto* word = value.as_string()) {
+    if (word->get().find('\0') != std::string::npos)
+      throw algebra::Error(fmt::format("{}: holds a zero byte, allowed is text without", where));
+    return word->get();
+  }
   if (const auto* integer = value.as_integer())
     text << integer->get();
   else if (const auto* number = value.as_floating_point())
@@ -38,21 +43,72 @@ std::string as_text(const toml::node& value, const std::string& where) {
   return text.str();
 }
 
+constexpr std::size_t most_bytes = 1 << 20;
+
+/// The file's beginning, one byte more than a recipe may have.
+std::string beginning_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::error_code ignored;
+  if (!file || std::filesystem::is_directory(path, ignored))
+    throw algebra::Error(fmt::format("{}: cannot be read", path));
+  std::string text(most_bytes + 1, ' ');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return text;
+}
+
 std::string recipe_text(const std::string& path) {
-  if (std::filesystem::path(path).extension() != ".exr") {
-    std::ifstream file(path);
-    if (!file || std::filesystem::is_directory(path))
-      throw algebra::Error(fmt::format("{}: cannot be read", path));
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
+  if (std::filesystem::path(path).extension() != ".exr") return beginning_of(path);
   const auto text = texture::read_attribute(path, "coppermoon:recipe");
   if (!text) throw algebra::Error(fmt::format("{}: has no recipe in its header", path));
   return *text;
 }
 
+/// Bytes between TOML's quotes, quotes included: of one line, or three quotes and several lines.
+std::size_t quoted_length(std::string_view text) {
+  const char quote = text.front();
+  const std::string three(3, quote);
+  const std::string mark = text.starts_with(three) ? three : three.substr(2);
+  std::size_t end = mark.size();
+  while (end < text.size() && !text.substr(end).starts_with(mark))
+    end += quote == '"' && text[end] == '\\' ? 2 : 1;
+  end += mark.size();
+  while (mark == three && end < text.size() && text[end] == quote) ++end;
+  return std::min(end, text.size());
+}
+
+/// Bytes that are read as one: a quoted text, a comment, or one character.
+std::size_t token_length(std::string_view text) {
+  if (text.front() == '"' || text.front() == '\'') return quoted_length(text);
+  return text.front() == '#' ? std::min(text.find('\n'), text.size()) : 1;
+}
+
+/// A name `a.b.c` makes a table in a table in a table, and toml++ goes through them by recursion: one
+/// of many parts would be the end of the stack.
+void require_short_names(const std::string& path, std::string_view text) {
+  constexpr std::ptrdiff_t most_parts = 16;
+  constexpr std::string_view of_names =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_\"' \t.";
+  std::ptrdiff_t dots = 0, line = 1;
+  for (std::size_t length = 0; !text.empty(); text.remove_prefix(length)) {
+    length = token_length(text);
+    const auto token = text.substr(0, length);
+    line += std::ranges::count(token, '\n');
+    if (of_names.find(token.front()) == std::string_view::npos) dots = 0;
+    if (token == "." && ++dots >= most_parts)
+      throw algebra::Error(fmt::format("{}:{}: a name of more than {} parts, allowed up to {}",
+                                       path, line, most_parts, most_parts));
+  }
+}
+
 toml::table parsed(const std::string& path) {
+  const auto text = recipe_text(path);
+  if (text.size() > most_bytes)
+    throw algebra::Error(
+        fmt::format("{}: a recipe of more than {} bytes, allowed up to that", path, most_bytes));
+  require_short_names(path, text);
   try {
-    return toml::parse(recipe_text(path), path);
+    return toml::parse(text, path);
   } catch (const toml::parse_error& error) {
     throw algebra::Error(
         fmt::format("{}:{}: {}", path, error.source().begin.line, error.description()));
@@ -66,6 +122,9 @@ struct Reading {
   /// A recipe that another verb wrote into a file may know more than this one asks for.
   bool lenient = std::filesystem::path(path).extension() == ".exr";
 
+  bool heeds(const std::vector<std::string>& keys, const std::string& flag) const {
+    return holds(keys, flag) && !holds(no_part_of_recipes(), flag);
+  }
   std::string where(const toml::node& value) const {
     return fmt::format("{}:{}: ", path, value.source().begin.line);
   }
@@ -97,7 +156,7 @@ void require_key(const Reading& reading, const Table& table, const Told& told) {
   if (holds(table.keys, told.flag)) return;
   const bool elsewhere = holds(long_flags(reading.verb), told.flag);
   throw UnknownWord(fmt::format("{}{}: {} has no such key; {}", reading.where(*told.value),
-                                told.flag, table.name,
+                                one_line(told.flag), table.name,
                                 elsewhere ? "it belongs above all tables"
                                           : "the nearest is " + nearest(told.flag, table.keys)));
 }
@@ -107,7 +166,7 @@ std::vector<Told> told_in(const Reading& reading, const toml::table& entries, co
   std::vector<Told> all;
   for (const auto& [key, value] : entries) {
     const Told told{std::string(key.str()), &value};
-    if (reading.lenient && !holds(table.keys, told.flag)) continue;
+    if (reading.lenient && !reading.heeds(table.keys, told.flag)) continue;
     require_key(reading, table, told);
     all.push_back(told);
   }
@@ -202,6 +261,10 @@ bool names(const std::vector<std::string>& arguments, const std::string& flag) {
 }
 
 }  // namespace
+
+std::vector<std::string> no_part_of_recipes() {
+  return {"help", "recipe", "json", "output", "threads", "frame", "plot", "shard", "keep", "add"};
+}
 
 std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path,
                                          const std::vector<std::string>& mine) {

@@ -12,6 +12,7 @@
 #include "eclipse/shadow_axis.h"
 #include "texture/whole_file.h"
 #include "verbs/gnuplot.h"
+#include "verbs/one_line.h"
 #include "verbs/moon_options.h"
 #include "verbs/progress_bar.h"
 #include "verbs/recipe.h"
@@ -128,7 +129,7 @@ void run(const Options& options) {
   if (options.json)
     fmt::print("{}\n", as_json(all).dump(2));
   else
-    fmt::print("{}: tradeoff.csv, tradeoff.md, tradeoff.svg, {} rows\n", options.output,
+    fmt::print("{}: tradeoff.csv, tradeoff.md, tradeoff.svg, {} rows\n", one_line(options.output),
                all.size());
 }
 

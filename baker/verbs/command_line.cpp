@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "verbs/known_words.h"
+#include "verbs/one_line.h"
+#include "verbs/recipe.h"
+#include "verbs/verbs.h"
+
+namespace coppermoon::verbs {
+
+void add_words(CLI::App& program) {
+  program.option_defaults()->always_capture_default()->multi_option_policy(
+      CLI::MultiOptionPolicy::TakeLast);
+  program.require_subcommand(1);
+  program.set_version_flag("--version", "coppermoon " COPPERMOON_VERSION);
+  for (const auto add : {add_almanac, add_sky, add_plan, add_shadow, add_brightness, add_bake,
+                         add_scene, add_still, add_develop, add_tradeoff})
+    add(program);
+}
+
+void obey(CLI::App& program, const std::vector<std::string>& arguments) {
+  for (const auto& argument : arguments)
+    if (!is_utf8(argument))
+      throw UnknownWord(fmt::format("argument '{}', allowed is UTF-8", argument));
+  auto all = with_recipes(program, arguments);
+  std::reverse(all.begin(), all.end());  // as CLI11 takes them
+  program.parse(std::move(all));
+}
+
+}  // namespace coppermoon::verbs

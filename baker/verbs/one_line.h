@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace coppermoon::verbs {
+
+/// Whether a text is UTF-8.
+///
+/// Source  RFC 3629: no longer spelling than needed, no surrogates, nothing above U+10FFFF
+bool is_utf8(std::string_view text);
+
+/// A text from anywhere, such as a file's name, as one line that a terminal may show: control
+/// characters and bytes that are no UTF-8 as \n or \x1b; of more than 2000 bytes the middle is left
+/// out.
+std::string one_line(std::string_view text);
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "end_to_end/program.h"
+#include "extremes/tried.h"
+
+namespace coppermoon::extremes {
+
+using end_to_end::Outcome;
+using end_to_end::text_of;
+using Words = std::vector<std::string>;
+
+constexpr int could_not = 1, wrong_usage = 2;
+constexpr const char* eclipse_of_2008 = "2008-02-21T03:26:05Z";
+
+inline Words operator+(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// What it is given may come from anyone: it is used, or refused in one line, and nothing is left.
+class Untrusted : public end_to_end::ProgramTest {
+ protected:
+  /// A row of the table for a refusal.
+  void expect_refused(const std::string& what, const Outcome& outcome, const std::string& part,
+                      int status = could_not) const {
+    EXPECT_EQ(outcome.status, status) << what << ": " << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("coppermoon: ")) << what << ": " << outcome.err;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << what << ": " << outcome.err;
+    EXPECT_LT(outcome.err.size(), 3000U) << what;
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << what << ": " << outcome.err;
+    refused(what, outcome.err.substr(0, outcome.err.find('\n')));
+  }
+
+  /// A quick texture of a Moon without shadow.
+  static Words bake(const Words& more) {
+    return Words{"bake", eclipse_of_2008, "--unshadowed", "--texture-width", "16"} + more;
+  }
+
+  void oiiotool(const Words& words) const {
+    const auto outcome = run(Words{"oiiotool"} + words);
+    ASSERT_EQ(outcome.status, 0) << outcome.err << outcome.out;
+  }
+};
+
+}  // namespace coppermoon::extremes
