@@ -6,6 +6,8 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "algebra/error.h"
 
@@ -43,20 +45,58 @@ class Reader {
   std::uintmax_t size_;
 };
 
-/// Whether an attribute's own counts are within its size.
+/// Bytes of the types that always have as many: OpenEXR reads so many, whatever the size says.
+std::optional<std::int64_t> bytes_of(std::string_view type) {
+  using Type = std::pair<std::string_view, std::int64_t>;
+  constexpr std::array<Type, 24> all{
+      {{"box2f", 16},         {"box2i", 16},   {"chromaticities", 32},
+       {"compression", 1},    {"double", 8},   {"envmap", 1},
+       {"float", 4},          {"int", 4},      {"keycode", 28},
+       {"lineOrder", 1},      {"m33d", 72},    {"m33f", 36},
+       {"m44d", 128},         {"m44f", 64},    {"rational", 8},
+       {"deepImageState", 1}, {"tiledesc", 9}, {"timecode", 8},
+       {"v2d", 16},           {"v2f", 8},      {"v2i", 8},
+       {"v3d", 24},           {"v3f", 12},     {"v3i", 12}}};
+  for (const auto& [name, bytes] : all)
+    if (name == type) return bytes;
+  return {};
+}
+
+/// Goes over texts, each after its length.
+void pass_texts(Reader& file, std::int64_t end) {
+  while (file.good() && file.at() < end) {
+    const auto length = file.integer().value_or(-1);
+    if (length < 0 || length > end - file.at()) return;
+    file.go_to(file.at() + length);
+  }
+}
+
+/// Goes over channels, each a name and 16 bytes, and the empty name behind them.
+void pass_channels(Reader& file, std::int64_t end) {
+  while (file.good() && file.at() < end && !file.name().empty()) file.go_to(file.at() + 16);
+}
+
+/// Goes over a small picture: its sides, and 4 bytes for each of its pixels.
+void pass_preview(Reader& file, std::int64_t size) {
+  const auto width = file.integer().value_or(-1), height = file.integer().value_or(-1);
+  if (width >= 0 && height >= 0 && width * height <= size)
+    file.go_to(file.at() + 4 * width * height);
+}
+
+/// Whether an attribute ends where its own counts say.
 bool honest(Reader& file, const std::string& type, std::int64_t size) {
   const std::int64_t end = file.at() + size;
   if (size < 0 || size > file.left()) return false;
-  if (type == "preview") {
-    const auto width = file.integer(), height = file.integer();
-    return width && height && *width >= 0 && *height >= 0 && *width * *height == (size - 8) / 4;
-  }
-  while (type == "stringvector" && file.at() < end) {
-    const auto length = file.integer();
-    if (!length || *length < 0 || *length > end - file.at()) return false;
-    file.go_to(file.at() + *length);
-  }
-  return true;
+  if (const auto bytes = bytes_of(type)) return size == *bytes;
+  if (type == "stringvector")
+    pass_texts(file, end);
+  else if (type == "chlist")
+    pass_channels(file, end);
+  else if (type == "preview")
+    pass_preview(file, size);
+  else
+    return true;
+  return file.good() && file.at() == end;
 }
 
 }  // namespace
@@ -77,9 +117,10 @@ void require_honest_exr(const std::filesystem::path& path) {
     if (!size) return;
     const auto begin = file.at();
     if (!honest(file, type, *size))
-      throw algebra::Error(fmt::format(
-          "{}: cannot be read: attribute \"{}\" of {} bytes, allowed as many as the file holds",
-          path.string(), name, *size));
+      throw algebra::Error(
+          fmt::format("{}: cannot be read: attribute \"{}\" of {} bytes, allowed as many as it and "
+                      "the file hold",
+                      path.string(), name, *size));
     file.go_to(begin + *size);
   }
 }

@@ -63,8 +63,8 @@ void require_size(const fs::path& path, const OIIO::ImageSpec& spec) {
   };
   within("width [texels]", spec.width, most_texels_a_side);
   within("height [texels]", spec.height, most_texels_a_side);
-  within("distance from the origin [texels]", std::max(std::abs(spec.x * 1.), std::abs(spec.y * 1.)),
-         most_texels_a_side);
+  within("distance from the origin [texels]",
+         std::max(std::abs(spec.x * 1.), std::abs(spec.y * 1.)), most_texels_a_side);
   const double numbers = 1. * spec.width * spec.height * spec.nchannels;
   within("numbers, texels by channels", numbers, most_numbers);
   within("numbers in a file so small", numbers,
@@ -75,13 +75,14 @@ void require_size(const fs::path& path, const OIIO::ImageSpec& spec) {
 /// it would hand a file that one reader refuses to all of its others, films and medicine included.
 std::string format_of(const fs::path& path) {
   using namespace std::string_view_literals;
-  constexpr std::array<std::pair<std::string_view, const char*>, 7> known{{{"v/1\x01"sv, "openexr"},
-                                                                           {"II*\0"sv, "tiff"},
-                                                                           {"MM\0*"sv, "tiff"},
-                                                                           {"II+\0"sv, "tiff"},
-                                                                           {"MM\0+"sv, "tiff"},
-                                                                           {"\x89PNG"sv, "png"},
-                                                                           {"\xFF\xD8\xFF"sv, "jpeg"}}};
+  constexpr std::array<std::pair<std::string_view, const char*>, 7> known{
+      {{"v/1\x01"sv, "openexr"},
+       {"II*\0"sv, "tiff"},
+       {"MM\0*"sv, "tiff"},
+       {"II+\0"sv, "tiff"},
+       {"MM\0+"sv, "tiff"},
+       {"\x89PNG"sv, "png"},
+       {"\xFF\xD8\xFF"sv, "jpeg"}}};
   std::array<char, 4> bytes{};
   std::ifstream(path, std::ios::binary).read(bytes.data(), bytes.size());
   const std::string_view beginning(bytes.data(), bytes.size());

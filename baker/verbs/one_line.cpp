@@ -52,7 +52,8 @@ std::string shown(std::string_view text) {
     else if (length > 0 && !is_control(character))
       line += character;
     else
-      for (const char c : character) line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+      for (const char c : character)
+        line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
     text.remove_prefix(character.size());
   }
   return line;

@@ -29,7 +29,8 @@ nlohmann::ordered_json as_json(const plan::Plan& plan) {
 
 void report(const Report& made, bool json) {
   if (!json) {
-    fmt::print("{}: {:.1f} s, error {:.2g}\n", one_line(made.file), made.seconds, made.relative_error);
+    fmt::print("{}: {:.1f} s, error {:.2g}\n", one_line(made.file), made.seconds,
+               made.relative_error);
     if (!made.plan.gave_way.empty())
       fmt::print(stderr,
                  "coppermoon: the budget left no time for the tolerance: {:.2g} predicted\n",

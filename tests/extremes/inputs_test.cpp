@@ -59,16 +59,16 @@ TEST_F(Maps, OfEveryDepthAndNumberOfChannelsAreRead) {
     double value, tolerance = 1e-6;
   };
   const double byte = srgb(128 / 255.), word = srgb(32768 / 65535.);
-  for (const auto& [what, size, channels, type, name, value, tolerance] : std::vector<Kind>{
-           {"2 x 1, 8 bits", "2x1", "1", "uint8", "a.png", byte},
-           {"1 channel, 16 bits", "8x4", "1", "uint16", "a.png", word},
-           {"2 channels, grey and alpha", "8x4", "2", "uint16", "a.tif", word},
-           {"4 channels, 8 bits", "8x4", "4", "uint8", "a.tif", byte},
-           {"32 bits", "8x4", "3", "uint32", "a.tif", srgb(0.5)},
-           {"double precision", "8x4", "3", "double", "a.tif", 0.5},
-           {"floating point, 1 channel", "8x4", "1", "float", "a.exr", 0.5},
-           {"7 channels", "8x4", "7", "half", "a.exr", 0.5},
-           {"JPEG", "64x32", "3", "uint8", "a.jpg", byte}}) {
+  for (const auto& [what, size, channels, type, name, value, tolerance] :
+       std::vector<Kind>{{"2 x 1, 8 bits", "2x1", "1", "uint8", "a.png", byte},
+                         {"1 channel, 16 bits", "8x4", "1", "uint16", "a.png", word},
+                         {"2 channels, grey and alpha", "8x4", "2", "uint16", "a.tif", word},
+                         {"4 channels, 8 bits", "8x4", "4", "uint8", "a.tif", byte},
+                         {"32 bits", "8x4", "3", "uint32", "a.tif", srgb(0.5)},
+                         {"double precision", "8x4", "3", "double", "a.tif", 0.5},
+                         {"floating point, 1 channel", "8x4", "1", "float", "a.exr", 0.5},
+                         {"7 channels", "8x4", "7", "half", "a.exr", 0.5},
+                         {"JPEG", "64x32", "3", "uint8", "a.jpg", byte}}) {
     oiiotool({"--create", size, channels, "--addc", "0.5", "-d", type, "-o", name});
     expect_uniform(what, name, value, tolerance);
   }
@@ -117,7 +117,8 @@ TEST_F(Maps, OfAnotherShapeAreRefused) {
   expect_map_refused("1 x 2", float_map(1, 2, {0.5F, 0.5F}), "1 x 2 texels, allowed 2:1");
   oiiotool({"--create", "65536x2", "1", "--addc", "0.5", "-d", "uint8", "-o", "wide.png"});
   expect_map_refused("65536 x 2", "wide.png", "65536 x 2 texels, allowed 2:1");
-  oiiotool({"--create", "8x4", "1", "--addc", "0.5", "--fullsize", "16x8", "-d", "half", "-o", "cut.exr"});
+  oiiotool({"--create", "8x4", "1", "--addc", "0.5", "--fullsize", "16x8", "-d", "half", "-o",
+            "cut.exr"});
   expect_map_refused("cropped", "cut.exr", "cropped from 16 x 8 texels");
 }
 
@@ -161,6 +162,11 @@ TEST_F(Maps, WhoseHeadersClaimMoreThanTheFileAreRefused) {
   expect_map_refused("an EXR with a text of -1 bytes", "claim.exr", "attribute \"note\" of -1");
   claim(std::string_view("channels\0chlist\0", 16), "\xFF\xFF\xFF\x7F");
   expect_map_refused("an EXR with channels of 2 GB", "claim.exr", "attribute \"channels\"");
+  claim(std::string_view("channels\0chlist\0", 16), std::string_view("\x24\0\0\0", 4));
+  expect_map_refused("an EXR with 36 bytes of channels", "claim.exr",
+                     "attribute \"channels\" of 36");
+  claim(std::string_view("dataWindow\0box2i\0", 17), std::string_view("\x0F\0\0\0", 4));
+  expect_map_refused("an EXR with a window of 15 bytes", "claim.exr", "\"dataWindow\" of 15");
 }
 
 TEST_F(Maps, CutShortAreRefused) {
@@ -173,7 +179,8 @@ TEST_F(Maps, CutShortAreRefused) {
     EXPECT_EQ(refusal_of(name), "");
     for (std::size_t tenths = 1; tenths < 10; ++tenths) {
       file("cut-" + name, whole.substr(0, whole.size() * tenths / 10));
-      expect_map_refused(fmt::format("{}/10 of {}", tenths, name), "cut-" + name, "cannot be read: ");
+      expect_map_refused(fmt::format("{}/10 of {}", tenths, name), "cut-" + name,
+                         "cannot be read: ");
     }
   }
 }
@@ -301,13 +308,35 @@ TEST(Instants, AtTheEndsOfTheCalendarAreTaken) {
 }
 
 TEST(Instants, ThatAreNoneAreRefused) {
-  for (const std::string instant :
-       {"", "2008-02-30", "1900-02-29", "2008-13-01", "2008-00-10", "2008-02-00", "2008-2-21",
-        "20080221", "08-02-21", "12008-02-21", "2008-02-21T24:00:00Z", "2008-02-21T03:60Z",
-        "2008-02-21T03:26:60Z", "2015-12-31T23:59:60Z", "2008-02-21T03:26:05+01:00",
-        "2008-02-21T03", "2008-02-21T", "2008-02-21t03:26", "2008-02-21 03:26", " 2008-02-21",
-        "2008-02-21 ", "2008-02-21T03:26:05.Z", "2008-02-21T03:26:05ZZ", "3001-01-01", "tomorrow",
-        "nan", "\xEF\xBC\x92\xEF\xBC\x90", "2008-02-21\n", "-2000-01-01"}) {
+  for (const std::string instant : {"",
+                                    "2008-02-30",
+                                    "1900-02-29",
+                                    "2008-13-01",
+                                    "2008-00-10",
+                                    "2008-02-00",
+                                    "2008-2-21",
+                                    "20080221",
+                                    "08-02-21",
+                                    "12008-02-21",
+                                    "2008-02-21T24:00:00Z",
+                                    "2008-02-21T03:60Z",
+                                    "2008-02-21T03:26:60Z",
+                                    "2015-12-31T23:59:60Z",
+                                    "2008-02-21T03:26:05+01:00",
+                                    "2008-02-21T03",
+                                    "2008-02-21T",
+                                    "2008-02-21t03:26",
+                                    "2008-02-21 03:26",
+                                    " 2008-02-21",
+                                    "2008-02-21 ",
+                                    "2008-02-21T03:26:05.Z",
+                                    "2008-02-21T03:26:05ZZ",
+                                    "3001-01-01",
+                                    "tomorrow",
+                                    "nan",
+                                    "\xEF\xBC\x92\xEF\xBC\x90",
+                                    "2008-02-21\n",
+                                    "-2000-01-01"}) {
     EXPECT_THROW(almanac::instant_from_utc(instant), algebra::Error) << instant;
     refused("an instant", instant.substr(0, instant.find('\n')));
   }

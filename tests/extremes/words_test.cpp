@@ -70,13 +70,13 @@ TEST_F(Names, OfTexturesAreUsedToTheLetter) {
 
 /// The recipe in the header holds the map's name: what it makes again has the same bytes.
 TEST_F(Names, OfMapsAreReadToTheLetterAndKeptInRecipes) {
-  oiiotool({"--pattern", "noise", "8x4", "1", "--clamp:min=0:max=1", "-d", "uint8", "-o", "map.png"});
+  oiiotool(
+      {"--pattern", "noise", "8x4", "1", "--clamp:min=0:max=1", "-d", "uint8", "-o", "map.png"});
   for (const auto& name : names) {
     std::filesystem::copy_file(here("map.png"), named(name + ".png"));
     const auto before = listing();
-    expect_made(name,
-                inside(bake({"--albedo-map=" + name + ".png", "--output=first.exr"})),
-                before, {"first.exr"});
+    expect_made(name, inside(bake({"--albedo-map=" + name + ".png", "--output=first.exr"})), before,
+                {"first.exr"});
     expect_made(name, inside({"bake", "first.exr", "-o", "again.exr"}), before,
                 {"first.exr", "again.exr"});
     EXPECT_EQ(text_of(named("first.exr")), text_of(named("again.exr"))) << name;
@@ -162,9 +162,8 @@ class Plots : public Names {};
 TEST_F(Plots, AreDrawnIntoTheNameToTheLetter) {
   for (const auto& name : names) {
     const auto before = listing();
-    const auto outcome =
-        inside({"shadow", eclipse_of_2008, "--rays", "20", "--axis-distances", "0,1000",
-                "--wavelengths", "550", "--plot=" + name + ".png"});
+    const auto outcome = inside({"shadow", eclipse_of_2008, "--rays", "20", "--axis-distances",
+                                 "0,1000", "--wavelengths", "550", "--plot=" + name + ".png"});
     expect_made(name, outcome, before, {name + ".png"});
     EXPECT_TRUE(text_of(named(name + ".png")).starts_with("\x89PNG")) << name;
   }
@@ -174,9 +173,17 @@ TEST_F(Plots, AreDrawnIntoTheNameToTheLetter) {
 class Scenes : public Names {
  protected:
   static Words scene(const Words& more) {
-    return Words{"scene",     eclipse_of_2008, "--unshadowed", "--texture-width",
-                 "16",        "--width",       "8",            "--height",
-                 "8",         "--albedo-map",  "built-in"} +
+    return Words{"scene",
+                 eclipse_of_2008,
+                 "--unshadowed",
+                 "--texture-width",
+                 "16",
+                 "--width",
+                 "8",
+                 "--height",
+                 "8",
+                 "--albedo-map",
+                 "built-in"} +
            more;
   }
 
@@ -225,8 +232,8 @@ TEST_F(Scenes, TakeACaptionForNoOrder) {
   write_scene(named("scene"), described);
   const auto reference = texture::read_image(povray_scenes::render(named("scene"), {.threads = 1}));
   for (const std::string caption :
-       {"*/ #fopen Evil \"evil\" write /*", "\" #declare Evil = 1; \\", "// /* ; Output_File_Name=evil",
-        "{ } ) ( #end #macro", "caf\xC3\xA9", "\xFF\xFE"}) {
+       {"*/ #fopen Evil \"evil\" write /*", "\" #declare Evil = 1; \\",
+        "// /* ; Output_File_Name=evil", "{ } ) ( #end #macro", "caf\xC3\xA9", "\xFF\xFE"}) {
     described.caption = caption;
     write_scene(named("scene"), described);
     const auto before = listing();
@@ -245,8 +252,17 @@ TEST_F(Scenes, TakeACaptionForNoOrder) {
 class Stills : public Names {
  protected:
   static Words still(const Words& more) {
-    return Words{"still", eclipse_of_2008, "--unshadowed", "--texture-width", "16", "--width",
-                 "8",     "--height",      "8",            "--albedo-map",    "built-in"} +
+    return Words{"still",
+                 eclipse_of_2008,
+                 "--unshadowed",
+                 "--texture-width",
+                 "16",
+                 "--width",
+                 "8",
+                 "--height",
+                 "8",
+                 "--albedo-map",
+                 "built-in"} +
            more;
   }
 };
@@ -267,8 +283,8 @@ TEST_F(Stills, AreRenderedWhereverTemporaryFilesGo) {
     const auto folder = named(name);
     std::filesystem::create_directory(folder);
     const auto before = listing();
-    const auto outcome = run(Words{"env", "TMPDIR=" + folder.string(), COPPERMOON_PROGRAM} +
-                             still({"-o", "a.png"}));
+    const auto outcome =
+        run(Words{"env", "TMPDIR=" + folder.string(), COPPERMOON_PROGRAM} + still({"-o", "a.png"}));
     EXPECT_EQ(outcome.status, 0) << name << ": " << outcome.err;
     std::filesystem::remove(here("a.png"));
     EXPECT_EQ(listing(), before) << name;

@@ -18,8 +18,9 @@ constexpr std::array endings{"exr", "tif", "png", "jpg", "pgm", "hdr"};
 const fuzz::ScratchFile& file_with(std::size_t ending) {
   static std::array<std::unique_ptr<fuzz::ScratchFile>, endings.size()> files;
   auto& file = files[ending % endings.size()];
-  if (!file) file = std::make_unique<fuzz::ScratchFile>(std::string("map.") +
-                                                        endings[ending % endings.size()]);
+  if (!file)
+    file =
+        std::make_unique<fuzz::ScratchFile>(std::string("map.") + endings[ending % endings.size()]);
   return *file;
 }
 

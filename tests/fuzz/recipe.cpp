@@ -9,12 +9,16 @@ using namespace coppermoon;
 /// Word and flags that its recipes may leave out.
 fuzz::Words command(std::size_t chosen, const std::string& recipe) {
   constexpr const char* instant = "2008-02-21T03:26:05Z";
-  const std::vector<fuzz::Words> commands{
-      {"bake", instant, "-o", "a.exr"}, {"scene", instant, "-o", "a"},
-      {"still", instant, "-o", "a.png"}, {"plan", instant},
-      {"shadow", instant},               {"brightness", instant},
-      {"sky", instant},                  {"almanac", "--from=2008-01-01", "--to=2009-01-01"},
-      {"develop", "a.exr", "-o", "a"},   {"tradeoff", "-o", "a"}};
+  const std::vector<fuzz::Words> commands{{"bake", instant, "-o", "a.exr"},
+                                          {"scene", instant, "-o", "a"},
+                                          {"still", instant, "-o", "a.png"},
+                                          {"plan", instant},
+                                          {"shadow", instant},
+                                          {"brightness", instant},
+                                          {"sky", instant},
+                                          {"almanac", "--from=2008-01-01", "--to=2009-01-01"},
+                                          {"develop", "a.exr", "-o", "a"},
+                                          {"tradeoff", "-o", "a"}};
   auto words = commands[chosen % commands.size()];
   words.insert(words.begin() + 1, {"--recipe", recipe});
   return words;

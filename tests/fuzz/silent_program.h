@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -38,12 +39,15 @@ struct SilentProgram {
   }
 };
 
-/// The recipe of a texture's command line that was understood, read in its place, makes the same one.
+/// The recipe of a texture's command line that was understood, read in its place, makes the same one;
+/// empty values, which the words would refuse later, no recipe has.
 inline void require_lasting_recipe(const Words& words) {
+  const auto empty = [](const auto& word) { return word.empty() || word.ends_with('='); };
   static SilentProgram first, second;
   if (!first.understands(words)) return;
   const auto* verb = first.app.get_subcommands().at(0);
-  if (verb->get_option_no_throw("--photometry") == nullptr) return;
+  if (verb->get_option_no_throw("--photometry") == nullptr || std::ranges::any_of(words, empty))
+    return;
   std::string recipe;
   if (!done([&] { recipe = verbs::recipe_of(*verb); })) return;
   static const ScratchFile file("lasting.toml");

@@ -7,7 +7,8 @@ namespace coppermoon::verbs {
 namespace {
 
 TEST(OneLine, LeavesTextAlone) {
-  for (const char* text : {"", "moon.exr: cannot be read", "caf\xC3\xA9 \xE6\x9C\x88 \xF0\x9F\x8C\x91"})
+  for (const char* text :
+       {"", "moon.exr: cannot be read", "caf\xC3\xA9 \xE6\x9C\x88 \xF0\x9F\x8C\x91"})
     EXPECT_EQ(one_line(text), text);
 }
 
