@@ -20,7 +20,7 @@
 #include <utility>
 
 #include "algebra/error.h"
-#include "texture/exr_claims.h"
+#include "texture/image_claims.h"
 #include "texture/oiio_attributes.h"
 
 namespace coppermoon::texture {
@@ -95,7 +95,7 @@ std::string format_of(const fs::path& path) {
 std::unique_ptr<OIIO::ImageInput> opened(const fs::path& path) {
   require_readable_file(path);
   const auto format = format_of(path);
-  if (format == "openexr") require_honest_exr(path);
+  require_honest_claims(path, format);
   auto input = format.empty() ? nullptr : OIIO::ImageInput::create(format);
   OIIO::ImageSpec spec;
   if (!input || !input->open(path.string(), spec)) throw cannot_read(path, reason_of(input.get()));

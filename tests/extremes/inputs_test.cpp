@@ -169,6 +169,14 @@ TEST_F(Maps, WhoseHeadersClaimMoreThanTheFileAreRefused) {
   expect_map_refused("an EXR with a window of 15 bytes", "claim.exr", "\"dataWindow\" of 15");
 }
 
+TEST_F(Maps, WhoseChunksClaimMoreThanTheFileAreRefused) {
+  oiiotool({"--create", "2x1", "1", "-d", "uint8", "--attrib", "note", "here", "-o", "a.png"});
+  auto bytes = text_of(here("a.png"));
+  bytes.replace(bytes.find("IDAT") - 4, 4, "\x6F\0\0\0", 4);
+  file("claim.png", bytes);
+  expect_map_refused("a PNG with a chunk of 1.8 GB", "claim.png", "chunk IDAT of 1862270976 bytes");
+}
+
 TEST_F(Maps, CutShortAreRefused) {
   const Words spotted{"--pattern", "noise", "64x32", "3", "--clamp:min=0:max=1", "-d"};
   oiiotool(spotted + Words{"uint8", "-o", "a.png", "-o", "a.tif", "-o", "a.jpg", "--compression",

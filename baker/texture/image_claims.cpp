@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "texture/exr_claims.h"
+#include "texture/image_claims.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>
@@ -10,11 +11,12 @@
 #include <utility>
 
 #include "algebra/error.h"
+#include "texture/read_image.h"
 
 namespace coppermoon::texture {
 namespace {
 
-/// A file that is read in OpenEXR's words; nothing comes once it has ended.
+/// A file that is read word by word; nothing comes once it has ended.
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& path)
@@ -27,13 +29,27 @@ class Reader {
       text += static_cast<char>(letter);
     return text;
   }
-  /// Little endian.
+  /// Four bytes as they are.
+  std::string bytes() {
+    std::string text(4, '\0');
+    if (!file_.read(text.data(), 4)) text.clear();
+    return text;
+  }
+  /// Little endian, as OpenEXR has it.
   std::optional<std::int64_t> integer() {
-    std::array<unsigned char, 4> bytes{};
-    if (!file_.read(reinterpret_cast<char*>(bytes.data()), bytes.size())) return {};
+    const auto text = bytes();
+    if (text.empty()) return {};
     std::uint32_t value = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) value |= std::uint32_t{bytes[i]} << (8 * i);
+    for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<unsigned char>(text[i]);
     return static_cast<std::int32_t>(value);
+  }
+  /// Big endian, as PNG has it.
+  std::optional<std::int64_t> length() {
+    const auto text = bytes();
+    if (text.empty()) return {};
+    std::uint32_t value = 0;
+    for (const char byte : text) value = value << 8 | static_cast<unsigned char>(byte);
+    return value;
   }
   std::int64_t at() { return static_cast<std::int64_t>(file_.tellg()); }
   std::int64_t left() { return static_cast<std::int64_t>(size_) - at(); }
@@ -72,8 +88,8 @@ void pass_texts(Reader& file, std::int64_t end) {
 }
 
 /// Goes over channels, each a name and 16 bytes, and the empty name behind them.
-void pass_channels(Reader& file, std::int64_t end) {
-  while (file.good() && file.at() < end && !file.name().empty()) file.go_to(file.at() + 16);
+void pass_channels(Reader& file) {
+  while (file.good() && !file.name().empty()) file.go_to(file.at() + 16);
 }
 
 /// Goes over a small picture: its sides, and 4 bytes for each of its pixels.
@@ -83,15 +99,24 @@ void pass_preview(Reader& file, std::int64_t size) {
     file.go_to(file.at() + 4 * width * height);
 }
 
+/// Whether a window has no side that is refused later anyway: OpenEXR makes room for its rows at once.
+bool moderate_window(Reader& file) {
+  std::array<std::int64_t, 4> corners{};
+  for (auto& corner : corners) corner = file.integer().value_or(0);
+  const auto [left, top, right, bottom] = corners;
+  return static_cast<double>(std::max(right - left, bottom - top)) < most_texels_a_side;
+}
+
 /// Whether an attribute ends where its own counts say.
 bool honest(Reader& file, const std::string& type, std::int64_t size) {
   const std::int64_t end = file.at() + size;
   if (size < 0 || size > file.left()) return false;
-  if (const auto bytes = bytes_of(type)) return size == *bytes;
+  if (const auto bytes = bytes_of(type))
+    return size == *bytes && (type != "box2i" || moderate_window(file));
   if (type == "stringvector")
     pass_texts(file, end);
   else if (type == "chlist")
-    pass_channels(file, end);
+    pass_channels(file);
   else if (type == "preview")
     pass_preview(file, size);
   else
@@ -99,11 +124,16 @@ bool honest(Reader& file, const std::string& type, std::int64_t size) {
   return file.good() && file.at() == end;
 }
 
-}  // namespace
+void require(bool holds, const std::filesystem::path& path, const std::string& what,
+             std::int64_t size) {
+  if (!holds)
+    throw algebra::Error(
+        fmt::format("{}: cannot be read: {} of {} bytes, allowed as many as it and the file hold",
+                    path.string(), what, size));
+}
 
-void require_honest_exr(const std::filesystem::path& path) {
+void require_honest_exr(const std::filesystem::path& path, Reader& file) {
   constexpr std::int64_t of_several_parts = 0x1000;
-  Reader file(path);
   file.integer();
   const bool several = (file.integer().value_or(0) & of_several_parts) != 0;
   bool ended = false;
@@ -116,13 +146,28 @@ void require_honest_exr(const std::filesystem::path& path) {
     const auto size = file.integer();
     if (!size) return;
     const auto begin = file.at();
-    if (!honest(file, type, *size))
-      throw algebra::Error(
-          fmt::format("{}: cannot be read: attribute \"{}\" of {} bytes, allowed as many as it and "
-                      "the file hold",
-                      path.string(), name, *size));
+    require(honest(file, type, *size), path, fmt::format("attribute \"{}\"", name), *size);
     file.go_to(begin + *size);
   }
+}
+
+void require_honest_png(const std::filesystem::path& path, Reader& file) {
+  constexpr std::int64_t signature = 8, checksum = 4;
+  file.go_to(signature);
+  while (const auto length = file.length()) {
+    const auto type = file.bytes();
+    if (type.empty() || type == "IEND") return;
+    require(*length <= file.left(), path, "chunk " + type, *length);
+    file.go_to(file.at() + *length + checksum);
+  }
+}
+
+}  // namespace
+
+void require_honest_claims(const std::filesystem::path& path, std::string_view format) {
+  Reader file(path);
+  if (format == "openexr") require_honest_exr(path, file);
+  if (format == "png") require_honest_png(path, file);
 }
 
 }  // namespace coppermoon::texture
