@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What was pushed how far and what held: extremes.md on stdout, from what the tests of tests/extremes print. About half
-# an hour on two processors, most of it ten thousand random recipes.
+# What was pushed how far and what held: extremes.md on stdout, from what the tests of tests/extremes print. Ten
+# minutes on two processors, and then hours of ten thousand random recipes.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 "$here/build.sh" all >&2

@@ -13,9 +13,8 @@ cmake --build --preset release --target all_verify_interface_header_sets
 say "tests"
 ctest --preset release --parallel "$(nproc)"
 
-say "slow tests, a tenth of the sweep"
+say "slow tests"
 ctest --test-dir build/release --label-regex slow --output-on-failure --no-tests=ignore
-ctest --test-dir build/release --label-regex sweep --tests-regex '/[01]$' --output-on-failure --parallel "$(nproc)"
 
 say "examples, small"
 root=$PWD
