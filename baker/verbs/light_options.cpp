@@ -240,8 +240,10 @@ shadow::RefractedLight light_of_work(const LightOptions& options, const Shadowed
   }
   const auto weights = at_wavelengths(luminance_weights(), plan.work.bands);
   const auto row = weights.row(0);
+  auto limited = options;
+  if (options.plan.budget && !options.photons) limited.photons = plan.work.photons;
   return photons_of(
-      options, air, arrangement, waves,
+      limited, air, arrangement, waves,
       shadow::StoppingRule{
           {row.begin(), row.end()}, plan.tolerance, distances.front(), distances.back()});
 }

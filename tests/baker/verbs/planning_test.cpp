@@ -290,6 +290,15 @@ TEST(ErrorFound, SeesATermThatWasLeftOut) {
   EXPECT_LT(light.error_found, 1.2 * size);
 }
 
+TEST(LightOnTheMoon, OfPhotonsKeepsToItsBudget) {
+  LightOptions options;
+  options.solver = "photons";
+  options.plan.tolerance = "0.0001", options.plan.budget = "1ms";  // not to be had together
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T03:26:05Z"));
+  const auto light = light_on_the_moon(options, sky, false);
+  EXPECT_LE(light.refracted->photons, 1U << 20U) << "not until the tolerance is reached";
+}
+
 TEST(LightOnTheMoon, KeepsScatteredLightOffWhenItIsLeftOut) {
   LightOptions options;
   options.plan.leave_out = "scattered-light";
