@@ -100,7 +100,8 @@ double predicted_error(const Work& work, const Scene& scene);
 /// The cheapest work, of the cheapest method, whose predicted error is within the tolerance: from
 /// the coarsest, step by step that refinement (or that term) which takes off most error for its
 /// time. What is set by hand may leave more than the tolerance: then all else is within it; the
-/// method is chosen as if nothing were set by hand. With a budget, the finest tolerance it has time for; where even the coarsest work takes longer, that.
+/// method is chosen as if nothing were set by hand. With a budget, the finest tolerance it has time
+/// for; where even the coarsest work takes longer, that.
 ///
 /// Given     by_hand  stays as it is
 /// Throws    Error    when a wish is outside its range

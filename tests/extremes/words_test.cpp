@@ -170,23 +170,24 @@ TEST_F(Plots, AreDrawnIntoTheNameToTheLetter) {
   say("shadow --plot", "the one picture of that name: gnuplot hears no name");
 }
 
+/// What `scene` and `still` take to be quick.
+Words tiny(const char* verb, const Words& more) {
+  return Words{verb,
+               eclipse_of_2008,
+               "--unshadowed",
+               "--texture-width",
+               "16",
+               "--width",
+               "8",
+               "--height",
+               "8",
+               "--albedo-map",
+               "built-in"} +
+         more;
+}
+
 class Scenes : public Names {
  protected:
-  static Words scene(const Words& more) {
-    return Words{"scene",
-                 eclipse_of_2008,
-                 "--unshadowed",
-                 "--texture-width",
-                 "16",
-                 "--width",
-                 "8",
-                 "--height",
-                 "8",
-                 "--albedo-map",
-                 "built-in"} +
-           more;
-  }
-
   static Words files_in(const std::string& folder) {
     return {folder, folder + "/eclipse.ini", folder + "/eclipse.pov",
             folder + "/moon_lin_rec709.exr"};
@@ -195,11 +196,11 @@ class Scenes : public Names {
 
 /// Nothing of the folder's name stands in its files, so none of it can be an order.
 TEST_F(Scenes, AreTheSameInFoldersOfAnyName) {
-  inside(scene({"-o", "plain"}));
+  inside(tiny("scene", {"-o", "plain"}));
   for (const auto& name : names + Words{longest("")}) {
     if (name == "..") continue;
     const auto before = listing();
-    expect_made(name, inside(scene({"--output=" + name})), before, files_in(name));
+    expect_made(name, inside(tiny("scene", {"--output=" + name})), before, files_in(name));
     for (const char* file : {"eclipse.ini", "eclipse.pov", "moon_lin_rec709.exr"})
       EXPECT_EQ(text_of(named(name) / file), text_of(named("plain") / file)) << name;
   }
@@ -207,7 +208,7 @@ TEST_F(Scenes, AreTheSameInFoldersOfAnyName) {
 }
 
 TEST_F(Scenes, InTheFolderAboveAreWhereTheyAreAskedFor) {
-  EXPECT_EQ(inside(scene({"-o", ".."})).status, 0);
+  EXPECT_EQ(inside(tiny("scene", {"-o", ".."})).status, 0);
   const std::set<std::string> expected{"here/eclipse.ini", "here/eclipse.pov", "here/inside",
                                        "here/moon_lin_rec709.exr"};
   EXPECT_EQ(listing(), expected);
@@ -215,7 +216,7 @@ TEST_F(Scenes, InTheFolderAboveAreWhereTheyAreAskedFor) {
 
 TEST_F(Scenes, RenderInFoldersOfAnyName) {
   for (const auto& name : {names[0], names[1], names[2], names[4], names[6], names[8], names[11]}) {
-    ASSERT_EQ(inside(scene({"--output=" + name})).status, 0);
+    ASSERT_EQ(inside(tiny("scene", {"--output=" + name})).status, 0);
     const auto before = listing();
     povray_scenes::render(named(name), {.threads = 1});
     expect_made(name, {0, {}, {}}, before, {name + "/frame.exr"});
@@ -225,7 +226,7 @@ TEST_F(Scenes, RenderInFoldersOfAnyName) {
 
 /// The caption is all that a scene takes from elsewhere: a comment, whatever it says.
 TEST_F(Scenes, TakeACaptionForNoOrder) {
-  inside(scene({"-o", "scene"}));
+  inside(tiny("scene", {"-o", "scene"}));
   povray_scenes::Scene described{.camera = {{221, 0, 0}, {0, 0, 1}, algebra::degrees(1), 8, 8},
                                  .texture = "moon_lin_rec709.exr",
                                  .caption = {}};
@@ -249,29 +250,13 @@ TEST_F(Scenes, TakeACaptionForNoOrder) {
   tried("a scene's caption of \", */, #fopen, {, bytes that are no UTF-8", "the same frame");
 }
 
-class Stills : public Names {
- protected:
-  static Words still(const Words& more) {
-    return Words{"still",
-                 eclipse_of_2008,
-                 "--unshadowed",
-                 "--texture-width",
-                 "16",
-                 "--width",
-                 "8",
-                 "--height",
-                 "8",
-                 "--albedo-map",
-                 "built-in"} +
-           more;
-  }
-};
+class Stills : public Names {};
 
 TEST_F(Stills, AreUsedToTheLetter) {
   for (const auto& name : names) {
     const auto before = listing();
     const auto outcome =
-        inside(still({"--output=" + name + ".png", "--frame=" + name + ".exr", "--json"}));
+        inside(tiny("still", {"--output=" + name + ".png", "--frame=" + name + ".exr", "--json"}));
     expect_made(name, outcome, before, {name + ".png", name + ".exr"});
   }
   say("still -o, --frame", "the picture and the frame of that name");
@@ -283,8 +268,8 @@ TEST_F(Stills, AreRenderedWhereverTemporaryFilesGo) {
     const auto folder = named(name);
     std::filesystem::create_directory(folder);
     const auto before = listing();
-    const auto outcome =
-        run(Words{"env", "TMPDIR=" + folder.string(), COPPERMOON_PROGRAM} + still({"-o", "a.png"}));
+    const auto outcome = run(Words{"env", "TMPDIR=" + folder.string(), COPPERMOON_PROGRAM} +
+                             tiny("still", {"-o", "a.png"}));
     EXPECT_EQ(outcome.status, 0) << name << ": " << outcome.err;
     std::filesystem::remove(here("a.png"));
     EXPECT_EQ(listing(), before) << name;
