@@ -52,11 +52,4 @@ void WholeLimb::find_borders() {
   }
 }
 
-std::array<WholeLimb::Share, 2> WholeLimb::at(double position_angle_rad) const {
-  const std::size_t column = atmosphere_.column_index(position_angle_rad);
-  if (atmosphere_.earth.sphere()) return {{{column, 1}, {column, 0}}};
-  const double pole = std::cos(position_angle_rad) * std::cos(position_angle_rad);
-  return {{{2 * column, 1 - pole}, {2 * column + 1, pole}}};
-}
-
 }  // namespace coppermoon::photons

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -35,7 +36,21 @@ class WholeLimb {
   ///
   /// Accuracy  on an ellipsoid the pole's share is taken as cos² of the position angle: 0.3 % of the
   ///           difference between pole and equator
-  std::array<Share, 2> at(double position_angle_rad) const;
+  std::array<Share, 2> at(double position_angle_rad) const {
+    return at(column_at(position_angle_rad), std::cos(position_angle_rad));
+  }
+
+  /// The same of a column of air, by the angle's cosine.
+  std::array<Share, 2> at(std::size_t column, double cos_position_angle) const {
+    if (atmosphere_.earth.sphere()) return {{{column, 1}, {column, 0}}};
+    const double pole = cos_position_angle * cos_position_angle;
+    return {{{2 * column, 1 - pole}, {2 * column + 1, pole}}};
+  }
+
+  /// The column of air at a position angle: 0 for that of no region, then region by region.
+  std::size_t column_at(double position_angle_rad) const {
+    return atmosphere_.column_index(position_angle_rad);
+  }
 
   /// Position angles where one column of air ends and another begins.
   const std::vector<double>& borders_rad() const { return borders_rad_; }

@@ -45,16 +45,15 @@ std::vector<double> evenly(Range range, int intervals) {
 
 /// Straight lines are drawn between sectors: 24 leave half a percent at the umbra's edge on an
 /// ellipsoid.
-constexpr std::size_t sectors_of_a_plan = 96;
+constexpr std::size_t sectors_of_a_plan = 96, sectors_of_a_trial = 24;
 
 /// Sectors that the disc takes in, going round from the first.
 struct Sectors {
   std::size_t first, count;
 };
 
-Sectors sectors_of(const ShadowedMoon& moon) {
+Sectors sectors_of(const ShadowedMoon& moon, std::size_t all) {
   const double centre = algebra::in_metres(moon.centre.axis_distance);
-  constexpr std::size_t all = sectors_of_a_plan;
   if (centre <= lunar_radius_m) return {0, all};
   const double a_sector = 2 * pi / static_cast<double>(all);
   const double half = std::asin(lunar_radius_m / centre),
@@ -86,11 +85,11 @@ Trial tried(const ShadowedMoon& moon, const atmosphere::Atmosphere& air,
   };
   const shadow::Arrangement arrangement{
       moon.sun_distance_m, {mean_depth_m(moon)}, moon.limb_darkening};
-  const auto sectors = sectors_of(moon);
+  const auto sectors = sectors_of(moon, sectors_of_a_trial);
   const auto light = shadow::by_quadrature(air, arrangement, waves, places_m,
                                            {.rays = 100,
                                             .sun_terms = 2,
-                                            .around = sectors_of_a_plan,
+                                            .around = sectors_of_a_trial,
                                             .first_sector = sectors.first,
                                             .sectors = sectors.count});
   const shadow::DirectLight clear(air, arrangement, waves);
@@ -178,7 +177,7 @@ atmosphere::Atmosphere air_for(const plan::Work& work, const ShadowedMoon& moon)
 }
 
 shadow::QuadratureSettings quadrature_for(const plan::Work& work, const ShadowedMoon& moon) {
-  const auto sectors = sectors_of(moon);
+  const auto sectors = sectors_of(moon, sectors_of_a_plan);
   return {.rays = work.rays,
           .sun_terms = work.sun_terms,
           .around = sectors_of_a_plan,
@@ -194,7 +193,7 @@ plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose) {
                     .limb_darkening = moon.limb_darkening,
                     .ellipsoid = !moon.air.earth.sphere(),
                     .columns = 1 + moon.air.regions.size(),
-                    .sectors = sectors_of(moon).count,
+                    .sectors = sectors_of(moon, sectors_of_a_plan).count,
                     .texels = purpose.texels,
                     .map_file = purpose.map_file};
   const auto places = evenly(disc, 12);
