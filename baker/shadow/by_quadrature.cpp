@@ -204,7 +204,7 @@ double direct_light(const Atmosphere& atmosphere, const Arrangement& arrangement
 }
 
 /// The largest error of a cubic through the four rings about a middle, of light over all
-/// wavelengths.
+/// wavelengths, or of what counts as darkness where there is less.
 double surprise(std::span<const Ring> about, const Ring& middle, double direct) {
   std::vector<double> shares;
   for (const auto& ring : about) {
@@ -221,8 +221,9 @@ double surprise(std::span<const Ring> about, const Ring& middle, double direct) 
       found += middle.ratio(row, w);
       for (std::size_t i = 0; i < about.size(); ++i) foretold += shares[i] * about[i].ratio(row, w);
     }
-    const double whole = found + direct * static_cast<double>(middle.ratio.columns());
-    if (whole > 0) worst = std::max(worst, std::abs(foretold - found) / whole);
+    const double whole =
+        found + std::max(direct, darkness_ratio) * static_cast<double>(middle.ratio.columns());
+    worst = std::max(worst, std::abs(foretold - found) / whole);
   }
   return worst;
 }

@@ -19,9 +19,13 @@ struct QuadratureSettings {
   /// air has regions
   std::size_t first_sector = 0, sectors = 360;
   /// more axis distances are put between those given, where a cubic through four of them errs by more
-  /// than that of all light there, over all wavelengths; 0: none
+  /// than that of all light there, over all wavelengths, and of darkness_ratio; 0: none
   double place_error = 0;
 };
+
+/// Of unshaded sunlight; less is not looked at closer. A thousandth of what the smallest half float
+/// above 0 stands for on the Moon.
+inline constexpr double darkness_ratio = 1e-14;
 
 /// Refracted light without noise.
 ///

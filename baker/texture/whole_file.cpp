@@ -55,8 +55,7 @@ class TemporaryFile {
   template <typename Make>
   int with_a_name(Make make) {
     for (int n = 0;; ++n) {
-      path_ = final_.parent_path() /
-              fmt::format(".{}.{}-{}.tmp", final_.filename().string(), ::getpid(), n);
+      path_ = final_.parent_path() / fmt::format(".coppermoon.{}-{}.tmp", ::getpid(), n);
       const int made = make(path_.c_str());
       if (made >= 0) return made;
       path_.clear();

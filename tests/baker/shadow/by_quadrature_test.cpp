@@ -188,6 +188,19 @@ TEST(ByQuadrature, IsFiniteAtEveryWavelengthOfAScene) {
   for (const auto value : light.ratio[0].values()) EXPECT_TRUE(std::isfinite(value) && value > 0);
 }
 
+/// A random recipe: 1e-50 of sunlight, which four hundred places followed from decade to decade.
+TEST(ByQuadrature, PutsNoPlacesIntoDarkness) {
+  auto air = atmosphere::preset("standard", algebra::degrees(0));
+  air.earth = {};
+  air.column.dust_extinction_per_m = 6e-4;
+  const auto distances = up_to(2.6e6, 2e5);
+  const auto light = by_quadrature(air, february_2008, std::vector<double>{450, 650}, distances,
+                                   {.rays = 100, .place_error = 0.003});
+  ASSERT_GT(light.ratio[0](0, 1), 0);
+  EXPECT_LT(light.ratio[0](0, 1), darkness_ratio);
+  EXPECT_LE(light.axis_distances_m.size(), 2 * distances.size());
+}
+
 TEST(ByQuadrature, OfABareEarthIsNothing) {
   atmosphere::Atmosphere none;
   none.column.density = atmosphere::Density::none;
