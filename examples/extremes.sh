@@ -1,9 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # What was pushed how far and what held: extremes.md on stdout, from what the tests of tests/extremes print. Ten
-# minutes on two processors, and then hours of ten thousand random recipes.
+# minutes on two processors, then hours of ten thousand random recipes, and of fuzzers (package clang).
+#
+# Given  SHARDS=20          of 500 recipes each
+#        SECONDS_EACH=3600  of each fuzzer
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
+shards=${1:-20} seconds_each=${2:-3600}
 "$here/build.sh" all >&2
 tests=$here/../build/release/tests
 
@@ -37,5 +41,11 @@ heading "Faults"
 rows faults
 heading "Untrusted words"
 rows words
-heading "Ten thousand random recipes"
-rows sweep
+heading "Random recipes"
+printf '| tried | valid files | refused in one line |\n| --- | ---: | ---: |\n'
+filter=$(seq -s : -f '*/%g' 0 $((shards - 1)))
+"$tests/extremes_sweep_test" --gtest_brief=1 --gtest_filter="$filter" > "$scratch" || echo "extremes_sweep_test: failed" >&2
+sed -n 's/^| random recipes [0-9]* to \([0-9]*\) | \([0-9]*\) valid files, \([0-9]*\) refused in one line .*/\1 \2 \3/p' "$scratch" |
+  awk '{ last = $1 + 1; files += $2; lines += $3 } END { printf "| the first %d | %d | %d |\n", last, files, lines }'
+heading "Fuzzers"
+"$here/../tests/fuzz.sh" "$seconds_each" | sed -n '/^|/p'

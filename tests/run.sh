@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # On a bare Debian 12, as root or with sudo, from any folder: installs what packages.debian lists, builds everything,
-# compiles each public header alone, runs all tests, the slow ones last.
+# compiles each public header alone, runs all tests, most of them again under the sanitizers, and the fuzzers for two
+# minutes each. On two processors within 75 minutes.
 set -eu
 cd "$(dirname "$0")/.."
 say() { printf '\n== %s\n' "$*"; }
@@ -15,6 +16,15 @@ ctest --preset release --parallel "$(nproc)"
 
 say "slow tests"
 ctest --test-dir build/release --label-regex slow --output-on-failure --no-tests=ignore
+ctest --test-dir build/release --label-regex sweep --tests-regex '/0$' --output-on-failure
+
+say "address and undefined-behaviour sanitizers"
+cmake --preset sanitizers
+cmake --build --preset sanitizers
+ctest --preset sanitizers --parallel "$(nproc)"
+
+say "fuzzers"
+tests/fuzz.sh 120
 
 say "examples, small"
 root=$PWD

@@ -10,7 +10,7 @@ target_link_libraries(baker_shadow_marched_photons_test PRIVATE PkgConfig::Highw
 coppermoon_test(baker/shadow/photon_rows LINKS shadow)
 target_link_libraries(baker_shadow_photon_rows_test PRIVATE PkgConfig::Highway)
 coppermoon_test(baker/shadow/photon_sums LINKS shadow)
-coppermoon_test(baker/shadow/by_photons LINKS shadow)
+coppermoon_test(baker/shadow/by_photons LINKS shadow TIMEOUT 900)
 target_link_libraries(baker_shadow_by_photons_test PRIVATE TBB::tbb)
 coppermoon_test(baker/shadow/agreement LINKS shadow)
 coppermoon_test(baker/shadow/convergence LINKS shadow LABELS slow TIMEOUT 1500)
