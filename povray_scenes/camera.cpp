@@ -3,12 +3,14 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
 #include <numbers>
 
 #include "algebra/error.h"
+#include "atmosphere/astronomical_refraction.h"
 
 namespace coppermoon::povray_scenes {
 namespace {
@@ -19,13 +21,36 @@ glm::dvec3 celestial_north(const almanac::SkyState& sky) {
   return glm::transpose(sky.equator_from_gcrs) * glm::dvec3(0, 0, 1);
 }
 
+glm::dvec3 place_of(const almanac::SkyState& sky, const glm::dvec3& position_m) {
+  return sky.selenographic_from_gcrs *
+         ((position_m - sky.moon_m) / in_metres(almanac::lunar_radius));
+}
+
 Camera looking_from(const almanac::SkyState& sky, const glm::dvec3& position_m,
                     const glm::dvec3& up_gcrs, Up up, Camera camera) {
-  camera.position =
-      sky.selenographic_from_gcrs * ((position_m - sky.moon_m) / in_metres(almanac::lunar_radius));
+  camera.position = place_of(sky, position_m);
   camera.up = up == Up::moon_north ? glm::dvec3(0, 0, 1) : sky.selenographic_from_gcrs * up_gcrs;
   require_sound(camera);
   return camera;
+}
+
+/// GCRS axes.
+glm::dvec3 direction_of(const HorizonPlace& place, const almanac::ObserverView& view) {
+  const glm::dvec3 east = glm::normalize(glm::cross(view.north, view.zenith));
+  const glm::dvec3 north = glm::cross(view.zenith, east);
+  const double altitude = in_radians(place.altitude), azimuth = in_radians(place.azimuth);
+  return std::cos(altitude) * (std::cos(azimuth) * north + std::sin(azimuth) * east) +
+         std::sin(altitude) * view.zenith;
+}
+
+/// Turns the apparent Moon to where it is without air.
+glm::dmat3 without_refraction(const glm::dvec3& moon, const glm::dvec3& zenith) {
+  const glm::dvec3 level = glm::cross(moon, zenith);
+  const double across = glm::length(level);
+  if (across == 0) return glm::dmat3(1);
+  const auto altitude = algebra::radians(std::atan2(glm::dot(moon, zenith), across));
+  const double refraction = in_radians(atmosphere::astronomical_refraction(altitude));
+  return glm::mat3_cast(glm::angleAxis(-refraction, level / across));
 }
 
 }  // namespace
@@ -53,6 +78,25 @@ Camera camera_at(const almanac::SkyState& sky, Up up, algebra::Angle field, std:
   return looking_from(sky, {0, 0, 0}, celestial_north(sky), up, {{}, {}, field, width, height});
 }
 
+Camera camera_fixed(const almanac::SkyState& sky, const almanac::ObserverView& view,
+                    const HorizonPlace& aim, algebra::Angle field, std::size_t width,
+                    std::size_t height) {
+  require_within("altitude of the aim [degrees]", in_degrees(aim.altitude), -90, 90);
+  require_within("azimuth of the aim [degrees]", in_degrees(aim.azimuth), -360, 360);
+  const glm::dmat3 from_apparent =
+      sky.selenographic_from_gcrs * without_refraction(sky.moon_m - view.position_m, view.zenith);
+  Camera camera{place_of(sky, view.position_m), from_apparent * view.zenith, field, width, height};
+  camera.zenith = sky.selenographic_from_gcrs * view.zenith;
+  camera.direction = from_apparent * direction_of(aim, view);
+  require_sound(camera);
+  return camera;
+}
+
+glm::dvec3 line_of_sight(const Camera& camera) {
+  const bool at_centre = camera.direction == glm::dvec3(0, 0, 0);
+  return glm::normalize(at_centre ? -camera.position : camera.direction);
+}
+
 glm::dmat3 flattened_by_air(const Camera& camera) {
   require_sound(camera);
   const glm::dvec3 sight = glm::normalize(camera.position);
@@ -67,15 +111,17 @@ std::optional<glm::dvec2> pixel_of(const Camera& camera, const almanac::Selenogr
   const glm::dvec3 on_sphere = almanac::selenographic_direction(place);
   if (glm::dot(on_sphere, camera.position) <= 1) return std::nullopt;
   const glm::dvec3 at = flattened_by_air(camera) * on_sphere;
-  const glm::dvec3 forward = -glm::normalize(camera.position);
+  const glm::dvec3 forward = line_of_sight(camera);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
   const glm::dvec3 upward = glm::cross(right, forward);
   const double half_width = 0.5 * static_cast<double>(camera.width);
   const double half_height = 0.5 * static_cast<double>(camera.height);
-  const double depth = glm::dot(at - camera.position, forward);
+  const glm::dvec3 seen = at - camera.position;
+  const double depth = glm::dot(seen, forward);
+  if (depth <= 0) return std::nullopt;
   const double scale = half_width / std::tan(0.5 * in_radians(camera.horizontal_field)) / depth;
-  const double x = scale * glm::dot(at, right) * (camera.mirrored ? -1 : 1);
-  return glm::dvec2(half_width + x, half_height - scale * glm::dot(at, upward));
+  const double x = scale * glm::dot(seen, right) * (camera.mirrored ? -1 : 1);
+  return glm::dvec2(half_width + x, half_height - scale * glm::dot(seen, upward));
 }
 
 void require_sound(const Camera& camera) {
@@ -85,7 +131,10 @@ void require_sound(const Camera& camera) {
   require_within("width [pixels]", static_cast<double>(camera.width), 1, 65535);
   require_within("height [pixels]", static_cast<double>(camera.height), 1, 65535);
   require_within("flattening", camera.flattening, 0.8, 1);
-  const glm::dvec3 sight = camera.position / distance;
+  if (camera.direction != glm::dvec3(0, 0, 0))
+    require_within("length of the camera's direction", glm::length(camera.direction), 1e-100,
+                   1e100);
+  const glm::dvec3 sight = line_of_sight(camera);
   const double off_sight =
       std::atan2(glm::length(glm::cross(sight, camera.up)), std::abs(glm::dot(sight, camera.up)));
   require_within("angle between up and the line of sight [radians]", off_sight, 1e-6,

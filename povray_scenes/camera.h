@@ -20,7 +20,7 @@ enum class Up {
   moon_north        ///< the Moon's own north pole up
 };
 
-/// A pinhole camera that looks at the Moon's centre, pixels square.
+/// A pinhole camera, pixels square.
 struct Camera {
   glm::dvec3 position;              ///< Moon-fixed (X to 0°, Y to 90° E, Z north), in lunar radii
   glm::dvec3 up;                    ///< Moon-fixed, any length; not along the line of sight
@@ -29,6 +29,13 @@ struct Camera {
   bool mirrored = false;            ///< left and right exchanged, as behind one flat mirror
   double flattening = 1;            ///< of the disc by refraction: its height over its width
   glm::dvec3 zenith{0, 0, 0};       ///< Moon-fixed, any length: where its height points; 0: nowhere
+  glm::dvec3 direction{0, 0, 0};    ///< Moon-fixed, any length: of the picture's middle; 0: the
+                                    ///< Moon's centre
+};
+
+/// A place in the sky over an observer, as it is seen: refraction included.
+struct HorizonPlace {
+  algebra::Angle altitude, azimuth;  ///< above the horizon; from north through east
 };
 
 /// The angle that a camera takes in across its sensor.
@@ -56,12 +63,34 @@ Camera camera_at(const almanac::SkyState& sky, const almanac::ObserverView& view
 Camera camera_at(const almanac::SkyState& sky, Up up, algebra::Angle field, std::size_t width,
                  std::size_t height);
 
+/// A camera on a tripod, the zenith up: the Moon goes through its picture as through the sky.
+///
+/// Given   sky, view      the moment, and that place's view of it
+///         aim            the place of the sky in the picture's middle; altitude -90 to 90 degrees,
+///                        azimuth -360 to 360
+///         field          of the picture's width
+///         width, height  in pixels
+/// Returned  a camera that stands where the observer does; aim and zenith are turned down along the
+///           Moon's vertical by the Moon's refraction, so that it appears at its apparent place
+/// Omits   the horizon: a Moon below it is shown none the less. Its flattening, as camera_at
+/// Throws  Error  when the aim is out of its range, or the camera would not be sound, as with the
+///                aim in the zenith (see require_sound)
+Camera camera_fixed(const almanac::SkyState& sky, const almanac::ObserverView& view,
+                    const HorizonPlace& aim, algebra::Angle field, std::size_t width,
+                    std::size_t height);
+
+/// Where the picture's middle is: a unit vector from the camera, Moon-fixed.
+///
+/// Given  camera  sound
+glm::dvec3 line_of_sight(const Camera& camera);
+
 /// What air makes of the Moon for a camera: its places squashed towards a plane through its centre.
 ///
-///     I + (k − 1) v vᵀ        k: the flattening;  v: towards the zenith, across the line of sight
+///     I + (k − 1) v vᵀ        k: the flattening;  v: towards the zenith, across the line from the
+///                             camera to the Moon's centre
 ///
-/// Returned  Moon-fixed axes; nothing is moved along the line of sight. The identity where the
-///           zenith is along it, or nowhere
+/// Returned  Moon-fixed axes; nothing is moved along that line. The identity where the zenith is
+///           along it, or nowhere
 /// Throws    Error  when the camera is not sound
 glm::dmat3 flattened_by_air(const Camera& camera);
 
@@ -69,7 +98,8 @@ glm::dmat3 flattened_by_air(const Camera& camera);
 ///
 /// Given     place     longitudes of any turn
 /// Returned  x to the right, y down, in pixels from the upper left corner: the first pixel's
-///           centre is (0.5, 0.5); also outside the frame. Nothing for a place behind the limb
+///           centre is (0.5, 0.5); also outside the frame. Nothing for a place behind the limb or
+///           behind the camera
 /// Accuracy  0.25 pixel against POV-Ray's own frames, fields of 0.02 to 120 degrees
 /// Throws    Error  when the camera is not sound
 std::optional<glm::dvec2> pixel_of(const Camera& camera, const almanac::SelenographicPoint& place);
@@ -78,7 +108,8 @@ std::optional<glm::dvec2> pixel_of(const Camera& camera, const almanac::Selenogr
 ///
 /// Throws  Error  unless the camera stands outside the Moon and within 1e6 lunar radii, its field
 ///                is 1e-8 to 179.9 degrees, its sides 1 to 65535 pixels, its flattening 0.8 to 1,
-///                and `up` is off the line of sight by at least 1e-6 radians
+///                its direction 0 or 1e-100 to 1e100 long, and `up` is off the line of sight by at
+///                least 1e-6 radians. The Moon need not be in the picture
 void require_sound(const Camera& camera);
 
 }  // namespace coppermoon::povray_scenes

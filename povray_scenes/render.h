@@ -19,7 +19,8 @@ struct RenderSettings {
 ///
 /// Given     folder    as write_scene left it, with its texture; may hold spaces and any letters
 ///           progress  told the fraction of the pixels rendered; 1 when the frame is there
-/// Returned  the path of frame.exr, scene-linear half floats; it appears whole or not at all
+/// Returned  the path of frame.exr, scene-linear half floats; it appears whole or not at all.
+///           POV-Ray does not outlive the calling thread, not even one that is killed
 /// Accuracy  the same bits on any number of threads
 /// Throws    Error  when there is no scene, no POV-Ray, or it fails (with its own last words) or
 ///                  takes longer than allowed; an earlier frame.exr is then left as it was

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "algebra/error.h"
+#include "povray_scenes/scene_text.h"
 #include "texture/whole_file.h"
 
 namespace coppermoon::povray_scenes {
@@ -33,6 +34,23 @@ void require_one_line(std::string_view caption) {
     throw algebra::Error(fmt::format("caption = '{}', allowed: one line of text", caption));
 }
 
+std::string left_handed(const glm::dvec3& v) { return fmt::format("<{}, {}, {}>", v.x, v.z, v.y); }
+
+glm::dvec3 middle(const Camera& camera) {
+  if (camera.direction == glm::dvec3(0, 0, 0)) return {0, 0, 0};
+  return camera.position + glm::length(camera.position) * line_of_sight(camera);
+}
+
+/// The matrix is symmetric: its rows are its columns.
+std::string squash(const Camera& camera) {
+  if (camera.flattening == 1) return {};
+  const auto m = flattened_by_air(camera);
+  return fmt::format("{}, {}, {}, {}, {}, {}, {}, {}, {}", m[0].x, m[0].z, m[0].y, m[2].x, m[2].z,
+                     m[2].y, m[1].x, m[1].z, m[1].y);
+}
+
+}  // namespace
+
 void require_renderable(const Scene& scene) {
   require_sound(scene.camera);
   require_texture_name(scene.texture);
@@ -43,20 +61,12 @@ void require_renderable(const Scene& scene) {
   algebra::require_within("sampling depth", scene.sampling_depth, 0, 9);
 }
 
-std::string left_handed(const glm::dvec3& v) { return fmt::format("<{}, {}, {}>", v.x, v.z, v.y); }
-
-/// A line of its own, or nothing. The matrix is symmetric: its rows are its columns.
-std::string flattened(const Camera& camera) {
-  if (camera.flattening == 1) return {};
-  const auto m = flattened_by_air(camera);
-  return fmt::format("  matrix <{}, {}, {}, {}, {}, {}, {}, {}, {}, 0, 0, 0>\n", m[0].x, m[0].z,
-                     m[0].y, m[2].x, m[2].z, m[2].y, m[1].x, m[1].z, m[1].y);
+CameraText camera_text(const Camera& camera, double moon_radius) {
+  return {left_handed(moon_radius * camera.position), left_handed(glm::normalize(camera.up)),
+          left_handed(moon_radius * middle(camera)), squash(camera)};
 }
 
-}  // namespace
-
-std::string to_pov(const Scene& scene) {
-  require_renderable(scene);
+std::string pov_text(const Scene& scene, const PovText& text) {
   const Camera& camera = scene.camera;
   return fmt::format(
       R"(// {caption}
@@ -65,7 +75,7 @@ std::string to_pov(const Scene& scene) {
 #version 3.7;
 global_settings {{ assumed_gamma 1.0 charset utf8 }}
 background {{ rgb 0 }}
-camera {{
+{declarations}camera {{
   perspective
   location {location}
   direction z
@@ -73,25 +83,25 @@ camera {{
   up y
   sky {sky}
   angle {field}
-  look_at <0, 0, 0>
+  look_at {look_at}
 }}
 sphere {{
   <0, 0, 0>, {radius}
-  pigment {{ image_map {{ exr "{texture}" map_type 1 interpolate 2 }} }}
+  pigment {{ image_map {{ exr {texture} map_type 1 interpolate 2 }} }}
   finish {{ ambient 0 diffuse 0 emission 1 }}
   rotate y*180
 {flattened}}}
 )",
       fmt::arg("caption", scene.caption.empty() ? "The eclipsed Moon" : scene.caption),
-      fmt::arg("location", left_handed(scene.moon_radius * camera.position)),
+      fmt::arg("declarations", text.declarations), fmt::arg("location", text.location),
       fmt::arg("mirror", camera.mirrored ? "-" : ""), fmt::arg("width", camera.width),
-      fmt::arg("height", camera.height), fmt::arg("sky", left_handed(glm::normalize(camera.up))),
-      fmt::arg("field", in_degrees(camera.horizontal_field)), fmt::arg("radius", scene.moon_radius),
-      fmt::arg("texture", scene.texture), fmt::arg("flattened", flattened(camera)));
+      fmt::arg("height", camera.height), fmt::arg("sky", text.sky),
+      fmt::arg("look_at", text.look_at), fmt::arg("field", in_degrees(camera.horizontal_field)),
+      fmt::arg("radius", scene.moon_radius), fmt::arg("texture", text.texture),
+      fmt::arg("flattened", text.flattened));
 }
 
-std::string to_ini(const Scene& scene) {
-  require_renderable(scene);
+std::string ini_text(const Scene& scene, const std::string& output, const std::string& animation) {
   return fmt::format(
       R"(; {caption}
 ; In this folder: povray {settings}
@@ -111,23 +121,45 @@ Jitter=off
 Display=off
 Pause_When_Done=off
 Verbose=on
-)",
+{animation})",
       fmt::arg("caption", scene.caption.empty() ? "The eclipsed Moon" : scene.caption),
       fmt::arg("settings", settings_file), fmt::arg("input", scene_file),
-      fmt::arg("output", frame_file), fmt::arg("width", scene.camera.width),
-      fmt::arg("height", scene.camera.height),
+      fmt::arg("output", output), fmt::arg("animation", animation),
+      fmt::arg("width", scene.camera.width), fmt::arg("height", scene.camera.height),
       fmt::arg("antialias", scene.sampling_depth > 0 ? "on" : "off"),
       fmt::arg("depth", std::max(scene.sampling_depth, 1)));
 }
 
-void write_scene(const std::filesystem::path& folder, const Scene& scene) {
-  const std::string pov = to_pov(scene), ini = to_ini(scene);
+void write_texts(const std::filesystem::path& folder, const std::string& pov,
+                 const std::string& ini) {
   std::error_code failure;
   std::filesystem::create_directory(folder, failure);
   if (!std::filesystem::is_directory(folder, failure))
     throw algebra::Error(fmt::format("{}: cannot be made a folder", folder.string()));
   texture::write_whole(folder / scene_file, pov);
   texture::write_whole(folder / settings_file, ini);
+}
+
+std::string to_pov(const Scene& scene) {
+  require_renderable(scene);
+  const auto camera = camera_text(scene.camera, scene.moon_radius);
+  const auto flattened =
+      camera.squash.empty() ? "" : fmt::format("  matrix <{}, 0, 0, 0>\n", camera.squash);
+  return pov_text(scene, {.declarations = {},
+                          .location = camera.location,
+                          .sky = camera.sky,
+                          .look_at = camera.look_at,
+                          .texture = fmt::format("\"{}\"", scene.texture),
+                          .flattened = flattened});
+}
+
+std::string to_ini(const Scene& scene) {
+  require_renderable(scene);
+  return ini_text(scene, frame_file, {});
+}
+
+void write_scene(const std::filesystem::path& folder, const Scene& scene) {
+  write_texts(folder, to_pov(scene), to_ini(scene));
 }
 
 }  // namespace coppermoon::povray_scenes

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "algebra/error.h"
+#include "atmosphere/astronomical_refraction.h"
 #include "povray_scenes/meridian.h"
 #include "support/within.h"
 
@@ -237,6 +238,149 @@ TEST(CameraAt, KnowsTheZenithWhicheverWayIsUp) {
     EXPECT_WITHIN(zenith.z, -std::sin(33 * std::numbers::pi / 180), 1e-12, rounding);
     EXPECT_WITHIN(zenith.x, -std::cos(33 * std::numbers::pi / 180), 1e-12, rounding);
   }
+}
+
+Camera turned_right(double by_deg, double field_deg) {
+  auto camera = ten_radii_away(field_deg);
+  const double by = in_radians(degrees(by_deg));
+  camera.direction = 7.0 * glm::dvec3(-std::cos(by), std::sin(by), 0);  // 90 E is on the right
+  return camera;
+}
+
+TEST(PixelOf, MovesTheMoonAgainstTheDirectionByTheTangent) {
+  for (const double by : {0.01, 30.0, -69.0}) {
+    const auto pixel = pixel_of(turned_right(by, 140), place(0, 0));
+    const double edge = std::tan(in_radians(degrees(70)));
+    EXPECT_WITHIN(pixel->x - 100, -100 * std::tan(in_radians(degrees(by))) / edge, 1e-9, rounding);
+    EXPECT_WITHIN(pixel->y, 50, 1e-9, rounding);
+  }
+}
+
+TEST(PixelOf, KnowsNoPixelForWhatIsBehindTheCamera) {
+  EXPECT_TRUE(pixel_of(turned_right(89, 20), place(0, 0)));
+  EXPECT_FALSE(pixel_of(turned_right(91, 20), place(0, 0)));
+  EXPECT_FALSE(pixel_of(turned_right(180, 20), place(0, 0)));
+}
+
+TEST(PixelOf, FlattensAMoonAwayFromTheMiddleByAsMuch) {
+  // From so far off that the disc is drawn as by a parallel projection.
+  auto camera = turned_right(20, 60);
+  camera.position = {1e5, 0, 0};
+  const auto height = [&] { return pixel_of(camera, place(89, 0))->y; };
+  const double round = height() - 50;
+  camera.zenith = {0, 0, 1};
+  camera.flattening = 0.85;
+  EXPECT_WITHIN_RELATIVE(height() - 50, 0.85 * round, 1e-6, "the disc's own perspective, 1e-5");
+}
+
+TEST(Camera, MayHaveTheMoonBehindItOrAlongItsUp) {
+  EXPECT_NO_THROW(require_sound(turned_right(180, 20)));
+  auto camera = turned_right(90, 20);
+  camera.up = {1, 0, 0};
+  EXPECT_NO_THROW(require_sound(camera));
+}
+
+TEST(Camera, RefusesADirectionAlongItsUpOrNone) {
+  auto camera = ten_radii_away(20);
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN(),
+                   endless = std::numeric_limits<double>::infinity();
+  for (const auto& direction :
+       {glm::dvec3(0, 0, 2), glm::dvec3(0, 0, -1), glm::dvec3(nothing, 0, 0),
+        glm::dvec3(endless, 0, 0), glm::dvec3(1e-200, 0, 0)}) {
+    camera.direction = direction;
+    EXPECT_THROW(require_sound(camera), Error) << direction.x << ", " << direction.z;
+  }
+}
+
+/// Where a pinhole camera of 200 x 100 pixels, its zenith up, shows a place of the sky: the
+/// gnomonic projection in closed form.
+glm::dvec2 gnomonic(const HorizonPlace& at, const HorizonPlace& aim, double field_deg) {
+  const double a = in_radians(at.altitude), a0 = in_radians(aim.altitude);
+  const double turn = in_radians(at.azimuth - aim.azimuth);
+  const double depth = std::sin(a0) * std::sin(a) + std::cos(a0) * std::cos(a) * std::cos(turn);
+  const double x = std::cos(a) * std::sin(turn);
+  const double y = std::cos(a0) * std::sin(a) - std::sin(a0) * std::cos(a) * std::cos(turn);
+  const double scale = 100 / std::tan(0.5 * in_radians(degrees(field_deg))) / depth;
+  return {100 + scale * x, 50 - scale * y};
+}
+
+TEST(CameraFixed, ShowsTheMoonItIsAimedAtInTheMiddle) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T03:26:05Z"));
+  for (const double longitude_deg : {-71.1, 25.0, -155.0}) {
+    const auto view = almanac::view_from({degrees(42.4), degrees(longitude_deg), metres(10)}, sky);
+    const HorizonPlace aim{atmosphere::apparent_altitude(view.altitude), view.azimuth};
+    const auto camera = camera_fixed(sky, view, aim, degrees(30), 200, 100);
+    const auto middle = *pixel_of(camera, view.sub_observer);
+    EXPECT_WITHIN(middle.x, 100, 1e-6, rounding);
+    EXPECT_WITHIN(middle.y, 50, 1e-6, rounding);
+  }
+}
+
+TEST(CameraFixed, ShowsTheMoonWhereTheSkyHasIt) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T03:26:05Z"));
+  const auto view = almanac::view_from({degrees(42.4), degrees(25), metres(10)}, sky);
+  const HorizonPlace moon{atmosphere::apparent_altitude(view.altitude), view.azimuth};
+  for (const auto& off : {glm::dvec2(10, 0), glm::dvec2(0, -7), glm::dvec2(-25, 12)}) {
+    const HorizonPlace aim{moon.altitude + degrees(off.y), moon.azimuth + degrees(off.x)};
+    const auto camera = camera_fixed(sky, view, aim, degrees(80), 200, 100);
+    const auto expected = gnomonic(moon, aim, 80), shown = *pixel_of(camera, view.sub_observer);
+    EXPECT_WITHIN(shown.x, expected.x, 1e-6, rounding);
+    EXPECT_WITHIN(shown.y, expected.y, 1e-6, rounding);
+  }
+}
+
+TEST(CameraFixed, ShowsAMoonOnTheHorizonTenDegreesToTheRightByTheTangent) {
+  const auto camera =
+      camera_fixed(moon_at_the_equinox(), moon_in_the_east(atmosphere::lowest_true_altitude),
+                   {degrees(0), degrees(80)}, degrees(40), 200, 100);
+  const auto shown = *pixel_of(camera, place(0, 0));
+  const double tangent = std::tan(in_radians(degrees(10))),
+               edge = std::tan(in_radians(degrees(20)));
+  EXPECT_WITHIN(shown.x, 100 + 100 * tangent / edge, 1e-6, rounding);
+  EXPECT_WITHIN(shown.y, 50, 0.003, "the horizon's altitude is given to 1e-4 degrees: 5e-4 pixel");
+}
+
+TEST(CameraFixed, LiftsALowMoonByItsRefraction) {
+  // Meeus, chapter 16: at a true altitude of 1 degree, 1.02' / tan(1 + 10.3 / 6.11) = 21.75'.
+  const auto camera = camera_fixed(moon_at_the_equinox(), moon_in_the_east(degrees(1)),
+                                   {degrees(1), degrees(90)}, degrees(4), 200, 100);
+  const auto shown = *pixel_of(camera, place(0, 0));
+  EXPECT_WITHIN(shown.x, 100, 1e-9, rounding);
+  const double arcminutes_per_pixel = 4 * 60 / 200.;
+  EXPECT_WITHIN((50 - shown.y) * arcminutes_per_pixel, 21.75, 0.02,
+                "printed to 0.01'; the tangent's scale, 4e-4");
+}
+
+TEST(CameraFixed, HoldsTheHorizonLevelUnderALowMoon) {
+  // The Moon's own vertical: straight up where it is in the middle's azimuth, and leaning to the
+  // zenith, which is behind the top of the picture, where it is beside.
+  const auto up_there = [](double azimuth_deg) {
+    const auto camera = camera_fixed(moon_at_the_equinox(), moon_in_the_east(degrees(1)),
+                                     {degrees(30), degrees(azimuth_deg)}, degrees(60), 200, 100);
+    return *pixel_of(camera, place(60, 0)) - *pixel_of(camera, place(-60, 0));
+  };
+  EXPECT_WITHIN(up_there(90).x, 0, 1e-9, rounding);
+  EXPECT_LT(up_there(90).y, 0);
+  EXPECT_LT(up_there(80).x, -0.01);
+  EXPECT_GT(up_there(100).x, 0.01);
+}
+
+TEST(CameraFixed, AllowsAMoonThatIsNotInThePicture) {
+  const auto camera = camera_fixed(moon_at_the_equinox(), moon_in_the_east(degrees(-40)),
+                                   {degrees(10), degrees(-90)}, degrees(60), 200, 100);
+  EXPECT_FALSE(pixel_of(camera, place(0, 0)));
+}
+
+TEST(CameraFixed, RefusesTheZenithAndWhatIsNoPlaceOfTheSky) {
+  const auto aimed = [](double altitude_deg, double azimuth_deg) {
+    return camera_fixed(moon_at_the_equinox(), moon_in_the_east(degrees(40)),
+                        {degrees(altitude_deg), degrees(azimuth_deg)}, degrees(60), 200, 100);
+  };
+  EXPECT_NO_THROW(aimed(89, 360));
+  EXPECT_THROW(aimed(90, 0), Error);
+  EXPECT_THROW(aimed(-91, 0), Error);
+  EXPECT_THROW(aimed(10, 361), Error);
+  EXPECT_THROW(aimed(std::numeric_limits<double>::quiet_NaN(), 0), Error);
 }
 
 TEST(PixelOf, AMirrorExchangesLeftAndRightOnly) {

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <string>
@@ -26,6 +27,14 @@ struct TemporaryFolder {
     std::filesystem::remove_all(path, ignored);
   }
 };
+
+/// A program of the shell's in a folder: its path.
+inline std::string script_in(const std::filesystem::path& folder, const std::string& script) {
+  const auto file = folder / "stand-in";
+  std::ofstream(file) << "#!/bin/sh\n" << script << "\n";
+  std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  return file.string();
+}
 
 inline long files_in(const std::filesystem::path& folder) {
   return std::distance(std::filesystem::directory_iterator(folder), {});

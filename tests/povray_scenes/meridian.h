@@ -31,6 +31,15 @@ inline almanac::ObserverView on_the_meridian(algebra::Angle latitude) {
   return view;
 }
 
+/// An observer at the Earth's centre with a horizon such that this Moon is due east.
+inline almanac::ObserverView moon_in_the_east(algebra::Angle true_altitude) {
+  almanac::ObserverView view{};
+  const double h = in_radians(true_altitude);
+  view.zenith = {std::sin(h), 0, std::cos(h)};
+  view.north = {0, 1, 0};
+  return view;
+}
+
 inline almanac::SelenographicPoint place(double latitude_deg, double longitude_deg) {
   return {algebra::degrees(latitude_deg), algebra::degrees(longitude_deg)};
 }

@@ -13,7 +13,9 @@
 
 #include "algebra/error.h"
 #include "povray_scenes/folder.h"
+#include "povray_scenes/left_behind.h"
 #include "povray_scenes/meridian.h"
+#include "povray_scenes/pictures.h"
 #include "povray_scenes/scene.h"
 #include "support/within.h"
 
@@ -23,61 +25,12 @@ namespace {
 using algebra::degrees;
 using algebra::Error;
 
-constexpr int columns = 1440, rows = 720;
-struct Texel {
-  int column, row;
-};
-
-almanac::SelenographicPoint centre(Texel texel) {
-  return place(90 - (texel.row + 0.5) * 180 / rows, (texel.column + 0.5) * 360 / columns - 180);
-}
-
-/// A black texture with these texels bright.
-OIIO::ImageBuf texture_with(const std::vector<Texel>& bright, float luminance = 1000) {
-  OIIO::ImageBuf texture(OIIO::ImageSpec(columns, rows, 3, OIIO::TypeHalf));
-  const float light[] = {luminance, luminance, luminance};
-  for (const auto& texel : bright) texture.setpixel(texel.column, texel.row, light);
-  return texture;
-}
-
 OIIO::ImageBuf uniform_texture(float luminance) {
   OIIO::ImageBuf texture(OIIO::ImageSpec(64, 32, 3, OIIO::TypeHalf));
   const float light[] = {luminance, luminance, luminance};
   for (int row = 0; row < 32; ++row)
     for (int column = 0; column < 64; ++column) texture.setpixel(column, row, light);
   return texture;
-}
-
-struct Luminance {
-  OIIO::ImageBuf image;
-
-  explicit Luminance(const std::filesystem::path& file) : image(file.string()) {
-    if (!image.read(0, 0, true, OIIO::TypeFloat)) throw std::runtime_error(image.geterror());
-  }
-  double at(int x, int y) const { return image.getchannel(x, y, 0, 1); }
-  double total() const {
-    double sum = 0;
-    for (int y = 0; y < image.spec().height; ++y)
-      for (int x = 0; x < image.spec().width; ++x) sum += at(x, y);
-    return sum;
-  }
-};
-
-struct Spot {
-  double luminance = 0;
-  glm::dvec2 centroid{0, 0};
-};
-
-Spot spot_near(const Luminance& frame, const glm::dvec2& place, int reach = 5) {
-  Spot spot;
-  const int x0 = static_cast<int>(place.x), y0 = static_cast<int>(place.y);
-  for (int y = y0 - reach; y <= y0 + reach; ++y)
-    for (int x = x0 - reach; x <= x0 + reach; ++x) {
-      spot.luminance += frame.at(x, y);
-      spot.centroid += frame.at(x, y) * glm::dvec2(x + 0.5, y + 0.5);
-    }
-  if (spot.luminance > 0) spot.centroid /= spot.luminance;
-  return spot;
 }
 
 std::filesystem::path rendered(const std::filesystem::path& folder, const Camera& camera,
@@ -141,6 +94,49 @@ TEST(Frame, ShowsPlacesWherePixelOfSaysInANarrowField) {
   const auto spot = spot_near(frame, expected, 12);
   EXPECT_WITHIN(spot.centroid.x, expected.x, 0.25, "a tent cut at whole pixels");
   EXPECT_WITHIN(spot.centroid.y, expected.y, 0.25, "a tent cut at whole pixels");
+}
+
+TEST(Frame, ShowsPlacesWherePixelOfSaysAwayFromTheMiddle) {
+  auto camera = seen_from(52);
+  camera.horizontal_field = degrees(1.2);
+  camera.width = camera.height = 480;
+  const glm::dvec3 right = glm::normalize(glm::cross(-camera.position, camera.up));
+  camera.direction = -camera.position + 0.8 * right - 0.6 * glm::normalize(camera.up);
+  ASSERT_LT(pixel_of(camera, centre(pattern[0]))->x, 200);
+  ASSERT_LT(pixel_of(camera, centre(pattern[0]))->y, 200);
+  expect_pattern(camera);
+  camera.mirrored = true;
+  expect_pattern(camera, 1737.4);
+}
+
+TEST(Frame, ShowsPlacesWherePixelOfSaysAwayFromTheMiddleOfAWideField) {
+  expect_pattern({.position = {2.2, 0.1, 0.2},
+                  .up = {0, 0.2, 1},
+                  .horizontal_field = degrees(140),
+                  .width = 1200,
+                  .height = 800,
+                  .direction = {-1, 0.3, 0.15}});
+}
+
+TEST(Frame, ShowsPlacesWherePixelOfSaysFromATripod) {
+  // Due east at a true altitude of 2 degrees, in the lower right of the picture.
+  auto camera = camera_fixed(moon_at_the_equinox(), moon_in_the_east(degrees(2)),
+                             {degrees(2.5), degrees(89.7)}, degrees(1.2), 480, 480);
+  camera.flattening = 0.9;
+  expect_pattern(camera);
+}
+
+TEST(Frame, IsBlackWhereTheMoonIsNot) {
+  for (const auto& direction : {glm::dvec3(1, 0, 0), glm::dvec3(-1, 0.02, 0)}) {
+    const Camera camera{.position = {221, 0, 0},
+                        .up = {0, 0, 1},
+                        .horizontal_field = degrees(1),
+                        .width = 60,
+                        .height = 40,
+                        .direction = direction};
+    const TemporaryFolder folder;
+    EXPECT_EQ(Luminance(rendered(folder.path, camera, uniform_texture(1))).total(), 0);
+  }
 }
 
 TEST(Frame, ShowsAMirroredTextureMirrored) {
@@ -233,12 +229,7 @@ struct SmallScene {
                 {.camera = {{221, 0, 0}, {0, 0, 1}, degrees(0.6), 96, 72}, .texture = "moon.exr"});
     texture_with(pattern).write((folder / "moon.exr").string());
   }
-  std::string stand_in(const std::string& script) const {
-    const auto file = folder / "stand-in";
-    std::ofstream(file) << "#!/bin/sh\n" << script << "\n";
-    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
-    return file.string();
-  }
+  std::string stand_in(const std::string& script) const { return script_in(folder, script); }
 };
 
 std::string refusal(const SmallScene& scene, const RenderSettings& settings = {}) {
@@ -343,6 +334,32 @@ TEST(Render, StopsPovRayWhenTheListenerThrows) {
   const SmallScene scene;
   EXPECT_THROW(render(scene.folder, {}, [](double) { throw Error("enough"); }), Error);
   EXPECT_EQ(files_in(scene.folder), 3);
+}
+
+TEST(Render, LeavesNoPovRayBehindWhenItIsKilled) {
+  const SmallScene scene;
+  const auto povray = scene.stand_in("echo $$ > pid.tmp; mv pid.tmp pid; exec sleep 20");
+  EXPECT_EQ(signal_after_our_death(scene.folder / "pid",
+                                   [&] { render(scene.folder, {.povray = povray}); }),
+            SIGKILL);
+}
+
+TEST(Render, NeedsNoStandardStreams) {
+  const SmallScene scene;
+  const pid_t closed = ::fork();
+  if (closed == 0) {
+    for (const int stream : {0, 1, 2}) ::close(stream);
+    try {
+      render(scene.folder);
+      ::_exit(0);
+    } catch (...) {
+      ::_exit(1);
+    }
+  }
+  int status = 0;
+  ::waitpid(closed, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(std::filesystem::exists(scene.folder / "frame.exr"));
 }
 
 TEST(Render, RefusesAFolderWithoutAScene) {

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "povray_scenes/child_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "algebra/error.h"
+
+namespace coppermoon::povray_scenes {
+namespace {
+
+using algebra::Error;
+
+[[noreturn]] void refuse_pipe() {
+  throw Error(fmt::format("no pipe to another program: {}", std::strerror(errno)));
+}
+
+/// In the child: only what is safe after a fork of many threads. Returns when all has failed.
+void become(char* const* arguments, const char* folder, int standard_error, pid_t parent) {
+  if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) return;
+  const int nothing = ::open("/dev/null", O_RDWR);
+  if (nothing < 0 || ::chdir(folder) != 0) return;
+  ::dup2(nothing, STDIN_FILENO);
+  ::dup2(nothing, STDOUT_FILENO);
+  ::dup2(standard_error, STDERR_FILENO);
+  ::execvp(arguments[0], arguments);
+}
+
+/// The errno of its failure, or 0: what the child writes before it ends; exec closes the pipe.
+int failure_of(int from) {
+  int failure = 0;
+  while (::read(from, &failure, sizeof failure) < 0 && errno == EINTR) continue;
+  return failure;
+}
+
+/// What comes until the other end is closed; of more than 4096 bytes the beginning.
+std::string all_said(int from) {
+  std::string said;
+  std::array<char, 4096> buffer;
+  for (;;) {
+    const auto count = ::read(from, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return said;
+    if (said.size() < buffer.size()) said.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+}
+
+}  // namespace
+
+void FileDescriptor::close() {
+  if (number >= 0) ::close(number);
+  number = -1;
+}
+
+Pipe::Pipe() {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) refuse_pipe();
+  FileDescriptor low_out, low_in;
+  low_out.number = ends[0], low_in.number = ends[1];
+  out.number = ::fcntl(ends[0], F_DUPFD_CLOEXEC, 3);
+  in.number = ::fcntl(ends[1], F_DUPFD_CLOEXEC, 3);
+  if (out.number < 0 || in.number < 0) refuse_pipe();
+}
+
+Child::~Child() {
+  if (id <= 0) return;
+  ::kill(id, SIGKILL);
+  status();
+}
+
+int Child::status() {
+  int result = 0;
+  while (::waitpid(id, &result, 0) < 0 && errno == EINTR) continue;
+  id = 0;
+  return result;
+}
+
+/// By fork, since posix_spawn cannot ask for the child's end with ours.
+void start(Child& child, const Program& program, int standard_error) {
+  auto words = program.words;
+  std::vector<char*> pointers;
+  for (auto& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  Pipe failed;
+  const pid_t ourselves = ::getpid();
+  child.id = ::fork();
+  if (child.id == 0) {
+    become(pointers.data(), program.folder.c_str(), standard_error, ourselves);
+    const int why = errno;
+    [[maybe_unused]] const auto told = ::write(failed.in.number, &why, sizeof why);
+    ::_exit(127);
+  }
+  const int not_forked = child.id < 0 ? errno : 0;
+  failed.in.close();
+  const int failure = not_forked ? not_forked : failure_of(failed.out.number);
+  if (failure == 0) return;
+  if (failure == ENOENT)
+    throw Error(fmt::format("{}: not found; install the package {}", words[0], program.package));
+  throw Error(fmt::format("{}: cannot be run: {}", words[0], std::strerror(failure)));
+}
+
+void run_program(const Program& program) {
+  Pipe words;
+  Child child;
+  start(child, program, words.in.number);
+  words.in.close();
+  const auto said = all_said(words.out.number);
+  const int status = child.status();
+  if (WIFSIGNALED(status))
+    throw Error(fmt::format("{}: ended by signal {}", program.words[0], WTERMSIG(status)));
+  if (WEXITSTATUS(status) != 0)
+    throw Error(fmt::format("{}: {}", program.words[0], said.substr(0, said.find('\n'))));
+}
+
+}  // namespace coppermoon::povray_scenes

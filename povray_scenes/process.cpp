@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "povray_scenes/process.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <random>
+#include <string_view>
+#include <vector>
+
+#include "algebra/error.h"
+#include "povray_scenes/child_process.h"
+#include "povray_scenes/scene.h"
+
+namespace coppermoon::povray_scenes {
+namespace {
+
+namespace fs = std::filesystem;
+using algebra::Error;
+using Clock = std::chrono::steady_clock;
+
+/// What POV-Ray says: its count of frames and pixels, and what it complains of.
+struct Conversation {
+  const Run& run;
+  std::string line{}, last_line{}, complaint{};
+
+  void hear(std::string_view chunk) {
+    for (const char c : chunk)
+      if (c == '\n' || c == '\r')
+        end_line();
+      else
+        line += c;
+  }
+  void end_line() {
+    unsigned long done = 0, all = 0;
+    if (std::sscanf(line.c_str(), "Rendered %lu of %lu pixels", &done, &all) == 2) {
+      if (run.progress && done < all)
+        run.progress(static_cast<double>(done) / static_cast<double>(all));
+    } else if (std::sscanf(line.c_str(), "Rendering frame %lu of %lu", &done, &all) == 2) {
+      if (run.begun) run.begun(done);
+    } else if (!line.empty()) {
+      heed();
+      last_line = line;
+    }
+    line.clear();
+  }
+  /// From the first line that speaks of an error on; POV-Ray folds long lines before a space.
+  void heed() {
+    const bool begun = !complaint.empty();
+    if (!begun && line.find("rror") == std::string::npos) return;
+    if (complaint.size() > 1000) return;
+    complaint += (begun && line.front() != ' ' ? "; " : "") + line;
+  }
+  const std::string& last_words() const { return complaint.empty() ? last_line : complaint; }
+};
+
+std::vector<std::string> command(const RenderSettings& settings, const Run& run) {
+  std::vector<std::string> words{settings.povray, settings_file, "+O" + run.output, "-D", "-P"};
+  words.push_back(run.progress ? "+V" : "-V");
+  words.insert(words.end(), run.subset.begin(), run.subset.end());
+  if (settings.threads > 0) words.push_back(fmt::format("+WT{}", settings.threads));
+  return words;
+}
+
+int milliseconds_left(const RenderSettings& settings, Clock::time_point start) {
+  if (settings.timeout_s == 0) return -1;
+  const double used_s = std::chrono::duration<double>(Clock::now() - start).count();
+  if (used_s >= settings.timeout_s)
+    throw Error(fmt::format("{}: not done after {:g} s, the time allowed", settings.povray,
+                            settings.timeout_s));
+  return static_cast<int>(std::min(settings.timeout_s - used_s, 1e3) * 1e3) + 1;
+}
+
+void listen(Conversation& heard, int from, const RenderSettings& settings) {
+  const auto start = Clock::now();
+  std::array<char, 4096> buffer;
+  for (;;) {
+    pollfd waiting{from, POLLIN, 0};
+    if (::poll(&waiting, 1, milliseconds_left(settings, start)) <= 0) continue;
+    const auto count = ::read(from, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    heard.hear({buffer.data(), static_cast<std::size_t>(count)});
+  }
+  heard.end_line();
+}
+
+}  // namespace
+
+Draft::Draft(const fs::path& in)
+    : folder(in), stem(fmt::format("frame.tmp.{:08x}", std::random_device{}())) {
+  std::error_code failure;
+  if (!fs::is_regular_file(folder / settings_file, failure))
+    throw Error(fmt::format("{}: not found", (folder / settings_file).string()));
+}
+
+Draft::~Draft() {
+  std::error_code ignored;
+  std::vector<fs::path> left;
+  for (fs::directory_iterator file(folder, ignored), end; file != end; file.increment(ignored))
+    if (file->path().filename().string().starts_with(stem)) left.push_back(file->path());
+  for (const auto& file : left) fs::remove(file, ignored);
+}
+
+fs::path Draft::finish(const std::string& ending, const std::string& name,
+                       const std::string& povray) const {
+  std::error_code failure;
+  fs::rename(folder / (stem + ending), folder / name, failure);
+  if (failure)
+    throw Error(
+        fmt::format("{}: wrote no {}: {}", povray, (folder / name).string(), failure.message()));
+  return folder / name;
+}
+
+void run_povray(const RenderSettings& settings, const Draft& draft, const Run& run) {
+  algebra::require_within("threads", settings.threads, 0, 512);
+  algebra::require_within("timeout [s]", settings.timeout_s, 0, 1e7);
+  Pipe words;
+  Child child;
+  start(child, {command(settings, run), "povray", draft.folder}, words.in.number);
+  words.in.close();
+  Conversation heard{run};
+  listen(heard, words.out.number, settings);
+  const int status = child.status();
+  if (WIFSIGNALED(status))
+    throw Error(fmt::format("{}: ended by signal {}", settings.povray, WTERMSIG(status)));
+  if (WEXITSTATUS(status) != 0)
+    throw Error(fmt::format("{}: {}", settings.povray, heard.last_words()));
+}
+
+}  // namespace coppermoon::povray_scenes

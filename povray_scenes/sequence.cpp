@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "povray_scenes/sequence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <string_view>
+
+#include "algebra/error.h"
+#include "povray_scenes/process.h"
+#include "povray_scenes/scene.h"
+#include "povray_scenes/scene_text.h"
+
+namespace coppermoon::povray_scenes {
+namespace {
+
+using algebra::Error;
+
+constexpr const char* last_frame_key = "Subset_End_Frame=";
+
+std::size_t digits(std::size_t last) {
+  return std::max(std::to_string(last).size(), std::size_t{4});
+}
+
+Scene single_scene(const Sequence& sequence, std::size_t frame) {
+  return {.camera = sequence.cameras[frame - 1],
+          .texture = numbered_file(sequence.textures, frame, sequence.cameras.size()),
+          .moon_radius = sequence.moon_radius,
+          .sampling_depth = sequence.sampling_depth,
+          .caption = sequence.caption};
+}
+
+void require_same_picture(const Camera& camera, const Camera& first) {
+  if (camera.width == first.width && camera.height == first.height &&
+      camera.horizontal_field == first.horizontal_field && camera.mirrored == first.mirrored)
+    return;
+  const auto picture = [](const Camera& of) {
+    return fmt::format("{} x {} pixels, {} degrees wide{}", of.width, of.height,
+                       in_degrees(of.horizontal_field), of.mirrored ? ", mirrored" : "");
+  };
+  throw Error(fmt::format("picture = {}, allowed: that of the first frame, {}", picture(camera),
+                          picture(first)));
+}
+
+void require_frame(const Sequence& sequence, std::size_t frame) {
+  try {
+    require_renderable(single_scene(sequence, frame));
+    require_same_picture(sequence.cameras[frame - 1], sequence.cameras[0]);
+  } catch (const Error& error) {
+    throw Error(fmt::format("frame {}: {}", frame, error.what()));
+  }
+}
+
+void require_renderable(const Sequence& sequence) {
+  const std::size_t last = sequence.cameras.size();
+  algebra::require_within("frames", static_cast<double>(last), 1, 999999);
+  for (std::size_t frame = 1; frame <= last; ++frame) require_frame(sequence, frame);
+}
+
+/// An array of POV-Ray's, a line for each frame.
+template <class ElementOf>
+std::string array(std::string_view name, const std::vector<CameraText>& frames, ElementOf element) {
+  std::string text = fmt::format("#declare {} {{\n", name);
+  for (const auto& frame : frames)
+    text += fmt::format("  {}{}\n", element(frame), &frame == &frames.back() ? "" : ",");
+  return text + "}\n";
+}
+
+std::string squash_or_none(const CameraText& frame) {
+  return fmt::format("{{ {} }}", frame.squash.empty() ? "1, 0, 0, 0, 1, 0, 0, 0, 1" : frame.squash);
+}
+
+std::string declarations(const std::vector<CameraText>& frames, bool flattened) {
+  const auto n = frames.size();
+  auto text = fmt::format(R"(#if (frame_number > {0})
+  #error concat("frame ", str(frame_number, 0, 0), ": this sequence has frames 1 to {0}\n")
+#end
+#declare Frame = max(frame_number, 1) - 1;
+)",
+                          n);
+  text += array(fmt::format("Location = array[{}]", n), frames, [](auto& f) { return f.location; });
+  text += array(fmt::format("Sky = array[{}]", n), frames, [](auto& f) { return f.sky; });
+  text += array(fmt::format("Look_At = array[{}]", n), frames, [](auto& f) { return f.look_at; });
+  if (!flattened) return text;
+  text += array(fmt::format("Flattened = array[{}]", n), frames,
+                [](auto& f) { return f.squash.empty() ? "0" : "1"; });
+  return text + array(fmt::format("Squash = array[{}][9]", n), frames, squash_or_none);
+}
+
+constexpr const char* squashed_sphere = R"(  #if (Flattened[Frame])
+    matrix <Squash[Frame][0], Squash[Frame][1], Squash[Frame][2],
+            Squash[Frame][3], Squash[Frame][4], Squash[Frame][5],
+            Squash[Frame][6], Squash[Frame][7], Squash[Frame][8], 0, 0, 0>
+  #end
+)";
+
+/// How many frames the folder's sequence has.
+std::size_t last_frame(const std::filesystem::path& folder) {
+  std::ifstream settings(folder / settings_file);
+  const std::string_view key = last_frame_key;
+  std::size_t last = 0;
+  for (std::string line; std::getline(settings, line);)
+    if (line.starts_with(key))
+      std::from_chars(line.data() + key.size(), line.data() + line.size(), last);
+  if (last == 0)
+    throw Error(fmt::format("{}: no sequence of frames", (folder / settings_file).string()));
+  return last;
+}
+
+/// The frames of a run as they come.
+struct Delivery {
+  const Draft& draft;
+  const FrameDone& frame_done;
+  const RenderSettings& settings;
+  const algebra::Progress& progress;
+  std::size_t next, of;
+
+  void hand_over_before(std::size_t end) {
+    for (; next < end; ++next) {
+      const auto file = draft.finish(numbered_file({}, next, of),
+                                     numbered_file(frame_stem, next, of), settings.povray);
+      if (progress) progress(1);
+      frame_done(next, file);
+    }
+  }
+};
+
+}  // namespace
+
+std::string numbered_file(const std::string& stem, std::size_t frame, std::size_t last) {
+  return fmt::format("{}.{:0{}}.exr", stem, frame, digits(last));
+}
+
+std::string to_pov(const Sequence& sequence) {
+  require_renderable(sequence);
+  std::vector<CameraText> frames;
+  for (const auto& camera : sequence.cameras)
+    frames.push_back(camera_text(camera, sequence.moon_radius));
+  const bool flattened = !std::ranges::all_of(frames, &std::string::empty, &CameraText::squash);
+  return pov_text(single_scene(sequence, 1),
+                  {.declarations = declarations(frames, flattened),
+                   .location = "Location[Frame]",
+                   .sky = "Sky[Frame]",
+                   .look_at = "Look_At[Frame]",
+                   .texture = fmt::format(R"(concat("{}.", str(Frame + 1, -{}, 0), ".exr"))",
+                                          sequence.textures, digits(frames.size())),
+                   .flattened = flattened ? squashed_sphere : ""});
+}
+
+std::string to_ini(const Sequence& sequence) {
+  require_renderable(sequence);
+  const std::size_t last = sequence.cameras.size();
+  return ini_text(single_scene(sequence, 1), fmt::format("{}..exr", frame_stem),
+                  fmt::format("Initial_Frame=1\nFinal_Frame={}\nSubset_Start_Frame=1\n{}{}\n",
+                              std::string(digits(last), '9'), last_frame_key, last));
+}
+
+void write_sequence(const std::filesystem::path& folder, const Sequence& sequence) {
+  write_texts(folder, to_pov(sequence), to_ini(sequence));
+}
+
+void render_sequence(const std::filesystem::path& folder, std::size_t first, std::size_t last,
+                     const FrameDone& frame_done, const RenderSettings& settings,
+                     const algebra::Progress& progress) {
+  const Draft draft(folder);
+  const std::size_t of = last_frame(folder);
+  algebra::require_within("last frame", static_cast<double>(last), 1, static_cast<double>(of));
+  algebra::require_within("first frame", static_cast<double>(first), 1, static_cast<double>(last));
+  Delivery delivery{draft, frame_done, settings, progress, first, of};
+  run_povray(settings, draft,
+             {.output = draft.stem + "..exr",
+              .subset = {fmt::format("+SF{}", first), fmt::format("+EF{}", last)},
+              .progress = progress,
+              .begun = [&](std::size_t begun) {
+                delivery.hand_over_before(std::min(first + begun - 1, last + 1));
+              }});
+  delivery.hand_over_before(last + 1);
+}
+
+}  // namespace coppermoon::povray_scenes
