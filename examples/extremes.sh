@@ -38,7 +38,7 @@ rows invariances
 heading "Inputs"
 rows inputs
 heading "Faults"
-rows faults
+rows faults film_faults
 heading "Untrusted words"
 rows words
 heading "Random recipes"

@@ -40,6 +40,7 @@ few="--photons 2e4 $small"
 "$root/examples/term_sizes.sh" $small
 "$root/examples/tradeoff.sh" --quick
 "$root/examples/plans.sh"
+"$root/examples/film.sh" --frames 4
 ls -l
 
 say "all passed"

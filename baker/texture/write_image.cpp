@@ -211,6 +211,15 @@ OIIO::ImageSpec spec_of(const Layout& layout, OIIO::TypeDesc type, const Attribu
   return spec;
 }
 
+/// A PNG's header holds nothing else.
+std::string as_text(const Attribute& value) {
+  if (const auto* number = std::get_if<float>(&value)) return fmt::format("{}", *number);
+  if (const auto* number = std::get_if<int>(&value)) return fmt::format("{}", *number);
+  if (const auto* list = std::get_if<std::vector<float>>(&value))
+    return fmt::format("{}", fmt::join(*list, " "));
+  return std::get<std::string>(value);
+}
+
 }  // namespace
 
 void write_exr(const std::filesystem::path& path, const Layout& layout, const Rows& rows,
@@ -240,8 +249,8 @@ void write_png(const std::filesystem::path& path, const Image& image, int bits,
   if (image.channels.size() != 1 && image.channels.size() != 3)
     throw Error(fmt::format("{}: PNG of {} channels, allowed 1 or 3", path.string(),
                             image.channels.size()));
-  auto spec =
-      spec_of(layout, bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16, attributes);
+  auto spec = spec_of(layout, bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16, {});
+  for (const auto& [name, value] : attributes) spec.attribute(oiio_name(name), as_text(value));
   spec.attribute("oiio:ColorSpace", "sRGB");
   spec.attribute("png:compressionLevel", 4);  // half of zlib's usual time, 6 % more bytes
   const auto rows = rows_of(image);

@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 
 #include "algebra/error.h"
 #include "colour/display.h"
@@ -15,8 +17,13 @@ namespace {
 double seconds_from(const std::string& text) {
   double seconds = 0;
   if (!CLI::detail::lexical_cast(text, seconds))
-    throw algebra::Error(fmt::format("exposure time = {}, allowed auto or 1e-6 to 1e6 s", text));
+    throw algebra::Error(
+        fmt::format("exposure time = {}, allowed auto, follow or 1e-6 to 1e6 s", text));
   return seconds;
+}
+
+bool by_the_frame(const DevelopOptions& options) {
+  return options.time == "auto" || options.time == "follow";
 }
 
 void require_colours(const texture::Image& frame) {
@@ -25,18 +32,31 @@ void require_colours(const texture::Image& frame) {
         fmt::format("the frame has {} channels, allowed 3 or more", frame.channels.size()));
 }
 
-/// Luminance above which a hundredth of all lit pixels are; 0 when none is.
-double bright_luminance(const texture::Image& frame, colour::WorkingSpace space) {
+/// Of all lit pixels.
+std::vector<double> luminances(const texture::Image& frame, colour::WorkingSpace space) {
   std::vector<double> lit;
   for (std::size_t r = 0; r < frame.height; ++r)
     for (std::size_t c = 0; c < frame.width; ++c) {
       const std::array<double, 3> pixel{frame(r, c, 0), frame(r, c, 1), frame(r, c, 2)};
       if (const double y = colour::luminance(space, pixel); y > 0) lit.push_back(y);
     }
-  if (lit.empty()) return 0;
+  return lit;
+}
+
+/// Luminance above which a hundredth of them are.
+double bright_luminance(std::vector<double> lit) {
   const auto bright = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() * 99 / 100);
   std::nth_element(lit.begin(), bright, lit.end());
   return *bright;
+}
+
+/// The cube of their cube roots' mean: as the shadow creeps over the disc it leaves sunlight's for the
+/// shadow's without a step.
+double cubic_mean(std::span<const double> lit) {
+  double roots = 0;
+  for (const double y : lit) roots += std::cbrt(y);
+  const double mean = roots / static_cast<double>(lit.size());
+  return mean * mean * mean;
 }
 
 colour::Image pixels_of(const texture::Image& frame) {
@@ -52,7 +72,11 @@ colour::Image pixels_of(const texture::Image& frame) {
 
 void add_develop_options(CLI::App& verb, DevelopOptions& options) {
   const std::string group = "The camera and the picture";
-  verb.add_option("--time", options.time, "exposure time [s], or auto")->group(group);
+  verb.add_option(
+          "--time", options.time,
+          "exposure time [s]; auto: the brightest are not lost; follow: as the shadow deepens, "
+          "without a step")
+      ->group(group);
   verb.add_option("--f-number", options.f_number, "focal length over aperture")->group(group);
   verb.add_option("--iso", options.iso, "ISO 12232 saturation-based speed")->group(group);
   verb.add_option("--view", options.view, "of the OpenColorIO configuration")->group(group);
@@ -68,13 +92,14 @@ void add_develop_options(CLI::App& verb, DevelopOptions& options) {
 colour::Exposure exposure_for(const DevelopOptions& options, const texture::Image& frame,
                               colour::WorkingSpace space) {
   require_colours(frame);
-  constexpr double brightest = 0.8;
+  constexpr double brightest = 0.8, followed = 0.25;
   colour::Exposure exposure{1, options.f_number, options.iso};
-  if (options.time != "auto") {
+  if (!by_the_frame(options)) {
     exposure.time_s = seconds_from(options.time);
-  } else if (const double bright = bright_luminance(frame, space); bright > 0) {
-    exposure.time_s =
-        std::clamp(brightest / (bright * colour::exposure_scale(exposure)), 1e-6, 1e5);
+  } else if (const auto lit = luminances(frame, space); !lit.empty()) {
+    const double scaled =
+        options.time == "auto" ? brightest / bright_luminance(lit) : followed / cubic_mean(lit);
+    exposure.time_s = std::clamp(scaled / colour::exposure_scale(exposure), 1e-6, 1e5);
   }
   return exposure;
 }
@@ -89,23 +114,27 @@ void require_sound(const DevelopOptions& options, const std::filesystem::path& p
   if (picture.extension() != ".png")
     throw algebra::Error(fmt::format("{}: a picture ends in .png", picture.string()));
   colour::exposure_scale(
-      {options.time == "auto" ? 1 : seconds_from(options.time), options.f_number, options.iso});
+      {by_the_frame(options) ? 1 : seconds_from(options.time), options.f_number, options.iso});
   const auto views = colour::views(options.display, options.config);
   if (std::find(views.begin(), views.end(), options.view) == views.end())
     throw algebra::Error(
         fmt::format("view = {}, allowed {}", options.view, fmt::join(views, ", ")));
 }
 
-texture::Image developed(const DevelopOptions& options, const colour::Exposure& exposure,
-                         const texture::Image& frame, colour::WorkingSpace space) {
-  const auto shown = colour::developed(
-      pixels_of(frame), space,
-      {colour::exposure_scale(exposure), options.view, options.display, options.config});
+texture::Image shown(const DevelopOptions& options, double scale, const texture::Image& frame,
+                     colour::WorkingSpace space) {
+  const auto pixels = colour::developed(pixels_of(frame), space,
+                                        {scale, options.view, options.display, options.config});
   texture::Image image(frame.width, frame.height, {"R", "G", "B"});
   for (std::size_t r = 0; r < frame.height; ++r)
     for (std::size_t c = 0; c < frame.width; ++c)
-      for (std::size_t k = 0; k < 3; ++k) image(r, c, k) = std::clamp(shown(r, c)[k], 0.F, 1.F);
+      for (std::size_t k = 0; k < 3; ++k) image(r, c, k) = std::clamp(pixels(r, c)[k], 0.F, 1.F);
   return image;
+}
+
+texture::Image developed(const DevelopOptions& options, const colour::Exposure& exposure,
+                         const texture::Image& frame, colour::WorkingSpace space) {
+  return shown(options, colour::exposure_scale(exposure), frame, space);
 }
 
 void write_developed(const DevelopOptions& options, const colour::Exposure& exposure,

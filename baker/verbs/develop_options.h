@@ -22,7 +22,8 @@ struct DevelopOptions {
 void add_develop_options(CLI::App& verb, DevelopOptions& options);
 
 /// The camera's settings; "auto" becomes the time at which the brightest hundredth of what is lit
-/// in the frame comes to 0.8 of saturation, or 1 s when nothing is.
+/// in the frame comes to 0.8 of saturation, "follow" the one at which the cube of the mean cube
+/// root of luminance comes to 0.25; or 1 s when nothing is lit.
 ///
 /// Throws Error when a setting is outside its range, or the frame has fewer than three channels
 colour::Exposure exposure_for(const DevelopOptions& options, const texture::Image& frame,
@@ -34,6 +35,10 @@ void add_exposure(texture::Attributes& attributes, const colour::Exposure& expos
 /// Throws Error when the options cannot be met whatever the frame holds: a setting outside its
 /// range, a picture that does not end in .png, a view there is not
 void require_sound(const DevelopOptions& options, const std::filesystem::path& picture);
+
+/// A scene-linear frame as the display shows it, 1/scale of it as white: channels R, G, B, 0 to 1.
+texture::Image shown(const DevelopOptions& options, double scale, const texture::Image& frame,
+                     colour::WorkingSpace space);
 
 /// A scene-linear frame [cd/m²] as the display shows it: channels R, G, B, 0 to 1.
 texture::Image developed(const DevelopOptions& options, const colour::Exposure& exposure,

@@ -209,11 +209,6 @@ plan::Method method_of(const LightOptions& options) {
   }
 }
 
-/// Whoever says how many photons wants photons.
-bool wants_photons(const LightOptions& options) {
-  return options.solver == "photons" || (options.solver == "auto" && options.photons);
-}
-
 plan::Plan plan_of(const LightOptions& options, const ShadowedMoon& moon, const Purpose& purpose) {
   auto scene = scene_of(moon, purpose);
   auto hand = by_hand(options.plan);
@@ -250,9 +245,10 @@ shadow::RefractedLight light_of_work(const LightOptions& options, const Shadowed
 
 }  // namespace
 
-shadow::Lookup Moonlight::in_channels(const shadow::ChannelWeights& weights) const {
+shadow::Lookup Moonlight::in_channels(const shadow::ChannelWeights& weights,
+                                      const shadow::LookupRange& within) const {
   if (!refracted) return shadow::Lookup(weights);
-  return shadow::Lookup(*refracted, *direct, at_wavelengths(weights, plan.work.bands), range);
+  return shadow::Lookup(*refracted, *direct, at_wavelengths(weights, plan.work.bands), within);
 }
 
 plan::Plan planned_light(const LightOptions& asked, const almanac::SkyState& sky, bool unshadowed,
@@ -264,25 +260,23 @@ plan::Plan planned_light(const LightOptions& asked, const almanac::SkyState& sky
   return plan_of(options, shadowed_moon(options, sky), purpose);
 }
 
-Moonlight light_on_the_moon(const LightOptions& asked, const almanac::SkyState& sky,
-                            bool unshadowed, const Purpose& purpose) {
-  const auto options = meant(asked);
-  const auto moon = shadowed_moon(options, sky);
-  require_sound(options);
-  if (unshadowed) return {};
-  require_eclipse(sky);
+namespace {
+
+shadow::Arrangement arrangement_of(const LightOptions& options, const ShadowedMoon& moon,
+                                   const plan::Work& work) {
+  return arrangement_of(options, moon.sun_distance_m, depths_of(moon, work.planes));
+}
+
+Moonlight refracted_light_of(const LightOptions& options, const ShadowedMoon& moon,
+                             const Purpose& purpose) {
   Moonlight light;
   light.plan = plan_of(options, moon, purpose);
   const auto& work = light.plan.work;
-  const auto arrangement =
-      arrangement_of(options, moon.sun_distance_m, depths_of(moon, work.planes));
-  light.refracted = light_of_work(options, moon, light.plan, arrangement);
+  light.refracted = light_of_work(options, moon, light.plan, arrangement_of(options, moon, work));
   if (light.refracted->photons > 0)
     light.plan.work.photons = static_cast<double>(light.refracted->photons);
   if (work.scattered_light) shadow::add_twilight(*light.refracted, moon.air);
   if (options.starlight == "on") shadow::add_starlight(*light.refracted);
-  const auto waves = wavelengths_nm(work.bands);
-  light.direct.emplace(air_for(work, moon), arrangement, waves);
   const auto settings = quadrature_for(work, moon);
   light.range = {light.refracted->axis_distances_m.front(),
                  light.refracted->axis_distances_m.back(),
@@ -291,8 +285,77 @@ Moonlight light_on_the_moon(const LightOptions& asked, const almanac::SkyState& 
     light.range.first_sector = settings.first_sector;
     light.range.sectors = settings.sectors;
   }
+  return light;
+}
+
+}  // namespace
+
+void add_direct_light(const LightOptions& asked, const ShadowedMoon& moon, Moonlight& light) {
+  const auto& work = light.plan.work;
+  light.direct.emplace(air_for(work, moon), arrangement_of(meant(asked), moon, work),
+                       wavelengths_nm(work.bands));
+}
+
+Moonlight light_on_the_moon(const LightOptions& asked, const almanac::SkyState& sky,
+                            bool unshadowed, const Purpose& purpose) {
+  const auto options = meant(asked);
+  const auto moon = shadowed_moon(options, sky);
+  require_sound(options);
+  if (unshadowed) return {};
+  require_eclipse(sky);
+  auto light = refracted_light_of(options, moon, purpose);
+  add_direct_light(options, moon, light);
   light.error_found = found_error(moon, light);
   return light;
+}
+
+bool wants_photons(const LightOptions& asked) {
+  const auto options = meant(asked);
+  return options.solver == "photons" || (options.solver == "auto" && options.photons);
+}
+
+ShadowedMoon moon_on_its_way(const LightOptions& asked, std::span<const almanac::SkyState> skies) {
+  const auto options = meant(asked);
+  require_sound(options);
+  ShadowedMoon moon;
+  for (const auto& sky : skies) {
+    auto here = shadowed_moon(options, sky);
+    const bool deepest = moon.path.empty() || here.centre.axis_distance < moon.centre.axis_distance;
+    auto path = std::move(moon.path);
+    path.push_back(here.centre);
+    if (deepest) moon = std::move(here);
+    moon.path = std::move(path);
+  }
+  const auto deepest = std::ranges::min_element(
+      moon.path, {}, [](const auto& place) { return algebra::in_metres(place.axis_distance); });
+  require_eclipse(skies[static_cast<std::size_t>(deepest - moon.path.begin())]);
+  return moon;
+}
+
+Moonlight light_on_the_way(const LightOptions& asked, const ShadowedMoon& moon,
+                           const Purpose& purpose) {
+  const auto options = meant(asked);
+  auto light = refracted_light_of(options, moon, purpose);
+  add_direct_light(options, moon, light);
+  light.error_found = found_error(moon, light);
+  return light;
+}
+
+std::optional<shadow::LookupRange> range_at(const Moonlight& light, const almanac::SkyState& sky) {
+  const ShadowedMoon moon{.centre =
+                              eclipse::place_in_shadow(eclipse::shadow_axis(sky), sky.moon_m)};
+  const auto distances = distances_over_the_disc(moon);
+  auto range = light.range;
+  const double depth = algebra::in_metres(moon.centre.depth);
+  if (distances.front() >= light.direct->penumbra_m(depth)) return std::nullopt;
+  range.from_m = std::max(range.from_m, distances.front());
+  range.to_m = std::min(range.to_m, distances.back());
+  if (range.sectors < light.refracted->sectors) {
+    const auto settings = quadrature_for(light.plan.work, moon);
+    range.first_sector = settings.first_sector;
+    range.sectors = settings.sectors;
+  }
+  return range;
 }
 
 }  // namespace coppermoon::verbs

@@ -59,7 +59,11 @@ struct Moonlight {
   double error_found = 0;  ///< of luminance, the largest at some places of the disc
 
   /// Given  weights  (channel, band)
-  shadow::Lookup in_channels(const shadow::ChannelWeights& weights) const;
+  shadow::Lookup in_channels(const shadow::ChannelWeights& weights) const {
+    return in_channels(weights, range);
+  }
+  shadow::Lookup in_channels(const shadow::ChannelWeights& weights,
+                             const shadow::LookupRange& within) const;
 };
 
 /// Plans and computes it.
@@ -69,6 +73,25 @@ struct Moonlight {
 ///                     unshadowed: names the nearest eclipse
 Moonlight light_on_the_moon(const LightOptions& options, const almanac::SkyState& sky,
                             bool unshadowed, const Purpose& purpose = {});
+
+/// Whether light is to be photons: whoever says how many wants them.
+bool wants_photons(const LightOptions& options);
+
+/// The Moon on its way through the shadow.
+///
+/// Given   skies  in order of time, at most a few minutes apart
+/// Throws  Error  when no eclipse is under way at any of them: names the nearest there is
+ShadowedMoon moon_on_its_way(const LightOptions& options, std::span<const almanac::SkyState> skies);
+
+/// The light on all of a Moon's way, from one simulation.
+Moonlight light_on_the_way(const LightOptions& options, const ShadowedMoon& moon,
+                           const Purpose& purpose);
+
+/// Adds the direct part, to light that was read without.
+void add_direct_light(const LightOptions& options, const ShadowedMoon& moon, Moonlight& light);
+
+/// What of the light on a Moon's way its disc takes in at one moment; nothing where all is sunlight.
+std::optional<shadow::LookupRange> range_at(const Moonlight& light, const almanac::SkyState& sky);
 
 /// What light_on_the_moon would do.
 ///

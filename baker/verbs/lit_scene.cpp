@@ -19,12 +19,6 @@ namespace {
 
 constexpr const char* texture_file = "moon_lin_rec709.exr";
 
-void add_observer(texture::Attributes& attributes, const almanac::Observer& observer) {
-  attributes["latitude"] = static_cast<float>(algebra::in_degrees(observer.latitude));
-  attributes["longitude"] = static_cast<float>(algebra::in_degrees(observer.longitude));
-  attributes["altitude"] = static_cast<float>(algebra::in_metres(observer.elevation));
-}
-
 /// Of the disc, in pixels.
 double diameter(const povray_scenes::Camera& camera) {
   const double away = glm::length(camera.position);  // in lunar radii
@@ -34,6 +28,12 @@ double diameter(const povray_scenes::Camera& camera) {
 }
 
 }  // namespace
+
+void add_observer(texture::Attributes& attributes, const almanac::Observer& observer) {
+  attributes["latitude"] = static_cast<float>(algebra::in_degrees(observer.latitude));
+  attributes["longitude"] = static_cast<float>(algebra::in_degrees(observer.longitude));
+  attributes["altitude"] = static_cast<float>(algebra::in_metres(observer.elevation));
+}
 
 FrameView view_for_frame(const ViewOptions& options, const almanac::SkyState& sky) {
   constexpr double visible_px = 0.25;
@@ -71,26 +71,14 @@ LitScene lit_scene(const MoonOptions& options, const ViewOptions& view, const st
   return scene;
 }
 
-namespace {
+FolderLock::FolderLock(const std::filesystem::path& folder)
+    : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX);
+}
 
-/// Who writes into a folder while it is locked; another waits.
-class FolderLock {
- public:
-  explicit FolderLock(const std::filesystem::path& folder)
-      : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX);
-  }
-  ~FolderLock() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-
- private:
-  int descriptor_;
-};
-
-}  // namespace
+FolderLock::~FolderLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
 
 void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
                      const texture::ExrOptions& options) {

@@ -24,12 +24,28 @@ struct FrameView {
   std::vector<std::string> left_out;
 };
 
+/// Who writes into a folder for as long as this is there; another waits. On a file system without
+/// locks none does.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int descriptor_;
+};
+
 /// Throws  Error  as view_of
 FrameView view_for_frame(const ViewOptions& options, const almanac::SkyState& sky);
 
 /// A texture without a width of its own has as many texels around the equator as the middle of the
 /// disc has pixels: π times the disc's diameter; half as many for a draft.
 MoonOptions fitted(MoonOptions moon, const povray_scenes::Camera& camera);
+
+/// Where the observer is, under OpenEXR's standard names.
+void add_observer(texture::Attributes& attributes, const almanac::Observer& observer);
 
 /// The view, and the Moon ready to be baked: all of a scene but its files.
 LitScene lit_scene(const MoonOptions& options, const ViewOptions& view, const std::string& recipe,

@@ -57,11 +57,9 @@ texture::Attributes header(const MoonOptions& options, const almanac::SkyState& 
 }
 
 /// What the rows of a texture are made from, for as long as any may be asked for.
-struct Ground {
-  explicit Ground(algebra::Grid<float> albedo) : normal_albedo(std::move(albedo)) {}
-
-  algebra::Grid<float> normal_albedo;
-  shadow::Lookup light{shadow::ChannelWeights()};
+struct LitGround {
+  std::shared_ptr<const algebra::Grid<float>> albedo;
+  shadow::Lookup light;
   ProgressBar bar{"bake"};
 };
 
@@ -72,6 +70,10 @@ void add_moon_options(CLI::App& verb, MoonOptions& options) {
                   "ISO 8601 UTC, as 2008-02-21T03:08:26Z; or an .exr that coppermoon made, to make "
                   "it again")
       ->required();
+  add_film_moon_options(verb, options);
+}
+
+void add_film_moon_options(CLI::App& verb, MoonOptions& options) {
   verb.add_option("--albedo-map", options.albedo_map,
                   "any image 2:1, longitude 0 in the middle; auto; built-in");
   verb.add_option("--photometry", options.photometry,
@@ -128,25 +130,41 @@ BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
                      const std::optional<atmosphere::Sightline>& sightline,
                      const std::string& recipe, texture::Extent extent) {
   const auto start = std::chrono::steady_clock::now();
-  const std::size_t width = texture_width_of(options), rows = width / 2;
-  const Purpose purpose{static_cast<double>(width * rows), reads_map(options)};
-  std::shared_ptr<Ground> ground;
+  const std::size_t width = texture_width_of(options);
+  const Purpose purpose{static_cast<double>(width * (width / 2)), reads_map(options)};
+  std::shared_ptr<const algebra::Grid<float>> albedo;
   Moonlight light;
   tbb::task_group together;  // the map and the light have nothing in common
-  together.run([&] { ground = std::make_shared<Ground>(normal_albedo(options)); });
+  together.run(
+      [&] { albedo = std::make_shared<const algebra::Grid<float>>(normal_albedo(options)); });
   together.run_and_wait(
       [&] { light = light_on_the_moon(options.light, sky, options.unshadowed, purpose); });
+  const auto made = options.unshadowed ? recipe : with_work(recipe, light.plan.work);
+  auto moon =
+      lit_moon(options, sky, space, sightline, albedo, light, light.range, made, extent, true);
+  moon.start = start;
+  return moon;
+}
+
+BakedMoon lit_moon(const MoonOptions& options, const almanac::SkyState& sky,
+                   colour::WorkingSpace space,
+                   const std::optional<atmosphere::Sightline>& sightline,
+                   std::shared_ptr<const algebra::Grid<float>> albedo, const Moonlight& light,
+                   const std::optional<shadow::LookupRange>& within, const std::string& recipe,
+                   texture::Extent extent, bool bar) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::size_t width = texture_width_of(options), rows = width / 2;
   const auto weights =
       moonlight_weights(colour::channel_weights(space, band_edges_nm()), sightline);
-  ground->light = light.in_channels(weights);
+  const std::shared_ptr<LitGround> ground(new LitGround{
+      std::move(albedo), within ? light.in_channels(weights, *within) : shadow::Lookup(weights)});
   ground->light.transform([&](std::span<double> colour) { into_gamut_or_black(space, colour); });
-  const auto made = options.unshadowed ? recipe : with_work(recipe, light.plan.work);
-  auto lit = texture::lit_rows(ground->normal_albedo, sky, ground->light, rows,
-                               photometry_of(options), extent, ground->bar.progress());
+  auto lit = texture::lit_rows(*ground->albedo, sky, ground->light, rows, photometry_of(options),
+                               extent, bar ? ground->bar.progress() : algebra::Progress());
   return {{width, rows, channel_names(space)},
           [ground, lit](std::size_t first_row, std::span<float> values) { lit(first_row, values); },
-          header(options, sky, space, made, light.error_found),
-          made,
+          header(options, sky, space, recipe, light.error_found),
+          recipe,
           light.plan,
           light.error_found,
           start};

@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -29,6 +30,9 @@ struct MoonOptions {
 };
 
 void add_moon_options(CLI::App& verb, MoonOptions& options);
+
+/// The same but for the instant.
+void add_film_moon_options(CLI::App& verb, MoonOptions& options);
 
 surface::Photometry photometry_of(const MoonOptions& options);
 
@@ -68,6 +72,17 @@ BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
                      colour::WorkingSpace space,
                      const std::optional<atmosphere::Sightline>& sightline,
                      const std::string& recipe, texture::Extent extent = texture::Extent::whole);
+
+/// The same from an albedo map and light that are there already.
+///
+/// Given  within  what of the light the disc takes in; nothing: all is sunlight
+///        bar     whether a progress bar shows rows being baked
+BakedMoon lit_moon(const MoonOptions& options, const almanac::SkyState& sky,
+                   colour::WorkingSpace space,
+                   const std::optional<atmosphere::Sightline>& sightline,
+                   std::shared_ptr<const algebra::Grid<float>> albedo, const Moonlight& light,
+                   const std::optional<shadow::LookupRange>& within, const std::string& recipe,
+                   texture::Extent extent, bool bar);
 
 /// Throws Error when a file could not be put there: its folder is missing, or it is a folder
 /// itself. Said before the work is done.

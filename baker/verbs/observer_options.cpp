@@ -18,9 +18,13 @@ povray_scenes::Up up_from(const std::string& name) {
   return povray_scenes::Up::celestial_north;
 }
 
+bool is_up(const almanac::ObserverView& seen) {
+  return algebra::in_radians(atmosphere::apparent_altitude(seen.altitude)) > 0;
+}
+
 void require_up(const almanac::ObserverView& seen, const ViewOptions& options,
                 const almanac::SkyState& sky) {
-  if (algebra::in_radians(atmosphere::apparent_altitude(seen.altitude)) > 0) return;
+  if (is_up(seen)) return;
   throw algebra::Error(fmt::format(
       "the Moon is {:.2f} degrees below the horizon of {} at {}, allowed {:.2f}, which refraction "
       "lifts it",
@@ -97,6 +101,26 @@ void add_view_options(CLI::App& verb, ViewOptions& options) {
   add_air_options(verb, options, group);
 }
 
+povray_scenes::HorizonPlace apparent_place(const ViewOptions& options,
+                                           const almanac::SkyState& sky) {
+  const auto seen = almanac::view_from(observer_from(options.at), sky);
+  return {atmosphere::apparent_altitude(seen.altitude), seen.azimuth};
+}
+
+povray_scenes::HorizonPlace aim_from(const std::string& text) {
+  const auto numbers = number_list(text).value_or(std::vector<double>{});
+  if (numbers.size() != 2)
+    throw algebra::Error(
+        fmt::format("aim = {}, allowed ALTITUDE,AZIMUTH in degrees, as 30,120", text));
+  algebra::require_within("altitude of the aim [degrees]", numbers[0], -89, 89);
+  algebra::require_within("azimuth of the aim [degrees]", numbers[1], -360, 360);
+  return {algebra::degrees(numbers[0]), algebra::degrees(numbers[1])};
+}
+
+bool moon_is_up(const ViewOptions& options, const almanac::SkyState& sky) {
+  return options.at.empty() || is_up(almanac::view_from(observer_from(options.at), sky));
+}
+
 View view_of(const ViewOptions& options, const almanac::SkyState& sky) {
   const auto field = options.field_deg ? algebra::degrees(*options.field_deg)
                                        : povray_scenes::field_of_view(
@@ -108,8 +132,11 @@ View view_of(const ViewOptions& options, const almanac::SkyState& sky) {
   const auto observer = observer_from(options.at);
   const auto seen = almanac::view_from(observer, sky);
   require_up(seen, options, sky);
-  View view{
-      povray_scenes::camera_at(sky, seen, up, field, options.width, options.height), observer, {}};
+  const auto camera =
+      options.aim ? povray_scenes::camera_fixed(sky, seen, *options.aim, field, options.width,
+                                                options.height)
+                  : povray_scenes::camera_at(sky, seen, up, field, options.width, options.height);
+  View view{camera, observer, {}};
   if (options.flattening == "on") view.camera.flattening = flattening_of(seen);
   if (options.reddening == "on") view.sightline = {air_over(observer, options), seen.altitude};
   return view;

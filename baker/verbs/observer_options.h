@@ -25,6 +25,8 @@ struct ViewOptions {
   std::size_t width = 1500, height = 1000;
   std::string up = "celestial-north", reddening = "on", flattening = "on";
   double observer_ozone_du = 300, observer_aerosol = 0.1;
+  /// where the picture's middle points, as seen; without: to the Moon. Of a camera on a tripod
+  std::optional<povray_scenes::HorizonPlace> aim = {};
 };
 
 void add_view_options(CLI::App& verb, ViewOptions& options);
@@ -35,6 +37,20 @@ struct View {
   std::optional<almanac::Observer> observer;
   std::optional<atmosphere::Sightline> sightline;  ///< through the air that reddens the Moon
 };
+
+/// Where the Moon is to be seen, refraction counted.
+///
+/// Throws Error as observer_from
+povray_scenes::HorizonPlace apparent_place(const ViewOptions& options,
+                                           const almanac::SkyState& sky);
+
+/// "ALTITUDE,AZIMUTH" in degrees, from the horizon up, and from north through east.
+///
+/// Throws Error when the text is no such place
+povray_scenes::HorizonPlace aim_from(const std::string& text);
+
+/// Whether the Moon is above the observer's horizon, refraction counted; true without an observer.
+bool moon_is_up(const ViewOptions& options, const almanac::SkyState& sky);
 
 /// Throws Error when the Moon is below the observer's horizon, refraction counted: says by how much;
 ///        or when the observer's air is not sound

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "algebra/error.h"
+#include "verbs/number_with_unit.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -31,18 +32,6 @@ std::string term_names() {
   std::vector<std::string_view> names;
   for (const auto& term : terms) names.push_back(term.name);
   return fmt::format("none or {}, with commas between", fmt::join(names, ", "));
-}
-
-/// A number with one of some endings, each with what it multiplies by.
-std::optional<double> number_with_unit(const std::string& text,
-                                       const std::vector<std::pair<std::string, double>>& units) {
-  for (const auto& [unit, size] : units) {
-    double number = 0;
-    if (text.ends_with(unit) &&
-        CLI::detail::lexical_cast(text.substr(0, text.size() - unit.size()), number))
-      return number * size;
-  }
-  return std::nullopt;
 }
 
 double tolerance_of(const std::string& text) {

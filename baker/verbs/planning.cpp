@@ -22,6 +22,11 @@ using std::numbers::pi;
 
 const double lunar_radius_m = algebra::in_metres(almanac::lunar_radius);
 
+/// Where the Moon's centre stands, or goes.
+std::span<const eclipse::ShadowPlace> centres(const ShadowedMoon& moon) {
+  return moon.path.empty() ? std::span(&moon.centre, 1) : std::span(moon.path);
+}
+
 /// Where half of the lit half of the Moon is.
 double mean_depth_m(const ShadowedMoon& moon) {
   return algebra::in_metres(moon.centre.depth) - lunar_radius_m / 2;
@@ -31,9 +36,25 @@ struct Range {
   double from_m, to_m;
 };
 
+/// Sunlight is whole beyond.
+constexpr double farthest_m = 1.2e7;
+
+/// What its disc takes in.
 Range disc_of(const ShadowedMoon& moon) {
-  const double centre = algebra::in_metres(moon.centre.axis_distance);
-  return {std::max(0., centre - lunar_radius_m), centre + lunar_radius_m};
+  Range disc{farthest_m, 0};
+  for (const auto& place : centres(moon)) {
+    const double centre = algebra::in_metres(place.axis_distance);
+    disc.from_m = std::min(disc.from_m, std::max(0., centre - lunar_radius_m));
+    disc.to_m = std::max(disc.to_m, centre + lunar_radius_m);
+  }
+  if (!moon.path.empty()) disc.to_m = std::clamp(disc.to_m, disc.from_m + 1, farthest_m);
+  return disc;
+}
+
+/// As many over every diameter of the Moon as over one.
+int places_over(Range disc, int a_diameter) {
+  const double diameters = (disc.to_m - disc.from_m) / (2 * lunar_radius_m);
+  return static_cast<int>(std::ceil(a_diameter * std::max(1., diameters) - 1e-9));
 }
 
 std::vector<double> evenly(Range range, int intervals) {
@@ -52,17 +73,33 @@ struct Sectors {
   std::size_t first, count;
 };
 
-Sectors sectors_of(const ShadowedMoon& moon, std::size_t all) {
-  const double centre = algebra::in_metres(moon.centre.axis_distance);
+Sectors sectors_of(const eclipse::ShadowPlace& place, std::size_t all) {
+  const double centre = algebra::in_metres(place.axis_distance);
   if (centre <= lunar_radius_m) return {0, all};
   const double a_sector = 2 * pi / static_cast<double>(all);
   const double half = std::asin(lunar_radius_m / centre),
-               middle = algebra::in_radians(moon.centre.position_angle);
+               middle = algebra::in_radians(place.position_angle);
   const int from = static_cast<int>(std::floor((middle - half) / a_sector)),
             to = static_cast<int>(std::ceil((middle + half) / a_sector));
   const int count = static_cast<int>(all);
   return {static_cast<std::size_t>(((from % count) + count) % count),
           std::min(all, static_cast<std::size_t>(to - from + 1))};
+}
+
+/// All but the widest gap between those of all places.
+Sectors sectors_of(const ShadowedMoon& moon, std::size_t all) {
+  std::vector<bool> taken(all);
+  for (const auto& place : centres(moon)) {
+    const auto some = sectors_of(place, all);
+    for (std::size_t i = 0; i < some.count; ++i) taken[(some.first + i) % all] = true;
+  }
+  Sectors widest{0, 0};  // gap
+  for (std::size_t first = 0; first < all; ++first) {
+    std::size_t gap = 0;
+    while (gap < all && !taken[(first + gap) % all]) ++gap;
+    if (gap > widest.count) widest = {first, gap};
+  }
+  return {(widest.first + widest.count) % all, all - widest.count};
 }
 
 /// Luminance over that of unshadowed sunlight, in every sector of the disc (or one).
@@ -150,10 +187,14 @@ constexpr double margin = 2;
 
 std::vector<double> depths_of(const ShadowedMoon& moon, int planes) {
   if (planes == 1) return {mean_depth_m(moon)};
+  const auto [nearest, farthest] = std::ranges::minmax(
+      centres(moon), {}, [](const auto& place) { return algebra::in_metres(place.depth); });
+  const double from = algebra::in_metres(nearest.depth) - lunar_radius_m,
+               to = algebra::in_metres(farthest.depth), spacing = lunar_radius_m / (planes - 1);
+  const int intervals = static_cast<int>(std::ceil((to - from) / spacing - 1e-9));
   std::vector<double> depths;
-  for (int i = 0; i < planes; ++i)
-    depths.push_back(algebra::in_metres(moon.centre.depth) -
-                     lunar_radius_m * (planes - 1 - i) / (planes - 1));
+  for (int i = 0; i <= intervals; ++i)
+    depths.push_back(to - (to - from) * (intervals - i) / intervals);
   return depths;
 }
 
@@ -196,7 +237,7 @@ plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose) {
                     .sectors = sectors_of(moon, sectors_of_a_plan).count,
                     .texels = purpose.texels,
                     .map_file = purpose.map_file};
-  const auto places = evenly(disc, 12);
+  const auto places = evenly(disc, places_over(disc, 12));
   const auto trial = tried(moon, moon.air, places);
   Trial direct_alone = trial;
   for (auto& row : direct_alone.refracted) std::ranges::fill(row, 0);
@@ -247,7 +288,8 @@ double error_found(const ShadowedMoon& moon, const plan::Work& work,
   finer.place_error = 0;
   constexpr double off_nodes = 0.07;  // of the disc: between the places light was computed at
   const auto disc = disc_of(moon);
-  const auto places = evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, 23);
+  const auto places =
+      evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, places_over(disc, 23));
   const double depth = mean_depth_m(moon) + lunar_radius_m / 4;
   const shadow::Arrangement arrangement{moon.sun_distance_m, {depth}, moon.limb_darkening};
   const auto waves = wavelengths_nm(finer.bands);

@@ -13,12 +13,13 @@
 
 namespace coppermoon::verbs {
 
-/// The Moon as it stands in the shadow, under what Sun and air.
+/// The Moon as it stands in the shadow, under what Sun and air; or as it goes through it.
 struct ShadowedMoon {
   eclipse::ShadowPlace centre{};
   double sun_distance_m = 0;
   bool limb_darkening = true;
   atmosphere::Atmosphere air{};
+  std::vector<eclipse::ShadowPlace> path{};  ///< the centre's, where it goes; empty: it stands
 };
 
 /// What is made of its light.
@@ -27,7 +28,8 @@ struct Purpose {
   bool map_file = false;  ///< an albedo map is read from a file
 };
 
-/// Planes through the half of the Moon that faces the Sun.
+/// Planes through the half of the Moon that faces the Sun, as many as asked for; where it goes, as
+/// close through all that it takes up.
 std::vector<double> depths_of(const ShadowedMoon& moon, int planes);
 
 /// A few axis distances, 200 km apart or less, from before its disc to behind it.

@@ -143,7 +143,7 @@ std::vector<std::string> with_recipe(const CLI::App& verb, std::vector<std::stri
   if (!taken_recipe(mine).empty()) throw UnknownWord("--recipe: given twice, allowed once");
   const std::string flag = flag_of_positional(verb);
   if (const auto own = positional(verb, mine); own != mine.end() && !flag.empty()) {
-    if (path.empty() && flag == "--instant" && own->ends_with(".exr")) {
+    if (path.empty() && (flag == "--instant" || flag == "--eclipse") && own->ends_with(".exr")) {
       path = *own;
       mine.erase(own);
     } else if (!path.empty()) {

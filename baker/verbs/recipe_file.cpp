@@ -263,7 +263,8 @@ bool names(const std::vector<std::string>& arguments, const std::string& flag) {
 }  // namespace
 
 std::vector<std::string> no_part_of_recipes() {
-  return {"help", "recipe", "json", "output", "threads", "frame", "plot", "shard", "keep", "add"};
+  return {"help", "recipe", "json",  "output", "threads", "frame",         "plot",  "shard",
+          "keep", "add",    "range", "make",   "movie",   "contact-sheet", "curve", "composite"};
 }
 
 std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path,

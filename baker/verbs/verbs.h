@@ -15,6 +15,7 @@ void add_brightness(CLI::App& program);
 void add_bake(CLI::App& program);
 void add_scene(CLI::App& program);
 void add_still(CLI::App& program);
+void add_animate(CLI::App& program);
 void add_develop(CLI::App& program);
 void add_tradeoff(CLI::App& program);
 

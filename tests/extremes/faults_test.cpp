@@ -4,24 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <functional>
-#include <map>
-#include <thread>
 
-#include "algebra/random.h"
-#include "end_to_end/program.h"
+#include "extremes/faults.h"
 #include "extremes/tried.h"
 
 namespace coppermoon::extremes {
 namespace {
-
-using end_to_end::expect_done;
-using end_to_end::Outcome;
-using end_to_end::Surroundings;
-using end_to_end::text_of;
-using Words = std::vector<std::string>;
-namespace fs = std::filesystem;
 
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool address_sanitizer = true;
@@ -29,7 +17,6 @@ constexpr bool address_sanitizer = true;
 constexpr bool address_sanitizer = false;
 #endif
 
-constexpr std::uint64_t seed = 20080221;
 const Words bake{
     "bake",    "2008-02-21T03:26:05Z", "--texture-width", "512", "--albedo-map", "built-in", "-o",
     "moon.exr"};
@@ -39,91 +26,6 @@ const Words still{
 const Words scene{
     "scene", "2008-02-21T03:26:05Z", "--texture-width", "256", "--width", "96", "--height",
     "72",    "--albedo-map",         "built-in",        "-o",  "eclipse"};
-
-class Faults : public end_to_end::ProgramTest {
- protected:
-  void done(const Words& words) const { expect_done(coppermoon(words)); }
-
-  /// Seconds that a run takes.
-  double seconds_of(const Words& words) const {
-    const auto start = std::chrono::steady_clock::now();
-    done(words);
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  }
-
-  /// Every file in the folder, and what is in it.
-  std::map<std::string, std::string> files() const {
-    std::map<std::string, std::string> all;
-    for (const auto& entry : fs::recursive_directory_iterator(here()))
-      if (entry.is_regular_file())
-        all[entry.path().lexically_relative(here()).string()] = text_of(entry.path());
-    return all;
-  }
-
-  /// Whether any process stands in the test's folders.
-  bool any_at_work() const {
-    const auto home = here().parent_path().parent_path().string();
-    for (const auto& entry : fs::directory_iterator("/proc")) {
-      std::error_code none;
-      const auto folder = fs::read_symlink(entry.path() / "cwd", none).string();
-      if (!none && folder.starts_with(home)) return true;
-    }
-    return false;
-  }
-
-  /// What is left in the temporary folder once all have gone, for ten seconds at most.
-  std::set<std::string> left_behind() const {
-    std::set<std::string> left;
-    for (int tenths = 0; tenths < 100; ++tenths) {
-      left.clear();
-      for (const auto& name : listing())
-        if (name.starts_with("tmp")) left.insert(name);
-      if (left.empty() && !any_at_work()) return left;
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    }
-    if (any_at_work()) left.insert("a process");
-    return left;
-  }
-
-  /// Kills a run at random moments of its time; each time nothing partial may be left, and the next run
-  /// has to complete.
-  ///
-  /// Given  fresh  makes the folder ready again
-  void expect_whole_wherever_killed(const Words& words, int times,
-                                    const std::function<void()>& fresh) {
-    const auto before = files();
-    const double lasts_s = seconds_of(words);
-    const auto whole = files();
-    algebra::Random random(seed, 0);
-    for (int i = 0; i < times; ++i) {
-      fresh();
-      const double moment_s = lasts_s * 1.1 * random.uniform();
-      coppermoon(words, {.killed_after_s = moment_s});
-      EXPECT_EQ(left_behind(), std::set<std::string>{}) << "killed after " << moment_s << " s";
-      for (const auto& [name, bytes] : files()) {
-        const bool old = before.contains(name) && before.at(name) == bytes;
-        EXPECT_TRUE(old || (whole.contains(name) && whole.at(name) == bytes))
-            << name << ", killed after " << moment_s << " s";
-      }
-      done(words);
-      EXPECT_TRUE(files() == whole) << "the run after the one killed after " << moment_s << " s";
-    }
-  }
-
-  /// A program of the folder that goes before the system's.
-  Surroundings with_povray(const std::string& script) const {
-    fs::create_directory(here("bin"));
-    file("bin/povray", "#!/bin/sh\n" + script);
-    fs::permissions(here("bin/povray"), fs::perms::owner_all);
-    return {.path = here("bin").string() + ":" + ::getenv("PATH")};
-  }
-
-  void expect_one_line(const Outcome& outcome, const std::string& what) const {
-    EXPECT_EQ(outcome.status, 1) << what << ": " << outcome.err;
-    EXPECT_TRUE(outcome.err.starts_with("coppermoon: ")) << what << ": " << outcome.err;
-    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << what << ": " << outcome.err;
-  }
-};
 
 std::string said(const Outcome& outcome) { return outcome.err.substr(0, outcome.err.find('\n')); }
 

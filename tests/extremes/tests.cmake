@@ -7,6 +7,9 @@ add_dependencies(extremes_faults_test coppermoon_program extremes_clock_set_back
 target_compile_definitions(extremes_faults_test PRIVATE
   COPPERMOON_CLOCK_SET_BACK="$<TARGET_FILE:extremes_clock_set_back>")
 
+coppermoon_test(extremes/film_faults LINKS algebra LABELS slow TIMEOUT 1500)
+add_dependencies(extremes_film_faults_test coppermoon_program)
+
 # all that may be asked for
 coppermoon_test(extremes/sweep LINKS algebra texture LABELS sweep TIMEOUT 1500)
 target_link_libraries(extremes_sweep_test PRIVATE nlohmann_json::nlohmann_json)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-foreach(noun read_image whole_file write_image)
+foreach(noun contact_sheet read_image whole_file write_image)
   coppermoon_test(baker/texture/${noun} LINKS texture LABELS files)
 endforeach()
 coppermoon_test(baker/texture/bake LINKS texture)

@@ -250,6 +250,14 @@ TEST_F(WriteImage, PngSaysThatItIsSrgb) {
   EXPECT_NE(bytes_of(in_folder("a.png")).find("sRGB"), std::string::npos) << "the chunk's name";
 }
 
+TEST_F(WriteImage, PngKeepsNumbersAsText) {
+  write_png(in_folder("a.png"), one_texel(0.5F), 8,
+            {{"expTime", 0.25F}, {"isoSpeed", 800.F}, {"owner", std::string("me")}});
+  EXPECT_EQ(read_attribute(in_folder("a.png"), "expTime"), "0.25");
+  EXPECT_EQ(read_attribute(in_folder("a.png"), "isoSpeed"), "800");
+  EXPECT_EQ(read_attribute(in_folder("a.png"), "owner"), "me");
+}
+
 TEST_F(WriteImage, PngRefusesWhatItCannotHold) {
   const auto path = in_folder("a.png");
   EXPECT_ERROR(write_png(path, one_texel(1.01F), 8), "= 1.01, allowed 0 to 1");

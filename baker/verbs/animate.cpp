@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+#include "algebra/error.h"
+#include "texture/resize.h"
+#include "verbs/film.h"
+#include "verbs/film_files.h"
+#include "verbs/film_light.h"
+#include "verbs/film_progress.h"
+#include "verbs/frame_range.h"
+#include "verbs/lit_scene.h"
+#include "verbs/recipe.h"
+#include "verbs/verbs.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+struct Options {
+  Film film;
+  FilmFiles files;
+  std::string make = "pictures", camera = "tracking", aim, range, shard = "1/1", output;
+  bool json = false;
+};
+
+/// Exposures at moments, as "P1:0.001,U2:4": nothing when the time is no such list.
+std::vector<std::pair<almanac::Instant, double>> time_keys(const std::string& text,
+                                                           const eclipse::Eclipse& eclipse) {
+  std::vector<std::pair<almanac::Instant, double>> keys;
+  if (text.find(':') == std::string::npos) return keys;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const auto colon = part.rfind(':');
+    double seconds = 0;
+    if (colon == std::string::npos || !CLI::detail::lexical_cast(part.substr(colon + 1), seconds))
+      throw algebra::Error(fmt::format(
+          "exposure time = {}, allowed keys as P1:0.001,U2:4: a moment and seconds", text));
+    algebra::require_within("exposure time [s]", seconds, 1e-6, 1e6);
+    keys.emplace_back(moment_from(part.substr(0, colon), eclipse), seconds);
+  }
+  for (std::size_t i = 1; i < keys.size(); ++i)
+    if (almanac::seconds_between(keys[i - 1].first, keys[i].first) <= 0)
+      throw algebra::Error(fmt::format("exposure time = {}, allowed keys in order of time", text));
+  return keys;
+}
+
+/// Lines of a recipe that change no light.
+std::string without_the_camera(const std::string& recipe) {
+  constexpr std::array others{"albedo-map",
+                              "photometry",
+                              "albedo-exponent",
+                              "texture-width",
+                              "eclipse",
+                              "from",
+                              "to",
+                              "frames",
+                              "fps",
+                              "time-scale",
+                              "camera",
+                              "at",
+                              "aim",
+                              "field",
+                              "focal-length",
+                              "sensor-width",
+                              "width",
+                              "height",
+                              "up",
+                              "reddening",
+                              "observer-ozone-du",
+                              "flattening",
+                              "observer-aerosol",
+                              "time",
+                              "f-number",
+                              "iso",
+                              "view",
+                              "display",
+                              "config",
+                              "bits",
+                              "bracket"};
+  std::istringstream lines(recipe);
+  std::string key;
+  bool in_tables = false;
+  for (std::string line; std::getline(lines, line);) {
+    in_tables = in_tables || line.starts_with("[");
+    const auto name = line.substr(0, line.find(' '));
+    if (in_tables || std::ranges::find(others, name) == others.end()) key += line + "\n";
+  }
+  return key;
+}
+
+/// As wide as the frame needs where the Moon is nearest: one width for all.
+std::size_t texture_width(const Film& film) {
+  if (film.moon.texture_width || !film.products.rendered()) return texture_width_of(film.moon);
+  std::size_t widest = 0;
+  const std::size_t count = film.moments.frames.size();
+  for (const std::size_t frame : {std::size_t{1}, (count + 1) / 2, count})
+    widest =
+        std::max(widest, *fitted(film.moon, view_of(film, film.sky(frame)).camera).texture_width);
+  return widest;
+}
+
+/// The Moon is up in all frames that show it, as far as a few hundred of them tell.
+void require_up(const Film& film, const std::vector<std::size_t>& frames) {
+  if (!film.products.rendered() && !film.products.scenes) return;
+  const std::size_t step = std::max<std::size_t>(1, frames.size() / 240);
+  std::vector<std::size_t> up, down;
+  const auto look = [&](std::size_t frame) {
+    (moon_is_up(film.view, film.sky(frame)) ? up : down).push_back(frame);
+  };
+  for (std::size_t i = 0; i + 1 < frames.size(); i += step) look(frames[i]);
+  look(frames.back());
+  if (down.empty()) return;
+  if (up.empty())
+    throw algebra::Error(
+        fmt::format("the Moon is below the horizon of {} in all frames", film.view.at));
+  const auto [first, last] = std::ranges::minmax(up);
+  throw algebra::Error(fmt::format(
+      "the Moon is below the horizon of {} in frame {}; it is up from frame {} ({}) to {}",
+      film.view.at, std::ranges::min(down), first,
+      almanac::utc_text(film.moments.frames[first - 1]), last));
+}
+
+void set_up_camera(Options& options) {
+  auto& film = options.film;
+  if (options.camera == "horizon") film.view.up = "zenith";
+  if (options.camera != "fixed") {
+    if (!options.aim.empty())
+      throw algebra::Error(fmt::format("camera = {}, allowed fixed with --aim", options.camera));
+    return;
+  }
+  if (film.view.at.empty()) throw algebra::Error("camera = fixed, allowed with --at alone");
+  film.view.aim = options.aim.empty()
+                      ? apparent_place(film.view, film.sky((film.moments.frames.size() + 1) / 2))
+                      : aim_from(options.aim);
+}
+
+/// All but the light and the map: what may be refused before any work.
+///
+/// Returned  the frames to be made
+std::vector<std::size_t> prepare(const CLI::App& verb, Options& options) {
+  auto& film = options.film;
+  film.folder = options.output;
+  film.products = products_from(options.make);
+  film.moments = moments_of(film.times);
+  film.time_keys = time_keys(film.develop.time, film.moments.eclipse);
+  auto develop = film.develop;
+  if (!film.time_keys.empty()) develop.time = "auto";
+  require_sound(develop, film.picture(1));
+  if (film.bracket_ev) algebra::require_within("bracket [EV]", *film.bracket_ev, 0.01, 10);
+  set_up_camera(options);
+  if (std::filesystem::exists(film.folder) && !std::filesystem::is_directory(film.folder))
+    throw algebra::Error(fmt::format("{}: is no directory", film.folder.string()));
+  if (!std::filesystem::is_directory(film.folder)) require_place_for(film.folder);
+  auto frames =
+      part_of(frames_in(options.range, film.moments.frames.size()), shard_from(options.shard));
+  if (!frames.empty()) require_up(film, frames);
+  const auto asked = film.moon.texture_width;
+  film.moon.texture_width = texture_width(film);
+  film.recipe = recipe_of(verb);
+  if (!asked)
+    film.recipe = fmt::format("texture-width = {}\n", *film.moon.texture_width) + film.recipe;
+  return frames;
+}
+
+/// One part of the photons, for a run that makes more than the light.
+void trace(const Options& options, const FilmProgress& progress) {
+  const auto& film = options.film;
+  const auto shard = shard_from(options.shard);
+  trace_shard(film.moon.light, film.moments.frames.front(), film.moments.frames.back(), shard.part,
+              shard.parts, film.folder);
+  progress.done();
+}
+
+void light_up(Film& film, const FilmProgress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto width = static_cast<double>(*film.moon.texture_width);
+  auto found = film_light(film.moon.light, film.moments.frames.front(), film.moments.frames.back(),
+                          {width * width / 2, reads_map(film.moon)},
+                          without_the_camera(film.recipe), film.folder);
+  film.light = std::move(found.light);
+  film.recipe = with_work(film.recipe, film.light.plan.work);
+  progress.light(found.kept,
+                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+}
+
+/// At the textures' own size, so that no frame has to make it so again.
+void lay_ground(Film& film) {
+  auto albedo = normal_albedo(film.moon);
+  film.albedo = std::make_shared<const algebra::Grid<float>>(
+      texture::resized(albedo, *film.moon.texture_width / 2));
+}
+
+void run(const CLI::App& verb, Options& options) {
+  auto& film = options.film;
+  const auto frames = prepare(verb, options);
+  require_makeable(options.files, film, shard_from(options.shard));
+  std::filesystem::create_directory(film.folder);
+  const bool light_alone = film.products.light_alone();
+  FilmProgress progress(film, light_alone ? 0 : frames.size(), options.json);
+  if (light_alone && shard_from(options.shard).parts > 1) return trace(options, progress);
+  if (light_alone || !frames.empty()) light_up(film, progress);
+  if (light_alone || frames.empty()) return progress.done();
+  if (film.products.scenes) write_film_scene(film);
+  std::vector<std::size_t> missing;
+  for (const std::size_t frame : frames)
+    if (is_made(film, frame))
+      progress.kept(frame);
+    else
+      missing.push_back(frame);
+  if (!missing.empty()) lay_ground(film);
+  make_frames(film, missing, [&](const MadeFrame& frame) { progress.made(frame); });
+  write_film_files(options.files, film, frames, progress);
+  progress.done();
+}
+
+void add_film_options(CLI::App& verb, Options& options) {
+  const std::string group = "The film";
+  add_film_times(verb, options.film.times);
+  verb.add_option("--make", options.make,
+                  "textures, scenes (with their textures), frames (scene-linear) and pictures, "
+                  "with commas between; or light: what they all need, alone")
+      ->group(group);
+  verb.add_option("--range", options.range, "of all frames, as 1-240, 1-240x2 or 7,9,20-30")
+      ->group(group);
+  verb.add_option("--shard", options.shard,
+                  "K/N: every N-th frame of these from the K-th on; of light: of its photons")
+      ->group(group);
+  verb.add_option("--camera", options.camera,
+                  "tracking: the Moon in the middle; horizon: and the zenith up; fixed: on a "
+                  "tripod, the zenith up")
+      ->check(CLI::IsMember({"tracking", "horizon", "fixed"}))
+      ->group(group);
+  verb.add_option("--aim", options.aim,
+                  "ALTITUDE,AZIMUTH of a fixed camera [degrees, as seen; from north through east]; "
+                  "without: where the Moon is half way")
+      ->group(group);
+  verb.add_option("--bracket", options.film.bracket_ev,
+                  "pictures so many stops under and over as well, 0.01 to 10")
+      ->group(group);
+}
+
+}  // namespace
+
+void add_animate(CLI::App& program) {
+  auto* verb = program.add_subcommand(
+      "animate",
+      "An eclipse frame by frame: textures, scenes, frames, pictures; goes on where it "
+      "was stopped");
+  const auto options = std::make_shared<Options>();
+  options->film.develop.time = "follow";
+  add_film_moon_options(*verb, options->film.moon);
+  for (const char* of_photons : {"--shard", "--keep", "--add"})
+    verb->remove_option(verb->get_option(of_photons));
+  verb->remove_option(verb->get_option("--unshadowed"));
+  add_film_options(*verb, *options);
+  add_film_files(*verb, options->files);
+  add_view_options(*verb, options->film.view);
+  add_develop_options(*verb, options->film.develop);
+  verb->add_option("-o,--output", options->output, "the folder")->required();
+  verb->add_flag("--json", options->json, "an event a line on stdout, as JSON");
+  add_recipe_option(*verb);
+  verb->callback([verb, options] { run(*verb, *options); });
+}
+
+}  // namespace coppermoon::verbs

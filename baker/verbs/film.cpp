@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/film.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "algebra/error.h"
+#include "povray_scenes/sequence.h"
+#include "texture/read_image.h"
+
+namespace coppermoon::verbs {
+
+using povray_scenes::numbered_file;
+
+namespace {
+
+/// A file that verifies is of the film, and can be read to its end.
+bool verifies(const std::filesystem::path& path, const std::string& recipe, std::size_t frame) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
+  try {
+    return texture::read_attribute(path, "coppermoon:recipe") == recipe &&
+           texture::read_attribute(path, "coppermoon:frame") == fmt::format("{}", frame) &&
+           texture::read_image(path).width > 0;
+  } catch (const algebra::Error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+Products products_from(const std::string& text) {
+  Products products;
+  std::istringstream names(text);
+  for (std::string name; std::getline(names, name, ',');) {
+    products.light |= name == "light";
+    products.textures |= name == "textures" || name == "scenes";
+    products.scenes |= name == "scenes";
+    products.frames |= name == "frames";
+    products.pictures |= name == "pictures";
+    if (name != "light" && name != "textures" && name != "scenes" && name != "frames" &&
+        name != "pictures")
+      throw algebra::Error(fmt::format(
+          "make = {}, allowed light, textures, scenes, frames and pictures, with commas between",
+          text));
+  }
+  return products;
+}
+
+almanac::SkyState Film::sky(std::size_t frame) const {
+  return almanac::sky_at(moments.frames.at(frame - 1));
+}
+
+std::filesystem::path Film::texture(std::size_t frame) const {
+  return folder / numbered_file(texture_stem, frame, moments.frames.size());
+}
+
+std::filesystem::path Film::linear_frame(std::size_t frame) const {
+  return folder / numbered_file("frame_lin_rec709", frame, moments.frames.size());
+}
+
+std::filesystem::path Film::picture(std::size_t frame, const char* stem) const {
+  return (folder / numbered_file(stem, frame, moments.frames.size())).replace_extension(".png");
+}
+
+std::vector<std::filesystem::path> Film::files(std::size_t frame) const {
+  std::vector<std::filesystem::path> all;
+  if (products.textures) all.push_back(texture(frame));
+  if (products.frames) all.push_back(linear_frame(frame));
+  if (products.pictures) all.push_back(picture(frame));
+  if (products.pictures && bracket_ev)
+    for (const char* stem : {"frame_under", "frame_over"}) all.push_back(picture(frame, stem));
+  return all;
+}
+
+bool is_made(const Film& film, std::size_t frame) {
+  return std::ranges::all_of(film.files(frame),
+                             [&](const auto& path) { return verifies(path, film.recipe, frame); });
+}
+
+}  // namespace coppermoon::verbs

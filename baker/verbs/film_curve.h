@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "verbs/film.h"
+
+namespace coppermoon::verbs {
+
+/// How bright the whole disc is in a frame, above the air, seen from the Earth's centre.
+struct CurvePoint {
+  std::size_t frame;
+  almanac::Instant when;
+  double V_magnitude;  ///< infinite when nothing is lit
+  double mean_luminance_cd_m2;
+};
+
+/// In the film's own light.
+///
+/// Given     frames  increasing
+/// Accuracy  5e-4 mag, and as much of luminance, from the verb `brightness`, which simulates each
+///           moment on twice as many rows
+/// Throws    Error   as normal_albedo
+std::vector<CurvePoint> light_curve(const Film& film, const std::vector<std::size_t>& frames);
+
+/// As a table in .csv, or drawn by gnuplot in .svg or .png, with the eclipse's contacts.
+///
+/// Throws  Error  when the path ends in none of these; as write_plot
+void write_curve(const std::filesystem::path& path, const eclipse::Eclipse& eclipse,
+                 const std::vector<CurvePoint>& curve);
+
+/// Throws  Error  when the path ends in none of these
+void require_curve_ending(const std::filesystem::path& path);
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <fstream>
+#include <limits>
+#include <mutex>
+#include <thread>
+
+#include "povray_scenes/sequence.h"
+#include "texture/read_image.h"
+#include "texture/write_image.h"
+#include "verbs/film.h"
+#include "verbs/lit_scene.h"
+#include "verbs/temporary_folder.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+constexpr auto space = colour::WorkingSpace::linear_rec709;
+
+using Frames = std::span<const std::size_t>;
+
+BakedMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& view,
+                  std::size_t frame) {
+  const auto extent =
+      film.products.textures ? texture::Extent::whole : texture::Extent::seen_from_earth;
+  auto moon = lit_moon(film.moon, sky, space, view.sightline, film.albedo, film.light,
+                       range_at(film.light, sky), film.recipe, extent, false);
+  moon.attributes["coppermoon:frame"] = fmt::format("{}", frame);
+  moon.attributes["framesPerSecond"] = static_cast<float>(film.times.fps);
+  if (view.observer) add_observer(moon.attributes, *view.observer);
+  return moon;
+}
+
+/// A line between the two keys about a moment, of the logarithm; the outermost hold beyond.
+double keyed_time_s(const Film& film, const almanac::Instant& when) {
+  const auto& keys = film.time_keys;
+  const auto above = std::ranges::find_if(
+      keys, [&](const auto& key) { return almanac::seconds_between(when, key.first) > 0; });
+  if (above == keys.begin()) return keys.front().second;
+  if (above == keys.end()) return keys.back().second;
+  const auto& [from, before] = *(above - 1);
+  const double share =
+      almanac::seconds_between(from, when) / almanac::seconds_between(from, above->first);
+  return before * std::pow(above->second / before, share);
+}
+
+colour::Exposure exposure_of(const Film& film, std::size_t frame, const texture::Image& image) {
+  auto develop = film.develop;
+  if (!film.time_keys.empty())
+    develop.time = fmt::format("{}", keyed_time_s(film, film.moments.frames[frame - 1]));
+  return exposure_for(develop, image, space);
+}
+
+void write_pictures(const Film& film, std::size_t frame, const texture::Image& image,
+                    const colour::Exposure& exposure) {
+  const texture::Attributes attributes{{"coppermoon:recipe", film.recipe},
+                                       {"coppermoon:frame", fmt::format("{}", frame)},
+                                       {"coppermoon:version", std::string(COPPERMOON_VERSION)}};
+  const auto write = [&](const std::filesystem::path& path, double stops) {
+    auto exposed = exposure;
+    exposed.time_s *= std::exp2(stops);
+    write_developed(film.develop, exposed, image, space, path, attributes);
+  };
+  write(film.picture(frame), 0);
+  if (!film.bracket_ev) return;
+  write(film.picture(frame, "frame_under"), -*film.bracket_ev);
+  write(film.picture(frame, "frame_over"), *film.bracket_ev);
+}
+
+MadeFrame finished(const Film& film, std::size_t frame, const std::filesystem::path& rendered,
+                   texture::Attributes attributes) {
+  const auto image = texture::read_image(rendered);
+  const auto exposure = exposure_of(film, frame, image);
+  add_exposure(attributes, exposure);
+  if (film.products.frames) texture::write_exr(film.linear_frame(frame), image, attributes);
+  if (film.products.pictures) write_pictures(film, frame, image, exposure);
+  return {frame, exposure.time_s};
+}
+
+using Told = std::function<void(const MadeFrame&)>;
+
+/// Bakes a few frames, has POV-Ray render them in one go, and develops each as it comes.
+void render(const Film& film, Frames frames, int threads, const Told& told) {
+  const TemporaryFolder folder;
+  const auto texture_file = [&](std::size_t number) {
+    return folder.path() / povray_scenes::numbered_file(texture_stem, number, frames.size());
+  };
+  povray_scenes::Sequence sequence{.cameras = {}, .textures = texture_stem};
+  std::vector<texture::Attributes> attributes;
+  for (const std::size_t frame : frames) {
+    const auto sky = film.sky(frame);
+    const auto view = view_of(film, sky);
+    const auto moon = moon_of(film, sky, view, frame);
+    const auto path = texture_file(attributes.size() + 1);
+    if (film.products.textures) {
+      texture::write_exr(film.texture(frame), moon.layout, moon.rows, moon.attributes);
+      std::filesystem::create_symlink(std::filesystem::absolute(film.texture(frame)), path);
+    } else {
+      texture::write_exr(path, moon.layout, moon.rows, moon.attributes, {.packed = false});
+    }
+    sequence.cameras.push_back(view.camera);
+    attributes.push_back(moon.attributes);
+  }
+  write_sequence(folder.path(), sequence);
+  povray_scenes::render_sequence(
+      folder.path(), 1, frames.size(),
+      [&](std::size_t number, const std::filesystem::path& rendered) {
+        told(finished(film, frames[number - 1], rendered, attributes[number - 1]));
+        std::filesystem::remove(rendered);
+        std::filesystem::remove(texture_file(number));
+      },
+      {.threads = threads});
+}
+
+void bake(const Film& film, std::size_t frame, const Told& told) {
+  const auto sky = film.sky(frame);
+  const View view = film.products.scenes ? view_of(film, sky) : View();
+  const auto moon = moon_of(film, sky, view, frame);
+  texture::write_exr(film.texture(frame), moon.layout, moon.rows, moon.attributes);
+  told({frame, std::nullopt});
+}
+
+/// What the system can give [bytes].
+double available_memory() {
+  std::ifstream file("/proc/meminfo");
+  for (std::string name; file >> name;
+       file.ignore(std::numeric_limits<std::streamsize>::max(), '\n'))
+    if (double kibibytes = 0; name == "MemAvailable:" && file >> kibibytes) return 1024 * kibibytes;
+  return 1e9;
+}
+
+double texels_of(const Film& film) {
+  const auto width = static_cast<double>(texture_width_of(film.moon));
+  return width * width / 2;
+}
+
+/// Some frames at a time: one more than there are processors, for POV-Ray sleeps at its start, as
+/// long as half of the memory takes them: POV-Ray takes 28 bytes a texel.
+std::size_t lanes_of(const Film& film, std::size_t processors) {
+  if (processors == 1) return 1;
+  const double a_lane = 28 * texels_of(film) + 64e6;
+  const double most = std::max(1., available_memory() / 2 / a_lane);
+  return static_cast<std::size_t>(std::min(most, static_cast<double>(processors + 1)));
+}
+
+/// Frames that one start of POV-Ray renders: as many as wait in 256 MB of textures, and few enough
+/// that all lanes end together.
+std::size_t frames_a_batch(const Film& film, std::size_t frames, std::size_t lanes) {
+  if (!film.products.rendered()) return 1;
+  constexpr double waiting = 256e6, most = 16;
+  const double fit = std::clamp(waiting / (6 * texels_of(film)), 1., most);
+  return std::min(static_cast<std::size_t>(fit), std::max<std::size_t>(1, frames / (2 * lanes)));
+}
+
+}  // namespace
+
+View view_of(const Film& film, const almanac::SkyState& sky) {
+  return view_for_frame(film.view, sky).view;
+}
+
+void make_frames(const Film& film, const std::vector<std::size_t>& frames, const Told& made) {
+  const auto processors =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  const auto most = lanes_of(film, processors);
+  const auto length = frames_a_batch(film, frames.size(), most);
+  const auto lanes = std::min(most, (frames.size() + length - 1) / length);
+  const auto threads =
+      static_cast<int>(lanes < processors ? processors / std::max<std::size_t>(1, lanes) : 1);
+  std::atomic<std::size_t> next = 0;
+  std::mutex one_at_a_time;
+  std::exception_ptr failure;
+  const Told told = [&](const MadeFrame& frame) {
+    const std::lock_guard lock(one_at_a_time);
+    if (failure) std::rethrow_exception(failure);
+    made(frame);
+  };
+  const auto work = [&] {
+    try {
+      for (std::size_t first; (first = next.fetch_add(length)) < frames.size();) {
+        const auto batch = Frames(frames).subspan(first, std::min(length, frames.size() - first));
+        film.products.rendered() ? render(film, batch, threads, told)
+                                 : bake(film, batch.front(), told);
+      }
+    } catch (...) {
+      const std::lock_guard lock(one_at_a_time);
+      if (!failure) failure = std::current_exception();
+      next = frames.size();
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < lanes; ++i) others.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+void write_film_scene(const Film& film) {
+  povray_scenes::Sequence sequence{.cameras = {}, .textures = texture_stem};
+  for (std::size_t frame = 1; frame <= film.moments.frames.size(); ++frame)
+    sequence.cameras.push_back(view_of(film, film.sky(frame)).camera);
+  write_sequence(film.folder, sequence);
+}
+
+}  // namespace coppermoon::verbs

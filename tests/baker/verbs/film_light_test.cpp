@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/film_light.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "algebra/error.h"
+#include "almanac/instant.h"
+#include "eclipse/shadow_axis.h"
+#include "support/within.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+namespace fs = std::filesystem;
+using almanac::instant_from_utc;
+
+class WholeFilm : public testing::Test {
+ protected:
+  WholeFilm() {
+    auto name = (fs::temp_directory_path() / "coppermoon-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~WholeFilm() override { fs::remove_all(folder_); }
+
+  FilmLight light(const LightOptions& options, const std::string& key = "") const {
+    return film_light(options, instant_from_utc("2018-07-27T17:10:00Z"),
+                      instant_from_utc("2018-07-27T23:32:00Z"), {}, key, folder_);
+  }
+
+  fs::path folder_;
+};
+
+LightOptions fine(const char* atmosphere) {
+  LightOptions options;
+  options.air.atmosphere = atmosphere;
+  options.plan.tolerance = "0.002";
+  return options;
+}
+
+/// The largest difference of luminance on the disc, over itself.
+double worst_difference(const Moonlight& film, const Moonlight& alone,
+                        const almanac::SkyState& sky) {
+  const auto within = range_at(film, sky);
+  const auto weights = luminance_weights();
+  const auto of_film = within ? film.in_channels(weights, *within) : shadow::Lookup(weights),
+             of_one = alone.in_channels(weights);
+  const auto axis = eclipse::shadow_axis(sky);
+  double worst = 0;
+  for (double across = -0.98; across <= 0.98; across += 0.07)
+    for (double along = -0.98; along <= 0.98; along += 0.07) {
+      const double out = across * across + along * along;
+      if (out >= 0.97) continue;
+      constexpr double radius_m = 1737.4e3;
+      const glm::dvec3 on_disc{across, along, -std::sqrt(1 - out)};  // towards Sun and Earth
+      const auto place = eclipse::place_in_shadow(
+          axis, sky.moon_m + radius_m * (glm::transpose(axis.shadow_from_gcrs) * on_disc));
+      std::array<double, 1> a{}, b{};
+      of_film.read(place, a);
+      of_one.read(place, b);
+      worst = std::max(worst, std::abs(a[0] / b[0] - 1));
+    }
+  return worst;
+}
+
+TEST_F(WholeFilm, HasTheLightOfEachOfItsMoments) {
+  for (const char* air : {"standard", "molecular"}) {
+    fs::remove(folder_ / "eclipse.light");
+    const auto options = fine(air);
+    const auto film = light(options).light;
+    for (const char* utc : {"2018-07-27T17:30:00Z", "2018-07-27T18:40:00Z", "2018-07-27T19:29:00Z",
+                            "2018-07-27T20:21:45Z", "2018-07-27T21:40:00Z"}) {
+      const auto sky = almanac::sky_at(instant_from_utc(utc));
+      const auto alone = light_on_the_moon(options, sky, false);
+      EXPECT_WITHIN(worst_difference(film, alone, sky), 0, 0.004,
+                    "both are planned to be within 0.2 %")
+          << air << ", " << utc;
+    }
+  }
+}
+
+TEST_F(WholeFilm, IsSunlitBeforeAndAfterThePenumbra) {
+  const auto film = light(fine("standard")).light;
+  EXPECT_FALSE(range_at(film, almanac::sky_at(instant_from_utc("2018-07-27T17:00:00Z"))));
+  EXPECT_TRUE(range_at(film, almanac::sky_at(instant_from_utc("2018-07-27T17:16:00Z"))));
+}
+
+TEST_F(WholeFilm, IsComputedOnce) {
+  const auto options = fine("standard");
+  EXPECT_FALSE(light(options).kept);
+  EXPECT_TRUE(light(options).kept);
+  EXPECT_FALSE(light(options, "of other air").kept);
+  fs::resize_file(folder_ / "eclipse.light", 1000);
+  EXPECT_FALSE(light(options, "of other air").kept) << "a file that does not verify";
+}
+
+TEST_F(WholeFilm, OutsideAnyEclipseIsRefused) {
+  EXPECT_THROW(film_light(fine("standard"), instant_from_utc("2018-07-28T17:10:00Z"),
+                          instant_from_utc("2018-07-28T18:10:00Z"), {}, "", folder_),
+               algebra::Error);
+}
+
+}  // namespace
+}  // namespace coppermoon::verbs

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+
+#include "colour/working_space.h"
+#include "end_to_end/program.h"
+#include "support/within.h"
+#include "texture/read_image.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using Words = std::vector<std::string>;
+namespace fs = std::filesystem;
+
+constexpr auto space = colour::WorkingSpace::linear_rec709;
+
+Words operator+(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+const Words small{"--albedo-map", "built-in", "--texture-width", "128", "--width", "48",
+                  "--height",     "32",       "--field",         "0.9"};
+
+double luminance(const texture::Image& image, std::size_t row, std::size_t column) {
+  const std::array<double, 3> rgb{image(row, column, 0), image(row, column, 1),
+                                  image(row, column, 2)};
+  return colour::luminance(space, rgb);
+}
+
+class Animate : public ProgramTest {
+ protected:
+  Words film(const Words& more) const {
+    return Words{"animate", "2018-07-27", "-o", "film"} + small + more;
+  }
+
+  std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : fs::directory_iterator(here("film")))
+      all[entry.path().filename().string()] = text_of(entry.path());
+    return all;
+  }
+
+  std::set<std::string> names() const {
+    std::set<std::string> all;
+    for (const auto& [name, bytes] : files()) all.insert(name);
+    return all;
+  }
+
+  std::size_t kept(const Words& words) const {
+    const auto outcome = coppermoon(words + Words{"--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const auto last = outcome.out.rfind('\n', outcome.out.size() - 2);
+    return nlohmann::json::parse(outcome.out.substr(last + 1)).at("kept");
+  }
+
+  void expect_refused(const Words& words, const std::string& why) const {
+    const auto outcome = coppermoon(words);
+    EXPECT_NE(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "coppermoon: " + why + "\n");
+    EXPECT_EQ(listing(), std::set<std::string>{});
+  }
+};
+
+TEST_F(Animate, MakesPictures) {
+  expect_done(coppermoon(film({"--frames", "3", "--from", "U1", "--to", "U2"})));
+  EXPECT_EQ(names(), (std::set<std::string>{"eclipse.light", "frame.0001.png", "frame.0002.png",
+                                            "frame.0003.png"}));
+  EXPECT_EQ(texture::read_image(here("film/frame.0002.png")).width, 48U);
+}
+
+TEST_F(Animate, MakesWhatItIsToldTo) {
+  expect_done(coppermoon(film({"--frames", "2", "--make", "textures"})));
+  EXPECT_EQ(names(), (std::set<std::string>{"eclipse.light", "moon_lin_rec709.0001.exr",
+                                            "moon_lin_rec709.0002.exr"}));
+  expect_done(coppermoon(film({"--frames", "2", "--make", "scenes,frames,pictures"})));
+  EXPECT_EQ(names(), (std::set<std::string>{
+                         "eclipse.light", "eclipse.pov", "eclipse.ini", "moon_lin_rec709.0001.exr",
+                         "moon_lin_rec709.0002.exr", "frame_lin_rec709.0001.exr",
+                         "frame_lin_rec709.0002.exr", "frame.0001.png", "frame.0002.png"}));
+}
+
+/// The film's light is computed once for all of its moments, a still's for its own.
+TEST_F(Animate, ShowsWhatStillsShow) {
+  const Words at{"--at", "-21.1,55.5", "--tolerance", "0.002"};
+  expect_done(coppermoon(
+      film(at + Words{"--frames", "3", "--from", "U1", "--to", "greatest", "--make", "frames"})));
+  const auto found = texture::read_image(here("film/frame_lin_rec709.0002.exr"));
+  const auto when = texture::read_attribute(here("film/frame_lin_rec709.0002.exr"), "capDate");
+  ASSERT_TRUE(when);
+  auto instant = when->substr(0, 10) + "T" + when->substr(11) + "Z";  // "2018:07:27 19:23:06"
+  instant[4] = instant[7] = '-';
+  expect_done(
+      coppermoon(Words{"still", instant, "-o", "alone.png", "--frame", "alone.exr"} + small + at));
+  const auto alone = texture::read_image(here("alone.exr"));
+  double worst = 0, sum = 0;
+  for (std::size_t r = 0; r < 32; ++r)
+    for (std::size_t c = 0; c < 48; ++c) {
+      const double a = luminance(found, r, c), b = luminance(alone, r, c);
+      sum += b;
+      if (b > 0) worst = std::max(worst, std::abs(a / b - 1));
+    }
+  EXPECT_GT(sum, 0);
+  EXPECT_WITHIN(worst, 0, 0.012,
+                "both within 0.2 % of the light; half a second of the shadow's way, 0.4 km, where "
+                "light falls to a tenth in 100 km: 1 %");
+}
+
+TEST_F(Animate, ExposesWithoutAStep) {
+  const auto outcome = coppermoon(film(
+      {"--frames", "40", "--from", "U2-10min", "--to", "U2+10min", "--json", "--make", "frames"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::map<std::size_t, double> stops;
+  std::istringstream lines(outcome.out);
+  for (std::string line; std::getline(lines, line);) {
+    const auto event = nlohmann::json::parse(line);
+    if (event["event"] == "frame")
+      stops[event["frame"]] = std::log2(event["exposure_time_s"].get<double>());
+  }
+  ASSERT_EQ(stops.size(), 40U);
+  for (std::size_t i = 3; i <= 40; ++i)
+    EXPECT_WITHIN(
+        stops[i] - stops[i - 1], stops[i - 1] - stops[i - 2], 0.1,
+        "stops: a tenth is hardly seen, and second contact changes it by 8 in 20 minutes");
+}
+
+TEST_F(Animate, TakesExposuresFromKeys) {
+  const auto outcome = coppermoon(
+      film({"--frames", "3", "--from", "U1", "--to", "U2", "--time", "U1:0.01,U2:1", "--json"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const auto& [frame, time] : {std::pair{1, 0.01}, {2, 0.1}, {3, 1.}}) {
+    const auto text =
+        texture::read_attribute(here(fmt::format("film/frame.{:04}.png", frame)), "expTime");
+    ASSERT_TRUE(text);
+    EXPECT_WITHIN(std::stod(*text) / time, 1, 1e-3, "half way in time is half way in stops");
+  }
+}
+
+TEST_F(Animate, BracketsByStops) {
+  expect_done(coppermoon(film({"--frames", "1", "--from", "U1", "--bracket", "2"})));
+  const auto time = [&](const char* name) {
+    return std::stod(texture::read_attribute(here("film") / name, "expTime").value_or("0"));
+  };
+  EXPECT_WITHIN(time("frame_under.0001.png") / time("frame.0001.png"), 0.25, 1e-3, "two stops");
+  EXPECT_WITHIN(time("frame_over.0001.png") / time("frame.0001.png"), 4, 4e-3, "two stops");
+}
+
+TEST_F(Animate, KeepsWhatVerifiesAndMakesTheRestAgain) {
+  const auto words = film({"--frames", "4", "--from", "U1", "--make", "frames,pictures"});
+  expect_done(coppermoon(words));
+  const auto whole = files();
+  EXPECT_EQ(kept(words), 4U);
+  fs::remove(here("film/frame.0001.png"));
+  fs::resize_file(here("film/frame.0002.png"), 900);
+  fs::copy_file(here("film/frame_lin_rec709.0004.exr"), here("film/frame_lin_rec709.0003.exr"),
+                fs::copy_options::overwrite_existing);
+  EXPECT_EQ(kept(words), 1U);
+  EXPECT_TRUE(files() == whole);
+  EXPECT_EQ(kept(words + Words{"--iso", "100"}), 0U) << "of another film";
+}
+
+TEST_F(Animate, GivesTheSameBytesInShardsAndAtOnce) {
+  const auto words = film({"--frames", "7", "--make", "frames,pictures"});
+  expect_done(coppermoon(words));
+  const auto at_once = files();
+  fs::remove_all(here("film"));
+  for (const char* shard : {"3/3", "1/3", "2/3"})
+    expect_done(coppermoon(words + Words{"--shard", shard, "--threads", "1"}));
+  EXPECT_TRUE(files() == at_once);
+  EXPECT_EQ(kept(words + Words{"--range", "1-7x2"}), 4U);
+}
+
+TEST_F(Animate, GoesOnFromAnyOfItsFrames) {
+  expect_done(coppermoon(film({"--frames", "3", "--make", "frames"})));
+  EXPECT_EQ(kept({"animate", "film/frame_lin_rec709.0002.exr", "--make", "frames", "-o", "film"}),
+            3U);
+}
+
+TEST_F(Animate, IsSeenByPlainPovray) {
+  expect_done(coppermoon(film({"--frames", "3", "--from", "U1", "--make", "scenes"})));
+  const auto outcome =
+      run({"povray", "eclipse.ini", "+SF2", "+EF3", "-GA"}, {.folder = here("film")});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_FALSE(fs::exists(here("film/frame.0001.exr")));
+  for (const char* name : {"film/frame.0002.exr", "film/frame.0003.exr"})
+    EXPECT_EQ(texture::read_image(here(name)).width, 48U);
+}
+
+/// As far as the Moon goes in a day, it goes through the picture's middle half way.
+TEST_F(Animate, OnATripodLetsTheMoonGoThroughThePicture) {
+  const auto words = film({"--frames", "3", "--from", "greatest-1h", "--to", "greatest+1h", "--at",
+                           "0,50", "--camera", "fixed", "--field", "60", "--width", "480",
+                           "--height", "320", "--make", "frames"});
+  expect_done(coppermoon(words));
+  std::vector<double> from_middle;
+  for (const char* name : {"film/frame_lin_rec709.0001.exr", "film/frame_lin_rec709.0002.exr",
+                           "film/frame_lin_rec709.0003.exr"}) {
+    const auto image = texture::read_image(here(name));
+    double light = 0, sum = 0, rows = 0;
+    for (std::size_t r = 0; r < image.height; ++r)
+      for (std::size_t c = 0; c < image.width; ++c) {
+        light += luminance(image, r, c);
+        sum += luminance(image, r, c) * (static_cast<double>(c) + 0.5);
+        rows += luminance(image, r, c) * (static_cast<double>(r) + 0.5);
+      }
+    from_middle.push_back(std::hypot(sum / light - 240, rows / light - 160));
+  }
+  // 240 pixels are 30 degrees; in an hour the sky turns by 15.04 degrees and the Moon goes back by 0.5
+  // (1 of parallax near the zenith); it stands 19 degrees south, where that is less
+  constexpr double degree = std::numbers::pi / 180;
+  const double away = 240 / std::tan(30 * degree) * std::tan(14.6 * std::cos(19 * degree) * degree);
+  EXPECT_WITHIN(from_middle[1], 0, 1, "pixels: the Moon is four, brighter on one side");
+  EXPECT_WITHIN(from_middle[0], away, 4, "pixels: half a degree of parallax");
+  EXPECT_WITHIN(from_middle[2], away, 4, "pixels: half a degree of parallax");
+}
+
+TEST_F(Animate, MergesShardsOfPhotons) {
+  const Words photons{"--solver", "photons", "--photons", "40000", "--frames",  "2",
+                      "--from",   "U2",      "--to",      "U3",    "--quality", "draft"};
+  expect_done(coppermoon(film(photons + Words{"--make", "frames"})));
+  const auto at_once = texture::read_image(here("film/frame_lin_rec709.0002.exr"));
+  fs::remove_all(here("film"));
+  for (int part = 1; part <= 8; ++part)
+    expect_done(
+        coppermoon(film(photons + Words{"--make", "light", "--shard", fmt::format("{}/8", part)})));
+  EXPECT_EQ(names().size(), 8U) << "eclipse.1-of-8.sums and on";
+  expect_done(coppermoon(film(photons + Words{"--make", "frames"})));
+  const auto merged = texture::read_image(here("film/frame_lin_rec709.0002.exr"));
+  for (std::size_t i = 0; i < merged.values.size(); ++i)
+    EXPECT_WITHIN(
+        merged.values[i], at_once.values[i], 1e-3 * at_once.values[i],
+        "sums differ by rounding, 1e-12; half floats by a step, 1e-3, where that tips one");
+}
+
+TEST_F(Animate, TellsEventsAsJson) {
+  const auto outcome = coppermoon(film({"--frames", "2", "--make", "textures", "--json"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::vector<std::string> events;
+  std::istringstream lines(outcome.out);
+  for (std::string line; std::getline(lines, line);)
+    events.push_back(nlohmann::json::parse(line).at("event"));
+  EXPECT_EQ(events, (Words{"light", "frame", "frame", "done"}));
+}
+
+TEST_F(Animate, RefusesWhatItCannotMake) {
+  expect_refused(film({"--make", "films"}),
+                 "make = films, allowed light, textures, scenes, frames and pictures, with commas "
+                 "between");
+  expect_refused(film({"--range", "1-500"}),
+                 "range = 1-500, allowed frames of 1-240, as 1-240, 1-240x2 or 7,9,20-30");
+  expect_refused(film({"--time", "U1:0.01,U1:2"}),
+                 "exposure time = U1:0.01,U1:2, allowed keys in order of time");
+  expect_refused(film({"--camera", "fixed"}), "camera = fixed, allowed with --at alone");
+  expect_refused(film({"--at", "-21,55", "--aim", "30,20"}),
+                 "camera = tracking, allowed fixed with --aim");
+  expect_refused({"animate", "2018-07-27", "-o", "no/such/film"}, "no/such: no such directory");
+  expect_refused(film({"--at", "40,-100"}),
+                 "the Moon is below the horizon of 40,-100 in all frames");
+}
+
+TEST_F(Animate, SaysWhenTheMoonIsUp) {
+  const auto outcome = coppermoon(film({"--at", "42.3,13.4", "--frames", "10"}));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(outcome.err.find("it is up from frame 3 (2018-07-27T") != std::string::npos)
+      << outcome.err;
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end

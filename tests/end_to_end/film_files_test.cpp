@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// What is made of a whole film, as far as no frame is rendered for it.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "end_to_end/program.h"
+#include "support/within.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using Words = std::vector<std::string>;
+
+class FilmFiles : public ProgramTest {
+ protected:
+  static Words film(const Words& more) {
+    Words words{"animate",
+                "2018-07-27",
+                "--from",
+                "2018-07-27T18:40:00Z",
+                "--to",
+                "2018-07-27T20:20:00Z",
+                "--frames",
+                "3",
+                "--make",
+                "textures",
+                "--albedo-map",
+                "built-in",
+                "--texture-width",
+                "512",
+                "-o",
+                "film"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+
+  void expect_refused(const Words& more, std::string_view part,
+                      const Surroundings& around = {}) const {
+    const auto before = listing();
+    const auto outcome = coppermoon(film(more), around);
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(listing(), before);
+  }
+};
+
+struct Row {
+  std::string instant;
+  double hours, magnitude, luminance;
+};
+
+std::vector<Row> rows_of(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::vector<Row> rows;
+  std::string line, cell;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    Words words;
+    while (std::getline(cells, cell, ',')) words.push_back(cell);
+    rows.push_back(
+        {words.at(1), std::stod(words.at(2)), std::stod(words.at(3)), std::stod(words.at(4))});
+  }
+  return rows;
+}
+
+TEST_F(FilmFiles, CurveSaysWhatTheVerbBrightnessDoes) {
+  expect_done(coppermoon(film({"--curve", "film/curve.csv"})));
+  const auto rows = rows_of(text_of(here("film/curve.csv")));
+  ASSERT_EQ(rows.size(), 3);
+  for (const auto& row : rows) {
+    const auto outcome = coppermoon({"brightness", row.instant, "--json", "--albedo-map",
+                                     "built-in", "--texture-width", "512"});
+    const auto all = nlohmann::json::parse(outcome.out);
+    EXPECT_WITHIN(row.magnitude, all["magnitudes"]["V"].get<double>(), 5e-4,
+                  "another simulation, on twice as many rows: 1.2e-4 found over a whole eclipse");
+    EXPECT_WITHIN_RELATIVE(row.luminance, all["mean_luminance_cd_m2"].get<double>(), 5e-4,
+                           "the same");
+  }
+}
+
+TEST_F(FilmFiles, CurveHasTheInstantsOfItsRangeAndTheHoursFromGreatest) {
+  expect_done(coppermoon(film({"--range", "3,1", "--curve", "curve.csv"})));
+  const auto rows = rows_of(text_of(here("curve.csv")));
+  ASSERT_EQ(rows.size(), 2);
+  EXPECT_EQ(rows[0].instant, "2018-07-27T18:40:00.000Z");
+  EXPECT_EQ(rows[1].instant, "2018-07-27T20:20:00.000Z");
+  // NASA's catalogue: greatest at 20:22:54 TD, ΔT 69 s, so 20:21:45 UT.
+  EXPECT_WITHIN(rows[0].hours, -(1 + 41. / 60 + 45. / 3600), 10. / 3600,
+                "contacts agree with published ones to 8 s");
+}
+
+TEST_F(FilmFiles, CurveFallsIntoTheUmbra) {
+  expect_done(coppermoon(film({"--curve", "curve.csv"})));
+  const auto rows = rows_of(text_of(here("curve.csv")));
+  ASSERT_EQ(rows.size(), 3);
+  EXPECT_LT(rows[0].magnitude, -10);
+  EXPECT_GT(rows[2].magnitude, -2);
+  EXPECT_GT(rows[0].luminance, 1000 * rows[2].luminance);
+}
+
+TEST_F(FilmFiles, CurveIsDrawnWithTheContactsWithinIt) {
+  expect_done(coppermoon(film({"--curve", "curve.svg", "--curve", "curve.png"})));
+  const auto svg = text_of(here("curve.svg"));
+  for (const char* word : {"<svg", ">U2<", ">hours from greatest eclipse<", ">V magnitude<"})
+    EXPECT_NE(svg.find(word), std::string::npos) << word;
+  for (const char* beyond : {">P1<", ">U3<", ">U4<"})
+    EXPECT_EQ(svg.find(beyond), std::string::npos) << beyond;
+  EXPECT_TRUE(text_of(here("curve.png")).starts_with("\x89PNG"));
+}
+
+TEST_F(FilmFiles, AreToldAsEvents) {
+  const auto outcome = coppermoon(film({"--json", "--curve", "curve.csv"}));
+  expect_done(outcome);
+  EXPECT_NE(outcome.out.find(R"({"event":"file","file":"curve.csv"})"), std::string::npos)
+      << outcome.out;
+}
+
+TEST_F(FilmFiles, OfAShardAreRefused) {
+  for (const Words& more : {Words{"--curve", "a.csv"}, Words{"--movie", "a.mp4"},
+                            Words{"--composite", "a.png"}, Words{"--contact-sheet", "a.png"}}) {
+    Words words{"--shard", "1/2"};
+    words.insert(words.end(), more.begin(), more.end());
+    expect_refused(words, "shard = 1/2, allowed 1/1");
+  }
+}
+
+TEST_F(FilmFiles, OfWhatIsNotMadeAreRefused) {
+  expect_refused({"--movie", "a.mp4"}, "--movie is made of pictures");
+  expect_refused({"--contact-sheet", "a.png"}, "--contact-sheet is made of pictures");
+  expect_refused({"--composite", "a.png"}, "--composite is made of frames");
+}
+
+TEST_F(FilmFiles, OfOtherEndingsAreRefused) {
+  expect_refused({"--curve", "a.txt"}, "a.txt: a curve ends in .csv, .svg or .png");
+  expect_refused({"--movie", "a.avi"}, "a.avi: a movie ends in .mp4");
+  expect_refused({"--contact-sheet", "a.jpg"}, "a.jpg: a contact sheet ends in .png");
+  expect_refused({"--composite", "a.exr"}, "a.exr: a composite ends in .png");
+}
+
+TEST_F(FilmFiles, InFoldersThatAreNotThereAreRefused) {
+  expect_refused({"--curve", "nowhere/a.csv"}, "nowhere: no such directory");
+}
+
+TEST_F(FilmFiles, OfFfmpegAreRefusedWhereItIsNot) {
+  expect_refused({"--make", "pictures", "--movie", "a.mp4"},
+                 "ffmpeg: not found; install the package ffmpeg", {.path = "/nowhere"});
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end

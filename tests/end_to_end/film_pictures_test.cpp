@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// What is made of a film's rendered frames.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "end_to_end/program.h"
+#include "support/within.h"
+#include "texture/contact_sheet.h"
+#include "texture/read_image.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using Words = std::vector<std::string>;
+
+class FilmPictures : public ProgramTest {
+ protected:
+  static Words film(const Words& more) {
+    Words words{"animate",
+                "2018-07-27",
+                "--at",
+                "-21.1,55.5",
+                "--frames",
+                "5",
+                "--from",
+                "U1+20min",
+                "--to",
+                "U2+10min",
+                "--make",
+                "frames,pictures",
+                "--width",
+                "33",
+                "--height",
+                "25",
+                "--field",
+                "0.9",
+                "--texture-width",
+                "64",
+                "--albedo-map",
+                "built-in",
+                "-o",
+                "film"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+
+  texture::Image picture(int frame) const {
+    return texture::read_image(here(fmt::format("film/frame.{:04}.png", frame)));
+  }
+
+  bool has(const char* program) const { return run({program, "-version"}).status == 0; }
+
+  /// A folder with a program named ffmpeg that says its version, and else some words, and fails.
+  std::string path_of_failing_ffmpeg() const {
+    std::filesystem::create_directory(here("bin"));
+    file("bin/ffmpeg",
+         "#!/bin/sh\n[ \"$1\" = -version ] && exit 0\necho 'out of moonlight' >&2\necho end >&2\n"
+         "exit 1\n");
+    std::filesystem::permissions(here("bin/ffmpeg"), std::filesystem::perms::owner_all);
+    return here("bin").string() + ":/usr/bin:/bin";
+  }
+};
+
+double linear(double coded) {
+  return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
+}
+
+double coded(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+/// Of some pixels' middle channel, and of what `of` makes of each.
+template <class Of>
+double mean(const texture::Image& image, std::size_t top, std::size_t left, std::size_t rows,
+            std::size_t columns, Of of) {
+  double sum = 0;
+  for (std::size_t r = top; r < top + rows; ++r)
+    for (std::size_t c = left; c < left + columns; ++c) sum += of(image(r, c, 1));
+  return sum / static_cast<double>(rows * columns);
+}
+
+TEST_F(FilmPictures, OnAContactSheetHaveTheirOwnLight) {
+  expect_done(coppermoon(film({"--contact-sheet", "film/sheet.png"})));
+  const auto sheet = texture::read_image(here("film/sheet.png"));
+  const auto grid = texture::sheet_grid(5, 3, 33, 25);
+  ASSERT_EQ(sheet.width, grid.width());
+  for (int i = 0; i < 5; ++i) {
+    const double alone = mean(picture(i + 1), 0, 0, 25, 33, linear);
+    EXPECT_GT(alone, 0.01);
+    EXPECT_WITHIN_RELATIVE(mean(sheet, grid.top(i), grid.left(i), grid.picture_height, 240, linear),
+                           alone, 0.02, "the filter's edge on 25 rows, and 8 bits");
+  }
+}
+
+TEST_F(FilmPictures, AsAMovieAreAllThereInOrder) {
+  if (!has("ffmpeg") || !has("ffprobe")) GTEST_SKIP() << "ffmpeg is not installed";
+  expect_done(coppermoon(film({"--range", "1-5x2", "--movie", "film.mp4", "--fps", "12"})));
+  const auto probed = run({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                           "stream=codec_name,width,height,pix_fmt,color_range,color_space,"
+                           "color_transfer,color_primaries,r_frame_rate,nb_read_frames",
+                           "-of", "csv=p=0", "film.mp4"});
+  EXPECT_EQ(probed.out, "h264,34,26,yuv420p,tv,bt709,bt709,bt709,12/1,3\n");
+  const auto bytes = text_of(here("film.mp4"));
+  EXPECT_LT(bytes.find("moov"), bytes.find("mdat")) << "it can be shown while it comes";
+}
+
+TEST_F(FilmPictures, AsAMovieKeepTheirLight) {
+  if (!has("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
+  expect_done(coppermoon(film({"--range", "1-5x2", "--movie", "film.mp4"})));
+  ASSERT_EQ(run({"ffmpeg", "-v", "error", "-i", "film.mp4", "-vf", "select=eq(n\\,1)", "-frames:v",
+                 "1", "-pix_fmt", "rgb24", "middle.png"})
+                .status,
+            0);
+  const auto same = [](double level) { return level; };
+  EXPECT_WITHIN(mean(texture::read_image(here("middle.png")), 0, 0, 25, 33, same),
+                mean(picture(3), 0, 0, 25, 33, same), 1.5 / 255,
+                "4:2:0, crf 16, and two conversions to 8 bits");
+}
+
+TEST_F(FilmPictures, AsACompositeAreTheSumOfTheirExposures) {
+  expect_done(coppermoon(film({"--range", "2,4", "--composite", "all.png"})));
+  std::vector<double> sum(25 * 33 * 3);
+  for (const char* name : {"film/frame_lin_rec709.0002.exr", "film/frame_lin_rec709.0004.exr"}) {
+    const auto number = [&](const char* attribute) {
+      return std::stod(*texture::read_attribute(here(name), attribute));
+    };
+    const auto frame = texture::read_image(here(name));
+    // ISO 12232: q t S / (78 N²), q = 0.65.
+    const double scale =
+        0.65 * number("expTime") * number("isoSpeed") / (78 * std::pow(number("aperture"), 2));
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += scale * frame.values[i];
+  }
+  const auto composite = texture::read_image(here("all.png"));
+  ASSERT_EQ(composite.values.size(), sum.size());
+  EXPECT_GT(*std::ranges::max_element(sum), 0.3);
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    EXPECT_WITHIN(composite.values[i], std::min(1., coded(sum[i])), 0.6 / 255,
+                  "half a step of 8 bits, and the exposure's six digits");
+}
+
+TEST_F(FilmPictures, LeaveNoMovieThatFailed) {
+  file("film.mp4", "an earlier film");
+  const auto outcome =
+      coppermoon(film({"--movie", "film.mp4"}), {.path = path_of_failing_ffmpeg()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err, "coppermoon: ffmpeg: out of moonlight\n");
+  EXPECT_EQ(text_of(here("film.mp4")), "an earlier film");
+  for (const auto& name : listing())
+    EXPECT_TRUE(name.starts_with("here")) << name << " was left behind";
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <thread>
+
+#include "algebra/random.h"
+#include "end_to_end/program.h"
+
+namespace coppermoon::extremes {
+
+using end_to_end::expect_done;
+using end_to_end::Outcome;
+using end_to_end::Surroundings;
+using end_to_end::text_of;
+using Words = std::vector<std::string>;
+namespace fs = std::filesystem;
+
+/// Runs that something happens to.
+class Faults : public end_to_end::ProgramTest {
+ protected:
+  void done(const Words& words) const { expect_done(coppermoon(words)); }
+
+  /// Seconds that a run takes.
+  double seconds_of(const Words& words) const {
+    const auto start = std::chrono::steady_clock::now();
+    done(words);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  /// Every file in the folder, and what is in it.
+  std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(here()))
+      if (entry.is_regular_file())
+        all[entry.path().lexically_relative(here()).string()] = text_of(entry.path());
+    return all;
+  }
+
+  /// Whether any process stands in the test's folders.
+  bool any_at_work() const {
+    const auto home = here().parent_path().parent_path().string();
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+      std::error_code none;
+      const auto folder = fs::read_symlink(entry.path() / "cwd", none).string();
+      if (!none && folder.starts_with(home)) return true;
+    }
+    return false;
+  }
+
+  /// What is left in the temporary folder once all have gone, for ten seconds at most.
+  std::set<std::string> left_behind() const {
+    std::set<std::string> left;
+    for (int tenths = 0; tenths < 100; ++tenths) {
+      left.clear();
+      for (const auto& name : listing())
+        if (name.starts_with("tmp")) left.insert(name);
+      if (left.empty() && !any_at_work()) return left;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    if (any_at_work()) left.insert("a process");
+    return left;
+  }
+
+  /// Kills a run at random moments of its time; each time nothing partial may be left, and the next run
+  /// has to complete.
+  ///
+  /// Given  fresh  makes the folder ready again
+  void expect_whole_wherever_killed(const Words& words, int times,
+                                    const std::function<void()>& fresh) {
+    const auto before = files();
+    const double lasts_s = seconds_of(words);
+    const auto whole = files();
+    algebra::Random random(20080221, 0);
+    for (int i = 0; i < times; ++i) {
+      fresh();
+      const double moment_s = lasts_s * 1.1 * random.uniform();
+      const auto killed = coppermoon(words, {.killed_after_s = moment_s});
+      EXPECT_EQ(left_behind(), std::set<std::string>{}) << "killed after " << moment_s << " s";
+      for (const auto& [name, bytes] : files()) {
+        const bool old = before.contains(name) && before.at(name) == bytes;
+        EXPECT_TRUE(old || (whole.contains(name) && whole.at(name) == bytes))
+            << name << ", killed after " << moment_s << " s";
+      }
+      expect_all_there(killed.out);
+      done(words);
+      EXPECT_TRUE(files() == whole) << "the run after the one killed after " << moment_s << " s";
+    }
+  }
+
+  /// What a run told of before it was killed; a film, each frame by its number.
+  virtual void expect_all_there(const std::string&) const {}
+
+  /// A program of the folder that goes before the system's.
+  Surroundings with_povray(const std::string& script) const {
+    fs::create_directory(here("bin"));
+    file("bin/povray", "#!/bin/sh\n" + script);
+    fs::permissions(here("bin/povray"), fs::perms::owner_all);
+    return {.path = here("bin").string() + ":" + ::getenv("PATH")};
+  }
+
+  void expect_one_line(const Outcome& outcome, const std::string& what) const {
+    EXPECT_EQ(outcome.status, 1) << what << ": " << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with("coppermoon: ")) << what << ": " << outcome.err;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << what << ": " << outcome.err;
+  }
+};
+
+}  // namespace coppermoon::extremes
