@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -207,12 +208,15 @@ void run(const CLI::App& verb, Options& options) {
   if (light_alone || !frames.empty()) light_up(film, progress);
   if (light_alone || frames.empty()) return progress.done();
   if (film.products.scenes) write_film_scene(film);
+  std::vector<char> there(frames.size());
+  tbb::parallel_for(std::size_t{0}, frames.size(),
+                    [&](std::size_t i) { there[i] = is_made(film, frames[i]); });
   std::vector<std::size_t> missing;
-  for (const std::size_t frame : frames)
-    if (is_made(film, frame))
-      progress.kept(frame);
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    if (there[i])
+      progress.kept(frames[i]);
     else
-      missing.push_back(frame);
+      missing.push_back(frames[i]);
   if (!missing.empty()) lay_ground(film);
   make_frames(film, missing, [&](const MadeFrame& frame) { progress.made(frame); });
   write_film_files(options.files, film, frames, progress);

@@ -104,11 +104,15 @@ LightOptions meant(LightOptions options) {
 shadow::RefractedLight photons_of(const LightOptions& options, const atmosphere::Atmosphere& air,
                                   const shadow::Arrangement& arrangement,
                                   std::span<const double> wavelengths_nm,
-                                  const std::optional<shadow::StoppingRule>& enough) {
+                                  const std::optional<shadow::StoppingRule>& enough,
+                                  double most = most_photons) {
   ProgressBar bar(options.solver);
   auto settings = photon_settings(options);
   if (!air.symmetric()) settings.sectors = shadow::sectors_around;
-  if (!options.photons) settings.enough = enough;
+  if (!options.photons) {
+    settings.enough = enough;
+    settings.photons = static_cast<std::uint64_t>(most);
+  }
   const auto light = light_of_photons(options.photon_files, air, arrangement, wavelengths_nm,
                                       settings, bar.progress());
   return shadow::smoothed(light, options.smoothing_km * 1e3);
@@ -237,10 +241,13 @@ shadow::RefractedLight light_of_work(const LightOptions& options, const Shadowed
   const auto row = weights.row(0);
   auto limited = options;
   if (options.plan.budget && !options.photons) limited.photons = plan.work.photons;
+  // who asked for none does not wait until the darkest sector has enough of them
+  const double most = wants_photons(options) ? most_photons : std::max(1e6, 16 * plan.work.photons);
   return photons_of(
       limited, air, arrangement, waves,
       shadow::StoppingRule{
-          {row.begin(), row.end()}, plan.tolerance, distances.front(), distances.back()});
+          {row.begin(), row.end()}, plan.tolerance, distances.front(), distances.back()},
+      most);
 }
 
 }  // namespace

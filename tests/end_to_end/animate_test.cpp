@@ -9,7 +9,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "colour/working_space.h"
+#include "end_to_end/luminance.h"
 #include "end_to_end/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
@@ -20,8 +20,6 @@ namespace {
 using Words = std::vector<std::string>;
 namespace fs = std::filesystem;
 
-constexpr auto space = colour::WorkingSpace::linear_rec709;
-
 Words operator+(Words words, const Words& more) {
   words.insert(words.end(), more.begin(), more.end());
   return words;
@@ -29,12 +27,6 @@ Words operator+(Words words, const Words& more) {
 
 const Words small{"--albedo-map", "built-in", "--texture-width", "128", "--width", "48",
                   "--height",     "32",       "--field",         "0.9"};
-
-double luminance(const texture::Image& image, std::size_t row, std::size_t column) {
-  const std::array<double, 3> rgb{image(row, column, 0), image(row, column, 1),
-                                  image(row, column, 2)};
-  return colour::luminance(space, rgb);
-}
 
 class Animate : public ProgramTest {
  protected:

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "colour/working_space.h"
+#include "end_to_end/luminance.h"
 #include "end_to_end/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
@@ -18,12 +18,6 @@ using Words = std::vector<std::string>;
 
 constexpr const char* mid_eclipse = "2008-02-21T03:26:05Z";
 constexpr double time_s = 1. / 500, f_number = 11, iso = 100;
-
-double luminance(const texture::Image& image, std::size_t row, std::size_t column) {
-  const std::array<double, 3> rgb{image(row, column, 0), image(row, column, 1),
-                                  image(row, column, 2)};
-  return colour::luminance(colour::WorkingSpace::linear_rec709, rgb);
-}
 
 double luminance_in_the_middle(const texture::Image& image) {
   double sum = 0;

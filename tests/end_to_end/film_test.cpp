@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "colour/working_space.h"
+#include "end_to_end/luminance.h"
 #include "end_to_end/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
@@ -14,12 +14,6 @@ namespace coppermoon::end_to_end {
 namespace {
 
 constexpr std::size_t frames = 240;
-
-double luminance(const texture::Image& image, std::size_t row, std::size_t column) {
-  const std::array<double, 3> rgb{image(row, column, 0), image(row, column, 1),
-                                  image(row, column, 2)};
-  return colour::luminance(colour::WorkingSpace::linear_rec709, rgb);
-}
 
 /// What the eye sees of a frame: its stops, those of its exposure, and which half is the brighter.
 struct Seen {

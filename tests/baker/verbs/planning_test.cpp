@@ -299,6 +299,21 @@ TEST(LightOnTheMoon, OfPhotonsKeepsToItsBudget) {
   EXPECT_LE(light.refracted->photons, 1U << 20U) << "not until the tolerance is reached";
 }
 
+/// Recipe 2801 of the sweep: dust over some degrees of the limb, behind which all is dark.
+TEST(LightOnTheMoon, OfPhotonsThatNobodyAskedForComesToAnEnd) {
+  LightOptions options;
+  options.air.regions = {
+      "from-latitude=33.7,to-latitude=40.4,dust-extinction=4.8e-5",
+      "from-position-angle=332.8,to-position-angle=142.5,dust-extinction=2.8e-8"};
+  options.air.column.tropospheric_optical_depth = 4.64;
+  options.air.column.cloud_top_km = 16.57;
+  options.limb_darkening = "off";
+  options.plan.tolerance = "0.41";
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("1992-12-09T23:46:56Z"));
+  const auto light = light_on_the_moon(options, sky, false);
+  EXPECT_LE(light.refracted->photons, 1U << 24U) << "seconds, instead of ever more";
+}
+
 TEST(LightOnTheMoon, KeepsScatteredLightOffWhenItIsLeftOut) {
   LightOptions options;
   options.plan.leave_out = "scattered-light";
