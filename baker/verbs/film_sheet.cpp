@@ -77,8 +77,7 @@ std::vector<SheetFrame> frames_of_sheet(const Moments& moments, const Frames& fr
   auto chosen = some_of(frames);
   for (const auto& [frame, name] : at_contacts) chosen.push_back(frame);
   std::ranges::sort(chosen);
-  const auto twice = std::ranges::unique(chosen);
-  chosen.erase(twice.begin(), twice.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   std::vector<SheetFrame> sheet;
   for (const auto frame : chosen) {
     const auto known = at_contacts.find(frame);
