@@ -97,7 +97,7 @@ std::string without_the_camera(const std::string& recipe) {
 
 /// As wide as the frame needs where the Moon is nearest: one width for all.
 std::size_t texture_width(const Film& film) {
-  if (film.moon.texture_width || !film.products.rendered()) return texture_width_of(film.moon);
+  if (film.moon.texture_width || !film.products.framed()) return texture_width_of(film.moon);
   std::size_t widest = 0;
   const std::size_t count = film.moments.frames.size();
   for (const std::size_t frame : {std::size_t{1}, (count + 1) / 2, count})
@@ -108,7 +108,7 @@ std::size_t texture_width(const Film& film) {
 
 /// The Moon is up in all frames that show it, as far as a few hundred of them tell.
 void require_up(const Film& film, const std::vector<std::size_t>& frames) {
-  if (!film.products.rendered() && !film.products.scenes) return;
+  if (film.view.at.empty() || film.products.light_alone()) return;
   const std::size_t step = std::max<std::size_t>(1, frames.size() / 240);
   std::vector<std::size_t> up, down;
   const auto look = [&](std::size_t frame) {

@@ -23,6 +23,7 @@ struct Products {
   bool light = false, textures = false, scenes = false, frames = false, pictures = false;
 
   bool light_alone() const { return !textures && !scenes && !frames && !pictures; }
+  bool framed() const { return scenes || rendered(); }  ///< by a camera
   bool rendered() const { return frames || pictures; }
 };
 

@@ -120,8 +120,7 @@ void render(const Film& film, Frames frames, int threads, const Told& told) {
 
 void bake(const Film& film, std::size_t frame, const Told& told) {
   const auto sky = film.sky(frame);
-  const View view = film.products.scenes ? view_of(film, sky) : View();
-  const auto moon = moon_of(film, sky, view, frame);
+  const auto moon = moon_of(film, sky, view_of(film, sky), frame);
   texture::write_exr(film.texture(frame), moon.layout, moon.rows, moon.attributes);
   told({frame, std::nullopt});
 }

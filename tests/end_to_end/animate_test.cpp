@@ -80,6 +80,16 @@ TEST_F(Animate, MakesWhatItIsToldTo) {
                          "frame_lin_rec709.0002.exr", "frame.0001.png", "frame.0002.png"}));
 }
 
+TEST_F(Animate, MakesTheSameTexturesWhateverElseIsMade) {
+  const Words at{"--at", "-21.1,55.5", "--frames", "1", "--from", "U1", "--make"};
+  expect_done(coppermoon(film(at + Words{"textures"})));
+  const auto alone = text_of(here("film/moon_lin_rec709.0001.exr"));
+  fs::remove(here("film/moon_lin_rec709.0001.exr"));
+  expect_done(coppermoon(film(at + Words{"scenes,pictures"})));
+  EXPECT_TRUE(text_of(here("film/moon_lin_rec709.0001.exr")) == alone)
+      << "reddened by the same air: a later run keeps it";
+}
+
 /// The film's light is computed once for all of its moments, a still's for its own.
 TEST_F(Animate, ShowsWhatStillsShow) {
   const Words at{"--at", "-21.1,55.5", "--tolerance", "0.002"};
