@@ -113,6 +113,14 @@ WorkingSpace working_space(std::string_view name_or_alias) {
                                    name(all_spaces[0]), name(all_spaces[1]), name(all_spaces[2])));
 }
 
+std::optional<WorkingSpace> space_in_name(std::string_view file_name) {
+  using enum WorkingSpace;
+  for (const auto space : {linear_rec709, acescg, ciexyz_d65})
+    for (const auto alias : aliases(space))
+      if (file_name.find(alias) != std::string_view::npos) return space;
+  return std::nullopt;
+}
+
 glm::dmat3 channels_from_xyz(WorkingSpace space) { return matrices(space).channels_from_xyz; }
 
 algebra::Grid<double> channel_weights(WorkingSpace space, std::span<const double> edges_nm) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <glm/mat3x3.hpp>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -24,6 +25,9 @@ std::span<const std::string_view> aliases(WorkingSpace space);
 ///
 /// Throws  Error  when none does; names the three
 WorkingSpace working_space(std::string_view name_or_alias);
+
+/// The space that a file's name says: as a part of it, "moon_acescg.0001.exr".
+std::optional<WorkingSpace> space_in_name(std::string_view file_name);
 
 /// Turns absolute XYZ (D65 scene) into the channels of the space, luminance kept: Y of white is R =
 /// G = B.

@@ -1,11 +1,17 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Installs the packages that are missing (as root or with sudo) and builds build/release/coppermoon.
+#
+# Given  TARGET=coppermoon_program  of the build
+#        LIST ...                   of more packages, as packages.hand_off.debian
 set -eu
 cd "$(dirname "$0")/.."
+target=${1:-coppermoon_program}
+[ $# -eq 0 ] || shift
 missing=
-for package in $(sed 's/#.*//' packages.debian); do
-  dpkg-query -W -f '${Status}\n' "$package" 2>/dev/null | grep -q ' installed$' || missing="$missing $package"
+for package in $(sed 's/#.*//' packages.debian "$@"); do
+  dpkg-query -W -f '${Status}\n' "$package" 2>/dev/null | grep -q ' installed$' ||
+    command -v "$package" >/dev/null || missing="$missing $package"  # npm comes by many ways
 done
 if [ -n "$missing" ]; then
   echo "Installing$missing"
@@ -14,4 +20,4 @@ if [ -n "$missing" ]; then
   $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
 fi
 cmake --preset release
-cmake --build --preset release --target "${1:-coppermoon_program}"
+cmake --build --preset release --target "$target"

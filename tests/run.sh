@@ -15,7 +15,7 @@ say "tests"
 ctest --preset release --parallel "$(nproc)"
 
 say "slow tests"
-ctest --test-dir build/release --label-regex slow --output-on-failure --no-tests=ignore
+ctest --test-dir build/release --label-regex slow --output-on-failure --no-tests=ignore --parallel "$(nproc)"
 ctest --test-dir build/release --label-regex sweep --tests-regex '/0$' --output-on-failure
 
 say "address and undefined-behaviour sanitizers"
@@ -41,6 +41,7 @@ few="--photons 2e4 $small"
 "$root/examples/tradeoff.sh" --quick
 "$root/examples/plans.sh"
 "$root/examples/film.sh" --frames 4
+"$root/examples/gallery/gallery.sh" --width 150 --height 100
 ls -l
 
 say "all passed"

@@ -87,6 +87,7 @@ struct Filling {
   const RefractedLight& light;
   const DirectLight& direct;
   const ChannelWeights& weights;
+  LightPart part;
   algebra::Grid<double> direct_weights = direct.in_layers(weights);
 
   /// Returned  whether refracted light is known there, and no direct light is
@@ -100,10 +101,12 @@ struct Filling {
     direct.clear_parts(at_m, angle, depth_m, clear);
     const auto& places = light.axis_distances_m;
     std::ranges::fill(ratios, 0);
-    if (at_m < last_distance(places)) add_refracted(light.ratio[g], cubic_at(places, at_m), ratios);
+    if (part != LightPart::direct && at_m < last_distance(places))
+      add_refracted(light.ratio[g], cubic_at(places, at_m), ratios);
+    const double of_direct = part == LightPart::refracted ? 0 : 1;
     for (std::size_t c = 0; c < weights.rows(); ++c)
       table.values(g * table.nodes + n, c) =
-          in_channel(weights.row(c), ratios) + in_channel(direct_weights.row(c), clear);
+          in_channel(weights.row(c), ratios) + of_direct * in_channel(direct_weights.row(c), clear);
     return clear.front() == 0 && at_m >= places.front() && at_m <= places.back();
   }
 };
@@ -159,14 +162,15 @@ double spacing_for(double tolerance, double error) {
 
 }  // namespace
 
-Lookup::Lookup(const ChannelWeights& weights) {
+Lookup::Lookup(const ChannelWeights& weights, LightPart part) {
   table_.channels = weights.rows();
   table_.sunlight = row_sums(weights);
+  if (part == LightPart::refracted) std::ranges::fill(table_.sunlight, 0);
 }
 
 Lookup::Lookup(const RefractedLight& light, const DirectLight& direct,
-               const ChannelWeights& weights, const LookupRange& range)
-    : Lookup(weights) {
+               const ChannelWeights& weights, const LookupRange& range, LightPart part)
+    : Lookup(weights) {  // refracted light too is compared with sunlight
   algebra::require_within("tolerance of the look-up", range.tolerance, 1e-6, 0.1);
   table_.depths_m = light.arrangement.depths_m;
   table_.middle_depth_m = std::midpoint(table_.depths_m.front(), table_.depths_m.back());
@@ -175,11 +179,12 @@ Lookup::Lookup(const RefractedLight& light, const DirectLight& direct,
   table_.first_m = std::clamp(range.from_m, 0., table_.end_m);
   table_.spacing_m = widest_spacing_m;
   const double to_m = std::clamp(range.to_m, table_.first_m, table_.end_m);
-  const Filling filling{light, direct, weights};
+  const Filling filling{light, direct, weights, part};
   if (const double error = fill_table(table_, filling, range, to_m); error > range.tolerance) {
     table_.spacing_m = spacing_for(range.tolerance, error);
     fill_table(table_, filling, range, to_m);
   }
+  if (part == LightPart::refracted) std::ranges::fill(table_.sunlight, 0);
   range_ = range;
   places_m_ = light.axis_distances_m;
   errors_ = channel_errors(light, weights);

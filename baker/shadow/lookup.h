@@ -16,6 +16,13 @@ namespace coppermoon::shadow {
 /// Weighted sums over wavelength, a row of weights for each channel.
 using ChannelWeights = algebra::Grid<double>;  // (channel, wavelength)
 
+/// What of the light in the shadow a look-up holds.
+enum class LightPart {
+  all,
+  refracted,  ///< what the Earth's air bends and scatters into the shadow; no sunlight beyond it
+  direct,     ///< sunlight that passes clear of the Earth and its air
+};
+
 /// Which axis distances a look-up is read at, and how exactly.
 struct LookupRange {
   double from_m = 0;
@@ -43,10 +50,10 @@ class Lookup {
   ///           closer than 1 km; where direct light begins by 2e-3 of the light there
   /// Throws    Error    when the tolerance is outside its range
   Lookup(const RefractedLight& light, const DirectLight& direct, const ChannelWeights& weights,
-         const LookupRange& range = {});
+         const LookupRange& range = {}, LightPart part = LightPart::all);
 
-  /// Full sunlight everywhere: no shadow.
-  explicit Lookup(const ChannelWeights& weights);
+  /// Full sunlight everywhere: no shadow; or none of what is not direct.
+  explicit Lookup(const ChannelWeights& weights, LightPart part = LightPart::all);
 
   std::size_t channels() const { return table_.channels; }
 

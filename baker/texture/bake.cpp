@@ -44,8 +44,23 @@ struct Baking {
   Globe globe;
   const shadow::Lookup& light;
   ResizedRows albedo;
+  Quantity quantity;
   algebra::Progress progress;
   std::atomic<std::size_t> done = 0;
+
+  /// What is written of one texel: a value a channel.
+  void write(double reflected, std::span<const double> there, std::span<float> texel) const {
+    const std::size_t count = texel.size();
+    if (quantity == Quantity::luminance)
+      for (std::size_t c = 0; c < count; ++c)
+        texel[c] = static_cast<float>(reflected * there[c] + 0.);  // no -0 in the dark
+    else if (quantity == Quantity::irradiance)
+      for (std::size_t c = 0; c < count; ++c)
+        texel[c] = static_cast<float>(reflected > 0 ? globe.inverse_square * there[c] : 0);
+    else
+      for (std::size_t c = 0; c < count; ++c)
+        texel[c] = static_cast<float>(reflected / globe.inverse_square * there[c] + 0.);
+  }
 
   void light_some(std::size_t row, std::size_t column, std::span<const float> ground,
                   std::span<float> texels, Scratch& scratch) const {
@@ -58,13 +73,17 @@ struct Baking {
     const auto values = scratch.values(channels * count);
     light.read({lit.east_m, lit.north_m, lit.depth_m}, values);
     for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t c = i * channels; c < (i + 1) * channels; ++c)
-        texels[c] = static_cast<float>(lit.reflected[i] * values[c] + 0.);  // no -0 in the dark
+      write(lit.reflected[i], values.subspan(i * channels, channels),
+            texels.subspan(i * channels, channels));
   }
 
   void light_row(std::size_t row, std::span<float> texels) {
     Scratch scratch(light.channels());
-    const auto ground = albedo.row(row, scratch.albedo);
+    auto ground = albedo.row(row, scratch.albedo);
+    if (quantity == Quantity::irradiance) {
+      scratch.albedo.assign(ground.size(), 1);
+      ground = scratch.albedo;
+    }
     for (std::size_t c = 0; c < ground.size(); c += texels_at_once) {
       const std::size_t count = std::min(texels_at_once, ground.size() - c);
       light_some(row, c, ground.subspan(c, count),
@@ -77,13 +96,14 @@ struct Baking {
 }  // namespace
 
 Rows lit_rows(const algebra::Grid<float>& normal_albedo, const almanac::SkyState& sky,
-              const shadow::Lookup& light, std::size_t rows, surface::Photometry photometry,
-              Extent extent, const algebra::Progress& progress) {
+              const shadow::Lookup& light, std::size_t rows, const Lighting& lighting,
+              const algebra::Progress& progress) {
   const ResizedRows albedo(normal_albedo, rows);
-  const double unseen = extent == Extent::seen_from_earth ? sine_of_the_unseen(rows)
-                                                          : std::numeric_limits<double>::infinity();
-  const std::shared_ptr<Baking> baking(
-      new Baking{Globe(sky, rows, photometry, unseen), light, albedo, progress});
+  const double unseen = lighting.extent == Extent::seen_from_earth
+                            ? sine_of_the_unseen(rows)
+                            : std::numeric_limits<double>::infinity();
+  const std::shared_ptr<Baking> baking(new Baking{Globe(sky, rows, lighting.photometry, unseen),
+                                                  light, albedo, lighting.quantity, progress});
   return [baking](std::size_t first_row, std::span<float> values) {
     const std::size_t length = 2 * baking->globe.rows * baking->light.channels();
     tbb::parallel_for(std::size_t{0}, values.size() / length, [&](std::size_t r) {
@@ -92,10 +112,22 @@ Rows lit_rows(const algebra::Grid<float>& normal_albedo, const almanac::SkyState
   };
 }
 
+Rows albedo_rows(const algebra::Grid<float>& normal_albedo, std::size_t rows) {
+  return
+      [albedo = ResizedRows(normal_albedo, rows)](std::size_t first_row, std::span<float> values) {
+        const std::size_t length = 2 * albedo.rows();
+        tbb::parallel_for(std::size_t{0}, values.size() / length, [&](std::size_t r) {
+          std::vector<float> buffer;
+          std::ranges::copy(albedo.row(first_row + r, buffer),
+                            values.begin() + static_cast<std::ptrdiff_t>(r * length));
+        });
+      };
+}
+
 Image bake(const algebra::Grid<float>& normal_albedo, const almanac::SkyState& sky,
            const shadow::Lookup& light, std::vector<std::string> channels, std::size_t rows,
            surface::Photometry photometry, const algebra::Progress& progress) {
-  const auto fill = lit_rows(normal_albedo, sky, light, rows, photometry, Extent::whole, progress);
+  const auto fill = lit_rows(normal_albedo, sky, light, rows, {photometry}, progress);
   Image texture(2 * rows, rows, std::move(channels));
   fill(0, texture.values);
   return texture;

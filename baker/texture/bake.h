@@ -45,6 +45,20 @@ enum class Extent {
   seen_from_earth,  ///< those that some place on Earth sees, and some beyond; the others stay 0
 };
 
+/// What of L = E ρ / π a texel holds.
+enum class Quantity {
+  luminance,    ///< L
+  irradiance,   ///< E / π: of a white diffuse ground that faces the Sun; 0 on the night side
+  reflectance,  ///< ρ, the radiance factor, times the light, which is then a colour of the ground
+};
+
+/// How a texture is lit.
+struct Lighting {
+  surface::Photometry photometry = surface::Photometry::lommel_seeliger_rolo;
+  Extent extent = Extent::whole;
+  Quantity quantity = Quantity::luminance;
+};
+
 /// The same texture, row by row as it is asked for, on all threads: memory does not grow with it.
 ///
 /// Given     normal_albedo, light  must outlive what is returned
@@ -52,7 +66,10 @@ enum class Extent {
 /// Returned  the same values whatever rows are asked for at once and on how many threads
 /// Accuracy  1e-5 of the expression above: of the phase curve between its table's entries
 Rows lit_rows(const algebra::Grid<float>& normal_albedo, const almanac::SkyState& sky,
-              const shadow::Lookup& light, std::size_t rows, surface::Photometry photometry,
-              Extent extent = Extent::whole, const algebra::Progress& progress = {});
+              const shadow::Lookup& light, std::size_t rows, const Lighting& lighting = {},
+              const algebra::Progress& progress = {});
+
+/// The normal albedo itself, at the texture's size: one channel, the night side too.
+Rows albedo_rows(const algebra::Grid<float>& normal_albedo, std::size_t rows);
 
 }  // namespace coppermoon::texture

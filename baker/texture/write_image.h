@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
 
 #include "texture/image.h"
 
@@ -34,6 +36,26 @@ void write_exr(const std::filesystem::path& path, const Image& image, const Attr
 /// file is left.
 void write_exr(const std::filesystem::path& path, const Layout& layout, const Rows& rows,
                const Attributes& attributes, const ExrOptions& options = {});
+
+/// One image of several in a file.
+struct Part {
+  std::string name;
+  Layout layout;
+  Rows rows;
+};
+
+/// Several images in one OpenEXR file of as many parts, as above; the attributes stand in each.
+///
+/// Throws  Error  also when there is none, or two have one name
+void write_exr(const std::filesystem::path& path, std::span<const Part> parts,
+               const Attributes& attributes, const ExrOptions& options = {});
+
+/// An OpenEXR file of tiles, mip-mapped down to one texel, as renderers read textures: each texel
+/// the mean over its area. Wraps east and west, and ends at the poles. A quarter of it is in memory.
+///
+/// Throws  Error  as write_exr
+void write_mipmapped(const std::filesystem::path& path, const Layout& layout, const Rows& rows,
+                     const Attributes& attributes, ExrType type = ExrType::half);
 
 /// Writes a display-referred image (sRGB-coded, 0 to 1, grey or RGB) to a PNG file, whole or not at
 /// all.

@@ -57,6 +57,10 @@ std::string without_the_camera(const std::string& recipe) {
                               "photometry",
                               "albedo-exponent",
                               "texture-width",
+                              "space",
+                              "type",
+                              "spectral",
+                              "passes",
                               "eclipse",
                               "from",
                               "to",
@@ -84,15 +88,9 @@ std::string without_the_camera(const std::string& recipe) {
                               "config",
                               "bits",
                               "bracket"};
-  std::istringstream lines(recipe);
-  std::string key;
-  bool in_tables = false;
-  for (std::string line; std::getline(lines, line);) {
-    in_tables = in_tables || line.starts_with("[");
-    const auto name = line.substr(0, line.find(' '));
-    if (in_tables || std::ranges::find(others, name) == others.end()) key += line + "\n";
-  }
-  return key;
+  return without(recipe, [&](const std::string& flag) {
+    return std::ranges::find(others, flag) != others.end();
+  });
 }
 
 /// As wide as the frame needs where the Moon is nearest: one width for all.
@@ -141,6 +139,17 @@ void set_up_camera(Options& options) {
                       : aim_from(options.aim);
 }
 
+/// POV-Ray reads textures of its own colours, and of nothing else.
+void require_content(const Film& film) {
+  require_sound(film.content);
+  if (!film.products.framed()) return;
+  if (space_of(film.content) != colour::WorkingSpace::linear_rec709)
+    throw algebra::Error(fmt::format(
+        "space = {}, allowed lin_rec709 with scenes, frames or pictures", *film.content.space));
+  if (film.content.passes || film.content.spectral_nm)
+    throw algebra::Error("passes and spectra: allowed with --make textures alone");
+}
+
 /// All but the light and the map: what may be refused before any work.
 ///
 /// Returned  the frames to be made
@@ -148,6 +157,7 @@ std::vector<std::size_t> prepare(const CLI::App& verb, Options& options) {
   auto& film = options.film;
   film.folder = options.output;
   film.products = products_from(options.make);
+  require_content(film);
   film.moments = moments_of(film.times);
   film.time_keys = time_keys(film.develop.time, film.moments.eclipse);
   auto develop = film.develop;
@@ -161,11 +171,8 @@ std::vector<std::size_t> prepare(const CLI::App& verb, Options& options) {
   auto frames =
       part_of(frames_in(options.range, film.moments.frames.size()), shard_from(options.shard));
   if (!frames.empty()) require_up(film, frames);
-  const auto asked = film.moon.texture_width;
   film.moon.texture_width = texture_width(film);
-  film.recipe = recipe_of(verb);
-  if (!asked)
-    film.recipe = fmt::format("texture-width = {}\n", *film.moon.texture_width) + film.recipe;
+  film.recipe = with_width(recipe_of(verb), *film.moon.texture_width);
   return frames;
 }
 
@@ -184,8 +191,8 @@ void light_up(Film& film, const FilmProgress& progress) {
   auto found = film_light(film.moon.light, film.moments.frames.front(), film.moments.frames.back(),
                           {width * width / 2, reads_map(film.moon)},
                           without_the_camera(film.recipe), film.folder);
-  film.light = std::move(found.light);
-  film.recipe = with_work(film.recipe, film.light.plan.work);
+  film.light = std::make_shared<const Moonlight>(std::move(found.light));
+  film.recipe = with_work(film.recipe, film.light->plan.work);
   progress.light(found.kept,
                  std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
@@ -264,6 +271,7 @@ void add_animate(CLI::App& program) {
   verb->remove_option(verb->get_option("--unshadowed"));
   add_film_options(*verb, *options);
   add_film_files(*verb, options->files);
+  add_texture_options(*verb, options->film.content);
   add_view_options(*verb, options->film.view);
   add_develop_options(*verb, options->film.develop);
   verb->add_option("-o,--output", options->output, "the folder")->required();

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <memory>
 
 #include "algebra/error.h"
 #include "almanac/instant.h"
+#include "texture/write_glb.h"
 #include "texture/write_image.h"
-#include "verbs/moon_options.h"
+#include "texture/write_usda.h"
+#include "verbs/baked_moon.h"
+#include "verbs/develop_options.h"
 #include "verbs/recipe.h"
 #include "verbs/report.h"
 #include "verbs/verbs.h"
@@ -15,23 +20,124 @@ namespace {
 
 struct Options {
   MoonOptions moon;
-  std::string output, space = "lin_rec709", type = "half";
+  TextureOptions texture;
+  DevelopOptions develop;
+  std::vector<std::string> outputs;
   bool json = false;
 };
 
+/// One file to be written.
+struct Output {
+  std::filesystem::path path;
+  TextureOptions content;
+
+  bool ends_in(const char* ending) const { return path.extension() == ending; }
+  bool developed() const { return ends_in(".png") || ends_in(".glb"); }
+};
+
+/// In the space that the file's name says, if any.
+Output output_at(const std::string& file, const TextureOptions& asked) {
+  Output output{file, asked};
+  const auto named = colour::space_in_name(output.path.stem().string());
+  if (named && asked.space && space_of(asked) != *named)
+    throw algebra::Error(fmt::format("{}: space = {}, allowed {} as its name says, or no --space",
+                                     file, *asked.space, colour::name(*named)));
+  if (named) output.content.space = colour::name(*named);
+  if (output.ends_in(".exr")) return output;
+  output.content.passes = false;
+  output.content.spectral_nm.reset();
+  return output;
+}
+
+constexpr std::array endings{".exr", ".tx", ".png", ".glb", ".usda"};
+
+/// The .exr that stands beside a .usda.
+const Output& texture_for(const Output& scene, const std::vector<Output>& outputs) {
+  for (const auto& output : outputs)
+    if (output.ends_in(".exr") && output.path.parent_path() == scene.path.parent_path() &&
+        space_of(output.content) != colour::WorkingSpace::ciexyz_d65)
+      return output;
+  throw algebra::Error(fmt::format(
+      "{}: allowed with its texture in the same folder, as -o moon_lin_rec709.exr -o moon.usda",
+      scene.path.string()));
+}
+
+void require_sound(const Options& options, const std::vector<Output>& outputs) {
+  bool exr = false;
+  for (const auto& output : outputs) {
+    exr |= output.ends_in(".exr");
+    if (std::ranges::none_of(endings, [&](const char* ending) { return output.ends_in(ending); }))
+      throw algebra::Error(
+          fmt::format("{}: a texture ends in {}", output.path.string(), fmt::join(endings, ", ")));
+    if (output.developed()) require_sound(options.develop, output.path.stem() += ".png");
+    if (output.ends_in(".glb") && texture_width_of(options.moon) > texture::most_glb_columns)
+      throw algebra::Error(fmt::format("{}: texture width [texels] = {}, allowed to {}",
+                                       output.path.string(), texture_width_of(options.moon),
+                                       texture::most_glb_columns));
+    if (output.ends_in(".usda")) texture_for(output, outputs);
+    require_place_for(output.path);
+  }
+  require_sound(options.texture);
+  if (!exr && (options.texture.passes || options.texture.spectral_nm))
+    throw algebra::Error("passes and spectra: allowed with an output that ends in .exr");
+}
+
+/// All of a texture at once.
+texture::Image image_of(const texture::Part& part) {
+  texture::Image image(part.layout.width, part.layout.height, part.layout.channels);
+  part.rows(0, image.values);
+  return image;
+}
+
+void write_picture(const DevelopOptions& develop, const Output& output, const BakedMoon& moon) {
+  const auto image = image_of(moon.parts.front());
+  const auto space = space_of(output.content);
+  const auto exposure = exposure_for(develop, image, space);
+  if (output.ends_in(".png"))
+    return write_developed(develop, exposure, image, space, output.path, moon.attributes);
+  auto extras = moon.attributes;
+  add_exposure(extras, exposure);
+  texture::write_glb(output.path, developed(develop, exposure, image, space), extras);
+}
+
+/// Of one file alone: its own space, and no passes where it has none.
+std::string recipe_for(const TextureOptions& content, const std::string& recipe) {
+  const std::string space(colour::name(space_of(content)));
+  return fmt::format("space = \"{}\"\n", space) + without(recipe, [&](const std::string& flag) {
+           return flag == "space" || (flag == "passes" && !content.passes) ||
+                  (flag == "spectral" && !content.spectral_nm);
+         });
+}
+
+/// Returned  the recipe of that file
+std::string write(const Options& options, const std::vector<Output>& outputs, const Output& output,
+                  LitMoon moon) {
+  moon.recipe = recipe_for(output.content, moon.recipe);
+  const auto made = baked(moon, output.content);
+  if (output.ends_in(".usda")) {
+    const auto& texture = texture_for(output, outputs);
+    texture::write_usda(output.path, texture.path.filename().string(),
+                        colour::name(space_of(texture.content)), made.attributes);
+  } else if (output.developed())
+    write_picture(options.develop, output, made);
+  else if (output.ends_in(".tx"))
+    texture::write_mipmapped(output.path, made.parts.front().layout, made.parts.front().rows,
+                             made.attributes, type_of(output.content));
+  else
+    texture::write_exr(output.path, made.parts, made.attributes, {type_of(output.content)});
+  return moon.recipe;
+}
+
 void run(const CLI::App& verb, const Options& options) {
-  if (std::filesystem::path(options.output).extension() != ".exr")
-    throw algebra::Error(fmt::format("{}: a texture ends in .exr", options.output));
-  require_place_for(options.output);
-  const auto space = colour::working_space(options.space);
+  std::vector<Output> outputs;
+  for (const auto& file : options.outputs) outputs.push_back(output_at(file, options.texture));
+  require_sound(options, outputs);
   const auto sky = almanac::sky_at(almanac::instant_from_utc(options.moon.instant));
-  const auto recipe = recipe_of(verb);
-  const auto moon = baked_moon(options.moon, sky, space, {}, recipe);
-  texture::write_exr(
-      options.output, moon.layout, moon.rows, moon.attributes,
-      {options.type == "half" ? texture::ExrType::half : texture::ExrType::floating});
-  report({options.output, moon.recipe, moon.seconds(), moon.relative_error, moon.plan},
-         options.json);
+  const auto moon = lit_moon(options.moon, sky, recipe_of(verb));
+  Report made{options.outputs, {}, 0, moon.light->error_found, moon.light->plan};
+  for (const auto& output : outputs) made.recipe = write(options, outputs, output, moon);
+  made.seconds = moon.seconds();
+  report(made, options.json);
 }
 
 }  // namespace
@@ -40,11 +146,17 @@ void add_bake(CLI::App& program) {
   auto* verb =
       program.add_subcommand("bake", "The lunar texture: plate carrée, scene-linear, cd/m²");
   const auto options = std::make_shared<Options>();
+  options->develop.bits = 16;
   add_moon_options(*verb, options->moon);
-  verb->add_option("-o,--output", options->output, "the texture, .exr")->required();
-  verb->add_option("--space", options->space, "lin_rec709, acescg or lin_ciexyzd65_scene");
-  verb->add_option("--type", options->type, "of a texel's numbers: half or float")
-      ->check(CLI::IsMember({"half", "float"}));
+  verb->add_option("-o,--output", options->outputs,
+                   "the texture: .exr; .tx, tiled and mip-mapped; .png, developed; .glb, that on a "
+                   "sphere; .usda, a sphere with the .exr beside it. May be given again: one "
+                   "simulation serves all")
+      ->required()
+      ->expected(1)
+      ->take_all();
+  add_texture_options(*verb, options->texture);
+  add_develop_options(*verb, options->develop);
   verb->add_flag("--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
   verb->callback([verb, options] { run(*verb, *options); });

@@ -28,12 +28,8 @@ colour::WorkingSpace space_of(const Options& options) {
   if (!options.space.empty()) return colour::working_space(options.space);
   if (const auto told = texture::read_attribute(options.frame, "coppermoon:colour_space"))
     return colour::working_space(*told);
-  using enum colour::WorkingSpace;
   const auto stem = std::filesystem::path(options.frame).stem().string();
-  for (const auto space : {linear_rec709, acescg, ciexyz_d65})
-    for (const auto alias : colour::aliases(space))
-      if (stem.find(alias) != std::string::npos) return space;
-  return linear_rec709;
+  return colour::space_in_name(stem).value_or(colour::WorkingSpace::linear_rec709);
 }
 
 texture::Image read_silently(const std::string& frame) {

@@ -54,7 +54,8 @@ almanac::SkyState Film::sky(std::size_t frame) const {
 }
 
 std::filesystem::path Film::texture(std::size_t frame) const {
-  return folder / numbered_file(texture_stem, frame, moments.frames.size());
+  const auto space = colour::name(space_of(content));
+  return folder / numbered_file(fmt::format("moon_{}", space), frame, moments.frames.size());
 }
 
 std::filesystem::path Film::linear_frame(std::size_t frame) const {

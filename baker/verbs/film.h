@@ -10,12 +10,12 @@
 
 #include "verbs/develop_options.h"
 #include "verbs/film_times.h"
-#include "verbs/moon_options.h"
+#include "verbs/baked_moon.h"
 #include "verbs/observer_options.h"
 
 namespace coppermoon::verbs {
 
-/// What a film's textures are called, before their number.
+/// What a film's textures are called before their number where POV-Ray reads them.
 inline constexpr const char* texture_stem = "moon_lin_rec709";
 
 /// What is made of each frame.
@@ -38,18 +38,19 @@ struct Film {
   MoonOptions moon;  ///< with its texture's width
   ViewOptions view;
   DevelopOptions develop;
+  TextureOptions content;
   std::optional<double> bracket_ev;  ///< pictures so much under and over as well
   Products products;
   std::filesystem::path folder;
   Moments moments{};
   std::string recipe{};  ///< in each file's header, beside the frame's number
-  Moonlight light{};
+  std::shared_ptr<const Moonlight> light{};
   std::shared_ptr<const algebra::Grid<float>> albedo{};
   std::vector<std::pair<almanac::Instant, double>> time_keys{};  ///< exposures [s]
 
   almanac::SkyState sky(std::size_t frame) const;
 
-  /// In the folder: "moon_lin_rec709.0007.exr", "frame_lin_rec709.0007.exr", "frame.0007.png", "frame_under.0007.png".
+  /// In the folder: "moon_lin_rec709.0007.exr" (the space it is in), "frame_lin_rec709.0007.exr", "frame.0007.png", "frame_under.0007.png".
   std::filesystem::path texture(std::size_t frame) const;
   std::filesystem::path linear_frame(std::size_t frame) const;
   std::filesystem::path picture(std::size_t frame, const char* stem = "frame") const;

@@ -29,7 +29,7 @@ struct Survey {
 
   CurvePoint point(std::size_t frame) const {
     const auto sky = film.sky(frame);
-    const auto& light = range_at(film.light, sky) ? shadowed : sunlit;
+    const auto& light = range_at(*film.light, sky) ? shadowed : sunlit;
     const auto disc = measured(
         meter, texture::bake(albedo, sky, light, meter.channels, rows, photometry_of(film.moon)),
         sky);
@@ -120,7 +120,7 @@ void require_curve_ending(const std::filesystem::path& path) {
 Curve light_curve(const Film& film, const std::vector<std::size_t>& frames) {
   const auto meter = photometer();
   const Survey survey{film, meter, texture::resized(normal_albedo(film.moon), rows),
-                      film.light.in_channels(meter.weights), shadow::Lookup(meter.weights)};
+                      film.light->in_channels(meter.weights), shadow::Lookup(meter.weights)};
   Curve curve(frames.size());
   tbb::parallel_for(std::size_t{0}, frames.size(),
                     [&](std::size_t i) { curve[i] = survey.point(frames[i]); });

@@ -29,12 +29,17 @@ BakedMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& vi
                   std::size_t frame) {
   const auto extent =
       film.products.textures ? texture::Extent::whole : texture::Extent::seen_from_earth;
-  auto moon = lit_moon(film.moon, sky, space, view.sightline, film.albedo, film.light,
-                       range_at(film.light, sky), film.recipe, extent, false);
+  const LitMoon lit{
+      film.moon,   sky,           film.albedo,   film.light, range_at(*film.light, sky),
+      film.recipe, view.observer, view.sightline};
+  auto moon = baked(lit, film.content, {extent, false});
   moon.attributes["coppermoon:frame"] = fmt::format("{}", frame);
   moon.attributes["framesPerSecond"] = static_cast<float>(film.times.fps);
-  if (view.observer) add_observer(moon.attributes, *view.observer);
   return moon;
+}
+
+void write_texture(const Film& film, std::size_t frame, const BakedMoon& moon) {
+  texture::write_exr(film.texture(frame), moon.parts, moon.attributes, {type_of(film.content)});
 }
 
 /// A line between the two keys about a moment, of the logarithm; the outermost hold beyond.
@@ -99,10 +104,10 @@ void render(const Film& film, Frames frames, int threads, const Told& told) {
     const auto moon = moon_of(film, sky, view, frame);
     const auto path = texture_file(attributes.size() + 1);
     if (film.products.textures) {
-      texture::write_exr(film.texture(frame), moon.layout, moon.rows, moon.attributes);
+      write_texture(film, frame, moon);
       std::filesystem::create_symlink(std::filesystem::absolute(film.texture(frame)), path);
     } else {
-      texture::write_exr(path, moon.layout, moon.rows, moon.attributes, {.packed = false});
+      texture::write_exr(path, moon.parts, moon.attributes, {.packed = false});
     }
     sequence.cameras.push_back(view.camera);
     attributes.push_back(moon.attributes);
@@ -121,7 +126,7 @@ void render(const Film& film, Frames frames, int threads, const Told& told) {
 void bake(const Film& film, std::size_t frame, const Told& told) {
   const auto sky = film.sky(frame);
   const auto moon = moon_of(film, sky, view_of(film, sky), frame);
-  texture::write_exr(film.texture(frame), moon.layout, moon.rows, moon.attributes);
+  write_texture(film, frame, moon);
   told({frame, std::nullopt});
 }
 

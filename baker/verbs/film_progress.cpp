@@ -55,10 +55,10 @@ void FilmProgress::light(bool kept, double seconds) const {
     say({{"event", "light"},
          {"kept", kept},
          {"seconds", seconds},
-         {"error", film_.light.error_found}});
+         {"error", film_.light->error_found}});
   else if (!on_terminal_)
     say(fmt::format("light: {}, error {:.2g}", kept ? "kept" : fmt::format("{:.1f} s", seconds),
-                    film_.light.error_found));
+                    film_.light->error_found));
 }
 
 void FilmProgress::kept(std::size_t frame) { tell({frame, std::nullopt}, true); }

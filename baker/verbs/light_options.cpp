@@ -118,16 +118,17 @@ shadow::RefractedLight photons_of(const LightOptions& options, const atmosphere:
   return shadow::smoothed(light, options.smoothing_km * 1e3);
 }
 
-void require_eclipse(const almanac::SkyState& sky) {
-  const auto convention = eclipse::ShadowConvention::danjon;
-  if (eclipse::eclipse_at(sky.when, convention)) return;
-  const auto nearest = eclipse::nearest_eclipse(sky.when, convention);
-  throw algebra::Error(fmt::format(
-      "no lunar eclipse at {}; the nearest is greatest at {} (--unshadowed goes on without one)",
-      almanac::utc_text(sky.when), almanac::utc_text(nearest.greatest)));
-}
+constexpr const char* unshadowed_goes_on = " (--unshadowed goes on without one)";
 
 }  // namespace
+
+void require_eclipse(const almanac::Instant& when, const std::string& way_out) {
+  const auto convention = eclipse::ShadowConvention::danjon;
+  if (eclipse::eclipse_at(when, convention)) return;
+  throw algebra::Error(fmt::format(
+      "no lunar eclipse at {}; the nearest is greatest at {}{}", almanac::utc_text(when),
+      almanac::utc_text(eclipse::nearest_eclipse(when, convention).greatest), way_out));
+}
 
 void add_light_options(CLI::App& verb, LightOptions& options) {
   add_air_options(verb, options.air);
@@ -156,7 +157,8 @@ shadow::Arrangement arrangement_of(const LightOptions& options, double sun_dista
 shadow::RefractedLight refracted_light(const LightOptions& asked, const atmosphere::Atmosphere& air,
                                        const shadow::Arrangement& arrangement,
                                        std::span<const double> wavelengths_nm,
-                                       std::span<const double> axis_distances_m) {
+                                       std::span<const double> axis_distances_m,
+                                       std::size_t around) {
   const auto options = meant(asked);
   require_sound(options);
   auto light = [&] {
@@ -177,7 +179,8 @@ shadow::RefractedLight refracted_light(const LightOptions& asked, const atmosphe
             .work;
     ProgressBar bar(options.solver);
     return shadow::by_quadrature(air, arrangement, wavelengths_nm, axis_distances_m,
-                                 {.rays = work.rays, .sun_terms = work.sun_terms}, bar.progress());
+                                 {.rays = work.rays, .sun_terms = work.sun_terms, .around = around},
+                                 bar.progress());
   }();
   if (options.scattered_light == "on") shadow::add_twilight(light, air);
   if (options.starlight == "on") shadow::add_starlight(light);
@@ -253,9 +256,11 @@ shadow::RefractedLight light_of_work(const LightOptions& options, const Shadowed
 }  // namespace
 
 shadow::Lookup Moonlight::in_channels(const shadow::ChannelWeights& weights,
-                                      const shadow::LookupRange& within) const {
-  if (!refracted) return shadow::Lookup(weights);
-  return shadow::Lookup(*refracted, *direct, at_wavelengths(weights, plan.work.bands), within);
+                                      const shadow::LookupRange& within,
+                                      shadow::LightPart part) const {
+  if (!refracted) return shadow::Lookup(weights, part);
+  return shadow::Lookup(*refracted, *direct, at_wavelengths(weights, plan.work.bands), within,
+                        part);
 }
 
 plan::Plan planned_light(const LightOptions& asked, const almanac::SkyState& sky, bool unshadowed,
@@ -263,7 +268,7 @@ plan::Plan planned_light(const LightOptions& asked, const almanac::SkyState& sky
   const auto options = meant(asked);
   require_sound(options);
   if (unshadowed) return {};
-  require_eclipse(sky);
+  require_eclipse(sky.when, unshadowed_goes_on);
   return plan_of(options, shadowed_moon(options, sky), purpose);
 }
 
@@ -309,7 +314,7 @@ Moonlight light_on_the_moon(const LightOptions& asked, const almanac::SkyState& 
   const auto moon = shadowed_moon(options, sky);
   require_sound(options);
   if (unshadowed) return {};
-  require_eclipse(sky);
+  require_eclipse(sky.when, unshadowed_goes_on);
   auto light = refracted_light_of(options, moon, purpose);
   add_direct_light(options, moon, light);
   light.error_found = found_error(moon, light);
@@ -335,7 +340,8 @@ ShadowedMoon moon_on_its_way(const LightOptions& asked, std::span<const almanac:
   }
   const auto deepest = std::ranges::min_element(
       moon.path, {}, [](const auto& place) { return algebra::in_metres(place.axis_distance); });
-  require_eclipse(skies[static_cast<std::size_t>(deepest - moon.path.begin())]);
+  require_eclipse(skies[static_cast<std::size_t>(deepest - moon.path.begin())].when,
+                  unshadowed_goes_on);
   return moon;
 }
 

@@ -43,11 +43,13 @@ shadow::Arrangement arrangement_of(const LightOptions& options, double sun_dista
 /// or a finer tolerance.
 ///
 /// Given  axis_distances_m  for the quadrature; photons gather in rings of their own
+///        around            sectors of the quadrature, where light differs around the axis
 shadow::RefractedLight refracted_light(const LightOptions& options,
                                        const atmosphere::Atmosphere& air,
                                        const shadow::Arrangement& arrangement,
                                        std::span<const double> wavelengths_nm,
-                                       std::span<const double> axis_distances_m);
+                                       std::span<const double> axis_distances_m,
+                                       std::size_t around = shadow::sectors_around);
 
 /// The light that falls on the Moon's sphere; without `refracted` it is sunlight, as if the Earth were
 /// away.
@@ -63,7 +65,8 @@ struct Moonlight {
     return in_channels(weights, range);
   }
   shadow::Lookup in_channels(const shadow::ChannelWeights& weights,
-                             const shadow::LookupRange& within) const;
+                             const shadow::LookupRange& within,
+                             shadow::LightPart part = shadow::LightPart::all) const;
 };
 
 /// Plans and computes it.
@@ -73,6 +76,9 @@ struct Moonlight {
 ///                     unshadowed: names the nearest eclipse
 Moonlight light_on_the_moon(const LightOptions& options, const almanac::SkyState& sky,
                             bool unshadowed, const Purpose& purpose = {});
+
+/// Throws  Error  when no eclipse is under way: names the nearest, and then a way out of it
+void require_eclipse(const almanac::Instant& when, const std::string& way_out = {});
 
 /// Whether light is to be photons: whoever says how many wants them.
 bool wants_photons(const LightOptions& options);

@@ -13,6 +13,7 @@
 
 #include "almanac/instant.h"
 #include "povray_scenes/scene.h"
+#include "verbs/recipe.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -28,12 +29,6 @@ double diameter(const povray_scenes::Camera& camera) {
 }
 
 }  // namespace
-
-void add_observer(texture::Attributes& attributes, const almanac::Observer& observer) {
-  attributes["latitude"] = static_cast<float>(algebra::in_degrees(observer.latitude));
-  attributes["longitude"] = static_cast<float>(algebra::in_degrees(observer.longitude));
-  attributes["altitude"] = static_cast<float>(algebra::in_metres(observer.elevation));
-}
 
 FrameView view_for_frame(const ViewOptions& options, const almanac::SkyState& sky) {
   constexpr double visible_px = 0.25;
@@ -62,13 +57,11 @@ LitScene lit_scene(const MoonOptions& options, const ViewOptions& view, const st
   const auto sky = almanac::sky_at(almanac::instant_from_utc(options.instant));
   const auto seen = view_for_frame(view, sky).view;
   const auto moon = fitted(options, seen.camera);
-  const auto width =
-      options.texture_width ? "" : fmt::format("texture-width = {}\n", *moon.texture_width);
-  LitScene scene{baked_moon(moon, sky, colour::WorkingSpace::linear_rec709, seen.sightline,
-                            width + recipe, extent),
-                 seen};
-  if (seen.observer) add_observer(scene.moon.attributes, *seen.observer);
-  return scene;
+  auto lit = lit_moon(moon, sky, with_width(recipe, *moon.texture_width));
+  lit.observer = seen.observer;
+  lit.sightline = seen.sightline;
+  auto texture = baked(lit, {}, {extent});
+  return {std::move(lit), seen, std::move(texture)};
 }
 
 FolderLock::FolderLock(const std::filesystem::path& folder)
@@ -87,8 +80,8 @@ void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
   const bool made = std::filesystem::create_directory(folder, ignored);
   const FolderLock alone(folder);
   try {
-    texture::write_exr(folder / texture_file, scene.moon.layout, scene.moon.rows,
-                       scene.moon.attributes, options);
+    texture::write_exr(folder / texture_file, scene.texture.parts, scene.texture.attributes,
+                       options);
     write_scene(folder, pov);
   } catch (...) {
     if (made) std::filesystem::remove_all(folder, ignored);

@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "texture/write_image.h"
-#include "verbs/moon_options.h"
+#include "verbs/baked_moon.h"
 #include "verbs/observer_options.h"
 
 namespace coppermoon::verbs {
 
 /// A scene made: what it holds, and for whom.
 struct LitScene {
-  BakedMoon moon;
+  LitMoon moon;
   View view;
+  BakedMoon texture;
 };
 
 /// A view with what its frame does not show left out: the flattening of a disc by less than a quarter
@@ -43,9 +43,6 @@ FrameView view_for_frame(const ViewOptions& options, const almanac::SkyState& sk
 /// A texture without a width of its own has as many texels around the equator as the middle of the
 /// disc has pixels: π times the disc's diameter; half as many for a draft.
 MoonOptions fitted(MoonOptions moon, const povray_scenes::Camera& camera);
-
-/// Where the observer is, under OpenEXR's standard names.
-void add_observer(texture::Attributes& attributes, const almanac::Observer& observer);
 
 /// The view, and the Moon ready to be baked: all of a scene but its files.
 LitScene lit_scene(const MoonOptions& options, const ViewOptions& view, const std::string& recipe,

@@ -2,19 +2,12 @@
 #pragma once
 
 #include <CLI/App.hpp>
-#include <chrono>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
-#include "almanac/observer.h"
-#include "almanac/sky.h"
-#include "atmosphere/observer_air.h"
-#include "colour/working_space.h"
+#include "algebra/grid.h"
 #include "surface/photometry.h"
-#include "texture/bake.h"
-#include "texture/image.h"
 #include "verbs/light_options.h"
 
 namespace coppermoon::verbs {
@@ -51,38 +44,8 @@ bool reads_map(const MoonOptions& options);
 /// Throws Error as texture::read_albedo_map; when the exponent is outside 0.1 to 10
 algebra::Grid<float> normal_albedo(const MoonOptions& options);
 
-/// A Moon whose texture is baked as its rows are asked for, and what its file's header says.
-struct BakedMoon {
-  texture::Layout layout;
-  texture::Rows rows;
-  texture::Attributes attributes;
-  std::string recipe;  ///< that makes it again, with the work that was planned
-  plan::Plan plan;
-  double relative_error;
-  std::chrono::steady_clock::time_point start;
-
-  double seconds() const;  ///< since it was begun
-};
-
-/// The texture in a working space, cd/m².
-///
-/// Given   sightline  through the air of an observer, which reddens it
-///         recipe     of what was asked for
-BakedMoon baked_moon(const MoonOptions& options, const almanac::SkyState& sky,
-                     colour::WorkingSpace space,
-                     const std::optional<atmosphere::Sightline>& sightline,
-                     const std::string& recipe, texture::Extent extent = texture::Extent::whole);
-
-/// The same from an albedo map and light that are there already.
-///
-/// Given  within  what of the light the disc takes in; nothing: all is sunlight
-///        bar     whether a progress bar shows rows being baked
-BakedMoon lit_moon(const MoonOptions& options, const almanac::SkyState& sky,
-                   colour::WorkingSpace space,
-                   const std::optional<atmosphere::Sightline>& sightline,
-                   std::shared_ptr<const algebra::Grid<float>> albedo, const Moonlight& light,
-                   const std::optional<shadow::LookupRange>& within, const std::string& recipe,
-                   texture::Extent extent, bool bar);
+/// Where the map of a Moon comes from: what "auto" stands for here.
+std::string map_chosen(const MoonOptions& options);
 
 /// Throws Error when a file could not be put there: its folder is missing, or it is a folder
 /// itself. Said before the work is done.

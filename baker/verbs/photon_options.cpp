@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <sstream>
 #include <string_view>
 
 #include "algebra/error.h"
+#include "verbs/frame_range.h"
 #include "verbs/photon_sums.h"
 #include "verbs/recipe.h"
 
@@ -30,23 +30,8 @@ bool changes_photons(const CLI::App& verb, const std::string& flag) {
 
 /// Of the recipe's flags those that count, and all of its tables of air.
 std::string key_of(const CLI::App& verb) {
-  std::istringstream recipe(recipe_of(verb));
-  std::string key;
-  bool in_tables = false;
-  for (std::string line; std::getline(recipe, line);) {
-    in_tables = in_tables || line.starts_with("[");
-    if (in_tables || changes_photons(verb, line.substr(0, line.find(' ')))) key += line + "\n";
-  }
-  return key;
-}
-
-shadow::BlockRange shard_of(const std::string& text, shadow::BlockRange blocks) {
-  std::uint64_t part = 0, parts = 0;
-  const auto slash = text.find('/');
-  if (slash == std::string::npos || !CLI::detail::lexical_cast(text.substr(0, slash), part) ||
-      !CLI::detail::lexical_cast(text.substr(slash + 1), parts))
-    throw algebra::Error(fmt::format("shard = {}, allowed K/N, as 2/8", text));
-  return shadow::shard(blocks, part, parts);
+  return without(recipe_of(verb),
+                 [&](const std::string& flag) { return !changes_photons(verb, flag); });
 }
 
 std::optional<shadow::PhotonSums> added(const std::vector<std::string>& paths) {
@@ -90,8 +75,10 @@ shadow::RefractedLight light_of_photons(const PhotonOptions& options,
                                         shadow::PhotonSettings settings,
                                         const algebra::Progress& progress) {
   if (options.key) settings.key = options.key();
-  if (!options.shard.empty())
-    settings.blocks = shard_of(options.shard, shadow::blocks_of(settings.photons));
+  if (!options.shard.empty()) {
+    const auto shard = shard_from(options.shard);
+    settings.blocks = shadow::shard(shadow::blocks_of(settings.photons), shard.part, shard.parts);
+  }
   const auto before = added(options.add);
   const auto sums = shadow::traced(air, arrangement, wavelengths_nm, settings,
                                    before ? &*before : nullptr, progress);

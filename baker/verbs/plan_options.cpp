@@ -12,6 +12,7 @@
 
 #include "algebra/error.h"
 #include "verbs/number_with_unit.h"
+#include "verbs/recipe.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -130,14 +131,9 @@ std::string with_work(const std::string& recipe, const plan::Work& work) {
   const bool photons = work.method != plan::Method::quadrature;
   text += fmt::format("solver = \"{}\"\n", photons ? "photons" : "quadrature");
   if (photons) text += fmt::format("photons = {}\n", work.photons);
-  std::istringstream lines(recipe);
-  bool in_tables = false;
-  for (std::string line; std::getline(lines, line);) {
-    in_tables = in_tables || line.starts_with("[");
-    const auto key = line.substr(0, line.find(' '));
-    if (in_tables || std::ranges::find(replaced, key) == replaced.end()) text += line + "\n";
-  }
-  return text;
+  return text + without(recipe, [&](const std::string& flag) {
+           return std::ranges::find(replaced, flag) != replaced.end();
+         });
 }
 
 }  // namespace coppermoon::verbs

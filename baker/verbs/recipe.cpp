@@ -143,7 +143,7 @@ std::vector<std::string> with_recipe(const CLI::App& verb, std::vector<std::stri
   if (!taken_recipe(mine).empty()) throw UnknownWord("--recipe: given twice, allowed once");
   const std::string flag = flag_of_positional(verb);
   if (const auto own = positional(verb, mine); own != mine.end() && !flag.empty()) {
-    if (path.empty() && (flag == "--instant" || flag == "--eclipse") && own->ends_with(".exr")) {
+    if (path.empty() && (flag == "--instant" || flag == "--eclipse") && holds_recipe(*own)) {
       path = *own;
       mine.erase(own);
     } else if (!path.empty()) {
@@ -189,10 +189,27 @@ std::string recipe_of(const CLI::App& verb) {
   return text + tables;
 }
 
+std::string without(const std::string& recipe,
+                    const std::function<bool(const std::string& flag)>& dropped) {
+  std::istringstream lines(recipe);
+  std::string left;
+  bool in_tables = false;
+  for (std::string line; std::getline(lines, line);) {
+    in_tables = in_tables || line.starts_with("[");
+    if (in_tables || !dropped(line.substr(0, line.find(' ')))) left += line + "\n";
+  }
+  return left;
+}
+
+std::string with_width(const std::string& recipe, std::size_t width) {
+  return fmt::format("texture-width = {}\n", width) +
+         without(recipe, [](const std::string& flag) { return flag == "texture-width"; });
+}
+
 void add_recipe_option(CLI::App& verb) {
   verb.add_option_function<std::string>(
       "--recipe", [](const std::string&) {},
-      "TOML file of flags without their dashes, or an .exr made by coppermoon");
+      "TOML file of flags without their dashes, or an .exr, .tx or .png made by coppermoon");
 }
 
 }  // namespace coppermoon::verbs

@@ -2,13 +2,15 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace coppermoon::verbs {
 
-/// A command line with its recipes put in: `--recipe file.toml` (or the .exr that coppermoon made,
-/// by that flag or in the instant's place) becomes the flags it names, right behind the verb, so
+/// A command line with its recipes put in: `--recipe file.toml` (or a picture that coppermoon
+/// made, by that flag or in the instant's place) becomes the flags it names, right behind the verb, so
 /// that the user's own flags come later and win.
 ///
 /// Given     arguments  without the program's name
@@ -22,6 +24,13 @@ std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::
 ///
 /// Throws  algebra::Error  when a region cannot be understood
 std::string recipe_of(const CLI::App& verb);
+
+/// A recipe without some of the flags that stand above its tables.
+std::string without(const std::string& recipe,
+                    const std::function<bool(const std::string& flag)>& dropped);
+
+/// A recipe with a texture's width in place of any that it has.
+std::string with_width(const std::string& recipe, std::size_t width);
 
 /// The option that takes a recipe; read by with_recipes before any other.
 void add_recipe_option(CLI::App& verb);

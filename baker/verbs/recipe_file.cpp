@@ -12,6 +12,8 @@
 
 #include "algebra/error.h"
 #include "texture/read_image.h"
+#include "texture/write_glb.h"
+#include "texture/write_usda.h"
 #include "verbs/air_options.h"
 #include "verbs/known_words.h"
 #include "verbs/one_line.h"
@@ -58,8 +60,11 @@ std::string beginning_of(const std::string& path) {
 }
 
 std::string recipe_text(const std::string& path) {
-  if (std::filesystem::path(path).extension() != ".exr") return beginning_of(path);
-  const auto text = texture::read_attribute(path, "coppermoon:recipe");
+  if (!holds_recipe(path)) return beginning_of(path);
+  const auto ending = std::filesystem::path(path).extension();
+  const auto text = ending == ".glb"    ? texture::recipe_in_glb(path)
+                    : ending == ".usda" ? texture::recipe_in_usda(path)
+                                        : texture::read_attribute(path, "coppermoon:recipe");
   if (!text) throw algebra::Error(fmt::format("{}: has no recipe in its header", path));
   return *text;
 }
@@ -120,7 +125,7 @@ struct Reading {
   const CLI::App& verb;
   const std::string& path;
   /// A recipe that another verb wrote into a file may know more than this one asks for.
-  bool lenient = std::filesystem::path(path).extension() == ".exr";
+  bool lenient = holds_recipe(path);
 
   bool heeds(const std::vector<std::string>& keys, const std::string& flag) const {
     return holds(keys, flag) && !holds(no_part_of_recipes(), flag);
@@ -262,9 +267,16 @@ bool names(const std::vector<std::string>& arguments, const std::string& flag) {
 
 }  // namespace
 
+bool holds_recipe(const std::filesystem::path& path) {
+  const auto ending = path.extension();
+  return ending == ".exr" || ending == ".tx" || ending == ".png" || ending == ".glb" ||
+         ending == ".usda";
+}
+
 std::vector<std::string> no_part_of_recipes() {
-  return {"help", "recipe", "json",  "output", "threads", "frame",         "plot",  "shard",
-          "keep", "add",    "range", "make",   "movie",   "contact-sheet", "curve", "composite"};
+  return {"help",  "recipe",        "json",  "output",    "threads", "frame",
+          "plot",  "shard",         "keep",  "add",       "range",   "make",
+          "movie", "contact-sheet", "curve", "composite", "lookup"};
 }
 
 std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path,

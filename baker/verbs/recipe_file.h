@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,11 @@ namespace coppermoon::verbs {
 /// those that a stranger's header holds are passed over.
 std::vector<std::string> no_part_of_recipes();
 
-/// The flags that a recipe names, a TOML file or the header of an .exr that coppermoon made. The
+/// Whether a file is one that coppermoon made, by its ending: it holds its recipe.
+bool holds_recipe(const std::filesystem::path& path);
+
+/// The flags that a recipe names, a TOML file or what a file that coppermoon
+/// made holds. The
 /// table [atmosphere] holds flags of the Earth's air, its own called `model`, and regions as
 /// [[atmosphere.region]].
 ///

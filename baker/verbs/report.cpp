@@ -2,6 +2,7 @@
 #include "verbs/report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <sstream>
@@ -29,7 +30,9 @@ nlohmann::ordered_json as_json(const plan::Plan& plan) {
 
 void report(const Report& made, bool json) {
   if (!json) {
-    fmt::print("{}: {:.1f} s, error {:.2g}\n", one_line(made.file), made.seconds,
+    std::vector<std::string> names;
+    for (const auto& file : made.files) names.push_back(one_line(file));
+    fmt::print("{}: {:.1f} s, error {:.2g}\n", fmt::join(names, ", "), made.seconds,
                made.relative_error);
     if (!made.plan.gave_way.empty())
       fmt::print(stderr,
@@ -37,7 +40,12 @@ void report(const Report& made, bool json) {
                  made.plan.error);
     return;
   }
-  nlohmann::ordered_json all{{"file", made.file}, {"chosen", as_json(made.recipe)}};
+  nlohmann::ordered_json all;
+  if (made.files.size() == 1)
+    all["file"] = made.files.front();
+  else
+    all["files"] = made.files;
+  all["chosen"] = as_json(made.recipe);
   all.update(as_json(made.plan));
   all["reached"] = {{"seconds", made.seconds}, {"error", made.relative_error}};
   fmt::print("{}\n", all.dump(2));

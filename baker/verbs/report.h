@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "plan/plan.h"
 
@@ -10,13 +11,14 @@ namespace coppermoon::verbs {
 
 /// What a verb that made a file has to say.
 struct Report {
-  std::string file, recipe;
+  std::vector<std::string> files;
+  std::string recipe;
   double seconds, relative_error;
   plan::Plan plan;
 };
 
-/// On stdout: one line, or one JSON document with the keys file, chosen, left_out, predicted and
-/// reached.
+/// On stdout: one line, or one JSON document with the keys file (files where there are several),
+/// chosen, left_out, predicted and reached.
 void report(const Report& made, bool json);
 
 /// A recipe as JSON.

@@ -26,8 +26,11 @@ void run(const CLI::App& verb, const Options& options) {
   const auto recipe = recipe_of(verb);
   const auto scene = lit_scene(options.moon, options.view, recipe);
   write_lit_scene(folder, scene);
-  report({options.output, scene.moon.recipe, scene.moon.seconds(), scene.moon.relative_error,
-          scene.moon.plan},
+  report({{options.output},
+          scene.moon.recipe,
+          scene.moon.seconds(),
+          scene.moon.light->error_found,
+          scene.moon.light->plan},
          options.json);
 }
 

@@ -17,13 +17,14 @@
 #include "verbs/moon_options.h"
 #include "verbs/number_list.h"
 #include "verbs/recipe.h"
+#include "verbs/shadow_strip.h"
 #include "verbs/verbs.h"
 
 namespace coppermoon::verbs {
 namespace {
 
 struct Options {
-  std::string instant, plot, wavelengths = "450,550,650", axis_distances;
+  std::string instant, plot, lookup, wavelengths = "450,550,650", axis_distances;
   LightOptions light;
   std::optional<double> moon_distance_km, sun_distance_km, position_angle_deg;
   bool json = false;
@@ -53,6 +54,7 @@ struct Across {
 struct Cut {
   double sun_distance_m, depth_m;
   algebra::Angle sun_declination{};  ///< of an equinox, where no moment is given
+  std::optional<almanac::SkyState> sky{};
 };
 
 Cut cut_of(const Options& options) {
@@ -70,7 +72,7 @@ Cut cut_of(const Options& options) {
                     "far the shadow is cut",
                     options.instant));
   return {options.sun_distance_km.value_or(algebra::in_kilometres(axis.sun_distance)) * 1e3,
-          options.moon_distance_km.value_or(depth_km) * 1e3, axis.sun_declination};
+          options.moon_distance_km.value_or(depth_km) * 1e3, axis.sun_declination, sky};
 }
 
 std::vector<double> distances_of(const Options& options, const atmosphere::Atmosphere& air,
@@ -187,12 +189,27 @@ std::string plot_script(const Across& result) {
   return script + "\n";
 }
 
-void run(const Options& options) {
+/// Where no distance is given, the plane stands in the middle of the ground that is lit.
+void make_lookup(const Options& options, StripShadow shadow, const std::string& recipe) {
+  if (!options.moon_distance_km)
+    shadow.arrangement.depths_m[0] -= algebra::in_metres(almanac::lunar_radius) / 2;
+  const auto facts = write_shadow_strip(options.lookup, shadow, options.light, recipe);
+  if (options.json)
+    fmt::print("{}\n", facts.dump(2));
+  else
+    fmt::print("{}: {} x {} texels, {:.2f} km each, to {:.0f} km from the axis\n", options.lookup,
+               facts["columns"].get<int>(), facts["rows"].get<int>(),
+               facts["step_km"].get<double>(), facts["end_km"].get<double>());
+}
+
+void run(const CLI::App& verb, const Options& options) {
   if (!options.plot.empty()) require_place_for(options.plot);
   const auto start = std::chrono::steady_clock::now();
   const auto cut = cut_of(options);
   const auto air = atmosphere_of(options.light.air, cut.sun_declination);
   const auto arrangement = arrangement_of(options.light, cut.sun_distance_m, {cut.depth_m});
+  if (!options.lookup.empty())
+    return make_lookup(options, {air, arrangement, cut.sky}, recipe_of(verb));
   const auto result = across(options, air, arrangement);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -232,10 +249,14 @@ void add_shadow(CLI::App& program) {
                    "of all")
       ->check(CLI::Range(0., 360.));
   verb->add_option("--plot", options->plot, "a .png that gnuplot draws");
+  verb->add_option("--lookup", options->lookup,
+                   "a strip for shaders instead, .exr or .cube, and a .json beside it: light of "
+                   "linear Rec.709 over sunlight, by distance from the axis and position angle")
+      ->excludes("--plot");
   verb->add_flag("--json", options->json, "one JSON document on stdout");
   add_light_options(*verb, options->light);
   add_recipe_option(*verb);
-  verb->callback([options] { run(*options); });
+  verb->callback([verb, options] { run(*verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -85,17 +85,24 @@ void into_gamut_or_black(colour::WorkingSpace space, std::span<double> channels)
     colour::into_gamut(space, channels);
 }
 
-algebra::Grid<double> moonlight_weights(const algebra::Grid<double>& response,
-                                        const std::optional<atmosphere::Sightline>& sightline) {
+algebra::Grid<double> white_ground_weights(const algebra::Grid<double>& response,
+                                           const std::optional<atmosphere::Sightline>& sightline) {
   const auto sunlight = photons::solar_irradiance(band_edges_nm());
   const auto centres = band_centres_nm();
-  const auto reflectance = lunar_reflectance();
   algebra::Grid<double> weights = response;
   for (std::size_t b = 0; b < centres.size(); ++b) {
-    const double air = transmittance(sightline, centres[b]);
-    for (std::size_t c = 0; c < weights.rows(); ++c)
-      weights(c, b) *= sunlight[b] * reflectance[b] / std::numbers::pi * air;
+    const double seen = sunlight[b] / std::numbers::pi * transmittance(sightline, centres[b]);
+    for (std::size_t c = 0; c < weights.rows(); ++c) weights(c, b) *= seen;
   }
+  return weights;
+}
+
+algebra::Grid<double> moonlight_weights(const algebra::Grid<double>& response,
+                                        const std::optional<atmosphere::Sightline>& sightline) {
+  const auto reflectance = lunar_reflectance();
+  auto weights = white_ground_weights(response, sightline);
+  for (std::size_t c = 0; c < weights.rows(); ++c)
+    for (std::size_t b = 0; b < weights.columns(); ++b) weights(c, b) *= reflectance[b];
   return weights;
 }
 

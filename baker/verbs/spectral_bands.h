@@ -32,15 +32,22 @@ algebra::Grid<double> at_wavelengths(const algebra::Grid<double>& weights, int c
 /// as cubics through noise may leave, is black; others are brought into the gamut.
 void into_gamut_or_black(colour::WorkingSpace space, std::span<double> channels);
 
-/// What a white ground that faces the Sun at 1 au makes of sunlight in some channels, band by band,
-/// were it as reddish as the Moon and as bright as its normal albedo in V says:
+/// What a white diffuse ground that faces the Sun at 1 au makes of sunlight in some channels, band by
+/// band:
 ///
-///     w = C E k_r / (π k_V)        k_V: k_r averaged over the Sun's light as the eye sees it
+///     w = C E / π
 ///
 /// Given     response   C, [channel][band]: of radiance, in the channel's unit per W m⁻² sr⁻¹ nm⁻¹
-///           sightline  through an observer's air, which reddens the Moon (see
+///           sightline  through an observer's air, which reddens it (see
 ///                      atmosphere::transmittance_above); none: seen from space
 /// Returned  w          [channel][band]
+algebra::Grid<double> white_ground_weights(
+    const algebra::Grid<double>& response,
+    const std::optional<atmosphere::Sightline>& sightline = {});
+
+/// The same were the ground as reddish as the Moon, and as bright as its normal albedo in V says:
+///
+///     w = C E k_r / (π k_V)        k_V: k_r averaged over the Sun's light as the eye sees it
 algebra::Grid<double> moonlight_weights(const algebra::Grid<double>& response,
                                         const std::optional<atmosphere::Sightline>& sightline = {});
 

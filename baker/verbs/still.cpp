@@ -45,14 +45,18 @@ void run(const CLI::App& verb, const Options& options) {
   const auto [frame, seconds] = rendered(scene);
   const auto exposure = exposure_for(options.develop, frame, space);
   if (!options.frame.empty()) {
-    auto attributes = scene.moon.attributes;
+    auto attributes = scene.texture.attributes;
     add_exposure(attributes, exposure);
     texture::write_exr(options.frame, frame, attributes);
   }
   write_developed(options.develop, exposure, frame, space, options.output,
                   {{"coppermoon:recipe", scene.moon.recipe},
                    {"coppermoon:version", std::string(COPPERMOON_VERSION)}});
-  report({options.output, scene.moon.recipe, seconds, scene.moon.relative_error, scene.moon.plan},
+  report({{options.output},
+          scene.moon.recipe,
+          seconds,
+          scene.moon.light->error_found,
+          scene.moon.light->plan},
          options.json);
 }
 

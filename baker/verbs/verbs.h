@@ -13,6 +13,7 @@ void add_plan(CLI::App& program);
 void add_shadow(CLI::App& program);
 void add_brightness(CLI::App& program);
 void add_bake(CLI::App& program);
+void add_ring(CLI::App& program);
 void add_scene(CLI::App& program);
 void add_still(CLI::App& program);
 void add_animate(CLI::App& program);

@@ -41,7 +41,7 @@ struct Scene {
     return shadow::Lookup(refracted, shadow::DirectLight({}, refracted.arrangement, waves), each);
   }
 
-  texture::Rows lit() const { return texture::lit_rows(albedo, sky, light, rows, photometry); }
+  texture::Rows lit() const { return texture::lit_rows(albedo, sky, light, rows, {photometry}); }
 };
 
 const Scene& scene() {

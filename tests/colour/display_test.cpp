@@ -9,6 +9,7 @@
 #include <fstream>
 #include <functional>
 #include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <random>
@@ -37,6 +38,23 @@ Image image_of(const std::vector<Rgb>& colours) {
 
 float grey_shown(float grey, const Development& development) {
   return developed(image_of({{grey, grey, grey}}), linear_rec709, development)(0, 0)[1];
+}
+
+/// XYZ of a display's red, green and blue, one column each: from the chromaticities (x, y) of its
+/// primaries and its white, whose Y is 1.
+glm::dmat3 xyz_from_primaries(const glm::dvec2 (&primaries)[3], const glm::dvec2& white) {
+  const auto xyz = [](const glm::dvec2& c) { return glm::dvec3(c.x, c.y, 1 - c.x - c.y) / c.y; };
+  const glm::dmat3 of_unit_luminance(xyz(primaries[0]), xyz(primaries[1]), xyz(primaries[2]));
+  const glm::dvec3 luminance = glm::inverse(of_unit_luminance) * xyz(white);
+  return {luminance.x * of_unit_luminance[0], luminance.y * of_unit_luminance[1],
+          luminance.z * of_unit_luminance[2]};
+}
+
+/// Displays of 100 cd/m² or so: those that have the view Filmic.
+std::vector<std::string> standard_dynamic_range() {
+  auto names = displays();
+  std::erase(names, "Rec.2100-PQ");
+  return names;
 }
 
 std::string text_of(const std::filesystem::path& path) {
@@ -131,10 +149,10 @@ TEST(Display, ShowsAPictureAsItShowsItsPixels) {
 }
 
 TEST(Display, HasTheViewsItPromises) {
-  EXPECT_EQ(views(),
-            (std::vector<std::string>{"Un-tone-mapped", "ACES 1.0 SDR Video", "Log", "Raw"}));
-  EXPECT_EQ(displays(),
-            (std::vector<std::string>{"sRGB", "Rec.1886 Rec.709", "P3-D65", "Rec.2100-PQ"}));
+  EXPECT_EQ(views(), (std::vector<std::string>{"Un-tone-mapped", "ACES 1.0 SDR Video", "Filmic",
+                                               "Log", "Raw"}));
+  EXPECT_EQ(displays(), (std::vector<std::string>{"sRGB", "Rec.1886 Rec.709", "P3-D65",
+                                                  "Display P3", "Rec.2100-PQ"}));
 }
 
 TEST(Display, ShowsEveryViewOfEveryDisplay) {
@@ -151,11 +169,88 @@ TEST(Display, CodesPqByTheFormulaOfTheStandard) {
                 "the curve is tabulated");
 }
 
+TEST(Display, CodesDisplayP3ByItsDefinition) {
+  // SMPTE EG 432-1's primaries, D65 as in IEC 61966-2-1, and that standard's curve.
+  const auto xyz_from_p3 =
+      xyz_from_primaries({{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}}, {0.3127, 0.3290});
+  for (const glm::dvec3 p3 : {glm::dvec3(1, 1, 1), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0),
+                              glm::dvec3(0, 0, 1), glm::dvec3(0.8, 0.2, 0.002)}) {
+    const glm::vec3 xyz(xyz_from_p3 * p3);
+    const auto shown =
+        developed(image_of({{xyz.x, xyz.y, xyz.z}}), ciexyz_d65, {.display = "Display P3"})(0, 0);
+    for (int i = 0; i < 3; ++i)
+      EXPECT_WITHIN(shown[static_cast<std::size_t>(i)], srgb_code(p3[i]), 5e-5,
+                    "the configuration's matrices are floats, and a code near 0 is 13 times light");
+  }
+}
+
+constexpr double filmic_brightest = 2, filmic_darkest = 0x1p-16;
+
+TEST(Filmic, ShowsBothEndsOfTheStopsItStates) {
+  EXPECT_NE(config_text().find("17 stops, from 2 down to 2^-16"), std::string_view::npos);
+  for (const auto& display : standard_dynamic_range())
+    for (const double end : {filmic_brightest, filmic_darkest}) {
+      const float code =
+          grey_shown(static_cast<float>(end), {.view = "Filmic", .display = display});
+      EXPECT_TRUE(code > 0.05f && code < 0.95f) << display << ", " << end << ": " << code;
+    }
+}
+
+TEST(Filmic, ShowsMoreLightBrighter) {
+  std::vector<Rgb> greys;
+  for (float light = 0x1p-20f; light < 4; light *= 1.02f) greys.push_back({light, light, light});
+  for (const auto& display : standard_dynamic_range()) {
+    const auto shown =
+        developed(image_of(greys), linear_rec709, {.view = "Filmic", .display = display});
+    for (std::size_t i = 1; i < greys.size(); ++i)
+      EXPECT_GT(shown(0, i)[1], shown(0, i - 1)[1]) << display << ", " << greys[i][1];
+  }
+}
+
+TEST(Filmic, EndsInBlackAndWhite) {
+  for (const auto& display : standard_dynamic_range()) {
+    const Development filmic{.view = "Filmic", .display = display};
+    EXPECT_WITHIN(grey_shown(0, filmic), 0, 1e-6, "floats");
+    for (const float bright : {16.0f, 1000.0f, 65504.0f})
+      EXPECT_WITHIN(grey_shown(bright, filmic), 1, 1e-5, "the display's matrices are floats");
+  }
+}
+
+TEST(Filmic, KeepsEveryColourWithinTheDisplay) {
+  std::vector<Rgb> colours;
+  for (int stops = -20; stops <= 6; ++stops)
+    for (const Rgb& c :
+         {Rgb{1, 0.1f, 0.003f}, Rgb{1, 0, 0}, Rgb{0.1f, 0.3f, 1}, Rgb{1, 0.2f, -0.02f}})
+      colours.push_back(
+          {std::ldexp(c[0], stops), std::ldexp(c[1], stops), std::ldexp(c[2], stops)});
+  const auto shown = developed(image_of(colours), linear_rec709, {.view = "Filmic"});
+  for (const Rgb& colour : shown.values())
+    for (const float code : colour) EXPECT_WITHIN(code, 0.5, 0.5 + 1e-5, "matrices of floats");
+}
+
+TEST(Filmic, KeepsTheHueOfTheUmbraAndMostOfItsRed) {
+  // Hue, as in HSV: where the middle channel stands between the least and the greatest.
+  // Saturation, 1 - least / greatest, is 0.95 of what it was.
+  const auto linear = [](double code) {
+    return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+  };
+  for (int stops = -12; stops <= 0; stops += 3) {
+    const float light = std::ldexp(1.0f, stops);
+    const Rgb umbra{light, 0.12f * light, 0.02f * light};
+    const auto shown = developed(image_of({umbra}), linear_rec709, {.view = "Filmic"})(0, 0);
+    const double r = linear(shown[0]), g = linear(shown[1]), b = linear(shown[2]);
+    EXPECT_WITHIN((g - b) / (r - b), 0.10 / 0.98, 2e-3, "five digits of codes as low as 0.02");
+    EXPECT_WITHIN(1 - b / r, 0.95 * 0.98, 2e-3, "five digits of codes as low as 0.02");
+  }
+}
+
 TEST(Display, NamesTheViewsWhenItHasNoSuchView) {
-  EXPECT_EQ(error_of([] { grey_shown(1, {.view = "Filmic"}); }),
-            R"(view "Filmic", allowed "Un-tone-mapped", "ACES 1.0 SDR Video", "Log", "Raw")");
-  EXPECT_EQ(error_of([] { grey_shown(1, {.display = "CRT"}); }),
-            R"(display "CRT", allowed "sRGB", "Rec.1886 Rec.709", "P3-D65", "Rec.2100-PQ")");
+  EXPECT_EQ(
+      error_of([] { grey_shown(1, {.view = "Sepia"}); }),
+      R"(view "Sepia", allowed "Un-tone-mapped", "ACES 1.0 SDR Video", "Filmic", "Log", "Raw")");
+  EXPECT_EQ(
+      error_of([] { grey_shown(1, {.display = "CRT"}); }),
+      R"(display "CRT", allowed "sRGB", "Rec.1886 Rec.709", "P3-D65", "Display P3", "Rec.2100-PQ")");
   EXPECT_EQ(error_of([] { views("CRT"); }), error_of([] { grey_shown(1, {.display = "CRT"}); }));
 }
 

@@ -155,8 +155,8 @@ TEST_F(BadInput, ASceneInThePlaceOfAFileIsRefused) {
                  {"scene: is no directory"});
 }
 
-TEST_F(BadInput, ATextureThatIsNoExrIsRefused) {
-  expect_refused(bake({"-o", "moon.png"}), could_not, {"moon.png", ".exr"});
+TEST_F(BadInput, ATextureOfAnotherEndingIsRefused) {
+  expect_refused(bake({"-o", "moon.jpg"}), could_not, {"moon.jpg", ".exr"});
 }
 
 TEST_F(BadInput, AFullDiskIsAnErrorAndLeavesNothing) {

@@ -43,5 +43,24 @@ TEST_F(SceneFolder, IsWrittenOverAnOldOne) {
   EXPECT_EQ(text_of(here("scene/moon_lin_rec709.exr")), before);
 }
 
+TEST_F(SceneFolder, IsMadeAgainFromItsTexture) {
+  write_scene();
+  expect_done(coppermoon({"scene", "scene/moon_lin_rec709.exr", "-o", "again"}));
+  for (const char* file : {"moon_lin_rec709.exr", "eclipse.pov", "eclipse.ini"})
+    EXPECT_EQ(text_of(here("again") / file), text_of(here("scene") / file)) << file;
+}
+
+TEST_F(SceneFolder, OfAStillIsMadeAgainFromItsPicture) {
+  const std::vector<std::string> still{"still",        "2008-02-21T03:26:05Z",
+                                       "--at",         "42.86,-73.77",
+                                       "--albedo-map", "built-in",
+                                       "--width",      "32",
+                                       "--height",     "24",
+                                       "-o",           "still.png"};
+  expect_done(coppermoon(still));
+  expect_done(coppermoon({"still", "still.png", "-o", "again.png"}));
+  EXPECT_EQ(text_of(here("again.png")), text_of(here("still.png")));
+}
+
 }  // namespace
 }  // namespace coppermoon::end_to_end

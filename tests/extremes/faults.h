@@ -50,13 +50,23 @@ class Faults : public end_to_end::ProgramTest {
     return false;
   }
 
+  /// What stands in the temporary folder; also what goes while it is read.
+  std::set<std::string> temporaries() const {
+    std::set<std::string> names;
+    try {
+      for (const auto& name : listing())
+        if (name.starts_with("tmp")) names.insert(name);
+    } catch (const fs::filesystem_error& gone) {
+      names.insert(gone.what());
+    }
+    return names;
+  }
+
   /// What is left in the temporary folder once all have gone, for ten seconds at most.
   std::set<std::string> left_behind() const {
     std::set<std::string> left;
     for (int tenths = 0; tenths < 100; ++tenths) {
-      left.clear();
-      for (const auto& name : listing())
-        if (name.starts_with("tmp")) left.insert(name);
+      left = temporaries();
       if (left.empty() && !any_at_work()) return left;
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }

@@ -178,6 +178,20 @@ std::string random_photons(Random& random) {
                      number(1, most)(random));
 }
 
+/// What a baked texture holds: from numbers of its own, so that all else of a recipe stays as it was.
+std::string random_texture(std::uint64_t index) {
+  Random random(seed + 1, index);
+  std::string text;
+  if (random.uniform() < 0.2)
+    text += fmt::format("space = {}\n", word("acescg", "lin_ciexyzd65_scene", "srgb")(random));
+  if (random.uniform() < 0.2) text += fmt::format("type = {}\n", word("half", "float")(random));
+  if (random.uniform() < 0.2)
+    text += fmt::format("spectral = {}\n",
+                        one_of(random, std::array{"1", "7", "10", "40", "100", "400"}));
+  if (random.uniform() < 0.2) text += "passes = true\n";
+  return text;
+}
+
 struct Recipe {
   Verb verb;
   std::string text;
@@ -190,6 +204,7 @@ Recipe random_recipe(std::uint64_t index) {
   while (chosen + 1 < verbs.size() && which >= verbs[chosen].chance)
     which -= verbs[chosen++].chance;
   Recipe recipe{verbs[chosen], fmt::format("instant = {}\n", random_instant(random))};
+  if (recipe.verb.name == std::string("bake")) recipe.text += random_texture(index);
   for (const auto& key : keys())
     if (std::string_view(recipe.verb.groups).find(key.of) != std::string_view::npos &&
         random.uniform() < key.chance)

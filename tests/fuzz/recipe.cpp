@@ -14,6 +14,7 @@ fuzz::Words command(std::size_t chosen, const std::string& recipe) {
                                           {"still", instant, "-o", "a.png"},
                                           {"plan", instant},
                                           {"shadow", instant},
+                                          {"ring", instant, "-o", "a.exr"},
                                           {"brightness", instant},
                                           {"sky", instant},
                                           {"almanac", "--from=2008-01-01", "--to=2009-01-01"},

@@ -3,6 +3,7 @@ cmake_minimum_required(VERSION 3.25)
 # Nothing stands at the top level but what is listed here; dot files and build folders apart.
 #   cmake -DROOT=<source folder> -P top_level.cmake
 set(listed CHANGELOG.md CMakeLists.txt CMakePresets.json CONTRIBUTING.md LICENSE README.md packages.debian
+    packages.hand_off.debian
     baker colour examples povray_scenes tests)
 file(GLOB found LIST_DIRECTORIES true RELATIVE ${ROOT} ${ROOT}/*)
 list(FILTER found EXCLUDE REGEX "^(\\.|build)")

@@ -197,25 +197,91 @@ TEST(Frame, ShowsAFlattenedDiscAsAnEllipseTowardsTheZenith) {
   EXPECT_WITHIN(mixed / across, 0, 1e-3, "limb pixels are means of 25 rays");
 }
 
-TEST(CoppermoonInc, GivesTheMoonAndThePlacesOfOurOwnScenes) {
+/// The frame of a scene written by hand, of the camera's size, with the pattern for its texture.
+Luminance frame_by_hand(const Camera& camera, const std::string& scene) {
   const TemporaryFolder folder;
-  const auto camera =
-      Camera{{200 * std::cos(0.1), 0, 200 * std::sin(0.1)}, {0, 0, 1}, degrees(0.7), 240, 200};
   write_scene(folder.path, {.camera = camera, .texture = "moon.exr"});
   std::filesystem::copy(std::filesystem::path(COPPERMOON_INC_FOLDER) / "coppermoon.inc",
                         folder.path);
   std::ofstream(folder.path / "eclipse.pov")
       << "#version 3.7; global_settings { assumed_gamma 1.0 }\n#include \"coppermoon.inc\"\n"
-         "camera { location 200*Coppermoon_Place(degrees(0.1), 0) right x*240/200 up y sky y\n"
-         "angle 0.7 look_at 0 }\nobject { Coppermoon_Moon(\"moon.exr\", 0.5) }\n";
+      << scene;
   texture_with(pattern).write((folder.path / "moon.exr").string());
-  const Luminance frame(render(folder.path));
+  return Luminance(render(folder.path));
+}
+
+void expect_pattern_in(const Luminance& frame, const Camera& camera) {
   for (const auto& texel : pattern) {
     const auto expected = *pixel_of(camera, centre(texel));
     const auto spot = spot_near(frame, expected);
     EXPECT_WITHIN(spot.centroid.x, expected.x, 0.25, "0.05 pixel rays, spots of about a pixel");
     EXPECT_WITHIN(spot.centroid.y, expected.y, 0.25, "0.05 pixel rays, spots of about a pixel");
   }
+}
+
+TEST(CoppermoonInc, GivesTheMoonAndThePlacesOfOurOwnScenes) {
+  const auto camera =
+      Camera{{200 * std::cos(0.1), 0, 200 * std::sin(0.1)}, {0, 0, 1}, degrees(0.7), 240, 200};
+  const auto frame = frame_by_hand(
+      camera,
+      "camera { location 200*Coppermoon_Place(degrees(0.1), 0) right x*240/200 up y sky y\n"
+      "angle 0.7 look_at 0 }\nobject { Coppermoon_Moon(\"moon.exr\", 0.5) }\n");
+  expect_pattern_in(frame, camera);
+}
+
+/// A camera in the Moon's own frame that sees what an observer sees: the place under him in the
+/// middle, and north turned from the top of the picture anticlockwise, towards the left.
+Camera seen_by_observer(double latitude_deg, double longitude_deg, double axis_angle_deg) {
+  const auto toward = almanac::selenographic_direction(place(latitude_deg, longitude_deg));
+  const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), toward));
+  const glm::dvec3 north = glm::cross(toward, right);
+  const double turn = degrees(axis_angle_deg).si();
+  return {221. * toward, std::cos(turn) * north + std::sin(turn) * right, degrees(0.7), 240, 200};
+}
+
+TEST(CoppermoonInc, TurnsTheMoonAsAnObserverSeesItWithEastLeftOfNorth) {
+  // North of the Moon a quarter to the east, as eastern libration and northern are in the middle.
+  const auto camera = seen_by_observer(5, -7, 90);
+  const auto north = *pixel_of(camera, place(60, -7));
+  EXPECT_LT(north.x, 80) << "east is left when north is up";
+  EXPECT_WITHIN(north.y, 100, 1, "a quarter turn puts the pole level with the middle");
+  expect_pattern_in(frame_by_hand(camera,
+                                  "Coppermoon_Telescope(0, 221*z, y, 0.7)\n"
+                                  "object { Coppermoon_Moon(\"moon.exr\", 1)\n"
+                                  "Coppermoon_Turn(5, -7, 90, -z, y) translate 221*z }\n"),
+                    camera);
+}
+
+TEST(CoppermoonInc, PutsAMoonOfAnyRadiusAnywhere) {
+  const auto camera = seen_by_observer(-6, 4, 25);
+  expect_pattern_in(
+      frame_by_hand(camera,
+                    "#declare Eye = <3000, -200, 70>; #declare Toward = <-1, 2, 0.5>;\n"
+                    "#declare Centre = Eye - 1737.4*221*vnormalize(Toward);\n"
+                    "Coppermoon_Telescope(Eye, Centre, <0.3, 0.1, 5>, 0.7)\n"
+                    "object { Coppermoon_Moon(\"moon.exr\", 1)\n"
+                    "Coppermoon_Turn(-6, 4, 25, Toward, <0.3, 0.1, 5>)\n"
+                    "scale 1737.4 translate Centre }\n"),
+      camera);
+}
+
+TEST(CoppermoonInc, PutsTheMoonIntoTheSkyOfALandscapeWithAzimuthsGrowingToTheRight) {
+  // A third of the way from the horizon to the zenith, 30 degrees east of south. The zenith's
+  // position angle is -65 degrees, so that the axis at -40 is 25 to the left of it.
+  const auto camera = seen_by_observer(0.6, -0.4, 25);
+  const auto frame = frame_by_hand(
+      camera,
+      "Coppermoon_Telescope(0, <sqrt(3)/4, 1/2, -3/4>, y, 0.7)\n"
+      "object { Coppermoon_Moon(\"moon.exr\", 1)\n"
+      "Coppermoon_In_Sky(0.6, -0.4, -40, -65, 30, 150, 2*degrees(asin(1/221)), 1000) }\n"
+      "sphere { 1000*Coppermoon_Direction(30, 150.36), 0.1\n"
+      "pigment { rgb 1000 } finish { ambient 0 diffuse 0 emission 1 } }\n");
+  expect_pattern_in(frame, camera);
+  const double right = std::cos(degrees(30).si()) * std::sin(degrees(0.36).si());
+  const double x = 120 + 120 * right / std::tan(degrees(0.35).si());
+  const auto star = spot_near(frame, {x, 100});
+  ASSERT_GT(star.luminance, 1000);
+  EXPECT_WITHIN(star.centroid.x, x, 0.25, "a disc of 4 pixels, means of 25 rays");
 }
 
 /// A folder with spaces and letters outside ASCII, the scene in it, and what is put there for

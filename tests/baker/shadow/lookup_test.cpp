@@ -96,6 +96,27 @@ TEST(Lookup, SumsWavelengthsWithTheChannelsWeights) {
                 0.03 * 7 / 2.75, 1e-14, "of the same photons, to 7");
 }
 
+TEST(Lookup, PartsAddUpToAllOfTheLight) {
+  const std::vector<double> waves{550}, places{0, 2e6, 4e6, 6e6, 8e6};
+  const double depth = 3.8e8;
+  const auto refracted =
+      by_quadrature({}, {around_the_moon.sun_distance_m, {depth}}, waves, places);
+  const auto part = [&](LightPart which) {
+    return Lookup(refracted, direct({550}), one_channel(1, 7), {}, which);
+  };
+  const auto all = part(LightPart::all), bent = part(LightPart::refracted),
+             straight = part(LightPart::direct);
+  for (const double at_m : {0., 3e6, 4.6e6, 6e6, 7.9e6})
+    EXPECT_WITHIN_RELATIVE(
+        read(bent, place(at_m, depth)) + read(straight, place(at_m, depth)),
+        read(all, place(at_m, depth)), 3e-4,
+        "straight lines between nodes, to 1e-4 of the light in each of the three");
+  EXPECT_EQ(read(straight, place(0, depth)), 0) << "no sunlight passes clear into the umbra";
+  EXPECT_GT(read(bent, place(0, depth)), 0);
+  EXPECT_EQ(read(bent, place(1e7, depth)), 0) << "beyond the penumbra all light is direct";
+  EXPECT_EQ(read(straight, place(1e7, depth)), 7);
+}
+
 TEST(Lookup, TurnsWithThePositionAngle) {
   RefractedLight light{around_the_moon, {500}, {0, 1e6, 2e6}, 4, {}, {}};
   for (int plane = 0; plane < 3; ++plane)

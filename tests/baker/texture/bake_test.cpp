@@ -239,7 +239,7 @@ TEST(Bake, IsTheSameHoweverItIsCutIntoRowsAndThreads) {
   const auto light = eclipse_light();
   const auto whole = bake(map, sky, light, {"R", "G", "B"}, rows, lommel_seeliger_rolo);
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  const auto lit = lit_rows(map, sky, light, rows, lommel_seeliger_rolo);
+  const auto lit = lit_rows(map, sky, light, rows, {lommel_seeliger_rolo});
   std::vector<float> band(7 * 2 * rows * 3);
   for (std::size_t r = 0; r + 7 <= rows; r += 7) {
     lit(r, band);
@@ -255,7 +255,7 @@ TEST(Bake, LeavesOutOnlyWhatNoPlaceOnEarthSees) {
   const auto light = sunlight(1);
   const auto whole = bake(map, sky, light, {"Y"}, rows, yapo_cutler);
   std::vector<float> seen(whole.values.size());
-  lit_rows(map, sky, light, rows, yapo_cutler, Extent::seen_from_earth)(0, seen);
+  lit_rows(map, sky, light, rows, {yapo_cutler, Extent::seen_from_earth})(0, seen);
   std::size_t left_out = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const auto at = surface::texel_centre(i / (2 * rows), i % (2 * rows), rows);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "texture/write_image.h"
 
+#include <OpenImageIO/imageio.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -307,6 +308,81 @@ TEST_F(WriteImage, MayBeLeftUnpacked) {
   EXPECT_EQ(exr_header(bytes_of(in_folder("a.exr"))).at("compression").bytes, std::string(1, '\0'));
   write_exr(in_folder("b.exr"), image, {});
   EXPECT_EQ(read_image(in_folder("a.exr")).values, read_image(in_folder("b.exr")).values);
+}
+
+/// All levels of a mip-mapped file.
+std::vector<Image> levels_of(const std::filesystem::path& path) {
+  std::vector<Image> levels;
+  const auto input = OIIO::ImageInput::open(path);
+  for (int level = 0; input && input->seek_subimage(0, level); ++level) {
+    const auto spec = input->spec();
+    Image image(static_cast<std::size_t>(spec.width), static_cast<std::size_t>(spec.height),
+                spec.channelnames);
+    EXPECT_TRUE(
+        input->read_image(0, level, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data()));
+    levels.push_back(std::move(image));
+  }
+  return levels;
+}
+
+Rows rows_of(const Image& image) {
+  return [&image](std::size_t first_row, std::span<float> values) {
+    const auto begin = image.values.begin() +
+                       static_cast<std::ptrdiff_t>(first_row * image.width * image.channels.size());
+    std::copy_n(begin, values.size(), values.begin());
+  };
+}
+
+/// Means over areas: the mean of a plane over a texel is its value in the texel's middle, whatever
+/// part of each smaller texel lies in it.
+TEST_F(WriteImage, MipmapsOfAnySizeHoldTheMeanOfEachTexelsArea) {
+  for (const std::size_t height : {64U, 75U, 333U}) {
+    Image plane(2 * height, height, {"R", "G", "B"});
+    const auto at = [&](double row, double column) {  // of places from 0 to 1
+      return 1 + 3 * row + 2 * column;
+    };
+    const auto middle = [](std::size_t i, std::size_t of) {
+      return (static_cast<double>(i) + 0.5) / static_cast<double>(of);
+    };
+    for (std::size_t r = 0; r < height; ++r)
+      for (std::size_t c = 0; c < 2 * height; ++c)
+        for (std::size_t k = 0; k < 3; ++k)
+          plane(r, c, k) = static_cast<float>(at(middle(r, height), middle(c, 2 * height)));
+    write_mipmapped(in_folder("a.tx"), {plane.width, plane.height, plane.channels}, rows_of(plane),
+                    {}, ExrType::floating);
+    const auto levels = levels_of(in_folder("a.tx"));
+    ASSERT_EQ(levels.size(), 1 + static_cast<std::size_t>(std::log2(2 * height)));
+    EXPECT_EQ(levels.front().values, plane.values);
+    EXPECT_EQ(levels.back().width * levels.back().height, 1U);
+    for (const auto& level : levels)
+      for (std::size_t r = 0; r < level.height; ++r)
+        for (std::size_t c = 0; c < level.width; ++c)
+          EXPECT_WITHIN(level(r, c, 1), at(middle(r, level.height), middle(c, level.width)),
+                        height == 64 ? 1e-5 : 1.5 / static_cast<double>(level.height),
+                        "exact where texels come in pairs; else a plane of steps, half of one off "
+                        "where they are cut");
+  }
+}
+
+TEST_F(WriteImage, PartsHaveNamesOfTheirOwn) {
+  const auto image = eclipse_like(4);
+  const Layout layout{image.width, image.height, image.channels};
+  const std::vector<Part> parts{{"lit", layout, rows_of(image)}, {"lit", layout, rows_of(image)}};
+  EXPECT_THROW(write_exr(in_folder("a.exr"), parts, {}), coppermoon::algebra::Error);
+  EXPECT_THROW(write_exr(in_folder("a.exr"), std::span<const Part>(), {}),
+               coppermoon::algebra::Error);
+  EXPECT_FALSE(std::filesystem::exists(in_folder("a.exr")));
+}
+
+TEST_F(WriteImage, PartsAppearWholeOrNotAtAll) {
+  const auto image = eclipse_like(4);
+  auto spoilt = image;
+  spoilt(3, 0, 0) = std::numeric_limits<float>::quiet_NaN();
+  const Layout layout{image.width, image.height, image.channels};
+  const std::vector<Part> parts{{"lit", layout, rows_of(image)},
+                                {"direct", layout, rows_of(spoilt)}};
+  EXPECT_THROW(write_exr(in_folder("a.exr"), parts, {}), coppermoon::algebra::Error);
+  EXPECT_TRUE(std::filesystem::is_empty(in_folder(".")));
 }
 
 }  // namespace

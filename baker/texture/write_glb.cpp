@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "texture/write_glb.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "algebra/error.h"
+#include "almanac/lunar_orientation.h"
+#include "texture/sphere_mesh.h"
+#include "texture/whole_file.h"
+
+namespace coppermoon::texture {
+namespace {
+
+using algebra::Error;
+using json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t magic = 0x46546C67, version = 2, json_chunk = 0x4E4F534A,
+                        binary_chunk = 0x004E4942, most_json_bytes = 16 << 20;
+constexpr const char* unlit = "KHR_materials_unlit";
+static_assert(std::endian::native == std::endian::little, "numbers are copied as they stand");
+
+enum Component { unsigned_short = 5123, floating = 5126 };
+enum Target { array = 34962, element_array = 34963 };
+
+void require_picture(const fs::path& path, const Image& image) {
+  const auto fail = [&](const std::string& what) { throw Error(path.string() + ": " + what); };
+  const auto channels = image.channels.size();
+  if (channels != 1 && channels != 3)
+    fail(fmt::format("picture of {} channels, allowed 1 or 3", channels));
+  if (image.width < 2 || image.width > most_glb_columns)
+    fail(fmt::format("picture {} texels wide, allowed 2 to {}, which viewers of glTF can show",
+                     image.width, most_glb_columns));
+  if (2 * image.height + 1 < image.width || 2 * image.height > image.width + 1)
+    fail(fmt::format("picture of {} x {} texels, allowed 2:1", image.width, image.height));
+  if (image.values.size() != image.width * image.height * channels)
+    fail(
+        fmt::format("picture of {} values, allowed as many as its size says", image.values.size()));
+  const auto wrong =
+      std::ranges::find_if(image.values, [](float v) { return !(v >= 0 && v <= 1); });
+  if (wrong != image.values.end()) fail(fmt::format("texel = {}, allowed 0 to 1", *wrong));
+}
+
+std::string as_png(const fs::path& path, const Image& image) {
+  OIIO::Filesystem::IOVecOutput bytes;
+  OIIO::Filesystem::IOProxy* proxy = &bytes;
+  OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height),
+                       static_cast<int>(image.channels.size()), OIIO::TypeDesc::UINT8);
+  spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, static_cast<void*>(&proxy));
+  const auto output = OIIO::ImageOutput::create("png");
+  const bool written = output && output->open("", spec) &&
+                       output->write_image(OIIO::TypeDesc::FLOAT, image.values.data()) &&
+                       output->close();
+  const auto reason = (output ? output->geterror() : "") + OIIO::geterror();
+  if (!written) throw Error(fmt::format("{}: cannot be written as PNG: {}", path.string(), reason));
+  return {bytes.buffer().begin(), bytes.buffer().end()};
+}
+
+template <class Number>
+void append(std::string& bytes, std::initializer_list<Number> numbers) {
+  bytes.append(reinterpret_cast<const char*>(numbers.begin()), numbers.size() * sizeof(Number));
+}
+
+void pad(std::string& bytes, char with) { bytes.resize((bytes.size() + 3) / 4 * 4, with); }
+
+/// The binary chunk, with a view of it for each thing that lies in it.
+struct Buffer {
+  std::string bytes{};
+  json views = json::array();
+
+  int add(const std::string& part, std::optional<Target> target) {
+    json view{{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", part.size()}};
+    if (target) view["target"] = *target;
+    views.push_back(view);
+    bytes += part;
+    pad(bytes, '\0');
+    return static_cast<int>(views.size()) - 1;
+  }
+};
+
+json accessor(int view, Component component, std::size_t count, const char* type) {
+  return {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}};
+}
+
+/// Points (which are their own normals), places on the picture, triangles: one accessor each.
+json add_sphere(Buffer& buffer) {
+  const auto mesh = sphere_mesh();
+  std::string points, places, triangles;
+  std::array<float, 3> low{1, 1, 1}, high{-1, -1, -1};
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const std::array point{static_cast<float>(mesh.points[i].x),
+                           static_cast<float>(mesh.points[i].y),
+                           static_cast<float>(mesh.points[i].z)};
+    append(points, {point[0], point[1], point[2]});
+    append(places, {static_cast<float>(mesh.st[i].x), static_cast<float>(1 - mesh.st[i].y)});
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], point[k]);
+      high[k] = std::max(high[k], point[k]);
+    }
+  }
+  for (const auto& [a, b, c] : mesh.triangles)
+    append(triangles, {static_cast<std::uint16_t>(a), static_cast<std::uint16_t>(b),
+                       static_cast<std::uint16_t>(c)});
+  const std::size_t count = mesh.points.size();
+  auto at = accessor(buffer.add(points, array), floating, count, "VEC3");
+  at["min"] = low;
+  at["max"] = high;
+  return {at, accessor(buffer.add(places, array), floating, count, "VEC2"),
+          accessor(buffer.add(triangles, element_array), unsigned_short, 3 * mesh.triangles.size(),
+                   "SCALAR")};
+}
+
+/// A number's shortest digits, or null where JSON has none for it.
+json as_json(float value) { return json::parse(fmt::format("{}", value), nullptr, false); }
+
+json as_json(const Attribute& value) {
+  if (const auto* number = std::get_if<float>(&value))
+    return std::isfinite(*number) ? as_json(*number) : json();
+  if (const auto* number = std::get_if<int>(&value)) return *number;
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  auto list = json::array();
+  for (const float number : std::get<std::vector<float>>(value))
+    list.push_back(as_json(Attribute(number)));
+  return list;
+}
+
+/// A list of one.
+json only(json item) {
+  auto list = json::array();
+  list.push_back(std::move(item));
+  return list;
+}
+
+json asset_of(const Attributes& extras) {
+  json all{{"coppermoon:radius_m", algebra::in_metres(almanac::lunar_radius)}};
+  for (const auto& [name, value] : extras) all[name] = as_json(value);
+  const auto* made_by = extras.contains("coppermoon:version")
+                            ? std::get_if<std::string>(&extras.find("coppermoon:version")->second)
+                            : nullptr;
+  return {{"version", "2.0"},
+          {"generator", made_by ? "coppermoon " + *made_by : "coppermoon"},
+          {"extras", all}};
+}
+
+json material() {
+  const json picture{{"index", 0}};
+  return {{"name", "Moonlight"},
+          {"pbrMetallicRoughness",
+           {{"baseColorTexture", picture}, {"metallicFactor", 0}, {"roughnessFactor", 1}}},
+          {"emissiveTexture", picture},
+          {"emissiveFactor", {1, 1, 1}},
+          {"doubleSided", false},
+          {"extensions", {{unlit, json::object()}}}};
+}
+
+json sampler() {
+  constexpr int linear = 9729, linear_of_mipmaps = 9987, repeat = 10497, clamp_to_edge = 33071;
+  return {{"magFilter", linear},
+          {"minFilter", linear_of_mipmaps},
+          {"wrapS", repeat},
+          {"wrapT", clamp_to_edge}};
+}
+
+json document(Buffer& buffer, const std::string& png, const Attributes& extras) {
+  const json primitive{{"attributes", {{"POSITION", 0}, {"NORMAL", 0}, {"TEXCOORD_0", 1}}},
+                       {"indices", 2},
+                       {"material", 0}};
+  const auto accessors = add_sphere(buffer);
+  const int picture = buffer.add(png, {});
+  return {{"asset", asset_of(extras)},
+          {"extensionsUsed", only(unlit)},
+          {"scene", 0},
+          {"scenes", only({{"name", "Moon"}, {"nodes", only(0)}})},
+          {"nodes", only({{"name", "Moon"}, {"mesh", 0}})},
+          {"meshes", only({{"name", "Moon"}, {"primitives", only(primitive)}})},
+          {"materials", only(material())},
+          {"textures", only({{"sampler", 0}, {"source", 0}})},
+          {"images", only({{"name", "Moon"}, {"bufferView", picture}, {"mimeType", "image/png"}})},
+          {"samplers", only(sampler())},
+          {"accessors", accessors},
+          {"bufferViews", buffer.views},
+          {"buffers", only({{"byteLength", buffer.bytes.size()}})}};
+}
+
+void append_chunk(std::string& file, std::uint32_t type, const std::string& bytes) {
+  append(file, {static_cast<std::uint32_t>(bytes.size()), type});
+  file += bytes;
+}
+
+/// The JSON chunk of a binary glTF, which comes first.
+std::string json_of(const fs::path& path) {
+  const auto fail = [&](std::string_view what) {
+    throw Error(fmt::format("{}: {}", path.string(), what));
+  };
+  std::ifstream file(path, std::ios::binary);
+  std::error_code ignored;
+  if (!file || fs::is_directory(path, ignored)) fail("cannot be read");
+  std::array<std::uint32_t, 5> head{};
+  file.read(reinterpret_cast<char*>(head.data()), sizeof head);
+  if (!file || head[0] != magic || head[1] != version || head[4] != json_chunk)
+    fail("is no binary glTF 2.0");
+  if (head[3] > most_json_bytes)
+    fail(fmt::format("has {} bytes of JSON, allowed up to {}", head[3], most_json_bytes));
+  std::string text(head[3], ' ');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!file) fail("ends early");
+  return text;
+}
+
+}  // namespace
+
+void write_glb(const fs::path& path, const Image& developed, const Attributes& extras) {
+  require_picture(path, developed);
+  Buffer buffer;
+  const auto document_of_all = document(buffer, as_png(path, developed), extras);
+  auto text = document_of_all.dump(-1, ' ', false, json::error_handler_t::replace);
+  pad(text, ' ');
+  constexpr std::size_t heads = 12 + 2 * 8;
+  std::string file;
+  append(file,
+         {magic, version, static_cast<std::uint32_t>(heads + text.size() + buffer.bytes.size())});
+  append_chunk(file, json_chunk, text);
+  append_chunk(file, binary_chunk, buffer.bytes);
+  write_whole(path, file);
+}
+
+std::optional<std::string> recipe_in_glb(const fs::path& path) {
+  const auto document = json::parse(json_of(path), nullptr, false);
+  if (!document.is_object())
+    throw Error(path.string() + ": is no binary glTF 2.0: its JSON cannot be read");
+  const auto recipe = json::json_pointer("/asset/extras/coppermoon:recipe");
+  if (!document.contains(recipe) || !document[recipe].is_string()) return {};
+  return document[recipe].get<std::string>();
+}
+
+}  // namespace coppermoon::texture

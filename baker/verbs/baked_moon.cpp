@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/baked_moon.h"
+
+#include <tbb/task_group.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
+#include <numeric>
+
+#include "algebra/error.h"
+#include "verbs/plan_options.h"
+#include "verbs/progress_bar.h"
+#include "verbs/spectral_bands.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+using shadow::LightPart;
+using texture::Quantity;
+
+std::vector<std::string> channel_names(colour::WorkingSpace space) {
+  if (space == colour::WorkingSpace::ciexyz_d65) return {"X", "Y", "Z"};
+  return {"R", "G", "B"};
+}
+
+/// The middle of the disc, the axis, the distance: how a camera has to look at the globe.
+texture::Attributes attitude(const LitMoon& moon) {
+  const auto& sky = moon.sky;
+  auto middle = sky.sub_earth;
+  auto axis = sky.axis_position_angle;
+  double distance_m = glm::length(sky.moon_m);
+  texture::Attributes attributes;
+  const auto put = [&](const char* name, double value) {
+    attributes[std::string("coppermoon:") + name] = static_cast<float>(value);
+  };
+  if (moon.observer) {
+    const auto view = almanac::view_from(*moon.observer, sky);
+    const auto pole = glm::row(sky.selenographic_from_gcrs, 2);
+    middle = view.sub_observer;
+    axis = almanac::position_angle(sky.moon_m - view.position_m, pole, view.north);
+    distance_m = algebra::in_metres(view.moon_distance);
+    put("parallactic_angle", algebra::in_degrees(view.parallactic_angle));
+    attributes["latitude"] = static_cast<float>(algebra::in_degrees(moon.observer->latitude));
+    attributes["longitude"] = static_cast<float>(algebra::in_degrees(moon.observer->longitude));
+    attributes["altitude"] = static_cast<float>(algebra::in_metres(moon.observer->elevation));
+  }
+  put("sub_observer_latitude", algebra::in_degrees(middle.latitude));
+  put("sub_observer_longitude", algebra::in_degrees(middle.longitude));
+  put("axis_position_angle", algebra::in_degrees(axis));
+  put("distance_km", distance_m / 1e3);
+  return attributes;
+}
+
+texture::Attributes header(const LitMoon& moon, const TextureOptions& content) {
+  const auto space = space_of(content);
+  const auto xy = colour::chromaticities(space);
+  texture::Attributes attributes{
+      {"chromaticities", std::vector<float>(xy.begin(), xy.end())},
+      {"whiteLuminance", 1.F},
+      {"capDate", capture_date(moon.sky.when)},
+      {"utcOffset", 0.F},
+      {"coppermoon:version", std::string(COPPERMOON_VERSION)},
+      {"coppermoon:colour_space", std::string(colour::name(space))},
+      {"coppermoon:unit", std::string("cd/m^2")},
+      {"coppermoon:albedo_map", map_chosen(moon.options)},
+      {"coppermoon:relative_error", static_cast<float>(moon.light->error_found)},
+      {"coppermoon:recipe", moon.recipe}};
+  attributes.merge(attitude(moon));
+  if (content.spectral_nm) {
+    attributes["spectralLayoutVersion"] = std::string("1.0");
+    attributes["emissiveUnits"] = std::string("W.m^-2.sr^-1");
+  }
+  return attributes;
+}
+
+/// The channels of one part, and what of the light is in them.
+struct Channels {
+  std::vector<std::string> names;
+  algebra::Grid<double> weights;
+  LightPart light = LightPart::all;
+};
+
+/// The rows of one, then those of the other.
+algebra::Grid<double> stacked(const algebra::Grid<double>& upper,
+                              const algebra::Grid<double>& lower) {
+  algebra::Grid<double> both(upper.rows() + lower.rows(), upper.columns());
+  for (std::size_t r = 0; r < both.rows(); ++r)
+    std::ranges::copy(r < upper.rows() ? upper.row(r) : lower.row(r - upper.rows()),
+                      both.row(r).begin());
+  return both;
+}
+
+constexpr double spectrum_nm = 400;
+
+/// "S0.385,000000nm" and so on: the middles of even bands.
+Channels with_spectrum(Channels channels, double width_nm,
+                       const std::optional<atmosphere::Sightline>& sightline) {
+  const auto edges = band_edges_nm();
+  const auto count = static_cast<std::size_t>(std::lround(spectrum_nm / width_nm));
+  const std::size_t bands = edges.size() - 1, each = bands / count;
+  algebra::Grid<double> means(count, bands);
+  for (std::size_t b = 0; b < each * count; ++b) means(b / each, b) = 1 / width_nm;
+  channels.weights = stacked(channels.weights, moonlight_weights(means, sightline));
+  for (std::size_t i = 0; i < count; ++i) {
+    auto name = fmt::format("S0.{:.6f}nm", edges[i * each] + width_nm / 2);
+    channels.names.push_back(name.replace(name.find('.', 3), 1, ","));
+  }
+  return channels;
+}
+
+/// Brings a colour into its space; what spectrum follows is not less than nothing.
+void into_space(colour::WorkingSpace space, std::span<double> values) {
+  into_gamut_or_black(space, values.first(3));
+  for (double& value : values.subspan(3)) value = std::max(0., value);
+}
+
+shadow::Lookup light_in(const LitMoon& moon, const Channels& channels, colour::WorkingSpace space) {
+  auto light = moon.within ? moon.light->in_channels(channels.weights, *moon.within, channels.light)
+                           : shadow::Lookup(channels.weights, channels.light);
+  light.transform([&](std::span<double> values) { into_space(space, values); });
+  return light;
+}
+
+/// What the rows of a part are made from, for as long as any may be asked for.
+struct LitGround {
+  std::shared_ptr<const algebra::Grid<float>> albedo;
+  shadow::Lookup light;
+  ProgressBar bar{"bake"};
+};
+
+texture::Part part(const LitMoon& moon, const std::string& name,
+                   const std::vector<std::string>& channels, const shadow::Lookup& light,
+                   Quantity quantity, const Baking& baking) {
+  const std::size_t width = texture_width_of(moon.options), rows = width / 2;
+  const std::shared_ptr<LitGround> ground(new LitGround{moon.albedo, light});
+  auto lit = texture::lit_rows(*ground->albedo, moon.sky, ground->light, rows,
+                               {photometry_of(moon.options), baking.extent, quantity},
+                               baking.bar ? ground->bar.progress() : algebra::Progress());
+  return {name, {width, rows, channels}, [ground, lit](std::size_t row, std::span<float> values) {
+            lit(row, values);
+          }};
+}
+
+/// The Moon's colour under sunlight, over a white ground's.
+std::vector<double> ground_colour(const algebra::Grid<double>& of_moon,
+                                  const algebra::Grid<double>& of_white) {
+  std::vector<double> colour;
+  for (std::size_t c = 0; c < of_moon.rows(); ++c) {
+    const auto moon = of_moon.row(c), white = of_white.row(c);
+    colour.push_back(std::reduce(moon.begin(), moon.end()) /
+                     std::reduce(white.begin(), white.end()));
+  }
+  return colour;
+}
+
+texture::Part albedo_part(const LitMoon& moon) {
+  const std::size_t width = texture_width_of(moon.options);
+  auto rows = texture::albedo_rows(*moon.albedo, width / 2);
+  return {
+      "albedo",
+      {width, width / 2, {"Y"}},
+      [kept = moon.albedo, rows](std::size_t row, std::span<float> values) { rows(row, values); }};
+}
+
+}  // namespace
+
+std::string capture_date(const almanac::Instant& instant) {
+  std::string text = almanac::utc_text(instant).substr(0, 19);
+  std::replace(text.begin(), text.end(), '-', ':');
+  std::replace(text.begin(), text.end(), 'T', ' ');
+  return text;
+}
+
+void add_texture_options(CLI::App& verb, TextureOptions& options) {
+  const std::string group = "The texture";
+  verb.add_option("--space", options.space,
+                  "lin_rec709, acescg or lin_ciexyzd65_scene; without: what the file's name says, "
+                  "as moon_acescg.exr, or lin_rec709")
+      ->group(group);
+  verb.add_option("--type", options.type,
+                  "of a texel's numbers: half or float; without: half, or float for a spectrum")
+      ->check(CLI::IsMember({"half", "float"}))
+      ->group(group);
+  verb.add_option(
+          "--spectral", options.spectral_nm,
+          "also spectral radiance, from 380 to 780 nm in bands so wide [nm]: 1 to 100, that "
+          "go into 400 evenly; in an .exr")
+      ->group(group);
+  verb.add_flag("--passes", options.passes,
+                "also direct and refracted light, irradiance and reflectance, and the albedo: the "
+                "parts of an .exr")
+      ->group(group);
+}
+
+void require_sound(const TextureOptions& options) {
+  space_of(options);
+  const double width = options.spectral_nm.value_or(1);
+  algebra::require_within("spectral band [nm]", width, 1, 100);
+  if (std::fmod(spectrum_nm, width) != 0 || std::floor(width) != width)
+    throw algebra::Error(fmt::format(
+        "spectral band [nm] = {:g}, allowed whole numbers that go into 400 evenly, as 10", width));
+}
+
+colour::WorkingSpace space_of(const TextureOptions& options) {
+  return colour::working_space(options.space.value_or("lin_rec709"));
+}
+
+texture::ExrType type_of(const TextureOptions& options) {
+  const auto type = options.type.value_or(options.spectral_nm ? "float" : "half");
+  return type == "half" ? texture::ExrType::half : texture::ExrType::floating;
+}
+
+double LitMoon::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+LitMoon lit_moon(const MoonOptions& options, const almanac::SkyState& sky,
+                 const std::string& recipe) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::size_t width = texture_width_of(options);
+  const Purpose purpose{static_cast<double>(width * (width / 2)), reads_map(options)};
+  std::shared_ptr<const algebra::Grid<float>> albedo;
+  std::shared_ptr<const Moonlight> light;
+  tbb::task_group together;  // the map and the light have nothing in common
+  together.run(
+      [&] { albedo = std::make_shared<const algebra::Grid<float>>(normal_albedo(options)); });
+  together.run_and_wait([&] {
+    light = std::make_shared<const Moonlight>(
+        light_on_the_moon(options.light, sky, options.unshadowed, purpose));
+  });
+  const auto made = options.unshadowed ? recipe : with_work(recipe, light->plan.work);
+  return {options, sky, albedo, light, light->range, made, {}, {}, start};
+}
+
+BakedMoon baked(const LitMoon& moon, const TextureOptions& content, const Baking& baking) {
+  const auto space = space_of(content);
+  const auto names = channel_names(space);
+  const auto response = colour::channel_weights(space, band_edges_nm());
+  const auto of_moon = moonlight_weights(response, moon.sightline);
+  BakedMoon made{{}, header(moon, content)};
+  const auto add = [&](const std::string& name, const shadow::Lookup& light,
+                       const std::vector<std::string>& channels, Quantity quantity) {
+    made.parts.push_back(part(moon, name, channels, light, quantity, baking));
+  };
+  Channels whole{names, of_moon};
+  if (content.spectral_nm) whole = with_spectrum(whole, *content.spectral_nm, moon.sightline);
+  using enum Quantity;
+  auto light = light_in(moon, whole, space);
+  add(content.passes ? "lit" : "", light, whole.names, luminance);
+  if (!content.passes) return made;
+  add("direct", light_in(moon, {names, of_moon, LightPart::direct}, space), names, luminance);
+  add("refracted", light_in(moon, {names, of_moon, LightPart::refracted}, space), names, luminance);
+  const auto ground = ground_colour(of_moon, white_ground_weights(response, moon.sightline));
+  if (content.spectral_nm) light = light_in(moon, {names, of_moon}, space);
+  light.transform([&](std::span<double> values) {
+    for (std::size_t c = 0; c < values.size(); ++c) values[c] /= ground[c];
+  });
+  add("irradiance", light, names, irradiance);
+  algebra::Grid<double> colour(names.size(), 1);
+  std::ranges::copy(ground, colour.values().begin());
+  add("reflectance", shadow::Lookup(colour), names, reflectance);
+  made.parts.push_back(albedo_part(moon));
+  return made;
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "texture/write_glb.h"
+
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "baker/texture/scratch_folder.h"
+#include "support/within.h"
+#include "texture/read_image.h"
+
+namespace {
+
+using namespace coppermoon::texture;
+using nlohmann::json;
+
+using WriteGlb = ScratchFolder;
+
+const std::string recipe = "instant = '2008-02-21T03:26:05Z'\nname = \"a \\\"b\\\" ☾ \\ \t\"\n";
+
+Image picture(std::size_t width = 64) {
+  Image image(width, width / 2, {"R", "G", "B"});
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] = static_cast<float>(i * 7919 % 256) / 255;
+  return image;
+}
+
+const Attributes extras{{"coppermoon:recipe", recipe},
+                        {"coppermoon:version", std::string("9.8.7")},
+                        {"whiteLuminance", 0.1F},
+                        {"count", 3},
+                        {"chromaticities", std::vector<float>{0.64F, 0.33F}}};
+
+std::uint32_t number_at(const std::string& bytes, std::size_t at) {
+  std::uint32_t number = 0;
+  std::memcpy(&number, bytes.data() + at, 4);
+  return number;
+}
+
+/// A file taken apart as its standard says.
+struct Parts {
+  explicit Parts(const std::string& bytes)
+      : magic(bytes.substr(0, 4)),
+        version(number_at(bytes, 4)),
+        length(number_at(bytes, 8)),
+        document(json::parse(bytes.substr(20, number_at(bytes, 12)), nullptr, false)),
+        binary(bytes.substr(28 + number_at(bytes, 12))) {}
+
+  std::string view(const json& index) const {
+    const auto& at = document["bufferViews"][index.get<std::size_t>()];
+    return binary.substr(at["byteOffset"], at["byteLength"]);
+  }
+
+  std::string magic;
+  std::uint32_t version, length;
+  json document;
+  std::string binary;
+};
+
+TEST_F(WriteGlb, IsOneFileOfTheLengthItSays) {
+  write_glb(in_folder("moon.glb"), picture(), extras);
+  const auto bytes = bytes_of(in_folder("moon.glb"));
+  const Parts parts(bytes);
+  EXPECT_EQ(parts.magic, "glTF");
+  EXPECT_EQ(parts.version, 2U);
+  EXPECT_EQ(parts.length, bytes.size());
+  EXPECT_EQ(parts.document["buffers"][0]["byteLength"], parts.binary.size());
+  EXPECT_FALSE(parts.document["buffers"][0].contains("uri"));
+  EXPECT_EQ(files_in_folder(), 1U);
+}
+
+TEST_F(WriteGlb, HoldsThePictureTexelByTexel) {
+  const auto image = picture();
+  write_glb(in_folder("moon.glb"), image, {});
+  const Parts parts(bytes_of(in_folder("moon.glb")));
+  const auto& held = parts.document["images"][0];
+  EXPECT_EQ(held["mimeType"], "image/png");
+  const auto back = read_image(file("held.png", parts.view(held["bufferView"])));
+  ASSERT_EQ(back.width, image.width);
+  ASSERT_EQ(back.values.size(), image.values.size());
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    EXPECT_WITHIN(back.values[i], image.values[i], 1e-6F, "they are 256ths; float's rounding");
+}
+
+TEST_F(WriteGlb, ShinesByItselfWithAndWithoutTheExtension) {
+  write_glb(in_folder("moon.glb"), picture(), {});
+  const Parts parts(bytes_of(in_folder("moon.glb")));
+  const auto& material = parts.document["materials"][0];
+  EXPECT_TRUE(material["extensions"].contains("KHR_materials_unlit"));
+  EXPECT_EQ(parts.document["extensionsUsed"], json::array({"KHR_materials_unlit"}));
+  EXPECT_FALSE(parts.document.contains("extensionsRequired"));
+  EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorTexture"]["index"], 0);
+  EXPECT_EQ(material["emissiveTexture"]["index"], 0);
+  EXPECT_EQ(material["emissiveFactor"], json::array({1, 1, 1}));
+  EXPECT_EQ(material["doubleSided"], false);
+  EXPECT_EQ(parts.document["samplers"][0]["wrapS"], 10497);
+  EXPECT_EQ(parts.document["samplers"][0]["wrapT"], 33071);
+  EXPECT_EQ(parts.document["samplers"][0]["minFilter"], 9987);
+}
+
+TEST_F(WriteGlb, KeepsTheExtrasAsTheyAre) {
+  write_glb(in_folder("moon.glb"), picture(), extras);
+  const auto asset = Parts(bytes_of(in_folder("moon.glb"))).document["asset"];
+  EXPECT_EQ(asset["generator"], "coppermoon 9.8.7");
+  EXPECT_EQ(asset["extras"]["coppermoon:recipe"], recipe);
+  EXPECT_EQ(asset["extras"]["whiteLuminance"].get<double>(), 0.1) << "float's shortest digits";
+  EXPECT_EQ(asset["extras"]["count"], 3);
+  EXPECT_EQ(asset["extras"]["chromaticities"].size(), 2U);
+  EXPECT_EQ(asset["extras"]["coppermoon:radius_m"], 1737400.0);
+}
+
+TEST_F(WriteGlb, GivesItsRecipeBack) {
+  write_glb(in_folder("moon.glb"), picture(), extras);
+  EXPECT_EQ(recipe_in_glb(in_folder("moon.glb")), recipe);
+  write_glb(in_folder("none.glb"), picture(), {});
+  EXPECT_EQ(recipe_in_glb(in_folder("none.glb")), std::nullopt);
+}
+
+TEST_F(WriteGlb, TheSameInputGivesTheSameBytes) {
+  write_glb(in_folder("a.glb"), picture(), extras);
+  write_glb(in_folder("b.glb"), picture(), extras);
+  EXPECT_EQ(bytes_of(in_folder("a.glb")), bytes_of(in_folder("b.glb")));
+}
+
+TEST_F(WriteGlb, RefusesWhatViewersCannotShow) {
+  const auto path = in_folder("moon.glb");
+  const auto refused = [&](Image image) { write_glb(path, image, {}); };
+  EXPECT_ERROR(refused(Image(8194, 4097, {"Y"})),
+               "moon.glb: picture 8194 texels wide, allowed 2 to 8192");
+  EXPECT_ERROR(refused(Image(64, 30, {"Y"})), "picture of 64 x 30 texels, allowed 2:1");
+  EXPECT_ERROR(refused(Image(64, 32, {"Y", "A"})), "picture of 2 channels, allowed 1 or 3");
+  for (const float bad : {-0.1F, 1.1F, std::numeric_limits<float>::quiet_NaN()}) {
+    auto image = picture();
+    image.values[5] = bad;
+    EXPECT_ERROR(refused(image), "allowed 0 to 1");
+  }
+  EXPECT_EQ(files_in_folder(), 0U);
+}
+
+TEST_F(WriteGlb, GreyAndAlmostTwoToOneAreTaken) {
+  write_glb(in_folder("grey.glb"), Image(64, 32, {"Y"}), {});
+  write_glb(in_folder("odd.glb"), Image(65, 32, {"Y"}), {});
+  EXPECT_EQ(files_in_folder(), 2U);
+}
+
+TEST_F(WriteGlb, AFullDiskLeavesTheOldFile) {
+  const auto path = file("moon.glb", "old");
+  struct rlimit before {};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{4096, before.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  EXPECT_ERROR(write_glb(path, picture(), {}), "moon.glb: cannot be written");
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_EQ(bytes_of(path), "old");
+  EXPECT_EQ(files_in_folder(), 1U);
+}
+
+TEST_F(WriteGlb, NoTextBreaksTheFile) {
+  std::string all;
+  for (int c = 1; c < 256; ++c) all += static_cast<char>(c);
+  write_glb(in_folder("moon.glb"), picture(), {{all, all}, {"coppermoon:recipe", all}});
+  const auto back = recipe_in_glb(in_folder("moon.glb"));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->substr(0, 127), all.substr(0, 127)) << "bytes that are no UTF-8 may change";
+}
+
+/// Every end of a file, and every byte of its head changed: a recipe, none, or one line.
+TEST_F(WriteGlb, ReadsSpoiltFilesWithoutHarm) {
+  write_glb(in_folder("moon.glb"), picture(4), extras);
+  auto whole = bytes_of(in_folder("moon.glb"));
+  const std::size_t head = 20 + number_at(whole, 12);
+  whole.resize(head + 8);
+  const auto try_one = [&](const std::string& bytes) {
+    const auto path = file("spoilt.glb", bytes);
+    const auto text = error_of([&] { recipe_in_glb(path); });
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+    return text;
+  };
+  for (std::size_t size = 0; size < head; size += 1 + size / 9)
+    EXPECT_NE(try_one(whole.substr(0, size)), "") << size;
+  for (std::size_t at = 0; at < head; ++at) {
+    auto bytes = whole;
+    bytes[at] = static_cast<char>(bytes[at] ^ 0x55);
+    try_one(bytes);
+  }
+  auto huge = whole;
+  huge.replace(12, 4, "\xFF\xFF\xFF\x7F");
+  EXPECT_NE(try_one(huge).find("bytes of JSON, allowed up to 16777216"), std::string::npos);
+  EXPECT_ERROR(recipe_in_glb(in_folder("absent.glb")), "absent.glb: cannot be read");
+  EXPECT_ERROR(recipe_in_glb(in_folder("")), "cannot be read");
+}
+
+TEST_F(WriteGlb, DeepJsonIsNoHarm) {
+  const std::string deep(1 << 20, '[');
+  std::string bytes = "glTF";
+  for (const std::uint32_t n : {2U, 0U, std::uint32_t(deep.size()), 0x4E4F534AU})
+    bytes.append(reinterpret_cast<const char*>(&n), 4);
+  EXPECT_ERROR(recipe_in_glb(file("deep.glb", bytes + deep)), "its JSON cannot be read");
+}
+
+}  // namespace

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// The shadow as a look-up, read as a shader reads it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+
+#include "end_to_end/program.h"
+#include "support/within.h"
+#include "texture/read_image.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using nlohmann::json;
+using Vector = std::array<double, 3>;
+using std::numbers::pi;
+
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// A strip with what its .json says of it; the shader's lines, in C++.
+struct Strip {
+  texture::Image light;
+  json facts;
+
+  double fact(const char* name) const { return facts.at(name).get<double>(); }
+
+  /// As a GPU does: straight lines between texel centres, clamped along, wrapped around.
+  Vector bilinear(double u, double v) const {
+    const auto columns = static_cast<int>(light.width), rows = static_cast<int>(light.height);
+    const double x = std::clamp(u * static_cast<double>(columns) - 0.5, 0., columns - 1.),
+                 y = v * static_cast<double>(rows) - 0.5;
+    const int c = std::min(static_cast<int>(x), columns - 2), r = static_cast<int>(std::floor(y));
+    Vector colour{};
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const int i : {0, 1})
+        for (const int j : {0, 1}) {
+          const double share = std::abs(1. - i - (x - c)) * std::abs(1. - j - (y - r));
+          colour[k] += share * light(static_cast<std::size_t>(((r + j) % rows + rows) % rows),
+                                     static_cast<std::size_t>(c + i), k);
+        }
+    return colour;
+  }
+
+  Vector at(const Vector& place) const {
+    const auto axis = facts.at("axis_direction").get<Vector>(),
+               point = facts.at("axis_point_lunar_radii").get<Vector>();
+    const Vector q{place[0] - point[0], place[1] - point[1], place[2] - point[2]};
+    const double east = dot(q, facts.at("axis_east").get<Vector>()),
+                 north = dot(q, facts.at("axis_north").get<Vector>());
+    return at(std::hypot(east, north), std::atan2(east, north),
+              fact("axis_point_depth_lunar_radii") + dot(q, axis));
+  }
+
+  Vector at(double d, double angle, double depth) const {
+    d += (d - fact("limb_lunar_radii")) * (fact("depth_lunar_radii") / depth - 1) *
+         std::min(1., d / fact("one_limb_lunar_radii"));
+    return bilinear((0.5 + d / fact("step_lunar_radii")) / fact("columns"),
+                    angle / (2 * pi) + 0.5 / fact("rows"));
+  }
+};
+
+/// The largest of |strip × unshadowed − baked| over the baked texel's brightest channel.
+struct Misses {
+  double dim = 0, bright = 0;  ///< with less and more than 1 % of sunlight
+};
+
+Vector place_of(std::size_t row, std::size_t column, std::size_t rows) {
+  const double texel = pi / static_cast<double>(rows);
+  const double latitude = pi / 2 - (static_cast<double>(row) + 0.5) * texel,
+               longitude = (static_cast<double>(column) + 0.5) * texel - pi;
+  return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+          std::sin(latitude)};
+}
+
+double brightest(const texture::Image& image, std::size_t row, std::size_t column) {
+  return std::max({image(row, column, 0), image(row, column, 1), image(row, column, 2)});
+}
+
+class ShadowStrip : public ProgramTest {
+ protected:
+  Strip strip(std::vector<std::string> flags, const char* name = "strip.exr") const {
+    flags.insert(flags.begin(), "shadow");
+    flags.insert(flags.end(), {"--lookup", name});
+    expect_done(coppermoon(flags));
+    return {texture::read_image(here(name)),
+            json::parse(text_of(here(name).replace_extension(".json")))};
+  }
+
+  texture::Image baked(std::vector<std::string> flags, const char* name) const {
+    flags.insert(flags.begin(), "bake");
+    flags.insert(flags.end(), {"--type", "float", "--texture-width", "512", "--albedo-map",
+                               "built-in", "--quality", "reference", "-o", name});
+    expect_done(coppermoon(flags));
+    return texture::read_image(here(name));
+  }
+
+  Misses misses(const std::vector<std::string>& flags) const {
+    auto sunlit = flags;
+    sunlit.push_back("--unshadowed");
+    const auto light = strip(flags);
+    const auto shadowed = baked(flags, "shadowed.exr"), full = baked(sunlit, "full.exr");
+    Misses worst;
+    for (std::size_t r = 0; r < full.height; ++r)
+      for (std::size_t c = 0; c < full.width; ++c) {
+        const double most = brightest(shadowed, r, c);
+        if (most <= 0) continue;
+        const auto ratio = light.at(place_of(r, c, full.height));
+        auto& miss = most < 1e-2 * brightest(full, r, c) ? worst.dim : worst.bright;
+        for (std::size_t k = 0; k < 3; ++k)
+          miss = std::max(miss, std::abs(ratio[k] * full(r, c, k) - shadowed(r, c, k)) / most);
+      }
+    return worst;
+  }
+};
+
+TEST_F(ShadowStrip, TimesTheSunlitMoonIsTheBakedMoon) {
+  for (const auto* instant : {"2008-02-21T03:26:05Z", "2008-02-21T02:30:00Z"}) {
+    const auto worst = misses({instant, "--scattered-light", "off"});
+    EXPECT_WITHIN(worst.dim, 0., 0.025,
+                  "light at another depth than the strip's one plane: up to 3 % near the axis; "
+                  "measured 1.5 %");
+    EXPECT_WITHIN(worst.bright, 0., 0.005, "the same, where light is nearly white");
+  }
+}
+
+TEST_F(ShadowStrip, StraightLinesBetweenColumnsAreCloseEnough) {
+  const auto light = strip({"2008-02-21T03:26:05Z"}).light;
+  double worst = 0;
+  for (std::size_t r = 0; r < light.height; ++r)
+    for (std::size_t c = 1; c + 1 < light.width; ++c)
+      for (std::size_t k = 0; k < 3 && brightest(light, r, c) > 1e-4; ++k) {
+        const double line = (double{light(r, c - 1, k)} + light(r, c + 1, k)) / 2;
+        worst = std::max(worst, std::abs(light(r, c, k) - line) / 4 / brightest(light, r, c));
+      }
+  EXPECT_WITHIN(worst, 0., 0.005,
+                "as stated; over one column a line errs by a quarter of what it does over two");
+}
+
+TEST_F(ShadowStrip, LightAtAnotherDepthStandsOnLinesFromTheLimb) {
+  const auto at_depth = [&](const char* km, const char* name) {
+    return strip({"--sun-distance-km", "147922178", "--moon-distance-km", km, "--earth", "sphere"},
+                 name);
+  };
+  const auto here = at_depth("383736.2", "here.exr");
+  for (const auto& there : {at_depth("382867.5", "near.exr"), at_depth("384604.9", "far.exr")}) {
+    const double depth = there.fact("depth_lunar_radii"), step = there.fact("step_lunar_radii");
+    double near_axis = 0, beyond = 0;
+    for (std::size_t c = 0; c < 1024; ++c) {
+      const double d = static_cast<double>(c) * step;
+      const auto found = here.at(d, 0, depth);
+      auto& worst = d < here.fact("one_limb_lunar_radii") ? near_axis : beyond;
+      for (std::size_t k = 0; k < 3; ++k)
+        worst = std::max(worst,
+                         std::abs(found[k] - there.light(0, c, k)) / brightest(there.light, 0, c));
+    }
+    EXPECT_WITHIN(near_axis, 0., 0.03, "half a lunar radius away; light of both limbs is there");
+    EXPECT_WITHIN(beyond, 0., 0.015, "the same, and straight lines where direct light begins");
+  }
+}
+
+TEST_F(ShadowStrip, EndsInFullSunlight) {
+  const auto strip_ = strip({"2008-02-21T03:26:05Z"});
+  EXPECT_EQ(strip_.light.height, 96U);
+  for (std::size_t r = 0; r < strip_.light.height; ++r)
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(strip_.light(r, 1023, k), 1.F);
+}
+
+TEST_F(ShadowStrip, WithoutAirIsTheEclipsedSun) {
+  const auto dark = strip({"2008-02-21T03:26:05Z", "--atmosphere", "none", "--earth", "sphere",
+                           "--limb-darkening", "off"});
+  ASSERT_EQ(dark.light.height, 1U);
+  const double depth = dark.fact("depth_km"), sun = dark.fact("sun_distance_km");
+  constexpr double solar_radius_km = 695700, earth_radius_km = 6378.137;
+  const double umbra = earth_radius_km - (solar_radius_km - earth_radius_km) * depth / sun,
+               penumbra = earth_radius_km + (solar_radius_km + earth_radius_km) * depth / sun;
+  EXPECT_WITHIN(dark.fact("end_km"), penumbra, 30.,
+                "cones drawn to the limb of a sphere, not its equator");
+  double dark_to = 0;
+  for (std::size_t c = 0; c < 1024 && dark.light(0, c, 1) <= 0; ++c)
+    dark_to = static_cast<double>(c) * dark.fact("step_km");
+  EXPECT_WITHIN(dark_to, umbra, 30., "the same, and a column");
+  const double disc = (penumbra - umbra) / 2, middle = (umbra + penumbra) / 2;
+  const auto half = static_cast<std::size_t>(std::lround(middle / dark.fact("step_km")));
+  EXPECT_WITHIN(dark.light(0, half, 1), 0.5 + disc / (3 * pi * earth_radius_km), 0.003,
+                "half the disc and what a limb as curved as the Earth's leaves free of it: the "
+                "integral of x²/2R across; half a column");
+}
+
+TEST_F(ShadowStrip, ACubeIsTheSameRow) {
+  const auto row = strip({"2008-02-21T03:26:05Z", "--earth", "sphere"}).light;
+  expect_done(coppermoon(
+      {"shadow", "2008-02-21T03:26:05Z", "--earth", "sphere", "--lookup", "strip.cube"}));
+  const double end = json::parse(text_of(here("strip.json")))["end_lunar_radii"];
+  for (const double part : {0.25, 0.5, 0.6, 0.75}) {
+    const auto in = std::to_string(part * end);
+    const auto said = run({"ociochecklut", here("strip.cube"), in, in, in});
+    EXPECT_EQ(said.status, 0) << said.err;
+    std::istringstream numbers(said.out);
+    double red = -1;
+    numbers >> red;
+    const double column = part * 1023;
+    const auto c = static_cast<std::size_t>(column);
+    EXPECT_WITHIN(
+        red,
+        std::lerp(row(0, c, 0), row(0, c + 1, 0), static_cast<float>(column - std::floor(column))),
+        1e-5, "it prints six digits")
+        << said.out;
+  }
+}
+
+TEST_F(ShadowStrip, ItsHeaderMakesItAgain) {
+  strip({"2008-02-21T03:26:05Z", "--bands", "20"}, "a.exr");
+  strip({"a.exr"}, "b.exr");
+  EXPECT_EQ(text_of(here("a.exr")), text_of(here("b.exr")));
+}
+
+TEST_F(ShadowStrip, SaysWhatItCannotWrite) {
+  const auto refused = [&](std::vector<std::string> words, const char* why) {
+    words.insert(words.begin(), {"shadow", "2008-02-21T03:26:05Z"});
+    const auto outcome = coppermoon(words);
+    EXPECT_NE(outcome.status, 0);
+    EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+  };
+  refused({"--lookup", "a.png"}, "a.png: a look-up ends in .exr or .cube");
+  refused({"--lookup", "a.cube"}, "allowed with --earth sphere");
+  refused({"--lookup", "no/a.exr"}, "no: no such directory");
+  EXPECT_TRUE(listing().empty());
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end

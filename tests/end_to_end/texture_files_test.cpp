@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/texture.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "colour/working_space.h"
+#include "end_to_end/program.h"
+#include "support/within.h"
+#include "texture/image.h"
+#include "texture/read_image.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using Words = std::vector<std::string>;
+using texture::Image;
+
+/// A partial phase: full sunlight, penumbra and umbra on one disc.
+const Words partial{"2018-07-27T19:20:00Z", "--albedo-map", "built-in", "--texture-width", "256"};
+
+/// All parts of an OpenEXR file, by name, as OpenImageIO reads them.
+std::map<std::string, Image> parts_of(const std::filesystem::path& path) {
+  std::map<std::string, Image> parts;
+  const auto input = OIIO::ImageInput::open(path);
+  EXPECT_TRUE(input) << OIIO::geterror();
+  for (int i = 0; input && input->seek_subimage(i, 0); ++i) {
+    const auto spec = input->spec();
+    Image image(static_cast<std::size_t>(spec.width), static_cast<std::size_t>(spec.height),
+                spec.channelnames);
+    EXPECT_TRUE(
+        input->read_image(i, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.values.data()));
+    parts[spec.get_string_attribute("oiio:subimagename")] = std::move(image);
+  }
+  return parts;
+}
+
+class TextureFiles : public ProgramTest {
+ protected:
+  void bake(const Words& more) const {
+    Words words{"bake"};
+    words.insert(words.end(), partial.begin(), partial.end());
+    words.insert(words.end(), more.begin(), more.end());
+    expect_done(coppermoon(words));
+  }
+
+  void expect_refused(const Words& words, const std::string& why) const {
+    const auto outcome = coppermoon(words);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, "coppermoon: " + why + "\n");
+    EXPECT_TRUE(std::filesystem::is_empty(here()));
+  }
+};
+
+TEST_F(TextureFiles, OfOneSimulationHaveTheSpaceThatTheirNamesSay) {
+  bake({"-o", "moon_acescg.exr", "-o", "moon_lin_rec709.tx", "-o", "moon_srgb.png"});
+  EXPECT_EQ(texture::read_attribute(here("moon_acescg.exr"), "coppermoon:colour_space"), "acescg");
+  EXPECT_EQ(texture::read_attribute(here("moon_lin_rec709.tx"), "coppermoon:colour_space"),
+            "lin_rec709");
+  const auto aces = texture::read_image(here("moon_acescg.exr")),
+             rec709 = texture::read_image(here("moon_lin_rec709.tx"));
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < aces.values.size(); i += 3) {
+    const std::array<double, 3> a{aces.values[i], aces.values[i + 1], aces.values[i + 2]};
+    const std::array<double, 3> b{rec709.values[i], rec709.values[i + 1], rec709.values[i + 2]};
+    const double y = colour::luminance(colour::WorkingSpace::linear_rec709, b);
+    if (y < 1e-3) continue;
+    EXPECT_WITHIN_RELATIVE(colour::luminance(colour::WorkingSpace::acescg, a), y, 2e-3,
+                           "two roundings of 5e-4, doubled where channels differ in size");
+    ++compared;
+  }
+  EXPECT_GT(compared, 8000U);
+}
+
+TEST_F(TextureFiles, AreMadeAgainFromTheirHeaders) {
+  bake({"-o", "a_acescg.exr", "-o", "b.tx", "-o", "c.png", "-o", "d.glb", "--passes", "--spectral",
+        "20"});
+  for (const char* name : {"a_acescg.exr", "b.tx", "c.png", "d.glb"}) {
+    const auto again = std::string("again") + std::filesystem::path(name).extension().string();
+    expect_done(coppermoon({"bake", name, "-o", again}));
+    EXPECT_TRUE(text_of(here(again)) == text_of(here(name))) << name;
+  }
+}
+
+TEST_F(TextureFiles, RefuseWhatTheyCannotHold) {
+  const auto instant = partial.front();
+  expect_refused({"bake", instant, "--space", "acescg", "-o", "moon_lin_rec709.exr"},
+                 "moon_lin_rec709.exr: space = acescg, allowed lin_rec709 as its name says, or no "
+                 "--space");
+  expect_refused({"bake", instant, "--spectral", "7", "-o", "moon.exr"},
+                 "spectral band [nm] = 7, allowed whole numbers that go into 400 evenly, as 10");
+  expect_refused({"bake", instant, "--spectral", "nan", "-o", "moon.exr"},
+                 "spectral band [nm] = nan, allowed 1 to 100");
+  expect_refused({"bake", instant, "--passes", "-o", "moon.tx"},
+                 "passes and spectra: allowed with an output that ends in .exr");
+  expect_refused({"bake", instant, "-o", "moon.exr", "-o", "moon.tiff"},
+                 "moon.tiff: a texture ends in .exr, .tx, .png, .glb, .usda");
+  expect_refused(
+      {"bake", instant, "-o", "moon.usda"},
+      "moon.usda: allowed with its texture in the same folder, as -o moon_lin_rec709.exr "
+      "-o moon.usda");
+  expect_refused({"bake", instant, "--texture-width", "8194", "-o", "moon.glb"},
+                 "moon.glb: texture width [texels] = 8194, allowed to 8192");
+  expect_refused({"animate", "2018-07-27", "--make", "scenes", "--space", "acescg", "-o", "film"},
+                 "space = acescg, allowed lin_rec709 with scenes, frames or pictures");
+  expect_refused({"animate", "2018-07-27", "--passes", "-o", "film"},
+                 "passes and spectra: allowed with --make textures alone");
+}
+
+TEST_F(TextureFiles, PassesMakeUpTheWhole) {
+  bake({"-o", "moon.exr", "--passes", "--type", "float"});
+  const auto parts = parts_of(here("moon.exr"));
+  ASSERT_EQ(parts.size(), 6U);
+  const auto &lit = parts.at("lit"), &direct = parts.at("direct"),
+             &refracted = parts.at("refracted"), &irradiance = parts.at("irradiance"),
+             &reflectance = parts.at("reflectance");
+  EXPECT_EQ(parts.at("albedo").channels, std::vector<std::string>{"Y"});
+  double brightest_refracted = 0, dark = 0;
+  for (std::size_t i = 0; i < lit.values.size(); ++i) {
+    const auto texel = lit.values.begin() + static_cast<std::ptrdiff_t>(i / 3 * 3);
+    const double brightest = *std::max_element(texel, texel + 3);
+    EXPECT_WITHIN(
+        irradiance.values[i] * reflectance.values[i], lit.values[i], 5e-5 * lit.values[i],
+        "one light and one ground; the Sun's distance is the Moon's centre's in the first");
+    EXPECT_WITHIN(direct.values[i] + refracted.values[i], lit.values[i], 1e-2 * brightest,
+                  "the 1 % asked for; straight lines err most where direct light begins, and "
+                  "colours are brought into Rec.709 one by one");
+    brightest_refracted = std::max<double>(brightest_refracted, refracted.values[i]);
+    if (direct.values[i] == 0 && lit.values[i] > 0) ++dark;
+  }
+  EXPECT_GT(brightest_refracted, 0.01);
+  EXPECT_GT(dark, 10000) << "the umbra covers half of the disc: refracted light alone";
+}
+
+TEST_F(TextureFiles, IrradianceIsTheSunsWhereNoShadowIs) {
+  expect_done(coppermoon({"bake", partial.front(), "--unshadowed", "--texture-width", "64",
+                          "--albedo-map", "built-in", "--passes", "-o", "moon.exr"}));
+  const auto parts = parts_of(here("moon.exr"));
+  const auto& irradiance = parts.at("irradiance");
+  const std::array<double, 3> rgb{irradiance(16, 32, 0), irradiance(16, 32, 1),
+                                  irradiance(16, 32, 2)};
+  const double lux = M_PI * colour::luminance(colour::WorkingSpace::linear_rec709, rgb);
+  EXPECT_WITHIN_RELATIVE(lux, 133.1e3 / (1.0181 * 1.0181), 0.01,
+                         "133.1 klx at 1 au (IES); late in July the Moon is 1.018 au from the Sun; "
+                         "spectra of the Sun differ by 1 %");
+  for (const float value : parts.at("refracted").values) ASSERT_EQ(value, 0);
+  EXPECT_GT(parts.at("reflectance")(16, 32, 0), parts.at("reflectance")(16, 32, 2))
+      << "the Moon is redder than grey";
+}
+
+/// Of the channels that the reader of Fichet, Pacanowski & Wilkie (2021) takes, by their names: their
+/// place, and the middle of the band.
+std::vector<std::pair<std::size_t, double>> bands_of(const Image& image) {
+  const std::regex form(
+      R"(^((S([0-3]))|T)\.(\d*,?\d*([Ee][+-]?\d+)?)(Y|Z|E|P|T|G|M|k|h|da|d|c|m|u|n|p)?(m|Hz)$)");
+  std::vector<std::pair<std::size_t, double>> bands;
+  for (std::size_t c = 0; c < image.channels.size(); ++c) {
+    std::smatch parts;
+    if (!std::regex_match(image.channels[c], parts, form)) continue;
+    EXPECT_EQ(parts[1].str() + parts[6].str() + parts[7].str(), "S0nm");
+    auto number = parts[4].str();
+    number[number.find(',')] = '.';
+    bands.emplace_back(c, std::stod(number));
+  }
+  return bands;
+}
+
+class Spectra : public TextureFiles, public testing::WithParamInterface<std::pair<int, double>> {};
+
+TEST_P(Spectra, AddUpToTheColours) {
+  const auto [width_nm, tolerance] = GetParam();
+  const std::string name = "moon_lin_ciexyzd65_scene.exr";
+  bake({"-o", name, "--spectral", std::to_string(width_nm)});
+  const auto image = texture::read_image(here(name));
+  EXPECT_EQ(texture::read_attribute(here(name), "emissiveUnits"), "W.m^-2.sr^-1");
+  EXPECT_EQ(texture::read_attribute(here(name), "spectralLayoutVersion"), "1.0");
+  const auto bands = bands_of(image);
+  ASSERT_EQ(bands.size(), 400U / static_cast<unsigned>(width_nm));
+  std::vector<double> edges{380};
+  for (const auto& [channel, middle] : bands) edges.push_back(middle + width_nm / 2.);
+  EXPECT_EQ(edges.back(), 780);
+  const auto weights = colour::channel_weights(colour::WorkingSpace::ciexyz_d65, edges);
+  std::size_t compared = 0;
+  for (std::size_t texel = 0; texel < image.width * image.height; ++texel) {
+    const float* values = &image.values[texel * image.channels.size()];
+    const double luminance = values[1];
+    if (luminance < 1e-3) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      double sum = 0;
+      for (std::size_t b = 0; b < bands.size(); ++b) sum += weights(c, b) * values[bands[b].first];
+      EXPECT_WITHIN(sum, values[c], tolerance * luminance,
+                    "of the luminance: within a band light and the eye's response change "
+                    "together, by the square of its width; measured: 0.61 % for 10 nm");
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, 8000U);
+}
+
+INSTANTIATE_TEST_SUITE_P(ByWidth, Spectra,
+                         testing::Values(std::pair{10, 8e-3}, std::pair{2, 3e-4}));
+
+TEST_F(TextureFiles, MipmapsAreReadByATextureSystem) {
+  bake({"-o", "moon.tx", "-o", "moon.exr"});
+  const auto flat = texture::read_image(here("moon.exr"));
+  auto* textures = OIIO::TextureSystem::create(false);
+  const auto at = [&](float s, float t, float width) {
+    OIIO::TextureOpt options;
+    std::array<float, 3> colour{};
+    EXPECT_TRUE(textures->texture(OIIO::ustring(here("moon.tx").string()), options, s, t, width, 0,
+                                  0, width, 3, colour.data()))
+        << textures->geterror();
+    return colour;
+  };
+  double mean = 0;
+  for (std::size_t i = 0; i < flat.values.size(); i += 3) mean += flat.values[i];
+  mean /= static_cast<double>(flat.width * flat.height);
+  EXPECT_WITHIN_RELATIVE(at(0.5F, 0.5F, 2)[0], mean, 2e-3,
+                         "the last level is the mean of all; halves, rounded level by level");
+  const auto sunlit = at(179.5F / 256, 44.5F / 128, 0);
+  EXPECT_WITHIN_RELATIVE(sunlit[0], flat(44, 179, 0), 0.05,
+                         "a bicubic look between a few texels of uneven ground");
+  EXPECT_GT(at(0.5F, 0.5F, 0)[0], 0);
+  OIIO::TextureSystem::destroy(textures);
+}
+
+TEST_F(TextureFiles, SayHowTheGlobeIsTurned) {
+  bake({"-o", "moon.exr"});
+  const auto outcome = coppermoon({"sky", partial.front(), "--json"});
+  const auto sky = nlohmann::json::parse(outcome.out);
+  const auto header = [&](const std::string& file, const std::string& name) {
+    return std::stod(texture::read_attribute(here(file), "coppermoon:" + name).value());
+  };
+  const std::array names{std::pair{"sub_observer_latitude", "sub_earth_latitude_deg"},
+                         std::pair{"sub_observer_longitude", "sub_earth_longitude_deg"},
+                         std::pair{"axis_position_angle", "axis_position_angle_deg"},
+                         std::pair{"distance_km", "moon_distance_km"}};
+  for (const auto& [ours, theirs] : names)
+    EXPECT_WITHIN_RELATIVE(header("moon.exr", ours), sky.at(theirs).get<double>(), 1e-5,
+                           "six figures, as text has them");
+  EXPECT_FALSE(texture::read_attribute(here("moon.exr"), "coppermoon:parallactic_angle"));
+  expect_done(coppermoon({"scene", partial.front(), "--at", "-21.1,55.5", "--albedo-map",
+                          "built-in", "--texture-width", "64", "-o", "scene"}));
+  const std::string seen = "scene/moon_lin_rec709.exr";
+  const double nearer = header("moon.exr", "distance_km") - header(seen, "distance_km");
+  EXPECT_GT(nearer, 1000) << "the Moon is high over La Réunion: most of the Earth's radius nearer";
+  EXPECT_LT(nearer, 6378);
+  EXPECT_WITHIN(header(seen, "sub_observer_latitude"), header("moon.exr", "sub_observer_latitude"),
+                1.1, "the Earth's radius seen from the Moon, at most");
+  EXPECT_TRUE(texture::read_attribute(here(seen), "coppermoon:parallactic_angle"));
+}
+
+TEST_F(TextureFiles, OfAFilmAreInTheSpaceAsked) {
+  const Words film{"animate",  "2018-07-27",   "--frames", "2",        "--make",
+                   "textures", "--space",      "acescg",   "--passes", "--texture-width",
+                   "64",       "--albedo-map", "built-in", "-o",       "film"};
+  EXPECT_EQ(coppermoon(film).status, 0);
+  EXPECT_EQ(parts_of(here("film/moon_acescg.0001.exr")).size(), 6U);
+  EXPECT_EQ(texture::read_attribute(here("film/moon_acescg.0002.exr"), "coppermoon:colour_space"),
+            "acescg");
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end

@@ -1,0 +1,9 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Gives other programs what coppermoon makes, and checks what they make of it: on Debian 12, as root or with sudo,
+# installs what packages.hand_off.debian lists, builds, and runs the tests labelled hand_off. After the build within
+# two minutes on two processors.
+set -eu
+cd "$(dirname "$0")/.."
+sh examples/build.sh all packages.hand_off.debian
+ctest --test-dir build/release --label-regex hand_off --output-on-failure --no-tests=error

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Writes moon.glb and moon.usda into the folder named, for other programs to read. Each texel of the picture tells its
+// place: red from west to east, green from north to south.
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include "texture/write_glb.h"
+#include "texture/write_image.h"
+#include "texture/write_usda.h"
+
+int main(int, char** arguments) try {
+  using namespace coppermoon::texture;
+  const std::filesystem::path folder = arguments[1];
+  Image picture(1024, 512, {"R", "G", "B"});
+  for (std::size_t r = 0; r < picture.height; ++r)
+    for (std::size_t c = 0; c < picture.width; ++c) {
+      picture(r, c, 0) = (static_cast<float>(c) + 0.5F) / 1024;
+      picture(r, c, 1) = (static_cast<float>(r) + 0.5F) / 512;
+    }
+  const Attributes about{
+      {"capDate", std::string("2008:02:21 03:26:05")},
+      {"whiteLuminance", 1.F},
+      {"chromaticities",
+       std::vector<float>{0.64F, 0.33F, 0.3F, 0.6F, 0.15F, 0.06F, 0.3127F, 0.329F}},
+      {"coppermoon:version", std::string("0.0.0")},
+      {"coppermoon:recipe",
+       std::string("instant = '2008-02-21T03:26:05Z'\nname = \"a \\\"b\\\"\"\n")}};
+  write_glb(folder / "moon.glb", picture, about);
+  write_exr(folder / "moon_lin_rec709.exr", picture, about);
+  write_usda(folder / "moon.usda", "moon_lin_rec709.exr", "lin_rec709", about);
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
+}

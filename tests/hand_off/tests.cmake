@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: MIT
+# Other programs, given what coppermoon makes: tests/hand_off.sh installs and runs them.
+foreach(noun blender side_by_side tools)
+  coppermoon_test(hand_off/${noun} LINKS colour povray_scenes texture LABELS hand_off TIMEOUT 900)
+  add_dependencies(hand_off_${noun}_test coppermoon_program)
+endforeach()
+target_link_libraries(hand_off_tools_test PRIVATE PkgConfig::OpenImageIO)
+
+# glTF and USD as others read them: Khronos' validator, three.js and tinyusdz. npm puts them into the build folder.
+set(readers ${PROJECT_BINARY_DIR}/hand_off/gltf)
+foreach(file package.json package-lock.json places.mjs check_glb.mjs check_usda.mjs)
+  configure_file(hand_off/gltf/${file} ${readers}/${file} COPYONLY)
+endforeach()
+add_executable(hand_off_gltf_write_models hand_off/gltf/write_models.cpp)
+target_link_libraries(hand_off_gltf_write_models PRIVATE coppermoon::texture)
+coppermoon_warnings(hand_off_gltf_write_models)
+set(a_bake bake 2018-07-27T19:20:00Z --albedo-map built-in --texture-width 512)
+add_test(NAME hand_off/gltf/readers_are_installed COMMAND npm ci --no-audit --no-fund)
+add_test(NAME hand_off/gltf/models_are_written COMMAND hand_off_gltf_write_models ${readers})
+add_test(NAME hand_off/gltf/a_bake_is_written
+         COMMAND coppermoon_program ${a_bake} -o bake.glb -o moon_lin_rec709.exr -o bake.usda)
+set_tests_properties(hand_off/gltf/readers_are_installed hand_off/gltf/models_are_written hand_off/gltf/a_bake_is_written
+                     PROPERTIES FIXTURES_SETUP gltf)
+add_test(NAME hand_off/gltf/glb_is_read COMMAND node check_glb.mjs moon.glb)
+add_test(NAME hand_off/gltf/usda_is_read COMMAND node check_usda.mjs moon.usda)
+add_test(NAME hand_off/gltf/glb_of_a_bake_is_read COMMAND node check_glb.mjs bake.glb)
+add_test(NAME hand_off/gltf/usda_of_a_bake_is_read COMMAND node check_usda.mjs bake.usda "texture-width = 512")
+set(checks glb_is_read usda_is_read glb_of_a_bake_is_read usda_of_a_bake_is_read)
+foreach(check ${checks})
+  set_tests_properties(hand_off/gltf/${check} PROPERTIES FIXTURES_REQUIRED gltf)
+endforeach()
+foreach(step readers_are_installed models_are_written a_bake_is_written ${checks})
+  set_tests_properties(hand_off/gltf/${step} PROPERTIES LABELS hand_off TIMEOUT 300 WORKING_DIRECTORY ${readers})
+endforeach()
