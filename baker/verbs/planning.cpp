@@ -177,7 +177,7 @@ double scattered_share(const ShadowedMoon& moon, const Trial& trial,
                        wavelengths, places_m.subspan(where, 1));
   double share = 0;
   for (const auto& grid : scattered.ratio) share = std::max(share, grid(0, 0));
-  return share / (darkest + share);
+  return share > 0 ? share / (darkest + share) : 0;
 }
 
 /// Of one trial, for what it was too coarse to see.

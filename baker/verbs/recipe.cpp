@@ -54,7 +54,8 @@ std::string toml_value(const CLI::Option& option) {
   const std::string text = option.count() > 0 ? option.results().back() : option.get_default_str();
   if (text.empty()) return text;
   const std::string type = option.get_type_name();
-  if (type.starts_with("FLOAT")) return fmt::format("{}", option.as<double>());
+  if (type.starts_with("FLOAT"))  // TOML has no -0 that is whole
+    return fmt::format("{}", option.as<double>() + 0.);
   if (type.starts_with("INT")) return fmt::format("{}", option.as<std::int64_t>());
   if (!type.starts_with("UINT")) return quoted(text);
   const auto value = option.as<std::uint64_t>();  // TOML's own integers end at 2^63

@@ -53,6 +53,16 @@ TEST_F(Plans, OfADeepEclipseHaveScatteredLight) {
   EXPECT_FALSE(computes(plan(penumbral), "scattered-light"));
 }
 
+TEST_F(Plans, WithoutAnyLightSendNoPhotonsAfterIt) {
+  // cloud over the whole limb, and air that scatters nothing: the disc is black
+  const auto plan = this->plan({"2010-12-21T08:19:28Z", "--atmosphere", "molecular", "--rayleigh",
+                                "off", "--cloud-cover", "1", "--tolerance", "0.06"});
+  EXPECT_FALSE(computes(plan, "scattered-light"));
+  EXPECT_EQ(left_out(plan, "scattered light")["size"], 0);
+  EXPECT_LE(plan["predicted"]["error"], 0.06);
+  EXPECT_FALSE(plan["chosen"].contains("photons")) << plan["chosen"];
+}
+
 TEST_F(Plans, OfAVolcanosAirHaveRegions) {
   const auto with = plan(volcanic), without = plan({volcanic[0]});
   EXPECT_TRUE(computes(with, "regions"));

@@ -29,6 +29,7 @@ struct Surroundings {
   std::optional<std::string> path = {};     ///< PATH, instead of ours
   std::optional<rlim_t> file_limit = {};    ///< bytes that a file may have: the disk is full there
   std::optional<rlim_t> memory_limit = {};  ///< bytes of addresses that it may have
+  std::optional<rlim_t> processor_limit = {};  ///< seconds of all its threads, then SIGXCPU ends it
   std::optional<double> killed_after_s = {};            ///< by kill -9, unless it has ended
   std::optional<std::filesystem::path> preloaded = {};  ///< a library that goes before all others
   std::optional<std::filesystem::path> folder = {};  ///< where it runs, instead of the test's own
@@ -111,6 +112,10 @@ class ProgramTest : public testing::Test {
     if (around.memory_limit) {
       const rlimit memory{*around.memory_limit, RLIM_INFINITY};
       ::setrlimit(RLIMIT_AS, &memory);
+    }
+    if (around.processor_limit) {
+      const rlimit processor{*around.processor_limit, RLIM_INFINITY};
+      ::setrlimit(RLIMIT_CPU, &processor);
     }
     if (around.preloaded) ::setenv("LD_PRELOAD", around.preloaded->c_str(), 1);
     std::vector<char*> pointers;

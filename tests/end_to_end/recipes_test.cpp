@@ -156,6 +156,13 @@ TEST_F(Recipes, WithRegionsAreTheSameAsTheirFlags) {
   EXPECT_TRUE(bytes("recipe.exr") == bytes("again.exr"));
 }
 
+TEST_F(Recipes, WithRegionsWriteZeroWithoutASign) {
+  // TOML's -0 is a whole number, and has none
+  make(with_regions({"from-latitude=-.0,to-latitude=0,dust-extinction=1e-5"}, "flags.exr"));
+  make({"bake", "flags.exr", "-o", "recipe.exr"});
+  EXPECT_TRUE(bytes("recipe.exr") == bytes("flags.exr"));
+}
+
 TEST_F(Recipes, WithRegionsGiveWayToTheUsers) {
   file("south.toml", std::string(quick) +
                          "[[atmosphere.region]]\nfrom-latitude = -90\nto-latitude = 0\n"

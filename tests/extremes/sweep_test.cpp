@@ -224,13 +224,13 @@ class Sweep : public end_to_end::ProgramTest, public testing::WithParamInterface
  protected:
   Outcome made(const Recipe& recipe) const {
     file("recipe.toml", recipe.text);
-    std::vector<std::string> words{"timeout",        "60",       COPPERMOON_PROGRAM,
+    std::vector<std::string> words{"timeout",        "600",      COPPERMOON_PROGRAM,
                                    recipe.verb.name, "--recipe", "recipe.toml"};
     if (*recipe.verb.output != 0)
       words.insert(words.end(), {"-o", recipe.verb.output});
     else
       words.emplace_back("--json");
-    return run(words);
+    return run(words, {.processor_limit = 120});
   }
 
   /// What is wrong with what was made; empty when nothing is.

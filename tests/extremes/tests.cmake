@@ -11,7 +11,7 @@ coppermoon_test(extremes/film_faults LINKS algebra LABELS slow TIMEOUT 1500)
 add_dependencies(extremes_film_faults_test coppermoon_program)
 
 # all that may be asked for
-coppermoon_test(extremes/sweep LINKS algebra texture LABELS sweep TIMEOUT 1500)
+coppermoon_test(extremes/sweep LINKS algebra texture LABELS sweep TIMEOUT 6000)
 target_link_libraries(extremes_sweep_test PRIVATE nlohmann_json::nlohmann_json)
 add_dependencies(extremes_sweep_test coppermoon_program)
 coppermoon_test(extremes/numbers LINKS shadow)
