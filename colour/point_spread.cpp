@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "colour/point_spread.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <kissfft/kissfft.hh>
+#include <numbers>
+#include <vector>
+
+#include "algebra/error.h"
+
+namespace coppermoon::colour {
+namespace {
+
+using std::numbers::pi;
+using Spectrum = algebra::Grid<std::complex<double>>;
+
+/// 2 J₁(x)/x
+double jinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 8 : 2 * ::j1(x) / x; }
+
+/// The next length that transforms are quick for: only 2, 3 and 5 divide it.
+std::size_t quick_length(std::size_t length) {
+  for (;; ++length) {
+    std::size_t rest = length;
+    for (const std::size_t prime : {2, 3, 5})
+      while (rest % prime == 0) rest /= prime;
+    if (rest == 1) return length;
+  }
+}
+
+enum class Direction { forward, back };
+
+void transform_rows(Spectrum& spectrum, Direction direction) {
+  const kissfft<double> fft(spectrum.columns(), direction == Direction::back);
+  tbb::parallel_for(std::size_t{0}, spectrum.rows(), [&](std::size_t r) {
+    const auto row = spectrum.row(r);
+    std::vector<std::complex<double>> out(row.size());
+    fft.transform(row.data(), out.data());
+    std::ranges::copy(out, row.begin());
+  });
+}
+
+void transform_columns(Spectrum& spectrum, Direction direction) {
+  const kissfft<double> fft(spectrum.rows(), direction == Direction::back);
+  tbb::parallel_for(std::size_t{0}, spectrum.columns(), [&](std::size_t c) {
+    std::vector<std::complex<double>> in(spectrum.rows()), out(spectrum.rows());
+    for (std::size_t r = 0; r < in.size(); ++r) in[r] = spectrum(r, c);
+    fft.transform(in.data(), out.data());
+    for (std::size_t r = 0; r < out.size(); ++r) spectrum(r, c) = out[r];
+  });
+}
+
+void transform(Spectrum& spectrum, Direction direction) {
+  transform_rows(spectrum, direction);
+  transform_columns(spectrum, direction);
+}
+
+/// Where a wrapped index stands, from 0 on either side.
+double from_first(std::size_t i, std::size_t length) {
+  return static_cast<double>(std::min(i, length - i));
+}
+
+/// Spreads λ/D that a pixel takes in.
+double spreads_a_pixel(const Blur& blur, double pixel_rad) {
+  return pixel_rad * blur.aperture.diameter_m / (blur.wavelength_nm * 1e-9);
+}
+
+/// The spread's mean over the pixel at that offset, in pixels: four places for each λ/D, where it is
+/// steep.
+double over_a_pixel(const Blur& blur, double pixel_rad, double x, double y) {
+  const double away = std::hypot(x, y), most = away < 2 ? 128 : away < 8 ? 16 : 1;
+  const double wanted = std::max(4., 4 * spreads_a_pixel(blur, pixel_rad));
+  const int parts = static_cast<int>(std::ceil(std::min(wanted, most)));
+  double sum = 0;
+  for (int i = 0; i < parts; ++i)
+    for (int j = 0; j < parts; ++j) {
+      const auto at = [&](double middle, int k) { return middle + (k + 0.5) / parts - 0.5; };
+      sum += diffraction_spread_per_sr(blur.aperture, blur.wavelength_nm,
+                                       pixel_rad * std::hypot(at(x, i), at(y, j)));
+    }
+  return sum / (parts * parts);
+}
+
+/// What diffraction leaves of each frequency.
+Spectrum diffraction_transfer(const Blur& blur, double pixel_rad, std::size_t rows,
+                              std::size_t columns) {
+  Spectrum spread(rows, columns);
+  tbb::parallel_for(std::size_t{0}, rows / 2 + 1, [&](std::size_t r) {
+    for (std::size_t c = 0; c <= columns / 2; ++c) {
+      const double value =
+          over_a_pixel(blur, pixel_rad, from_first(c, columns), from_first(r, rows));
+      for (const std::size_t row : {r, (rows - r) % rows})
+        for (const std::size_t column : {c, (columns - c) % columns}) spread(row, column) = value;
+    }
+  });
+  double sum = 0;
+  for (const auto& value : spread.values()) sum += value.real();
+  for (auto& value : spread.values()) value /= sum;
+  transform(spread, Direction::forward);
+  return spread;
+}
+
+/// What seeing, sampled pixel by pixel, leaves of a frequency in cycles a pixel: that of all
+/// frequencies that a pixel takes for it.
+double sampled_seeing(double x, double y, double width_px) {
+  const int folds = static_cast<int>(std::ceil(std::min(1.3 / width_px, 40.)));
+  double sum = 0;
+  for (int i = -folds; i <= folds; ++i)
+    for (int j = -folds; j <= folds; ++j)
+      sum += seeing_transfer(std::hypot(x + i, y + j), width_px);
+  return sum;
+}
+
+void multiply_by_seeing(Spectrum& spectrum, double width_px) {
+  const std::size_t rows = spectrum.rows(), columns = spectrum.columns();
+  const double whole = sampled_seeing(0, 0, width_px);
+  tbb::parallel_for(std::size_t{0}, rows / 2 + 1, [&](std::size_t r) {
+    for (std::size_t c = 0; c <= columns / 2; ++c) {
+      const double left =
+          sampled_seeing(static_cast<double>(c) / static_cast<double>(columns),
+                         static_cast<double>(r) / static_cast<double>(rows), width_px) /
+          whole;
+      const std::size_t below = (rows - r) % rows, beyond = (columns - c) % columns;
+      spectrum(r, c) *= left;
+      if (below != r) spectrum(below, c) *= left;
+      if (beyond != c) spectrum(r, beyond) *= left;
+      if (below != r && beyond != c) spectrum(below, beyond) *= left;
+    }
+  });
+}
+
+/// An index of the padded picture as one of the picture: its last row or column holds for the first
+/// half of what was added, its first for the second.
+std::size_t inside(std::size_t i, std::size_t length, std::size_t padded) {
+  if (i < length) return i;
+  return i < (length + padded) / 2 ? length - 1 : 0;
+}
+
+Spectrum padded(const algebra::Grid<double>& picture) {
+  const auto length = [](std::size_t n) {
+    return quick_length(n + std::max<std::size_t>(32, n / 8));
+  };
+  Spectrum all(length(picture.rows()), length(picture.columns()));
+  for (std::size_t r = 0; r < all.rows(); ++r)
+    for (std::size_t c = 0; c < all.columns(); ++c)
+      all(r, c) = picture(inside(r, picture.rows(), all.rows()),
+                          inside(c, picture.columns(), all.columns()));
+  return all;
+}
+
+/// As it was, but for what the transforms' rounding takes below the least there was.
+algebra::Grid<double> cut_out(const Spectrum& all, const algebra::Grid<double>& picture) {
+  const double count = static_cast<double>(all.rows() * all.columns());
+  const double least = *std::ranges::min_element(picture.values());
+  algebra::Grid<double> result(picture.rows(), picture.columns());
+  for (std::size_t r = 0; r < result.rows(); ++r)
+    for (std::size_t c = 0; c < result.columns(); ++c)
+      result(r, c) = std::max(least, all(r, c).real() / count);
+  return result;
+}
+
+void require_sound(const Blur& blur, double pixel_rad) {
+  algebra::require_within("aperture [m]", blur.aperture.diameter_m, 1e-5, 100);
+  algebra::require_within("obstruction", blur.aperture.obstruction, 0, 0.9);
+  if (blur.wavelength_nm != 0)
+    algebra::require_within("wavelength [nm]", blur.wavelength_nm, 100, 1e5);
+  algebra::require_within("seeing [rad]", blur.seeing_rad, 0, 1e-2);
+  algebra::require_within("pixel [rad]", pixel_rad, 1e-12, 1);
+}
+
+}  // namespace
+
+double diffraction_spread_per_sr(const Aperture& aperture, double wavelength_nm, double angle_rad) {
+  const double diameter = aperture.diameter_m / (wavelength_nm * 1e-9),  // in wavelengths
+      x = pi * diameter * angle_rad, epsilon = aperture.obstruction, open = 1 - epsilon * epsilon;
+  const double amplitude = (jinc(x) - epsilon * epsilon * jinc(epsilon * x)) / open;
+  return pi / 4 * diameter * diameter * open * amplitude * amplitude;
+}
+
+double seeing_transfer(double cycles_per_rad, double width_rad) {
+  return std::exp(-3.44 * std::pow(cycles_per_rad * width_rad / 0.976, 5. / 3));
+}
+
+algebra::Grid<double> blurred(const algebra::Grid<double>& picture, const Blur& blur,
+                              double pixel_rad) {
+  require_sound(blur, pixel_rad);
+  constexpr double unseen = 32;  // spreads in a pixel
+  const bool diffracts = blur.wavelength_nm != 0 && spreads_a_pixel(blur, pixel_rad) < unseen;
+  if (picture.empty() || (!diffracts && blur.seeing_rad == 0)) return picture;
+  auto all = padded(picture);
+  transform(all, Direction::forward);
+  if (diffracts) {
+    const auto transfer = diffraction_transfer(blur, pixel_rad, all.rows(), all.columns());
+    for (std::size_t i = 0; i < all.values().size(); ++i)
+      all.values()[i] *= transfer.values()[i].real();
+  }
+  if (blur.seeing_rad != 0) multiply_by_seeing(all, blur.seeing_rad / pixel_rad);
+  transform(all, Direction::back);
+  return cut_out(all, picture);
+}
+
+}  // namespace coppermoon::colour
