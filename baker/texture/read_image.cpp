@@ -67,8 +67,11 @@ void require_size(const fs::path& path, const OIIO::ImageSpec& spec) {
          std::max(std::abs(spec.x * 1.), std::abs(spec.y * 1.)), most_texels_a_side);
   const double numbers = 1. * spec.width * spec.height * spec.nchannels;
   within("numbers, texels by channels", numbers, most_numbers);
-  within("numbers in a file so small", numbers,
-         most_numbers_of_any_file + most_numbers_a_byte * static_cast<double>(fs::file_size(path)));
+  const double of_this_file =
+      most_numbers_of_any_file + most_numbers_a_byte * static_cast<double>(fs::file_size(path));
+  within("numbers in a file so small", numbers, of_this_file);
+  const double tile = 1. * spec.tile_width * spec.tile_height * spec.nchannels;
+  within("numbers of a tile in a file so small", tile, of_this_file);
 }
 
 /// OpenImageIO's name for what reads a file: by its first bytes, else by its name's ending. Left alone

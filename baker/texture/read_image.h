@@ -24,7 +24,8 @@ inline constexpr double most_texels_a_side = 1 << 20, most_numbers = 8589934592.
 /// Throws  Error  one line with the path: no such file, not permitted, a directory, empty, no
 ///                image, an image that ends early; a side of more than most_texels_a_side, more
 ///                numbers (texels by channels) than most_numbers, or more than
-///                most_numbers_of_any_file and most_numbers_a_byte for each byte of the file
+///                most_numbers_of_any_file and most_numbers_a_byte for each byte of the file, in all
+///                or in a tile
 Image read_image(const std::filesystem::path& path);
 
 /// One attribute of an image file's header, as text; empty when there is none of that name.

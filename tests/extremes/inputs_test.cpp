@@ -169,6 +169,17 @@ TEST_F(Maps, WhoseHeadersClaimMoreThanTheFileAreRefused) {
   expect_map_refused("an EXR with a window of 15 bytes", "claim.exr", "\"dataWindow\" of 15");
 }
 
+TEST_F(Maps, WhoseTilesClaimMoreThanTheFileAreRefused) {
+  oiiotool({"--create", "32x16", "3", "--addc", "0.5", "-d", "half", "--tile", "64", "64", "-o",
+            "a.exr"});
+  auto bytes = text_of(here("a.exr"));
+  // the tile's width, its height behind it
+  bytes.replace(bytes.find(std::string_view("tiles\0tiledesc\0", 15)) + 15 + 4 + 4, 4,
+                std::string_view("\x40\x00\x28\x00", 4));
+  file("claim.exr", bytes);
+  expect_map_refused("an EXR with a tile of 2 GB", "claim.exr", "numbers of a tile");
+}
+
 TEST_F(Maps, WhoseChunksClaimMoreThanTheFileAreRefused) {
   oiiotool({"--create", "2x1", "1", "-d", "uint8", "--attrib", "note", "here", "-o", "a.png"});
   auto bytes = text_of(here("a.png"));
