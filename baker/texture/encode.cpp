@@ -176,7 +176,8 @@ void write_encoded(const std::filesystem::path& path, const char* format,
     FileSink sink(descriptor);
     const auto output = OIIO::ImageOutput::create(format);
     if (!output) fail(one_line(OIIO::geterror()));
-    output->set_ioproxy(&sink);
+    const bool reads_back = std::string_view(format) == "tiff";  // goes by the name instead
+    if (!reads_back) output->set_ioproxy(&sink);
     std::string reason;
     try {
       const bool written = encode(*output, fmt::format("/proc/self/fd/{}", descriptor));

@@ -107,12 +107,20 @@ bool moderate_window(Reader& file) {
   return static_cast<double>(std::max(right - left, bottom - top)) < most_texels_a_side;
 }
 
+/// Whether a tile is no larger than all of a small file may be: OpenEXR makes room for one at once.
+bool moderate_tile(Reader& file) {
+  const auto width = file.integer().value_or(-1), height = file.integer().value_or(-1);
+  return width > 0 && height > 0 &&
+         static_cast<double>(width) * static_cast<double>(height) <= most_numbers_of_any_file;
+}
+
 /// Whether an attribute ends where its own counts say.
 bool honest(Reader& file, const std::string& type, std::int64_t size) {
   const std::int64_t end = file.at() + size;
   if (size < 0 || size > file.left()) return false;
   if (const auto bytes = bytes_of(type))
-    return size == *bytes && (type != "box2i" || moderate_window(file));
+    return size == *bytes && (type != "box2i" || moderate_window(file)) &&
+           (type != "tiledesc" || moderate_tile(file));
   if (type == "stringvector")
     pass_texts(file, end);
   else if (type == "chlist")

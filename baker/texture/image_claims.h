@@ -8,7 +8,7 @@ namespace coppermoon::texture {
 
 /// Refuses an OpenEXR or PNG file that claims attributes or chunks longer than itself: their readers
 /// ask for that memory, up to 2 GB, and clear it before they find out. A window of more than
-/// most_texels_a_side is refused with them.
+/// most_texels_a_side, and a tile of more than most_numbers_of_any_file, are refused with them.
 ///
 /// Given   format  "openexr", "png"; of any other nothing is refused
 /// Omits   all that the readers find out without such harm

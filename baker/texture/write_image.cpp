@@ -102,4 +102,25 @@ void write_png(const std::filesystem::path& path, const Image& image, int bits,
   });
 }
 
+void write_tiff(const std::filesystem::path& path, const Image& image,
+                const Attributes& attributes) {
+  const auto layout = layout_of(path, image);
+  require_layout(path, layout);
+  auto spec = spec_of(layout, OIIO::TypeDesc::UINT16, {});
+  spec.attribute("DateTime", "");  // or it would be the clock's
+  for (const auto& name : {"capDate", "expTime", "aperture"})
+    if (const auto found = attributes.find(name); found != attributes.end())
+      set_attribute(spec, found->first, found->second);
+  if (const auto iso = attributes.find("isoSpeed"); iso != attributes.end())
+    spec.attribute("Exif:PhotographicSensitivity", static_cast<int>(std::get<float>(iso->second)));
+  spec.attribute("oiio:ColorSpace", "Linear");
+  spec.attribute("compression", "zip");
+  const auto rows = rows_of(image);
+  const Source source{path, layout, rows, {0, 1}};
+  source.require_all(image.values);
+  write_encoded(path, "tiff", [&](OIIO::ImageOutput& output, const std::string& name) {
+    return output.open(name, spec) && write_scanlines(output, source);
+  });
+}
+
 }  // namespace coppermoon::texture

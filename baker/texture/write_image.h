@@ -67,4 +67,12 @@ void write_mipmapped(const std::filesystem::path& path, const Layout& layout, co
 void write_png(const std::filesystem::path& path, const Image& image, int bits,
                const Attributes& attributes = {});
 
+/// Writes numbers from 0 to 1 to a TIFF file of 16 bits as they are, not coded for a display; whole or
+/// not at all.
+///
+/// Given   attributes  exposure's standard names become EXIF's
+/// Throws  Error       as write_png
+void write_tiff(const std::filesystem::path& path, const Image& image,
+                const Attributes& attributes = {});
+
 }  // namespace coppermoon::texture

@@ -16,6 +16,7 @@
 #include "verbs/film_light.h"
 #include "verbs/film_progress.h"
 #include "verbs/frame_range.h"
+#include "verbs/known_words.h"
 #include "verbs/lit_scene.h"
 #include "verbs/recipe.h"
 #include "verbs/verbs.h"
@@ -26,7 +27,7 @@ namespace {
 struct Options {
   Film film;
   FilmFiles files;
-  std::string make = "pictures", camera = "tracking", aim, range, shard = "1/1", output;
+  std::string make = "pictures", mount = "tracking", aim, range, shard = "1/1", output;
   bool json = false;
 };
 
@@ -51,6 +52,17 @@ std::vector<std::pair<almanac::Instant, double>> time_keys(const std::string& te
   return keys;
 }
 
+/// Of who looks, and of the camera.
+std::vector<std::string> flags_of_pictures() {
+  CLI::App pictures;
+  ViewOptions view;
+  DevelopOptions develop;
+  add_view_options(pictures, view);
+  add_develop_options(pictures, develop);
+  add_camera_options(pictures, develop.camera);
+  return long_flags(pictures);
+}
+
 /// Lines of a recipe that change no light.
 std::string without_the_camera(const std::string& recipe) {
   constexpr std::array others{"albedo-map",
@@ -67,29 +79,12 @@ std::string without_the_camera(const std::string& recipe) {
                               "frames",
                               "fps",
                               "time-scale",
-                              "camera",
-                              "at",
+                              "mount",
                               "aim",
-                              "field",
-                              "focal-length",
-                              "sensor-width",
-                              "width",
-                              "height",
-                              "up",
-                              "reddening",
-                              "observer-ozone-du",
-                              "flattening",
-                              "observer-aerosol",
-                              "time",
-                              "f-number",
-                              "iso",
-                              "view",
-                              "display",
-                              "config",
-                              "bits",
                               "bracket"};
+  const auto seen = flags_of_pictures();
   return without(recipe, [&](const std::string& flag) {
-    return std::ranges::find(others, flag) != others.end();
+    return std::ranges::find(others, flag) != others.end() || holds(seen, flag);
   });
 }
 
@@ -125,15 +120,17 @@ void require_up(const Film& film, const std::vector<std::size_t>& frames) {
       almanac::utc_text(film.moments.frames[first - 1]), last));
 }
 
-void set_up_camera(Options& options) {
+void set_up(Options& options) {
+  options.film.view = seen_through(options.film.develop.camera, options.film.view);
+  options.film.develop.focal_length_mm = options.film.view.focal_length_mm;
   auto& film = options.film;
-  if (options.camera == "horizon") film.view.up = "zenith";
-  if (options.camera != "fixed") {
+  if (options.mount == "horizon") film.view.up = "zenith";
+  if (options.mount != "fixed") {
     if (!options.aim.empty())
-      throw algebra::Error(fmt::format("camera = {}, allowed fixed with --aim", options.camera));
+      throw algebra::Error(fmt::format("mount = {}, allowed fixed with --aim", options.mount));
     return;
   }
-  if (film.view.at.empty()) throw algebra::Error("camera = fixed, allowed with --at alone");
+  if (film.view.at.empty()) throw algebra::Error("mount = fixed, allowed with --at alone");
   film.view.aim = options.aim.empty()
                       ? apparent_place(film.view, film.sky((film.moments.frames.size() + 1) / 2))
                       : aim_from(options.aim);
@@ -164,7 +161,7 @@ std::vector<std::size_t> prepare(const CLI::App& verb, Options& options) {
   if (!film.time_keys.empty()) develop.time = "auto";
   require_sound(develop, film.picture(1));
   if (film.bracket_ev) algebra::require_within("bracket [EV]", *film.bracket_ev, 0.01, 10);
-  set_up_camera(options);
+  set_up(options);
   if (std::filesystem::exists(film.folder) && !std::filesystem::is_directory(film.folder))
     throw algebra::Error(fmt::format("{}: is no directory", film.folder.string()));
   if (!std::filesystem::is_directory(film.folder)) require_place_for(film.folder);
@@ -242,13 +239,13 @@ void add_film_options(CLI::App& verb, Options& options) {
   verb.add_option("--shard", options.shard,
                   "K/N: every N-th frame of these from the K-th on; of light: of its photons")
       ->group(group);
-  verb.add_option("--camera", options.camera,
+  verb.add_option("--mount", options.mount,
                   "tracking: the Moon in the middle; horizon: and the zenith up; fixed: on a "
                   "tripod, the zenith up")
       ->check(CLI::IsMember({"tracking", "horizon", "fixed"}))
       ->group(group);
   verb.add_option("--aim", options.aim,
-                  "ALTITUDE,AZIMUTH of a fixed camera [degrees, as seen; from north through east]; "
+                  "ALTITUDE,AZIMUTH of a fixed mount [degrees, as seen; from north through east]; "
                   "without: where the Moon is half way")
       ->group(group);
   verb.add_option("--bracket", options.film.bracket_ev,
@@ -274,6 +271,9 @@ void add_animate(CLI::App& program) {
   add_texture_options(*verb, options->film.content);
   add_view_options(*verb, options->film.view);
   add_develop_options(*verb, options->film.develop);
+  add_camera_options(*verb, options->film.develop.camera);
+  for (const char* of_one : {"--raw", "--photograph"})
+    verb->remove_option(verb->get_option(of_one));
   verb->add_option("-o,--output", options->output, "the folder")->required();
   verb->add_flag("--json", options->json, "an event a line on stdout, as JSON");
   add_recipe_option(*verb);

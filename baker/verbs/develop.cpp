@@ -39,11 +39,14 @@ texture::Image read_silently(const std::string& frame) {
 
 void run(const Options& options) {
   require_sound(options.develop, options.output);
-  require_place_for(options.output);
+  for (const auto& file :
+       {options.output, options.develop.camera.raw, options.develop.camera.photograph})
+    if (!file.empty()) require_place_for(file);
   const auto frame = read_silently(options.frame);
   const auto space = space_of(options);
   const auto exposure = exposure_for(options.develop, frame, space);
-  write_developed(options.develop, exposure, frame, space, options.output, {});
+  const auto picture = taken(options.develop, exposure, frame, space, seen_by(options.frame));
+  write_developed(options.develop, exposure, picture, space, options.output, {});
   const nlohmann::ordered_json all{{"file", options.output},
                                    {"colour_space", colour::name(space)},
                                    {"time_s", exposure.time_s},
@@ -68,6 +71,7 @@ void add_develop(CLI::App& program) {
       "--space", options->space,
       "lin_rec709, acescg or lin_ciexyzd65_scene; without: as the file's header or name says");
   add_develop_options(*verb, options->develop);
+  add_camera_options(*verb, options->develop.camera);
   verb->add_flag("--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
   verb->callback([options] { run(*options); });

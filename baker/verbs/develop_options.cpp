@@ -59,6 +59,42 @@ double cubic_mean(std::span<const double> lit) {
   return mean * mean * mean;
 }
 
+std::optional<colour::Camera> camera_of(const DevelopOptions& options) {
+  return camera_of(options.camera, options.f_number, options.focal_length_mm);
+}
+
+double f_number_of(const DevelopOptions& options) {
+  const auto camera = camera_of(options);
+  return camera ? camera->optics.focal_length_mm / camera->optics.aperture_mm
+                : options.f_number.value_or(12.1);
+}
+
+/// Three channels in a row, as they are in an image's values.
+template <class Pixels>
+texture::Image image_of(const Pixels& pixels, float unit) {
+  texture::Image image(pixels.columns(), pixels.rows(), {"R", "G", "B"});
+  auto value = image.values.begin();
+  for (const auto& pixel : pixels.values())
+    for (const auto number : pixel) *value++ = static_cast<float>(number) / unit;
+  return image;
+}
+
+void require_ending(const std::string& file, const char* what, const char* ending) {
+  if (!file.empty() && std::filesystem::path(file).extension() != ending)
+    throw algebra::Error(fmt::format("{}: {} ends in {}", file, what, ending));
+}
+
+void write_files(const CameraOptions& camera, const colour::Photograph& photograph,
+                 const colour::Exposure& exposure, texture::Attributes attributes) {
+  add_exposure(attributes, exposure);
+  if (!camera.raw.empty())
+    texture::write_tiff(camera.raw, image_of(photograph.raw, 65535), attributes);
+  attributes["coppermoon:saturation_cd_m2"] = static_cast<float>(photograph.saturation_cd_m2);
+  if (!camera.photograph.empty())
+    texture::write_exr(camera.photograph, image_of(photograph.scene_linear, 1), attributes,
+                       {.type = texture::ExrType::floating, .allow_negative = true});
+}
+
 colour::Image pixels_of(const texture::Image& frame) {
   require_colours(frame);
   colour::Image pixels(frame.height, frame.width);
@@ -71,13 +107,14 @@ colour::Image pixels_of(const texture::Image& frame) {
 }  // namespace
 
 void add_develop_options(CLI::App& verb, DevelopOptions& options) {
-  const std::string group = "The camera and the picture";
+  const std::string group = camera_group;
   verb.add_option(
           "--time", options.time,
           "exposure time [s]; auto: the brightest are not lost; follow: as the shadow deepens, "
           "without a step")
       ->group(group);
-  verb.add_option("--f-number", options.f_number, "focal length over aperture")->group(group);
+  verb.add_option("--f-number", options.f_number, "focal length over aperture; 12.1, or the camera's")
+      ->group(group);
   verb.add_option("--iso", options.iso, "ISO 12232 saturation-based speed")->group(group);
   verb.add_option("--view", options.view, "of the OpenColorIO configuration")->group(group);
   verb.add_option("--display", options.display, "of the OpenColorIO configuration")->group(group);
@@ -93,15 +130,32 @@ colour::Exposure exposure_for(const DevelopOptions& options, const texture::Imag
                               colour::WorkingSpace space) {
   require_colours(frame);
   constexpr double brightest = 0.8, followed = 0.25;
-  colour::Exposure exposure{1, options.f_number, options.iso};
+  colour::Exposure exposure{1, f_number_of(options), options.iso};
   if (!by_the_frame(options)) {
     exposure.time_s = seconds_from(options.time);
   } else if (const auto lit = luminances(frame, space); !lit.empty()) {
     const double scaled =
         options.time == "auto" ? brightest / bright_luminance(lit) : followed / cubic_mean(lit);
-    exposure.time_s = std::clamp(scaled / colour::exposure_scale(exposure), 1e-6, 1e5);
+    exposure.time_s = std::clamp(scaled / scale_of(options, exposure), 1e-6, 1e5);
   }
   return exposure;
+}
+
+double scale_of(const DevelopOptions& options, const colour::Exposure& exposure) {
+  const auto camera = camera_of(options);
+  return camera ? 1 / colour::saturation_cd_m2(*camera, exposure)
+                : colour::exposure_scale(exposure);
+}
+
+texture::Image taken(const DevelopOptions& options, const colour::Exposure& exposure,
+                     const texture::Image& frame, colour::WorkingSpace space, const Seen& seen,
+                     std::uint64_t number, const texture::Attributes& attributes) {
+  const auto camera = camera_of(options);
+  if (!camera) return frame;
+  const auto photograph =
+      photographed(options.camera, *camera, pixels_of(frame), space, seen, exposure, number);
+  write_files(options.camera, photograph, exposure, attributes);
+  return image_of(photograph.scene_linear, 1);
 }
 
 void add_exposure(texture::Attributes& attributes, const colour::Exposure& exposure) {
@@ -113,8 +167,10 @@ void add_exposure(texture::Attributes& attributes, const colour::Exposure& expos
 void require_sound(const DevelopOptions& options, const std::filesystem::path& picture) {
   if (picture.extension() != ".png")
     throw algebra::Error(fmt::format("{}: a picture ends in .png", picture.string()));
+  require_ending(options.camera.raw, "a raw file", ".tif");
+  require_ending(options.camera.photograph, "a photograph", ".exr");
   colour::exposure_scale(
-      {by_the_frame(options) ? 1 : seconds_from(options.time), options.f_number, options.iso});
+      {by_the_frame(options) ? 1 : seconds_from(options.time), f_number_of(options), options.iso});
   const auto views = colour::views(options.display, options.config);
   if (std::find(views.begin(), views.end(), options.view) == views.end())
     throw algebra::Error(
@@ -134,7 +190,7 @@ texture::Image shown(const DevelopOptions& options, double scale, const texture:
 
 texture::Image developed(const DevelopOptions& options, const colour::Exposure& exposure,
                          const texture::Image& frame, colour::WorkingSpace space) {
-  return shown(options, colour::exposure_scale(exposure), frame, space);
+  return shown(options, scale_of(options, exposure), frame, space);
 }
 
 void write_developed(const DevelopOptions& options, const colour::Exposure& exposure,

@@ -8,15 +8,19 @@
 #include "colour/exposure.h"
 #include "colour/working_space.h"
 #include "texture/image.h"
+#include "verbs/camera_options.h"
 
 namespace coppermoon::verbs {
 
 /// How the camera is set and its frame developed.
 struct DevelopOptions {
   std::string time = "auto";
-  double f_number = 12.1, iso = 800;
+  std::optional<double> f_number;  ///< without: 12.1, or the camera's
+  double iso = 800;
   std::string view = "Un-tone-mapped", display = "sRGB", config;
   int bits = 8;
+  CameraOptions camera;                   ///< of a frame that is seen; no texture has one
+  std::optional<double> focal_length_mm;  ///< given for the view; without: the camera's
 };
 
 void add_develop_options(CLI::App& verb, DevelopOptions& options);
@@ -28,6 +32,18 @@ void add_develop_options(CLI::App& verb, DevelopOptions& options);
 /// Throws Error when a setting is outside its range, or the frame has fewer than three channels
 colour::Exposure exposure_for(const DevelopOptions& options, const texture::Image& frame,
                               colour::WorkingSpace space);
+
+/// What a luminance of 1 cd/m² becomes where white is 1, at those settings.
+double scale_of(const DevelopOptions& options, const colour::Exposure& exposure);
+
+/// What the camera sees of a scene-linear frame, by the same unit; the frame itself without one. The
+/// camera's own files are written, where any are asked for.
+///
+/// Given  number      of the frame, for noise of its own
+///        attributes  for those files' headers
+texture::Image taken(const DevelopOptions& options, const colour::Exposure& exposure,
+                     const texture::Image& frame, colour::WorkingSpace space, const Seen& seen,
+                     std::uint64_t number = 0, const texture::Attributes& attributes = {});
 
 /// The camera's settings under OpenEXR's standard names.
 void add_exposure(texture::Attributes& attributes, const colour::Exposure& exposure);

@@ -20,20 +20,20 @@ double number_in_header(const fs::path& frame, const char* name) {
   return value;
 }
 
-double exposure_scale_of(const fs::path& frame) {
-  return colour::exposure_scale({number_in_header(frame, "expTime"),
-                                 number_in_header(frame, "aperture"),
-                                 number_in_header(frame, "isoSpeed")});
+double exposure_scale_of(const DevelopOptions& develop, const fs::path& frame) {
+  return scale_of(develop,
+                  {number_in_header(frame, "expTime"), number_in_header(frame, "aperture"),
+                   number_in_header(frame, "isoSpeed")});
 }
 
-void expose(texture::Image& film, const fs::path& frame) {
+void expose(const DevelopOptions& develop, texture::Image& film, const fs::path& frame) {
   const auto image = texture::read_image(frame);
   if (film.values.empty()) film = texture::Image(image.width, image.height, image.channels);
   if (image.width != film.width || image.height != film.height || image.channels != film.channels)
     throw algebra::Error(fmt::format("{}: {} x {} pixels, allowed {} x {}, as the first frame",
                                      frame.string(), image.width, image.height, film.width,
                                      film.height));
-  const auto scale = static_cast<float>(exposure_scale_of(frame));
+  const auto scale = static_cast<float>(exposure_scale_of(develop, frame));
   for (std::size_t i = 0; i < film.values.size(); ++i) film.values[i] += scale * image.values[i];
 }
 
@@ -42,7 +42,7 @@ void expose(texture::Image& film, const fs::path& frame) {
 void write_composite(const fs::path& path, const Film& film,
                      const std::vector<std::size_t>& frames) {
   texture::Image exposed;
-  for (const auto frame : frames) expose(exposed, film.linear_frame(frame));
+  for (const auto frame : frames) expose(film.develop, exposed, film.linear_frame(frame));
   texture::write_png(path, shown(film.develop, 1, exposed, colour::WorkingSpace::linear_rec709),
                      film.develop.bits,
                      {{"coppermoon:recipe", film.recipe},

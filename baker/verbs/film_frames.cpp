@@ -62,15 +62,24 @@ colour::Exposure exposure_of(const Film& film, std::size_t frame, const texture:
   return exposure_for(develop, image, space);
 }
 
-void write_pictures(const Film& film, std::size_t frame, const texture::Image& image,
+/// A frame on its way to its files.
+struct Rendered {
+  std::size_t frame;
+  texture::Attributes attributes;
+  Seen seen;
+};
+
+void write_pictures(const Film& film, const Rendered& rendered, const texture::Image& image,
                     const colour::Exposure& exposure) {
+  const auto frame = rendered.frame;
   const texture::Attributes attributes{{"coppermoon:recipe", film.recipe},
                                        {"coppermoon:frame", fmt::format("{}", frame)},
                                        {"coppermoon:version", std::string(COPPERMOON_VERSION)}};
   const auto write = [&](const std::filesystem::path& path, double stops) {
     auto exposed = exposure;
     exposed.time_s *= std::exp2(stops);
-    write_developed(film.develop, exposed, image, space, path, attributes);
+    const auto picture = taken(film.develop, exposed, image, space, rendered.seen, frame);
+    write_developed(film.develop, exposed, picture, space, path, attributes);
   };
   write(film.picture(frame), 0);
   if (!film.bracket_ev) return;
@@ -78,14 +87,16 @@ void write_pictures(const Film& film, std::size_t frame, const texture::Image& i
   write(film.picture(frame, "frame_over"), *film.bracket_ev);
 }
 
-MadeFrame finished(const Film& film, std::size_t frame, const std::filesystem::path& rendered,
-                   texture::Attributes attributes) {
-  const auto image = texture::read_image(rendered);
-  const auto exposure = exposure_of(film, frame, image);
+MadeFrame finished(const Film& film, const Rendered& rendered, const std::filesystem::path& file) {
+  const auto image = texture::read_image(file);
+  const auto exposure = exposure_of(film, rendered.frame, image);
+  auto attributes = rendered.attributes;
   add_exposure(attributes, exposure);
-  if (film.products.frames) texture::write_exr(film.linear_frame(frame), image, attributes);
-  if (film.products.pictures) write_pictures(film, frame, image, exposure);
-  return {frame, exposure.time_s};
+  add_seen(attributes, rendered.seen);
+  if (film.products.frames)
+    texture::write_exr(film.linear_frame(rendered.frame), image, attributes);
+  if (film.products.pictures) write_pictures(film, rendered, image, exposure);
+  return {rendered.frame, exposure.time_s};
 }
 
 using Told = std::function<void(const MadeFrame&)>;
@@ -97,12 +108,12 @@ void render(const Film& film, Frames frames, int threads, const Told& told) {
     return folder.path() / povray_scenes::numbered_file(texture_stem, number, frames.size());
   };
   povray_scenes::Sequence sequence{.cameras = {}, .textures = texture_stem};
-  std::vector<texture::Attributes> attributes;
+  std::vector<Rendered> batch;
   for (const std::size_t frame : frames) {
     const auto sky = film.sky(frame);
     const auto view = view_of(film, sky);
     const auto moon = moon_of(film, sky, view, frame);
-    const auto path = texture_file(attributes.size() + 1);
+    const auto path = texture_file(batch.size() + 1);
     if (film.products.textures) {
       write_texture(film, frame, moon);
       std::filesystem::create_symlink(std::filesystem::absolute(film.texture(frame)), path);
@@ -110,13 +121,13 @@ void render(const Film& film, Frames frames, int threads, const Told& told) {
       texture::write_exr(path, moon.parts, moon.attributes, {.packed = false});
     }
     sequence.cameras.push_back(view.camera);
-    attributes.push_back(moon.attributes);
+    batch.push_back({frame, moon.attributes, seen_by(view, sky)});
   }
   write_sequence(folder.path(), sequence);
   povray_scenes::render_sequence(
       folder.path(), 1, frames.size(),
       [&](std::size_t number, const std::filesystem::path& rendered) {
-        told(finished(film, frames[number - 1], rendered, attributes[number - 1]));
+        told(finished(film, batch[number - 1], rendered));
         std::filesystem::remove(rendered);
         std::filesystem::remove(texture_file(number));
       },

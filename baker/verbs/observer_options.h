@@ -20,7 +20,7 @@ almanac::Observer observer_from(const std::string& text);
 /// From where, and through what, the Moon is seen.
 struct ViewOptions {
   std::string at;  ///< empty: from the Earth's centre, without air
-  double focal_length_mm = 1540, sensor_width_mm = 22.7;
+  std::optional<double> focal_length_mm, sensor_width_mm;  ///< without: 1540 mm, 22.7 mm
   std::optional<double> field_deg;
   std::size_t width = 1500, height = 1000;
   std::string up = "celestial-north", reddening = "on", flattening = "on";

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -147,14 +148,21 @@ struct Table {
   std::vector<std::string> keys;
 };
 
-/// The flags that stand with --atmosphere, which is called model there.
-Table air_table(const CLI::App& verb) {
-  const auto* atmosphere = verb.get_option("--atmosphere");
-  Table table{"[atmosphere]", {"model"}};
+/// Flags whose names are tables of a recipe too: what stands with them in the help stands in the
+/// table, and they themselves are called model there.
+constexpr std::array tables{"atmosphere", "camera"};
+
+Table table_of(const CLI::App& verb, const std::string& name) {
+  const auto* model = verb.get_option("--" + name);
+  Table table{"[" + name + "]", {"model"}};
   for (const auto* option : verb.get_options())
-    if (option != atmosphere && option->get_group() == atmosphere->get_group())
+    if (option != model && option->get_group() == model->get_group())
       table.keys.push_back(option->get_lnames().front());
   return table;
+}
+
+bool is_table(const Told& told) {
+  return told.value->is_table() && std::ranges::find(tables, told.flag) != tables.end();
 }
 
 void require_key(const Reading& reading, const Table& table, const Told& told) {
@@ -181,22 +189,24 @@ std::vector<Told> told_in(const Reading& reading, const toml::table& entries, co
 void require_once(const Reading& reading, const std::vector<Told>& all) {
   for (auto told = all.begin(); told != all.end(); ++told)
     if (std::any_of(all.begin(), told, [&](const Told& t) { return t.flag == told->flag; }))
-      throw algebra::Error(fmt::format("{}{}: given twice, above all tables and in [atmosphere]",
+      throw algebra::Error(fmt::format("{}{}: given twice, above all tables and in one of them",
                                        reading.where(*told->value), told->flag));
 }
 
-/// The flags that a recipe names, those in [atmosphere] behind the others.
+/// The flags that a recipe names, those in tables behind the others.
 std::vector<Told> told_by(const Reading& reading, const toml::table& recipe) {
-  std::vector<Told> all, in_air;
+  std::vector<Told> all, in_tables;
   for (const auto& told :
        told_in(reading, recipe, {reading.verb.get_name(), long_flags(reading.verb)})) {
-    if (told.flag == "atmosphere" && told.value->is_table())
-      in_air = told_in(reading, *told.value->as_table(), air_table(reading.verb));
-    else
+    if (!is_table(told)) {
       all.push_back(told);
+      continue;
+    }
+    const auto table = table_of(reading.verb, told.flag);
+    for (const auto& inner : told_in(reading, *told.value->as_table(), table))
+      in_tables.push_back({inner.flag == "model" ? told.flag : inner.flag, inner.value});
   }
-  for (const auto& [key, value] : in_air)
-    all.push_back({key == "model" ? "atmosphere" : key, value});
+  all.insert(all.end(), in_tables.begin(), in_tables.end());
   require_once(reading, all);
   return all;
 }
@@ -276,7 +286,7 @@ bool holds_recipe(const std::filesystem::path& path) {
 std::vector<std::string> no_part_of_recipes() {
   return {"help",  "recipe",        "json",  "output",    "threads", "frame",
           "plot",  "shard",         "keep",  "add",       "range",   "make",
-          "movie", "contact-sheet", "curve", "composite", "lookup"};
+          "movie", "contact-sheet", "curve", "composite", "lookup", "raw", "photograph"};
 }
 
 std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path,

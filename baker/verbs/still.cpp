@@ -35,21 +35,27 @@ std::pair<texture::Image, double> rendered(const LitScene& scene) {
   return {texture::read_image(povray_scenes::render(folder.path(), {}, bar.progress())), seconds};
 }
 
-void run(const CLI::App& verb, const Options& options) {
+void run(const CLI::App& verb, Options options) {
+  options.view = seen_through(options.develop.camera, options.view);
+  options.develop.focal_length_mm = options.view.focal_length_mm;
   require_sound(options.develop, options.output);
   require_place_for(options.output);
-  if (!options.frame.empty()) require_place_for(options.frame);
+  for (const auto& file : {options.frame, options.develop.camera.raw, options.develop.camera.photograph})
+    if (!file.empty()) require_place_for(file);
   const auto recipe = recipe_of(verb);
   const auto scene =
       lit_scene(options.moon, options.view, recipe, texture::Extent::seen_from_earth);
   const auto [frame, seconds] = rendered(scene);
   const auto exposure = exposure_for(options.develop, frame, space);
+  const auto seen = seen_by(scene.view, scene.moon.sky);
+  auto attributes = scene.texture.attributes;
   if (!options.frame.empty()) {
-    auto attributes = scene.texture.attributes;
     add_exposure(attributes, exposure);
+    add_seen(attributes, seen);
     texture::write_exr(options.frame, frame, attributes);
   }
-  write_developed(options.develop, exposure, frame, space, options.output,
+  const auto picture = taken(options.develop, exposure, frame, space, seen, 0, attributes);
+  write_developed(options.develop, exposure, picture, space, options.output,
                   {{"coppermoon:recipe", scene.moon.recipe},
                    {"coppermoon:version", std::string(COPPERMOON_VERSION)}});
   report({{options.output},
@@ -68,6 +74,7 @@ void add_still(CLI::App& program) {
   add_moon_options(*verb, options->moon);
   add_view_options(*verb, options->view);
   add_develop_options(*verb, options->develop);
+  add_camera_options(*verb, options->develop.camera);
   verb->add_option("-o,--output", options->output, "the picture, .png")->required();
   verb->add_option("--frame", options->frame, "also the scene-linear frame [cd/m²], .exr");
   verb->add_flag("--json", options->json, "one JSON document on stdout");

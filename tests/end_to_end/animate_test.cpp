@@ -199,7 +199,7 @@ TEST_F(Animate, IsSeenByPlainPovray) {
 /// As far as the Moon goes in a day, it goes through the picture's middle half way.
 TEST_F(Animate, OnATripodLetsTheMoonGoThroughThePicture) {
   const auto words = film({"--frames", "3", "--from", "greatest-1h", "--to", "greatest+1h", "--at",
-                           "0,50", "--camera", "fixed", "--field", "60", "--width", "480",
+                           "0,50", "--mount", "fixed", "--field", "60", "--width", "480",
                            "--height", "320", "--make", "frames"});
   expect_done(coppermoon(words));
   std::vector<double> from_middle;
@@ -260,9 +260,9 @@ TEST_F(Animate, RefusesWhatItCannotMake) {
                  "range = 1-500, allowed frames of 1-240, as 1-240, 1-240x2 or 7,9,20-30");
   expect_refused(film({"--time", "U1:0.01,U1:2"}),
                  "exposure time = U1:0.01,U1:2, allowed keys in order of time");
-  expect_refused(film({"--camera", "fixed"}), "camera = fixed, allowed with --at alone");
+  expect_refused(film({"--mount", "fixed"}), "mount = fixed, allowed with --at alone");
   expect_refused(film({"--at", "-21,55", "--aim", "30,20"}),
-                 "camera = tracking, allowed fixed with --aim");
+                 "mount = tracking, allowed fixed with --aim");
   expect_refused({"animate", "2018-07-27", "-o", "no/such/film"}, "no/such: no such directory");
   expect_refused(film({"--at", "40,-100"}),
                  "the Moon is below the horizon of 40,-100 in all frames");
