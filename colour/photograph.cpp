@@ -150,6 +150,7 @@ Photograph photographed(const Image& scene_linear, WorkingSpace space, const Cam
   const auto colours = colours_of(camera, space);
   const bool grey = camera.sensor.response == "luminance";
   Photograph result{Image(seen.rows(), seen.columns()),
+                    algebra::Grid<float>(seen.rows(), seen.columns()),
                     algebra::Grid<RawPixel>(seen.rows(), seen.columns()),
                     readout.saturation_cd_m2()};
   tbb::parallel_for(std::size_t{0}, seen.rows(), [&](std::size_t r) {
@@ -164,6 +165,8 @@ Photograph photographed(const Image& scene_linear, WorkingSpace space, const Cam
       glm::dvec3 balanced;
       for (int k = 0; k < 3; ++k)
         balanced[k] = readout.developed(raw[static_cast<std::size_t>(k)], colours.sensitivity[k]);
+      constexpr double sound = 0.9;  // noise does not reach saturation from there
+      result.valid(r, c) = std::max({balanced.r, balanced.g, balanced.b}) < sound ? 1.F : 0.F;
       const glm::dvec3 scene = result.saturation_cd_m2 * (colours.from_sensor * balanced);
       for (int k = 0; k < 3; ++k)
         result.scene_linear(r, c)[static_cast<std::size_t>(k)] = static_cast<float>(scene[k]);

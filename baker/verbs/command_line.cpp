@@ -19,7 +19,7 @@ void add_words(CLI::App& program) {
   program.require_subcommand(1);
   program.set_version_flag("--version", "coppermoon " COPPERMOON_VERSION);
   for (const auto add : {add_almanac, add_sky, add_plan, add_shadow, add_brightness, add_bake,
-                         add_ring, add_scene, add_still, add_animate, add_develop, add_tradeoff})
+                         add_ring, add_scene, add_still, add_animate, add_develop, add_merge, add_tradeoff})
     add(program);
 }
 

@@ -10,6 +10,7 @@
 #include "algebra/error.h"
 #include "colour/display.h"
 #include "texture/write_image.h"
+#include "verbs/pixels.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -26,20 +27,14 @@ bool by_the_frame(const DevelopOptions& options) {
   return options.time == "auto" || options.time == "follow";
 }
 
-void require_colours(const texture::Image& frame) {
-  if (frame.channels.size() < 3)
-    throw algebra::Error(
-        fmt::format("the frame has {} channels, allowed 3 or more", frame.channels.size()));
-}
-
 /// Of all lit pixels.
 std::vector<double> luminances(const texture::Image& frame, colour::WorkingSpace space) {
   std::vector<double> lit;
-  for (std::size_t r = 0; r < frame.height; ++r)
-    for (std::size_t c = 0; c < frame.width; ++c) {
-      const std::array<double, 3> pixel{frame(r, c, 0), frame(r, c, 1), frame(r, c, 2)};
-      if (const double y = colour::luminance(space, pixel); y > 0) lit.push_back(y);
-    }
+  const auto pixels = pixels_of(frame);
+  for (const auto& [red, green, blue] : pixels.values()) {
+    const std::array<double, 3> pixel{red, green, blue};
+    if (const double y = colour::luminance(space, pixel); y > 0) lit.push_back(y);
+  }
   return lit;
 }
 
@@ -69,16 +64,6 @@ double f_number_of(const DevelopOptions& options) {
                 : options.f_number.value_or(12.1);
 }
 
-/// Three channels in a row, as they are in an image's values.
-template <class Pixels>
-texture::Image image_of(const Pixels& pixels, float unit) {
-  texture::Image image(pixels.columns(), pixels.rows(), {"R", "G", "B"});
-  auto value = image.values.begin();
-  for (const auto& pixel : pixels.values())
-    for (const auto number : pixel) *value++ = static_cast<float>(number) / unit;
-  return image;
-}
-
 void require_ending(const std::string& file, const char* what, const char* ending) {
   if (!file.empty() && std::filesystem::path(file).extension() != ending)
     throw algebra::Error(fmt::format("{}: {} ends in {}", file, what, ending));
@@ -88,20 +73,11 @@ void write_files(const CameraOptions& camera, const colour::Photograph& photogra
                  const colour::Exposure& exposure, texture::Attributes attributes) {
   add_exposure(attributes, exposure);
   if (!camera.raw.empty())
-    texture::write_tiff(camera.raw, image_of(photograph.raw, 65535), attributes);
+    texture::write_tiff(camera.raw, image_of(photograph.raw), attributes);
   attributes["coppermoon:saturation_cd_m2"] = static_cast<float>(photograph.saturation_cd_m2);
   if (!camera.photograph.empty())
-    texture::write_exr(camera.photograph, image_of(photograph.scene_linear, 1), attributes,
+    texture::write_exr(camera.photograph, image_of(photograph.scene_linear, photograph.valid), attributes,
                        {.type = texture::ExrType::floating, .allow_negative = true});
-}
-
-colour::Image pixels_of(const texture::Image& frame) {
-  require_colours(frame);
-  colour::Image pixels(frame.height, frame.width);
-  for (std::size_t r = 0; r < frame.height; ++r)
-    for (std::size_t c = 0; c < frame.width; ++c)
-      pixels(r, c) = {frame(r, c, 0), frame(r, c, 1), frame(r, c, 2)};
-  return pixels;
 }
 
 }  // namespace
@@ -128,7 +104,6 @@ void add_develop_options(CLI::App& verb, DevelopOptions& options) {
 
 colour::Exposure exposure_for(const DevelopOptions& options, const texture::Image& frame,
                               colour::WorkingSpace space) {
-  require_colours(frame);
   constexpr double brightest = 0.8, followed = 0.25;
   colour::Exposure exposure{1, f_number_of(options), options.iso};
   if (!by_the_frame(options)) {
@@ -155,7 +130,7 @@ texture::Image taken(const DevelopOptions& options, const colour::Exposure& expo
   const auto photograph =
       photographed(options.camera, *camera, pixels_of(frame), space, seen, exposure, number);
   write_files(options.camera, photograph, exposure, attributes);
-  return image_of(photograph.scene_linear, 1);
+  return image_of(photograph.scene_linear);
 }
 
 void add_exposure(texture::Attributes& attributes, const colour::Exposure& exposure) {
@@ -181,10 +156,8 @@ texture::Image shown(const DevelopOptions& options, double scale, const texture:
                      colour::WorkingSpace space) {
   const auto pixels = colour::developed(pixels_of(frame), space,
                                         {scale, options.view, options.display, options.config});
-  texture::Image image(frame.width, frame.height, {"R", "G", "B"});
-  for (std::size_t r = 0; r < frame.height; ++r)
-    for (std::size_t c = 0; c < frame.width; ++c)
-      for (std::size_t k = 0; k < 3; ++k) image(r, c, k) = std::clamp(pixels(r, c)[k], 0.F, 1.F);
+  auto image = image_of(pixels);
+  for (float& value : image.values) value = std::clamp(value, 0.F, 1.F);
   return image;
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-foreach(noun cie_observer difference display exposure photograph point_spread working_space)
+foreach(noun bracket cie_observer difference display exposure photograph point_spread working_space)
   coppermoon_test(colour/${noun} LINKS colour)
 endforeach()
 

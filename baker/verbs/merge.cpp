@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "algebra/error.h"
+#include "colour/bracket.h"
+#include "texture/read_image.h"
+#include "texture/write_image.h"
+#include "verbs/moon_options.h"
+#include "verbs/one_line.h"
+#include "verbs/pixels.h"
+#include "verbs/recipe.h"
+#include "verbs/verbs.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+struct Options {
+  std::vector<std::string> photographs;
+  std::string output;
+  bool json = false;
+};
+
+double number_of(const std::string& file, const char* attribute) {
+  double number = 0;
+  const auto text = texture::read_attribute(file, attribute);
+  if (!text || !CLI::detail::lexical_cast(*text, number) || !(number > 0))
+    throw algebra::Error(fmt::format(
+        "{}: its header has no {}, allowed are photographs of --photograph", file, attribute));
+  return number;
+}
+
+colour::Bracketed bracketed(const std::string& file) {
+  const auto image = texture::read_image(file);
+  if (image.channels.size() != 4)
+    throw algebra::Error(
+        fmt::format("{}: {} channels, allowed R, G, B and valid, as --photograph "
+                    "writes them",
+                    file, image.channels.size()));
+  colour::Bracketed one{pixels_of(image), algebra::Grid<float>(image.height, image.width), 0};
+  for (std::size_t i = 0; i < one.valid.values().size(); ++i)
+    one.valid.values()[i] = image.values[4 * i + 3];
+  const double f_number = number_of(file, "aperture");
+  one.light = number_of(file, "expTime") / (f_number * f_number);
+  return one;
+}
+
+/// What the first one's header says of the scene.
+texture::Attributes attributes_of(const std::string& file) {
+  texture::Attributes attributes;
+  for (const char* name : {"coppermoon:recipe", "coppermoon:version", "coppermoon:colour_space",
+                           "coppermoon:unit", "capDate"})
+    if (const auto text = texture::read_attribute(file, name)) attributes[name] = *text;
+  return attributes;
+}
+
+double share_valid(const colour::Bracketed& photograph) {
+  double sum = 0;
+  for (const float valid : photograph.valid.values()) sum += valid;
+  return sum / static_cast<double>(photograph.valid.values().size());
+}
+
+void run(const Options& options) {
+  require_place_for(options.output);
+  std::vector<colour::Bracketed> photographs;
+  for (const auto& file : options.photographs) photographs.push_back(bracketed(file));
+  const auto merged = colour::merged(photographs);
+  texture::write_exr(options.output, image_of(merged.scene_linear, merged.valid),
+                     attributes_of(options.photographs.front()),
+                     {.type = texture::ExrType::floating, .allow_negative = true});
+  const double valid = share_valid(merged);
+  if (options.json)
+    fmt::print("{}\n", nlohmann::ordered_json{{"file", options.output},
+                                              {"photographs", photographs.size()},
+                                              {"share_valid", valid}}
+                           .dump(2));
+  else
+    fmt::print("{}: {} photographs, {:.1f} % of the pixels within their range\n",
+               one_line(options.output), photographs.size(), 100 * valid);
+}
+
+}  // namespace
+
+void add_merge(CLI::App& program) {
+  auto* verb = program.add_subcommand(
+      "merge", "A bracketed set of photographs becomes one of the scene's luminance");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("photographs,--photographs", options->photographs,
+                   "of one scene, as --photograph writes them, .exr")
+      ->required();
+  verb->add_option("-o,--output", options->output, "scene-linear [cd/m2], .exr")->required();
+  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_recipe_option(*verb);
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace coppermoon::verbs

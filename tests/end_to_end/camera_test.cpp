@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// An eclipse through a telescope: what the camera's keys do to files, and where they may stand.
+#include <algorithm>
+#include <cmath>
+
+#include "end_to_end/program.h"
+#include "support/within.h"
+#include "texture/read_image.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr const char *deep = "2008-02-21T03:08:26Z", *new_york = "42.86,-73.77";
+
+class CameraTest : public ProgramTest {
+ protected:
+  static Words still(const Words& more, const std::string& output = "a.png") {
+    Words words{
+        "still",    deep,  "--at",   new_york, "--albedo-map",    "built-in", "--rays",  "60",
+        "--iso",    "800", "--time", "2",      "--texture-width", "128",      "--width", "90",
+        "--height", "60",  "-o",     output};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+
+  void make(const Words& words) const { expect_done(coppermoon(words)); }
+  texture::Image image(const char* name) const { return texture::read_image(here(name)); }
+  double number(const char* file, const char* attribute) const {
+    return std::stod(texture::read_attribute(here(file), attribute).value_or("nan"));
+  }
+};
+
+double mean_of_corner(const texture::Image& image, std::size_t channel) {
+  double sum = 0;
+  for (std::size_t r = 0; r < 10; ++r)
+    for (std::size_t c = 0; c < 10; ++c) sum += image(r, c, channel) / 100;
+  return sum;
+}
+
+TEST_F(CameraTest, MakesARawFileAPhotographAndAPictureOfAFrame) {
+  make(still({"--camera", "paper", "--seeing", "2", "--frame", "frame.exr", "--raw", "raw.tif",
+              "--photograph", "photograph.exr"}));
+  const auto raw = image("raw.tif"), photograph = image("photograph.exr"),
+             frame = image("frame.exr");
+  EXPECT_EQ(raw.width, 90U);
+  const auto [least, most] = std::ranges::minmax(raw.values);
+  EXPECT_GT(least * 65535, 60)
+      << "a black level of 124, and its noise of 1.7 over 17 sensor pixels";
+  EXPECT_LE(most * 65535, 4095.01) << "12 bits";
+  EXPECT_EQ(photograph.channels, (std::vector<std::string>{"R", "G", "B", "valid"}));
+  // over the middle of the disc the photograph has the frame's light, but for noise and blur
+  double light[2] = {};
+  for (std::size_t r = 20; r < 40; ++r)
+    for (std::size_t c = 35; c < 55; ++c)
+      light[0] += frame(r, c, 0), light[1] += photograph(r, c, 0);
+  EXPECT_WITHIN_RELATIVE(light[1], light[0], 0.02, "what 2 arcsec carry over this square's sides");
+  EXPECT_NEAR(number("frame.exr", "coppermoon:pixel_arcsec"), 206265 * 22.7 / 90 / 1540, 0.01);
+}
+
+TEST_F(CameraTest, SetsTheViewUnlessItIsSetByHand) {
+  make(still({"--camera", "400mm", "--frame", "camera.exr"}));
+  make(still({"--focal-length", "400", "--sensor-width", "35.8", "--frame", "hand.exr"}));
+  EXPECT_TRUE(image("camera.exr").values == image("hand.exr").values);
+  make(still({"--camera", "400mm", "--focal-length", "800", "--frame", "longer.exr"}));
+  EXPECT_WITHIN_RELATIVE(number("longer.exr", "coppermoon:pixel_arcsec"),
+                         number("camera.exr", "coppermoon:pixel_arcsec") / 2, 1e-5,
+                         "read in six digits");
+  EXPECT_WITHIN_RELATIVE(number("longer.exr", "aperture"), number("camera.exr", "aperture"), 1e-5,
+                         "as fast as before, unless its aperture is given");
+}
+
+TEST_F(CameraTest, IsATableOfARecipe) {
+  const std::string above =
+      "instant = 2008-02-21T03:08:26Z\nat = \"42.86,-73.77\"\nwidth = 90\n"
+      "height = 60\nalbedo-map = \"built-in\"\nrays = 60\n"
+      "texture-width = 128\n";
+  file("camera.toml", above +
+                          "[camera]\nmodel = \"paper\"\nseeing = 3\nread-noise = 20\n"
+                          "iso = 800\ntime = 2\n");
+  make({"still", "--recipe", "camera.toml", "-o", "table.png"});
+  make(still({"--camera", "paper", "--seeing", "3", "--read-noise", "20"}, "flags.png"));
+  EXPECT_TRUE(image("table.png").values == image("flags.png").values);
+  make({"still", "table.png", "-o", "again.png"});
+  EXPECT_EQ(text_of(here("again.png")), text_of(here("table.png")));
+
+  const auto refusal_of = [&](const std::string& table) {
+    file("wrong.toml", above + table);
+    const auto outcome = coppermoon({"still", "--recipe", "wrong.toml", "-o", "no.png"});
+    EXPECT_NE(outcome.status, 0);
+    EXPECT_FALSE(std::filesystem::exists(here("no.png")));
+    return outcome.err;
+  };
+  EXPECT_EQ(refusal_of("[camera]\nmodel = \"paper\"\nseing = 3\n"),
+            "coppermoon: wrong.toml:10: seing: [camera] has no such key; the nearest is seeing\n");
+  EXPECT_EQ(refusal_of("[camera]\nmodel = \"brownie\"\n"),
+            "coppermoon: camera = brownie, allowed paper, 400mm, schmidt-cassegrain, refractor\n");
+  EXPECT_EQ(refusal_of("seeing = 3\n"),
+            "coppermoon: a camera's aperture, sensor, noise, sky or files: allowed with --camera "
+            "paper, 400mm, schmidt-cassegrain, refractor\n");
+  EXPECT_EQ(refusal_of("[camera]\nmodel = \"paper\"\nread-noise = -1\n"),
+            "coppermoon: read noise [e] = -1, allowed 0 to 10000\n");
+  EXPECT_EQ(refusal_of("[camera]\nmodel = \"paper\"\nsky = \"bright\"\n"),
+            "coppermoon: sky [mag/arcsec2] = bright, allowed auto, off or -30 to 30\n");
+}
+
+TEST_F(CameraTest, DevelopsAFrameAsStillDoes) {
+  make(still({"--camera", "paper", "--seeing", "2", "--frame", "frame.exr", "--raw", "one.tif"}));
+  make({"develop", "frame.exr", "--camera", "paper", "--seeing", "2", "--time", "2", "--iso", "800",
+        "--raw", "two.tif", "-o", "b.png"});
+  const auto one = image("one.tif"), two = image("two.tif");
+  double apart = 0;
+  for (std::size_t i = 0; i < one.values.size(); ++i)
+    apart = std::max(apart, std::abs(65535. * (one.values[i] - two.values[i])));
+  // the frame is kept in half floats, 1/2048 apart: of 4095 numbers 2, and the same noise but one
+  // electron's, 1.4 numbers
+  EXPECT_LE(apart, 6);
+}
+
+TEST_F(CameraTest, LeftOutCostsNothing) {
+  make(still({"--frame", "frame.exr"}));
+  make(still({"--camera", "paper", "--noise", "off", "--diffraction", "off", "--sky", "off",
+              "--response", "colorimetric", "--sensor-bits", "16", "--photograph",
+              "photograph.exr"}));
+  const auto frame = image("frame.exr"), photograph = image("photograph.exr");
+  for (std::size_t r = 0; r < frame.height; ++r)
+    for (std::size_t c = 0; c < frame.width; ++c)
+      for (std::size_t k = 0; k < 3 && photograph(r, c, 3) == 1; ++k)
+        EXPECT_WITHIN(photograph(r, c, k), frame(r, c, k), 6e-4 + 5e-4 * frame(r, c, k),
+                      "a step of 16 bits, 15 cd/m2 over them, and of half floats");
+}
+
+/// Moonset in the morning of 2008-02-21 over Kurdistan: the Sun is 6 degrees below.
+TEST_F(CameraTest, SeesTheTwilight) {
+  const auto taken = [&](const Words& more, const char* name) {
+    Words words{
+        "still",           deep, "--at",    "36,46", "--camera",     "400mm",    "--noise", "off",
+        "--time",          "1",  "--iso",   "100",   "--albedo-map", "built-in", "--rays",  "60",
+        "--texture-width", "64", "--width", "60",    "--height",     "40",       "-o",      "a.png",
+        "--photograph",    name};
+    words.insert(words.end(), more.begin(), more.end());
+    make(words);
+    return mean_of_corner(image(name), 1);
+  };
+  const double off = taken({"--sky", "off"}, "off.exr");
+  const double twilight = taken({"--frame", "frame.exr"}, "twilight.exr") - off;
+  const double sky = number("frame.exr", "coppermoon:sky_cd_m2");
+  EXPECT_GT(sky, 0.01);
+  EXPECT_LT(sky, 100);
+  EXPECT_WITHIN_RELATIVE(twilight, sky, 0.01, "a step of 14 bits: 0.2 % of it");
+  const double by_hand = taken({"--sky", "12"}, "hand.exr") - off;
+  EXPECT_WITHIN_RELATIVE(by_hand, 1.08e5 * std::pow(10, -0.4 * 12), 0.01, "as before");
+}
+
+TEST_F(CameraTest, MergesABracketedSetOfPhotographs) {
+  make(still({"--frame", "frame.exr"}));
+  Words words{"merge"};
+  for (const char* time : {"0.1", "0.8", "6"}) {
+    const auto name = "bracket_" + std::string(time) + ".exr";
+    make({"develop", "frame.exr", "--camera", "refractor", "--time", time, "--diffraction", "off",
+          "--photograph", name, "-o", "a.png"});
+    words.push_back(name);
+  }
+  words.insert(words.end(), {"-o", "merged.exr"});
+  make(words);
+  const auto merged = image("merged.exr"), frame = image("frame.exr");
+  double light = 0, there = 0;
+  for (std::size_t r = 0; r < frame.height; ++r)
+    for (std::size_t c = 0; c < frame.width; ++c) {
+      EXPECT_EQ(merged(r, c, 3), 1);
+      light += merged(r, c, 1), there += frame(r, c, 1);
+    }
+  EXPECT_WITHIN_RELATIVE(light, there, 2e-3, "noise of 5400 pixels of some 1e4 electrons each");
+  const auto outcome = coppermoon({"merge", "frame.exr", "-o", "no.exr"});
+  EXPECT_EQ(outcome.err,
+            "coppermoon: frame.exr: 3 channels, allowed R, G, B and valid, as --photograph writes "
+            "them\n");
+}
+
+TEST_F(CameraTest, GivesEachFrameOfAFilmNoiseOfItsOwn) {
+  const auto film = [&](const char* folder) {
+    make({"animate",  "2018-07-27", "--from",          "greatest-1s", "--to",    "greatest+1s",
+          "--frames", "2",          "--texture-width", "64",          "--width", "48",
+          "--height", "32",         "--albedo-map",    "built-in",    "--rays",  "60",
+          "--camera", "400mm",      "--time",          "1",           "-o",      folder});
+  };
+  film("one"), film("two");
+  const auto first = image("one/frame.0001.png"), second = image("one/frame.0002.png");
+  EXPECT_FALSE(first.values == second.values);
+  EXPECT_TRUE(first.values == image("two/frame.0001.png").values);
+}
+
+TEST_F(CameraTest, RefusesFilesThatItCannotWrite) {
+  const auto refusal_of = [&](const Words& more) {
+    const auto outcome = coppermoon(still(more));
+    EXPECT_EQ(outcome.status, 1);
+    return outcome.err;
+  };
+  EXPECT_EQ(refusal_of({"--camera", "paper", "--raw", "raw.png"}),
+            "coppermoon: raw.png: a raw file ends in .tif\n");
+  EXPECT_EQ(refusal_of({"--camera", "paper", "--photograph", "a.tif"}),
+            "coppermoon: a.tif: a photograph ends in .exr\n");
+  EXPECT_EQ(refusal_of({"--camera", "paper", "--raw", "no/raw.tif"}),
+            "coppermoon: no: no such directory\n");
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end
