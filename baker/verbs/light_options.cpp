@@ -187,14 +187,14 @@ shadow::RefractedLight refracted_light(const LightOptions& asked, const atmosphe
   return light;
 }
 
-namespace {
-
 ShadowedMoon shadowed_moon(const LightOptions& options, const almanac::SkyState& sky) {
   const auto axis = eclipse::shadow_axis(sky);
   return {eclipse::place_in_shadow(axis, sky.moon_m), algebra::in_metres(axis.sun_distance),
           arrangement_of(options, algebra::in_metres(axis.sun_distance), {}).limb_darkening,
           atmosphere_of(options.air, axis.sun_declination)};
 }
+
+namespace {
 
 /// Of luminance: what the quadrature is found to err by; two standard errors of photons.
 double found_error(const ShadowedMoon& moon, const Moonlight& light) {

@@ -38,6 +38,9 @@ void add_light_options(CLI::App& verb, LightOptions& options);
 shadow::Arrangement arrangement_of(const LightOptions& options, double sun_distance_m,
                                    std::vector<double> depths_m);
 
+/// The Moon of one moment, in the shadow of that air.
+ShadowedMoon shadowed_moon(const LightOptions& options, const almanac::SkyState& sky);
+
 /// Refracted light by the solver chosen, with a progress bar; scattered light and starlight are added
 /// to it where they are on. Its rays and the terms of the Sun are those that 0.1 % of light asks for,
 /// or a finer tolerance.
