@@ -276,6 +276,27 @@ Image read_image(const fs::path& path) {
   });
 }
 
+Image read_light(const fs::path& path, Coding coding) {
+  const auto input = opened(path);
+  const auto& spec = input->spec();
+  require_light(path, spec);
+  const auto curve = curve_of(spec, coding);
+  const auto [r, g, b] = rgb_channels(spec);
+  const auto stride = static_cast<std::size_t>(spec.nchannels);
+  return within_memory(path, spec, [&, r = r, g = g, b = b] {
+    Image image(static_cast<std::size_t>(spec.width), static_cast<std::size_t>(spec.height),
+                {"R", "G", "B"});
+    for_each_band<float>(*input, path, [&](const Band<float>& band) {
+      float* light = image.values.data() + 3 * band.first_row * image.width;
+      for (std::size_t i = 0; i < band.values.size(); i += stride)
+        for (const std::size_t k : {r, g, b}) *light++ = linear(band.values[i + k], curve);
+    });
+    for (const float value : image.values)
+      if (!std::isfinite(value)) throw cannot_read(path, "light that is not finite");
+    return image;
+  });
+}
+
 std::optional<std::string> read_attribute(const fs::path& path, std::string_view name) {
   const auto input = opened(path);
   const auto* found = input->spec().find_attribute(oiio_name(name));

@@ -41,6 +41,14 @@ enum class Coding {
   linear,
 };
 
+/// The light of an image of any kind: channels R, G, B, all the same for grey.
+///
+/// Returned  linear; integer formats 0 to 1
+/// Omits     chromaticities other than Rec. 709, colour profiles, alpha
+/// Throws    Error  as read_image; when a channel is not finite
+/// Source    IEC 61966-2-1
+Image read_light(const std::filesystem::path& path, Coding coding = Coding::as_file_says);
+
 /// An albedo map: the luminance of an image, row 0 in the north.
 ///
 ///     Y = 0.2126 R + 0.7152 G + 0.0722 B        of linear R, G, B; one channel stands for itself

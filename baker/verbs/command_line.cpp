@@ -18,8 +18,9 @@ void add_words(CLI::App& program) {
       CLI::MultiOptionPolicy::TakeLast);
   program.require_subcommand(1);
   program.set_version_flag("--version", "coppermoon " COPPERMOON_VERSION);
-  for (const auto add : {add_almanac, add_sky, add_plan, add_shadow, add_brightness, add_bake,
-                         add_ring, add_scene, add_still, add_animate, add_develop, add_merge, add_tradeoff})
+  for (const auto add :
+       {add_almanac, add_sky, add_plan, add_shadow, add_brightness, add_bake, add_ring, add_scene,
+        add_still, add_animate, add_develop, add_merge, add_compare, add_tradeoff})
     add(program);
 }
 

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
-foreach(noun bracket cie_observer difference display exposure photograph point_spread working_space)
+foreach(noun bracket cie_observer difference display exposure photograph point_spread similarity working_space)
   coppermoon_test(colour/${noun} LINKS colour)
+endforeach()
+foreach(noun limb registration)
+  coppermoon_test(colour/${noun} LINKS colour surface)
 endforeach()
 
 set(config ${PROJECT_SOURCE_DIR}/colour/config.ocio)

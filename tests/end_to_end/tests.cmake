@@ -29,6 +29,8 @@ target_link_libraries(end_to_end_plans_test PRIVATE nlohmann_json::nlohmann_json
 coppermoon_test(end_to_end/planned_runs ALONE LINKS verbs LABELS slow TIMEOUT 1500)
 coppermoon_end_to_end(animate LINKS colour texture LABELS render)
 target_link_libraries(end_to_end_animate_test PRIVATE nlohmann_json::nlohmann_json)
+coppermoon_end_to_end(compare LINKS colour texture LABELS render)
+target_link_libraries(end_to_end_compare_test PRIVATE nlohmann_json::nlohmann_json)
 coppermoon_end_to_end(film LINKS colour texture LABELS slow)
 coppermoon_end_to_end(film_files LINKS algebra)
 target_link_libraries(end_to_end_film_files_test PRIVATE nlohmann_json::nlohmann_json)

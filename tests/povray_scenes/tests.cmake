@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 coppermoon_test(povray_scenes/camera LINKS povray_scenes)
+coppermoon_test(povray_scenes/sight LINKS povray_scenes)
 coppermoon_test(povray_scenes/scene LINKS povray_scenes)
 coppermoon_test(povray_scenes/render LINKS povray_scenes LABELS render)
 target_link_libraries(povray_scenes_render_test PRIVATE PkgConfig::OpenImageIO)

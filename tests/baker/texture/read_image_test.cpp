@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "texture/read_image.h"
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "baker/texture/scratch_folder.h"
 #include "support/within.h"
@@ -12,6 +14,7 @@ namespace {
 using namespace coppermoon::texture;
 
 using ReadImage = ScratchFolder;
+using ReadLight = ScratchFolder;
 using ReadAlbedoMap = ScratchFolder;
 
 /// A portable float map, written by hand: rows from the bottom, little endian.
@@ -63,6 +66,34 @@ TEST_F(ReadImage, FindsAttributesByTheirStandardNames) {
   EXPECT_EQ(read_attribute(in_folder("a.exr"), "capDate"), "2008:02:21 03:26:05");
   EXPECT_EQ(read_attribute(in_folder("a.exr"), "expTime"), "0.5");
   EXPECT_EQ(read_attribute(in_folder("a.exr"), "coppermoon:recipe"), std::nullopt);
+}
+
+TEST_F(ReadLight, UndoesTheCodingOfIntegers) {
+  const auto light = read_light(file("a.ppm", "P6\n1 1\n255\n\x0A\xBC\xFF"));
+  EXPECT_EQ(light.channels, (std::vector<std::string>{"R", "G", "B"}));
+  EXPECT_WITHIN(light(0, 0, 0), 10. / 255 / 12.92, 1e-8, "a float's rounding");
+  EXPECT_WITHIN(light(0, 0, 1), std::pow((188. / 255 + 0.055) / 1.055, 2.4), 1e-6,
+                "a float's rounding, and its power's");
+  EXPECT_EQ(light(0, 0, 2), 1);
+  const auto linear = read_light(in_folder("a.ppm"), Coding::linear);
+  EXPECT_WITHIN(linear(0, 0, 1), 188. / 255, 1e-7, "a float's rounding");
+}
+
+TEST_F(ReadLight, TakesGreyAndFloatsAsTheyAre) {
+  const auto light = read_light(file("a.pfm", float_map(2, 1, {0.25F, 3.F})));
+  EXPECT_EQ(light.values, (std::vector<float>{0.25F, 0.25F, 0.25F, 3, 3, 3}));
+}
+
+TEST_F(ReadLight, LeavesOutAlpha) {
+  Image image(1, 1, {"R", "G", "B", "A"});
+  image.values = {0.5F, 0.25F, 0.125F, 1};
+  write_exr(in_folder("a.exr"), image, {});
+  EXPECT_EQ(read_light(in_folder("a.exr")).values, (std::vector<float>{0.5F, 0.25F, 0.125F}));
+}
+
+TEST_F(ReadLight, RefusesWhatIsNotFinite) {
+  const float infinite = std::numeric_limits<float>::infinity();
+  EXPECT_ERROR(read_light(file("a.pfm", float_map(2, 1, {0, infinite}))), "not finite");
 }
 
 TEST_F(ReadAlbedoMap, LinearisesEightBitsAsSrgb) {

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "colour/limb.h"
+#include "texture/image.h"
+
+namespace coppermoon::verbs {
+
+/// Side by side: a photograph, the render as that camera would have taken it, and how they differ:
+/// red where the photograph is brighter, blue where it is darker, full at two stops; black where
+/// either is dark.
+///
+/// Given     photo     linear Rec.709
+///           render    the same, in the photograph's geometry and exposure
+///           in_photo  the disc that is shown
+/// Returned  sRGB-coded, 0 to 1: R, G, B; three squares of at most 640 pixels
+texture::Image comparison_sheet(const texture::Image& photo, const texture::Image& render,
+                                const colour::Disc& in_photo);
+
+}  // namespace coppermoon::verbs

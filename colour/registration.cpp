@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include "colour/registration.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <vector>
+
+#include "algebra/error.h"
+#include "colour/disc_features.h"
+#include "colour/limb.h"
+
+namespace coppermoon::colour {
+namespace {
+
+using Values = algebra::Grid<float>;
+using std::numbers::pi;
+
+constexpr double within_limb = 0.92, beyond_limb = 1.2;  // of the disc's radius
+constexpr double least_correlation = 0.4;
+
+/// Sums that a weighted correlation is made of.
+struct Sums {
+  double w = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
+
+  void add(double weight, double a, double b) {
+    w += weight;
+    x += weight * a;
+    y += weight * b;
+    xx += weight * a * a;
+    yy += weight * b * b;
+    xy += weight * a * b;
+  }
+  /// 0 where nothing differs.
+  double correlation() const {
+    const double spread = (w * xx - x * x) * (w * yy - y * y);
+    return spread > 0 ? (w * xy - x * y) / std::sqrt(spread) : 0;
+  }
+};
+
+/// A turn, growth and shift between two discs of one size in the middle of their grids.
+struct Pose {
+  bool mirrored = false;
+  std::array<double, 4> parts{};  ///< rotation [rad], logarithm of scale, shift [radii]
+};
+
+double middle_of(const DiscFeatures& features) {
+  return 0.5 * static_cast<double>(features.contrast.columns());
+}
+
+/// Radius of the discs in the grids.
+struct Pair {
+  DiscFeatures photo, render;
+  double radius_px;
+};
+
+/// From the render's grid to the photograph's.
+Similarity similarity_of(const Pair& pair, const Pose& pose) {
+  const auto& [turn, growth, x, y] = pose.parts;
+  Similarity similarity{std::exp(growth), turn, 0, 0, pose.mirrored};
+  const double from = middle_of(pair.render), to = middle_of(pair.photo);
+  const auto centre = moved(similarity, {from, from});
+  similarity.x_px = to + pair.radius_px * x - centre.x;
+  similarity.y_px = to + pair.radius_px * y - centre.y;
+  return similarity;
+}
+
+/// How alike the discs are in a pose, out to a part of their radius.
+double correlation(const Pair& pair, const Pose& pose, double out_to) {
+  const auto back = inverse(similarity_of(pair, pose));
+  const auto corner = moved(back, {0.5, 0.5}), across = moved(back, {1.5, 0.5}) - corner,
+             down = moved(back, {0.5, 1.5}) - corner;
+  const double middle = middle_of(pair.photo), reach = out_to * pair.radius_px;
+  Sums sums;
+  for (std::size_t r = 0; r < pair.photo.contrast.rows(); ++r)
+    for (std::size_t c = 0; c < pair.photo.contrast.columns(); ++c) {
+      const double x = static_cast<double>(c), y = static_cast<double>(r);
+      const glm::dvec2 out(x + 0.5 - middle, y + 0.5 - middle);
+      const double here = pair.photo.weight(r, c);
+      if (here <= 0 || glm::dot(out, out) > reach * reach) continue;
+      const auto there = corner + x * across + y * down;
+      const double weight = here * between_pixels(pair.render.weight, there);
+      if (weight > 0)
+        sums.add(weight, pair.photo.contrast(r, c), between_pixels(pair.render.contrast, there));
+    }
+  return sums.correlation();
+}
+
+/// Rings of a disc, a value each degree.
+struct Rings {
+  Values contrast, weight;
+};
+
+Rings rings_of(const DiscFeatures& features, double radius_px) {
+  constexpr std::size_t rings = 20, degrees = 360;
+  Rings made{Values(rings, degrees), Values(rings, degrees)};
+  const double middle = middle_of(features);
+  for (std::size_t i = 0; i < rings; ++i)
+    for (std::size_t d = 0; d < degrees; ++d) {
+      const double share = within_limb * (static_cast<double>(i) + 0.5) / rings;
+      const double angle = static_cast<double>(d) * pi / 180, away = share * radius_px;
+      const glm::dvec2 at(middle + away * std::cos(angle), middle + away * std::sin(angle));
+      made.contrast(i, d) = static_cast<float>(between_pixels(features.contrast, at));
+      made.weight(i, d) = static_cast<float>(share * between_pixels(features.weight, at));
+    }
+  return made;
+}
+
+double correlation(const Rings& photo, const Rings& render, std::size_t turn, bool mirrored) {
+  Sums sums;
+  for (std::size_t i = 0; i < photo.contrast.rows(); ++i)
+    for (std::size_t d = 0; d < 360; ++d) {
+      const std::size_t there = (mirrored ? 540 + turn - d : 360 + d - turn) % 360;
+      sums.add(photo.weight(i, d) * render.weight(i, there), photo.contrast(i, d),
+               render.contrast(i, there));
+    }
+  return sums.correlation();
+}
+
+/// The turns that no neighbour is better than, the best first.
+std::vector<Pose> likely_poses(const Pair& pair) {
+  constexpr std::size_t some = 4;
+  const auto photo = rings_of(pair.photo, pair.radius_px),
+             render = rings_of(pair.render, pair.radius_px);
+  std::vector<std::pair<double, Pose>> peaks;
+  for (const bool mirrored : {false, true}) {
+    std::array<double, 360> all{};
+    for (std::size_t turn = 0; turn < 360; ++turn)
+      all[turn] = correlation(photo, render, turn, mirrored);
+    for (std::size_t turn = 0; turn < 360; ++turn)
+      if (all[turn] > all[(turn + 359) % 360] && all[turn] >= all[(turn + 1) % 360])
+        peaks.push_back({all[turn], {mirrored, {static_cast<double>(turn) * pi / 180, 0, 0, 0}}});
+  }
+  std::ranges::sort(peaks, std::greater{}, [](const auto& peak) { return peak.first; });
+  std::vector<Pose> poses;
+  for (std::size_t i = 0; i < std::min(some, peaks.size()); ++i) poses.push_back(peaks[i].second);
+  return poses;
+}
+
+using Parts = std::array<double, 4>;
+
+Parts between(const Parts& a, const Parts& b, double share) {
+  Parts c{};
+  for (std::size_t k = 0; k < c.size(); ++k) c[k] = a[k] + share * (b[k] - a[k]);
+  return c;
+}
+
+struct Corner {
+  Parts at;
+  double height;
+};
+
+/// Moves the lowest corner of a simplex through the middle of the others, further or less far, or
+/// draws all towards the highest: one step of Nelder & Mead (1965), Computer Journal 7, 308.
+void climb(std::array<Corner, 5>& simplex, const std::function<double(const Parts&)>& height) {
+  std::ranges::sort(simplex, std::greater{}, &Corner::height);
+  Parts middle{};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 4; ++k) middle[k] += simplex[i].at[k] / 4;
+  auto& lowest = simplex.back();
+  const auto tried = [&](double share) {
+    const auto at = between(lowest.at, middle, share);
+    return Corner{at, height(at)};
+  };
+  const auto reflected = tried(2);
+  if (reflected.height > simplex.front().height) {
+    const auto further = tried(3);
+    lowest = further.height > reflected.height ? further : reflected;
+  } else if (reflected.height > simplex[3].height) {
+    lowest = reflected;
+  } else if (const auto nearer = tried(reflected.height > lowest.height ? 1.5 : 0.5);
+             nearer.height > std::max(reflected.height, lowest.height)) {
+    lowest = nearer;
+  } else {
+    for (std::size_t i = 1; i < simplex.size(); ++i) {
+      const auto at = between(simplex[i].at, simplex.front().at, 0.5);
+      simplex[i] = {at, height(at)};
+    }
+  }
+}
+
+/// The best pose near one, by steps that begin as large as told and end as small.
+Pose refined(const Pair& pair, Pose pose, double begin, double end_px) {
+  const auto height = [&](const Parts& parts) {
+    return correlation(pair, {pose.mirrored, parts}, beyond_limb);
+  };
+  std::array<Corner, 5> simplex;
+  for (std::size_t i = 0; i < simplex.size(); ++i) {
+    auto at = pose.parts;
+    if (i > 0) at[i - 1] += begin;
+    simplex[i] = {at, height(at)};
+  }
+  const auto wide = [&] {
+    double most = 0;
+    for (const auto& corner : simplex)
+      for (std::size_t k = 0; k < 4; ++k)
+        most = std::max(most, std::abs(corner.at[k] - simplex[0].at[k]) * pair.radius_px);
+    return most;
+  };
+  for (int step = 0; step < 150 && wide() > end_px; ++step) climb(simplex, height);
+  pose.parts = std::ranges::max_element(simplex, {}, &Corner::height)->at;
+  return pose;
+}
+
+Disc disc_in(const Values& picture, const char* name) {
+  if (const auto disc = limb_of(picture)) return *disc;
+  throw algebra::Error(std::string(name) +
+                       ": no Moon found, allowed is one with a quarter of its limb in the picture");
+}
+
+/// What stands out on both discs, brought to one radius, the render with the photograph's tonal range:
+/// what is brightest on the one is so on the other.
+struct Discs {
+  const Values &photo, &render;
+  Disc in_photo, in_render;
+
+  Pair at_radius(double most_px) const {
+    const double radius_px = std::min({most_px, in_photo.radius_px, in_render.radius_px});
+    TonalRange range{clipped_share(photo, in_photo)};
+    auto seen = features_of(photo, in_photo, radius_px, range);
+    range.floor = seen.floor;
+    return {std::move(seen), features_of(render, in_render, radius_px, range), radius_px};
+  }
+};
+
+}  // namespace
+
+Registration registered(const Values& photo, const Values& render) {
+  const Discs discs{photo, render, disc_in(photo, "photograph"), disc_in(render, "render")};
+  const auto coarse = discs.at_radius(40);
+  Pose best;
+  double most = -1;
+  for (const auto& likely : likely_poses(coarse)) {
+    const auto pose = refined(coarse, likely, 0.015, 0.1);
+    const double alike = correlation(coarse, pose, within_limb);
+    if (alike > most) most = alike, best = pose;
+  }
+  const auto fine = discs.at_radius(160);
+  best = refined(fine, best, 0.003, 0.005);
+  const double alike = correlation(fine, best, within_limb);
+  algebra::require_within("correlation of photograph and render", alike, least_correlation, 1);
+  const auto here = composed(fine.render.from_picture, similarity_of(fine, best));
+  auto found = composed(here, inverse(fine.photo.from_picture));
+  found.rotation_rad = std::remainder(found.rotation_rad, 2 * pi);
+  return {found, alike};
+}
+
+}  // namespace coppermoon::colour

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "colour/similarity.h"
+
+#include <cmath>
+
+#include "algebra/error.h"
+
+namespace coppermoon::colour {
+namespace {
+
+/// The same without the shift.
+glm::dvec2 turned(const Similarity& by, const glm::dvec2& v) {
+  const double c = by.scale * std::cos(by.rotation_rad), s = by.scale * std::sin(by.rotation_rad);
+  const double x = by.mirrored ? -v.x : v.x;
+  return {c * x - s * v.y, s * x + c * v.y};
+}
+
+}  // namespace
+
+glm::dvec2 moved(const Similarity& similarity, const glm::dvec2& pixel) {
+  return turned(similarity, pixel) + glm::dvec2(similarity.x_px, similarity.y_px);
+}
+
+Similarity inverse(const Similarity& similarity) {
+  Similarity back{1 / similarity.scale,
+                  similarity.mirrored ? similarity.rotation_rad : -similarity.rotation_rad, 0, 0,
+                  similarity.mirrored};
+  const auto corner = turned(back, {similarity.x_px, similarity.y_px});
+  back.x_px = -corner.x;
+  back.y_px = -corner.y;
+  return back;
+}
+
+Similarity composed(const Similarity& first, const Similarity& second) {
+  const double turn = second.mirrored ? -first.rotation_rad : first.rotation_rad;
+  const auto corner = moved(second, {first.x_px, first.y_px});
+  return {first.scale * second.scale, second.rotation_rad + turn, corner.x, corner.y,
+          first.mirrored != second.mirrored};
+}
+
+double between_pixels(const algebra::Grid<float>& image, const glm::dvec2& pixel) {
+  const double x = pixel.x - 0.5, y = pixel.y - 0.5;
+  const auto rows = static_cast<std::ptrdiff_t>(image.rows()),
+             columns = static_cast<std::ptrdiff_t>(image.columns());
+  if (!(x > -1 && y > -1 && x < static_cast<double>(columns) && y < static_cast<double>(rows)))
+    return 0;
+  const double left = std::floor(x), top = std::floor(y);
+  const auto column = static_cast<std::ptrdiff_t>(left), row = static_cast<std::ptrdiff_t>(top);
+  const auto value = [&](std::ptrdiff_t r, std::ptrdiff_t c) {
+    const bool inside = r >= 0 && c >= 0 && r < rows && c < columns;
+    return inside ? double{image(static_cast<std::size_t>(r), static_cast<std::size_t>(c))} : 0;
+  };
+  const double across = x - left, down = y - top;
+  const double upper = value(row, column) + across * (value(row, column + 1) - value(row, column)),
+               lower = value(row + 1, column) +
+                       across * (value(row + 1, column + 1) - value(row + 1, column));
+  return upper + down * (lower - upper);
+}
+
+algebra::Grid<float> resampled(const algebra::Grid<float>& image, const Similarity& similarity,
+                               std::size_t rows, std::size_t columns) {
+  algebra::require_within("scale of a picture", similarity.scale, 1e-4, 1e4);
+  const auto back = inverse(similarity);
+  const auto corner = moved(back, {0, 0}), across = moved(back, {1, 0}) - corner,
+             down = moved(back, {0, 1}) - corner;
+  const int side = static_cast<int>(std::ceil(back.scale - 1e-9));  // samples across a pixel
+  algebra::Grid<float> other(rows, columns);
+  for (std::size_t r = 0; r < rows; ++r)
+    for (std::size_t c = 0; c < columns; ++c) {
+      double sum = 0;
+      for (int i = 0; i < side * side; ++i)
+        sum += between_pixels(image,
+                              corner + (static_cast<double>(c) + (i % side + 0.5) / side) * across +
+                                  (static_cast<double>(r) + (i / side + 0.5) / side) * down);
+      other(r, c) = static_cast<float>(sum / (side * side));
+    }
+  return other;
+}
+
+}  // namespace coppermoon::colour

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+
+#include "algebra/grid.h"
+
+namespace coppermoon::colour {
+
+/// How one picture lies in another: turned, made larger or smaller, moved, perhaps mirrored.
+///
+///     X = scale (c m x − s y) + x_px,  Y = scale (s m x + c y) + y_px
+///
+/// c, s: cosine and sine of the rotation; m: −1 when mirrored, else 1. Pixels from the upper left
+/// corner, y down, the first pixel's centre at (0.5, 0.5); so positive rotations are clockwise.
+struct Similarity {
+  double scale = 1, rotation_rad = 0;
+  double x_px = 0, y_px = 0;  ///< where the upper left corner comes to lie
+  bool mirrored = false;      ///< left and right exchanged before all else
+};
+
+/// Where a place of the one picture lies in the other.
+glm::dvec2 moved(const Similarity& similarity, const glm::dvec2& pixel);
+
+/// The way back.
+///
+/// Given  similarity  of a scale other than 0
+Similarity inverse(const Similarity& similarity);
+
+/// One after the other, as one.
+Similarity composed(const Similarity& first, const Similarity& second);
+
+/// A picture as it lies in another: bilinear between pixel centres, the mean over each pixel where
+/// it becomes smaller.
+///
+/// Given     similarity     from the image to what is returned; scale above 0
+/// Returned  rows × columns; 0 where the image does not reach. What a grid of ones becomes is the
+///           share of each pixel that it does reach
+/// Throws    Error          when the scale is not 1e-4 to 1e4
+algebra::Grid<float> resampled(const algebra::Grid<float>& image, const Similarity& similarity,
+                               std::size_t rows, std::size_t columns);
+
+/// The image's value at a place, bilinear between pixel centres; 0 outside.
+double between_pixels(const algebra::Grid<float>& image, const glm::dvec2& pixel);
+
+}  // namespace coppermoon::colour

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// Photographs are made here, of the program's own frame: what a comparison must find is known.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "colour/exposure.h"
+#include "colour/similarity.h"
+#include "end_to_end/program.h"
+#include "support/within.h"
+#include "texture/read_image.h"
+#include "texture/write_image.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using Words = std::vector<std::string>;
+using nlohmann::json;
+
+constexpr colour::Exposure exposure{2, 8, 400};
+constexpr colour::Similarity turned{1.3, 2.5, 330, 90, true};
+constexpr std::size_t side = 400;
+
+/// IEC 61966-2-1.
+float coded(double light) {
+  const double v = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+  return static_cast<float>(std::clamp(v, 0., 1.));
+}
+
+/// A light frame in another picture's geometry, as bright as told.
+texture::Image photographed(const texture::Image& frame, const colour::Similarity& similarity,
+                            double value_per_cd_m2) {
+  texture::Image photo(side, side, {"R", "G", "B"});
+  for (std::size_t k = 0; k < 3; ++k) {
+    algebra::Grid<float> channel(frame.height, frame.width);
+    for (std::size_t i = 0; i < channel.values().size(); ++i)
+      channel.values()[i] = frame.values[3 * i + k];
+    const auto there = colour::resampled(channel, similarity, side, side);
+    for (std::size_t i = 0; i < there.values().size(); ++i)
+      photo.values[3 * i + k] = coded(value_per_cd_m2 * double{there.values()[i]});
+  }
+  return photo;
+}
+
+/// Moves the middle of the frame's disc to a place.
+colour::Similarity centred(colour::Similarity similarity, const glm::dvec2& at) {
+  const auto lands = colour::moved(similarity, {100, 90});
+  similarity.x_px += at.x - lands.x;
+  similarity.y_px += at.y - lands.y;
+  return similarity;
+}
+
+class Compare : public ProgramTest {
+ protected:
+  /// A still of 2008, in the umbra, from the Earth's centre; the disc is in the frame's middle.
+  Compare() {
+    expect_done(coppermoon({"still", "2008-02-21T03:26:05Z", "--width", "200", "--height", "180",
+                            "--field", "0.7", "--albedo-map", "built-in", "--quality", "draft",
+                            "--frame", "frame.exr", "-o", "still.png"}));
+    frame_ = texture::read_image(here("frame.exr"));
+  }
+
+  void write_photo(const char* name, int bits, double value_per_cd_m2,
+                   const texture::Attributes& attributes = {}) const {
+    texture::write_png(here(name), photographed(frame_, truth_, value_per_cd_m2), bits, attributes);
+  }
+
+  json compared(Words words) const {
+    words.insert(words.begin(), "compare");
+    words.emplace_back("--json");
+    const auto outcome = coppermoon(words);
+    expect_done(outcome);
+    return json::parse(outcome.out);
+  }
+
+  void expect_refused(Words words, const char* part, int status = 1) const {
+    words.insert(words.begin(), "compare");
+    const auto before = listing();
+    const auto outcome = coppermoon(words);
+    EXPECT_EQ(outcome.status, status);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(outcome.err.starts_with("coppermoon: ")) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    EXPECT_EQ(listing(), before);
+  }
+
+  void expect_registered(const json& found) const {
+    const auto& is = found["registration"];
+    const colour::Similarity similarity{is["scale"],
+                                        is["rotation_deg"].get<double>() * std::numbers::pi / 180,
+                                        is["x_px"], is["y_px"], is["mirrored"]};
+    EXPECT_TRUE(similarity.mirrored);
+    EXPECT_WITHIN_RELATIVE(similarity.scale, truth_.scale, 0.001, "a seventh pixel at the limb");
+    EXPECT_WITHIN(similarity.rotation_rad, truth_.rotation_rad, 0.002, "a third of a pixel there");
+    const auto is_at = colour::moved(similarity, {100, 90}),
+               should = colour::moved(truth_, {100, 90});
+    EXPECT_WITHIN(std::hypot(is_at.x - should.x, is_at.y - should.y), 0, 0.1, "of a pixel");
+    EXPECT_GT(is["correlation"].get<double>(), 0.99);
+  }
+
+  /// That every bin says what the photograph was made with.
+  static void expect_alike(const json& found, double stops, const char* reason) {
+    ASSERT_EQ(found["bins"].size(), 6U);
+    for (const auto& bin : found["bins"]) {
+      EXPECT_GT(bin["pixels"].get<int>(), 500);
+      EXPECT_WITHIN(bin["difference_stops"].get<double>(), 0, stops, reason);
+      for (const char* axis : {"u", "v"})
+        EXPECT_WITHIN(bin["photo_" + std::string(axis)].get<double>(),
+                      bin["render_" + std::string(axis)].get<double>(), 0.003,
+                      "the eye's own step is about that; a deep red's blue is a few steps of 8 "
+                      "bits, whose rounding the mean over hundreds of pixels takes out");
+      EXPECT_LT(bin["delta_e_2000"].get<double>(), 1.5);  // 1 is just seen
+    }
+  }
+
+  texture::Image frame_;
+  colour::Similarity truth_ = centred(turned, {205.3, 196.8});
+  double scale_ = colour::exposure_scale(exposure);
+  texture::Attributes header_{{"expTime", static_cast<float>(exposure.time_s)},
+                              {"aperture", static_cast<float>(exposure.f_number)},
+                              {"isoSpeed", static_cast<float>(exposure.iso)}};
+};
+
+TEST_F(Compare, FindsAPhotographItselfInSixteenBits) {
+  write_photo("photo.png", 16, scale_, header_);
+  const auto found = compared({"photo.png", "frame.exr", "--bins", "6"});
+  expect_registered(found);
+  EXPECT_EQ(found["exposure"]["from"], "exif");
+  EXPECT_WITHIN_RELATIVE(found["exposure"]["value_per_cd_m2"].get<double>(), scale_, 1e-6,
+                         "a float's digits");
+  EXPECT_WITHIN(found["exposure"]["fitted_over_used_stops"].get<double>(), 0, 0.005,
+                "16 bits; a tenth of a pixel beside the truth");
+  expect_alike(found, 0.005, "16 bits; a tenth of a pixel beside the truth");
+}
+
+TEST_F(Compare, FindsAPhotographInEightBits) {
+  write_photo("photo.png", 8, scale_, header_);
+  const auto found = compared({"photo.png", "frame.exr", "--bins", "6"});
+  expect_registered(found);
+  expect_alike(found, 0.03,
+               "codes are rounded; their curve is straight over a step but below code 11, and the "
+               "darkest bin is not much above");
+}
+
+TEST_F(Compare, FitsTheExposureWhereTheHeaderIsSilent) {
+  write_photo("photo.png", 16, 0.6 * scale_);
+  const auto found = compared({"photo.png", "frame.exr", "--bins", "6"});
+  EXPECT_EQ(found["exposure"]["from"], "fit");
+  EXPECT_WITHIN_RELATIVE(found["exposure"]["value_per_cd_m2"].get<double>(), 0.6 * scale_, 0.003,
+                         "16 bits; a tenth of a pixel beside the truth");
+  expect_alike(found, 0.005, "16 bits; a tenth of a pixel beside the truth");
+}
+
+TEST_F(Compare, SaysByHowManyStopsAHeaderIsWrong) {
+  write_photo("photo.png", 16, scale_ / 2, header_);
+  const auto found = compared({"photo.png", "frame.exr"});
+  EXPECT_EQ(found["bins"].size(), 12U);
+  EXPECT_WITHIN(found["exposure"]["fitted_over_used_stops"].get<double>(), -1, 0.005,
+                "half the light is a stop; 16 bits");
+  EXPECT_WITHIN(found["disc"]["difference_stops"].get<double>(), -1, 0.005,
+                "half the light is a stop; 16 bits");
+}
+
+TEST_F(Compare, LeavesOutWhatIsClipped) {
+  write_photo("photo.png", 16, 4 * scale_, header_);
+  const auto found = compared({"photo.png", "frame.exr", "--bins", "6", "--exposure", "fit"});
+  EXPECT_GT(found["disc"]["clipped_pixels"].get<int>(), 1000);
+  EXPECT_WITHIN_RELATIVE(found["exposure"]["value_per_cd_m2"].get<double>(), 4 * scale_, 0.01,
+                         "bilinear pixels beside clipped ones, a tenth of a pixel off");
+  EXPECT_WITHIN(found["disc"]["difference_stops"].get<double>(), 0, 0.015, "as before");
+}
+
+TEST_F(Compare, KnowsTheAxisDistancesOfTheDisc) {
+  write_photo("photo.png", 16, scale_, header_);
+  const auto found = compared({"photo.png", "frame.exr"});
+  const auto sky = coppermoon({"sky", "2008-02-21T03:26:05Z", "--json"});
+  const double centre_km = json::parse(sky.out)["axis_distance_km"], radius_km = 1737.4;
+  const char* reason =
+      "0.97 of the radius is measured, its sphere bends away, and the axis goes through it aslant";
+  EXPECT_WITHIN(found["disc"]["axis_distance_from_km"].get<double>(),
+                std::abs(centre_km - 0.97 * radius_km), 20, reason);
+  EXPECT_WITHIN(found["disc"]["axis_distance_to_km"].get<double>(), centre_km + 0.97 * radius_km,
+                20, reason);
+}
+
+TEST_F(Compare, DrawsAllThreeSideBySide) {
+  write_photo("photo.png", 16, scale_, header_);
+  const auto found = compared({"photo.png", "frame.exr", "-o", "sheet.png"});
+  EXPECT_EQ(found["file"], "sheet.png");
+  const auto sheet = texture::read_image(here("sheet.png"));
+  const std::size_t panel = sheet.height;
+  ASSERT_EQ(sheet.width, 3 * panel);
+  double off = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    off = std::max(off, std::abs(double{sheet(panel / 2, panel / 2, k)} -
+                                 sheet(panel / 2, panel + panel / 2, k)));
+    EXPECT_WITHIN(sheet(panel / 2, 2 * panel + panel / 2, k), 0.5F, 0.02F,
+                  "grey: no difference; 0.02 of grey is a twelfth of a stop");
+  }
+  EXPECT_WITHIN(off, 0, 0.02, "the same light; five codes");
+}
+
+TEST_F(Compare, RefusesWhatIsNoPairOfMoons) {
+  write_photo("photo.png", 8, scale_);
+  texture::write_png(here("black.png"), texture::Image(64, 64, {"Y"}), 8);
+  texture::write_exr(here("stranger.exr"), frame_, {});
+  expect_refused({"black.png", "frame.exr"}, "no Moon");
+  expect_refused({"photo.png", "stranger.exr"}, "no recipe");
+  expect_refused({"photo.png", "still.png"}, "ends in .exr");
+  expect_refused({"nothing.png", "frame.exr"}, "no such file");
+  expect_refused({"photo.png", "frame.exr", "--exposure", "exif"}, "--exposure fit");
+  expect_refused({"photo.png", "frame.exr", "--bins", "0"}, "allowed 1 to 1000");
+  expect_refused({"photo.png", "frame.exr", "-o", "sheet.jpg"}, ".png");
+  expect_refused({"photo.png"}, "render", 2);
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end
