@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/fit_photograph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numeric>
+
+#include "algebra/error.h"
+#include "almanac/instant.h"
+#include "povray_scenes/sight.h"
+#include "surface/albedo_map.h"
+#include "texture/bake.h"
+#include "verbs/comparison.h"
+#include "verbs/lit_scene.h"
+#include "verbs/spectral_bands.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+using Channel = algebra::Grid<float>;
+
+/// The picture that photographs are brought to: its side and the Moon's share of it.
+constexpr std::size_t side_px = 320;
+constexpr double disc_share = 0.8;
+constexpr std::size_t texture_rows = 512;
+
+/// Light is compared where ground is seen less than this cosine from straight on: the map and the
+/// limb's blur matter more beyond.
+constexpr double least_cosine = 0.4;
+
+constexpr std::size_t most_bins = 16;
+
+ViewOptions close_view(ViewOptions view, const almanac::SkyState& sky) {
+  const double disc =
+      2 * std::asin(algebra::in_metres(almanac::lunar_radius) / glm::length(sky.moon_m));
+  view.field_deg = disc / disc_share * 180 / std::numbers::pi;
+  view.width = view.height = side_px;
+  return view;
+}
+
+/// What the ground would be as a texture without the shadow.
+Channel sunlit_map(const MoonOptions& moon, const almanac::SkyState& sky) {
+  const shadow::Lookup whole(shadow::ChannelWeights(1, 1, 1.));
+  const auto image =
+      texture::bake(normal_albedo(moon), sky, whole, {"Y"}, texture_rows, photometry_of(moon));
+  Channel map(image.height, image.width);
+  std::ranges::copy(image.values, map.values().begin());
+  return map;
+}
+
+/// A pixel's ground, and where it stands.
+struct Ground {
+  std::size_t pixel;
+  double cos_emission;
+  eclipse::ShadowPlace place;
+};
+
+std::vector<Ground> grounds_of(const povray_scenes::Camera& camera, const almanac::SkyState& sky) {
+  const auto sight = povray_scenes::sight_of(camera);
+  const auto axis = eclipse::shadow_axis(sky);
+  const auto gcrs_from_selenographic = glm::transpose(sky.selenographic_from_gcrs);
+  std::vector<Ground> grounds;
+  for (std::size_t r = 0; r < side_px; ++r)
+    for (std::size_t c = 0; c < side_px; ++c) {
+      const auto ground = povray_scenes::ground_at(
+          sight, {static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5});
+      if (!ground) continue;
+      const auto at_m = sky.moon_m + gcrs_from_selenographic *
+                                         (algebra::in_metres(almanac::lunar_radius) * *ground);
+      grounds.push_back({r * side_px + c,
+                         glm::dot(*ground, glm::normalize(sight.position - *ground)),
+                         eclipse::place_in_shadow(axis, at_m)});
+    }
+  return grounds;
+}
+
+/// Each pixel as bright as its ground.
+Channel picture_of(const Channel& map, const povray_scenes::Camera& camera) {
+  const auto sight = povray_scenes::sight_of(camera);
+  Channel picture(side_px, side_px);
+  for (std::size_t r = 0; r < side_px; ++r)
+    for (std::size_t c = 0; c < side_px; ++c)
+      if (const auto ground = povray_scenes::ground_at(
+              sight, {static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5}))
+        picture(r, c) =
+            static_cast<float>(surface::sampled(map, almanac::selenographic_point(*ground)));
+  return picture;
+}
+
+/// Puts the pixels well within the disc into even steps of axis distance.
+void bin(FitScene& scene, const std::vector<Ground>& grounds) {
+  double least = 1e12, most = 0;
+  const auto inner = [](const Ground& ground) { return ground.cos_emission >= least_cosine; };
+  for (const auto& ground : grounds) {
+    if (!inner(ground)) continue;
+    least = std::min(least, algebra::in_metres(ground.place.axis_distance));
+    most = std::max(most, algebra::in_metres(ground.place.axis_distance));
+  }
+  scene.bins = most_bins;
+  for (const auto& ground : grounds) {
+    const double sunlit = scene.sunlit.values()[ground.pixel];
+    if (!inner(ground) || sunlit <= 0) continue;
+    const double share = (algebra::in_metres(ground.place.axis_distance) - least) / (most - least);
+    const auto step = static_cast<std::size_t>(share * static_cast<double>(most_bins));
+    scene.places.push_back({ground.place, sunlit, std::min(step, most_bins - 1)});
+    scene.pixels.push_back(ground.pixel);
+  }
+}
+
+/// The channel's pixels around the disc.
+std::vector<float> around_the_disc(const Channel& channel) {
+  const double middle = side_px / 2., radius = disc_share * middle;
+  std::vector<float> around;
+  for (std::size_t r = 0; r < side_px; ++r)
+    for (std::size_t c = 0; c < side_px; ++c) {
+      const double away =
+          std::hypot(static_cast<double>(r) + 0.5 - middle, static_cast<double>(c) + 0.5 - middle);
+      if (away > 1.12 * radius && away < 1.24 * radius) around.push_back(channel(r, c));
+    }
+  return around;
+}
+
+/// What the sky adds; nothing can be told of one that is cut off at black.
+double sky_in(const Channel& light, const Channel& black) {
+  constexpr double much = 0.05;
+  const auto mean = [](const std::vector<float>& all) {
+    return std::reduce(all.begin(), all.end(), 0.) / static_cast<double>(all.size());
+  };
+  return mean(around_the_disc(black)) > much ? 0 : mean(around_the_disc(light));
+}
+
+/// The least step of a channel that has 256 values at most: sRGB's near black; else 0.
+double step_of(const Channel& channel) {
+  std::vector<float> values(channel.values().begin(), channel.values().end());
+  std::ranges::sort(values);
+  const auto end = std::unique(values.begin(), values.end());
+  return end - values.begin() <= 256 ? 1 / 12.92 / 255 : 0;
+}
+
+/// One bin's light over its sunlight, and how well that is known.
+struct Sum {
+  double light = 0, sunlit = 0, sunlit_squared = 0, residual = 0;
+  std::size_t pixels = 0, clipped = 0;
+
+  bool sound() const { return pixels >= 40 && clipped * 20 <= pixels; }
+  double ratio() const { return light / sunlit; }
+  /// Neighbouring pixels are as wrong as each other, some four of them.
+  double error() const {
+    constexpr double alike = 4;
+    const double variance = residual / static_cast<double>(pixels);
+    return std::sqrt(alike * variance * static_cast<double>(pixels)) / sunlit;
+  }
+};
+
+Channel channel_of(const texture::Image& image, std::size_t k) {
+  Channel channel(image.height, image.width);
+  for (std::size_t i = 0; i < channel.values().size(); ++i)
+    channel.values()[i] = image.values[image.channels.size() * i + k];
+  return channel;
+}
+
+/// 1 where a channel is black.
+Channel black_in(const Channel& light) {
+  Channel black(light.rows(), light.columns());
+  for (std::size_t i = 0; i < black.values().size(); ++i)
+    black.values()[i] = light.values()[i] <= 0 ? 1 : 0;
+  return black;
+}
+
+/// 1 where any channel is clipped.
+Channel clipped_in(const texture::Image& photo) {
+  constexpr float saturated = 0.97F;
+  Channel clipped(photo.height, photo.width);
+  for (std::size_t i = 0; i < clipped.values().size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (photo.values[photo.channels.size() * i + k] >= saturated) clipped.values()[i] = 1;
+  return clipped;
+}
+
+std::vector<Sum> sums_of(const FitScene& scene, const Channel& light, const Channel& clipped,
+                         double sky) {
+  std::vector<Sum> sums(scene.bins);
+  const auto lit = [&](std::size_t i) { return light.values()[scene.pixels[i]] - sky; };
+  for (std::size_t i = 0; i < scene.places.size(); ++i) {
+    const auto& [place, sunlit, bin] = scene.places[i];
+    auto& sum = sums[bin];
+    ++sum.pixels;
+    if (clipped.values()[scene.pixels[i]] > 1e-3F) {
+      ++sum.clipped;
+      continue;
+    }
+    sum.light += lit(i);
+    sum.sunlit += sunlit;
+  }
+  for (std::size_t i = 0; i < scene.places.size(); ++i) {
+    const auto& [place, sunlit, bin] = scene.places[i];
+    auto& sum = sums[bin];
+    if (clipped.values()[scene.pixels[i]] > 1e-3F || sum.sunlit == 0) continue;
+    sum.residual += std::pow(lit(i) - sum.ratio() * sunlit, 2);
+  }
+  return sums;
+}
+
+}  // namespace
+
+FitScene fit_scene(const MoonOptions& moon, const ViewOptions& view) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc(moon.instant));
+  const auto seen = view_of(close_view(view, sky), sky);
+  FitScene scene;
+  scene.sunlit = picture_of(sunlit_map(moon, sky), seen.camera);
+  const auto grounds = grounds_of(seen.camera, sky);
+  bin(scene, grounds);
+  auto coarse = moon.light;
+  coarse.plan.tolerance = "5%";
+  const auto usual = light_on_the_moon(coarse, sky, false, {}).in_channels(luminance_weights());
+  scene.usual = scene.sunlit;
+  std::vector<double> luminance(1);
+  for (const auto& ground : grounds) {
+    usual.read(ground.place, luminance);
+    scene.usual.values()[ground.pixel] *= static_cast<float>(luminance[0]);
+  }
+  const auto xyz = moonlight_weights(
+      colour::channel_weights(colour::WorkingSpace::ciexyz_d65, band_edges_nm()), seen.sightline);
+  scene.light.emplace(moon.light, sky, xyz, scene.places, scene.bins);
+  return scene;
+}
+
+namespace {
+
+/// A photograph whose noise hides the limb is looked at from further away.
+colour::Registration registration_of(const texture::Image& photo, const Channel& usual) {
+  const auto luminance = luminance_of(photo);
+  for (double size = 1;; size /= 2) {
+    const colour::Similarity smaller{.scale = size};
+    const auto extent = [&](std::size_t pixels) {
+      return static_cast<std::size_t>(static_cast<double>(pixels) * size);
+    };
+    try {
+      auto found = colour::registered(
+          size == 1
+              ? luminance
+              : colour::resampled(luminance, smaller, extent(photo.height), extent(photo.width)),
+          usual);
+      found.render_to_photo = colour::composed(found.render_to_photo, colour::inverse(smaller));
+      return found;
+    } catch (const algebra::Error&) {
+      if (size <= 0.25) throw;
+    }
+  }
+}
+
+}  // namespace
+
+BinnedPhotograph binned(const FitScene& scene, const texture::Image& photo) {
+  constexpr double least_steps = 6, of_a_step = 0.3;
+  BinnedPhotograph result{algebra::Grid<double>(scene.bins, 3),
+                          algebra::Grid<double>(scene.bins, 3),
+                          registration_of(photo, scene.usual)};
+  const auto back = colour::inverse(result.registration.render_to_photo);
+  const auto brought = [&](const Channel& channel) {
+    return colour::resampled(channel, back, side_px, side_px);
+  };
+  const auto clipped = brought(clipped_in(photo));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto channel = channel_of(photo, k);
+    const auto light = brought(channel);
+    const double step = step_of(channel), sky = sky_in(light, brought(black_in(channel)));
+    const auto sums = sums_of(scene, light, clipped, sky);
+    for (std::size_t b = 0; b < scene.bins; ++b) {
+      const auto& sum = sums[b];
+      const double mean = sum.light / static_cast<double>(std::max<std::size_t>(1, sum.pixels));
+      if (!sum.sound() || mean <= least_steps * step) continue;
+      result.values(b, k) = sum.ratio();
+      result.errors(b, k) = std::hypot(sum.error(), of_a_step * step / mean * sum.ratio());
+    }
+  }
+  return result;
+}
+
+namespace {
+
+/// Rec.709 as renders have it: within its gamut.
+std::array<double, 3> rec709_of(std::span<const double> xyz) {
+  static const auto from_xyz = colour::channels_from_xyz(colour::WorkingSpace::linear_rec709);
+  const auto rgb = from_xyz * glm::dvec3(xyz[0], xyz[1], xyz[2]);
+  std::array<double, 3> channels{rgb.r, rgb.g, rgb.b};
+  colour::into_gamut(colour::WorkingSpace::linear_rec709, channels);
+  return channels;
+}
+
+/// The inverse of the Cholesky factor of a covariance.
+algebra::Grid<double> whitening_of(algebra::Grid<double> covariance) {
+  const std::size_t n = covariance.rows();
+  auto& l = covariance;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = l(i, j);
+      for (std::size_t k = 0; k < j; ++k) sum -= l(i, k) * l(j, k);
+      l(i, j) = i == j ? std::sqrt(sum) : sum / l(j, j);
+    }
+  algebra::Grid<double> inverse(n, n);
+  for (std::size_t j = 0; j < n; ++j) {
+    inverse(j, j) = 1 / l(j, j);
+    for (std::size_t i = j + 1; i < n; ++i) {
+      double sum = 0;
+      for (std::size_t k = j; k < i; ++k) sum -= l(i, k) * inverse(k, j);
+      inverse(i, j) = sum / l(i, i);
+    }
+  }
+  return inverse;
+}
+
+double squared(double x) { return x * x; }
+
+/// Of the value itself, and of the brightest of its bin.
+double model_error(double value, double brightest) {
+  constexpr double of_value = 0.015, of_brightest = 0.005;
+  return std::hypot(of_value, of_brightest * brightest / value);
+}
+
+}  // namespace
+
+PhotographFit::PhotographFit(const FitScene& scene, const BinnedPhotograph& photograph,
+                             const Belief& belief) {
+  constexpr double too_noisy = 0.3, unknown = 10;
+  const double value = belief.value_per_cd_m2.value_or(1);
+  const double exposure_error = belief.value_per_cd_m2 ? belief.exposure_error : unknown;
+  std::vector<double> own;
+  for (std::size_t b = 0; b < scene.bins; ++b) {
+    const auto values = photograph.values.row(b);
+    const double brightest = *std::ranges::max_element(values);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double noise = photograph.errors(b, k) / values[k];
+      if (values[k] <= 0 || noise > too_noisy || values[k] < 0.01 * brightest) continue;
+      numbers_.push_back({b, k, std::log(values[k] / value)});
+      own.push_back(squared(noise) + squared(model_error(values[k], brightest)));
+    }
+  }
+  if (numbers_.size() < 6)
+    throw algebra::Error(
+        fmt::format("{} parts of the disc are neither clipped nor lost in noise, allowed 6 or more",
+                    numbers_.size()));
+  algebra::Grid<double> covariance(numbers_.size(), numbers_.size());
+  for (std::size_t i = 0; i < numbers_.size(); ++i)
+    for (std::size_t j = 0; j < numbers_.size(); ++j) {
+      const bool coloured = numbers_[i].channel == numbers_[j].channel && numbers_[i].channel != 1;
+      covariance(i, j) = squared(exposure_error) + (i == j ? own[i] : 0) +
+                         (coloured ? squared(belief.white_balance_error) : 0);
+    }
+  whitening_ = whitening_of(covariance);
+}
+
+double PhotographFit::chi_squared(const algebra::Grid<double>& light_xyz) const {
+  std::vector<double> apart;
+  for (const auto& [bin, channel, logarithm] : numbers_) {
+    const double light = rec709_of(light_xyz.row(bin))[channel];
+    apart.push_back(logarithm - std::log(std::max(light, 1e-12)));
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < apart.size(); ++i) {
+    double white = 0;
+    for (std::size_t j = 0; j <= i; ++j) white += whitening_(i, j) * apart[j];
+    sum += white * white;
+  }
+  return sum;
+}
+
+}  // namespace coppermoon::verbs

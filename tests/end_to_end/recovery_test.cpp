@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// A hundred photographs of eclipses under air that the fit is not told.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <glm/vec2.hpp>
+
+#include "algebra/random.h"
+#include "end_to_end/program.h"
+#include "texture/read_image.h"
+#include "texture/write_image.h"
+#include "verbs/develop_options.h"
+#include "verbs/fit_air.h"
+#include "verbs/pixels.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using algebra::Random;
+using verbs::FitScene;
+
+constexpr auto rec709 = colour::WorkingSpace::linear_rec709;
+constexpr std::size_t photographs_an_instant = 20;
+constexpr std::uint64_t seed = 2018;
+
+double between(Random& random, double from, double to) {
+  return from + (to - from) * random.uniform();
+}
+
+double in_decades(Random& random, double from, double to) {
+  return from * std::pow(to / from, random.uniform());
+}
+
+double normal(Random& random) {
+  return std::sqrt(-2 * std::log(1 - random.uniform())) *
+         std::cos(2 * 3.14159265358979 * random.uniform());
+}
+
+/// An eclipse, and where it is seen from.
+struct Occasion {
+  const char *instant, *at;
+};
+
+constexpr std::array occasions{
+    Occasion{"2018-07-27T20:40:00Z", "36,38"}, Occasion{"2008-02-21T03:12:00Z", "42.86,-73.77"},
+    Occasion{"2015-09-28T02:30:00Z", "30,-40"}, Occasion{"2010-12-21T08:00:00Z", "40,-100"},
+    Occasion{"2000-07-16T13:20:00Z", "-20,150"}};
+
+struct Truth {
+  double dust_per_m, cloud_cover, ozone_du;
+};
+
+struct Taken {
+  Truth truth;
+  bool jpeg;
+  double time_s, iso, seeing_arcsec;
+};
+
+Taken random_photograph(Random& random) {
+  Taken taken{};
+  taken.truth = {in_decades(random, 1.5e-6, 1e-5), between(random, 0, 0.9),
+                 between(random, 200, 450)};
+  taken.jpeg = random.uniform() < 0.5;
+  taken.time_s = between(random, 1, 4);
+  taken.iso = in_decades(random, 100, 3200);
+  taken.seeing_arcsec = between(random, 1, 4);
+  return taken;
+}
+
+/// Turned about its middle, as a camera that is not level holds it.
+texture::Image turned(const texture::Image& image, double angle_rad) {
+  texture::Image result(image.width, image.height, image.channels);
+  const double x0 = static_cast<double>(image.width) / 2, y0 = static_cast<double>(image.height) / 2,
+               c = std::cos(angle_rad), s = std::sin(angle_rad);
+  for (std::size_t k = 0; k < 3; ++k) {
+    algebra::Grid<float> channel(image.height, image.width);
+    for (std::size_t i = 0; i < channel.values().size(); ++i)
+      channel.values()[i] = image.values[image.channels.size() * i + k];
+    for (std::size_t r = 0; r < image.height; ++r)
+      for (std::size_t col = 0; col < image.width; ++col) {
+        const double x = static_cast<double>(col) + 0.5 - x0, y = static_cast<double>(r) + 0.5 - y0;
+        result(r, col, k) = static_cast<float>(
+            colour::between_pixels(channel, {x0 + c * x - s * y, y0 + s * x + c * y}));
+      }
+  }
+  return result;
+}
+
+class Recovery : public ProgramTest {
+ protected:
+  /// A scene-linear frame by POV-Ray, of the true air.
+  texture::Image frame_of(const Occasion& occasion, const Truth& truth) const {
+    const auto outcome = coppermoon(
+        {"still", occasion.instant, "--at", occasion.at, "--dust-extinction",
+         fmt::format("{}", truth.dust_per_m), "--cloud-cover", fmt::format("{}", truth.cloud_cover),
+         "--ozone-du", fmt::format("{}", truth.ozone_du), "--albedo-map", "built-in", "--width",
+         "440", "--height", "440", "--field", "0.75", "--texture-width", "1024", "--time", "1",
+         "--frame", "frame.exr", "-o", "a.png"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return texture::read_image(here("frame.exr"));
+  }
+
+  /// As a camera that is sold as f/6 and saturates within a tenth of what its speed says has it.
+  texture::Image photograph_of(const texture::Image& frame, const Taken& taken, Random& random,
+                               double& value_per_cd_m2) const {
+    auto camera = colour::camera_named("refractor");
+    camera.seeing_arcsec = taken.seeing_arcsec;
+    const double f_number = camera.optics.focal_length_mm / camera.optics.aperture_mm;
+    const colour::Exposure exposure{taken.time_s, f_number, taken.iso};
+    const double pixel_rad = 2 * std::tan(0.75 / 2 * 3.14159265358979 / 180) / 440;
+    const auto photograph =
+        colour::photographed(verbs::pixels_of(frame), rec709, camera,
+                             {exposure, pixel_rad, 2e-4, seed + 1, random_number_++});
+    value_per_cd_m2 = 1 / photograph.saturation_cd_m2;
+    auto image = verbs::image_of(photograph.scene_linear);
+    const std::array<double, 3> gain{std::exp(0.03 * normal(random)), 1.,
+                                     std::exp(0.03 * normal(random))};
+    const double exposed = std::exp(0.1 * normal(random));
+    for (std::size_t i = 0; i < image.values.size(); ++i)
+      image.values[i] *= static_cast<float>(value_per_cd_m2 * exposed * gain[i % 3]);
+    return written(turned(image, between(random, 0, 6.28)), taken.jpeg);
+  }
+
+  /// Coded as sRGB, and read again.
+  texture::Image written(texture::Image image, bool jpeg) const {
+    for (float& value : image.values) {
+      const float v = std::clamp(value, 0.F, 1.F);
+      value = v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
+    }
+    texture::write_png(here("photo.png"), image, 16);
+    if (!jpeg) return texture::read_light(here("photo.png"));
+    const auto outcome = run({"oiiotool", here("photo.png").string(), "-d", "uint8",
+                              "--compression", "jpeg:90", "-o", here("photo.jpg").string()});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return texture::read_light(here("photo.jpg"));
+  }
+
+ private:
+  mutable std::uint64_t random_number_ = 0;
+};
+
+verbs::FitScene scene_of(const Occasion& occasion) {
+  verbs::MoonOptions moon;
+  moon.instant = occasion.instant;
+  moon.albedo_map = "built-in";
+  verbs::ViewOptions view;
+  view.at = occasion.at;
+  return fit_scene(moon, view);
+}
+
+bool within(double value, const verbs::Estimate& estimate) {
+  return value >= estimate.low && value <= estimate.high;
+}
+
+TEST_F(Recovery, OfAHundredPhotographsFindsDustAndCloudAndKnowsHowWell) {
+  int all = 0, dust = 0, cover = 0, both = 0, lost = 0;
+  std::array<int, 3> inside{};
+  for (const auto& occasion : occasions) {
+    const auto scene = scene_of(occasion);
+    for (std::size_t i = 0; i < photographs_an_instant; ++i) {
+      Random random(seed, static_cast<std::uint64_t>(all));
+      const auto taken = random_photograph(random);
+      double value = 0;
+      const auto photo =
+          photograph_of(frame_of(occasion, taken.truth), taken, random, value);
+      ++all;
+      try {
+        const auto seen = binned(scene, photo);
+        const verbs::Witness witness{&scene, {scene, seen, {value, 0.1, 0.03}}};
+        const auto [posterior, numbers] = verbs::fitted_air({&witness, 1});
+        const auto& [d, c, o] = posterior.estimates;
+        const auto& truth = taken.truth;
+        const bool good_dust = std::abs(std::exp(d.median) / truth.dust_per_m - 1) < 0.25,
+                   good_cover = std::abs(c.median - truth.cloud_cover) < 0.15;
+        dust += good_dust, cover += good_cover, both += good_dust && good_cover;
+        inside[0] += within(std::log(truth.dust_per_m), d);
+        inside[1] += within(truth.cloud_cover, c);
+        inside[2] += within(truth.ozone_du, o);
+        std::printf("%2d %s %.1fs ISO%5.0f: dust %.2e %.2e (%.2f-%.2f) cover %.2f %.2f (%.2f-%.2f) ozone %.0f %.0f (%.0f-%.0f) chi2 %.1f/%zu r %.2f\n", all, taken.jpeg ? "jpg" : "png",
+                    taken.time_s, taken.iso, truth.dust_per_m, std::exp(d.median),
+                    1e6 * std::exp(d.low), 1e6 * std::exp(d.high), truth.cloud_cover, c.median, c.low,
+                    c.high, truth.ozone_du, o.median, o.low, o.high, posterior.least_chi_squared,
+                    numbers, posterior.correlation[0][1]);
+      } catch (const std::exception& error) {
+        ++lost;
+        std::printf("%2d lost: %s (%s ISO %.0f %.1f s)\n", all, error.what(), taken.jpeg ? "jpg" : "png", taken.iso, taken.time_s);
+      }
+      std::fflush(stdout);
+    }
+  }
+  std::printf("of %d: dust %d, cover %d, both %d, lost %d; inside %d %d %d\n", all, dust, cover, both, lost,
+              inside[0], inside[1], inside[2]);
+  EXPECT_GE(both, 90);
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end
