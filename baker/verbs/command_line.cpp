@@ -20,7 +20,7 @@ void add_words(CLI::App& program) {
   program.set_version_flag("--version", "coppermoon " COPPERMOON_VERSION);
   for (const auto add :
        {add_almanac, add_sky, add_plan, add_shadow, add_brightness, add_bake, add_ring, add_scene,
-        add_still, add_animate, add_develop, add_merge, add_compare, add_tradeoff})
+        add_still, add_animate, add_develop, add_merge, add_compare, add_fit, add_tradeoff})
     add(program);
 }
 

@@ -19,6 +19,7 @@
 #include "verbs/comparison_sheet.h"
 #include "verbs/moon_options.h"
 #include "verbs/one_line.h"
+#include "verbs/photo_file.h"
 #include "verbs/recipe.h"
 #include "verbs/silence.h"
 #include "verbs/verbs.h"
@@ -34,14 +35,6 @@ struct Options {
   std::size_t bins = 12;
   bool json = false;
 };
-
-texture::Image read_photo(const Options& options) {
-  const auto coding = options.coding == "srgb"     ? texture::Coding::srgb
-                      : options.coding == "linear" ? texture::Coding::linear
-                                                   : texture::Coding::as_file_says;
-  const Silence silence;
-  return texture::read_light(options.photo, coding);
-}
 
 void require_rec709(const std::string& render) {
   const auto space = texture::read_attribute(render, "coppermoon:colour_space");
@@ -61,27 +54,6 @@ texture::Image read_render(const Options& options, const FramePlaces& places) {
                                      options.render, render.width, render.height,
                                      places.camera.width, places.camera.height));
   return render;
-}
-
-/// The first of some names that a photograph's header knows a number by.
-std::optional<double> number_in_header(const std::string& photo,
-                                       std::initializer_list<const char*> names) {
-  for (const char* name : names) {
-    double value = 0;
-    const auto text = texture::read_attribute(photo, name);
-    if (text && CLI::detail::lexical_cast(*text, value) && value > 0) return value;
-  }
-  return std::nullopt;
-}
-
-/// What its header says of how the camera was set.
-std::optional<colour::Exposure> exif_of(const std::string& photo) {
-  const auto time_s = number_in_header(photo, {"expTime", "Exif:ExposureTime"}),
-             f_number = number_in_header(photo, {"aperture", "Exif:FNumber"}),
-             iso = number_in_header(
-                 photo, {"isoSpeed", "Exif:PhotographicSensitivity", "Exif:ISOSpeedRatings"});
-  if (!time_s || !f_number || !iso) return std::nullopt;
-  return colour::Exposure{*time_s, *f_number, *iso};
 }
 
 /// All that was found.
@@ -184,10 +156,7 @@ void require_sound(const Options& options) {
 /// Nothing where the exposure is to be fitted.
 std::optional<colour::Exposure> exif_to_use(const Options& options) {
   if (options.exposure == "fit") return std::nullopt;
-  const auto exif = [&] {
-    const Silence silence;
-    return exif_of(options.photo);
-  }();
+  const auto exif = exif_of(options.photo);
   if (!exif && options.exposure == "exif")
     throw algebra::Error(fmt::format(
         "{}: its header has not all of exposure time, f-number and ISO speed; allowed is "
@@ -207,7 +176,7 @@ void run(const Options& options) {
   require_sound(options);
   const auto exif = exif_to_use(options);
   const auto places = frame_places(options.recipe_in.empty() ? options.render : options.recipe_in);
-  const auto photo = read_photo(options), frame = read_render(options, places);
+  const auto photo = read_photo(options.photo, options.coding), frame = read_render(options, places);
   const auto registration = colour::registered(luminance_of(photo), luminance_of(frame));
   const auto render = resampled(frame, registration.render_to_photo, photo.height, photo.width);
   const auto pixels = shared_pixels(photo, render, places, registration.render_to_photo);

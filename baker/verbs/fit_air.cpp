@@ -31,7 +31,7 @@ void add_over_cover(const Witness& witness, const FittedLight::Mixed& mixed,
       const double clear = mixed.clear.values()[i];
       light.values()[i] = clear + covers[j] * (mixed.cloudy.values()[i] - clear);
     }
-    chi_squared[j] += witness.fit.chi_squared(light);
+    chi_squared[j] += witness.chi_squared(light);
   }
 }
 
@@ -44,11 +44,10 @@ AirFit fitted_air(std::span<const Witness> witnesses) {
   tbb::parallel_for(std::size_t{0}, chi_squared.rows(), [&](std::size_t row) {
     const double dust = std::exp(dusts[row / ozones.size()]), ozone = ozones[row % ozones.size()];
     for (const auto& witness : witnesses)
-      add_over_cover(witness, witness.scene->light->mixed(dust, ozone), covers,
-                     chi_squared.row(row));
+      add_over_cover(witness, witness.light->mixed(dust, ozone), covers, chi_squared.row(row));
   });
   AirFit result{{}, 0};
-  for (const auto& witness : witnesses) result.numbers += witness.fit.count();
+  for (const auto& witness : witnesses) result.numbers += witness.count;
   const double least = *std::ranges::min_element(chi_squared.values());
   const double freedom = std::max(1., static_cast<double>(result.numbers) - 3);
   const double larger = std::max(1., least / freedom);

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <span>
 
-#include "verbs/fit_photograph.h"
+#include "verbs/fit_light.h"
 #include "verbs/fit_posterior.h"
 
 namespace coppermoon::verbs {
 
-/// A photograph that speaks of the air, and the scene it is of.
+/// Numbers that speak of the air: a photograph's, or magnitudes.
 struct Witness {
-  const FitScene* scene;
-  PhotographFit fit;
+  const FittedLight* light;
+  std::function<double(const algebra::Grid<double>& light)> chi_squared;
+  std::size_t count;  ///< of those numbers
 };
 
-/// What some photographs of one air say of it.
+/// What some witnesses of one air say of it.
 struct AirFit {
   Posterior posterior;  ///< of the logarithm of dust [1/m], cloud cover, ozone [DU]
   std::size_t numbers;  ///< that were compared

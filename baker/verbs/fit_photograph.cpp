@@ -141,10 +141,15 @@ double step_of(const Channel& channel) {
 
 /// One bin's light over its sunlight, and how well that is known.
 struct Sum {
-  double light = 0, sunlit = 0, sunlit_squared = 0, residual = 0;
+  double light = 0, sunlit = 0, residual = 0, black = 0;
   std::size_t pixels = 0, clipped = 0;
 
-  bool sound() const { return pixels >= 40 && clipped * 20 <= pixels; }
+  /// Noise that is cut off at black, or light that is at saturation, is none to average over.
+  bool sound() const {
+    constexpr double few = 0.02;
+    const auto all = static_cast<double>(pixels);
+    return pixels >= 40 && static_cast<double>(clipped) <= 0.05 * all && black <= few * all;
+  }
   double ratio() const { return light / sunlit; }
   /// Neighbouring pixels are as wrong as each other, some four of them.
   double error() const {
@@ -179,14 +184,21 @@ Channel clipped_in(const texture::Image& photo) {
   return clipped;
 }
 
-std::vector<Sum> sums_of(const FitScene& scene, const Channel& light, const Channel& clipped,
+/// A channel in the scene's picture.
+struct Brought {
+  Channel light, black;
+};
+
+std::vector<Sum> sums_of(const FitScene& scene, const Brought& channel, const Channel& clipped,
                          double sky) {
+  const auto& light = channel.light;
   std::vector<Sum> sums(scene.bins);
   const auto lit = [&](std::size_t i) { return light.values()[scene.pixels[i]] - sky; };
   for (std::size_t i = 0; i < scene.places.size(); ++i) {
     const auto& [place, sunlit, bin] = scene.places[i];
     auto& sum = sums[bin];
     ++sum.pixels;
+    sum.black += channel.black.values()[scene.pixels[i]];
     if (clipped.values()[scene.pixels[i]] > 1e-3F) {
       ++sum.clipped;
       continue;
@@ -265,9 +277,9 @@ BinnedPhotograph binned(const FitScene& scene, const texture::Image& photo) {
   const auto clipped = brought(clipped_in(photo));
   for (std::size_t k = 0; k < 3; ++k) {
     const auto channel = channel_of(photo, k);
-    const auto light = brought(channel);
-    const double step = step_of(channel), sky = sky_in(light, brought(black_in(channel)));
-    const auto sums = sums_of(scene, light, clipped, sky);
+    const Brought there{brought(channel), brought(black_in(channel))};
+    const double step = step_of(channel);
+    const auto sums = sums_of(scene, there, clipped, sky_in(there.light, there.black));
     for (std::size_t b = 0; b < scene.bins; ++b) {
       const auto& sum = sums[b];
       const double mean = sum.light / static_cast<double>(std::max<std::size_t>(1, sum.pixels));
@@ -320,51 +332,75 @@ double model_error(double value, double brightest) {
   return std::hypot(of_value, of_brightest * brightest / value);
 }
 
+/// A logarithm of light that was seen.
+struct Number {
+  std::size_t bin, channel;
+  double logarithm;
+};
+
+/// Numbers, and what makes their differences from any air's independent and of one size.
+struct Comparison {
+  std::vector<Number> numbers;
+  algebra::Grid<double> whitening;
+
+  double chi_squared(const algebra::Grid<double>& light_xyz) const {
+    std::vector<double> apart;
+    for (const auto& [bin, channel, logarithm] : numbers) {
+      const double light = rec709_of(light_xyz.row(bin))[channel];
+      apart.push_back(logarithm - std::log(std::max(light, 1e-12)));
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < apart.size(); ++i) {
+      double white = 0;
+      for (std::size_t j = 0; j <= i; ++j) white += whitening(i, j) * apart[j];
+      sum += white * white;
+    }
+    return sum;
+  }
+};
+
+algebra::Grid<double> covariance_of(const std::vector<Number>& numbers,
+                                    const std::vector<double>& own, const Belief& belief) {
+  constexpr double unknown = 10;
+  const double exposure_error = belief.value_per_cd_m2 ? belief.exposure_error : unknown;
+  algebra::Grid<double> covariance(numbers.size(), numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    for (std::size_t j = 0; j < numbers.size(); ++j) {
+      const bool coloured = numbers[i].channel == numbers[j].channel && numbers[i].channel != 1;
+      covariance(i, j) = squared(exposure_error) + (i == j ? own[i] : 0) +
+                         (coloured ? squared(belief.white_balance_error) : 0);
+    }
+  return covariance;
+}
+
 }  // namespace
 
-PhotographFit::PhotographFit(const FitScene& scene, const BinnedPhotograph& photograph,
-                             const Belief& belief) {
-  constexpr double too_noisy = 0.3, unknown = 10;
-  const double value = belief.value_per_cd_m2.value_or(1);
-  const double exposure_error = belief.value_per_cd_m2 ? belief.exposure_error : unknown;
+Witness witness_of(const FitScene& scene, const BinnedPhotograph& photograph,
+                   const Belief& belief) {
+  constexpr double too_noisy = 0.3, too_dark = 0.01;
+  constexpr std::size_t least = 6;
+  std::vector<Number> numbers;
   std::vector<double> own;
   for (std::size_t b = 0; b < scene.bins; ++b) {
     const auto values = photograph.values.row(b);
     const double brightest = *std::ranges::max_element(values);
     for (std::size_t k = 0; k < 3; ++k) {
       const double noise = photograph.errors(b, k) / values[k];
-      if (values[k] <= 0 || noise > too_noisy || values[k] < 0.01 * brightest) continue;
-      numbers_.push_back({b, k, std::log(values[k] / value)});
+      if (values[k] <= 0 || noise > too_noisy || values[k] < too_dark * brightest) continue;
+      numbers.push_back({b, k, std::log(values[k] / belief.value_per_cd_m2.value_or(1))});
       own.push_back(squared(noise) + squared(model_error(values[k], brightest)));
     }
   }
-  if (numbers_.size() < 6)
-    throw algebra::Error(
-        fmt::format("{} parts of the disc are neither clipped nor lost in noise, allowed 6 or more",
-                    numbers_.size()));
-  algebra::Grid<double> covariance(numbers_.size(), numbers_.size());
-  for (std::size_t i = 0; i < numbers_.size(); ++i)
-    for (std::size_t j = 0; j < numbers_.size(); ++j) {
-      const bool coloured = numbers_[i].channel == numbers_[j].channel && numbers_[i].channel != 1;
-      covariance(i, j) = squared(exposure_error) + (i == j ? own[i] : 0) +
-                         (coloured ? squared(belief.white_balance_error) : 0);
-    }
-  whitening_ = whitening_of(covariance);
-}
-
-double PhotographFit::chi_squared(const algebra::Grid<double>& light_xyz) const {
-  std::vector<double> apart;
-  for (const auto& [bin, channel, logarithm] : numbers_) {
-    const double light = rec709_of(light_xyz.row(bin))[channel];
-    apart.push_back(logarithm - std::log(std::max(light, 1e-12)));
-  }
-  double sum = 0;
-  for (std::size_t i = 0; i < apart.size(); ++i) {
-    double white = 0;
-    for (std::size_t j = 0; j <= i; ++j) white += whitening_(i, j) * apart[j];
-    sum += white * white;
-  }
-  return sum;
+  if (numbers.size() < least)
+    throw algebra::Error(fmt::format(
+        "{} parts of the disc are neither clipped nor lost in noise, allowed {} or more",
+        numbers.size(), least));
+  const auto count = numbers.size();
+  const Comparison comparison{numbers, whitening_of(covariance_of(numbers, own, belief))};
+  return {
+      &*scene.light,
+      [comparison](const algebra::Grid<double>& light) { return comparison.chi_squared(light); },
+      count};
 }
 
 }  // namespace coppermoon::verbs

@@ -8,7 +8,7 @@
 #include "almanac/sky.h"
 #include "colour/registration.h"
 #include "texture/image.h"
-#include "verbs/fit_light.h"
+#include "verbs/fit_air.h"
 #include "verbs/moon_options.h"
 #include "verbs/observer_options.h"
 
@@ -50,27 +50,14 @@ struct Belief {
   double white_balance_error = 0.03;      ///< the same, of red and of blue over green
 };
 
-/// χ² of one photograph for any air.
+/// What a photograph says of the air.
 ///
 /// Logarithms are compared, of what bins and channels hold; each knows its own scatter and 1.5 % (and
 /// 0.5 % of the bin's brightest) of what a map of the Moon and the computation do not, and all
 /// together share the exposure's and the colours' errors.
-class PhotographFit {
- public:
-  PhotographFit(const FitScene& scene, const BinnedPhotograph& photograph, const Belief& belief);
-
-  double chi_squared(const algebra::Grid<double>& light_xyz) const;
-
-  /// Numbers that are compared.
-  std::size_t count() const { return numbers_.size(); }
-
- private:
-  struct Number {
-    std::size_t bin, channel;
-    double logarithm;
-  };
-  std::vector<Number> numbers_;
-  algebra::Grid<double> whitening_;  // the lower triangle's inverse
-};
+///
+/// Given   scene  must outlive what is returned
+/// Throws  Error  when fewer than six numbers are neither clipped nor lost in noise
+Witness witness_of(const FitScene& scene, const BinnedPhotograph& photograph, const Belief& belief);
 
 }  // namespace coppermoon::verbs

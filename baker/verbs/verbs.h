@@ -20,6 +20,7 @@ void add_animate(CLI::App& program);
 void add_develop(CLI::App& program);
 void add_merge(CLI::App& program);
 void add_compare(CLI::App& program);
+void add_fit(CLI::App& program);
 void add_tradeoff(CLI::App& program);
 
 }  // namespace coppermoon::verbs

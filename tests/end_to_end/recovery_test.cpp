@@ -11,14 +11,13 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 #include "verbs/develop_options.h"
-#include "verbs/fit_air.h"
+#include "verbs/fit_photograph.h"
 #include "verbs/pixels.h"
 
 namespace coppermoon::end_to_end {
 namespace {
 
 using algebra::Random;
-using verbs::FitScene;
 
 constexpr auto rec709 = colour::WorkingSpace::linear_rec709;
 constexpr std::size_t photographs_an_instant = 20;
@@ -91,6 +90,8 @@ class Recovery : public ProgramTest {
  protected:
   /// A scene-linear frame by POV-Ray, of the true air.
   texture::Image frame_of(const Occasion& occasion, const Truth& truth) const {
+    static int number = 0; const auto kept = fmt::format("/tmp/recovery_frames/{}.exr", number++);
+    if (std::filesystem::exists(kept)) return texture::read_image(kept);
     const auto outcome = coppermoon(
         {"still", occasion.instant, "--at", occasion.at, "--dust-extinction",
          fmt::format("{}", truth.dust_per_m), "--cloud-cover", fmt::format("{}", truth.cloud_cover),
@@ -98,12 +99,18 @@ class Recovery : public ProgramTest {
          "440", "--height", "440", "--field", "0.75", "--texture-width", "1024", "--time", "1",
          "--frame", "frame.exr", "-o", "a.png"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
+    std::filesystem::create_directories("/tmp/recovery_frames"); std::filesystem::copy_file(here("frame.exr"), kept);
     return texture::read_image(here("frame.exr"));
   }
 
   /// As a camera that is sold as f/6 and saturates within a tenth of what its speed says has it.
-  texture::Image photograph_of(const texture::Image& frame, const Taken& taken, Random& random,
+  texture::Image photograph_of(texture::Image frame, const Taken& taken, Random& random,
                                double& value_per_cd_m2) const {
+    const double exposed = std::exp(0.1 * normal(random));
+    const std::array<double, 3> gain{exposed * std::exp(0.03 * normal(random)), exposed,
+                                     exposed * std::exp(0.03 * normal(random))};
+    for (std::size_t i = 0; i < frame.values.size(); ++i)
+      frame.values[i] *= static_cast<float>(gain[i % 3]);
     auto camera = colour::camera_named("refractor");
     camera.seeing_arcsec = taken.seeing_arcsec;
     const double f_number = camera.optics.focal_length_mm / camera.optics.aperture_mm;
@@ -114,11 +121,7 @@ class Recovery : public ProgramTest {
                              {exposure, pixel_rad, 2e-4, seed + 1, random_number_++});
     value_per_cd_m2 = 1 / photograph.saturation_cd_m2;
     auto image = verbs::image_of(photograph.scene_linear);
-    const std::array<double, 3> gain{std::exp(0.03 * normal(random)), 1.,
-                                     std::exp(0.03 * normal(random))};
-    const double exposed = std::exp(0.1 * normal(random));
-    for (std::size_t i = 0; i < image.values.size(); ++i)
-      image.values[i] *= static_cast<float>(value_per_cd_m2 * exposed * gain[i % 3]);
+    for (float& value : image.values) value *= static_cast<float>(value_per_cd_m2);
     return written(turned(image, between(random, 0, 6.28)), taken.jpeg);
   }
 
@@ -167,7 +170,7 @@ TEST_F(Recovery, OfAHundredPhotographsFindsDustAndCloudAndKnowsHowWell) {
       ++all;
       try {
         const auto seen = binned(scene, photo);
-        const verbs::Witness witness{&scene, {scene, seen, {value, 0.1, 0.03}}};
+        const auto witness = witness_of(scene, seen, {value, 0.1, 0.03});
         const auto [posterior, numbers] = verbs::fitted_air({&witness, 1});
         const auto& [d, c, o] = posterior.estimates;
         const auto& truth = taken.truth;

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/fit_magnitudes.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numeric>
+#include <sstream>
+
+#include "algebra/error.h"
+#include "almanac/instant.h"
+#include "surface/albedo_map.h"
+#include "texture/bake.h"
+#include "verbs/photometer.h"
+#include "verbs/photometric_bands.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+constexpr std::size_t rows = 128;
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream text(line);
+  for (std::string cell; std::getline(text, cell, ',');) {
+    const auto from = cell.find_first_not_of(" \t\r"), to = cell.find_last_not_of(" \t\r");
+    cells.push_back(from == std::string::npos ? "" : cell.substr(from, to - from + 1));
+  }
+  return cells;
+}
+
+std::size_t band_named(const std::string& name) {
+  const auto bands = photometric_bands();
+  const auto band = std::ranges::find(bands, name, &PhotometricBand::name);
+  if (band == bands.end()) throw algebra::Error(fmt::format("band = {}, allowed B, V or R", name));
+  return static_cast<std::size_t>(band - bands.begin());
+}
+
+double number_in(const std::string& cell, const char* what, double least, double most) {
+  double number = 0;
+  if (!CLI::detail::lexical_cast(cell, number))
+    throw algebra::Error(fmt::format("{} = {}, allowed a number", what, cell));
+  algebra::require_within(what, number, least, most);
+  return number;
+}
+
+/// Which cell holds what.
+struct Columns {
+  std::size_t instant, band, magnitude, error;
+
+  explicit Columns(const std::vector<std::string>& names)
+      : instant(at(names, "instant")),
+        band(at(names, "band")),
+        magnitude(at(names, "magnitude")),
+        error(at(names, "error")) {
+    if (std::max({instant, band, magnitude}) == names.size())
+      throw algebra::Error("columns: allowed are instant, band, magnitude and error");
+  }
+
+ private:
+  static std::size_t at(const std::vector<std::string>& names, const char* name) {
+    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+  }
+};
+
+MeasuredMagnitude measured_in(const std::vector<std::string>& cells, const Columns& columns) {
+  constexpr double usual_error = 0.1;
+  if (cells.size() <= std::max({columns.instant, columns.band, columns.magnitude}))
+    throw algebra::Error("a line of fewer columns than the first");
+  almanac::instant_from_utc(cells[columns.instant]);
+  band_named(cells[columns.band]);
+  return {cells[columns.instant], cells[columns.band],
+          number_in(cells[columns.magnitude], "magnitude", -30, 30),
+          columns.error < cells.size()
+              ? number_in(cells[columns.error], "error of a magnitude", 1e-3, 10)
+              : usual_error};
+}
+
+/// Texels that the Earth's centre sees, in one bin, each as bright as it is large there.
+std::vector<LitPlace> places_of(const MoonOptions& moon, const almanac::SkyState& sky) {
+  const shadow::Lookup whole(shadow::ChannelWeights(1, 1, 1.));
+  const auto lit = texture::bake(normal_albedo(moon), sky, whole, {"Y"}, rows, photometry_of(moon));
+  const auto axis = eclipse::shadow_axis(sky);
+  const auto gcrs_from_selenographic = glm::transpose(sky.selenographic_from_gcrs);
+  std::vector<LitPlace> places;
+  for (std::size_t r = 0; r < rows; ++r)
+    for (std::size_t c = 0; c < 2 * rows; ++c) {
+      const auto texel = surface::texel_centre(r, c, rows);
+      const auto up = gcrs_from_selenographic * almanac::selenographic_direction(texel);
+      const auto at_m = sky.moon_m + algebra::in_metres(almanac::lunar_radius) * up;
+      const double seen = glm::dot(up, glm::normalize(-at_m)) *
+                          std::cos(algebra::in_radians(texel.latitude)) * lit(r, c, 0);
+      if (seen > 0) places.push_back({eclipse::place_in_shadow(axis, at_m), seen, 0});
+    }
+  return places;
+}
+
+/// Of the same Moon without the shadow.
+std::vector<double> unshadowed_magnitudes(const MoonOptions& moon, const almanac::SkyState& sky,
+                                          const Photometer& meter) {
+  const shadow::Lookup whole(meter.weights);
+  const auto lit =
+      texture::bake(normal_albedo(moon), sky, whole, meter.channels, rows, photometry_of(moon));
+  return measured(meter, lit, sky).magnitudes;
+}
+
+}  // namespace
+
+std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file) {
+  std::ifstream lines(file);
+  if (!lines) throw algebra::Error(fmt::format("{}: cannot be read", file));
+  std::optional<Columns> columns;
+  std::vector<MeasuredMagnitude> all;
+  std::size_t number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    try {
+      const auto cells = cells_of(line);
+      columns ? all.push_back(measured_in(cells, *columns)) : void(columns.emplace(cells));
+    } catch (const algebra::Error& error) {
+      throw algebra::Error(fmt::format("{}:{}: {}", file, number, error.what()));
+    }
+  }
+  if (all.empty()) throw algebra::Error(fmt::format("{}: holds no magnitudes", file));
+  return all;
+}
+
+MagnitudeWitness witness_of(const MoonOptions& moon,
+                            const std::vector<MeasuredMagnitude>& of_one_instant) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc(moon.instant));
+  const auto meter = photometer();
+  auto light =
+      std::make_unique<const FittedLight>(moon.light, sky, meter.weights, places_of(moon, sky), 1);
+  const auto unshadowed = unshadowed_magnitudes(moon, sky, meter);
+  std::vector<double> whole;
+  for (std::size_t k = 0; k < meter.weights.rows(); ++k) {
+    const auto row = meter.weights.row(k);
+    whole.push_back(std::reduce(row.begin(), row.end()));
+  }
+  const auto chi_squared = [=](const algebra::Grid<double>& found) {
+    constexpr double computed = 0.02;
+    double sum = 0;
+    for (const auto& seen : of_one_instant) {
+      const auto k = band_named(seen.band);
+      const double magnitude =
+          unshadowed[k] - 2.5 * std::log10(std::max(1e-12, found(0, k)) / whole[k]);
+      sum +=
+          std::pow(magnitude - seen.magnitude, 2) / (seen.error * seen.error + computed * computed);
+    }
+    return sum;
+  };
+  const auto* fitted = light.get();
+  return {std::move(light), {fitted, chi_squared, of_one_instant.size()}};
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "verbs/fit_air.h"
+#include "verbs/moon_options.h"
+
+namespace coppermoon::verbs {
+
+/// The whole Moon's brightness in a band, as someone measured it: from the Earth's centre, above the
+/// air.
+struct MeasuredMagnitude {
+  std::string instant, band;  ///< band: B, V or R
+  double magnitude, error;
+};
+
+/// Reads a list: comma-separated, lines that begin with # left out, first the names of the columns
+/// instant, band, magnitude and, if the measurer tells, error (else 0.1).
+///
+/// Throws  Error  with the line, of what is no such list
+std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file);
+
+/// Magnitudes of one moment, and the light they are of.
+struct MagnitudeWitness {
+  std::unique_ptr<const FittedLight> light;
+  Witness witness;
+};
+
+/// Those of one instant; that the computation errs by 0.02 mag is added to each error.
+MagnitudeWitness witness_of(const MoonOptions& moon,
+                            const std::vector<MeasuredMagnitude>& of_one_instant);
+
+}  // namespace coppermoon::verbs
