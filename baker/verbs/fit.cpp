@@ -13,7 +13,7 @@
 #include "algebra/error.h"
 #include "verbs/camera_options.h"
 #include "verbs/fit_magnitudes.h"
-#include "verbs/fit_photograph.h"
+#include "verbs/fit_witness.h"
 #include "verbs/number_list.h"
 #include "verbs/one_line.h"
 #include "verbs/photo_file.h"

@@ -15,11 +15,26 @@ std::vector<double> evenly(double from, double to, int steps) {
   return all;
 }
 
-/// Steps of 5 % of dust, 0.02 of cover, 25 DU of ozone.
-Axes axes_of() {
+constexpr std::array steps{80, 50, 24};
+
+/// All that is sought: steps of 6 % of dust, 0.02 of cover, 17 DU of ozone.
+Axes whole_axes() {
   const auto [dust, cover, ozone] = sought;
-  return {evenly(std::log(dust.least), std::log(dust.most), 100),
-          evenly(cover.least, cover.most, 50), evenly(ozone.least, ozone.most, 16)};
+  return {evenly(std::log(dust.least), std::log(dust.most), steps[0]),
+          evenly(cover.least, cover.most, steps[1]), evenly(ozone.least, ozone.most, steps[2])};
+}
+
+/// As many steps over what is probable after a look at the whole.
+Axes axes_about(const Posterior& known, const Axes& whole) {
+  constexpr double beyond = 2;  // of the interval, to either side of it: five deviations in all
+  Axes axes;
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const auto& [median, low, high, told] = known.estimates[a];
+    const double step = whole[a][1] - whole[a][0], width = std::max(high - low, step);
+    axes[a] = evenly(std::max(whole[a].front(), low - beyond * width),
+                     std::min(whole[a].back(), high + beyond * width), steps[a]);
+  }
+  return axes;
 }
 
 /// What cloud mixes, of one dust and ozone: χ² for each cover.
@@ -35,10 +50,8 @@ void add_over_cover(const Witness& witness, const FittedLight::Mixed& mixed,
   }
 }
 
-}  // namespace
-
-AirFit fitted_air(std::span<const Witness> witnesses) {
-  const auto axes = axes_of();
+/// (dust × ozones + ozone, cover)
+algebra::Grid<double> chi_squared_over(const Axes& axes, std::span<const Witness> witnesses) {
   const auto& [dusts, covers, ozones] = axes;
   algebra::Grid<double> chi_squared(dusts.size() * ozones.size(), covers.size());
   tbb::parallel_for(std::size_t{0}, chi_squared.rows(), [&](std::size_t row) {
@@ -46,15 +59,42 @@ AirFit fitted_air(std::span<const Witness> witnesses) {
     for (const auto& witness : witnesses)
       add_over_cover(witness, witness.light->mixed(dust, ozone), covers, chi_squared.row(row));
   });
+  return chi_squared;
+}
+
+/// Errors larger by the root of a factor.
+Posterior posterior_over(const Axes& axes, const algebra::Grid<double>& chi_squared,
+                         double larger) {
+  return posterior(axes, [&](const std::array<std::size_t, 3>& at) {
+    return chi_squared(at[0] * axes[2].size() + at[2], at[1]) / larger;
+  });
+}
+
+double least_of(const algebra::Grid<double>& chi_squared) {
+  return *std::ranges::min_element(chi_squared.values());
+}
+
+}  // namespace
+
+AirFit fitted_air(std::span<const Witness> witnesses) {
   AirFit result{{}, 0};
   for (const auto& witness : witnesses) result.numbers += witness.count;
-  const double least = *std::ranges::min_element(chi_squared.values());
   const double freedom = std::max(1., static_cast<double>(result.numbers) - 3);
-  const double larger = std::max(1., least / freedom);
-  result.posterior = posterior(axes, [&](const std::array<std::size_t, 3>& at) {
-    return chi_squared(at[0] * ozones.size() + at[2], at[1]) / larger;
-  });
-  result.posterior.least_chi_squared = least;
+  const auto larger = [&](const algebra::Grid<double>& chi_squared) {
+    return std::max(1., least_of(chi_squared) / freedom);
+  };
+  const auto whole = whole_axes();
+  const auto coarse = chi_squared_over(whole, witnesses);
+  const auto axes = axes_about(posterior_over(whole, coarse, larger(coarse)), whole);
+  const auto fine = chi_squared_over(axes, witnesses);
+  result.posterior = posterior_over(axes, fine, larger(fine));
+  result.posterior.least_chi_squared = least_of(fine);
+  for (std::size_t a = 0; a < whole.size(); ++a) {  // over what was allowed, not what was looked at
+    auto& told = result.posterior.estimates[a].told;
+    const double looked = axes[a].back() - axes[a].front(),
+                 allowed = whole[a].back() - whole[a].front();
+    told = 1 - (1 - told) * looked * looked / (allowed * allowed);
+  }
   return result;
 }
 

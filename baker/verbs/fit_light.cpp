@@ -14,13 +14,13 @@ namespace coppermoon::verbs {
 namespace {
 
 /// Where light is computed.
-constexpr std::array dusts_per_m{0.,   3e-7, 7e-7, 1.2e-6, 1.8e-6, 2.6e-6, 3.6e-6,
-                                 5e-6, 7e-6, 1e-5, 1.4e-5, 2e-5,   3e-5};
-constexpr std::array ozones_du{100., 230., 360., 500.};
+constexpr std::array dusts_per_m{0.,     4e-7,   1e-6,   1.7e-6, 2.5e-6, 3.6e-6,
+                                 5.2e-6, 7.5e-6, 1.1e-5, 1.7e-5, 3e-5};
+constexpr std::array ozones_du{100., 280., 500.};
 
 /// As closely as a photograph is known.
 constexpr plan::Work work{.scattered_light = true,
-                          .bands = 20,
+                          .bands = 40,
                           .rays = 200,
                           .sun_terms = 3,
                           .planes = 2,
@@ -76,17 +76,22 @@ atmosphere::Atmosphere changed(atmosphere::Atmosphere air, double dust, double c
   return air;
 }
 
-/// Between which two nodes a value lies, and how far.
-struct Way {
-  std::size_t from;
-  double share;
-};
-
+/// What each of some nodes counts on the polynomial through them.
 template <std::size_t size>
-Way way_to(const std::array<double, size>& nodes, double value) {
-  const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, value);
-  const auto from = above - 1;
-  return {static_cast<std::size_t>(from - nodes.begin()), (value - *from) / (*above - *from)};
+std::array<double, size> on_polynomial(std::span<const double, size> nodes, double x) {
+  std::array<double, size> weights;
+  weights.fill(1);
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j)
+      if (i != j) weights[i] *= (x - nodes[j]) / (nodes[i] - nodes[j]);
+  return weights;
+}
+
+/// The first of the four doses of dust about one.
+std::size_t first_of_four(double dust_per_m) {
+  const auto above = std::ranges::upper_bound(dusts_per_m, dust_per_m) - dusts_per_m.begin();
+  return static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(above - 2, 0, std::ssize(dusts_per_m) - 4));
 }
 
 }  // namespace
@@ -114,22 +119,23 @@ FittedLight::FittedLight(const LightOptions& options, const almanac::SkyState& s
 }
 
 FittedLight::Mixed FittedLight::mixed(double dust_per_m, double ozone_du) const {
-  const auto dust = way_to(dusts_per_m, dust_per_m), ozone = way_to(ozones_du, ozone_du);
-  const auto node = [&](std::size_t d, std::size_t o) -> const Mixed& {
-    return nodes_[(dust.from + d) * ozones_du.size() + ozone.from + o];
-  };
-  Mixed result = node(0, 0);
-  const auto between = [&](algebra::Grid<double>& all, algebra::Grid<double> Mixed::*part) {
-    for (std::size_t i = 0; i < all.values().size(); ++i) {
-      const auto along = [&](std::size_t d) {
-        const double from = (node(d, 0).*part).values()[i], to = (node(d, 1).*part).values()[i];
-        return from + ozone.share * (to - from);
-      };
-      all.values()[i] = std::exp(along(0) + dust.share * (along(1) - along(0)));
+  const auto from = first_of_four(dust_per_m);
+  const auto of_dust = on_polynomial(std::span<const double, 4>(&dusts_per_m[from], 4), dust_per_m);
+  const auto of_ozone = on_polynomial(std::span(ozones_du), ozone_du);
+  Mixed result = nodes_.front();
+  const auto sum_up = [&](algebra::Grid<double> Mixed::*part) {
+    auto values = (result.*part).values();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      double logarithm = 0;
+      for (std::size_t d = 0; d < of_dust.size(); ++d)
+        for (std::size_t o = 0; o < of_ozone.size(); ++o)
+          logarithm += of_dust[d] * of_ozone[o] *
+                       (nodes_[(from + d) * of_ozone.size() + o].*part).values()[i];
+      values[i] = std::exp(logarithm);
     }
   };
-  between(result.clear, &Mixed::clear);
-  between(result.cloudy, &Mixed::cloudy);
+  sum_up(&Mixed::clear);
+  sum_up(&Mixed::cloudy);
   return result;
 }
 

@@ -132,6 +132,7 @@ std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file) {
 MagnitudeWitness witness_of(const MoonOptions& moon,
                             const std::vector<MeasuredMagnitude>& of_one_instant) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc(moon.instant));
+  require_eclipse(sky.when);
   const auto meter = photometer();
   auto light =
       std::make_unique<const FittedLight>(moon.light, sky, meter.weights, places_of(moon, sky), 1);

@@ -122,13 +122,19 @@ std::vector<float> around_the_disc(const Channel& channel) {
   return around;
 }
 
-/// What the sky adds; nothing can be told of one that is cut off at black.
-double sky_in(const Channel& light, const Channel& black) {
+/// What the sky adds, and how far that is in doubt.
+struct Sky {
+  double light = 0, doubt = 0;
+};
+
+/// Where noise is cut off at black nothing is taken off: the sky has at most what is left there.
+Sky sky_in(const Channel& light, const Channel& black) {
   constexpr double much = 0.05;
   const auto mean = [](const std::vector<float>& all) {
     return std::reduce(all.begin(), all.end(), 0.) / static_cast<double>(all.size());
   };
-  return mean(around_the_disc(black)) > much ? 0 : mean(around_the_disc(light));
+  const double around = mean(around_the_disc(light));
+  return mean(around_the_disc(black)) > much ? Sky{0, around} : Sky{around, 0};
 }
 
 /// The least step of a channel that has 256 values at most: sRGB's near black; else 0.
@@ -148,12 +154,12 @@ struct Sum {
   bool sound() const {
     constexpr double few = 0.02;
     const auto all = static_cast<double>(pixels);
-    return pixels >= 40 && static_cast<double>(clipped) <= 0.05 * all && black <= few * all;
+    return pixels >= 40 && static_cast<double>(clipped) <= 0.005 * all && black <= few * all;
   }
   double ratio() const { return light / sunlit; }
-  /// Neighbouring pixels are as wrong as each other, some four of them.
+  /// Neighbouring pixels are in part as wrong as each other.
   double error() const {
-    constexpr double alike = 4;
+    constexpr double alike = 2;
     const double variance = residual / static_cast<double>(pixels);
     return std::sqrt(alike * variance * static_cast<double>(pixels)) / sunlit;
   }
@@ -266,7 +272,7 @@ colour::Registration registration_of(const texture::Image& photo, const Channel&
 }  // namespace
 
 BinnedPhotograph binned(const FitScene& scene, const texture::Image& photo) {
-  constexpr double least_steps = 6, of_a_step = 0.3;
+  constexpr double least_steps = 6, of_a_step = 0.3, least_skies = 5;
   BinnedPhotograph result{algebra::Grid<double>(scene.bins, 3),
                           algebra::Grid<double>(scene.bins, 3),
                           registration_of(photo, scene.usual)};
@@ -279,128 +285,18 @@ BinnedPhotograph binned(const FitScene& scene, const texture::Image& photo) {
     const auto channel = channel_of(photo, k);
     const Brought there{brought(channel), brought(black_in(channel))};
     const double step = step_of(channel);
-    const auto sums = sums_of(scene, there, clipped, sky_in(there.light, there.black));
+    const auto sky = sky_in(there.light, there.black);
+    const auto sums = sums_of(scene, there, clipped, sky.light);
     for (std::size_t b = 0; b < scene.bins; ++b) {
       const auto& sum = sums[b];
       const double mean = sum.light / static_cast<double>(std::max<std::size_t>(1, sum.pixels));
-      if (!sum.sound() || mean <= least_steps * step) continue;
+      if (!sum.sound() || mean <= least_steps * step || mean <= least_skies * sky.doubt) continue;
       result.values(b, k) = sum.ratio();
-      result.errors(b, k) = std::hypot(sum.error(), of_a_step * step / mean * sum.ratio());
+      result.errors(b, k) =
+          std::hypot(sum.error(), std::hypot(of_a_step * step, sky.doubt) / mean * sum.ratio());
     }
   }
   return result;
-}
-
-namespace {
-
-/// Rec.709 as renders have it: within its gamut.
-std::array<double, 3> rec709_of(std::span<const double> xyz) {
-  static const auto from_xyz = colour::channels_from_xyz(colour::WorkingSpace::linear_rec709);
-  const auto rgb = from_xyz * glm::dvec3(xyz[0], xyz[1], xyz[2]);
-  std::array<double, 3> channels{rgb.r, rgb.g, rgb.b};
-  colour::into_gamut(colour::WorkingSpace::linear_rec709, channels);
-  return channels;
-}
-
-/// The inverse of the Cholesky factor of a covariance.
-algebra::Grid<double> whitening_of(algebra::Grid<double> covariance) {
-  const std::size_t n = covariance.rows();
-  auto& l = covariance;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = l(i, j);
-      for (std::size_t k = 0; k < j; ++k) sum -= l(i, k) * l(j, k);
-      l(i, j) = i == j ? std::sqrt(sum) : sum / l(j, j);
-    }
-  algebra::Grid<double> inverse(n, n);
-  for (std::size_t j = 0; j < n; ++j) {
-    inverse(j, j) = 1 / l(j, j);
-    for (std::size_t i = j + 1; i < n; ++i) {
-      double sum = 0;
-      for (std::size_t k = j; k < i; ++k) sum -= l(i, k) * inverse(k, j);
-      inverse(i, j) = sum / l(i, i);
-    }
-  }
-  return inverse;
-}
-
-double squared(double x) { return x * x; }
-
-/// Of the value itself, and of the brightest of its bin.
-double model_error(double value, double brightest) {
-  constexpr double of_value = 0.015, of_brightest = 0.005;
-  return std::hypot(of_value, of_brightest * brightest / value);
-}
-
-/// A logarithm of light that was seen.
-struct Number {
-  std::size_t bin, channel;
-  double logarithm;
-};
-
-/// Numbers, and what makes their differences from any air's independent and of one size.
-struct Comparison {
-  std::vector<Number> numbers;
-  algebra::Grid<double> whitening;
-
-  double chi_squared(const algebra::Grid<double>& light_xyz) const {
-    std::vector<double> apart;
-    for (const auto& [bin, channel, logarithm] : numbers) {
-      const double light = rec709_of(light_xyz.row(bin))[channel];
-      apart.push_back(logarithm - std::log(std::max(light, 1e-12)));
-    }
-    double sum = 0;
-    for (std::size_t i = 0; i < apart.size(); ++i) {
-      double white = 0;
-      for (std::size_t j = 0; j <= i; ++j) white += whitening(i, j) * apart[j];
-      sum += white * white;
-    }
-    return sum;
-  }
-};
-
-algebra::Grid<double> covariance_of(const std::vector<Number>& numbers,
-                                    const std::vector<double>& own, const Belief& belief) {
-  constexpr double unknown = 10;
-  const double exposure_error = belief.value_per_cd_m2 ? belief.exposure_error : unknown;
-  algebra::Grid<double> covariance(numbers.size(), numbers.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    for (std::size_t j = 0; j < numbers.size(); ++j) {
-      const bool coloured = numbers[i].channel == numbers[j].channel && numbers[i].channel != 1;
-      covariance(i, j) = squared(exposure_error) + (i == j ? own[i] : 0) +
-                         (coloured ? squared(belief.white_balance_error) : 0);
-    }
-  return covariance;
-}
-
-}  // namespace
-
-Witness witness_of(const FitScene& scene, const BinnedPhotograph& photograph,
-                   const Belief& belief) {
-  constexpr double too_noisy = 0.3, too_dark = 0.01;
-  constexpr std::size_t least = 6;
-  std::vector<Number> numbers;
-  std::vector<double> own;
-  for (std::size_t b = 0; b < scene.bins; ++b) {
-    const auto values = photograph.values.row(b);
-    const double brightest = *std::ranges::max_element(values);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double noise = photograph.errors(b, k) / values[k];
-      if (values[k] <= 0 || noise > too_noisy || values[k] < too_dark * brightest) continue;
-      numbers.push_back({b, k, std::log(values[k] / belief.value_per_cd_m2.value_or(1))});
-      own.push_back(squared(noise) + squared(model_error(values[k], brightest)));
-    }
-  }
-  if (numbers.size() < least)
-    throw algebra::Error(fmt::format(
-        "{} parts of the disc are neither clipped nor lost in noise, allowed {} or more",
-        numbers.size(), least));
-  const auto count = numbers.size();
-  const Comparison comparison{numbers, whitening_of(covariance_of(numbers, own, belief))};
-  return {
-      &*scene.light,
-      [comparison](const algebra::Grid<double>& light) { return comparison.chi_squared(light); },
-      count};
 }
 
 }  // namespace coppermoon::verbs

@@ -8,7 +8,7 @@
 #include "almanac/sky.h"
 #include "colour/registration.h"
 #include "texture/image.h"
-#include "verbs/fit_air.h"
+#include "verbs/fit_light.h"
 #include "verbs/moon_options.h"
 #include "verbs/observer_options.h"
 
@@ -36,28 +36,11 @@ struct BinnedPhotograph {
   colour::Registration registration{};
 };
 
-/// Registers a photograph; what is clipped, and with it the bin that it is a twentieth of, is left
+/// Registers a photograph; what is clipped, and with it the bin that it is half a hundredth of, is left
 /// out. The sky's light, beside the disc, is taken off.
 ///
 /// Given   photo  linear, 1 saturates
 /// Throws  Error  as colour::registered
 BinnedPhotograph binned(const FitScene& scene, const texture::Image& photo);
-
-/// How far a photograph's exposure and colours may be believed.
-struct Belief {
-  std::optional<double> value_per_cd_m2;  ///< photograph's; without: any
-  double exposure_error = 0.1;            ///< standard, of the logarithm
-  double white_balance_error = 0.03;      ///< the same, of red and of blue over green
-};
-
-/// What a photograph says of the air.
-///
-/// Logarithms are compared, of what bins and channels hold; each knows its own scatter and 1.5 % (and
-/// 0.5 % of the bin's brightest) of what a map of the Moon and the computation do not, and all
-/// together share the exposure's and the colours' errors.
-///
-/// Given   scene  must outlive what is returned
-/// Throws  Error  when fewer than six numbers are neither clipped nor lost in noise
-Witness witness_of(const FitScene& scene, const BinnedPhotograph& photograph, const Belief& belief);
 
 }  // namespace coppermoon::verbs

@@ -19,6 +19,9 @@ fuzz::Words command(std::size_t chosen, const std::string& recipe) {
                                           {"sky", instant},
                                           {"almanac", "--from=2008-01-01", "--to=2009-01-01"},
                                           {"develop", "a.exr", "-o", "a"},
+                                          {"merge", "a.exr", "-o", "a"},
+                                          {"compare", "a.png", "a.exr"},
+                                          {"fit", "a.png", "--instants", instant},
                                           {"tradeoff", "-o", "a"}};
   auto words = commands[chosen % commands.size()];
   words.insert(words.begin() + 1, {"--recipe", recipe});

@@ -51,13 +51,13 @@ TEST(FittedLight, IsThatOfTheSameAirFullyComputed) {
     for (std::size_t b = 0; b < 5; ++b) {
       exact.read(places[b].place, values);
       for (std::size_t k = 0; k < 3; ++k) {
-        EXPECT_WITHIN(found(b, k), values[k], (k < 2 ? 0.015 : 0.03) * values[k], "Accuracy")
+        EXPECT_WITHIN(found(b, k), values[k], (k < 2 ? 0.004 : 0.008) * values[k], "Accuracy")
             << dust << " " << cover << " " << ozone << ", bin " << b << ", channel " << k;
         if (b == 0) ends[k] += 0.25 * values[k];
         if (b == 4) ends[k] += 0.75 * values[k];
       }
     }
-    EXPECT_WITHIN_RELATIVE(found(5, 1), ends[1], 0.015, "Accuracy");
+    EXPECT_WITHIN_RELATIVE(found(5, 1), ends[1], 0.004, "Accuracy");
   }
 }
 

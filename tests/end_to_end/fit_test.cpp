@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// What the program says of air that it was not told. A hundred such photographs are in recovery_test.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "end_to_end/program.h"
+#include "support/within.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using nlohmann::json;
+using Words = std::vector<std::string>;
+
+constexpr const char *deep = "2018-07-27T20:40:00Z", *syria = "36,38";
+
+class Fit : public ProgramTest {
+ protected:
+  void make(const Words& words) const { expect_done(coppermoon(words)); }
+
+  json fit(Words words) const {
+    words.insert(words.begin(), "fit");
+    words.insert(words.end(), {"--albedo-map", "built-in", "--json"});
+    const auto outcome = coppermoon(words);
+    expect_done(outcome);
+    return json::parse(outcome.out);
+  }
+
+  std::string refusal_of(Words words) const {
+    words.insert(words.begin(), "fit");
+    const auto outcome = coppermoon(words);
+    EXPECT_EQ(outcome.status, 1);
+    return outcome.err;
+  }
+};
+
+TEST_F(Fit, OfAPhotographFindsItsAir) {
+  make({"still",
+        deep,
+        "--at",
+        syria,
+        "--dust-extinction",
+        "5e-6",
+        "--cloud-cover",
+        "0.4",
+        "--width",
+        "440",
+        "--height",
+        "440",
+        "--field",
+        "0.8",
+        "--time",
+        "2",
+        "--iso",
+        "800",
+        "--camera",
+        "400mm",
+        "--bits",
+        "16",
+        "--seeing",
+        "2",
+        "--albedo-map",
+        "built-in",
+        "-o",
+        "a.png"});
+  const auto found = fit({"a.png", "--instants", deep, "--at", syria, "--camera", "400mm",
+                          "--times", "2", "--isos", "800", "--f-number", "5.6"});
+  const auto& dust = found["dust_extinction_per_m"];
+  EXPECT_WITHIN_RELATIVE(dust["median"].get<double>(), 5e-6, 0.25,
+                         "exposure believed to 10 %; 93 of 100 are within that");
+  EXPECT_WITHIN(found["cloud_cover"]["median"].get<double>(), 0.4, 0.15, "the same");
+  EXPECT_TRUE(dust["told"]);
+  EXPECT_LT(dust["low_68"], dust["median"]);
+  EXPECT_GT(dust["high_68"], dust["median"]);
+  EXPECT_GT(found["numbers"], 20);
+  EXPECT_EQ(found["photographs"][0]["mirrored"], false);
+  EXPECT_EQ(found["photographs"][0]["exposure_known"], true);
+}
+
+TEST_F(Fit, OfMagnitudesFindsTheCloudAndSaysWhatItCannotTell) {
+  std::string list = "# of air with half of its limb under cloud\ninstant,band,magnitude,error\n";
+  const auto outcome = coppermoon({"brightness", deep, "--dust-extinction", "2e-6", "--cloud-cover",
+                                   "0.5", "--albedo-map", "built-in", "--json"});
+  expect_done(outcome);
+  const auto magnitudes = json::parse(outcome.out)["magnitudes"];
+  for (const char* band : {"B", "V", "R"})
+    list += fmt::format("{},{},{:.4f},0.02\n", deep, band, magnitudes[band].get<double>());
+  file("list.csv", list);
+  const auto found = fit({"--magnitudes", "list.csv"});
+  EXPECT_LT(found["chi_squared"], 1) << "the same computation: 1 % of light, 0.03 mag allowed";
+  EXPECT_LT(found["cloud_cover"]["low_68"], 0.55);
+  EXPECT_GT(found["cloud_cover"]["high_68"], 0.45);
+  // three numbers, three unknowns that are alike: dust hides behind cloud
+  EXPECT_LT(found["correlation"]["dust_cloud"], -0.5);
+}
+
+TEST_F(Fit, RefusesWhatItCannotExplain) {
+  EXPECT_EQ(refusal_of({}),
+            "coppermoon: nothing to explain, allowed photographs or --magnitudes\n");
+  EXPECT_EQ(refusal_of({"a.png"}),
+            "coppermoon: photographs: allowed with --instants, when they were taken (UTC)\n");
+  EXPECT_EQ(refusal_of({"a.png", "b.png", "c.png", "--instants", "2018-07-27T20:40:00Z,x"}),
+            "coppermoon: 2 instants, allowed one for all or 3, one for each photograph\n");
+  EXPECT_EQ(refusal_of({"--magnitudes", "no.csv"}), "coppermoon: no.csv: cannot be read\n");
+  file("a.csv", "when,band,magnitude\n");
+  EXPECT_EQ(refusal_of({"--magnitudes", "a.csv"}),
+            "coppermoon: a.csv:1: columns: allowed are instant, band, magnitude and error\n");
+  file("b.csv", "instant,band,magnitude\n2018-07-27T20:40:00Z,K,3\n");
+  EXPECT_EQ(refusal_of({"--magnitudes", "b.csv"}),
+            "coppermoon: b.csv:2: band = K, allowed B, V or R\n");
+  file("c.csv", "instant,band,magnitude\n2018-07-27T20:40:00Z,V\n");
+  EXPECT_EQ(refusal_of({"--magnitudes", "c.csv"}),
+            "coppermoon: c.csv:2: a line of fewer columns than the first\n");
+  file("d.csv", "instant,band,magnitude\n2018-07-28T20:40:00Z,V,3\n");
+  EXPECT_NE(refusal_of({"--magnitudes", "d.csv"}).find("no lunar eclipse"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end
