@@ -3,11 +3,11 @@
 # What was pushed how far and what held: extremes.md on stdout, from what the tests of tests/extremes print. Ten
 # minutes on two processors, then hours of ten thousand random recipes, and of fuzzers (package clang).
 #
-# Given  SHARDS=20          of 500 recipes each
+# Given  SHARDS=100         of 100 recipes each
 #        SECONDS_EACH=3600  of each fuzzer
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-shards=${1:-20} seconds_each=${2:-3600}
+shards=${1:-100} seconds_each=${2:-3600}
 "$here/build.sh" all >&2
 tests=$here/../build/release/tests
 
