@@ -159,7 +159,7 @@ struct Sum {
   double ratio() const { return light / sunlit; }
   /// Neighbouring pixels are in part as wrong as each other.
   double error() const {
-    constexpr double alike = 2;
+    constexpr double alike = 1.5;
     const double variance = residual / static_cast<double>(pixels);
     return std::sqrt(alike * variance * static_cast<double>(pixels)) / sunlit;
   }

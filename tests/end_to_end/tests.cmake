@@ -27,6 +27,8 @@ target_link_libraries(end_to_end_eclipses_test PRIVATE nlohmann_json::nlohmann_j
 coppermoon_end_to_end(craters LINKS colour shadow surface texture)
 coppermoon_end_to_end(tradeoff LINKS algebra)
 target_link_libraries(end_to_end_tradeoff_test PRIVATE nlohmann_json::nlohmann_json)
+coppermoon_end_to_end(paper_figures LINKS colour eclipse povray_scenes texture LABELS render)
+target_link_libraries(end_to_end_paper_figures_test PRIVATE nlohmann_json::nlohmann_json)
 coppermoon_end_to_end(plans LINKS algebra)
 target_link_libraries(end_to_end_plans_test PRIVATE nlohmann_json::nlohmann_json)
 coppermoon_test(end_to_end/planned_runs ALONE LINKS verbs LABELS slow TIMEOUT 1500)
