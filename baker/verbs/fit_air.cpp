@@ -52,7 +52,7 @@ void add_over_cover(const Witness& witness, const FittedLight::Mixed& mixed,
 
 /// (dust × ozones + ozone, cover)
 algebra::Grid<double> chi_squared_over(const Axes& axes, std::span<const Witness> witnesses) {
-  const auto& [dusts, covers, ozones] = axes;
+  const auto &dusts = axes[0], &covers = axes[1], &ozones = axes[2];
   algebra::Grid<double> chi_squared(dusts.size() * ozones.size(), covers.size());
   tbb::parallel_for(std::size_t{0}, chi_squared.rows(), [&](std::size_t row) {
     const double dust = std::exp(dusts[row / ozones.size()]), ozone = ozones[row % ozones.size()];

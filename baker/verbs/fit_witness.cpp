@@ -48,7 +48,7 @@ double squared(double x) { return x * x; }
 
 /// Of the value itself, and of the brightest of its bin.
 double model_error(double value, double brightest) {
-  constexpr double of_value = 0.004, of_brightest = 0.0015;
+  constexpr double of_value = 0.003, of_brightest = 0.001;
   return std::hypot(of_value, of_brightest * brightest / value);
 }
 

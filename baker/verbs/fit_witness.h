@@ -17,8 +17,8 @@ struct Belief {
 
 /// What a photograph says of the air.
 ///
-/// Logarithms are compared, of what bins and channels hold; each knows its own scatter and 0.5 % (and
-/// 0.2 % of the bin's brightest) of what a map of the Moon and the computation do not, and all
+/// Logarithms are compared, of what bins and channels hold; each knows its own scatter and 0.3 % (and
+/// 0.1 % of the bin's brightest) of what a map of the Moon and the computation do not, and all
 /// together share the exposure's and the colours' errors.
 ///
 /// Given   scene  must outlive what is returned
