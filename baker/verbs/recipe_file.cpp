@@ -140,6 +140,7 @@ struct Reading {
 struct Told {
   std::string flag;
   const toml::node* value;
+  std::string table = {};  ///< "[atmosphere]"; empty: above all tables
 };
 
 /// What a table of a recipe may hold.
@@ -189,8 +190,8 @@ std::vector<Told> told_in(const Reading& reading, const toml::table& entries, co
 void require_once(const Reading& reading, const std::vector<Told>& all) {
   for (auto told = all.begin(); told != all.end(); ++told)
     if (std::any_of(all.begin(), told, [&](const Told& t) { return t.flag == told->flag; }))
-      throw algebra::Error(fmt::format("{}{}: given twice, above all tables and in one of them",
-                                       reading.where(*told->value), told->flag));
+      throw algebra::Error(fmt::format("{}{}: given twice, above all tables and in {}",
+                                       reading.where(*told->value), told->flag, told->table));
 }
 
 /// The flags that a recipe names, those in tables behind the others.
@@ -204,7 +205,8 @@ std::vector<Told> told_by(const Reading& reading, const toml::table& recipe) {
     }
     const auto table = table_of(reading.verb, told.flag);
     for (const auto& inner : told_in(reading, *told.value->as_table(), table))
-      in_tables.push_back({inner.flag == "model" ? told.flag : inner.flag, inner.value});
+      in_tables.push_back(
+          {inner.flag == "model" ? told.flag : inner.flag, inner.value, table.name});
   }
   all.insert(all.end(), in_tables.begin(), in_tables.end());
   require_once(reading, all);

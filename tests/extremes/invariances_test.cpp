@@ -260,8 +260,8 @@ TEST(Order, OfRegionsThatDoNotOverlapDoesNotMatter) {
     air.earth = atmosphere::ellipsoid(drawn.between(-0.4, 0.4));
     air.regions = drawn_regions(drawn);
     auto other = air;
-    std::ranges::rotate(other.regions,
-                        other.regions.begin() + 1 + static_cast<int>(drawn.below(2)));
+    std::rotate(other.regions.begin(),
+                other.regions.begin() + 1 + static_cast<int>(drawn.below(2)), other.regions.end());
     worst.see(worst_of(light_of(air), light_of(other), [](std::size_t s) { return s; }));
     EXPECT_LE(worst.value, 1e-12) << of_case(i);
   }

@@ -30,7 +30,6 @@ using almanac::instant_from_utc;
 using almanac::LunarTheory;
 using eclipse::ShadowConvention;
 
-constexpr double arcsecond = std::numbers::pi / 648000;
 
 bool finite(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);

@@ -109,7 +109,8 @@ TEST(LimbRing, IsTheSameAllAroundFromTheAxisOfASphere) {
 
 TEST(LimbRing, IsBrightestWhereTheSunStandsAndMirroredAboutIt) {
   const LimbRing ring(on_a_sphere("standard"), darkened, place(1000e3, degrees(70)), waves);
-  const auto [lowest, highest] = ring.extent();
+  const auto extent = ring.extent();
+  const double lowest = extent.lowest_m, highest = extent.highest_m;
   const auto brightness = [&](double from_sun_deg) {
     std::vector<double> here(waves.size());
     double sum = 0;
