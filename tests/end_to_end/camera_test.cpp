@@ -209,7 +209,7 @@ TEST_F(CameraTest, LeavesNoPartOfARawFileOnAFullDisk) {
   make(still({"--frame", "frame.exr"}));
   const auto outcome = coppermoon({"develop", "frame.exr", "--camera", "paper", "--time", "2",
                                    "--raw", "raw.tif", "-o", "b.png"},
-                                  {.file_limit = 8000});
+                                  {.file_limit = 2000});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(outcome.err.starts_with("coppermoon: raw.tif: cannot be written: ")) << outcome.err;
   EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1);
