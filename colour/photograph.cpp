@@ -149,10 +149,9 @@ Photograph photographed(const Image& scene_linear, WorkingSpace space, const Cam
   const auto seen = spread(scene_linear, camera, shot.pixel_rad);
   const auto colours = colours_of(camera, space);
   const bool grey = camera.sensor.response == "luminance";
-  Photograph result{Image(seen.rows(), seen.columns()),
-                    algebra::Grid<float>(seen.rows(), seen.columns()),
-                    algebra::Grid<RawPixel>(seen.rows(), seen.columns()),
-                    readout.saturation_cd_m2()};
+  Photograph result{
+      Image(seen.rows(), seen.columns()), algebra::Grid<float>(seen.rows(), seen.columns()),
+      algebra::Grid<RawPixel>(seen.rows(), seen.columns()), readout.saturation_cd_m2()};
   tbb::parallel_for(std::size_t{0}, seen.rows(), [&](std::size_t r) {
     for (std::size_t c = 0; c < seen.columns(); ++c) {
       Bits bits{{shot.seed, (shot.frame << 36) + r * seen.columns() + c}};

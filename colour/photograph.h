@@ -26,7 +26,7 @@ struct Photograph {
   /// luminances of the scene as far as the camera knows: noise and all, also below 0; what is clipped
   /// is white at saturation
   Image scene_linear;
-  algebra::Grid<float> valid;    ///< 1 below nine tenths of saturation in each channel, else 0
+  algebra::Grid<float> valid;   ///< 1 below nine tenths of saturation in each channel, else 0
   algebra::Grid<RawPixel> raw;  ///< black level included [DN]; red, green, blue of every pixel
   double saturation_cd_m2 = 0;  ///< of white, within its noise
 };

@@ -176,7 +176,8 @@ void run(const Options& options) {
   require_sound(options);
   const auto exif = exif_to_use(options);
   const auto places = frame_places(options.recipe_in.empty() ? options.render : options.recipe_in);
-  const auto photo = read_photo(options.photo, options.coding), frame = read_render(options, places);
+  const auto photo = read_photo(options.photo, options.coding),
+             frame = read_render(options, places);
   const auto registration = colour::registered(luminance_of(photo), luminance_of(frame));
   const auto render = resampled(frame, registration.render_to_photo, photo.height, photo.width);
   const auto pixels = shared_pixels(photo, render, places, registration.render_to_photo);

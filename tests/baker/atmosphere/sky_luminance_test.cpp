@@ -22,8 +22,8 @@ TEST(SkyLuminance, IsThatOfTheAlmanacsIlluminance) {
       {{-0.8, 453}, {-6, 3.4}, {-12, 0.0081}, {-18, 6.5e-4}}};
   for (const auto& [altitude, lx] : all)
     EXPECT_WITHIN_RELATIVE(
-        (sky_luminance_cd_m2(degrees(altitude)) - night) * std::numbers::pi / 0.6, lx,
-                           0.03, "the table's two or three digits, and the fit's 1 %");
+        (sky_luminance_cd_m2(degrees(altitude)) - night) * std::numbers::pi / 0.6, lx, 0.03,
+        "the table's two or three digits, and the fit's 1 %");
 }
 
 TEST(SkyLuminance, IsThatOfTheZenithWithinItsFactorOfTwo) {
