@@ -10,6 +10,7 @@
 #include "algebra/error.h"
 #include "colour/difference.h"
 #include "colour/working_space.h"
+#include "verbs/pixels.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -92,10 +93,7 @@ texture::Image resampled(const texture::Image& image, const colour::Similarity& 
                          std::size_t rows, std::size_t columns) {
   texture::Image other(columns, rows, {"R", "G", "B"});
   for (std::size_t k = 0; k < 3; ++k) {
-    algebra::Grid<float> channel(image.height, image.width);
-    for (std::size_t i = 0; i < channel.values().size(); ++i)
-      channel.values()[i] = image.values[i * image.channels.size() + k];
-    const auto there = colour::resampled(channel, similarity, rows, columns);
+    const auto there = colour::resampled(channel_of(image, k), similarity, rows, columns);
     for (std::size_t i = 0; i < there.values().size(); ++i)
       other.values[3 * i + k] = there.values()[i];
   }

@@ -14,6 +14,7 @@
 #include "texture/bake.h"
 #include "verbs/comparison.h"
 #include "verbs/lit_scene.h"
+#include "verbs/pixels.h"
 #include "verbs/spectral_bands.h"
 
 namespace coppermoon::verbs {
@@ -164,13 +165,6 @@ struct Sum {
     return std::sqrt(alike * variance * static_cast<double>(pixels)) / sunlit;
   }
 };
-
-Channel channel_of(const texture::Image& image, std::size_t k) {
-  Channel channel(image.height, image.width);
-  for (std::size_t i = 0; i < channel.values().size(); ++i)
-    channel.values()[i] = image.values[image.channels.size() * i + k];
-  return channel;
-}
 
 /// 1 where a channel is black.
 Channel black_in(const Channel& light) {

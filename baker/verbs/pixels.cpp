@@ -29,6 +29,13 @@ colour::Image pixels_of(const texture::Image& image) {
   return pixels;
 }
 
+algebra::Grid<float> channel_of(const texture::Image& image, std::size_t channel) {
+  algebra::Grid<float> values(image.height, image.width);
+  for (std::size_t i = 0; i < values.values().size(); ++i)
+    values.values()[i] = image.values[i * image.channels.size() + channel];
+  return values;
+}
+
 texture::Image image_of(const colour::Image& pixels) { return three_channels(pixels, 1); }
 
 texture::Image image_of(const algebra::Grid<colour::RawPixel>& raw) {

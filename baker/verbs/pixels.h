@@ -12,6 +12,9 @@ namespace coppermoon::verbs {
 /// Throws  Error  when there are fewer
 colour::Image pixels_of(const texture::Image& image);
 
+/// One channel alone.
+algebra::Grid<float> channel_of(const texture::Image& image, std::size_t channel);
+
 /// Channels R, G, B.
 texture::Image image_of(const colour::Image& pixels);
 

@@ -20,6 +20,7 @@
 #include "surface/albedo_map.h"
 #include "texture/bake.h"
 #include "verbs/develop_options.h"
+#include "verbs/pixels.h"
 #include "verbs/spectral_bands.h"
 
 namespace coppermoon::verbs {
@@ -116,9 +117,7 @@ texture::Image seen_from_earth(const texture::Image& texture, const almanac::Sky
                    up = glm::cross(to_earth, right);
   texture::Image seen(pixels, pixels, texture.channels);
   for (std::size_t c = 0; c < texture.channels.size(); ++c) {
-    Grid<float> channel(texture.height, texture.width);
-    for (std::size_t i = 0; i < channel.values().size(); ++i)
-      channel.values()[i] = texture.values[i * texture.channels.size() + c];
+    const auto channel = channel_of(texture, c);
     tbb::parallel_for(std::size_t{0}, pixels, [&](std::size_t row) {
       const double y = 1 - (2 * static_cast<double>(row) + 1) / static_cast<double>(pixels);
       for (std::size_t column = 0; column < pixels; ++column) {
