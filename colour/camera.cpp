@@ -77,6 +77,18 @@ double light_passed(const Optics& optics) {
   return pi / 4 * optics.transmission * (1 - optics.obstruction * optics.obstruction);
 }
 
+/// That a pixel collects, by the light that falls on it.
+double electrons_per_lx_s(const Sensor& sensor) {
+  const double side_m = sensor.pixel_um * 1e-6;
+  return sensor.quantum_efficiency * photons_per_lm_s * side_m * side_m;
+}
+
+/// That fill the range of its numbers, were its pixels never full.
+double saturation_e(const Sensor& sensor, double iso) {
+  exposure_scale({.iso = iso});  // its range
+  return electrons_per_lx_s(sensor) * saturation_exposure_lx_s / iso;
+}
+
 /// In the focus, of 1 cd/m².
 double exposure_lx_s(const Camera& camera, const Exposure& exposure) {
   exposure_scale(exposure);  // ranges
@@ -128,16 +140,25 @@ Response response_named(std::string_view name) {
 
 double electrons_per_cd_m2(const Camera& camera, const Exposure& exposure) {
   require_sound(camera);
-  const double side_m = camera.sensor.pixel_um * 1e-6;
-  return camera.sensor.quantum_efficiency * photons_per_lm_s * side_m * side_m *
-         exposure_lx_s(camera, exposure);
+  return electrons_per_lx_s(camera.sensor) * exposure_lx_s(camera, exposure);
+}
+
+Gain gain_at(const Camera& camera, double iso) {
+  require_sound(camera);
+  const auto& sensor = camera.sensor;
+  const double range_dn = std::exp2(sensor.bits) - 1 - sensor.black_level_dn,
+               dn_per_electron = range_dn / saturation_e(sensor, iso),
+               white_dn = std::floor(std::min(range_dn, dn_per_electron * sensor.full_well_e));
+  algebra::require_within(
+      fmt::format("white of the sensor at ISO {}, above its black level [DN]", iso), white_dn, 1,
+      65535);
+  return {dn_per_electron, white_dn};
 }
 
 double saturation_cd_m2(const Camera& camera, const Exposure& exposure) {
-  const double full = camera.sensor.full_well_e / electrons_per_cd_m2(camera, exposure);
-  constexpr double usual_lens = 0.65;
-  const double by_speed = usual_lens / (light_passed(camera.optics) * exposure_scale(exposure));
-  return std::min(by_speed, full);
+  const double white_e =
+      std::min(saturation_e(camera.sensor, exposure.iso), camera.sensor.full_well_e);
+  return white_e / electrons_per_cd_m2(camera, exposure);
 }
 
 void require_sound(const Camera& camera) {

@@ -72,6 +72,19 @@ std::vector<std::string> response_names();
 /// Throws    Error  when camera or exposure is outside its range
 double electrons_per_cd_m2(const Camera& camera, const Exposure& exposure);
 
+/// How a sensor counts at a speed.
+struct Gain {
+  double dn_per_electron;
+  double white_dn;  ///< above the black level, whole; 1 to 65535
+};
+
+/// The electrons of 78/S lx s fill the range of its numbers; white is there, or where pixels are
+/// full before.
+///
+/// Source  ISO 12232
+/// Throws  Error  when camera or speed is outside its range, or white is not one number above black
+Gain gain_at(const Camera& camera, double iso);
+
 /// Luminance [cd/m²] of what the camera's white is: as colour::exposure_scale has it, with the
 /// optics' own light for a usual lens's, and darker where a pixel is full before.
 ///

@@ -10,6 +10,11 @@ struct Exposure {
   double iso = 100;     ///< 1 to 1e7; the saturation-based speed
 };
 
+/// Light in the focus at which a sensor of ISO 1 is saturated [lx s].
+///
+/// Source  ISO 12232
+constexpr double saturation_exposure_lx_s = 78;
+
 /// What a scene luminance of 1 cd/m² becomes, where 1.0 saturates the sensor.
 ///
 ///     value = q L t S / (78 N²),    q = 0.65
@@ -19,7 +24,7 @@ struct Exposure {
 /// Returned  per cd/m²; 0.8333 for 1 s at f/1 and ISO 100, so that 1.2 cd/m² saturate
 /// Omits     the lens's own transmission and vignetting, the failure of reciprocity of film
 /// Throws    Error  when a setting is outside its range
-/// Source    ISO 12232: saturation at an exposure of 78/S lx s
+/// Source    ISO 12232
 double exposure_scale(const Exposure& exposure);
 
 }  // namespace coppermoon::colour

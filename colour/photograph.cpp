@@ -68,16 +68,11 @@ class Readout {
  public:
   Readout(const Camera& camera, const Shot& shot)
       : camera_(camera),
+        gain_(gain_at(camera, shot.exposure.iso)),
         electrons_(electrons_per_cd_m2(camera, shot.exposure)),
-        top_(std::exp2(camera.sensor.bits) - 1),
-        range_(top_ - camera.sensor.black_level_dn) {
+        top_(std::exp2(camera.sensor.bits) - 1) {
     const double sensor_rad = camera.sensor.pixel_um * 1e-3 / camera.optics.focal_length_mm;
     pixels_ = shot.pixel_rad * shot.pixel_rad / (sensor_rad * sensor_rad);
-    auto bottomless = camera;
-    bottomless.sensor.full_well_e = 1e9;
-    dn_per_electron_ = range_ / (electrons_ * colour::saturation_cd_m2(bottomless, shot.exposure));
-    saturation_ = std::min(top_ - camera.sensor.black_level_dn,
-                           std::floor(dn_per_electron_ * camera.sensor.full_well_e));
   }
 
   /// The mean of the sensor's pixels that a pixel stands for.
@@ -89,20 +84,20 @@ class Readout {
     if (camera_.noise) {
       if (mean > 0) electrons = set_free(mean, bits);
       added = normal(bits) *
-              std::hypot(dn_per_electron_ * sensor.read_noise_e, sensor.converter_noise_dn) /
+              std::hypot(gain_.dn_per_electron * sensor.read_noise_e, sensor.converter_noise_dn) /
               std::sqrt(pixels_);
     }
-    const double signal = dn_per_electron_ * std::min(electrons, well) / pixels_;
+    const double signal = gain_.dn_per_electron * std::min(electrons, well) / pixels_;
     return static_cast<std::uint16_t>(
         std::clamp(std::round(sensor.black_level_dn + signal + added), 0., top_));
   }
 
   /// A raw number over that of green's saturation, balanced, and no more than that of white.
   double developed(std::uint16_t raw, double sensitivity) const {
-    return std::min(1., (raw - camera_.sensor.black_level_dn) / (saturation_ * sensitivity));
+    return std::min(1., (raw - camera_.sensor.black_level_dn) / (gain_.white_dn * sensitivity));
   }
 
-  double saturation_cd_m2() const { return saturation_ / (dn_per_electron_ * electrons_); }
+  double saturation_cd_m2() const { return gain_.white_dn / (gain_.dn_per_electron * electrons_); }
 
  private:
   static double normal(Bits& bits) { return std::normal_distribution<double>()(bits); }
@@ -114,7 +109,8 @@ class Readout {
   }
 
   const Camera& camera_;
-  double electrons_, pixels_ = 1, top_, range_, dn_per_electron_ = 1, saturation_ = 1;
+  Gain gain_;
+  double electrons_, top_, pixels_ = 1;
 };
 
 /// From a working space to a sensor's channels, and back.

@@ -4,13 +4,16 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <kissfft/kissfft.hh>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "algebra/error.h"
+#include "algebra/interpolation.h"
 
 namespace coppermoon::colour {
 namespace {
@@ -103,26 +106,82 @@ Spectrum diffraction_transfer(const Blur& blur, double pixel_rad, std::size_t ro
   return spread;
 }
 
+/// Narrower seeing spreads less than 1e-5 beyond a pixel.
+constexpr double least_seeing_px = 1 / 32.;
+
 /// What seeing, sampled pixel by pixel, leaves of a frequency in cycles a pixel: that of all
 /// frequencies that a pixel takes for it.
-double sampled_seeing(double x, double y, double width_px) {
-  const int folds = static_cast<int>(std::ceil(std::min(1.3 / width_px, 40.)));
-  double sum = 0;
-  for (int i = -folds; i <= folds; ++i)
-    for (int j = -folds; j <= folds; ++j)
-      sum += seeing_transfer(std::hypot(x + i, y + j), width_px);
-  return sum;
-}
+///
+/// What the others have is smooth in the squares of the frequency's parts: a polynomial of them,
+/// through Chebyshev's nodes.
+///
+/// Accuracy  1e-9
+class SampledSeeing {
+ public:
+  static constexpr std::size_t count = 9;
+  using Counts = std::array<double, count>;
+
+  explicit SampledSeeing(double width_px) : width_px_(width_px), others_(count, count) {
+    for (std::size_t i = 0; i < count; ++i)
+      squares_[i] = (1 - std::cos(pi * (static_cast<double>(i) + 0.5) / count)) / 8;  // 0 to 1/4
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        others_(i, j) = others_(j, i) =
+            of_others(std::sqrt(squares_[i]), std::sqrt(squares_[j]), width_px);
+    whole_ = 1 + summed(along(counts(0)), counts(0));
+  }
+
+  /// What each node counts for a part of a frequency, -1/2 to 1/2.
+  Counts counts(double frequency) const {
+    return algebra::on_polynomial<count>(squares_, frequency * frequency);
+  }
+
+  /// The others' nodes for one part of a frequency.
+  Counts along(const Counts& of_y) const {
+    Counts line{};
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j < count; ++j) line[j] += of_y[i] * others_(i, j);
+    return line;
+  }
+
+  double left(double frequency, const Counts& along_x, const Counts& of_x) const {
+    return (seeing_transfer(frequency, width_px_) + summed(along_x, of_x)) / whole_;
+  }
+
+ private:
+  static double summed(const Counts& line, const Counts& of_x) {
+    return std::inner_product(line.begin(), line.end(), of_x.begin(), 0.);
+  }
+
+  static double of_others(double x, double y, double width_px) {
+    constexpr double last = 3;  // cycles in a width, of which 2e-10 is left
+    const int folds = static_cast<int>(std::ceil(last / width_px));
+    double sum = 0;
+    for (int i = -folds; i <= folds; ++i)
+      for (int j = -folds; j <= folds; ++j)
+        if (i != 0 || j != 0) sum += seeing_transfer(std::hypot(x + i, y + j), width_px);
+    return sum;
+  }
+
+  double width_px_, whole_ = 1;
+  Counts squares_{};
+  algebra::Grid<double> others_;
+};
 
 void multiply_by_seeing(Spectrum& spectrum, double width_px) {
   const std::size_t rows = spectrum.rows(), columns = spectrum.columns();
-  const double whole = sampled_seeing(0, 0, width_px);
+  const SampledSeeing seeing(width_px);
+  const auto frequency = [](std::size_t i, std::size_t length) {
+    return static_cast<double>(i) / static_cast<double>(length);
+  };
+  std::vector<SampledSeeing::Counts> counts;
+  for (std::size_t c = 0; c <= columns / 2; ++c)
+    counts.push_back(seeing.counts(frequency(c, columns)));
   tbb::parallel_for(std::size_t{0}, rows / 2 + 1, [&](std::size_t r) {
+    const double y = frequency(r, rows);
+    const auto along = seeing.along(seeing.counts(y));
     for (std::size_t c = 0; c <= columns / 2; ++c) {
-      const double left =
-          sampled_seeing(static_cast<double>(c) / static_cast<double>(columns),
-                         static_cast<double>(r) / static_cast<double>(rows), width_px) /
-          whole;
+      const double left = seeing.left(std::hypot(frequency(c, columns), y), along, counts[c]);
       const std::size_t below = (rows - r) % rows, beyond = (columns - c) % columns;
       spectrum(r, c) *= left;
       if (below != r) spectrum(below, c) *= left;
@@ -189,7 +248,9 @@ algebra::Grid<double> blurred(const algebra::Grid<double>& picture, const Blur& 
   require_sound(blur, pixel_rad);
   constexpr double unseen = 32;  // spreads in a pixel
   const bool diffracts = blur.wavelength_nm != 0 && spreads_a_pixel(blur, pixel_rad) < unseen;
-  if (picture.empty() || (!diffracts && blur.seeing_rad == 0)) return picture;
+  const double seeing_px = blur.seeing_rad / pixel_rad;
+  const bool seethes = seeing_px >= least_seeing_px;
+  if (picture.empty() || (!diffracts && !seethes)) return picture;
   auto all = padded(picture);
   transform(all, Direction::forward);
   if (diffracts) {
@@ -197,7 +258,7 @@ algebra::Grid<double> blurred(const algebra::Grid<double>& picture, const Blur& 
     for (std::size_t i = 0; i < all.values().size(); ++i)
       all.values()[i] *= transfer.values()[i].real();
   }
-  if (blur.seeing_rad != 0) multiply_by_seeing(all, blur.seeing_rad / pixel_rad);
+  if (seethes) multiply_by_seeing(all, seeing_px);
   transform(all, Direction::back);
   return cut_out(all, picture);
 }

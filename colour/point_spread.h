@@ -42,7 +42,8 @@ struct Blur {
 /// Returned  nothing below 0 where the picture is not; all light kept, but for what crosses an edge
 /// Accuracy  1e-9 of the brightest pixel: of the transforms. Diffraction is averaged over a pixel,
 ///           which widens it by 0.29 pixel (standard deviation)
-/// Omits     diffraction where a pixel takes in 32 λ/D: some hundredth of a point's light
+/// Omits     diffraction where a pixel takes in 32 λ/D: some hundredth of a point's light; seeing
+///           of less than 1/32 pixel: 1e-5 of it
 /// Throws    Error  when the aperture, an angle or the wavelength is outside its range
 algebra::Grid<double> blurred(const algebra::Grid<double>& picture, const Blur& blur,
                               double pixel_rad);

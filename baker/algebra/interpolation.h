@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -15,6 +16,20 @@ double interpolated(std::span<const double> x, std::span<const double> y, double
 /// The mean of the piecewise linear function through (x, y) over [from, to], the end values held
 /// outside.
 double mean_between(std::span<const double> x, std::span<const double> y, double from, double to);
+
+/// What each of some nodes counts, at a place, on the polynomial through all of them.
+///
+/// Given     nodes  all different
+/// Returned  as many, whose sum is 1
+template <std::size_t size>
+std::array<double, size> on_polynomial(std::span<const double, size> nodes, double at) {
+  std::array<double, size> counts;
+  counts.fill(1);
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j)
+      if (i != j) counts[i] *= (at - nodes[j]) / (nodes[i] - nodes[j]);
+  return counts;
+}
 
 /// A smooth curve through points: cubics whose slopes agree where they meet, between two points
 /// never above the higher nor below the lower one. Outside, straight on with the end slopes.

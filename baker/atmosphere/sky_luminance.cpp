@@ -35,7 +35,7 @@ double twilight_lx(double altitude_degrees) {
 }  // namespace
 
 double luminance_of_magnitude_cd_m2(double mag_per_arcsec2) {
-  algebra::require_within("sky [mag/arcsec2]", mag_per_arcsec2, -30, 30);
+  algebra::require_within("sky [mag/arcsec2]", mag_per_arcsec2, 0, 30);
   return 1.08e5 * std::pow(10., -0.4 * mag_per_arcsec2);
 }
 

@@ -9,7 +9,7 @@ namespace coppermoon::atmosphere {
 ///
 ///     1.08e5 · 10^(−0.4 m)
 ///
-/// Given   mag_per_arcsec2  -30 to 30
+/// Given   mag_per_arcsec2  0 to 30
 /// Throws  Error            outside its range
 /// Source  the Sun's V = -26.76 and 1.28e5 lx, within 3 % of the literature's 1.08e5
 double luminance_of_magnitude_cd_m2(double mag_per_arcsec2);

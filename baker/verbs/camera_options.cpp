@@ -86,7 +86,7 @@ double sky_of(const CameraOptions& options, const Seen& seen) {
   double magnitude = 0;
   if (!CLI::detail::lexical_cast(text, magnitude))
     throw algebra::Error(
-        fmt::format("sky [mag/arcsec2] = {}, allowed auto, off or -30 to 30", text));
+        fmt::format("sky [mag/arcsec2] = {}, allowed auto, off or 0 to 30", text));
   return atmosphere::luminance_of_magnitude_cd_m2(magnitude);
 }
 

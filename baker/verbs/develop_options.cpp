@@ -146,6 +146,7 @@ void require_sound(const DevelopOptions& options, const std::filesystem::path& p
   require_ending(options.camera.photograph, "a photograph", ".exr");
   colour::exposure_scale(
       {by_the_frame(options) ? 1 : seconds_from(options.time), f_number_of(options), options.iso});
+  if (const auto camera = camera_of(options)) colour::gain_at(*camera, options.iso);
   const auto views = colour::views(options.display, options.config);
   if (std::find(views.begin(), views.end(), options.view) == views.end())
     throw algebra::Error(

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/interpolation.h"
 #include "shadow/twilight.h"
 #include "verbs/planning.h"
 #include "verbs/spectral_bands.h"
@@ -76,17 +77,6 @@ atmosphere::Atmosphere changed(atmosphere::Atmosphere air, double dust, double c
   return air;
 }
 
-/// What each of some nodes counts on the polynomial through them.
-template <std::size_t size>
-std::array<double, size> on_polynomial(std::span<const double, size> nodes, double x) {
-  std::array<double, size> weights;
-  weights.fill(1);
-  for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t j = 0; j < size; ++j)
-      if (i != j) weights[i] *= (x - nodes[j]) / (nodes[i] - nodes[j]);
-  return weights;
-}
-
 /// The first of the four doses of dust about one.
 std::size_t first_of_four(double dust_per_m) {
   const auto above = std::ranges::upper_bound(dusts_per_m, dust_per_m) - dusts_per_m.begin();
@@ -120,8 +110,9 @@ FittedLight::FittedLight(const LightOptions& options, const almanac::SkyState& s
 
 FittedLight::Mixed FittedLight::mixed(double dust_per_m, double ozone_du) const {
   const auto from = first_of_four(dust_per_m);
-  const auto of_dust = on_polynomial(std::span<const double, 4>(&dusts_per_m[from], 4), dust_per_m);
-  const auto of_ozone = on_polynomial(std::span(ozones_du), ozone_du);
+  const auto of_dust =
+      algebra::on_polynomial(std::span<const double, 4>(&dusts_per_m[from], 4), dust_per_m);
+  const auto of_ozone = algebra::on_polynomial(std::span(ozones_du), ozone_du);
   Mixed result = nodes_.front();
   const auto sum_up = [&](algebra::Grid<double> Mixed::*part) {
     auto values = (result.*part).values();

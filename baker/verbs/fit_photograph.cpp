@@ -51,9 +51,10 @@ Channel sunlit_map(const MoonOptions& moon, const almanac::SkyState& sky) {
   return map;
 }
 
-/// A pixel's ground, and where it stands.
+/// A pixel's ground, Moon-fixed, and where it stands.
 struct Ground {
   std::size_t pixel;
+  almanac::SelenographicPoint point;
   double cos_emission;
   eclipse::ShadowPlace place;
 };
@@ -70,7 +71,7 @@ std::vector<Ground> grounds_of(const povray_scenes::Camera& camera, const almana
       if (!ground) continue;
       const auto at_m = sky.moon_m + gcrs_from_selenographic *
                                          (algebra::in_metres(almanac::lunar_radius) * *ground);
-      grounds.push_back({r * side_px + c,
+      grounds.push_back({r * side_px + c, almanac::selenographic_point(*ground),
                          glm::dot(*ground, glm::normalize(sight.position - *ground)),
                          eclipse::place_in_shadow(axis, at_m)});
     }
@@ -78,15 +79,10 @@ std::vector<Ground> grounds_of(const povray_scenes::Camera& camera, const almana
 }
 
 /// Each pixel as bright as its ground.
-Channel picture_of(const Channel& map, const povray_scenes::Camera& camera) {
-  const auto sight = povray_scenes::sight_of(camera);
+Channel picture_of(const Channel& map, const std::vector<Ground>& grounds) {
   Channel picture(side_px, side_px);
-  for (std::size_t r = 0; r < side_px; ++r)
-    for (std::size_t c = 0; c < side_px; ++c)
-      if (const auto ground = povray_scenes::ground_at(
-              sight, {static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5}))
-        picture(r, c) =
-            static_cast<float>(surface::sampled(map, almanac::selenographic_point(*ground)));
+  for (const auto& ground : grounds)
+    picture.values()[ground.pixel] = static_cast<float>(surface::sampled(map, ground.point));
   return picture;
 }
 
@@ -221,8 +217,8 @@ FitScene fit_scene(const MoonOptions& moon, const ViewOptions& view) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc(moon.instant));
   const auto seen = view_of(close_view(view, sky), sky);
   FitScene scene;
-  scene.sunlit = picture_of(sunlit_map(moon, sky), seen.camera);
   const auto grounds = grounds_of(seen.camera, sky);
+  scene.sunlit = picture_of(sunlit_map(moon, sky), grounds);
   bin(scene, grounds);
   auto coarse = moon.light;
   coarse.plan.tolerance = "5%";

@@ -105,6 +105,30 @@ TEST(Blurred, StarIsAsWideAsItsSeeing) {
   EXPECT_WITHIN(picture(128 - 10, 128) / peak, 0.5, 0.01, "the same");
 }
 
+/// Of a point r from its middle, by the transfer's Hankel transform.
+double seeing_spread(double r, double width) {
+  constexpr int steps = 20000;
+  const double step = 4 / width / steps;
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double frequency = (i + 0.5) * step;
+    sum += std::exp(-3.44 * std::pow(frequency * width / 0.976, 5. / 3)) *
+           ::j0(2 * pi * frequency * r) * frequency * step;
+  }
+  return 2 * pi * sum;
+}
+
+TEST(Blurred, StarOfSeeingNarrowerThanAPixelIsThatSpreadAtItsMiddles) {
+  for (const double width : {0.04, 0.3, 0.8, 2.}) {
+    const auto picture = blurred(star(256), {{}, 0, width * 1e-5}, 1e-5);
+    for (const auto& [x, y] : {std::pair{1, 0}, {1, 1}, {0, 3}})
+      EXPECT_WITHIN(picture(128 + y, 128 + x) / picture(128, 128),
+                    seeing_spread(std::hypot(x, y), width) / seeing_spread(0, width), 2e-8,
+                    "the integral's 20000 steps, and stars that the transform repeats")
+          << width;
+  }
+}
+
 TEST(Blurred, PictureKeepsItsLightAndIsNowhereBlackerThanBlack) {
   for (const double pixel_rad : {2e-7, 1e-6, 5e-6, 1e-4}) {
     const Blur blur{{0.127, 0.31}, 550, 1e-5};

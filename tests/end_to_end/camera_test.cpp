@@ -102,7 +102,7 @@ TEST_F(CameraTest, IsATableOfARecipe) {
   EXPECT_EQ(refusal_of("[camera]\nmodel = \"paper\"\nread-noise = -1\n"),
             "coppermoon: read noise [e] = -1, allowed 0 to 10000\n");
   EXPECT_EQ(refusal_of("[camera]\nmodel = \"paper\"\nsky = \"bright\"\n"),
-            "coppermoon: sky [mag/arcsec2] = bright, allowed auto, off or -30 to 30\n");
+            "coppermoon: sky [mag/arcsec2] = bright, allowed auto, off or 0 to 30\n");
 }
 
 TEST_F(CameraTest, DevelopsAFrameAsStillDoes) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "algebra/random.h"
 #include "almanac/observer.h"
 #include "atmosphere/air_mass.h"
 #include "atmosphere/astronomical_refraction.h"
@@ -14,6 +15,8 @@
 #include "baker/texture/scratch_folder.h"
 #include "colour/display.h"
 #include "colour/exposure.h"
+#include "colour/photograph.h"
+#include "colour/point_spread.h"
 #include "eclipse/contacts.h"
 #include "extremes/worst.h"
 #include "surface/albedo_map.h"
@@ -29,7 +32,6 @@ namespace {
 using almanac::instant_from_utc;
 using almanac::LunarTheory;
 using eclipse::ShadowConvention;
-
 
 bool finite(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -191,6 +193,96 @@ TEST(Exposures, FollowTheirLawToTheirEnds) {
   is_refused("an exposure of 1.1e6 s", [] { colour::exposure_scale({1.1e6, 8, 100}); });
   is_refused("ISO 0.9", [] { colour::exposure_scale({1, 8, 0.9}); });
   is_refused("ISO 1.1e7", [] { colour::exposure_scale({1, 8, 1.1e7}); });
+}
+
+/// A number of a range: one time in four each its ends, else evenly in its logarithm or, of one
+/// from 0, evenly.
+double anywhere(algebra::Random& random, double low, double high) {
+  const double which = random.uniform(), share = random.uniform();
+  if (which < 0.25) return low;
+  if (which < 0.5) return high;
+  return low > 0 ? low * std::pow(high / low, share) : share * high;
+}
+
+colour::Camera random_camera(algebra::Random& random) {
+  const auto names = colour::response_names();
+  const int bits = static_cast<int>(std::round(anywhere(random, 1, 16)));
+  return {.optics = {anywhere(random, 1, 1e6), anywhere(random, 0.1, 1e5), anywhere(random, 0, 0.9),
+                     anywhere(random, 0.01, 1)},
+          .sensor = {anywhere(random, 0.1, 1000), anywhere(random, 0.1, 1000),
+                     anywhere(random, 1e-3, 1), anywhere(random, 10, 1e9), anywhere(random, 0, 1e4),
+                     anywhere(random, 0, 1e4), anywhere(random, 0, std::exp2(bits - 1)), bits,
+                     names[static_cast<std::size_t>(random.uniform() * 0.999999 *
+                                                    static_cast<double>(names.size()))]},
+          .seeing_arcsec = anywhere(random, 0, 600),
+          .diffraction = random.uniform() < 0.5,
+          .noise = random.uniform() < 0.5};
+}
+
+TEST(Cameras, OfAnyPartsTakeColoursOrAreRefused) {
+  constexpr std::uint64_t seed = 11, cameras = 1000;
+  colour::Image scene(3, 3);
+  for (std::size_t i = 0; i < scene.values().size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      scene.values()[i][k] = std::array{0.F, 1e-30F, 1e-3F, 1.F, 65504.F}[(i + k) % 5];
+  std::size_t taken = 0;
+  std::string refusal;
+  for (std::uint64_t i = 0; i < cameras; ++i) {
+    algebra::Random random(seed, i);
+    const auto camera = random_camera(random);
+    const colour::Shot shot{.exposure = {anywhere(random, 1e-6, 1e6), anywhere(random, 0.5, 512),
+                                         anywhere(random, 1, 1e7)},
+                            .pixel_rad = anywhere(random, 1e-9, 1e-2),
+                            .sky_cd_m2 = anywhere(random, 0, 1e5),
+                            .seed = i};
+    try {
+      const auto photograph = photographed(scene, colour::WorkingSpace::acescg, camera, shot);
+      ++taken;
+      EXPECT_TRUE(std::isfinite(photograph.saturation_cd_m2) && photograph.saturation_cd_m2 > 0)
+          << seed << " " << i;
+      for (const auto& pixel : photograph.scene_linear.values())
+        for (const float value : pixel) ASSERT_TRUE(std::isfinite(value)) << seed << " " << i;
+      for (const auto& raw : photograph.raw.values())
+        for (const auto number : raw) ASSERT_LT(number, std::exp2(camera.sensor.bits));
+    } catch (const algebra::Error& error) {
+      refusal = error.what();
+      EXPECT_TRUE(refusal.starts_with("white of the sensor at ISO")) << refusal;
+    }
+  }
+  EXPECT_GT(taken, cameras / 2);
+  tried(
+      fmt::format("{} of {} random cameras, each part at an end or between; f/0.5 to f/512, ISO 1 "
+                  "to 1e7, 1 us to 11 days",
+                  taken, cameras),
+      "finite colours, raw numbers within the sensor's bits");
+  refused("the others, such as one whose pixels are full before the converter counts 1", refusal);
+}
+
+TEST(Blurs, OfAnyWidthKeepAnEvenSkyEvenAndAPointsLight) {
+  constexpr std::size_t side = 17;
+  const algebra::Grid<double> even(side, side, 0.3);
+  algebra::Grid<double> point(side, side);
+  point(side / 2, side / 2) = 1;
+  Worst unevenness, light;
+  for (const double pixel_rad : {1e-12, 1e-6, 1.})
+    for (const double seeing_rad : {0., 1e-15, 2e-8, 3.2e-8, 1e-6, 1e-2})
+      for (const double diameter_m : {1e-5, 0.1, 100.})
+        for (const double wavelength_nm : {0., 100., 1e5})
+          for (const double obstruction : {0., 0.9}) {
+            const colour::Blur blur{{diameter_m, obstruction}, wavelength_nm, seeing_rad};
+            const auto of_even = blurred(even, blur, pixel_rad);
+            for (const double value : of_even.values()) unevenness.see_relative(value, 0.3);
+            const auto of_point = blurred(point, blur, pixel_rad);
+            double sum = 0;
+            for (const double value : of_point.values()) {
+              EXPECT_GE(value, 0);
+              sum += value;
+            }
+            light.see(std::max(0., sum - 1));
+          }
+  holds("pixels of 1e-12 to 1 rad, seeing of 0 to 1e-2 rad, apertures of 0.01 mm to 100 m",
+        "an even sky, over itself", 1e-9, unevenness, "the transforms', as blurred states");
+  holds("the same", "a point's light beyond what it was", 1e-9, light, "the transforms'");
 }
 
 TEST(Colours, ThatAreBlackOrNearlyStayColours) {

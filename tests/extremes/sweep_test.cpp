@@ -192,6 +192,37 @@ std::string random_texture(std::uint64_t index) {
   return text;
 }
 
+/// A still's camera, from numbers of its own too.
+std::string random_camera(std::uint64_t index) {
+  static const std::vector<std::pair<const char*, Value>> keys{
+      {"f-number", number(0.5, 512)},
+      {"aperture", number(0.1, 1e5)},
+      {"obstruction", number(0, 0.9)},
+      {"transmission", number(0.01, 1)},
+      {"diffraction", on_or_off()},
+      {"seeing", number(0, 600)},
+      {"sky", word("auto", "off", "4", "22.5", "-30", "30", "dark")},
+      {"pixel", number(0.1, 1000)},
+      {"quantum-efficiency", number(0.001, 1)},
+      {"response",
+       word("colorimetric", "luminance", "canon-300d", "canon-6d", "canon-5d3", "sony-a7r2")},
+      {"full-well", number(10, 1e9)},
+      {"read-noise", number(0, 1e4)},
+      {"converter-noise", number(0, 1e4)},
+      {"black-level", number(0, 2000)},
+      {"sensor-bits", integer(1, 16)},
+      {"noise", on_or_off()},
+      {"noise-seed", integer(0, 1e9)},
+  };
+  Random random(seed + 2, index);
+  if (random.uniform() < 0.3) return {};
+  auto text = fmt::format("camera = {}\n",
+                          word("paper", "400mm", "schmidt-cassegrain", "refractor")(random));
+  for (const auto& [name, value] : keys)
+    if (random.uniform() < 0.15) text += fmt::format("{} = {}\n", name, value(random));
+  return text;
+}
+
 struct Recipe {
   Verb verb;
   std::string text;
@@ -205,6 +236,7 @@ Recipe random_recipe(std::uint64_t index) {
     which -= verbs[chosen++].chance;
   Recipe recipe{verbs[chosen], fmt::format("instant = {}\n", random_instant(random))};
   if (recipe.verb.name == std::string("bake")) recipe.text += random_texture(index);
+  if (recipe.verb.name == std::string("still")) recipe.text += random_camera(index);
   for (const auto& key : keys())
     if (std::string_view(recipe.verb.groups).find(key.of) != std::string_view::npos &&
         random.uniform() < key.chance)

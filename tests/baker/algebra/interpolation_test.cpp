@@ -37,6 +37,20 @@ TEST(Interpolated, IsConstantThroughASinglePoint) {
   EXPECT_EQ(interpolated(one, one, 8), 7);
 }
 
+TEST(OnPolynomial, IsExactForACubicThroughFourNodes) {
+  const auto cubic = [](double at) { return 2 * at * at * at - at + 3; };
+  for (const double at : {0., 1., 3.3, 7.}) {
+    const auto counts = on_polynomial(std::span(x), at);
+    double sum = 0, value = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      sum += counts[i];
+      value += counts[i] * cubic(x[i]);
+    }
+    EXPECT_WITHIN(sum, 1., 1e-13, "rounding");
+    EXPECT_WITHIN_RELATIVE(value, cubic(at), 1e-13, "rounding");
+  }
+}
+
 // Trapezia by hand: 20, then 20 (30 to −10 over 2), then −5.
 TEST(MeanBetween, IsTheAreaOverTheWidth) {
   EXPECT_WITHIN(mean_between(x, y, 1, 5), (20.0 + 20 - 5) / 4, 1e-14, "rounding");
