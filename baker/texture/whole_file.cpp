@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -113,6 +114,17 @@ void write_whole(const fs::path& path, const std::function<void(int)>& fill) {
 
 void write_whole(const fs::path& path, std::string_view text) {
   write_whole(path, [&](int descriptor) { write_all(descriptor, text, path); });
+}
+
+std::string beginning_of(const fs::path& path, std::size_t most_bytes) {
+  std::ifstream file(path, std::ios::binary);
+  std::error_code ignored;
+  if (!file || fs::is_directory(path, ignored))
+    throw algebra::Error(fmt::format("{}: cannot be read", path.string()));
+  std::string text(most_bytes, ' ');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return text;
 }
 
 }  // namespace coppermoon::texture

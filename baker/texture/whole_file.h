@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace coppermoon::texture {
@@ -18,5 +20,10 @@ void write_whole(const std::filesystem::path& path, const std::function<void(int
 
 /// The same for text.
 void write_whole(const std::filesystem::path& path, std::string_view text);
+
+/// A file's bytes, or the first of them: what has no end takes no more memory than that.
+///
+/// Throws  Error  one line with the path, when there is no such file or it is a folder
+std::string beginning_of(const std::filesystem::path& path, std::size_t most_bytes);
 
 }  // namespace coppermoon::texture

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <map>
 
@@ -201,12 +200,7 @@ void write_usda(const fs::path& path, const std::string& texture_file_name,
 }
 
 std::optional<std::string> recipe_in_usda(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::error_code ignored;
-  if (!file || fs::is_directory(path, ignored)) throw Error(path.string() + ": cannot be read");
-  std::string text(std::min<std::uintmax_t>(fs::file_size(path, ignored), most_bytes), ' ');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
+  const auto text = beginning_of(path, most_bytes);
   if (!text.starts_with(first_line)) throw Error(path.string() + ": is no USD text");
   return string_in_layer_data(text, "coppermoon", "recipe");
 }

@@ -65,23 +65,10 @@ std::vector<std::string> flags_of_pictures() {
 
 /// Lines of a recipe that change no light.
 std::string without_the_camera(const std::string& recipe) {
-  constexpr std::array others{"albedo-map",
-                              "photometry",
-                              "albedo-exponent",
-                              "texture-width",
-                              "space",
-                              "type",
-                              "spectral",
-                              "passes",
-                              "eclipse",
-                              "from",
-                              "to",
-                              "frames",
-                              "fps",
-                              "time-scale",
-                              "mount",
-                              "aim",
-                              "bracket"};
+  constexpr std::array others{
+      "albedo-map", "photometry", "albedo-exponent", "texture-width", "space",  "type",
+      "spectral",   "passes",     "eclipse",         "from",          "to",     "frames",
+      "fps",        "time-scale", "mount",           "aim",           "bracket"};
   const auto seen = flags_of_pictures();
   return without(recipe, [&](const std::string& flag) {
     return std::ranges::find(others, flag) != others.end() || holds(seen, flag);

@@ -85,8 +85,7 @@ double sky_of(const CameraOptions& options, const Seen& seen) {
   if (text == "auto") return seen.sky_cd_m2.value_or(0);
   double magnitude = 0;
   if (!CLI::detail::lexical_cast(text, magnitude))
-    throw algebra::Error(
-        fmt::format("sky [mag/arcsec2] = {}, allowed auto, off or 0 to 30", text));
+    throw algebra::Error(fmt::format("sky [mag/arcsec2] = {}, allowed auto, off or 0 to 30", text));
   return atmosphere::luminance_of_magnitude_cd_m2(magnitude);
 }
 

@@ -72,12 +72,11 @@ void require_ending(const std::string& file, const char* what, const char* endin
 void write_files(const CameraOptions& camera, const colour::Photograph& photograph,
                  const colour::Exposure& exposure, texture::Attributes attributes) {
   add_exposure(attributes, exposure);
-  if (!camera.raw.empty())
-    texture::write_tiff(camera.raw, image_of(photograph.raw), attributes);
+  if (!camera.raw.empty()) texture::write_tiff(camera.raw, image_of(photograph.raw), attributes);
   attributes["coppermoon:saturation_cd_m2"] = static_cast<float>(photograph.saturation_cd_m2);
   if (!camera.photograph.empty())
-    texture::write_exr(camera.photograph, image_of(photograph.scene_linear, photograph.valid), attributes,
-                       {.type = texture::ExrType::floating, .allow_negative = true});
+    texture::write_exr(camera.photograph, image_of(photograph.scene_linear, photograph.valid),
+                       attributes, {.type = texture::ExrType::floating, .allow_negative = true});
 }
 
 }  // namespace
@@ -89,7 +88,8 @@ void add_develop_options(CLI::App& verb, DevelopOptions& options) {
           "exposure time [s]; auto: the brightest are not lost; follow: as the shadow deepens, "
           "without a step")
       ->group(group);
-  verb.add_option("--f-number", options.f_number, "focal length over aperture; 12.1, or the camera's")
+  verb.add_option("--f-number", options.f_number,
+                  "focal length over aperture; 12.1, or the camera's")
       ->group(group);
   verb.add_option("--iso", options.iso, "ISO 12232 saturation-based speed")->group(group);
   verb.add_option("--view", options.view, "of the OpenColorIO configuration")->group(group);

@@ -21,9 +21,8 @@ double number_in_header(const fs::path& frame, const char* name) {
 }
 
 double exposure_scale_of(const DevelopOptions& develop, const fs::path& frame) {
-  return scale_of(develop,
-                  {number_in_header(frame, "expTime"), number_in_header(frame, "aperture"),
-                   number_in_header(frame, "isoSpeed")});
+  return scale_of(develop, {number_in_header(frame, "expTime"), number_in_header(frame, "aperture"),
+                            number_in_header(frame, "isoSpeed")});
 }
 
 void expose(const DevelopOptions& develop, texture::Image& film, const fs::path& frame) {

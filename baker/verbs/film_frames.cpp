@@ -124,14 +124,13 @@ void render(const Film& film, Frames frames, int threads, const Told& told) {
     batch.push_back({frame, moon.attributes, seen_by(view, sky)});
   }
   write_sequence(folder.path(), sequence);
-  povray_scenes::render_sequence(
-      folder.path(), 1, frames.size(),
-      [&](std::size_t number, const std::filesystem::path& rendered) {
-        told(finished(film, batch[number - 1], rendered));
-        std::filesystem::remove(rendered);
-        std::filesystem::remove(texture_file(number));
-      },
-      {.threads = threads});
+  povray_scenes::render_sequence(folder.path(), 1, frames.size(),
+                                 [&](std::size_t number, const std::filesystem::path& rendered) {
+                                   told(finished(film, batch[number - 1], rendered));
+                                   std::filesystem::remove(rendered);
+                                   std::filesystem::remove(texture_file(number));
+                                 },
+                                 {.threads = threads});
 }
 
 void bake(const Film& film, std::size_t frame, const Told& told) {

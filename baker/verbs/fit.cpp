@@ -110,21 +110,22 @@ struct Evidence {
 void add_photograph(const Options& options, const std::string& instant, std::size_t i,
                     Evidence& evidence) {
   const auto& file = options.photos[i];
+  const auto photo = read_photo(file, options.coding);
+  const auto belief = belief_of(options, i);
   auto scene = evidence.scenes.find(instant);
   if (scene == evidence.scenes.end()) {
     auto moon = options.moon;
     moon.instant = instant;
     scene = evidence.scenes.emplace(instant, fit_scene(moon, options.view)).first;
   }
-  const auto photograph = binned(scene->second, read_photo(file, options.coding));
-  const auto belief = belief_of(options, i);
   try {
+    const auto photograph = binned(scene->second, photo);
     evidence.witnesses.push_back(witness_of(scene->second, photograph, belief));
+    evidence.seen.push_back({file, instant, photograph.registration,
+                             belief.value_per_cd_m2.has_value(), evidence.witnesses.back().count});
   } catch (const algebra::Error& error) {
     throw algebra::Error(fmt::format("{}: {}", file, error.what()));
   }
-  evidence.seen.push_back({file, instant, photograph.registration,
-                           belief.value_per_cd_m2.has_value(), evidence.witnesses.back().count});
 }
 
 void add_magnitudes(const Options& options, Evidence& evidence) {

@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <numeric>
@@ -14,13 +13,14 @@
 #include "almanac/instant.h"
 #include "surface/albedo_map.h"
 #include "texture/bake.h"
+#include "texture/whole_file.h"
 #include "verbs/photometer.h"
 #include "verbs/photometric_bands.h"
 
 namespace coppermoon::verbs {
 namespace {
 
-constexpr std::size_t rows = 128;
+constexpr std::size_t rows = 128, most_bytes = 1 << 20;
 
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
@@ -110,8 +110,11 @@ std::vector<double> unshadowed_magnitudes(const MoonOptions& moon, const almanac
 }  // namespace
 
 std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file) {
-  std::ifstream lines(file);
-  if (!lines) throw algebra::Error(fmt::format("{}: cannot be read", file));
+  const auto text = texture::beginning_of(file, most_bytes + 1);
+  if (text.size() > most_bytes)
+    throw algebra::Error(
+        fmt::format("{}: a list of more than {} bytes, allowed up to that", file, most_bytes));
+  std::istringstream lines(text);
   std::optional<Columns> columns;
   std::vector<MeasuredMagnitude> all;
   std::size_t number = 0;

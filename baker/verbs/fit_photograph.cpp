@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <numeric>
@@ -215,6 +216,7 @@ std::vector<Sum> sums_of(const FitScene& scene, const Brought& channel, const Ch
 
 FitScene fit_scene(const MoonOptions& moon, const ViewOptions& view) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc(moon.instant));
+  require_eclipse(sky.when);
   const auto seen = view_of(close_view(view, sky), sky);
   FitScene scene;
   const auto grounds = grounds_of(seen.camera, sky);
@@ -240,6 +242,7 @@ namespace {
 /// A photograph whose noise hides the limb is looked at from further away.
 colour::Registration registration_of(const texture::Image& photo, const Channel& usual) {
   const auto luminance = luminance_of(photo);
+  std::exception_ptr of_itself;
   for (double size = 1;; size /= 2) {
     const colour::Similarity smaller{.scale = size};
     const auto extent = [&](std::size_t pixels) {
@@ -254,7 +257,8 @@ colour::Registration registration_of(const texture::Image& photo, const Channel&
       found.render_to_photo = colour::composed(found.render_to_photo, colour::inverse(smaller));
       return found;
     } catch (const algebra::Error&) {
-      if (size <= 0.25) throw;
+      if (!of_itself) of_itself = std::current_exception();
+      if (size <= 0.25) std::rethrow_exception(of_itself);
     }
   }
 }

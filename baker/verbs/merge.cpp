@@ -8,6 +8,7 @@
 
 #include "algebra/error.h"
 #include "colour/bracket.h"
+#include "colour/exposure.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 #include "verbs/moon_options.h"
@@ -44,8 +45,9 @@ colour::Bracketed bracketed(const std::string& file) {
   colour::Bracketed one{pixels_of(image), algebra::Grid<float>(image.height, image.width), 0};
   for (std::size_t i = 0; i < one.valid.values().size(); ++i)
     one.valid.values()[i] = image.values[4 * i + 3];
-  const double f_number = number_of(file, "aperture");
-  one.light = number_of(file, "expTime") / (f_number * f_number);
+  const double f_number = number_of(file, "aperture"), time_s = number_of(file, "expTime");
+  colour::exposure_scale({time_s, f_number});  // their ranges
+  one.light = time_s / (f_number * f_number);
   return one;
 }
 

@@ -83,7 +83,8 @@ void add_view_options(CLI::App& verb, ViewOptions& options) {
                   "LAT,LON[,ELEV] of the observer [degrees north, east; m]; without: from the "
                   "Earth's centre")
       ->group(group);
-  verb.add_option("--focal-length", options.focal_length_mm, "of the telescope or lens [mm]; 1540, or the camera's")
+  verb.add_option("--focal-length", options.focal_length_mm,
+                  "of the telescope or lens [mm]; 1540, or the camera's")
       ->group(group);
   verb.add_option("--sensor-width", options.sensor_width_mm, "[mm]; 22.7, or the camera's")
       ->group(group);
@@ -123,10 +124,11 @@ bool moon_is_up(const ViewOptions& options, const almanac::SkyState& sky) {
 }
 
 View view_of(const ViewOptions& options, const almanac::SkyState& sky) {
-  const auto field = options.field_deg ? algebra::degrees(*options.field_deg)
-                                       : povray_scenes::field_of_view(
-                                             algebra::metres(options.focal_length_mm.value_or(1540) / 1e3),
-                                             algebra::metres(options.sensor_width_mm.value_or(22.7) / 1e3));
+  const auto field = options.field_deg
+                         ? algebra::degrees(*options.field_deg)
+                         : povray_scenes::field_of_view(
+                               algebra::metres(options.focal_length_mm.value_or(1540) / 1e3),
+                               algebra::metres(options.sensor_width_mm.value_or(22.7) / 1e3));
   const auto up = up_from(options.up);
   if (options.at.empty())
     return {povray_scenes::camera_at(sky, up, field, options.width, options.height), {}, {}};

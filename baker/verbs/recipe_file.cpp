@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "algebra/error.h"
 #include "texture/read_image.h"
+#include "texture/whole_file.h"
 #include "texture/write_glb.h"
 #include "texture/write_usda.h"
 #include "verbs/air_options.h"
@@ -48,20 +48,8 @@ std::string as_text(const toml::node& value, const std::string& where) {
 
 constexpr std::size_t most_bytes = 1 << 20;
 
-/// The file's beginning, one byte more than a recipe may have.
-std::string beginning_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::error_code ignored;
-  if (!file || std::filesystem::is_directory(path, ignored))
-    throw algebra::Error(fmt::format("{}: cannot be read", path));
-  std::string text(most_bytes + 1, ' ');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  return text;
-}
-
 std::string recipe_text(const std::string& path) {
-  if (!holds_recipe(path)) return beginning_of(path);
+  if (!holds_recipe(path)) return texture::beginning_of(path, most_bytes + 1);
   const auto ending = std::filesystem::path(path).extension();
   const auto text = ending == ".glb"    ? texture::recipe_in_glb(path)
                     : ending == ".usda" ? texture::recipe_in_usda(path)

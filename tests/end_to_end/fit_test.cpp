@@ -114,6 +114,10 @@ TEST_F(Fit, RefusesWhatItCannotExplain) {
             "coppermoon: c.csv:2: a line of fewer columns than the first\n");
   file("d.csv", "instant,band,magnitude\n2018-07-28T20:40:00Z,V,3\n");
   EXPECT_NE(refusal_of({"--magnitudes", "d.csv"}).find("no lunar eclipse"), std::string::npos);
+  run({"oiiotool", "--create", "20x10", "3", "-o", "dot.png"});
+  EXPECT_EQ(
+      refusal_of({"dot.png", "--instants", "2018-07-27T20:40:00Z", "--albedo-map", "built-in"}),
+      "coppermoon: dot.png: height of a picture [pixels] = 10, allowed 16 to 65535\n");
 }
 
 }  // namespace

@@ -439,5 +439,60 @@ TEST_F(Sums, OfAnotherKindAreRefused) {
   expect_sums_refused("a folder", {"--add", "."}, ".: ");
 }
 
+/// Magnitudes that someone wrote down.
+class Magnitudes : public Untrusted {
+ protected:
+  void expect_list_refused(const std::string& what, const std::string& path,
+                           const std::string& part) const {
+    expect_refused("magnitudes: " + what, coppermoon({"fit", "--magnitudes", path}), part);
+  }
+};
+
+TEST_F(Magnitudes, ThatAreNoneAreRefused) {
+  const std::string names = "instant,band,magnitude\n", eclipsed = "2018-07-27T20:40:00Z,V,";
+  for (const auto& [what, text, part] : std::vector<std::array<std::string, 3>>{
+           {"no number", names + eclipsed + "nan\n", "a.csv:2: magnitude = nan, allowed -30 to 30"},
+           {"an infinite one", names + eclipsed + "-inf\n", "magnitude = -inf"},
+           {"text", names + eclipsed + "faint\n", "magnitude = faint, allowed a number"},
+           {"none", names, "holds no magnitudes"},
+           {"nothing", "", "holds no magnitudes"},
+           {"a zero byte", names + eclipsed + std::string("\0", 1), "a.csv:2: magnitude = "},
+           {"quotes", names + "\"2018-07-27T20:40:00Z\",V,1\n", "a.csv:2: date"},
+           {"Latin-1", names + "2018-07-27T20:40:00Z,\xe9,1\n", "a.csv:2: band = "},
+           {"2 MB", std::string(2 << 20, '#'), "a list of more than 1048576 bytes"}}) {
+    file("a.csv", text);
+    expect_list_refused(what, "a.csv", part);
+  }
+  expect_list_refused("/dev/zero", "/dev/zero", "a list of more than 1048576 bytes");
+  expect_list_refused("a folder", ".", ".: cannot be read");
+}
+
+/// Photographs that are to be merged.
+class Photographs : public Untrusted {};
+
+TEST_F(Photographs, ThatDoNotGoTogetherAreRefused) {
+  const texture::ExrOptions floats{.type = texture::ExrType::floating};
+  const auto photograph = [&](const std::string& name, std::size_t width,
+                              const std::vector<std::string>& channels, float time_s = 1) {
+    texture::write_exr(here(name), texture::Image(width, 2, channels),
+                       {{"expTime", time_s}, {"aperture", 8.F}}, floats);
+  };
+  const std::vector<std::string> four{"R", "G", "B", "valid"};
+  photograph("a.exr", 4, four);
+  photograph("wide.exr", 5, four);
+  photograph("endless.exr", 4, four, INFINITY);
+  photograph("three.exr", 4, {"R", "G", "B"});
+  const auto merged = [&](const char* name) {
+    return coppermoon({"merge", "a.exr", name, "-o", "b.exr"});
+  };
+  expect_refused("merge: another size", merged("wide.exr"), "5 x 2 pixels, allowed 4 x 2");
+  expect_refused("merge: without valid", merged("three.exr"),
+                 "3 channels, allowed R, G, B and valid");
+  expect_refused("merge: an infinite exposure time", merged("endless.exr"),
+                 "exposure time [s] = inf, allowed");
+  expect_refused("merge: a folder", merged("."), ".: cannot be read");
+  EXPECT_FALSE(std::filesystem::exists(here("b.exr")));
+}
+
 }  // namespace
 }  // namespace coppermoon::extremes

@@ -2,15 +2,14 @@
 #include "shadow/marched_photons.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 #include "atmosphere/presets.h"
 #include "photons/bending.h"
 #include "shadow/photon_rows.h"
+#include "support/every_target.h"
 #include "support/within.h"
 
 namespace coppermoon::shadow {
@@ -72,18 +71,6 @@ double worst_bending(const Scene& scene, const MarchedRows& rows) {
                                            scene.exact(scene.aims[i], scene.optics[w]).bending_rad -
                                        1));
   return worst;
-}
-
-/// With the vectors of every kind that this processor has, the narrowest included.
-void on_every_target(const std::function<void()>& test) {
-  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
-    SCOPED_TRACE(hwy::TargetName(left & -left));
-    hwy::SetSupportedTargetsForTest(left & -left);
-    hwy::GetChosenTarget().DeInit();
-    test();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().DeInit();
 }
 
 constexpr double float_rounding = 3e-7;  // of two sums of three
@@ -151,7 +138,7 @@ void expect_the_exact_light(const char* preset, double of_light, const char* rea
 }
 
 TEST(MarchedPhotons, LandAndShineAsTheExactRayDoes) {
-  on_every_target([] {
+  support::on_every_target([] {
     expect_the_exact_light("paper", 5e-7, "as the header says");
     expect_the_exact_light("molecular", 5e-7, "as the header says");
     expect_the_exact_light("standard", 5e-5, "what limb_path states of ozone and aerosol");

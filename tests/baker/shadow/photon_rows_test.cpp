@@ -2,12 +2,11 @@
 #include "shadow/photon_rows.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cmath>
-#include <functional>
 
 #include "algebra/random.h"
+#include "support/every_target.h"
 #include "support/within.h"
 
 namespace coppermoon::shadow {
@@ -16,18 +15,6 @@ namespace {
 using algebra::Grid;
 
 constexpr std::size_t waves = 37;
-
-/// With the vectors of every kind that this processor has, the narrowest included.
-void on_every_target(const std::function<void()>& test) {
-  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
-    SCOPED_TRACE(hwy::TargetName(left & -left));
-    hwy::SetSupportedTargetsForTest(left & -left);
-    hwy::GetChosenTarget().DeInit();
-    test();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().DeInit();
-}
 
 Grid<float> random_rows(std::size_t rows, double least, double greatest) {
   algebra::Random random(3, rows);
@@ -40,7 +27,7 @@ Grid<float> random_rows(std::size_t rows, double least, double greatest) {
 
 TEST(PhotonRows, LieBetweenTheirNeighbours) {
   const auto table = random_rows(2, -1e6, 1e6);
-  on_every_target([&] {
+  support::on_every_target([&] {
     Grid<float> rows(1, padded(waves));
     const std::vector<Between> places{{table.row(0).data(), 0.25F, 2}};
     interpolate(places, rows);
@@ -75,7 +62,7 @@ TEST(PhotonRows, GatherInTheRingAndSectorWhereTheyLand) {
                                  landing_m(i, w) * asides[i].toward_y - asides[i].source_y_m),
                        w) += light(i, w);
     }
-    on_every_target([&] {
+    support::on_every_target([&] {
       Tally tally(rings.rows(), waves);
       gather(asides, landing_m, light, rings, 0, tally);
       std::size_t differ = 0;
@@ -88,7 +75,7 @@ TEST(PhotonRows, GatherInTheRingAndSectorWhereTheyLand) {
 }
 
 TEST(PhotonRows, DrainAsSumsAndSquares) {
-  on_every_target([] {
+  support::on_every_target([] {
     Tally tally(3, waves);
     tally.light = random_rows(3, 0, 5);
     const auto light = tally.light;
