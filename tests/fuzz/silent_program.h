@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,11 +40,27 @@ struct SilentProgram {
   }
 };
 
+/// A program for thousands of command lines, which takes less time than one for each; then a new one,
+/// for CLI11 keeps the order of all options that it ever read.
+class RenewedProgram {
+ public:
+  SilentProgram& operator()() {
+    constexpr int lines = 10000;
+    if (count_++ % lines == 0) program_ = std::make_unique<SilentProgram>();
+    return *program_;
+  }
+
+ private:
+  int count_ = 0;
+  std::unique_ptr<SilentProgram> program_;
+};
+
 /// The recipe of a texture's command line that was understood, read in its place, makes the same one;
 /// empty values, which the words would refuse later, no recipe has.
 inline void require_lasting_recipe(const Words& words) {
   const auto empty = [](const auto& word) { return word.empty() || word.ends_with('='); };
-  static SilentProgram first, second;
+  static RenewedProgram programs, others;
+  auto& first = programs();
   if (!first.understands(words)) return;
   const auto* verb = first.app.get_subcommands().at(0);
   if (verb->get_option_no_throw("--photometry") == nullptr || std::ranges::any_of(words, empty))
@@ -53,6 +70,7 @@ inline void require_lasting_recipe(const Words& words) {
   static const ScratchFile file("lasting.toml");
   Words again{verb->get_name(), "--recipe", file.holding(recipe).string()};
   if (verb->get_option_no_throw("--output") != nullptr) again.push_back("--output=a");
+  auto& second = others();
   require(second.understands(again));
   require(verbs::recipe_of(*second.app.get_subcommands().at(0)) == recipe);
 }
