@@ -207,16 +207,17 @@ double anywhere(algebra::Random& random, double low, double high) {
 colour::Camera random_camera(algebra::Random& random) {
   const auto names = colour::response_names();
   const int bits = static_cast<int>(std::round(anywhere(random, 1, 16)));
-  return {.optics = {anywhere(random, 1, 1e6), anywhere(random, 0.1, 1e5), anywhere(random, 0, 0.9),
-                     anywhere(random, 0.01, 1)},
-          .sensor = {anywhere(random, 0.1, 1000), anywhere(random, 0.1, 1000),
-                     anywhere(random, 1e-3, 1), anywhere(random, 10, 1e9), anywhere(random, 0, 1e4),
-                     anywhere(random, 0, 1e4), anywhere(random, 0, std::exp2(bits - 1)), bits,
-                     names[static_cast<std::size_t>(random.uniform() * 0.999999 *
-                                                    static_cast<double>(names.size()))]},
-          .seeing_arcsec = anywhere(random, 0, 600),
-          .diffraction = random.uniform() < 0.5,
-          .noise = random.uniform() < 0.5};
+  return {
+      .optics = {anywhere(random, 1, 1e6), anywhere(random, 0.1, 1e5), anywhere(random, 0, 0.9),
+                 anywhere(random, 0.01, 1)},
+      .sensor =
+          {anywhere(random, 0.1, 1000), anywhere(random, 0.1, 1000), anywhere(random, 1e-3, 1),
+           anywhere(random, 10, 1e9), anywhere(random, 0, 1e4), anywhere(random, 0, 1e4),
+           anywhere(random, 0, std::exp2(bits - 1)), bits,
+           names[static_cast<std::size_t>(random.uniform() * static_cast<double>(names.size()))]},
+      .seeing_arcsec = anywhere(random, 0, 600),
+      .diffraction = random.uniform() < 0.5,
+      .noise = random.uniform() < 0.5};
 }
 
 TEST(Cameras, OfAnyPartsTakeColoursOrAreRefused) {
