@@ -48,11 +48,12 @@ TEST(SkyLuminance, HasNoStepBetweenItsPieces) {
 }
 
 TEST(SkyLuminance, OfTheSunsOwnMagnitudeIsTheSuns) {
-  // V = -26.76 over 6.79e-5 sr is 1.28e5 lx: 2.89 million square arc seconds
+  // V = -26.76 over 6.79e-5 sr is 1.28e5 lx: 2.89 million square arc seconds. A sky is never so bright:
+  // seen through a filter of 12.5 magnitudes, 1e-5 of its light
   const double sun_arcsec2 = 6.794e-5 / 2.3504e-11;
   EXPECT_WITHIN_RELATIVE(
-      luminance_of_magnitude_cd_m2(-26.76 + 2.5 * std::log10(sun_arcsec2)) * 6.794e-5, 1.28e5, 0.03,
-      "of the magnitude's zero point in the literature");
+      luminance_of_magnitude_cd_m2(-26.76 + 12.5 + 2.5 * std::log10(sun_arcsec2)) * 6.794e-5, 1.28,
+      0.03, "of the magnitude's zero point in the literature");
 }
 
 TEST(SkyLuminance, RefusesADay) {
