@@ -42,10 +42,11 @@ rows faults film_faults
 heading "Untrusted words"
 rows words
 heading "Random recipes"
-printf '| tried | valid files | refused in one line |\n| --- | ---: | ---: |\n'
+printf '| tried | valid files | refused in one line | most memory of one [MB] |\n| --- | ---: | ---: | ---: |\n'
 filter=$(seq -s : -f '*/%g' 0 $((shards - 1)))
 "$tests/extremes_sweep_test" --gtest_brief=1 --gtest_filter="$filter" > "$scratch" || echo "extremes_sweep_test: failed" >&2
-sed -n 's/^| random recipes [0-9]* to \([0-9]*\) | \([0-9]*\) valid files, \([0-9]*\) refused in one line .*/\1 \2 \3/p' "$scratch" |
-  awk '{ last = $1 + 1; files += $2; lines += $3 } END { printf "| the first %d | %d | %d |\n", last, files, lines }'
+sed -n 's/^| random recipes [0-9]* to \([0-9]*\) | \([0-9]*\) valid files, \([0-9]*\) refused in one line, \([0-9]*\) MB .*/\1 \2 \3 \4/p' "$scratch" |
+  awk '{ last = $1 + 1; files += $2; lines += $3; if ($4 > most) most = $4 }
+       END { printf "| the first %d | %d | %d | %d |\n", last, files, lines, most }'
 heading "Fuzzers"
 "$here/../tests/fuzz.sh" "$seconds_each" | sed -n '/^|/p'

@@ -70,16 +70,13 @@ void add_refracted(const algebra::Grid<double>& ratio, const Cubic& at, std::spa
     ratios[k] += std::max(0., u * a[k] + v * b[k] + w * c[k] + x * d[k]);
 }
 
-/// Standard errors of the channels where refracted light is known:
-/// (grid × places + place, channel).
-algebra::Grid<double> channel_errors(const RefractedLight& light, const ChannelWeights& weights) {
-  const std::size_t places = light.axis_distances_m.size();
-  algebra::Grid<double> errors(light.standard_error.size() * places, weights.rows());
-  for (std::size_t i = 0; i < errors.rows(); ++i)
-    for (std::size_t c = 0; c < weights.rows(); ++c)
-      errors(i, c) =
-          combined_error(light, light.standard_error[i / places].row(i % places), weights.row(c));
-  return errors;
+std::size_t sector_of(const LookupTable& table, std::size_t row) {
+  return (table.first_sector + row / table.nodes % table.held) % table.sectors;
+}
+
+/// Whether a row is of those that nobody asked for.
+bool is_dark(const LookupTable& table, std::size_t row) {
+  return table.held < table.sectors && row / table.nodes % table.held == table.held - 1;
 }
 
 /// What fills a table, node by node.
@@ -90,22 +87,25 @@ struct Filling {
   LightPart part;
   algebra::Grid<double> direct_weights = direct.in_layers(weights);
 
+  /// Given     row  of the table
   /// Returned  whether refracted light is known there, and no direct light is
-  bool fill(LookupTable& table, std::size_t g, std::size_t n, std::span<double> ratios,
+  bool fill(LookupTable& table, std::size_t row, std::span<double> ratios,
             std::span<double> clear) const {
-    const double depth_m = table.depths_m[g / table.sectors];
-    const double at_m = sheared(table.first_m + static_cast<double>(n) * table.spacing_m,
-                                depth_m / table.middle_depth_m);
-    const double angle = 2 * std::numbers::pi * static_cast<double>(g % table.sectors) /
-                         static_cast<double>(table.sectors);
+    const std::size_t plane = row / table.nodes / table.held, sector = sector_of(table, row);
+    const double depth_m = table.depths_m[plane];
+    const double at_m =
+        sheared(table.first_m + static_cast<double>(row % table.nodes) * table.spacing_m,
+                depth_m / table.middle_depth_m);
+    const double angle =
+        2 * std::numbers::pi * static_cast<double>(sector) / static_cast<double>(table.sectors);
     direct.clear_parts(at_m, angle, depth_m, clear);
     const auto& places = light.axis_distances_m;
     std::ranges::fill(ratios, 0);
     if (part != LightPart::direct && at_m < last_distance(places))
-      add_refracted(light.ratio[g], cubic_at(places, at_m), ratios);
+      add_refracted(light.ratio[plane * table.sectors + sector], cubic_at(places, at_m), ratios);
     const double of_direct = part == LightPart::refracted ? 0 : 1;
     for (std::size_t c = 0; c < weights.rows(); ++c)
-      table.values(g * table.nodes + n, c) =
+      table.values(row, c) =
           in_channel(weights.row(c), ratios) + of_direct * in_channel(direct_weights.row(c), clear);
     return clear.front() == 0 && at_m >= places.front() && at_m <= places.back();
   }
@@ -126,25 +126,18 @@ double bend(const LookupTable& table, std::size_t middle) {
   return brightest > 0 ? bent / brightest : 0;
 }
 
-/// Given  grid  plane × sectors + sector
-bool asked_for(const LookupRange& range, const LookupTable& table, std::size_t grid) {
-  return (grid + table.sectors - range.first_sector % table.sectors) % table.sectors <
-         range.sectors;
-}
-
 /// Returned  the largest bend where no direct light is
-double fill_table(LookupTable& table, const Filling& filling, const LookupRange& range,
-                  double to_m) {
+double fill_table(LookupTable& table, const Filling& filling, double to_m) {
   table.nodes = static_cast<std::size_t>(std::ceil((to_m - table.first_m) / table.spacing_m)) + 1;
   table.nodes = std::max<std::size_t>(2, table.nodes);
-  const std::size_t rows = table.depths_m.size() * table.sectors * table.nodes;
+  const std::size_t rows = table.depths_m.size() * table.held * table.nodes;
+  table.values = {};  // those of wider nodes, before there are two of them
   table.values = algebra::Grid<double>(rows, table.sunlight.size());
   std::vector<char> umbra(rows);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, 64), [&](const auto& part) {
     std::vector<double> ratios(filling.weights.columns()), clear(filling.direct_weights.columns());
     for (std::size_t i = part.begin(); i < part.end(); ++i)
-      if (asked_for(range, table, i / table.nodes))
-        umbra[i] = filling.fill(table, i / table.nodes, i % table.nodes, ratios, clear);
+      if (!is_dark(table, i)) umbra[i] = filling.fill(table, i, ratios, clear);
   });
   double worst = 0;
   for (std::size_t i = 1; i + 1 < rows; ++i)
@@ -175,19 +168,18 @@ Lookup::Lookup(const RefractedLight& light, const DirectLight& direct,
   table_.depths_m = light.arrangement.depths_m;
   table_.middle_depth_m = std::midpoint(table_.depths_m.front(), table_.depths_m.back());
   table_.sectors = light.sectors;
+  table_.first_sector = range.first_sector % light.sectors;
+  table_.held = range.sectors < light.sectors ? range.sectors + 1 : light.sectors;
   table_.end_m = direct.penumbra_m(table_.depths_m.back());
   table_.first_m = std::clamp(range.from_m, 0., table_.end_m);
   table_.spacing_m = widest_spacing_m;
   const double to_m = std::clamp(range.to_m, table_.first_m, table_.end_m);
   const Filling filling{light, direct, weights, part};
-  if (const double error = fill_table(table_, filling, range, to_m); error > range.tolerance) {
+  if (const double error = fill_table(table_, filling, to_m); error > range.tolerance) {
     table_.spacing_m = spacing_for(range.tolerance, error);
-    fill_table(table_, filling, range, to_m);
+    fill_table(table_, filling, to_m);
   }
   if (part == LightPart::refracted) std::ranges::fill(table_.sunlight, 0);
-  range_ = range;
-  places_m_ = light.axis_distances_m;
-  errors_ = channel_errors(light, weights);
 }
 
 void Lookup::read(const eclipse::ShadowPlace& place, std::span<double> values) const {
@@ -204,20 +196,23 @@ void Lookup::transform(const std::function<void(std::span<double>)>& change) {
   change(std::span(table_.sunlight).first(channels()));
 }
 
-double Lookup::worst_relative_error(std::size_t channel, double from_m, double to_m) const {
-  std::vector<double> errors(places_m_.size());
+double Lookup::worst_relative_error(const RefractedLight& light, const ChannelWeights& weights,
+                                    double from_m, double to_m) const {
+  const auto& places = light.axis_distances_m;
+  std::vector<double> errors(places.size());
   double worst = 0;
   for (std::size_t i = 0; i < table_.values.rows(); ++i) {
-    const std::size_t g = i / table_.nodes, n = i % table_.nodes;
-    if (!asked_for(range_, table_, g)) continue;
+    if (is_dark(table_, i)) continue;
+    const std::size_t plane = i / table_.nodes / table_.held, n = i % table_.nodes;
+    const auto& known = light.standard_error[plane * table_.sectors + sector_of(table_, i)];
     if (n == 0)
       for (std::size_t p = 0; p < errors.size(); ++p)
-        errors[p] = errors_(g * errors.size() + p, channel);
+        errors[p] = combined_error(light, known.row(p), weights.row(0));
     const double at_m = table_.first_m + static_cast<double>(n) * table_.spacing_m;
     if (at_m < from_m || at_m > to_m) continue;
-    const double value = table_.values(i, channel);
+    const double value = table_.values(i, 0);
     const double error =
-        at_m < last_distance(places_m_) ? algebra::interpolated(places_m_, errors, at_m) : 0;
+        at_m < last_distance(places) ? algebra::interpolated(places, errors, at_m) : 0;
     worst = std::max(worst, value > 0 ? error / value : 1);
   }
   return worst;

@@ -28,7 +28,7 @@ struct LookupRange {
   double from_m = 0;
   double to_m = std::numeric_limits<double>::infinity();  ///< at most to the penumbra's end
   double tolerance = 1e-4;                                ///< see Lookup's Accuracy; 1e-6 to 0.1
-  /// that are read, going round from the first; the others stay dark
+  /// that are read, going round from the first; the others may stay dark
   std::size_t first_sector = 0, sectors = std::numeric_limits<std::size_t>::max();
 };
 
@@ -68,15 +68,13 @@ class Lookup {
   /// Changes every entry in place: what a working space does to colours outside its gamut.
   void transform(const std::function<void(std::span<double>)>& change);
 
-  /// Largest standard error of a channel over that channel's value between two axis distances; 1
-  /// where nothing arrived. Only before `transform`.
-  double worst_relative_error(std::size_t channel, double from_m, double to_m) const;
+  /// Largest standard error of the first channel over its value between two axis distances; 1 where
+  /// nothing arrived. Only before `transform`, and of the light and the weights it was made from.
+  double worst_relative_error(const RefractedLight& light, const ChannelWeights& weights,
+                              double from_m, double to_m) const;
 
  private:
   LookupTable table_;
-  LookupRange range_;
-  std::vector<double> places_m_;  // where refracted light is known
-  algebra::Grid<double> errors_;  // there: (grid × places + place, channel)
 };
 
 }  // namespace coppermoon::shadow

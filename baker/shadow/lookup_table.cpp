@@ -45,7 +45,7 @@ Between<V> between_nodes(D d, const LookupTable& table, V axis_distance_m) {
 template <class D, class V = hn::VFromD<D>>
 Between<V> between_planes(D d, const LookupTable& table, V depth_m) {
   const auto& depths = table.depths_m;
-  const auto size = static_cast<double>(table.sectors * table.nodes * table.values.columns());
+  const auto size = static_cast<double>(table.held * table.nodes * table.values.columns());
   auto low = hn::Zero(d), part = hn::Zero(d);
   for (std::size_t k = 0; k + 1 < depths.size(); ++k) {
     const auto behind = hn::Sub(depth_m, hn::Set(d, depths[k]));
@@ -103,11 +103,16 @@ void find_lanes(D d, const LookupTable& table, const Places& places, std::size_t
   const auto turn = hn::Mul(position_angle(d, east, north),
                             hn::Mul(count, hn::Set(d, 1 / (2 * std::numbers::pi))));
   const auto whole = hn::Floor(turn), next = hn::Add(whole, hn::Set(d, 1));
-  const auto wrapped = [&](auto s) {
-    return hn::IfThenElse(hn::Ge(s, count), hn::Sub(s, count), s);
+  const auto first = hn::Set(d, static_cast<double>(table.first_sector));
+  const auto dark = hn::Set(d, static_cast<double>(table.held - 1));
+  const auto start_of = [&](auto sector) {  // a turn may round up to `count`
+    auto after = hn::Sub(sector, first);
+    after = hn::IfThenElse(hn::Ge(after, count), hn::Sub(after, count), after);
+    after = hn::IfThenElse(hn::Lt(after, hn::Zero(d)), hn::Add(after, count), after);
+    return hn::Mul(hn::Min(after, dark), size);
   };
-  store_start(hn::Mul(wrapped(whole), size), &found.start[k]);
-  store_start(hn::Mul(wrapped(wrapped(next)), size), &found.start_of_next_sector[k]);
+  store_start(start_of(whole), &found.start[k]);
+  store_start(start_of(next), &found.start_of_next_sector[k]);
   hn::StoreU(hn::Sub(turn, whole), d, &found.around[k]);
 }
 
@@ -116,7 +121,7 @@ template <class D, class V = hn::VFromD<D>>
 V blended(D d, const LookupTable& table, const Found& found, std::size_t k, std::size_t channel) {
   if (found.start[k] < 0) return hn::LoadU(d, &table.sunlight[channel]);
   const std::size_t node = table.values.columns();
-  const std::size_t plane = table.depths_m.size() > 1 ? table.sectors * table.nodes * node : 0;
+  const std::size_t plane = table.depths_m.size() > 1 ? table.held * table.nodes * node : 0;
   const auto along = hn::Set(d, found.along[k]), deeper = hn::Set(d, found.deeper[k]);
   const auto mixed = [](V a, V b, V part) { return hn::MulAdd(part, hn::Sub(b, a), a); };
   const auto in_sector = [&](std::int64_t start) {

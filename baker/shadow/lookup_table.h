@@ -22,10 +22,12 @@ struct LookupTable {
   std::vector<double> depths_m;  ///< of the planes, increasing
   double middle_depth_m = 0;     ///< where nodes are at their axis distances; see `sheared`
   std::vector<double> sunlight;  ///< [channel], padded
-  std::size_t sectors = 1, nodes = 0;
+  std::size_t sectors = 1, first_sector = 0;  ///< around the axis, and the first of those held
+  std::size_t held = 1;                       ///< if not all, the last of them is all others, dark
+  std::size_t nodes = 0;
   double first_m = 0, spacing_m = 1;  ///< axis distance of the first node, and between nodes
   double end_m = 0;                   ///< beyond this axis distance all is sunlight
-  algebra::Grid<double> values;  ///< ((plane × sectors + sector) × nodes + node, padded channel)
+  algebra::Grid<double> values;       ///< ((plane × held + place) × nodes + node, padded channel)
 };
 
 /// The limb, as a ray passes it.

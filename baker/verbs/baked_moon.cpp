@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/baked_moon.h"
 
+#include <tbb/parallel_for.h>
 #include <tbb/task_group.h>
 
 #include <CLI/CLI.hpp>
@@ -8,7 +9,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "algebra/error.h"
 #include "verbs/plan_options.h"
@@ -76,11 +79,20 @@ texture::Attributes header(const LitMoon& moon, const TextureOptions& content) {
   return attributes;
 }
 
-/// The channels of one part, and what of the light is in them.
+constexpr std::size_t colours = 3;
+
+/// What a band is of the light that is looked up after the colours, from the first on.
+struct Band {
+  std::size_t first = 0;
+  std::vector<float> shares;
+};
+
+/// The channels of one part, and how they come from the light.
 struct Channels {
   std::vector<std::string> names;
-  algebra::Grid<double> weights;
+  algebra::Grid<double> weights;  // (looked up, wavelength)
   LightPart light = LightPart::all;
+  std::vector<Band> bands = {};  // after the colours
 };
 
 /// The rows of one, then those of the other.
@@ -93,17 +105,40 @@ algebra::Grid<double> stacked(const algebra::Grid<double>& upper,
   return both;
 }
 
+algebra::Grid<double> each_by_itself(std::size_t count) {
+  algebra::Grid<double> identity(count, count);
+  for (std::size_t i = 0; i < count; ++i) identity(i, i) = 1;
+  return identity;
+}
+
+std::vector<Band> bands_of(const algebra::Grid<double>& shares) {
+  std::vector<Band> bands;
+  for (std::size_t b = 0; b < shares.rows(); ++b) {
+    const auto all = shares.row(b);
+    const auto some = [](double share) { return share != 0; };
+    const auto first = std::ranges::find_if(all, some);
+    const auto end = std::find_if(all.rbegin(), std::make_reverse_iterator(first), some).base();
+    bands.push_back({static_cast<std::size_t>(first - all.begin()), {first, end}});
+  }
+  return bands;
+}
+
 constexpr double spectrum_nm = 400;
 
-/// "S0.385,000000nm" and so on: the middles of even bands.
-Channels with_spectrum(Channels channels, double width_nm,
+/// "S0.385,000000nm" and so on: the middles of even bands. Looked up are they or the wavelengths they
+/// are made from, which are fewer: a twentieth of the memory for bands of 1 nm.
+Channels with_spectrum(Channels channels, double width_nm, int wavelengths,
                        const std::optional<atmosphere::Sightline>& sightline) {
   const auto edges = band_edges_nm();
   const auto count = static_cast<std::size_t>(std::lround(spectrum_nm / width_nm));
   const std::size_t bands = edges.size() - 1, each = bands / count;
   algebra::Grid<double> means(count, bands);
   for (std::size_t b = 0; b < each * count; ++b) means(b / each, b) = 1 / width_nm;
-  channels.weights = stacked(channels.weights, moonlight_weights(means, sightline));
+  const auto shares = at_wavelengths(moonlight_weights(means, sightline), wavelengths);
+  const bool by_wavelength = shares.columns() < count;
+  channels.weights =
+      stacked(channels.weights, by_wavelength ? each_by_itself(shares.columns()) : shares);
+  channels.bands = bands_of(by_wavelength ? shares : each_by_itself(count));
   for (std::size_t i = 0; i < count; ++i) {
     auto name = fmt::format("S0.{:.6f}nm", edges[i * each] + width_nm / 2);
     channels.names.push_back(name.replace(name.find('.', 3), 1, ","));
@@ -111,16 +146,34 @@ Channels with_spectrum(Channels channels, double width_nm,
   return channels;
 }
 
-/// Brings a colour into its space; what spectrum follows is not less than nothing.
-void into_space(colour::WorkingSpace space, std::span<double> values) {
-  into_gamut_or_black(space, values.first(3));
-  for (double& value : values.subspan(3)) value = std::max(0., value);
+/// The colours as they are, and the bands from what follows them: not less than nothing.
+void write_bands(std::span<const Band> bands, std::span<const float> looked_up,
+                 std::span<float> texel) {
+  std::ranges::copy(looked_up.first(colours), texel.begin());
+  for (std::size_t b = 0; b < bands.size(); ++b) {
+    const auto light = looked_up.subspan(colours + bands[b].first);
+    const auto& shares = bands[b].shares;
+    texel[colours + b] =
+        std::max(0.F, std::inner_product(shares.begin(), shares.end(), light.begin(), 0.F));
+  }
+}
+
+texture::Rows with_bands(texture::Rows lit, std::size_t looked_up, std::vector<Band> bands) {
+  return [=](std::size_t row, std::span<float> values) {
+    const std::size_t channels = colours + bands.size(), texels = values.size() / channels;
+    std::vector<float> light(texels * looked_up);
+    lit(row, light);
+    tbb::parallel_for(std::size_t{0}, texels, [&](std::size_t t) {
+      write_bands(bands, std::span(light).subspan(t * looked_up, looked_up),
+                  values.subspan(t * channels, channels));
+    });
+  };
 }
 
 shadow::Lookup light_in(const LitMoon& moon, const Channels& channels, colour::WorkingSpace space) {
-  auto light = moon.within ? moon.light->in_channels(channels.weights, *moon.within, channels.light)
+  auto light = moon.within ? moon.light->in_sums(channels.weights, *moon.within, channels.light)
                            : shadow::Lookup(channels.weights, channels.light);
-  light.transform([&](std::span<double> values) { into_space(space, values); });
+  light.transform([&](auto values) { into_gamut_or_black(space, values.first(colours)); });
   return light;
 }
 
@@ -131,17 +184,20 @@ struct LitGround {
   ProgressBar bar{"bake"};
 };
 
-texture::Part part(const LitMoon& moon, const std::string& name,
-                   const std::vector<std::string>& channels, const shadow::Lookup& light,
-                   Quantity quantity, const Baking& baking) {
-  const std::size_t width = texture_width_of(moon.options), rows = width / 2;
-  const std::shared_ptr<LitGround> ground(new LitGround{moon.albedo, light});
+texture::Part part(const LitMoon& moon, const std::string& name, const Channels& channels,
+                   shadow::Lookup light, Quantity quantity, const Baking& baking) {
+  const std::size_t width = texture_width_of(moon.options), rows = width / 2,
+                    looked_up = light.channels();
+  const std::shared_ptr<LitGround> ground(new LitGround{moon.albedo, std::move(light)});
   auto lit = texture::lit_rows(*ground->albedo, moon.sky, ground->light, rows,
                                {photometry_of(moon.options), baking.extent, quantity},
                                baking.bar ? ground->bar.progress() : algebra::Progress());
-  return {name, {width, rows, channels}, [ground, lit](std::size_t row, std::span<float> values) {
-            lit(row, values);
-          }};
+  const texture::Rows kept = [ground, lit](std::size_t row, std::span<float> values) {
+    lit(row, values);
+  };
+  return {name,
+          {width, rows, channels.names},
+          channels.bands.empty() ? kept : with_bands(kept, looked_up, channels.bands)};
 }
 
 /// The Moon's colour under sunlight, over a white ground's.
@@ -240,28 +296,33 @@ BakedMoon baked(const LitMoon& moon, const TextureOptions& content, const Baking
   const auto names = channel_names(space);
   const auto response = colour::channel_weights(space, band_edges_nm());
   const auto of_moon = moonlight_weights(response, moon.sightline);
+  const int wavelengths = moon.light->plan.work.bands;
   BakedMoon made{{}, header(moon, content)};
-  const auto add = [&](const std::string& name, const shadow::Lookup& light,
-                       const std::vector<std::string>& channels, Quantity quantity) {
-    made.parts.push_back(part(moon, name, channels, light, quantity, baking));
+  const auto add = [&](const std::string& name, const Channels& channels, shadow::Lookup light,
+                       Quantity quantity) {
+    made.parts.push_back(part(moon, name, channels, std::move(light), quantity, baking));
   };
-  Channels whole{names, of_moon};
-  if (content.spectral_nm) whole = with_spectrum(whole, *content.spectral_nm, moon.sightline);
   using enum Quantity;
-  auto light = light_in(moon, whole, space);
-  add(content.passes ? "lit" : "", light, whole.names, luminance);
+  const Channels colour{names, at_wavelengths(of_moon, wavelengths)};
+  const auto whole = content.spectral_nm
+                         ? with_spectrum(colour, *content.spectral_nm, wavelengths, moon.sightline)
+                         : colour;
+  add(content.passes ? "lit" : "", whole, light_in(moon, whole, space), luminance);
   if (!content.passes) return made;
-  add("direct", light_in(moon, {names, of_moon, LightPart::direct}, space), names, luminance);
-  add("refracted", light_in(moon, {names, of_moon, LightPart::refracted}, space), names, luminance);
+  for (const auto& [name, light] :
+       {std::pair{"direct", LightPart::direct}, {"refracted", LightPart::refracted}}) {
+    const Channels channels{names, colour.weights, light};
+    add(name, channels, light_in(moon, channels, space), luminance);
+  }
   const auto ground = ground_colour(of_moon, white_ground_weights(response, moon.sightline));
-  if (content.spectral_nm) light = light_in(moon, {names, of_moon}, space);
+  auto light = light_in(moon, colour, space);
   light.transform([&](std::span<double> values) {
     for (std::size_t c = 0; c < values.size(); ++c) values[c] /= ground[c];
   });
-  add("irradiance", light, names, irradiance);
-  algebra::Grid<double> colour(names.size(), 1);
-  std::ranges::copy(ground, colour.values().begin());
-  add("reflectance", shadow::Lookup(colour), names, reflectance);
+  add("irradiance", colour, std::move(light), irradiance);
+  algebra::Grid<double> sunlit(names.size(), 1);
+  std::ranges::copy(ground, sunlit.values().begin());
+  add("reflectance", colour, shadow::Lookup(sunlit), reflectance);
   made.parts.push_back(albedo_part(moon));
   return made;
 }

@@ -198,11 +198,13 @@ namespace {
 
 /// Of luminance: what the quadrature is found to err by; two standard errors of photons.
 double found_error(const ShadowedMoon& moon, const Moonlight& light) {
-  const auto luminance = light.in_channels(luminance_weights());
+  const auto weights = at_wavelengths(luminance_weights(), light.plan.work.bands);
+  const auto luminance = light.in_sums(weights, light.range);
   if (light.plan.work.method == plan::Method::quadrature || !light.plan.work.refracted)
     return error_found(moon, light.plan.work, luminance);
   const auto distances = distances_over_the_disc(moon);
-  return 2 * luminance.worst_relative_error(0, distances.front(), distances.back());
+  return 2 * luminance.worst_relative_error(*light.refracted, weights, distances.front(),
+                                            distances.back());
 }
 
 plan::Method method_of(const LightOptions& options) {
@@ -255,12 +257,15 @@ shadow::RefractedLight light_of_work(const LightOptions& options, const Shadowed
 
 }  // namespace
 
-shadow::Lookup Moonlight::in_channels(const shadow::ChannelWeights& weights,
-                                      const shadow::LookupRange& within,
-                                      shadow::LightPart part) const {
+shadow::Lookup Moonlight::in_sums(const shadow::ChannelWeights& weights,
+                                  const shadow::LookupRange& within, shadow::LightPart part) const {
   if (!refracted) return shadow::Lookup(weights, part);
-  return shadow::Lookup(*refracted, *direct, at_wavelengths(weights, plan.work.bands), within,
-                        part);
+  return shadow::Lookup(*refracted, *direct, weights, within, part);
+}
+
+shadow::Lookup Moonlight::in_channels(const shadow::ChannelWeights& weights,
+                                      const shadow::LookupRange& within) const {
+  return in_sums(at_wavelengths(weights, plan.work.bands), within);
 }
 
 plan::Plan planned_light(const LightOptions& asked, const almanac::SkyState& sky, bool unshadowed,

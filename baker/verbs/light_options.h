@@ -68,8 +68,11 @@ struct Moonlight {
     return in_channels(weights, range);
   }
   shadow::Lookup in_channels(const shadow::ChannelWeights& weights,
-                             const shadow::LookupRange& within,
-                             shadow::LightPart part = shadow::LightPart::all) const;
+                             const shadow::LookupRange& within) const;
+
+  /// Given  weights  (channel, wavelength), of the plan's `wavelengths_nm`
+  shadow::Lookup in_sums(const shadow::ChannelWeights& weights, const shadow::LookupRange& within,
+                         shadow::LightPart part = shadow::LightPart::all) const;
 };
 
 /// Plans and computes it.

@@ -22,6 +22,7 @@ namespace coppermoon::end_to_end {
 struct Outcome {
   int status = -1;  ///< of its exit; 128 + the signal's number when it was ended by one
   std::string out, err;
+  double most_memory_mb = 0;  ///< that it, or a program of its own, had at one time
 };
 
 /// What a program finds around it.
@@ -30,7 +31,7 @@ struct Surroundings {
   std::optional<rlim_t> file_limit = {};    ///< bytes that a file may have: the disk is full there
   std::optional<rlim_t> memory_limit = {};  ///< bytes of addresses that it may have
   std::optional<rlim_t> processor_limit = {};  ///< seconds of all its threads, then SIGXCPU ends it
-  std::optional<double> killed_after_s = {};            ///< by kill -9, unless it has ended
+  std::optional<double> killed_after_s = {};   ///< by kill -9, unless it has ended
   std::optional<std::filesystem::path> preloaded = {};  ///< a library that goes before all others
   std::optional<std::filesystem::path> folder = {};  ///< where it runs, instead of the test's own
 };
@@ -85,9 +86,11 @@ class ProgramTest : public testing::Test {
       ::kill(child, SIGKILL);
     }
     int status = 0;
-    ::waitpid(child, &status, 0);
+    rusage used{};
+    ::wait4(child, &status, 0, &used);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-            text_of(home_ / "said/out"), text_of(home_ / "said/err")};
+            text_of(home_ / "said/out"), text_of(home_ / "said/err"),
+            static_cast<double>(used.ru_maxrss) * 1024e-6};
   }
 
   Outcome coppermoon(std::vector<std::string> words, const Surroundings& around = {}) const {

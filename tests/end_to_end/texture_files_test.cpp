@@ -169,12 +169,19 @@ std::vector<std::pair<std::size_t, double>> bands_of(const Image& image) {
   return bands;
 }
 
-class Spectra : public TextureFiles, public testing::WithParamInterface<std::pair<int, double>> {};
+/// Bands so wide [nm], of light at so many wavelengths, and how nearly they are the colours.
+struct SpectrumOf {
+  int width_nm;
+  const char* wavelengths;
+  double tolerance;
+};
+
+class Spectra : public TextureFiles, public testing::WithParamInterface<SpectrumOf> {};
 
 TEST_P(Spectra, AddUpToTheColours) {
-  const auto [width_nm, tolerance] = GetParam();
+  const auto [width_nm, wavelengths, tolerance] = GetParam();
   const std::string name = "moon_lin_ciexyzd65_scene.exr";
-  bake({"-o", name, "--spectral", std::to_string(width_nm)});
+  bake({"-o", name, "--spectral", std::to_string(width_nm), "--bands", wavelengths});
   const auto image = texture::read_image(here(name));
   EXPECT_EQ(texture::read_attribute(here(name), "emissiveUnits"), "W.m^-2.sr^-1");
   EXPECT_EQ(texture::read_attribute(here(name), "spectralLayoutVersion"), "1.0");
@@ -202,7 +209,8 @@ TEST_P(Spectra, AddUpToTheColours) {
 }
 
 INSTANTIATE_TEST_SUITE_P(ByWidth, Spectra,
-                         testing::Values(std::pair{10, 8e-3}, std::pair{2, 3e-4}));
+                         testing::Values(SpectrumOf{10, "20", 8e-3}, SpectrumOf{10, "100", 8e-3},
+                                         SpectrumOf{2, "20", 3e-4}));
 
 TEST_F(TextureFiles, MipmapsAreReadByATextureSystem) {
   bake({"-o", "moon.tx", "-o", "moon.exr"});

@@ -165,6 +165,20 @@ TEST_F(Faults, TooLittleMemoryIsSaid) {
   refused("`bake` with less memory than it takes", message);
 }
 
+TEST_F(Faults, ASpectrumOfFourHundredBandsTakesLittleMemory) {
+  if (address_sanitizer) GTEST_SKIP() << "AddressSanitizer has memory of its own for all memory";
+  auto words = bake;
+  words[1] = "2021-11-19T09:03:50Z";  // an umbra's rim, where black air asks for nodes 1 km apart
+  words[3] = "64";
+  words.insert(words.end(), {"--spectral", "1", "--tolerance", "1.35%", "--danjon", "0",
+                             "--stratospheric-aerosol", "extreme", "--cloud-cover", "0.2"});
+  const auto outcome = coppermoon(words);
+  end_to_end::expect_done(outcome);
+  EXPECT_LT(outcome.most_memory_mb, 400)
+      << "the colours alone take 160, light at 20 wavelengths 30 more; 2200 were it in 400 bands";
+  tried("`bake --spectral 1` of the darkest air", "memory, in MB", 400, outcome.most_memory_mb);
+}
+
 TEST_F(Faults, TwoRunsIntoOneFileLeaveOneOfThem) {
   auto other = bake;
   other.insert(other.end(), {"--ozone-du", "100"});

@@ -2,6 +2,7 @@
 #include "shadow/lookup.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -89,11 +90,11 @@ TEST(Lookup, SumsWavelengthsWithTheChannelsWeights) {
   weights(0, 1) = 4;
   const Lookup lookup(light, direct({500, 600}), weights);
   EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8)), 3 * 0.25 + 4 * 0.5, 1e-14, "closed form");
-  EXPECT_WITHIN(lookup.worst_relative_error(0, 0, 1e6), 0.03 * 5 / 2.75, 1e-14,
+  EXPECT_WITHIN(lookup.worst_relative_error(light, weights, 0, 1e6), 0.03 * 5 / 2.75, 1e-14,
                 "errors of 3 and 4 add to 5");
   light.errors_add = true;
-  EXPECT_WITHIN(Lookup(light, direct({500, 600}), weights).worst_relative_error(0, 0, 1e6),
-                0.03 * 7 / 2.75, 1e-14, "of the same photons, to 7");
+  EXPECT_WITHIN(lookup.worst_relative_error(light, weights, 0, 1e6), 0.03 * 7 / 2.75, 1e-14,
+                "of the same photons, to 7");
 }
 
 TEST(Lookup, PartsAddUpToAllOfTheLight) {
@@ -219,6 +220,33 @@ TEST(Lookup, ReadsManyPlacesByTheClosedForm) {
       EXPECT_WITHIN_RELATIVE(values[i * channels + c],
                              static_cast<double>(c + 1) * (0.1 + 0.01 * s) * in_depth, 1e-12,
                              "linear in depth and angle: rounding alone");
+  }
+}
+
+TEST(Lookup, HoldsTheSectorsAskedForAlone) {
+  constexpr std::size_t sectors = 24;
+  const auto light = light_by_sector(sectors);
+  const auto lookup = [&](std::size_t first, std::size_t count) {
+    return Lookup(light, direct({500, 600}), {3, 2, 1},
+                  {.to_m = 3e6, .first_sector = first, .sectors = count});
+  };
+  const auto all = lookup(0, sectors);
+  const auto value = [](const Lookup& of, double sector) {
+    std::array<double, 3> three{};
+    const double turn = 2 * std::numbers::pi * std::fmod(sector, sectors) / sectors;
+    of.read(place(1.234e6, 3.817e8, turn), three);
+    EXPECT_EQ(three[0], three[2]);
+    return three[1];
+  };
+  for (const std::size_t first : {0, 5, 20, 23}) {  // of six, which may go on past the north
+    const auto some = lookup(first, 6);
+    const auto begin = static_cast<double>(first);
+    for (const double after : {0., 0.25, 1., 3.5, 4.999, 5.})
+      EXPECT_WITHIN_RELATIVE(value(some, begin + after), value(all, begin + after), 1e-12,
+                             "an angle is rounded to either side of its sector");
+    EXPECT_WITHIN_RELATIVE(value(some, begin + 5.5), value(all, begin + 5) / 2, 1e-12,
+                           "half way into the dark");
+    for (const double after : {6.001, 12.5, 22.99}) EXPECT_EQ(value(some, begin + after), 0);
   }
 }
 
