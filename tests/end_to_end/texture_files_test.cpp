@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <tuple>
 
 #include "colour/working_space.h"
 #include "end_to_end/program.h"
@@ -170,18 +171,15 @@ std::vector<std::pair<std::size_t, double>> bands_of(const Image& image) {
 }
 
 /// Bands so wide [nm], of light at so many wavelengths, and how nearly they are the colours.
-struct SpectrumOf {
-  int width_nm;
-  const char* wavelengths;
-  double tolerance;
-};
+using SpectrumOf = std::tuple<int, int, double>;
 
 class Spectra : public TextureFiles, public testing::WithParamInterface<SpectrumOf> {};
 
 TEST_P(Spectra, AddUpToTheColours) {
   const auto [width_nm, wavelengths, tolerance] = GetParam();
   const std::string name = "moon_lin_ciexyzd65_scene.exr";
-  bake({"-o", name, "--spectral", std::to_string(width_nm), "--bands", wavelengths});
+  bake(
+      {"-o", name, "--spectral", std::to_string(width_nm), "--bands", std::to_string(wavelengths)});
   const auto image = texture::read_image(here(name));
   EXPECT_EQ(texture::read_attribute(here(name), "emissiveUnits"), "W.m^-2.sr^-1");
   EXPECT_EQ(texture::read_attribute(here(name), "spectralLayoutVersion"), "1.0");
@@ -209,8 +207,8 @@ TEST_P(Spectra, AddUpToTheColours) {
 }
 
 INSTANTIATE_TEST_SUITE_P(ByWidth, Spectra,
-                         testing::Values(SpectrumOf{10, "20", 8e-3}, SpectrumOf{10, "100", 8e-3},
-                                         SpectrumOf{2, "20", 3e-4}));
+                         testing::Values(SpectrumOf{10, 20, 8e-3}, SpectrumOf{10, 100, 8e-3},
+                                         SpectrumOf{2, 20, 3e-4}));
 
 TEST_F(TextureFiles, MipmapsAreReadByATextureSystem) {
   bake({"-o", "moon.tx", "-o", "moon.exr"});
