@@ -27,7 +27,8 @@ struct LookupTable {
   std::size_t nodes = 0;
   double first_m = 0, spacing_m = 1;  ///< axis distance of the first node, and between nodes
   double end_m = 0;                   ///< beyond this axis distance all is sunlight
-  algebra::Grid<double> values;       ///< ((plane × held + place) × nodes + node, padded channel)
+  /// ((plane × held + sector, counted from the first held) × nodes + node, padded channel)
+  algebra::Grid<double> values;
 };
 
 /// The limb, as a ray passes it.

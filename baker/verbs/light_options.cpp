@@ -263,9 +263,8 @@ shadow::Lookup Moonlight::in_sums(const shadow::ChannelWeights& weights,
   return shadow::Lookup(*refracted, *direct, weights, within, part);
 }
 
-shadow::Lookup Moonlight::in_channels(const shadow::ChannelWeights& weights,
-                                      const shadow::LookupRange& within) const {
-  return in_sums(at_wavelengths(weights, plan.work.bands), within);
+shadow::Lookup Moonlight::in_channels(const shadow::ChannelWeights& weights) const {
+  return in_sums(at_wavelengths(weights, plan.work.bands), range);
 }
 
 plan::Plan planned_light(const LightOptions& asked, const almanac::SkyState& sky, bool unshadowed,

@@ -64,11 +64,7 @@ struct Moonlight {
   double error_found = 0;  ///< of luminance, the largest at some places of the disc
 
   /// Given  weights  (channel, band)
-  shadow::Lookup in_channels(const shadow::ChannelWeights& weights) const {
-    return in_channels(weights, range);
-  }
-  shadow::Lookup in_channels(const shadow::ChannelWeights& weights,
-                             const shadow::LookupRange& within) const;
+  shadow::Lookup in_channels(const shadow::ChannelWeights& weights) const;
 
   /// Given  weights  (channel, wavelength), of the plan's `wavelengths_nm`
   shadow::Lookup in_sums(const shadow::ChannelWeights& weights, const shadow::LookupRange& within,

@@ -10,6 +10,7 @@
 #include "almanac/instant.h"
 #include "eclipse/shadow_axis.h"
 #include "support/within.h"
+#include "verbs/spectral_bands.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -45,7 +46,8 @@ double worst_difference(const Moonlight& film, const Moonlight& alone,
                         const almanac::SkyState& sky) {
   const auto within = range_at(film, sky);
   const auto weights = luminance_weights();
-  const auto of_film = within ? film.in_channels(weights, *within) : shadow::Lookup(weights),
+  const auto known = at_wavelengths(weights, film.plan.work.bands);
+  const auto of_film = within ? film.in_sums(known, *within) : shadow::Lookup(weights),
              of_one = alone.in_channels(weights);
   const auto axis = eclipse::shadow_axis(sky);
   double worst = 0;
