@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-# coppermoon_stage(NAME HEADERS … SOURCES … TABLES … NEEDS earlier stages … USES libraries … PRIVATELY libraries …)
+# coppermoon_stage(NAME HEADERS … SOURCES … ALONE … TABLES … NEEDS earlier stages … USES libraries … PRIVATELY libraries …)
 # makes folder NAME a static library with the alias coppermoon::NAME. TABLES are CSV (or other text) files under
-# data/, compiled in: NAME/tables.h declares `std::string_view <file name without ending>()`. LABELS as in tests.
+# data/, compiled in: NAME/tables.h declares `std::string_view <file name without ending>()`. ALONE are sources that are
+# never compiled together with others (CMAKE_UNITY_BUILD): Highway compiles each once for every kind of vector.
 function(coppermoon_stage name)
-  cmake_parse_arguments(STAGE "" "ROOT" "HEADERS;SOURCES;TABLES;NEEDS;USES;PRIVATELY" ${ARGN})
+  cmake_parse_arguments(STAGE "" "ROOT" "HEADERS;SOURCES;ALONE;TABLES;NEEDS;USES;PRIVATELY" ${ARGN})
   if(NOT STAGE_ROOT)
     set(STAGE_ROOT ${CMAKE_CURRENT_SOURCE_DIR})
   endif()
@@ -14,8 +15,10 @@ function(coppermoon_stage name)
   endif()
   list(TRANSFORM STAGE_HEADERS PREPEND ${STAGE_ROOT}/)
   list(TRANSFORM STAGE_SOURCES PREPEND ${STAGE_ROOT}/)
+  list(TRANSFORM STAGE_ALONE PREPEND ${STAGE_ROOT}/)
+  set_source_files_properties(${STAGE_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   list(TRANSFORM STAGE_NEEDS PREPEND coppermoon::)
-  add_library(coppermoon_${name} STATIC ${STAGE_SOURCES} ${generated})
+  add_library(coppermoon_${name} STATIC ${STAGE_SOURCES} ${STAGE_ALONE} ${generated})
   add_library(coppermoon::${name} ALIAS coppermoon_${name})
   target_sources(coppermoon_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${base} FILES ${STAGE_HEADERS})
   target_include_directories(coppermoon_${name} PRIVATE ${PROJECT_BINARY_DIR}/generated)

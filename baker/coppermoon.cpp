@@ -60,6 +60,9 @@ int run(CLI::App& program, int count, char** words) {
   } catch (const CLI::ParseError& error) {
     say(error.what());
     return wrong_usage;
+  } catch (const verbs::WrongUsage& error) {
+    say(error.what());
+    return wrong_usage;
   } catch (const std::bad_alloc&) {
     say("not enough memory");
     return could_not;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "algebra/table.h"
 
-#include <charconv>
-#include <system_error>
-
 #include "algebra/error.h"
+#include "algebra/number.h"
 
 namespace coppermoon::algebra {
 namespace {
@@ -55,12 +53,9 @@ Table parse_table(std::string_view text, std::string_view name) {
       throw Error(
           fmt::format("{}:{}: {} cells, expected {}", name, number, cells.size(), header.size()));
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      double value = 0;
-      const auto* end = cells[c].data() + cells[c].size();
-      const auto read = std::from_chars(cells[c].data(), end, value);
-      if (read.ec != std::errc{} || read.ptr != end)
-        throw Error(fmt::format("{}:{}: \"{}\" is no number", name, number, cells[c]));
-      table.columns[header[c]].push_back(value);
+      const auto value = number_in(cells[c]);
+      if (!value) throw Error(fmt::format("{}:{}: \"{}\" is no number", name, number, cells[c]));
+      table.columns[header[c]].push_back(*value);
     }
   }
   return table;

@@ -14,7 +14,7 @@
 namespace coppermoon::atmosphere {
 namespace {
 
-constexpr double fade_bottom_m = 9e3, fade_top_m = 11e3, top_m = 100e3;
+constexpr double fade_bottom_m = 9e3, fade_top_m = 11e3, aerosol_top_m = 100e3;
 constexpr double reference_nm = 550;
 
 std::vector<double> logarithms(std::vector<double> values, double unit) {
@@ -64,7 +64,7 @@ double checked_nm(algebra::Wavelength wavelength) {
 double stratospheric_extinction_per_m(StratosphericAerosol aerosol, double altitude_m) {
   static const Profiles profiles = log_extinction_profiles();
   if (aerosol == StratosphericAerosol::none) return 0;
-  if (altitude_m <= fade_bottom_m || altitude_m > top_m) return 0;
+  if (altitude_m <= fade_bottom_m || altitude_m > aerosol_top_m) return 0;
   const auto& log_extinction = profiles[static_cast<std::size_t>(aerosol) - 1];
   return fade(altitude_m) * std::exp(log_extinction(altitude_m));
 }

@@ -43,7 +43,7 @@ std::vector<double> stations(const Column& column, double top_m) {
 }
 
 /// A stretch of tangent heights without a break.
-struct Piece {
+struct HeightRange {
   double low_m, high_m;
 
   /// Given  place  0 at the lower end to 1 at the upper, even in √(high − h)
@@ -131,7 +131,7 @@ struct Follower {
   const Column& column;
   double earth_radius_m;
 
-  std::vector<Path> at(const Piece& piece, int degree, double refractivity) const {
+  std::vector<Path> at(const HeightRange& piece, int degree, double refractivity) const {
     std::vector<Path> values(static_cast<std::size_t>(degree) + 1);
     tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t j) {
       const double place = chebyshev_place(static_cast<int>(j), degree);
@@ -141,8 +141,8 @@ struct Follower {
   }
 
   /// A degree at which the polynomial of half that degree is already nearly good enough.
-  int sufficient_degree(const Piece& piece, double refractivity, const Significance& significance,
-                        double error) const {
+  int sufficient_degree(const HeightRange& piece, double refractivity,
+                        const Significance& significance, double error) const {
     constexpr int lowest = 6, highest = 48;
     constexpr double gain = 16;  // of a doubled degree, at least, where the profiles have kinks
     Polynomial coarse(at(piece, lowest, refractivity));
@@ -186,9 +186,9 @@ std::vector<int> shares_of_rays(std::span<const double> unevenness, int rays) {
   return shares;
 }
 
-std::vector<Piece> pieces_of(const Column& column, double top_m) {
+std::vector<HeightRange> pieces_of(const Column& column, double top_m) {
   const auto ends = stations(column, top_m);
-  std::vector<Piece> pieces;
+  std::vector<HeightRange> pieces;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) pieces.push_back({ends[i], ends[i + 1]});
   return pieces;
 }

@@ -64,7 +64,7 @@ const atmosphere::Atmosphere& checked(const atmosphere::Atmosphere& atmosphere,
                                       const Arrangement& arrangement,
                                       const eclipse::ShadowPlace& place, int rays) {
   require_valid(atmosphere);
-  require_valid({arrangement.sun_distance_m, {algebra::in_metres(place.depth)}});
+  require_valid(Arrangement{arrangement.sun_distance_m, {algebra::in_metres(place.depth)}});
   algebra::require_within("rays", rays, 2, 1e7);
   if (atmosphere.top_m() <= 0) throw algebra::Error("air = none, allowed any: it makes the ring");
   return atmosphere;

@@ -10,7 +10,7 @@
 namespace coppermoon::texture {
 namespace {
 
-constexpr int tile = 64;
+constexpr int tile_side = 64;
 
 /// What part of each of `from` texels in a row lies in one of half as many.
 struct Halving {
@@ -81,7 +81,7 @@ bool write_level(OIIO::ImageOutput& output, const Source& source, NextLevel& nex
 
 OIIO::ImageSpec mipmap_spec(const Layout& layout, ExrType type, const Attributes& attributes) {
   auto spec = exr_spec(layout, type, attributes);
-  spec.tile_width = spec.tile_height = tile;
+  spec.tile_width = spec.tile_height = tile_side;
   spec.tile_depth = 1;
   spec.attribute("compression", "zip");  // tiles are read one by one
   spec.attribute("textureformat", "Plain Texture");

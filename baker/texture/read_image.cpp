@@ -110,19 +110,19 @@ std::unique_ptr<OIIO::ImageInput> opened(const fs::path& path) {
 
 /// Some rows of an image, all its channels.
 template <class T>
-struct Band {
+struct RowsRead {
   std::size_t first_row, rows;
   std::vector<T> values;
 };
 
 /// Reads some 64 rows at a time, whole rows of tiles where there are tiles: memory stays small.
 template <class T>
-void for_each_band(OIIO::ImageInput& input, const fs::path& path, const auto& act) {
+void for_all_rows(OIIO::ImageInput& input, const fs::path& path, const auto& act) {
   const auto spec = input.spec();
   constexpr auto type = OIIO::BaseTypeFromC<T>::value;
   const bool tiled = spec.tile_width > 0;
   const int step = tiled ? spec.tile_height * std::max(1, 64 / spec.tile_height) : 64;
-  Band<T> band;
+  RowsRead<T> band;
   for (int y = 0; y < spec.height; y += step) {
     const int begin = spec.y + y, end = spec.y + std::min(y + step, spec.height);
     band.first_row = static_cast<std::size_t>(y);
@@ -228,7 +228,7 @@ void read_luminance(OIIO::ImageInput& input, const fs::path& path, const Tone& t
       }
     });
   };
-  for_each_band<typename Tone::Number>(input, path, add);
+  for_all_rows<typename Tone::Number>(input, path, add);
 }
 
 void require_two_to_one(const fs::path& path, const OIIO::ImageSpec& spec) {
@@ -267,7 +267,7 @@ Image read_image(const fs::path& path) {
   return within_memory(path, spec, [&] {
     Image image(static_cast<std::size_t>(spec.width), static_cast<std::size_t>(spec.height),
                 spec.channelnames);
-    for_each_band<float>(*input, path, [&](const Band<float>& band) {
+    for_all_rows<float>(*input, path, [&](const RowsRead<float>& band) {
       const auto start = band.first_row * image.width * image.channels.size();
       std::copy(band.values.begin(), band.values.end(),
                 image.values.begin() + static_cast<std::ptrdiff_t>(start));
@@ -286,7 +286,7 @@ Image read_light(const fs::path& path, Coding coding) {
   return within_memory(path, spec, [&, r = r, g = g, b = b] {
     Image image(static_cast<std::size_t>(spec.width), static_cast<std::size_t>(spec.height),
                 {"R", "G", "B"});
-    for_each_band<float>(*input, path, [&](const Band<float>& band) {
+    for_all_rows<float>(*input, path, [&](const RowsRead<float>& band) {
       float* light = image.values.data() + 3 * band.first_row * image.width;
       for (std::size_t i = 0; i < band.values.size(); i += stride)
         for (const std::size_t k : {r, g, b}) *light++ = linear(band.values[i + k], curve);

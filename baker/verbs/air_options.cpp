@@ -19,29 +19,30 @@ using atmosphere::StratosphericAerosol;
 constexpr const char* group = "The Earth's air";
 
 template <typename Value>
-CLI::Option* add(CLI::App& app, const std::string& flag, Value& value, const std::string& text) {
-  return app.add_option(flag, value, text)->group(group);
+Flag add_air_flag(CLI::App& app, const std::string& flag, Value& value, const std::string& text) {
+  return add_flag(app, flag, value, text).in(group);
 }
 
-CLI::IsMember words(std::vector<std::string> allowed) { return CLI::IsMember(std::move(allowed)); }
-
 void add_column_options(CLI::App& app, ColumnOptions& options) {
-  add(app, "--danjon", options.danjon,
+  add_air_flag(
+      app, "--danjon", options.danjon,
       "cloud and aerosol that make an eclipse of that brightness on Danjon's scale, 0 (very dark) "
       "to 4 (bright)");
-  add(app, "--ozone-du", options.ozone_du, "vertical column of ozone [DU], 0 to 1000; 0: none");
-  add(app, "--tropospheric-aerosol", options.tropospheric_optical_depth,
-      "its vertical optical depth at 550 nm, 0 to 10; 0: none");
-  add(app, "--stratospheric-aerosol", options.stratosphere,
-      "none, background, or after an eruption: moderate, high, extreme")
-      ->check(words({"none", "background", "moderate", "high", "extreme"}));
-  add(app, "--cloud-cover", options.cloud_cover,
-      "part of the limb where cloud stops the light, 0 to 1; 0: none");
-  add(app, "--cloud-top-km", options.cloud_top_km, "[km], 0 to 30");
-  add(app, "--dust-extinction", options.dust_extinction_per_m,
+  add_air_flag(app, "--ozone-du", options.ozone_du,
+               "vertical column of ozone [DU], 0 to 1000; 0: none");
+  add_air_flag(app, "--tropospheric-aerosol", options.tropospheric_optical_depth,
+               "its vertical optical depth at 550 nm, 0 to 10; 0: none");
+  add_air_flag(app, "--stratospheric-aerosol", options.stratosphere,
+               "none, background, or after an eruption: moderate, high, extreme")
+      .one_of({"none", "background", "moderate", "high", "extreme"});
+  add_air_flag(app, "--cloud-cover", options.cloud_cover,
+               "part of the limb where cloud stops the light, 0 to 1; 0: none");
+  add_air_flag(app, "--cloud-top-km", options.cloud_top_km, "[km], 0 to 30");
+  add_air_flag(
+      app, "--dust-extinction", options.dust_extinction_per_m,
       "of a grey layer of dust [1/m]; 1e-6 slight, 4.7e-6 usual, 1e-4 a dark eclipse; 0: none");
-  add(app, "--dust-bottom-km", options.dust_bottom_km, "of that layer [km]; 15");
-  add(app, "--dust-top-km", options.dust_top_km, "of that layer [km]; 20");
+  add_air_flag(app, "--dust-bottom-km", options.dust_bottom_km, "of that layer [km]; 15");
+  add_air_flag(app, "--dust-top-km", options.dust_top_km, "of that layer [km]; 20");
 }
 
 StratosphericAerosol stratosphere_named(const std::string& name) {
@@ -115,40 +116,45 @@ std::vector<std::string> presets() {
 }  // namespace
 
 void add_air_options(CLI::App& verb, AirOptions& options) {
-  add(verb, "--atmosphere", options.atmosphere,
+  add_air_flag(
+      verb, "--atmosphere", options.atmosphere,
       "standard; clear: its air and ozone alone; molecular: without ozone; paper: as in Yapo & "
       "Cutler (2009); none: the bare Earth")
-      ->check(words(presets()));
-  add(verb, "--earth", options.earth, "sphere or ellipsoid")->check(words({"sphere", "ellipsoid"}));
-  add(verb, "--density", options.density, "us-1976: to 86 km; yapo-cutler: cut at 42 km")
-      ->check(words({"us-1976", "yapo-cutler"}));
-  add(verb, "--refraction", options.refraction, "on or off")->check(words({"on", "off"}));
-  add(verb, "--dispersion", options.dispersion, "of refraction: ciddor or crc")
-      ->check(words({"ciddor", "crc"}));
-  add(verb, "--rayleigh", options.rayleigh, "Rayleigh scattering out of the ray, on or off")
-      ->check(words({"on", "off"}));
-  add(verb, "--king-factor", options.king_factor,
-      "of Rayleigh scattering: bates: by wavelength; fixed: 1.05")
-      ->check(words({"bates", "fixed"}));
-  add(verb, "--ozone-path", options.ozone_path,
-      "bent: along each ray's own path; filter: the same for all")
-      ->check(words({"bent", "filter"}));
+      .one_of(presets());
+  add_air_flag(verb, "--earth", options.earth, "sphere or ellipsoid")
+      .one_of({"sphere", "ellipsoid"});
+  add_air_flag(verb, "--density", options.density, "us-1976: to 86 km; yapo-cutler: cut at 42 km")
+      .one_of({"us-1976", "yapo-cutler"});
+  add_air_flag(verb, "--refraction", options.refraction, "on or off").one_of({"on", "off"});
+  add_air_flag(verb, "--dispersion", options.dispersion, "of refraction: ciddor or crc")
+      .one_of({"ciddor", "crc"});
+  add_air_flag(verb, "--rayleigh", options.rayleigh,
+               "Rayleigh scattering out of the ray, on or off")
+      .one_of({"on", "off"});
+  add_air_flag(verb, "--king-factor", options.king_factor,
+               "of Rayleigh scattering: bates: by wavelength; fixed: 1.05")
+      .one_of({"bates", "fixed"});
+  add_air_flag(verb, "--ozone-path", options.ozone_path,
+               "bent: along each ray's own path; filter: the same for all")
+      .one_of({"bent", "filter"});
   add_column_options(verb, options.column);
-  add(verb, "--region", options.regions,
-      "a part of the limb with air of its own, as "
-      "from-latitude=-90,to-latitude=0,dust-extinction=1e-5 (or from-position-angle, "
-      "to-position-angle); may be given again, the first that holds a place counts")
-      ->allow_extra_args(false);
+  add_air_flag(verb, "--region", options.regions,
+               "a part of the limb with air of its own, as "
+               "from-latitude=-90,to-latitude=0,dust-extinction=1e-5 (or from-position-angle, "
+               "to-position-angle); may be given again, the first that holds a place counts")
+      .one_value_each_time();
 }
 
-RegionReader::RegionReader() {
-  app_.set_help_flag();
-  app_.add_option("--from-latitude", options_.from_latitude);
-  app_.add_option("--to-latitude", options_.to_latitude);
-  app_.add_option("--from-position-angle", options_.from_position_angle);
-  app_.add_option("--to-position-angle", options_.to_position_angle);
-  add_column_options(app_, options_.column);
+RegionReader::RegionReader() : app_(std::make_unique<CLI::App>("", "a region")) {
+  app_->set_help_flag();
+  app_->add_option("--from-latitude", options_.from_latitude);
+  app_->add_option("--to-latitude", options_.to_latitude);
+  app_->add_option("--from-position-angle", options_.from_position_angle);
+  app_->add_option("--to-position-angle", options_.to_position_angle);
+  add_column_options(*app_, options_.column);
 }
+
+RegionReader::~RegionReader() = default;
 
 const RegionOptions& RegionReader::read(const std::string& text) {
   options_ = {};
@@ -156,7 +162,7 @@ const RegionOptions& RegionReader::read(const std::string& text) {
   std::istringstream pairs(text);
   for (std::string pair; std::getline(pairs, pair, ',');) flags.insert(flags.begin(), "--" + pair);
   try {
-    app_.parse(flags);  // last first, as CLI11 takes them
+    app_->parse(flags);  // last first, as CLI11 takes them
   } catch (const CLI::ParseError& error) {
     throw algebra::Error(fmt::format("region '{}': {}", text, error.what()));
   }

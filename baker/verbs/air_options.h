@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "atmosphere/atmosphere.h"
+#include "verbs/flags.h"
 
 namespace coppermoon::verbs {
 
@@ -38,6 +39,7 @@ struct RegionOptions {
 class RegionReader {
  public:
   RegionReader();
+  ~RegionReader();
   RegionReader(const RegionReader&) = delete;
   RegionReader& operator=(const RegionReader&) = delete;
 
@@ -45,10 +47,10 @@ class RegionReader {
   /// Throws  Error  when it cannot be understood, or does not say where the region is
   const RegionOptions& read(const std::string& text);
 
-  const CLI::App& app() const { return app_; }
+  const CLI::App& app() const { return *app_; }
 
  private:
-  CLI::App app_{"", "a region"};
+  std::unique_ptr<CLI::App> app_;
   RegionOptions options_;
 };
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -144,20 +143,20 @@ void run(const Options& options) {
 }  // namespace
 
 void add_almanac(CLI::App& program) {
-  auto* verb = program.add_subcommand("almanac", "Eclipses: type, gamma, magnitudes, contacts");
+  auto* verb = add_verb(program, "almanac", "Eclipses: type, gamma, magnitudes, contacts");
   const auto options = std::make_shared<Options>();
-  verb->add_option("--from", options->from, "ISO 8601 UTC, as 2008-01-01")->required();
-  verb->add_option("--to", options->to, "ISO 8601 UTC")->required();
-  verb->add_option("--shadow-convention", options->convention,
-                   "how the air enlarges the shadow: danjon, danjon-oblate, chauvenet or "
-                   "herald-sinnott")
-      ->check(CLI::IsMember({"danjon", "danjon-oblate", "chauvenet", "herald-sinnott"}));
-  verb->add_option("--feature", options->feature,
-                   "LAT,LON of a place on the Moon [degrees north, east]: adds when the umbra's "
-                   "edge (danjon-oblate) crosses it, whether or not it is seen");
-  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_flag(*verb, "--from", options->from, "ISO 8601 UTC, as 2008-01-01").required();
+  add_flag(*verb, "--to", options->to, "ISO 8601 UTC").required();
+  add_flag(*verb, "--shadow-convention", options->convention,
+           "how the air enlarges the shadow: danjon, danjon-oblate, chauvenet or "
+           "herald-sinnott")
+      .one_of({"danjon", "danjon-oblate", "chauvenet", "herald-sinnott"});
+  add_flag(*verb, "--feature", options->feature,
+           "LAT,LON of a place on the Moon [degrees north, east]: adds when the umbra's "
+           "edge (danjon-oblate) crosses it, whether or not it is seen");
+  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
-  verb->callback([options] { run(*options); });
+  on_run(*verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

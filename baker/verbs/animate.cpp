@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <sstream>
 
 #include "algebra/error.h"
+#include "algebra/number.h"
 #include "texture/resize.h"
 #include "verbs/film.h"
 #include "verbs/film_files.h"
@@ -39,12 +39,13 @@ std::vector<std::pair<almanac::Instant, double>> time_keys(const std::string& te
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) {
     const auto colon = part.rfind(':');
-    double seconds = 0;
-    if (colon == std::string::npos || !CLI::detail::lexical_cast(part.substr(colon + 1), seconds))
+    const auto seconds =
+        colon == std::string::npos ? std::nullopt : algebra::number_in(part.substr(colon + 1));
+    if (!seconds)
       throw algebra::Error(fmt::format(
           "exposure time = {}, allowed keys as P1:0.001,U2:4: a moment and seconds", text));
-    algebra::require_within("exposure time [s]", seconds, 1e-6, 1e6);
-    keys.emplace_back(moment_from(part.substr(0, colon), eclipse), seconds);
+    algebra::require_within("exposure time [s]", *seconds, 1e-6, 1e6);
+    keys.emplace_back(moment_from(part.substr(0, colon), eclipse), *seconds);
   }
   for (std::size_t i = 1; i < keys.size(); ++i)
     if (almanac::seconds_between(keys[i - 1].first, keys[i].first) <= 0)
@@ -54,13 +55,13 @@ std::vector<std::pair<almanac::Instant, double>> time_keys(const std::string& te
 
 /// Of who looks, and of the camera.
 std::vector<std::string> flags_of_pictures() {
-  CLI::App pictures;
-  ViewOptions view;
-  DevelopOptions develop;
-  add_view_options(pictures, view);
-  add_develop_options(pictures, develop);
-  add_camera_options(pictures, develop.camera);
-  return long_flags(pictures);
+  return flags_added_by([](CLI::App& pictures) {
+    ViewOptions view;
+    DevelopOptions develop;
+    add_view_options(pictures, view);
+    add_develop_options(pictures, develop);
+    add_camera_options(pictures, develop.camera);
+  });
 }
 
 /// Lines of a recipe that change no light.
@@ -217,54 +218,52 @@ void run(const CLI::App& verb, Options& options) {
 void add_film_options(CLI::App& verb, Options& options) {
   const std::string group = "The film";
   add_film_times(verb, options.film.times);
-  verb.add_option("--make", options.make,
-                  "textures, scenes (with their textures), frames (scene-linear) and pictures, "
-                  "with commas between; or light: what they all need, alone")
-      ->group(group);
-  verb.add_option("--range", options.range, "of all frames, as 1-240, 1-240x2 or 7,9,20-30")
-      ->group(group);
-  verb.add_option("--shard", options.shard,
-                  "K/N: every N-th frame of these from the K-th on; of light: of its photons")
-      ->group(group);
-  verb.add_option("--mount", options.mount,
-                  "tracking: the Moon in the middle; horizon: and the zenith up; fixed: on a "
-                  "tripod, the zenith up")
-      ->check(CLI::IsMember({"tracking", "horizon", "fixed"}))
-      ->group(group);
-  verb.add_option("--aim", options.aim,
-                  "ALTITUDE,AZIMUTH of a fixed mount [degrees, as seen; from north through east]; "
-                  "without: where the Moon is half way")
-      ->group(group);
-  verb.add_option("--bracket", options.film.bracket_ev,
-                  "pictures so many stops under and over as well, 0.01 to 10")
-      ->group(group);
+  add_flag(verb, "--make", options.make,
+           "textures, scenes (with their textures), frames (scene-linear) and pictures, "
+           "with commas between; or light: what they all need, alone")
+      .in(group);
+  add_flag(verb, "--range", options.range, "of all frames, as 1-240, 1-240x2 or 7,9,20-30")
+      .in(group);
+  add_flag(verb, "--shard", options.shard,
+           "K/N: every N-th frame of these from the K-th on; of light: of its photons")
+      .in(group);
+  add_flag(verb, "--mount", options.mount,
+           "tracking: the Moon in the middle; horizon: and the zenith up; fixed: on a "
+           "tripod, the zenith up")
+      .one_of({"tracking", "horizon", "fixed"})
+      .in(group);
+  add_flag(verb, "--aim", options.aim,
+           "ALTITUDE,AZIMUTH of a fixed mount [degrees, as seen; from north through east]; "
+           "without: where the Moon is half way")
+      .in(group);
+  add_flag(verb, "--bracket", options.film.bracket_ev,
+           "pictures so many stops under and over as well, 0.01 to 10")
+      .in(group);
 }
 
 }  // namespace
 
 void add_animate(CLI::App& program) {
-  auto* verb = program.add_subcommand(
-      "animate",
-      "An eclipse frame by frame: textures, scenes, frames, pictures; goes on where it "
-      "was stopped");
+  auto* verb =
+      add_verb(program, "animate",
+               "An eclipse frame by frame: textures, scenes, frames, pictures; goes on where it "
+               "was stopped");
   const auto options = std::make_shared<Options>();
   options->film.develop.time = "follow";
   add_film_moon_options(*verb, options->film.moon);
-  for (const char* of_photons : {"--shard", "--keep", "--add"})
-    verb->remove_option(verb->get_option(of_photons));
-  verb->remove_option(verb->get_option("--unshadowed"));
+  for (const char* of_photons : {"--shard", "--keep", "--add"}) remove_flag(*verb, of_photons);
+  remove_flag(*verb, "--unshadowed");
   add_film_options(*verb, *options);
   add_film_files(*verb, options->files);
   add_texture_options(*verb, options->film.content);
   add_view_options(*verb, options->film.view);
   add_develop_options(*verb, options->film.develop);
   add_camera_options(*verb, options->film.develop.camera);
-  for (const char* of_one : {"--raw", "--photograph"})
-    verb->remove_option(verb->get_option(of_one));
-  verb->add_option("-o,--output", options->output, "the folder")->required();
-  verb->add_flag("--json", options->json, "an event a line on stdout, as JSON");
+  for (const char* of_one : {"--raw", "--photograph"}) remove_flag(*verb, of_one);
+  add_flag(*verb, "-o,--output", options->output, "the folder").required();
+  add_switch(*verb, "--json", options->json, "an event a line on stdout, as JSON");
   add_recipe_option(*verb);
-  verb->callback([verb, options] { run(*verb, *options); });
+  on_run(*verb, [verb, options] { run(*verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

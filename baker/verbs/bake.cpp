@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -143,23 +142,21 @@ void run(const CLI::App& verb, const Options& options) {
 }  // namespace
 
 void add_bake(CLI::App& program) {
-  auto* verb =
-      program.add_subcommand("bake", "The lunar texture: plate carrée, scene-linear, cd/m²");
+  auto* verb = add_verb(program, "bake", "The lunar texture: plate carrée, scene-linear, cd/m²");
   const auto options = std::make_shared<Options>();
   options->develop.bits = 16;
   add_moon_options(*verb, options->moon);
-  verb->add_option("-o,--output", options->outputs,
-                   "the texture: .exr; .tx, tiled and mip-mapped; .png, developed; .glb, that on a "
-                   "sphere; .usda, a sphere with the .exr beside it. May be given again: one "
-                   "simulation serves all")
-      ->required()
-      ->expected(1)
-      ->take_all();
+  add_flag(*verb, "-o,--output", options->outputs,
+           "the texture: .exr; .tx, tiled and mip-mapped; .png, developed; .glb, that on a "
+           "sphere; .usda, a sphere with the .exr beside it. May be given again: one "
+           "simulation serves all")
+      .required()
+      .kept_each_time();
   add_texture_options(*verb, options->texture);
   add_develop_options(*verb, options->develop);
-  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
-  verb->callback([verb, options] { run(*verb, *options); });
+  on_run(*verb, [verb, options] { run(*verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -4,7 +4,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_group.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -232,23 +231,22 @@ std::string capture_date(const almanac::Instant& instant) {
 
 void add_texture_options(CLI::App& verb, TextureOptions& options) {
   const std::string group = "The texture";
-  verb.add_option("--space", options.space,
-                  "lin_rec709, acescg or lin_ciexyzd65_scene; without: what the file's name says, "
-                  "as moon_acescg.exr, or lin_rec709")
-      ->group(group);
-  verb.add_option("--type", options.type,
-                  "of a texel's numbers: half or float; without: half, or float for a spectrum")
-      ->check(CLI::IsMember({"half", "float"}))
-      ->group(group);
-  verb.add_option(
-          "--spectral", options.spectral_nm,
-          "also spectral radiance, from 380 to 780 nm in bands so wide [nm]: 1 to 100, that "
-          "go into 400 evenly; in an .exr")
-      ->group(group);
-  verb.add_flag("--passes", options.passes,
-                "also direct and refracted light, irradiance and reflectance, and the albedo: the "
-                "parts of an .exr")
-      ->group(group);
+  add_flag(verb, "--space", options.space,
+           "lin_rec709, acescg or lin_ciexyzd65_scene; without: what the file's name says, "
+           "as moon_acescg.exr, or lin_rec709")
+      .in(group);
+  add_flag(verb, "--type", options.type,
+           "of a texel's numbers: half or float; without: half, or float for a spectrum")
+      .one_of({"half", "float"})
+      .in(group);
+  add_flag(verb, "--spectral", options.spectral_nm,
+           "also spectral radiance, from 380 to 780 nm in bands so wide [nm]: 1 to 100, that "
+           "go into 400 evenly; in an .exr")
+      .in(group);
+  add_switch(verb, "--passes", options.passes,
+             "also direct and refracted light, irradiance and reflectance, and the albedo: the "
+             "parts of an .exr")
+      .in(group);
 }
 
 void require_sound(const TextureOptions& options) {

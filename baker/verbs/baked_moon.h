@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "colour/working_space.h"
 #include "texture/bake.h"
 #include "texture/write_image.h"
+#include "verbs/flags.h"
 #include "verbs/moon_options.h"
 
 namespace coppermoon::verbs {

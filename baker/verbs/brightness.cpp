@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -69,13 +68,13 @@ void run(const Options& options) {
 }  // namespace
 
 void add_brightness(CLI::App& program) {
-  auto* verb = program.add_subcommand(
-      "brightness", "Magnitudes and mean luminance of the whole disc, above the air");
+  auto* verb = add_verb(program, "brightness",
+                        "Magnitudes and mean luminance of the whole disc, above the air");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
-  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
-  verb->callback([options] { run(*options); });
+  on_run(*verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

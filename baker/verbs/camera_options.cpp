@@ -3,13 +3,13 @@
 
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
 #include "algebra/error.h"
+#include "algebra/number.h"
 #include "atmosphere/sky_luminance.h"
 #include "texture/read_image.h"
 
@@ -22,38 +22,41 @@ constexpr const char *pixel_attribute = "coppermoon:pixel_arcsec",
                      *sky_attribute = "coppermoon:sky_cd_m2";
 
 template <typename Value>
-CLI::Option* add(CLI::App& verb, const std::string& flag, Value& value, const std::string& text) {
-  return verb.add_option(flag, value, text)->group(camera_group);
+Flag add_camera_flag(CLI::App& verb, const std::string& flag, Value& value,
+                     const std::string& text) {
+  return add_flag(verb, flag, value, text).in(camera_group);
 }
 
 void add_optics(CLI::App& verb, CameraOptions& options) {
-  add(verb, "--aperture", options.aperture_mm, "of the telescope or lens [mm]");
-  add(verb, "--obstruction", options.obstruction,
-      "diameter of the secondary over the aperture's, 0 to 0.9");
-  add(verb, "--transmission", options.transmission, "of the glass, 0.01 to 1");
-  add(verb, "--diffraction", options.diffraction, "by the aperture, on or off")
-      ->check(CLI::IsMember({"on", "off"}));
-  add(verb, "--seeing", options.seeing_arcsec,
+  add_camera_flag(verb, "--aperture", options.aperture_mm, "of the telescope or lens [mm]");
+  add_camera_flag(verb, "--obstruction", options.obstruction,
+                  "diameter of the secondary over the aperture's, 0 to 0.9");
+  add_camera_flag(verb, "--transmission", options.transmission, "of the glass, 0.01 to 1");
+  add_camera_flag(verb, "--diffraction", options.diffraction, "by the aperture, on or off")
+      .one_of({"on", "off"});
+  add_camera_flag(
+      verb, "--seeing", options.seeing_arcsec,
       "full width at half maximum of a star through the air [arcsec], 0 to 600; 0: none");
-  add(verb, "--sky", options.sky,
+  add_camera_flag(
+      verb, "--sky", options.sky,
       "brightness of the sky [mag/arcsec2]; auto: twilight and airglow where the frame was seen "
       "from; off: none");
 }
 
 void add_sensor(CLI::App& verb, CameraOptions& options) {
-  add(verb, "--pixel", options.pixel_um, "the side of a sensor's pixel [um]");
-  add(verb, "--quantum-efficiency", options.quantum_efficiency,
-      "electrons for a photon of 555 nm, 0.001 to 1");
-  add(verb, "--response", options.response,
-      fmt::format("to colours: {}", fmt::join(colour::response_names(), ", ")));
-  add(verb, "--full-well", options.full_well_e, "of a pixel [electrons]");
-  add(verb, "--read-noise", options.read_noise_e, "[electrons]");
-  add(verb, "--converter-noise", options.converter_noise_dn, "behind the gain [DN]");
-  add(verb, "--black-level", options.black_level_dn, "[DN]");
-  add(verb, "--sensor-bits", options.sensor_bits, "of a raw number, 1 to 16");
-  add(verb, "--noise", options.noise, "of photons and sensor, on or off")
-      ->check(CLI::IsMember({"on", "off"}));
-  add(verb, "--noise-seed", options.noise_seed, "of that noise")->check(CLI::NonNegativeNumber);
+  add_camera_flag(verb, "--pixel", options.pixel_um, "the side of a sensor's pixel [um]");
+  add_camera_flag(verb, "--quantum-efficiency", options.quantum_efficiency,
+                  "electrons for a photon of 555 nm, 0.001 to 1");
+  add_camera_flag(verb, "--response", options.response,
+                  fmt::format("to colours: {}", fmt::join(colour::response_names(), ", ")));
+  add_camera_flag(verb, "--full-well", options.full_well_e, "of a pixel [electrons]");
+  add_camera_flag(verb, "--read-noise", options.read_noise_e, "[electrons]");
+  add_camera_flag(verb, "--converter-noise", options.converter_noise_dn, "behind the gain [DN]");
+  add_camera_flag(verb, "--black-level", options.black_level_dn, "[DN]");
+  add_camera_flag(verb, "--sensor-bits", options.sensor_bits, "of a raw number, 1 to 16");
+  add_camera_flag(verb, "--noise", options.noise, "of photons and sensor, on or off")
+      .one_of({"on", "off"});
+  add_camera_flag(verb, "--noise-seed", options.noise_seed, "of that noise").not_negative();
 }
 
 bool any_given(const CameraOptions& o) {
@@ -83,16 +86,14 @@ double sky_of(const CameraOptions& options, const Seen& seen) {
   const auto text = options.sky.value_or("auto");
   if (text == "off") return 0;
   if (text == "auto") return seen.sky_cd_m2.value_or(0);
-  double magnitude = 0;
-  if (!CLI::detail::lexical_cast(text, magnitude))
+  const auto magnitude = algebra::number_in(text);
+  if (!magnitude)
     throw algebra::Error(fmt::format("sky [mag/arcsec2] = {}, allowed auto, off or 0 to 30", text));
-  return atmosphere::luminance_of_magnitude_cd_m2(magnitude);
+  return atmosphere::luminance_of_magnitude_cd_m2(*magnitude);
 }
 
 double number_in(const std::filesystem::path& frame, const char* attribute) {
-  double number = 0;
-  const auto text = texture::read_attribute(frame, attribute);
-  return text && CLI::detail::lexical_cast(*text, number) ? number : -1;
+  return algebra::number_in(texture::read_attribute(frame, attribute).value_or("")).value_or(-1);
 }
 
 double sky_over(const almanac::Observer& observer, const almanac::SkyState& sky) {
@@ -106,15 +107,17 @@ double sky_over(const almanac::Observer& observer, const almanac::SkyState& sky)
 }  // namespace
 
 void add_camera_options(CLI::App& verb, CameraOptions& options) {
-  add(verb, "--camera", options.model,
+  add_camera_flag(
+      verb, "--camera", options.model,
       fmt::format("{}: its optics and sensor, and with them blur, noise and clipping; without: "
                   "the scene as it is",
                   fmt::join(colour::camera_names(), ", ")));
   add_optics(verb, options);
   add_sensor(verb, options);
-  add(verb, "--raw", options.raw, "also the sensor's numbers, three channels of 16 bits, .tif");
-  add(verb, "--photograph", options.photograph,
-      "also what the camera saw, scene-linear [cd/m2], .exr");
+  add_camera_flag(verb, "--raw", options.raw,
+                  "also the sensor's numbers, three channels of 16 bits, .tif");
+  add_camera_flag(verb, "--photograph", options.photograph,
+                  "also what the camera saw, scene-linear [cd/m2], .exr");
 }
 
 std::optional<colour::Camera> camera_of(const CameraOptions& options,

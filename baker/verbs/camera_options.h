@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "almanac/sky.h"
 #include "colour/photograph.h"
 #include "texture/image.h"
+#include "verbs/flags.h"
 #include "verbs/observer_options.h"
 
 namespace coppermoon::verbs {

@@ -27,7 +27,7 @@ void add_words(CLI::App& program) {
 void obey(CLI::App& program, const std::vector<std::string>& arguments) {
   for (const auto& argument : arguments)
     if (!is_utf8(argument))
-      throw UnknownWord(fmt::format("argument '{}', allowed is UTF-8", argument));
+      throw WrongUsage(fmt::format("argument '{}', allowed is UTF-8", argument));
   auto all = with_recipes(program, arguments);
   std::reverse(all.begin(), all.end());  // as CLI11 takes them
   program.parse(std::move(all));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
 #include <vector>
+
+#include "verbs/flags.h"
 
 namespace coppermoon::verbs {
 
@@ -13,8 +14,9 @@ void add_words(CLI::App& program);
 /// Reads a command line, recipes put in, and does what it says.
 ///
 /// Given   arguments  without the program's name
-/// Throws  CLI::ParseError  when the usage is wrong: also for an argument that is not UTF-8, which
-///                          neither a recipe nor JSON could hold; or for help
+/// Throws  WrongUsage       when the usage is wrong: also for an argument that is not UTF-8, which
+///                          neither a recipe nor JSON could hold
+///         CLI::ParseError  when CLI11 finds it wrong, or for help
 ///         algebra::Error   when it cannot be done
 void obey(CLI::App& program, const std::vector<std::string>& arguments);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -196,30 +195,30 @@ void run(const Options& options) {
 }  // namespace
 
 void add_compare(CLI::App& program) {
-  auto* verb = program.add_subcommand(
-      "compare", "A photograph beside a rendered frame: registered, exposed, measured");
+  auto* verb = add_verb(program, "compare",
+                        "A photograph beside a rendered frame: registered, exposed, measured");
   const auto options = std::make_shared<Options>();
-  verb->add_option("photo,--photo", options->photo, "any image; integers are sRGB, floats linear")
-      ->required();
-  verb->add_option("render,--render", options->render,
-                   "scene-linear [cd/m²], .exr: what still --frame wrote")
-      ->required();
-  verb->add_option("-o,--output", options->output,
-                   "photograph, render and difference side by side, .png");
-  verb->add_option("--exposure", options->exposure,
-                   "exif: as the photograph's header says, ISO 12232; fit: what suits it best; "
-                   "without: exif where it is there")
-      ->check(CLI::IsMember({"exif", "fit"}));
-  verb->add_option("--bins", options->bins, "steps of distance from the shadow's axis, 1 to 1000");
-  verb->add_option("--coding", options->coding,
-                   "of the photograph: as-file-says, srgb or linear, which a TIFF never says")
-      ->check(CLI::IsMember({"as-file-says", "srgb", "linear"}));
-  verb->add_option("--recipe-in", options->recipe_in,
-                   "the .exr whose recipe tells what the render shows, as a scene's texture does; "
-                   "without: the render itself");
-  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_flag(*verb, "photo,--photo", options->photo, "any image; integers are sRGB, floats linear")
+      .required();
+  add_flag(*verb, "render,--render", options->render,
+           "scene-linear [cd/m²], .exr: what still --frame wrote")
+      .required();
+  add_flag(*verb, "-o,--output", options->output,
+           "photograph, render and difference side by side, .png");
+  add_flag(*verb, "--exposure", options->exposure,
+           "exif: as the photograph's header says, ISO 12232; fit: what suits it best; "
+           "without: exif where it is there")
+      .one_of({"exif", "fit"});
+  add_flag(*verb, "--bins", options->bins, "steps of distance from the shadow's axis, 1 to 1000");
+  add_flag(*verb, "--coding", options->coding,
+           "of the photograph: as-file-says, srgb or linear, which a TIFF never says")
+      .one_of({"as-file-says", "srgb", "linear"});
+  add_flag(*verb, "--recipe-in", options->recipe_in,
+           "the .exr whose recipe tells what the render shows, as a scene's texture does; "
+           "without: the render itself");
+  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
-  verb->callback([options] { run(*options); });
+  on_run(*verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -13,8 +13,6 @@
 namespace coppermoon::verbs {
 namespace {
 
-constexpr auto space = colour::WorkingSpace::linear_rec709;
-
 /// The disc with a little sky around it.
 texture::Image cut_out(const texture::Image& picture, const colour::Disc& disc) {
   constexpr double most_px = 640, margin = 1.12;
@@ -28,7 +26,7 @@ texture::Image cut_out(const texture::Image& picture, const colour::Disc& disc) 
 double luminance(const texture::Image& image, std::size_t row, std::size_t column) {
   const std::array<double, 3> rgb{image(row, column, 0), image(row, column, 1),
                                   image(row, column, 2)};
-  return colour::luminance(space, rgb);
+  return colour::luminance(picture_space, rgb);
 }
 
 /// Grey where the stops are 0.
@@ -57,7 +55,7 @@ texture::Image difference_of(const texture::Image& photo, const texture::Image& 
 texture::Image comparison_sheet(const texture::Image& photo, const texture::Image& render,
                                 const colour::Disc& in_photo) {
   const auto seen = cut_out(photo, in_photo), expected = cut_out(render, in_photo);
-  const std::array panels{shown({}, 1, seen, space), shown({}, 1, expected, space),
+  const std::array panels{shown({}, 1, seen, picture_space), shown({}, 1, expected, picture_space),
                           difference_of(seen, expected)};
   texture::Image sheet(3 * seen.width, seen.height, {"R", "G", "B"});
   for (std::size_t p = 0; p < panels.size(); ++p)

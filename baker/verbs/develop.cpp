@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -62,19 +61,18 @@ void run(const Options& options) {
 }  // namespace
 
 void add_develop(CLI::App& program) {
-  auto* verb = program.add_subcommand("develop",
-                                      "Exposure and view: a scene-linear frame becomes a picture");
+  auto* verb =
+      add_verb(program, "develop", "Exposure and view: a scene-linear frame becomes a picture");
   const auto options = std::make_shared<Options>();
-  verb->add_option("frame,--frame", options->frame, "scene-linear [cd/m²], .exr")->required();
-  verb->add_option("-o,--output", options->output, "the picture, .png")->required();
-  verb->add_option(
-      "--space", options->space,
-      "lin_rec709, acescg or lin_ciexyzd65_scene; without: as the file's header or name says");
+  add_flag(*verb, "frame,--frame", options->frame, "scene-linear [cd/m²], .exr").required();
+  add_flag(*verb, "-o,--output", options->output, "the picture, .png").required();
+  add_flag(*verb, "--space", options->space,
+           "lin_rec709, acescg or lin_ciexyzd65_scene; without: as the file's header or name says");
   add_develop_options(*verb, options->develop);
   add_camera_options(*verb, options->develop.camera);
-  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
-  verb->callback([options] { run(*options); });
+  on_run(*verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/develop_options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 
 #include "algebra/error.h"
+#include "algebra/number.h"
 #include "colour/display.h"
 #include "texture/write_image.h"
 #include "verbs/pixels.h"
@@ -16,11 +16,11 @@ namespace coppermoon::verbs {
 namespace {
 
 double seconds_from(const std::string& text) {
-  double seconds = 0;
-  if (!CLI::detail::lexical_cast(text, seconds))
+  const auto seconds = algebra::number_in(text);
+  if (!seconds)
     throw algebra::Error(
         fmt::format("exposure time = {}, allowed auto, follow or 1e-6 to 1e6 s", text));
-  return seconds;
+  return *seconds;
 }
 
 bool by_the_frame(const DevelopOptions& options) {
@@ -83,23 +83,20 @@ void write_files(const CameraOptions& camera, const colour::Photograph& photogra
 
 void add_develop_options(CLI::App& verb, DevelopOptions& options) {
   const std::string group = camera_group;
-  verb.add_option(
-          "--time", options.time,
-          "exposure time [s]; auto: the brightest are not lost; follow: as the shadow deepens, "
-          "without a step")
-      ->group(group);
-  verb.add_option("--f-number", options.f_number,
-                  "focal length over aperture; 12.1, or the camera's")
-      ->group(group);
-  verb.add_option("--iso", options.iso, "ISO 12232 saturation-based speed")->group(group);
-  verb.add_option("--view", options.view, "of the OpenColorIO configuration")->group(group);
-  verb.add_option("--display", options.display, "of the OpenColorIO configuration")->group(group);
-  verb.add_option("--config", options.config,
-                  "an OpenColorIO configuration instead of the built-in one")
-      ->group(group);
-  verb.add_option("--bits", options.bits, "of the picture, 8 or 16")
-      ->check(CLI::IsMember({8, 16}))
-      ->group(group);
+  add_flag(verb, "--time", options.time,
+           "exposure time [s]; auto: the brightest are not lost; follow: as the shadow deepens, "
+           "without a step")
+      .in(group);
+  add_flag(verb, "--f-number", options.f_number,
+           "focal length over aperture; 12.1, or the camera's")
+      .in(group);
+  add_flag(verb, "--iso", options.iso, "ISO 12232 saturation-based speed").in(group);
+  add_flag(verb, "--view", options.view, "of the OpenColorIO configuration").in(group);
+  add_flag(verb, "--display", options.display, "of the OpenColorIO configuration").in(group);
+  add_flag(verb, "--config", options.config,
+           "an OpenColorIO configuration instead of the built-in one")
+      .in(group);
+  add_flag(verb, "--bits", options.bits, "of the picture, 8 or 16").one_of({"8", "16"}).in(group);
 }
 
 colour::Exposure exposure_for(const DevelopOptions& options, const texture::Image& frame,

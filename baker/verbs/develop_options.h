@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
 #include <filesystem>
 #include <string>
 
@@ -9,6 +8,7 @@
 #include "colour/working_space.h"
 #include "texture/image.h"
 #include "verbs/camera_options.h"
+#include "verbs/flags.h"
 
 namespace coppermoon::verbs {
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/film_composite.h"
 
-#include <CLI/CLI.hpp>
-
 #include "algebra/error.h"
+#include "algebra/number.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 
@@ -13,11 +12,9 @@ namespace {
 namespace fs = std::filesystem;
 
 double number_in_header(const fs::path& frame, const char* name) {
-  double value = 0;
-  const auto text = texture::read_attribute(frame, name);
-  if (!text || !CLI::detail::lexical_cast(*text, value))
-    throw algebra::Error(fmt::format("{}: its header has no {}", frame.string(), name));
-  return value;
+  const auto value = algebra::number_in(texture::read_attribute(frame, name).value_or(""));
+  if (!value) throw algebra::Error(fmt::format("{}: its header has no {}", frame.string(), name));
+  return *value;
 }
 
 double exposure_scale_of(const DevelopOptions& develop, const fs::path& frame) {

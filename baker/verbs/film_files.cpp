@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "algebra/error.h"
@@ -44,21 +43,18 @@ bool FilmFiles::any() const {
 
 void add_film_files(CLI::App& verb, FilmFiles& files) {
   const std::string group = "Of the whole film";
-  verb.add_option("--contact-sheet", files.contact_sheet,
-                  "a .png of some 40 pictures and those at the contacts, with their times")
-      ->group(group);
-  verb.add_option(
-          "--curve", files.curves,
-          "V magnitude and mean luminance of the disc over time, above the air: a .csv, or a "
-          ".svg or .png that gnuplot draws; may be given more than once")
-      ->default_str("")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->group(group);
-  verb.add_option("--movie", files.movie, "an .mp4 of the pictures, by ffmpeg")->group(group);
-  verb.add_option("--composite", files.composite,
-                  "a .png of all frames on one picture, each with its own exposure")
-      ->group(group);
+  add_flag(verb, "--contact-sheet", files.contact_sheet,
+           "a .png of some 40 pictures and those at the contacts, with their times")
+      .in(group);
+  add_flag(verb, "--curve", files.curves,
+           "V magnitude and mean luminance of the disc over time, above the air: a .csv, or a "
+           ".svg or .png that gnuplot draws; may be given more than once")
+      .kept_each_time()
+      .in(group);
+  add_flag(verb, "--movie", files.movie, "an .mp4 of the pictures, by ffmpeg").in(group);
+  add_flag(verb, "--composite", files.composite,
+           "a .png of all frames on one picture, each with its own exposure")
+      .in(group);
 }
 
 void require_makeable(const FilmFiles& files, const Film& film, const Shard& shard) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 #include "verbs/film.h"
 #include "verbs/film_progress.h"
+#include "verbs/flags.h"
 #include "verbs/frame_range.h"
 
 namespace coppermoon::verbs {

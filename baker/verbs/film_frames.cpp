@@ -16,12 +16,11 @@
 #include "texture/write_image.h"
 #include "verbs/film.h"
 #include "verbs/lit_scene.h"
+#include "verbs/pixels.h"
 #include "verbs/temporary_folder.h"
 
 namespace coppermoon::verbs {
 namespace {
-
-constexpr auto space = colour::WorkingSpace::linear_rec709;
 
 using Frames = std::span<const std::size_t>;
 
@@ -59,7 +58,7 @@ colour::Exposure exposure_of(const Film& film, std::size_t frame, const texture:
   auto develop = film.develop;
   if (!film.time_keys.empty())
     develop.time = fmt::format("{}", keyed_time_s(film, film.moments.frames[frame - 1]));
-  return exposure_for(develop, image, space);
+  return exposure_for(develop, image, picture_space);
 }
 
 /// A frame on its way to its files.
@@ -78,8 +77,8 @@ void write_pictures(const Film& film, const Rendered& rendered, const texture::I
   const auto write = [&](const std::filesystem::path& path, double stops) {
     auto exposed = exposure;
     exposed.time_s *= std::exp2(stops);
-    const auto picture = taken(film.develop, exposed, image, space, rendered.seen, frame);
-    write_developed(film.develop, exposed, picture, space, path, attributes);
+    const auto picture = taken(film.develop, exposed, image, picture_space, rendered.seen, frame);
+    write_developed(film.develop, exposed, picture, picture_space, path, attributes);
   };
   write(film.picture(frame), 0);
   if (!film.bracket_ev) return;

@@ -15,7 +15,7 @@ namespace {
 
 using Frames = std::vector<std::size_t>;
 
-constexpr std::size_t evenly = 40, most_columns = 8;
+constexpr std::size_t pictures_evenly = 40, most_columns = 8;
 
 double seconds_from(const Moments& moments, const almanac::Instant& when, std::size_t frame) {
   return almanac::seconds_between(when, moments.frames[frame - 1]);
@@ -52,10 +52,11 @@ std::string from_nearest_contact(const Moments& moments, std::size_t frame) {
 }
 
 Frames some_of(const Frames& frames) {
-  if (frames.size() <= evenly) return frames;
+  if (frames.size() <= pictures_evenly) return frames;
   Frames some;
-  for (std::size_t i = 0; i < evenly; ++i)
-    some.push_back(frames[(i * (frames.size() - 1) + (evenly - 1) / 2) / (evenly - 1)]);
+  for (std::size_t i = 0; i < pictures_evenly; ++i)
+    some.push_back(
+        frames[(i * (frames.size() - 1) + (pictures_evenly - 1) / 2) / (pictures_evenly - 1)]);
   return some;
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 
@@ -69,22 +68,22 @@ std::size_t count_of(const FilmTimes& options, double seconds) {
 
 void add_film_times(CLI::App& verb, FilmTimes& options) {
   const std::string group = "The film";
-  verb.add_option("eclipse,--eclipse", options.eclipse,
-                  "a day near it, as 2018-07-27; or a file that coppermoon made of it, to go on")
-      ->group(group);
+  add_flag(verb, "eclipse,--eclipse", options.eclipse,
+           "a day near it, as 2018-07-27; or a file that coppermoon made of it, to go on")
+      .in(group);
   const char* moments =
       "an instant, or a contact: P1, U1, U2, greatest, U3, U4, P4, as P1-10min or U2+90s";
-  verb.add_option("--from", options.from, moments)->group(group);
-  verb.add_option("--to", options.to, moments)->group(group);
-  verb.add_option("--frames", options.frames,
-                  "1 to 1000000, the first at the one moment, the last "
-                  "at the other; without: 240")
-      ->check(CLI::NonNegativeNumber)
-      ->group(group);
-  verb.add_option("--fps", options.fps, "frames in a second of the film, 1 to 1000")->group(group);
-  verb.add_option("--time-scale", options.time_scale,
-                  "seconds of the eclipse in a second of the film, instead of --frames")
-      ->group(group);
+  add_flag(verb, "--from", options.from, moments).in(group);
+  add_flag(verb, "--to", options.to, moments).in(group);
+  add_flag(verb, "--frames", options.frames,
+           "1 to 1000000, the first at the one moment, the last "
+           "at the other; without: 240")
+      .not_negative()
+      .in(group);
+  add_flag(verb, "--fps", options.fps, "frames in a second of the film, 1 to 1000").in(group);
+  add_flag(verb, "--time-scale", options.time_scale,
+           "seconds of the eclipse in a second of the film, instead of --frames")
+      .in(group);
 }
 
 std::vector<std::pair<std::string, Instant>> contacts_of(const eclipse::Eclipse& eclipse) {

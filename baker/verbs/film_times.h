@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "almanac/instant.h"
 #include "eclipse/contacts.h"
+#include "verbs/flags.h"
 
 namespace coppermoon::verbs {
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <list>
 #include <map>
@@ -226,7 +225,7 @@ void run(const Options& options) {
 void add_belief_options(CLI::App& verb, Options& options) {
   const std::string group = "How the photographs were taken";
   const auto add = [&](const char* flag, auto& value, const char* text) {
-    return verb.add_option(flag, value, text)->group(group);
+    return add_flag(verb, flag, value, text).in(group);
   };
   add("--instants", options.instants, "UTC, one for all or one for each, with commas between");
   add("--times", options.times, "exposure times [s], the same; without: the header's");
@@ -236,18 +235,19 @@ void add_belief_options(CLI::App& verb, Options& options) {
   add("--exposure-error", options.exposure_error, "standard, of its logarithm");
   add("--white-balance-error", options.white_balance_error, "standard, of red and blue over green");
   add("--coding", options.coding, "as-file-says, srgb or linear")
-      ->check(CLI::IsMember({"as-file-says", "srgb", "linear"}));
+      .one_of({"as-file-says", "srgb", "linear"});
 }
 
 }  // namespace
 
 void add_fit(CLI::App& program) {
-  auto* verb = program.add_subcommand(
-      "fit", "The dust, cloud and ozone that photographs or magnitudes of an eclipse tell of");
+  auto* verb =
+      add_verb(program, "fit",
+               "The dust, cloud and ozone that photographs or magnitudes of an eclipse tell of");
   const auto options = std::make_shared<Options>();
-  verb->add_option("photos,--photos", options->photos, "any images of eclipsed Moons");
-  verb->add_option("--magnitudes", options->magnitudes,
-                   "a list of the whole Moon's, .csv: instant,band,magnitude,error");
+  add_flag(*verb, "photos,--photos", options->photos, "any images of eclipsed Moons");
+  add_flag(*verb, "--magnitudes", options->magnitudes,
+           "a list of the whole Moon's, .csv: instant,band,magnitude,error");
   add_belief_options(*verb, *options);
   add_film_moon_options(*verb, options->moon);
   add_view_options(*verb, options->view);
@@ -256,10 +256,10 @@ void add_fit(CLI::App& program) {
         "--unshadowed",      "--width",       "--height",     "--field",  "--focal-length",
         "--sensor-width",    "--up",          "--flattening", "--solver", "--trace",
         "--photons",         "--shard",       "--keep",       "--add",    "--texture-width"})
-    if (auto* option = verb->get_option_no_throw(not_asked)) verb->remove_option(option);
-  verb->add_flag("--json", options->json, "one JSON document on stdout");
+    remove_flag(*verb, not_asked);
+  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
-  verb->callback([options] { run(*options); });
+  on_run(*verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

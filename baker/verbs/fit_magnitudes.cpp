@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/fit_magnitudes.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -10,6 +9,7 @@
 #include <sstream>
 
 #include "algebra/error.h"
+#include "algebra/number.h"
 #include "almanac/instant.h"
 #include "surface/albedo_map.h"
 #include "texture/bake.h"
@@ -40,11 +40,10 @@ std::size_t band_named(const std::string& name) {
 }
 
 double number_in(const std::string& cell, const char* what, double least, double most) {
-  double number = 0;
-  if (!CLI::detail::lexical_cast(cell, number))
-    throw algebra::Error(fmt::format("{} = {}, allowed a number", what, cell));
-  algebra::require_within(what, number, least, most);
-  return number;
+  const auto number = algebra::number_in(cell);
+  if (!number) throw algebra::Error(fmt::format("{} = {}, allowed a number", what, cell));
+  algebra::require_within(what, *number, least, most);
+  return *number;
 }
 
 /// Which cell holds what.

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <sstream>
 
@@ -12,7 +11,7 @@
 namespace coppermoon::verbs {
 namespace {
 
-/// Digits alone: lexical_cast takes signs and spaces too.
+/// Digits alone: number_in takes signs and fractions too.
 std::optional<std::size_t> whole_number(const std::string& text) {
   std::size_t number = 0;
   if (text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos)

@@ -32,6 +32,12 @@ std::vector<std::string> long_flags(const CLI::App& verb) {
   return flags;
 }
 
+std::vector<std::string> flags_added_by(const std::function<void(CLI::App&)>& add) {
+  CLI::App verb;
+  add(verb);
+  return long_flags(verb);
+}
+
 bool holds(const std::vector<std::string>& words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }

@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace coppermoon::verbs {
+#include "verbs/flags.h"
 
-/// A word that nobody knows, on the command line or in a recipe: exit status 2.
-struct UnknownWord : CLI::ParseError {
-  explicit UnknownWord(const std::string& text)
-      : CLI::ParseError("UnknownWord", text, CLI::ExitCodes::ExtrasError) {}
-};
+namespace coppermoon::verbs {
 
 /// Names of a verb's flags, without their dashes.
 std::vector<std::string> long_flags(const CLI::App& verb);
+
+/// The names, without their dashes, of the flags that a function adds to a verb.
+std::vector<std::string> flags_added_by(const std::function<void(CLI::App&)>& add);
 
 bool holds(const std::vector<std::string>& words, std::string_view word);
 

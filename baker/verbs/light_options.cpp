@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/light_options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 
@@ -21,37 +20,34 @@ namespace {
 
 void add_solver_options(CLI::App& verb, LightOptions& options) {
   const std::string group = "How light is computed";
-  verb.add_option("--solver", options.solver,
-                  "quadrature: without noise; photons: the paper's simulation; auto: the quicker, "
-                  "or photons where --photons says how many")
-      ->check(CLI::IsMember({"auto", "quadrature", "photons"}))
-      ->group(group);
-  verb.add_option(
-          "--trace", options.trace,
-          "of photons; each: step by step, as in the paper; marched: step by step, all wavelengths "
-          "together; table: by a table of the limb's rays")
-      ->check(CLI::IsMember({"each", "marched", "table"}))
-      ->group(group);
-  verb.add_option("--photons", options.photons,
-                  "how many, 1 to 1e12, rounded up to blocks of 1024; 1e6 take minutes with "
-                  "--trace each, seconds marched, a second by the table; without: until the "
-                  "tolerance is reached")
-      ->group(group);
-  verb.add_option("--seed", options.seed, "of the photons")
-      ->check(CLI::NonNegativeNumber)
-      ->group(group);
-  verb.add_option("--step-km", options.step_km, "of a photon's path, traced each or marched")
-      ->group(group);
-  verb.add_option("--precision", options.precision,
-                  "of photons that are marched; single: 7 digits, in two thirds of the time; "
-                  "full: 16")
-      ->check(CLI::IsMember({"single", "full"}))
-      ->group(group);
-  verb.add_option("--ring-km", options.ring_km, "width of the rings that gather photons")
-      ->group(group);
-  verb.add_option("--smoothing-km", options.smoothing_km,
-                  "standard deviation of the Gaussian that smooths photons; 0: none")
-      ->group(group);
+  add_flag(verb, "--solver", options.solver,
+           "quadrature: without noise; photons: the paper's simulation; auto: the quicker, "
+           "or photons where --photons says how many")
+      .one_of({"auto", "quadrature", "photons"})
+      .in(group);
+  add_flag(
+      verb, "--trace", options.trace,
+      "of photons; each: step by step, as in the paper; marched: step by step, all wavelengths "
+      "together; table: by a table of the limb's rays")
+      .one_of({"each", "marched", "table"})
+      .in(group);
+  add_flag(verb, "--photons", options.photons,
+           "how many, 1 to 1e12, rounded up to blocks of 1024; 1e6 take minutes with "
+           "--trace each, seconds marched, a second by the table; without: until the "
+           "tolerance is reached")
+      .in(group);
+  add_flag(verb, "--seed", options.seed, "of the photons").not_negative().in(group);
+  add_flag(verb, "--step-km", options.step_km, "of a photon's path, traced each or marched")
+      .in(group);
+  add_flag(verb, "--precision", options.precision,
+           "of photons that are marched; single: 7 digits, in two thirds of the time; "
+           "full: 16")
+      .one_of({"single", "full"})
+      .in(group);
+  add_flag(verb, "--ring-km", options.ring_km, "width of the rings that gather photons").in(group);
+  add_flag(verb, "--smoothing-km", options.smoothing_km,
+           "standard deviation of the Gaussian that smooths photons; 0: none")
+      .in(group);
   add_photon_options(verb, options.photon_files);
 }
 
@@ -132,18 +128,17 @@ void require_eclipse(const almanac::Instant& when, const std::string& way_out) {
 
 void add_light_options(CLI::App& verb, LightOptions& options) {
   add_air_options(verb, options.air);
-  verb.add_option("--limb-darkening", options.limb_darkening,
-                  "of the Sun, by wavelength, on or off; with --atmosphere paper it is off")
-      ->check(CLI::IsMember({"on", "off"}))
-      ->group("The Earth's air");
-  verb.add_option(
-          "--scattered-light", options.scattered_light,
-          "sunlight that the air scatters into the shadow, on, off, or where it counts: auto")
-      ->check(CLI::IsMember({"auto", "on", "off"}))
-      ->group("The Earth's air");
-  verb.add_option("--starlight", options.starlight, "the stars' light on the Moon, on or off")
-      ->check(CLI::IsMember({"on", "off"}))
-      ->group("The Earth's air");
+  add_flag(verb, "--limb-darkening", options.limb_darkening,
+           "of the Sun, by wavelength, on or off; with --atmosphere paper it is off")
+      .one_of({"on", "off"})
+      .in("The Earth's air");
+  add_flag(verb, "--scattered-light", options.scattered_light,
+           "sunlight that the air scatters into the shadow, on, off, or where it counts: auto")
+      .one_of({"auto", "on", "off"})
+      .in("The Earth's air");
+  add_flag(verb, "--starlight", options.starlight, "the stars' light on the Moon, on or off")
+      .one_of({"on", "off"})
+      .in("The Earth's air");
   add_plan_options(verb, options.plan);
   add_solver_options(verb, options);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,6 +12,7 @@
 #include "shadow/irradiance.h"
 #include "shadow/lookup.h"
 #include "verbs/air_options.h"
+#include "verbs/flags.h"
 #include "verbs/photon_options.h"
 #include "verbs/plan_options.h"
 #include "verbs/planning.h"

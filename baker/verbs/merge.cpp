@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "algebra/error.h"
+#include "algebra/number.h"
 #include "colour/bracket.h"
 #include "colour/exposure.h"
 #include "texture/read_image.h"
@@ -27,9 +27,9 @@ struct Options {
 };
 
 double number_of(const std::string& file, const char* attribute) {
-  double number = 0;
-  const auto text = texture::read_attribute(file, attribute);
-  if (!text || !CLI::detail::lexical_cast(*text, number) || !(number > 0))
+  const double number =
+      algebra::number_in(texture::read_attribute(file, attribute).value_or("")).value_or(0);
+  if (!(number > 0))
     throw algebra::Error(fmt::format(
         "{}: its header has no {}, allowed are photographs of --photograph", file, attribute));
   return number;
@@ -88,16 +88,16 @@ void run(const Options& options) {
 }  // namespace
 
 void add_merge(CLI::App& program) {
-  auto* verb = program.add_subcommand(
-      "merge", "A bracketed set of photographs becomes one of the scene's luminance");
+  auto* verb = add_verb(program, "merge",
+                        "A bracketed set of photographs becomes one of the scene's luminance");
   const auto options = std::make_shared<Options>();
-  verb->add_option("photographs,--photographs", options->photographs,
-                   "of one scene, as --photograph writes them, .exr")
-      ->required();
-  verb->add_option("-o,--output", options->output, "scene-linear [cd/m2], .exr")->required();
-  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_flag(*verb, "photographs,--photographs", options->photographs,
+           "of one scene, as --photograph writes them, .exr")
+      .required();
+  add_flag(*verb, "-o,--output", options->output, "scene-linear [cd/m2], .exr").required();
+  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
-  verb->callback([options] { run(*options); });
+  on_run(*verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/moon_options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "algebra/error.h"
@@ -18,28 +17,27 @@ constexpr const char* stellarium_map = "/usr/share/stellarium/textures/moon_4k.j
 }  // namespace
 
 void add_moon_options(CLI::App& verb, MoonOptions& options) {
-  verb.add_option("instant,--instant", options.instant,
-                  "ISO 8601 UTC, as 2008-02-21T03:08:26Z; or an .exr, .tx or .png that coppermoon "
-                  "made, to make it again")
-      ->required();
+  add_flag(verb, "instant,--instant", options.instant,
+           "ISO 8601 UTC, as 2008-02-21T03:08:26Z; or an .exr, .tx or .png that coppermoon "
+           "made, to make it again")
+      .required();
   add_film_moon_options(verb, options);
 }
 
 void add_film_moon_options(CLI::App& verb, MoonOptions& options) {
-  verb.add_option("--albedo-map", options.albedo_map,
-                  "any image 2:1, longitude 0 in the middle; auto; built-in");
-  verb.add_option("--photometry", options.photometry,
-                  "lommel-seeliger-rolo: as telescopes measured, with the opposition surge; "
-                  "yapo-cutler: the paper's, the same at every phase")
-      ->check(CLI::IsMember({"lommel-seeliger-rolo", "yapo-cutler"}));
-  verb.add_option(
-      "--albedo-exponent", options.albedo_exponent,
-      "power of the map's values, which undoes a tone curve, 0.1 to 10; without: 0.5 for "
-      "Stellarium's map, 1 for any other");
-  verb.add_option("--texture-width", options.texture_width,
-                  "in texels, even, 4 to 32768; without: 4096, for a frame what it can show")
-      ->check(CLI::NonNegativeNumber);
-  verb.add_flag("--unshadowed", options.unshadowed, "light the Moon as if the Earth were away");
+  add_flag(verb, "--albedo-map", options.albedo_map,
+           "any image 2:1, longitude 0 in the middle; auto; built-in");
+  add_flag(verb, "--photometry", options.photometry,
+           "lommel-seeliger-rolo: as telescopes measured, with the opposition surge; "
+           "yapo-cutler: the paper's, the same at every phase")
+      .one_of({"lommel-seeliger-rolo", "yapo-cutler"});
+  add_flag(verb, "--albedo-exponent", options.albedo_exponent,
+           "power of the map's values, which undoes a tone curve, 0.1 to 10; without: 0.5 for "
+           "Stellarium's map, 1 for any other");
+  add_flag(verb, "--texture-width", options.texture_width,
+           "in texels, even, 4 to 32768; without: 4096, for a frame what it can show")
+      .not_negative();
+  add_switch(verb, "--unshadowed", options.unshadowed, "light the Moon as if the Earth were away");
   add_light_options(verb, options.light);
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
 #include <filesystem>
 #include <optional>
 #include <string>
 
 #include "algebra/grid.h"
 #include "surface/photometry.h"
+#include "verbs/flags.h"
 #include "verbs/light_options.h"
 
 namespace coppermoon::verbs {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/observer_options.h"
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <vector>
 
@@ -47,19 +46,19 @@ atmosphere::ObserverAir air_over(const almanac::Observer& observer, const ViewOp
 }
 
 void add_air_options(CLI::App& verb, ViewOptions& options, const std::string& group) {
-  verb.add_option("--reddening", options.reddening, "by the observer's air, on or off")
-      ->check(CLI::IsMember({"on", "off"}))
-      ->group(group);
-  verb.add_option("--observer-ozone-du", options.observer_ozone_du,
-                  "ozone above the observer [DU], 0 to 1000")
-      ->group(group);
-  verb.add_option("--observer-aerosol", options.observer_aerosol,
-                  "vertical optical depth of the aerosol above the observer at 550 nm, 0 to 10")
-      ->group(group);
-  verb.add_option("--flattening", options.flattening,
-                  "of the disc by refraction in the observer's air, on or off")
-      ->check(CLI::IsMember({"on", "off"}))
-      ->group(group);
+  add_flag(verb, "--reddening", options.reddening, "by the observer's air, on or off")
+      .one_of({"on", "off"})
+      .in(group);
+  add_flag(verb, "--observer-ozone-du", options.observer_ozone_du,
+           "ozone above the observer [DU], 0 to 1000")
+      .in(group);
+  add_flag(verb, "--observer-aerosol", options.observer_aerosol,
+           "vertical optical depth of the aerosol above the observer at 550 nm, 0 to 10")
+      .in(group);
+  add_flag(verb, "--flattening", options.flattening,
+           "of the disc by refraction in the observer's air, on or off")
+      .one_of({"on", "off"})
+      .in(group);
 }
 
 }  // namespace
@@ -79,27 +78,23 @@ almanac::Observer observer_from(const std::string& text) {
 
 void add_view_options(CLI::App& verb, ViewOptions& options) {
   const std::string group = "Who looks, and through what";
-  verb.add_option("--at", options.at,
-                  "LAT,LON[,ELEV] of the observer [degrees north, east; m]; without: from the "
-                  "Earth's centre")
-      ->group(group);
-  verb.add_option("--focal-length", options.focal_length_mm,
-                  "of the telescope or lens [mm]; 1540, or the camera's")
-      ->group(group);
-  verb.add_option("--sensor-width", options.sensor_width_mm, "[mm]; 22.7, or the camera's")
-      ->group(group);
-  verb.add_option("--field", options.field_deg,
-                  "angle across the frame [degrees], instead of these two")
-      ->group(group);
-  verb.add_option("--width", options.width, "of the frame [pixels]")
-      ->check(CLI::NonNegativeNumber)
-      ->group(group);
-  verb.add_option("--height", options.height, "of the frame [pixels]")
-      ->check(CLI::NonNegativeNumber)
-      ->group(group);
-  verb.add_option("--up", options.up, "celestial-north, zenith or moon-north")
-      ->check(CLI::IsMember({"celestial-north", "zenith", "moon-north"}))
-      ->group(group);
+  add_flag(verb, "--at", options.at,
+           "LAT,LON[,ELEV] of the observer [degrees north, east; m]; without: from the "
+           "Earth's centre")
+      .in(group);
+  add_flag(verb, "--focal-length", options.focal_length_mm,
+           "of the telescope or lens [mm]; 1540, or the camera's")
+      .in(group);
+  add_flag(verb, "--sensor-width", options.sensor_width_mm, "[mm]; 22.7, or the camera's")
+      .in(group);
+  add_flag(verb, "--field", options.field_deg,
+           "angle across the frame [degrees], instead of these two")
+      .in(group);
+  add_flag(verb, "--width", options.width, "of the frame [pixels]").not_negative().in(group);
+  add_flag(verb, "--height", options.height, "of the frame [pixels]").not_negative().in(group);
+  add_flag(verb, "--up", options.up, "celestial-north, zenith or moon-north")
+      .one_of({"celestial-north", "zenith", "moon-north"})
+      .in(group);
   add_air_options(verb, options, group);
 }
 

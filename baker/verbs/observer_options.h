@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 
 #include "almanac/observer.h"
 #include "atmosphere/observer_air.h"
 #include "povray_scenes/camera.h"
+#include "verbs/flags.h"
 
 namespace coppermoon::verbs {
 

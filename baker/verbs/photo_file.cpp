@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/photo_file.h"
 
-#include <CLI/CLI.hpp>
-
+#include "algebra/number.h"
 #include "texture/read_image.h"
 #include "verbs/silence.h"
 
@@ -13,9 +12,8 @@ namespace {
 std::optional<double> number_in_header(const std::string& photo,
                                        std::initializer_list<const char*> names) {
   for (const char* name : names) {
-    double value = 0;
-    const auto text = texture::read_attribute(photo, name);
-    if (text && CLI::detail::lexical_cast(*text, value) && value > 0) return value;
+    const auto value = algebra::number_in(texture::read_attribute(photo, name).value_or(""));
+    if (value && *value > 0) return value;
   }
   return std::nullopt;
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -24,8 +23,7 @@ bool changes_photons(const CLI::App& verb, const std::string& flag) {
   constexpr std::array<std::string_view, 2> added_later{"scattered-light", "starlight"};
   if (std::find(added_later.begin(), added_later.end(), flag) != added_later.end()) return false;
   if (std::find(ways.begin(), ways.end(), flag) != ways.end()) return true;
-  const auto* option = verb.get_option_no_throw("--" + flag);
-  return option != nullptr && option->get_group() == "The Earth's air";
+  return heading_of(verb, "--" + flag) == "The Earth's air";
 }
 
 /// Of the recipe's flags those that count, and all of its tables of air.
@@ -51,16 +49,15 @@ std::optional<shadow::PhotonSums> added(const std::vector<std::string>& paths) {
 
 void add_photon_options(CLI::App& verb, PhotonOptions& options) {
   const std::string group = "How light is computed";
-  verb.add_option("--shard", options.shard, "K/N: traces the K-th of N parts of the photons")
-      ->group(group);
-  verb.add_option("--keep", options.keep, "a file that the photons' sums are written to, JSON")
-      ->group(group);
-  verb.add_option("--add", options.add,
-                  "a file that --keep wrote, of the same scene: its photons count and are not "
-                  "traced again; may be given again")
-      ->expected(1)
-      ->take_all()
-      ->group(group);
+  add_flag(verb, "--shard", options.shard, "K/N: traces the K-th of N parts of the photons")
+      .in(group);
+  add_flag(verb, "--keep", options.keep, "a file that the photons' sums are written to, JSON")
+      .in(group);
+  add_flag(verb, "--add", options.add,
+           "a file that --keep wrote, of the same scene: its photons count and are not "
+           "traced again; may be given again")
+      .kept_each_time()
+      .in(group);
   options.key = [&verb] { return key_of(verb); };
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
 #include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "shadow/by_photons.h"
+#include "verbs/flags.h"
 
 namespace coppermoon::verbs {
 

@@ -3,9 +3,13 @@
 
 #include "algebra/grid.h"
 #include "colour/photograph.h"
+#include "colour/working_space.h"
 #include "texture/image.h"
 
 namespace coppermoon::verbs {
+
+/// Space of frames, strips and sheets: what POV-Ray and shaders take values for.
+constexpr auto picture_space = colour::WorkingSpace::linear_rec709;
 
 /// The first three channels.
 ///

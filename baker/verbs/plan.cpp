@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -23,8 +22,7 @@ struct Options {
 /// Whether a picture is meant: any flag of a view says so.
 bool of_a_picture(const CLI::App& verb) {
   for (const auto* flag : {"--at", "--width", "--height", "--field", "--focal-length-mm"})
-    if (const auto* option = verb.get_option_no_throw(flag); option && option->count() > 0)
-      return true;
+    if (is_given(verb, flag)) return true;
   return false;
 }
 
@@ -97,13 +95,13 @@ void run(const CLI::App& verb, const Options& options) {
 }  // namespace
 
 void add_plan(CLI::App& program) {
-  auto* verb = program.add_subcommand("plan", "What a texture or a picture requires and will cost");
+  auto* verb = add_verb(program, "plan", "What a texture or a picture requires and will cost");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   add_view_options(*verb, options->view);
-  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
-  verb->callback([verb, options] { run(*verb, *options); });
+  on_run(*verb, [verb, options] { run(*verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

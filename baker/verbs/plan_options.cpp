@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <sstream>
@@ -73,12 +72,12 @@ plan::Work everything_but(const std::string& list) {
 
 void add_plan_options(CLI::App& verb, PlanOptions& options) {
   const auto add = [&](const char* flag, auto& value, const std::string& text) {
-    return verb.add_option(flag, value, text)->group(group);
+    return add_flag(verb, flag, value, text).in(group);
   };
   add("--quality", options.quality,
       "draft: 5 % of luminance; standard: 1 %; reference: 0.05 %; paper: the photons of Yapo & "
       "Cutler (2009), 1e7 of them, step by step")
-      ->check(CLI::IsMember({"draft", "standard", "reference", "paper"}));
+      .one_of({"draft", "standard", "reference", "paper"});
   add("--tolerance", options.tolerance,
       "of luminance anywhere on the disc, as 1% or 0.01: 0.01% to 50%");
   add("--budget", options.budget, "the best that can be done in a time, as 500ms, 2s or 1min");

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 
 #include "plan/plan.h"
+#include "verbs/flags.h"
 
 namespace coppermoon::verbs {
 

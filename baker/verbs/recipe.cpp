@@ -26,7 +26,7 @@ std::vector<std::string> words_of(const CLI::App& program) {
 const CLI::App& verb_named(const CLI::App& program, const std::string& name) {
   for (const auto* verb : program.get_subcommands({}))
     if (verb->get_name() == name) return *verb;
-  throw UnknownWord(
+  throw WrongUsage(
       fmt::format("{}: no such word; the nearest is {}", name, nearest(name, words_of(program))));
 }
 
@@ -111,8 +111,8 @@ void require_flags(const CLI::App& verb, const std::vector<std::string>& argumen
     if (!argument.starts_with("--") || argument.size() == 2) continue;
     const auto flag = argument.substr(2, argument.find('=') - 2);
     if (!holds(known, flag))
-      throw UnknownWord(fmt::format("--{}: {} has no such flag; the nearest is --{}", flag,
-                                    verb.get_name(), nearest(flag, known)));
+      throw WrongUsage(fmt::format("--{}: {} has no such flag; the nearest is --{}", flag,
+                                   verb.get_name(), nearest(flag, known)));
   }
 }
 
@@ -141,7 +141,7 @@ std::string flag_of_positional(const CLI::App& verb) {
 /// The recipe's flags, and behind them the user's own.
 std::vector<std::string> with_recipe(const CLI::App& verb, std::vector<std::string> mine) {
   std::string path = taken_recipe(mine);
-  if (!taken_recipe(mine).empty()) throw UnknownWord("--recipe: given twice, allowed once");
+  if (!taken_recipe(mine).empty()) throw WrongUsage("--recipe: given twice, allowed once");
   const std::string flag = flag_of_positional(verb);
   if (const auto own = positional(verb, mine); own != mine.end() && !flag.empty()) {
     if (path.empty() && (flag == "--instant" || flag == "--eclipse") && holds_recipe(*own)) {
@@ -163,8 +163,8 @@ std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::
   const auto word = std::find_if(arguments.begin(), arguments.end(),
                                  [](const auto& a) { return !a.starts_with("-"); });
   if (word == arguments.end() && arguments.empty())
-    throw UnknownWord(fmt::format("a word is required: {}; --help explains them",
-                                  fmt::join(words_of(program), ", ")));
+    throw WrongUsage(fmt::format("a word is required: {}; --help explains them",
+                                 fmt::join(words_of(program), ", ")));
   if (word == arguments.end()) return arguments;
   const CLI::App& verb = verb_named(program, *word);
   const std::vector<std::string> mine(word + 1, arguments.end());

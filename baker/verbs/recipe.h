@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "verbs/flags.h"
 
 namespace coppermoon::verbs {
 
@@ -14,7 +15,7 @@ namespace coppermoon::verbs {
 /// that the user's own flags come later and win.
 ///
 /// Given     arguments  without the program's name
-/// Throws    CLI::ParseError  for a word, flag or recipe key there is not: names the nearest there
+/// Throws    WrongUsage       for a word, flag or recipe key there is not: names the nearest there
 ///                            is
 ///           algebra::Error   when a recipe cannot be read: "<file>:<line>: …"
 std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::string> arguments);

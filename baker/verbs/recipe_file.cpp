@@ -157,10 +157,10 @@ bool is_table(const Told& told) {
 void require_key(const Reading& reading, const Table& table, const Told& told) {
   if (holds(table.keys, told.flag)) return;
   const bool elsewhere = holds(long_flags(reading.verb), told.flag);
-  throw UnknownWord(fmt::format("{}{}: {} has no such key; {}", reading.where(*told.value),
-                                one_line(told.flag), table.name,
-                                elsewhere ? "it belongs above all tables"
-                                          : "the nearest is " + nearest(told.flag, table.keys)));
+  throw WrongUsage(fmt::format("{}{}: {} has no such key; {}", reading.where(*told.value),
+                               one_line(told.flag), table.name,
+                               elsewhere ? "it belongs above all tables"
+                                         : "the nearest is " + nearest(told.flag, table.keys)));
 }
 
 /// The table's keys as they stand.

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include "verbs/flags.h"
 
 namespace coppermoon::verbs {
 
@@ -22,7 +23,7 @@ bool holds_recipe(const std::filesystem::path& path);
 ///
 /// Given     mine  the user's own arguments; what they name is left out of the recipe's
 /// Returned  "--flag=value", in the order of the alphabet, those in [atmosphere] last
-/// Throws    CLI::ParseError  for a key there is not: "<file>:<line>: …", with the nearest there is
+/// Throws    WrongUsage       for a key there is not: "<file>:<line>: …", with the nearest there is
 ///           algebra::Error   when the recipe cannot be read: "<file>:<line>: …"; when it has
 ///                            more than 1 MiB, a text with a zero byte, or a name of 17 parts
 std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path,

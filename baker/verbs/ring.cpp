@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -24,6 +23,7 @@
 #include "verbs/light_options.h"
 #include "verbs/moon_options.h"
 #include "verbs/number_list.h"
+#include "verbs/pixels.h"
 #include "verbs/recipe.h"
 #include "verbs/spectral_bands.h"
 #include "verbs/verbs.h"
@@ -36,7 +36,6 @@ using std::numbers::pi;
 
 constexpr std::size_t columns = 1440, rows = 256;
 constexpr int bands = 40;
-constexpr auto space = colour::WorkingSpace::linear_rec709;
 
 struct Options {
   std::string instant, on, output;
@@ -101,9 +100,9 @@ void require_umbra(const Lookout& lookout, const atmosphere::Atmosphere& air,
       direct, in_degrees(lookout.place.latitude), in_degrees(lookout.place.longitude)));
 }
 
-/// The Sun's mean radiance in the space [cd/m²], by wavelength, times a scale.
+/// The Sun's mean radiance in the pictures' space [cd/m²], by wavelength, times a scale.
 shadow::ChannelWeights sun_weights(double scale) {
-  auto weights = white_ground_weights(colour::channel_weights(space, band_edges_nm()));
+  auto weights = white_ground_weights(colour::channel_weights(picture_space, band_edges_nm()));
   const double radii = almanac::astronomical_unit_m / photons::solar_radius_m;
   for (double& weight : weights.values()) weight *= scale * radii * radii;  // of E/π
   return at_wavelengths(weights, bands);
@@ -140,7 +139,7 @@ texture::Image image_of(const shadow::LimbRing& ring, const Strip& strip, double
       for (std::size_t c = 0; c < channels.size(); ++c)
         for (std::size_t w = 0; w < radiance.size(); ++w)
           channels[c] += weights(c, w) * radiance[w];
-      into_gamut_or_black(space, channels);
+      into_gamut_or_black(picture_space, channels);
       for (std::size_t c = 0; c < channels.size(); ++c)
         image(row, column, c) = static_cast<float>(channels[c]);
     }
@@ -166,15 +165,16 @@ Figures figures_of(const Lookout& lookout, const glm::dvec3& sun_m, const Strip&
 
 texture::Attributes header(const almanac::Instant& when, const Figures& figures,
                            const std::string& recipe) {
-  const auto xy = colour::chromaticities(space);
-  texture::Attributes attributes{{"chromaticities", std::vector<float>(xy.begin(), xy.end())},
-                                 {"whiteLuminance", 1.F},
-                                 {"capDate", capture_date(when)},
-                                 {"utcOffset", 0.F},
-                                 {"coppermoon:version", std::string(COPPERMOON_VERSION)},
-                                 {"coppermoon:colour_space", std::string(colour::name(space))},
-                                 {"coppermoon:unit", std::string("cd/m^2")},
-                                 {"coppermoon:recipe", recipe}};
+  const auto xy = colour::chromaticities(picture_space);
+  texture::Attributes attributes{
+      {"chromaticities", std::vector<float>(xy.begin(), xy.end())},
+      {"whiteLuminance", 1.F},
+      {"capDate", capture_date(when)},
+      {"utcOffset", 0.F},
+      {"coppermoon:version", std::string(COPPERMOON_VERSION)},
+      {"coppermoon:colour_space", std::string(colour::name(picture_space))},
+      {"coppermoon:unit", std::string("cd/m^2")},
+      {"coppermoon:recipe", recipe}};
   for (const auto& [name, value] : figures)
     attributes["coppermoon:" + name] = static_cast<float>(value);
   return attributes;
@@ -213,24 +213,24 @@ void run(const CLI::App& verb, const Options& options) {
 }  // namespace
 
 void add_ring(CLI::App& program) {
-  auto* verb = program.add_subcommand(
-      "ring", "The Earth's ring of sunsets, seen from the eclipsed Moon: a strip, cd/m²");
+  auto* verb = add_verb(program, "ring",
+                        "The Earth's ring of sunsets, seen from the eclipsed Moon: a strip, cd/m²");
   const auto options = std::make_shared<Options>();
-  verb->add_option("instant,--instant", options->instant, "ISO 8601 UTC, as 2008-02-21T03:08:26Z")
-      ->required();
-  verb->add_option("--on", options->on,
-                   "LAT,LON of a place on the Moon [degrees north, east]; without: where the Earth "
-                   "stands in the zenith");
-  verb->add_option("-o,--output", options->output,
-                   "an .exr; columns: position angle on the sky about the Earth's centre, from "
-                   "north through east; rows: even in the angle from it, which the header has for "
-                   "the outer edge, on top, and the inner")
-      ->required();
-  verb->add_option("--scale", options->scale,
-                   "what cd/m² are multiplied with, 1e-9 to 1e9; POV-Ray reads no more than 65504");
+  add_flag(*verb, "instant,--instant", options->instant, "ISO 8601 UTC, as 2008-02-21T03:08:26Z")
+      .required();
+  add_flag(*verb, "--on", options->on,
+           "LAT,LON of a place on the Moon [degrees north, east]; without: where the Earth "
+           "stands in the zenith");
+  add_flag(*verb, "-o,--output", options->output,
+           "an .exr; columns: position angle on the sky about the Earth's centre, from "
+           "north through east; rows: even in the angle from it, which the header has for "
+           "the outer edge, on top, and the inner")
+      .required();
+  add_flag(*verb, "--scale", options->scale,
+           "what cd/m² are multiplied with, 1e-9 to 1e9; POV-Ray reads no more than 65504");
   add_air_options(*verb, options->light.air);
   add_recipe_option(*verb);
-  verb->callback([verb, options] { run(*verb, *options); });
+  on_run(*verb, [verb, options] { run(*verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

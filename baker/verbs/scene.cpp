@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "algebra/error.h"
@@ -38,15 +37,15 @@ void run(const CLI::App& verb, const Options& options) {
 
 void add_scene(CLI::App& program) {
   auto* verb =
-      program.add_subcommand("scene", "A POV-Ray scene in a folder of its own, ready to render");
+      add_verb(program, "scene", "A POV-Ray scene in a folder of its own, ready to render");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   add_view_options(*verb, options->view);
-  verb->add_option("-o,--output", options->output, "the folder; `povray eclipse.ini` in it renders")
-      ->required();
-  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_flag(*verb, "-o,--output", options->output, "the folder; `povray eclipse.ini` in it renders")
+      .required();
+  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
-  verb->callback([verb, options] { run(*verb, *options); });
+  on_run(*verb, [verb, options] { run(*verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -62,7 +61,7 @@ Cut cut_of(const Options& options) {
     if (options.instant.empty())
       return {*options.sun_distance_km * 1e3, *options.moon_distance_km * 1e3};
   if (options.instant.empty())
-    throw CLI::RequiredError("instant, or both --moon-distance-km and --sun-distance-km");
+    throw WrongUsage("instant, or both --moon-distance-km and --sun-distance-km is required");
   const auto sky = almanac::sky_at(almanac::instant_from_utc(options.instant));
   const auto axis = eclipse::shadow_axis(sky);
   const double depth_km = algebra::in_kilometres(eclipse::place_in_shadow(axis, sky.moon_m).depth);
@@ -235,28 +234,28 @@ void run(const CLI::App& verb, const Options& options) {
 
 void add_shadow(CLI::App& program) {
   auto* verb =
-      program.add_subcommand("shadow", "Irradiance across the shadow, over unobstructed sunlight");
+      add_verb(program, "shadow", "Irradiance across the shadow, over unobstructed sunlight");
   const auto options = std::make_shared<Options>();
-  verb->add_option("instant,--instant", options->instant,
-                   "ISO 8601 UTC, for the distances of that moment");
-  verb->add_option("--wavelengths", options->wavelengths, "[nm], 380 to 780, commas between");
-  verb->add_option("--axis-distances", options->axis_distances, "[km], increasing, commas between");
-  verb->add_option("--moon-distance-km", options->moon_distance_km,
-                   "from the Earth's centre, along the shadow axis");
-  verb->add_option("--sun-distance-km", options->sun_distance_km, "from the Earth's centre");
-  verb->add_option("--position-angle", options->position_angle_deg,
-                   "about the axis, from celestial north through east [degrees]; without: the mean "
-                   "of all")
-      ->check(CLI::Range(0., 360.));
-  verb->add_option("--plot", options->plot, "a .png that gnuplot draws");
-  verb->add_option("--lookup", options->lookup,
-                   "a strip for shaders instead, .exr or .cube, and a .json beside it: light of "
-                   "linear Rec.709 over sunlight, by distance from the axis and position angle")
-      ->excludes("--plot");
-  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_flag(*verb, "instant,--instant", options->instant,
+           "ISO 8601 UTC, for the distances of that moment");
+  add_flag(*verb, "--wavelengths", options->wavelengths, "[nm], 380 to 780, commas between");
+  add_flag(*verb, "--axis-distances", options->axis_distances, "[km], increasing, commas between");
+  add_flag(*verb, "--moon-distance-km", options->moon_distance_km,
+           "from the Earth's centre, along the shadow axis");
+  add_flag(*verb, "--sun-distance-km", options->sun_distance_km, "from the Earth's centre");
+  add_flag(*verb, "--position-angle", options->position_angle_deg,
+           "about the axis, from celestial north through east [degrees]; without: the mean "
+           "of all")
+      .within(0, 360);
+  add_flag(*verb, "--plot", options->plot, "a .png that gnuplot draws");
+  add_flag(*verb, "--lookup", options->lookup,
+           "a strip for shaders instead, .exr or .cube, and a .json beside it: light of "
+           "linear Rec.709 over sunlight, by distance from the axis and position angle")
+      .excludes("--plot");
+  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_light_options(*verb, options->light);
   add_recipe_option(*verb);
-  verb->callback([verb, options] { run(*verb, *options); });
+  on_run(*verb, [verb, options] { run(*verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

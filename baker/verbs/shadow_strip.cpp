@@ -12,6 +12,7 @@
 #include "texture/whole_file.h"
 #include "texture/write_image.h"
 #include "verbs/moon_options.h"
+#include "verbs/pixels.h"
 #include "verbs/spectral_bands.h"
 
 namespace coppermoon::verbs {
@@ -21,7 +22,6 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t columns = 1024;
 constexpr double lunar_radius_m = algebra::in_metres(almanac::lunar_radius);
-constexpr auto space = colour::WorkingSpace::linear_rec709;
 
 struct Strip {
   texture::Image light;
@@ -48,9 +48,9 @@ Strip strip_of(const StripShadow& shadow, const LightOptions& options) {
   const double depth_m = shadow.arrangement.depths_m[0];
   const auto refracted = light_of(shadow, options, waves);
   const shadow::DirectLight direct(shadow.air, shadow.arrangement, waves);
-  const auto weights = moonlight_weights(colour::channel_weights(space, band_edges_nm()));
+  const auto weights = moonlight_weights(colour::channel_weights(picture_space, band_edges_nm()));
   shadow::Lookup lookup(refracted, direct, at_wavelengths(weights, bands));
-  lookup.transform([](std::span<double> colour) { into_gamut_or_black(space, colour); });
+  lookup.transform([](std::span<double> colour) { into_gamut_or_black(picture_space, colour); });
   const std::size_t rows = refracted.sectors;
   Strip strip{{columns, rows, {"R", "G", "B"}}, direct.penumbra_m(depth_m)};
   std::array<double, 3> here, sunlight;
@@ -89,7 +89,7 @@ ordered_json facts_of(const std::filesystem::path& file, const Strip& strip,
                       const StripShadow& shadow, const std::string& recipe) {
   const double depth_m = shadow.arrangement.depths_m[0];
   ordered_json facts{{"texture", file.filename().string()},
-                     {"colour_space", colour::name(space)},
+                     {"colour_space", colour::name(picture_space)},
                      {"columns", strip.light.width},
                      {"rows", strip.light.height},
                      {"end_km", strip.end_m / 1e3},
@@ -110,7 +110,7 @@ ordered_json facts_of(const std::filesystem::path& file, const Strip& strip,
 
 /// The same as a header has them.
 texture::Attributes header(const ordered_json& facts) {
-  const auto xy = colour::chromaticities(space);
+  const auto xy = colour::chromaticities(picture_space);
   texture::Attributes attributes{{"chromaticities", std::vector<float>(xy.begin(), xy.end())}};
   for (const auto& [key, value] : facts.items()) {
     if (key == "texture") continue;  // a file may be renamed

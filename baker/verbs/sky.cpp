@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <glm/geometric.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -71,14 +70,14 @@ void run(const Options& options) {
 }  // namespace
 
 void add_sky(CLI::App& program) {
-  auto* verb = program.add_subcommand("sky", "Where everything is, and how the Moon is turned");
+  auto* verb = add_verb(program, "sky", "Where everything is, and how the Moon is turned");
   const auto options = std::make_shared<Options>();
-  verb->add_option("instant,--instant", options->instant, "ISO 8601 UTC, as 2008-02-21T03:08:26Z")
-      ->required();
-  verb->add_option("--at", options->at, "LAT,LON[,ELEV] of an observer [degrees north, east; m]");
-  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_flag(*verb, "instant,--instant", options->instant, "ISO 8601 UTC, as 2008-02-21T03:08:26Z")
+      .required();
+  add_flag(*verb, "--at", options->at, "LAT,LON[,ELEV] of an observer [degrees north, east; m]");
+  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
-  verb->callback([options] { run(*options); });
+  on_run(*verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "povray_scenes/render.h"
@@ -7,6 +6,7 @@
 #include "texture/write_image.h"
 #include "verbs/develop_options.h"
 #include "verbs/lit_scene.h"
+#include "verbs/pixels.h"
 #include "verbs/progress_bar.h"
 #include "verbs/recipe.h"
 #include "verbs/report.h"
@@ -15,8 +15,6 @@
 
 namespace coppermoon::verbs {
 namespace {
-
-constexpr auto space = colour::WorkingSpace::linear_rec709;
 
 struct Options {
   MoonOptions moon;
@@ -47,7 +45,7 @@ void run(const CLI::App& verb, Options options) {
   const auto scene =
       lit_scene(options.moon, options.view, recipe, texture::Extent::seen_from_earth);
   const auto [frame, seconds] = rendered(scene);
-  const auto exposure = exposure_for(options.develop, frame, space);
+  const auto exposure = exposure_for(options.develop, frame, picture_space);
   const auto seen = seen_by(scene.view, scene.moon.sky);
   auto attributes = scene.texture.attributes;
   if (!options.frame.empty()) {
@@ -55,8 +53,8 @@ void run(const CLI::App& verb, Options options) {
     add_seen(attributes, seen);
     texture::write_exr(options.frame, frame, attributes);
   }
-  const auto picture = taken(options.develop, exposure, frame, space, seen, 0, attributes);
-  write_developed(options.develop, exposure, picture, space, options.output,
+  const auto picture = taken(options.develop, exposure, frame, picture_space, seen, 0, attributes);
+  write_developed(options.develop, exposure, picture, picture_space, options.output,
                   {{"coppermoon:recipe", scene.moon.recipe},
                    {"coppermoon:version", std::string(COPPERMOON_VERSION)}});
   report({{options.output},
@@ -70,17 +68,17 @@ void run(const CLI::App& verb, Options options) {
 }  // namespace
 
 void add_still(CLI::App& program) {
-  auto* verb = program.add_subcommand("still", "Bake, scene, POV-Ray and develop: a picture");
+  auto* verb = add_verb(program, "still", "Bake, scene, POV-Ray and develop: a picture");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   add_view_options(*verb, options->view);
   add_develop_options(*verb, options->develop);
   add_camera_options(*verb, options->develop.camera);
-  verb->add_option("-o,--output", options->output, "the picture, .png")->required();
-  verb->add_option("--frame", options->frame, "also the scene-linear frame [cd/m²], .exr");
-  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_flag(*verb, "-o,--output", options->output, "the picture, .png").required();
+  add_flag(*verb, "--frame", options->frame, "also the scene-linear frame [cd/m²], .exr");
+  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
-  verb->callback([verb, options] { run(*verb, *options); });
+  on_run(*verb, [verb, options] { run(*verb, *options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -136,29 +135,29 @@ void run(const Options& options) {
 }  // namespace
 
 void add_tradeoff(CLI::App& program) {
-  auto* verb = program.add_subcommand(
-      "tradeoff", "Speed against accuracy, measured for every method and setting");
+  auto* verb = add_verb(program, "tradeoff",
+                        "Speed against accuracy, measured for every method and setting");
   const auto options = std::make_shared<Options>();
   options->moon.instant = "2008-02-21T03:26:05Z";
-  verb->add_option("instant,--instant", options->moon.instant,
-                   "ISO 8601 UTC; the scene that is lit");
-  verb->add_option("-o,--output", options->output,
-                   "folder of tradeoff.csv, tradeoff.md and tradeoff.svg")
-      ->required();
-  verb->add_option("--only", options->only, "one solver's sweeps; may be given again")
-      ->check(CLI::IsMember(solver_names()))
-      ->allow_extra_args(false);
-  verb->add_option("--longest", options->limits.longest_s,
-                   "of one run [s]; a row that would take longer is extrapolated");
-  verb->add_option("--repeat", options->limits.repeat,
-                   "runs of which the least time counts; those under a second: three or more");
-  verb->add_flag("--quick", options->quick, "few values, small ones: seconds");
-  verb->add_option("--albedo-map", options->moon.albedo_map,
-                   "any image 2:1, longitude 0 in the middle; auto; built-in");
-  verb->add_flag("--json", options->json, "one JSON document on stdout");
+  add_flag(*verb, "instant,--instant", options->moon.instant,
+           "ISO 8601 UTC; the scene that is lit");
+  add_flag(*verb, "-o,--output", options->output,
+           "folder of tradeoff.csv, tradeoff.md and tradeoff.svg")
+      .required();
+  add_flag(*verb, "--only", options->only, "one solver's sweeps; may be given again")
+      .one_of(solver_names())
+      .one_value_each_time();
+  add_flag(*verb, "--longest", options->limits.longest_s,
+           "of one run [s]; a row that would take longer is extrapolated");
+  add_flag(*verb, "--repeat", options->limits.repeat,
+           "runs of which the least time counts; those under a second: three or more");
+  add_switch(*verb, "--quick", options->quick, "few values, small ones: seconds");
+  add_flag(*verb, "--albedo-map", options->moon.albedo_map,
+           "any image 2:1, longitude 0 in the middle; auto; built-in");
+  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_air_options(*verb, options->moon.light.air);
   add_recipe_option(*verb);
-  verb->callback([options] { run(*options); });
+  on_run(*verb, [options] { run(*options); });
 }
 
 }  // namespace coppermoon::verbs

@@ -16,13 +16,13 @@ struct Column {
   double Trial::*setting;
 };
 
-constexpr std::array<Column, 7> settings{{{"photons", &Trial::photons},
-                                          {"step_km", &Trial::step_km},
-                                          {"precision_bits", &Trial::precision_bits},
-                                          {"wavelengths", &Trial::wavelengths},
-                                          {"rays", &Trial::rays},
-                                          {"replicas", &Trial::replicas},
-                                          {"texture_width", &Trial::texture_width}}};
+constexpr std::array<Column, 7> setting_columns{{{"photons", &Trial::photons},
+                                                 {"step_km", &Trial::step_km},
+                                                 {"precision_bits", &Trial::precision_bits},
+                                                 {"wavelengths", &Trial::wavelengths},
+                                                 {"rays", &Trial::rays},
+                                                 {"replicas", &Trial::replicas},
+                                                 {"texture_width", &Trial::texture_width}}};
 
 struct Figure {
   std::string_view name;
@@ -49,7 +49,7 @@ std::string number(double value) {
 /// All that the solver has, but for what is varied.
 std::string settings_of(const Measured& one) {
   std::string text;
-  for (const auto& [column, setting] : settings) {
+  for (const auto& [column, setting] : setting_columns) {
     std::string name(column);
     std::ranges::replace(name, '_', ' ');
     const double value = one.trial.*setting;
@@ -148,12 +148,12 @@ void draw_sweep(Drawing& drawing, std::span<const Measured> sweep, std::size_t i
 
 std::string as_csv(std::span<const Measured> all) {
   std::string text = "solver,varied,value";
-  for (const auto& column : settings) text += fmt::format(",{}", column.name);
+  for (const auto& column : setting_columns) text += fmt::format(",{}", column.name);
   for (const auto& figure : figures_of({})) text += fmt::format(",{}", figure.name);
   text += ",extrapolated\n";
   for (const auto& one : all) {
     text += fmt::format("{},{},{:g}", one.trial.solver, one.varied, one.value);
-    for (const auto& column : settings) {
+    for (const auto& column : setting_columns) {
       const double value = one.trial.*column.setting;
       text += value == 0 ? "," : fmt::format(",{:g}", value);
     }
@@ -185,7 +185,7 @@ nlohmann::ordered_json as_json(std::span<const Measured> all) {
   for (const auto& one : all) {
     nlohmann::ordered_json row{
         {"solver", one.trial.solver}, {"varied", one.varied}, {"value", one.value}};
-    for (const auto& [name, setting] : settings)
+    for (const auto& [name, setting] : setting_columns)
       row[std::string(name)] = one.trial.*setting == 0 ? nlohmann::ordered_json(nullptr)
                                                        : nlohmann::ordered_json(one.trial.*setting);
     for (const auto& [name, value] : figures_of(one)) row[std::string(name)] = value;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <CLI/App.hpp>
+#include "verbs/flags.h"
 
 namespace coppermoon::verbs {
 
 /// Each adds one word to the command line: its flags, and what it does once they are read.
-/// What it does throws algebra::Error when it cannot, CLI::ParseError when the usage is wrong.
+/// What it does throws algebra::Error when it cannot, WrongUsage when the usage is wrong.
 void add_almanac(CLI::App& program);
 void add_sky(CLI::App& program);
 void add_plan(CLI::App& program);

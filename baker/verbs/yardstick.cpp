@@ -30,7 +30,6 @@ using algebra::Grid;
 using std::numbers::pi;
 
 constexpr double umbra_m = 4500e3;
-constexpr auto space = colour::WorkingSpace::linear_rec709;
 
 /// What the eye makes of sunlight, by wavelength.
 std::vector<double> luminance_of_sunlight(std::size_t bands) {
@@ -225,9 +224,9 @@ texture::Image Yardstick::baked(const shadow::RefractedLight& light, std::size_t
   const shadow::DirectLight direct(scene_.air, scene_.arrangement, light.wavelengths_nm);
   shadow::Lookup lookup(
       light, direct,
-      at_wavelengths(moonlight_weights(colour::channel_weights(space, band_edges_nm())),
+      at_wavelengths(moonlight_weights(colour::channel_weights(picture_space, band_edges_nm())),
                      static_cast<int>(bands)));
-  lookup.transform([](std::span<double> colour) { into_gamut_or_black(space, colour); });
+  lookup.transform([](std::span<double> colour) { into_gamut_or_black(picture_space, colour); });
   return texture::bake(scene_.normal_albedo, scene_.sky, lookup, {"R", "G", "B"}, width / 2,
                        scene_.photometry);
 }
@@ -236,9 +235,10 @@ PictureErrors Yardstick::picture_errors(const texture::Image& reference,
                                         const texture::Image& other, std::size_t pixels) const {
   const DevelopOptions camera;
   const auto one = seen_from_earth(reference, scene_.sky, pixels);
-  const auto exposure = exposure_for(camera, one, space);
-  const auto before = developed(camera, exposure, one, space),
-             after = developed(camera, exposure, seen_from_earth(other, scene_.sky, pixels), space);
+  const auto exposure = exposure_for(camera, one, picture_space);
+  const auto before = developed(camera, exposure, one, picture_space),
+             after = developed(camera, exposure, seen_from_earth(other, scene_.sky, pixels),
+                               picture_space);
   std::vector<double> sizes;
   for (std::size_t r = 0; r < pixels; ++r)
     for (std::size_t c = 0; c < pixels; ++c)

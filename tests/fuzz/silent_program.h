@@ -35,6 +35,8 @@ struct SilentProgram {
       return true;
     } catch (const CLI::ParseError& error) {
       require(error.get_exit_code() == 0 || !verbs::one_line(error.what()).empty());
+    } catch (const verbs::WrongUsage& error) {
+      require(!verbs::one_line(error.what()).empty());
     }
     return false;
   }

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/flags.h"
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace coppermoon::verbs {
+
+Flag Flag::in(const std::string& group) const {
+  option_->group(group);
+  return *this;
+}
+
+Flag Flag::one_of(std::vector<std::string> words) const {
+  option_->check(CLI::IsMember(std::move(words)));
+  return *this;
+}
+
+Flag Flag::not_negative() const {
+  option_->check(CLI::NonNegativeNumber);
+  return *this;
+}
+
+Flag Flag::within(double low, double high) const {
+  option_->check(CLI::Range(low, high));
+  return *this;
+}
+
+Flag Flag::required() const {
+  option_->required();
+  return *this;
+}
+
+Flag Flag::excludes(const std::string& flag) const {
+  option_->excludes(flag);
+  return *this;
+}
+
+Flag Flag::kept_each_time() const {
+  option_->default_str("")->expected(1)->take_all();
+  return *this;
+}
+
+Flag Flag::one_value_each_time() const {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
+template <typename Value>
+Flag add_flag(CLI::App& verb, const std::string& names, Value& value, const std::string& help) {
+  return Flag(*verb.add_option(names, value, help));
+}
+
+template Flag add_flag(CLI::App&, const std::string&, double&, const std::string&);
+template Flag add_flag(CLI::App&, const std::string&, int&, const std::string&);
+template Flag add_flag(CLI::App&, const std::string&, std::size_t&, const std::string&);
+template Flag add_flag(CLI::App&, const std::string&, std::string&, const std::string&);
+template Flag add_flag(CLI::App&, const std::string&, std::optional<double>&, const std::string&);
+template Flag add_flag(CLI::App&, const std::string&, std::optional<int>&, const std::string&);
+template Flag add_flag(CLI::App&, const std::string&, std::optional<std::size_t>&,
+                       const std::string&);
+template Flag add_flag(CLI::App&, const std::string&, std::optional<std::string>&,
+                       const std::string&);
+template Flag add_flag(CLI::App&, const std::string&, std::vector<std::string>&,
+                       const std::string&);
+
+Flag add_switch(CLI::App& verb, const std::string& names, bool& value, const std::string& help) {
+  return Flag(*verb.add_flag(names, value, help));
+}
+
+CLI::App* add_verb(CLI::App& program, const std::string& name, const std::string& help) {
+  return program.add_subcommand(name, help);
+}
+
+void on_run(CLI::App& verb, std::function<void()> run) { verb.callback(std::move(run)); }
+
+bool is_given(const CLI::App& verb, const std::string& flag) {
+  const auto* option = verb.get_option_no_throw(flag);
+  return option != nullptr && option->count() > 0;
+}
+
+std::string heading_of(const CLI::App& verb, const std::string& flag) {
+  const auto* option = verb.get_option_no_throw(flag);
+  return option != nullptr ? option->get_group() : "";
+}
+
+void remove_flag(CLI::App& verb, const std::string& flag) {
+  if (auto* option = verb.get_option_no_throw(flag)) verb.remove_option(option);
+}
+
+}  // namespace coppermoon::verbs

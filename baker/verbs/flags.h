@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace coppermoon::verbs {
+
+/// A command line, or a recipe, that cannot be understood: exit status 2.
+struct WrongUsage : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A flag while a verb describes it. What it stands on, CLI11, costs seconds to compile: flags.cpp
+/// pays them once for all verbs.
+class Flag {
+ public:
+  explicit Flag(CLI::Option& option) : option_(&option) {}
+
+  Flag in(const std::string& group) const;  ///< the heading that --help lists it under
+  Flag one_of(std::vector<std::string> words) const;
+  Flag not_negative() const;
+  Flag within(double low, double high) const;
+  Flag required() const;
+  Flag excludes(const std::string& flag) const;
+  Flag kept_each_time() const;       ///< may be given again; every value is kept
+  Flag one_value_each_time() const;  ///< may be given again; what follows a value is no second one
+
+ private:
+  CLI::Option* option_;
+};
+
+/// A flag with a value.
+///
+/// Given  names  as "-o,--output", or "instant,--instant" for one that needs no name
+///        value  where the value is put; what is there is the default
+/// Value is double, int, std::size_t or std::string, an std::optional of these, or a list of
+/// std::string.
+template <typename Value>
+Flag add_flag(CLI::App& verb, const std::string& names, Value& value, const std::string& help);
+
+/// A flag without a value.
+Flag add_switch(CLI::App& verb, const std::string& names, bool& value, const std::string& help);
+
+/// Returned  the new word of the command line
+CLI::App* add_verb(CLI::App& program, const std::string& name, const std::string& help);
+
+/// What a verb does, once its flags are read.
+void on_run(CLI::App& verb, std::function<void()> run);
+
+/// Whether the command line, or a recipe, gives a flag of that name.
+bool is_given(const CLI::App& verb, const std::string& flag);
+
+/// The heading that a flag stands under, empty when the verb has no such flag.
+std::string heading_of(const CLI::App& verb, const std::string& flag);
+
+/// Takes a flag away, where the verb has it.
+void remove_flag(CLI::App& verb, const std::string& flag);
+
+}  // namespace coppermoon::verbs
