@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: MIT
 # Installs the packages that are missing (as root or with sudo) and builds build/release/coppermoon.
 #
-# Given  TARGET=coppermoon_program  of the build
-#        LIST ...                   of more packages, as packages.hand_off.debian
+# Given  TARGETS=coppermoon_program  of the build, in one word with spaces between
+#        LIST ...                    of more packages, as packages.tests.debian
 set -eu
 cd "$(dirname "$0")/.."
-target=${1:-coppermoon_program}
+. examples/parts.sh
+targets=${1:-coppermoon_program}
 [ $# -eq 0 ] || shift
 missing=
 for package in $(sed 's/#.*//' packages.debian "$@"); do
@@ -14,10 +15,12 @@ for package in $(sed 's/#.*//' packages.debian "$@"); do
     command -v "$package" >/dev/null || missing="$missing $package"  # npm comes by many ways
 done
 if [ -n "$missing" ]; then
+  part "packages"
   echo "Installing$missing"
   sudo=$([ "$(id -u)" = 0 ] || echo sudo)
   $sudo apt-get update -qq
   $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
 fi
+part "build: $targets"
 cmake --preset release
-cmake --build --preset release --target "$target"
+cmake --build --preset release --target $targets

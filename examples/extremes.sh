@@ -8,7 +8,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 shards=${1:-100} seconds_each=${2:-3600}
-"$here/build.sh" all >&2
+"$here/build.sh" "coppermoon_program quick_tests heavy_tests slow_tests sweep_tests" packages.tests.debian >&2
 tests=$here/../build/release/tests
 
 # Folders of the tests' own, of new names each time.
@@ -18,7 +18,9 @@ nameless='s,[^ `("]*/coppermoon\(_\| test \)[A-Za-z0-9]\{6\}/\(here/\|tmp/\)\{0\
 rows() {
   printf '| tried | held | bound | worst |\n| --- | --- | ---: | ---: |\n'
   for noun; do
-    "$tests/extremes_${noun}_test" --gtest_brief=1 > "$scratch" || echo "extremes_${noun}_test: failed" >&2
+    case $noun in faults | inputs | words) kind=heavy ;; film_faults) kind=slow ;; *) kind=quick ;; esac
+    COPPERMOON_THOROUGH=1 "$tests/extremes_${kind}_tests" $noun --gtest_brief=1 > "$scratch" ||
+      echo "extremes/$noun: failed" >&2
     sed -n '/^|/p' "$scratch" | sed "$nameless"
   done
 }
@@ -47,7 +49,7 @@ rows words
 heading "Random recipes"
 printf '| tried | valid files | refused in one line | most memory of one [MB] |\n| --- | ---: | ---: | ---: |\n'
 filter=$(seq -s : -f '*/%g' 0 $((shards - 1)))
-"$tests/extremes_sweep_test" --gtest_brief=1 --gtest_filter="$filter" > "$scratch" || echo "extremes_sweep_test: failed" >&2
+"$tests/extremes_sweep_tests" --gtest_brief=1 --gtest_filter="$filter" > "$scratch" || echo "extremes_sweep_tests: failed" >&2
 sed -n 's/^| random recipes [0-9]* to \([0-9]*\) | \([0-9]*\) valid files, \([0-9]*\) refused in one line, \([0-9]*\) MB .*/\1 \2 \3 \4/p' "$scratch" |
   awk '{ last = $1 + 1; files += $2; lines += $3; if ($4 > most) most = $4 }
        END { printf "| the first %d | %d | %d | %d |\n", last, files, lines, most }'

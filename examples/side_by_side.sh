@@ -4,12 +4,12 @@
 # their differences in ./side_by_side.png. Half a minute.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-"$here/build.sh" all packages.hand_off.debian >&2
+"$here/build.sh" "coppermoon_program hand_off_tests" packages.tests.debian packages.hand_off.debian >&2
 build=$here/../build/release
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-COPPERMOON_FRAMES=$scratch "$build/tests/hand_off_side_by_side_test" > "$scratch/said" || { cat "$scratch/said" >&2; exit 1; }
+COPPERMOON_FRAMES=$scratch "$build/tests/hand_off_hand_off_tests" side_by_side > "$scratch/said" || { cat "$scratch/said" >&2; exit 1; }
 cd "$scratch"
 for name in povray blender; do oiiotool $name.exr reference.exr --absdiff --mulc 20 -o off_$name.exr; done
 for name in povray blender reference off_povray off_blender; do

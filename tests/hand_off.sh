@@ -5,5 +5,5 @@
 # two minutes on two processors.
 set -eu
 cd "$(dirname "$0")/.."
-sh examples/build.sh all packages.hand_off.debian
+sh examples/build.sh "coppermoon_program hand_off_tests hand_off_gltf_write_models" packages.tests.debian packages.hand_off.debian
 ctest --test-dir build/release --label-regex hand_off --output-on-failure --no-tests=error

@@ -1,47 +1,60 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# On a bare Debian 12, as root or with sudo, from any folder: installs what packages.debian lists, builds everything,
-# compiles each public header alone, runs all tests, most of them again under the sanitizers, and the fuzzers for two
-# minutes each. On two processors within 75 minutes.
+# The tests that every change passes: on a bare Debian 12, as root or with sudo, from any folder. Installs what
+# packages.debian and packages.tests.debian list, builds the program and runs it in the heavy tests; builds the libraries
+# under the sanitizers and runs the quick tests; ends with two examples. Twenty minutes on two processors from nothing, and
+# prints the seconds of each part. What takes longer stands in tests/thorough.sh.
+#
+#   tests/run.sh              all of that
+#   tests/run.sh -k FOLDER    tests of one folder alone, as baker/shadow or end_to_end
 set -eu
 cd "$(dirname "$0")/.."
-say() { printf '\n== %s\n' "$*"; }
+. examples/parts.sh
+processors=$(nproc)
 
-say "packages and build"
-sh examples/build.sh all
-cmake --build --preset release --target all_verify_interface_header_sets
+# tested PRESET KIND: builds and runs tests of the one folder.
+tested() {
+  target=$(echo "$folder" | tr / _)_$2_tests
+  ninja -C "build/$1" -t query "$target" >/dev/null 2>&1 || return 0
+  part "$1: build of $target"
+  cmake --build "build/$1" --target "$target"
+  part "$1: $2 tests of $folder"
+  ctest --preset "$1" -L "^$2$" -R "^$folder/[^/]*$" --parallel "$processors" --no-tests=error
+  found=yes
+}
 
-say "tests"
-ctest --preset release --parallel "$(nproc)"
+if [ "${1:-}" = -k ] && [ $# -eq 2 ]; then
+  folder=${2%/} found=
+  sh examples/build.sh coppermoon_program packages.tests.debian
+  cmake --preset sanitizers >/dev/null
+  tested sanitizers quick
+  tested release heavy
+  [ -n "$found" ] || { echo "$folder: has no tests, allowed is a folder as baker/shadow or end_to_end" >&2; exit 2; }
+  exit
+elif [ $# -gt 0 ]; then
+  echo "tests/run.sh $*: allowed is nothing, or -k FOLDER" >&2
+  exit 2
+fi
 
-say "slow tests"
-ctest --test-dir build/release --label-regex slow --output-on-failure --no-tests=ignore --parallel "$(nproc)"
-ctest --test-dir build/release --label-regex sweep --tests-regex '/0$' --output-on-failure
+sh examples/build.sh "coppermoon_program heavy_tests" packages.tests.debian
+part "tests of the program, in release"
+ctest --preset release --label-exclude "quick|slow|sweep|hand_off" --parallel "$processors" --no-tests=error
 
-say "address and undefined-behaviour sanitizers"
+part "build under the address and undefined-behaviour sanitizers"
 cmake --preset sanitizers
 cmake --build --preset sanitizers
-ctest --preset sanitizers --parallel "$(nproc)"
+part "tests of the libraries, under the sanitizers"
+ctest --preset sanitizers --parallel "$processors" --no-tests=error
 
-say "fuzzers"
-tests/fuzz.sh 120
-
-say "examples, small"
+part "two examples, small"
 root=$PWD
 scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+trap 'rm -rf "$scratch"; end_parts' EXIT
 cd "$scratch"
-small="--texture-width 512 --width 150 --height 100"
-few="--photons 2e4 $small"
-"$root/examples/first_eclipse.sh" $few
-"$root/examples/standard_figures.sh" $few
-"$root/examples/paper_figures.sh" $few
-"$root/examples/photon_convergence.sh" 1e4
-"$root/examples/term_sizes.sh" $small
-"$root/examples/tradeoff.sh" --quick
-"$root/examples/plans.sh"
-"$root/examples/film.sh" --frames 4
-"$root/examples/gallery/gallery.sh" --width 150 --height 100
+small="--photons 2e4 --texture-width 512 --width 150 --height 100"
+"$root/examples/first_eclipse.sh" $small
+"$root/examples/standard_figures.sh" $small
 ls -l
-
-say "all passed"
+cd "$root"
+part ''
+printf '\n== all passed\n'

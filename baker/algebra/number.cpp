@@ -2,7 +2,6 @@
 #include "algebra/number.h"
 
 #include <charconv>
-#include <cmath>
 #include <system_error>
 
 namespace coppermoon::algebra {
@@ -12,7 +11,7 @@ std::optional<double> number_in(std::string_view text) {
   double number = 0;
   const auto* end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, number);
-  if (read.ec != std::errc{} || read.ptr != end || !std::isfinite(number)) return std::nullopt;
+  if (read.ec != std::errc{} || read.ptr != end) return std::nullopt;
   return number;
 }
 

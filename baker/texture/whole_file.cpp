@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <string>
@@ -118,10 +119,11 @@ void write_whole(const fs::path& path, std::string_view text) {
 
 std::string beginning_of(const fs::path& path, std::size_t most_bytes) {
   std::ifstream file(path, std::ios::binary);
-  std::error_code ignored;
-  if (!file || fs::is_directory(path, ignored))
+  std::error_code failed;
+  if (!file || fs::is_directory(path, failed))
     throw algebra::Error(fmt::format("{}: cannot be read", path.string()));
-  std::string text(most_bytes, ' ');
+  const auto size = fs::file_size(path, failed);
+  std::string text(failed ? most_bytes : std::min<std::size_t>(size, most_bytes), ' ');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
   return text;

@@ -16,11 +16,11 @@ namespace {
 using atmosphere::Column;
 using atmosphere::StratosphericAerosol;
 
-constexpr const char* group = "The Earth's air";
+constexpr const char* air_group = "The Earth's air";
 
 template <typename Value>
 Flag add_air_flag(CLI::App& app, const std::string& flag, Value& value, const std::string& text) {
-  return add_flag(app, flag, value, text).in(group);
+  return add_flag(app, flag, value, text).in(air_group);
 }
 
 void add_column_options(CLI::App& app, ColumnOptions& options) {

@@ -16,7 +16,7 @@
 namespace coppermoon::verbs {
 namespace {
 
-constexpr const char* group = "How light is computed";
+constexpr const char* planning_group = "How light is computed";
 
 /// A term that may be left out, and its switch.
 struct Term {
@@ -72,7 +72,7 @@ plan::Work everything_but(const std::string& list) {
 
 void add_plan_options(CLI::App& verb, PlanOptions& options) {
   const auto add = [&](const char* flag, auto& value, const std::string& text) {
-    return add_flag(verb, flag, value, text).in(group);
+    return add_flag(verb, flag, value, text).in(planning_group);
   };
   add("--quality", options.quality,
       "draft: 5 % of luminance; standard: 1 %; reference: 0.05 %; paper: the photons of Yapo & "

@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: MIT
-foreach(noun bracket cie_observer difference display exposure photograph point_spread similarity working_space)
-  coppermoon_test(colour/${noun} LINKS colour)
-endforeach()
-foreach(noun limb registration)
-  coppermoon_test(colour/${noun} LINKS colour surface)
-endforeach()
+coppermoon_tests(colour LINKS coppermoon::colour coppermoon::surface
+  QUICK bracket cie_observer difference display exposure limb photograph point_spread similarity working_space
+  HEAVY registration)
 
 set(config ${PROJECT_SOURCE_DIR}/colour/config.ocio)
 set(prefix ${PROJECT_BINARY_DIR}/colour_config_installed)

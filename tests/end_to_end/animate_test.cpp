@@ -116,7 +116,9 @@ TEST_F(Animate, ShowsWhatStillsShow) {
                 "light falls to a tenth in 100 km: 1 %");
 }
 
-TEST_F(Animate, ExposesWithoutAStep) {
+using AnimateThoroughly = Animate;
+
+TEST_F(AnimateThoroughly, ExposesWithoutAStep) {
   const auto outcome = coppermoon(film(
       {"--frames", "40", "--from", "U2-10min", "--to", "U2+10min", "--json", "--make", "frames"}));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -224,7 +226,7 @@ TEST_F(Animate, OnATripodLetsTheMoonGoThroughThePicture) {
   EXPECT_WITHIN(from_middle[2], away, 4, "pixels: half a degree of parallax");
 }
 
-TEST_F(Animate, MergesShardsOfPhotons) {
+TEST_F(AnimateThoroughly, MergesShardsOfPhotons) {
   const Words photons{"--solver", "photons", "--photons", "40000", "--frames",  "2",
                       "--from",   "U2",      "--to",      "U3",    "--quality", "draft"};
   expect_done(coppermoon(film(photons + Words{"--make", "frames"})));

@@ -50,8 +50,6 @@ class FilmPictures : public ProgramTest {
     return texture::read_image(here(fmt::format("film/frame.{:04}.png", frame)));
   }
 
-  bool has(const char* program) const { return run({program, "-version"}).status == 0; }
-
   /// A folder with a program named ffmpeg that says its version, and else some words, and fails.
   std::string path_of_failing_ffmpeg() const {
     std::filesystem::create_directory(here("bin"));
@@ -95,7 +93,6 @@ TEST_F(FilmPictures, OnAContactSheetHaveTheirOwnLight) {
 }
 
 TEST_F(FilmPictures, AsAMovieAreAllThereInOrder) {
-  if (!has("ffmpeg") || !has("ffprobe")) GTEST_SKIP() << "ffmpeg is not installed";
   expect_done(coppermoon(film({"--range", "1-5x2", "--movie", "film.mp4", "--fps", "12"})));
   const auto probed = run({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
                            "stream=codec_name,width,height,pix_fmt,color_range,color_space,"
@@ -107,7 +104,6 @@ TEST_F(FilmPictures, AsAMovieAreAllThereInOrder) {
 }
 
 TEST_F(FilmPictures, AsAMovieKeepTheirLight) {
-  if (!has("ffmpeg")) GTEST_SKIP() << "ffmpeg is not installed";
   expect_done(coppermoon(film({"--range", "1-5x2", "--movie", "film.mp4"})));
   ASSERT_EQ(run({"ffmpeg", "-v", "error", "-i", "film.mp4", "-vf", "select=eq(n\\,1)", "-frames:v",
                  "1", "-pix_fmt", "rgb24", "middle.png"})

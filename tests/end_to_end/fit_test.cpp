@@ -78,7 +78,9 @@ TEST_F(Fit, OfAPhotographFindsItsAir) {
   EXPECT_EQ(found["photographs"][0]["exposure_known"], true);
 }
 
-TEST_F(Fit, OfMagnitudesFindsTheCloudAndSaysWhatItCannotTell) {
+using FitThoroughly = Fit;
+
+TEST_F(FitThoroughly, OfMagnitudesFindsTheCloudAndSaysWhatItCannotTell) {
   std::string list = "# of air with half of its limb under cloud\ninstant,band,magnitude,error\n";
   const auto outcome = coppermoon({"brightness", deep, "--dust-extinction", "2e-6", "--cloud-cover",
                                    "0.5", "--albedo-map", "built-in", "--json"});

@@ -62,7 +62,9 @@ TEST_F(Json, AlmanacOfAMonthWithoutEclipseIsAnEmptyList) {
             json::array());
 }
 
-TEST_F(Json, AlmanacTakesEachConventionOfTheShadow) {
+using JsonThoroughly = Json;
+
+TEST_F(JsonThoroughly, AlmanacTakesEachConventionOfTheShadow) {
   const auto magnitude = [&](const char* convention) {
     return said({"almanac", "--from", "2008-02-01", "--to", "2008-03-01", "--json",
                  "--shadow-convention", convention})[0]["umbral_magnitude"]
@@ -149,7 +151,7 @@ TEST_F(Json, BrightnessHasMagnitudesLuminanceAndDanjon) {
   EXPECT_GT(all["mean_luminance_cd_m2"], 0);
 }
 
-TEST_F(Json, BrightnessOfTheFullMoonIsTheBooks) {
+TEST_F(JsonThoroughly, BrightnessOfTheFullMoonIsTheBooks) {
   const auto all = said(
       {"brightness", "2008-02-21T00:36:00Z", "--unshadowed", "--albedo-map", "built-in", "--json"});
   EXPECT_WITHIN(

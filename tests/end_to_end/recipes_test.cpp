@@ -173,7 +173,9 @@ TEST_F(Recipes, WithRegionsGiveWayToTheUsers) {
   EXPECT_TRUE(bytes("recipe.exr") == bytes("flags.exr"));
 }
 
-TEST_F(Recipes, PositionAnglesMayPassOverNorth) {
+using RecipesThoroughly = Recipes;
+
+TEST_F(RecipesThoroughly, PositionAnglesMayPassOverNorth) {
   // A sector told in one piece is the same sector told in two that meet in the north; all knobs are
   // set, for more regions are more work, and would be planned otherwise.
   const auto make_with = [&](const Words& regions, const char* output) {

@@ -65,7 +65,9 @@ void expect_falling(const std::vector<double>& errors, double share, const char*
     EXPECT_LT(errors[i], share * errors[i - 1]) << why;
 }
 
-TEST_F(Tradeoff, MeasuresEverySolverAndEveryErrorFallsAsItIsPaidFor) {
+using TradeoffThoroughly = Tradeoff;
+
+TEST_F(TradeoffThoroughly, MeasuresEverySolverAndEveryErrorFallsAsItIsPaidFor) {
   const auto rows = quick();
   EXPECT_EQ(listing(),
             std::set<std::string>({"here/measured", "here/measured/tradeoff.csv",
@@ -118,7 +120,7 @@ TEST_F(Tradeoff, ExtrapolatesWhatWouldTakeTooLong) {
   EXPECT_NE(text_of(here("measured/tradeoff.md")).find("| extrapolated |"), std::string::npos);
 }
 
-TEST_F(Tradeoff, LeavesNothingWhereThereIsNoRoom) {
+TEST_F(TradeoffThoroughly, LeavesNothingWhereThereIsNoRoom) {
   const auto full = coppermoon(
       {"tradeoff", "--quick", "--only", "quadrature", "--albedo-map", "built-in", "-o", "measured"},
       {.file_limit = 500});
@@ -127,7 +129,7 @@ TEST_F(Tradeoff, LeavesNothingWhereThereIsNoRoom) {
   EXPECT_TRUE(listing().empty()) << "the table has more than 500 bytes";
 }
 
-TEST_F(Tradeoff, KeepsTheTablesWhenThePlotCannotBeDrawn) {
+TEST_F(TradeoffThoroughly, KeepsTheTablesWhenThePlotCannotBeDrawn) {
   const auto plotless = coppermoon(
       {"tradeoff", "--quick", "--only", "quadrature", "--albedo-map", "built-in", "-o", "measured"},
       {.path = "/nowhere"});

@@ -8,6 +8,7 @@
 
 #include "algebra/random.h"
 #include "end_to_end/program.h"
+#include "support/thorough.h"
 
 namespace coppermoon::extremes {
 
@@ -17,6 +18,9 @@ using end_to_end::Surroundings;
 using end_to_end::text_of;
 using Words = std::vector<std::string>;
 namespace fs = std::filesystem;
+
+/// How many random moments a test tries.
+inline int moments(int all) { return support::thorough() ? all : 3; }
 
 /// Runs that something happens to.
 class Faults : public end_to_end::ProgramTest {
@@ -98,6 +102,13 @@ class Faults : public end_to_end::ProgramTest {
       done(words);
       EXPECT_TRUE(files() == whole) << "the run after the one killed after " << moment_s << " s";
     }
+  }
+
+  /// Waits for a file to appear, for a minute at most.
+  bool appears(const fs::path& path) const {
+    for (int tenths = 0; tenths < 600 && !fs::exists(path); ++tenths)
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    return fs::exists(path);
   }
 
   /// What a run told of before it was killed; a film, each frame by its number.

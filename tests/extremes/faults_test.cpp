@@ -30,14 +30,16 @@ const Words scene{
 std::string said(const Outcome& outcome) { return outcome.err.substr(0, outcome.err.find('\n')); }
 
 TEST_F(Faults, BakeKilledLeavesNothingOrAll) {
-  constexpr int times = 25;
+  const int times = moments(25);
   expect_whole_wherever_killed(bake, times, [&] { fs::remove(here("moon.exr")); });
   tried(fmt::format("`bake`, kill -9 at {} random moments", times),
         "the whole file or none; the next run's bytes");
 }
 
-TEST_F(Faults, BakeKilledOverAnOldFileLeavesTheOldOrTheNew) {
-  constexpr int times = 15;
+using FaultsThoroughly = Faults;
+
+TEST_F(FaultsThoroughly, BakeKilledOverAnOldFileLeavesTheOldOrTheNew) {
+  const int times = moments(15);
   file("moon.exr", "old");
   expect_whole_wherever_killed(bake, times, [&] { file("moon.exr", "old"); });
   tried(fmt::format("`bake` over an old file, kill -9 at {} random moments", times),
@@ -45,14 +47,14 @@ TEST_F(Faults, BakeKilledOverAnOldFileLeavesTheOldOrTheNew) {
 }
 
 TEST_F(Faults, SceneKilledLeavesWholeFiles) {
-  constexpr int times = 15;
+  const int times = moments(15);
   expect_whole_wherever_killed(scene, times, [&] { fs::remove_all(here("eclipse")); });
   tried(fmt::format("`scene`, kill -9 at {} random moments", times),
         "each file whole; the next run's bytes");
 }
 
 TEST_F(Faults, PhotonsKilledLeaveWholeSums) {
-  constexpr int times = 15;
+  const int times = moments(15);
   auto photons = bake;
   photons.insert(photons.end(), {"--solver", "photons", "--photons", "3e4", "--smoothing-km", "300",
                                  "--keep", "sums.json"});
@@ -65,24 +67,24 @@ TEST_F(Faults, PhotonsKilledLeaveWholeSums) {
 }
 
 TEST_F(Faults, StillKilledTakesPovrayAndItsFolderAlong) {
-  constexpr int times = 15;
+  const int times = moments(15);
   expect_whole_wherever_killed(still, times, [&] { fs::remove(here("moon.png")); });
   tried(fmt::format("`still`, kill -9 at {} random moments", times),
         "the whole picture or none; POV-Ray and the temporary folder gone");
 }
 
 TEST_F(Faults, StillInterruptedLeavesNothing) {
+  const auto around = with_povray("touch '" + here("rendering").string() + "'\nexec sleep 600\n");
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    const pid_t child = begun([] {
-      auto words = still;
-      words.insert(words.begin(), COPPERMOON_PROGRAM);
-      return words;
-    }());
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    auto words = still;
+    words.insert(words.begin(), COPPERMOON_PROGRAM);
+    const pid_t child = begun(words, around);
+    ASSERT_TRUE(appears(here("rendering"))) << signal;
     ::kill(child, signal);
-    ended(child);
+    EXPECT_EQ(ended(child).status, 128 + signal);
     EXPECT_EQ(left_behind(), std::set<std::string>{}) << signal;
-    fs::remove(here("moon.png"));
+    EXPECT_FALSE(fs::exists(here("moon.png"))) << signal;
+    fs::remove(here("rendering"));
   }
   tried("`still`, interrupted, terminated, its terminal closed", "nothing is left");
 }
@@ -145,7 +147,7 @@ TEST_F(Faults, TooLittleMemoryIsSaid) {
   if (address_sanitizer) GTEST_SKIP() << "AddressSanitizer takes 20 TB of addresses for itself";
   int done_at_all = 0, said_at_all = 0;
   std::string message;
-  for (rlim_t megabytes = 150; megabytes <= 900; megabytes += 25) {
+  for (rlim_t megabytes = 150; megabytes <= 900; megabytes += support::thorough() ? 25 : 50) {
     const Surroundings little{.memory_limit = megabytes << 20U};
     if (coppermoon({"--version"}, little).status != 0) continue;  // not even its libraries begin
     const auto outcome = coppermoon(bake, little);
@@ -179,7 +181,7 @@ TEST_F(Faults, ASpectrumOfFourHundredBandsTakesLittleMemory) {
   tried("`bake --spectral 1` of the darkest air", "memory, in MB", 400, outcome.most_memory_mb);
 }
 
-TEST_F(Faults, TwoRunsIntoOneFileLeaveOneOfThem) {
+TEST_F(FaultsThoroughly, TwoRunsIntoOneFileLeaveOneOfThem) {
   auto other = bake;
   other.insert(other.end(), {"--ozone-du", "100"});
   done(other);
@@ -200,7 +202,7 @@ TEST_F(Faults, TwoRunsIntoOneFileLeaveOneOfThem) {
   tried("two bakes into one file at once", "the file of one of them");
 }
 
-TEST_F(Faults, TwoRunsIntoOneFolderLeaveOneOfThem) {
+TEST_F(FaultsThoroughly, TwoRunsIntoOneFolderLeaveOneOfThem) {
   auto other = scene;
   other.insert(other.end(), {"--ozone-du", "100", "--width", "120"});
   done(other);

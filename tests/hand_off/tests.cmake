@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Other programs, given what coppermoon makes: tests/hand_off.sh installs and runs them.
+coppermoon_test_program(hand_off hand_off "blender;side_by_side;tools" "coppermoon::verbs;PkgConfig::OpenImageIO")
 foreach(noun blender side_by_side tools)
-  coppermoon_test(hand_off/${noun} LINKS colour povray_scenes texture LABELS hand_off TIMEOUT 900)
-  add_dependencies(hand_off_${noun}_test coppermoon_program)
+  add_test(NAME hand_off/${noun} COMMAND ${program} ${noun})
+  set_tests_properties(hand_off/${noun} PROPERTIES LABELS hand_off TIMEOUT 900)
 endforeach()
-target_link_libraries(hand_off_tools_test PRIVATE PkgConfig::OpenImageIO)
 
 # glTF and USD as others read them: Khronos' validator, three.js and tinyusdz. npm puts them into the build folder.
 set(readers ${PROJECT_BINARY_DIR}/hand_off/gltf)

@@ -1,4 +1,3 @@
 # SPDX-License-Identifier: MIT
-foreach(noun error grid interpolation low_discrepancy quadrature quantity random table)
-  coppermoon_test(baker/algebra/${noun} LINKS algebra)
-endforeach()
+coppermoon_tests(baker/algebra LINKS coppermoon::algebra
+  QUICK error grid interpolation low_discrepancy number quadrature quantity random table)

@@ -1,4 +1,2 @@
 # SPDX-License-Identifier: MIT
-foreach(noun ephemeris instant observer sky)
-  coppermoon_test(baker/almanac/${noun} LINKS almanac)
-endforeach()
+coppermoon_tests(baker/almanac LINKS coppermoon::almanac QUICK ephemeris instant observer sky)

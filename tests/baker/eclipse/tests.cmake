@@ -1,4 +1,2 @@
 # SPDX-License-Identifier: MIT
-foreach(noun contacts feature shadow_axis shadow_cone)
-  coppermoon_test(baker/eclipse/${noun} LINKS eclipse)
-endforeach()
+coppermoon_tests(baker/eclipse LINKS coppermoon::eclipse QUICK contacts feature shadow_axis shadow_cone)

@@ -1,3 +1,2 @@
 # SPDX-License-Identifier: MIT
-coppermoon_test(baker/plan/laws LINKS plan)
-coppermoon_test(baker/plan/plan LINKS plan)
+coppermoon_tests(baker/plan LINKS coppermoon::plan QUICK laws plan)

@@ -25,7 +25,7 @@ PhotonSettings settings_of(std::uint64_t photons, double ring_m) {
   return settings;
 }
 
-TEST(ByPhotons, AgreeWithTheQuadratureInEveryRing) {
+TEST(ByPhotonsThoroughly, AgreeWithTheQuadratureInEveryRing) {
   // chi² over 20 rings of 400 km, from 400 km outwards: nearer the axis too few land for a normal
   // law. The bounds are the 0.0005 and 0.9995 quantiles for 20 degrees of freedom: one true run in
   // a thousand fails.
@@ -44,7 +44,7 @@ TEST(ByPhotons, AgreeWithTheQuadratureInEveryRing) {
   }
 }
 
-TEST(ByPhotons, CarryTheMeanThatTheQuadratureCarries) {
+TEST(ByPhotonsThoroughly, CarryTheMeanThatTheQuadratureCarries) {
   // One ring takes all; t-test of the mean, two-sided: 3.29 standard errors, one true run in a
   // thousand fails.
   constexpr double ring_m = 2000e3;
@@ -88,7 +88,7 @@ TEST(ByPhotons, DifferWithTheSeed) {
   EXPECT_NE(one.ratio[0](4, 1), two.ratio[0](4, 1));
 }
 
-TEST(ByPhotons, OfSymmetricAirFillAllSectorsAlike) {
+TEST(ByPhotonsThoroughly, OfSymmetricAirFillAllSectorsAlike) {
   // chi² over 8 sectors of one wide ring: 7 degrees of freedom about their own mean; one true run
   // in a thousand fails.
   auto settings = settings_of(60'000, 2000e3);
@@ -231,7 +231,7 @@ TEST(ByPhotons, WithEveryTermAndARegionAgreeWithTheQuadrature) {
   expect_agreement(photons, exact, 5860, 1, 15);
 }
 
-TEST(ByPhotons, WithEveryTermAndARegionAreTheSameTracedEachAndByTheTable) {
+TEST(ByPhotonsThoroughly, WithEveryTermAndARegionAreTheSameTracedEachAndByTheTable) {
   const auto air = everything(true);
   auto each = settings_of(30'000, 1000e3), table = by_the_table(1'000'000, 1000e3);
   each.sectors = table.sectors = 4;
@@ -247,7 +247,7 @@ PhotonSettings marched(std::uint64_t photons, double ring_m, std::uint64_t seed)
   return settings;
 }
 
-TEST(ByPhotons, MarchedThroughEveryTermAgreeWithTheQuadrature) {
+TEST(ByPhotonsThoroughly, MarchedThroughEveryTermAgreeWithTheQuadrature) {
   for (const bool regions : {false, true}) {
     const auto air = everything(regions);
     const auto photons = by_photons(air, darkened, waves, marched(400'000, 500e3, 4));
@@ -263,7 +263,7 @@ TEST(ByPhotons, MarchedInSinglePrecisionByTenKilometresAgreeWithTheQuadrature) {
   expect_agreement(photons, gathered_by_quadrature(air, 500e3, 17), 977, 1, 15);
 }
 
-TEST(ByPhotons, MarchedThroughThePapersAirAgreeWithTheQuadratureAndTheTable) {
+TEST(ByPhotonsThoroughly, MarchedThroughThePapersAirAgreeWithTheQuadratureAndTheTable) {
   // chi² over 90 rings of 50 km, one true run in a thousand fails
   constexpr std::size_t rings = 90;
   auto settings = marched(1'000'000, 50e3, 6), table = by_the_table(1'000'000, 50e3);

@@ -1,17 +1,6 @@
 # SPDX-License-Identifier: MIT
-coppermoon_test(baker/shadow/irradiance LINKS shadow)
-coppermoon_test(baker/shadow/by_quadrature LINKS shadow)
-coppermoon_test(baker/shadow/lookup LINKS shadow)
-coppermoon_test(baker/shadow/twilight LINKS shadow)
-coppermoon_test(baker/shadow/umbra LINKS shadow colour)
-coppermoon_test(baker/shadow/limb_landings LINKS shadow)
-coppermoon_test(baker/shadow/limb_ring LINKS shadow)
-coppermoon_test(baker/shadow/marched_photons LINKS shadow)
-target_link_libraries(baker_shadow_marched_photons_test PRIVATE PkgConfig::Highway)
-coppermoon_test(baker/shadow/photon_rows LINKS shadow)
-target_link_libraries(baker_shadow_photon_rows_test PRIVATE PkgConfig::Highway)
-coppermoon_test(baker/shadow/photon_sums LINKS shadow)
-coppermoon_test(baker/shadow/by_photons LINKS shadow TIMEOUT 900)
-target_link_libraries(baker_shadow_by_photons_test PRIVATE TBB::tbb)
-coppermoon_test(baker/shadow/agreement LINKS shadow)
-coppermoon_test(baker/shadow/convergence LINKS shadow LABELS slow TIMEOUT 1500)
+coppermoon_tests(baker/shadow LINKS coppermoon::shadow coppermoon::colour PkgConfig::Highway TBB::tbb
+  QUICK by_quadrature irradiance limb_landings limb_ring lookup marched_photons photon_rows photon_sums
+        twilight umbra
+  HEAVY agreement by_photons
+  SLOW convergence)

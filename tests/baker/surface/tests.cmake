@@ -1,5 +1,3 @@
 # SPDX-License-Identifier: MIT
-foreach(noun albedo_map built_in_moon features photometry reflectance)
-  coppermoon_test(baker/surface/${noun} LINKS surface LABELS surface)
-endforeach()
-coppermoon_test(baker/surface/noise LINKS surface LABELS surface)
+coppermoon_tests(baker/surface LINKS coppermoon::surface
+  QUICK albedo_map built_in_moon features noise photometry reflectance)

@@ -1,12 +1,3 @@
 # SPDX-License-Identifier: MIT
-foreach(noun contact_sheet read_image whole_file write_image)
-  coppermoon_test(baker/texture/${noun} LINKS texture LABELS files)
-endforeach()
-foreach(noun write_glb write_usda)
-  coppermoon_test(baker/texture/${noun} LINKS texture LABELS files)
-endforeach()
-target_link_libraries(baker_texture_write_glb_test PRIVATE nlohmann_json::nlohmann_json)
-coppermoon_test(baker/texture/sphere_mesh LINKS texture)
-coppermoon_test(baker/texture/bake LINKS texture)
-target_link_libraries(baker_texture_bake_test PRIVATE TBB::tbb)
-target_link_libraries(baker_texture_write_image_test PRIVATE PkgConfig::OpenImageIO)
+coppermoon_tests(baker/texture LINKS coppermoon::texture nlohmann_json::nlohmann_json PkgConfig::OpenImageIO TBB::tbb
+  QUICK bake contact_sheet read_image sphere_mesh whole_file write_glb write_image write_usda)

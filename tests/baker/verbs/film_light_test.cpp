@@ -89,7 +89,9 @@ TEST_F(WholeFilm, IsSunlitBeforeAndAfterThePenumbra) {
   EXPECT_TRUE(range_at(film, almanac::sky_at(instant_from_utc("2018-07-27T17:16:00Z"))));
 }
 
-TEST_F(WholeFilm, IsComputedOnce) {
+using WholeFilmThoroughly = WholeFilm;
+
+TEST_F(WholeFilmThoroughly, IsComputedOnce) {
   const auto options = fine("standard");
   EXPECT_FALSE(light(options).kept);
   EXPECT_TRUE(light(options).kept);

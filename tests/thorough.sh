@@ -1,0 +1,150 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Everything that is checked beside tests/run.sh, in steps of some ten minutes on two processors: some three hours. On
+# Debian 12, as root or with sudo, from any folder; prints the seconds of each step.
+#
+#   tests/thorough.sh               all steps
+#   tests/thorough.sh STEP …        those named
+#   tests/thorough.sh --part K/N    every N-th step from the K-th on; K may be any whole number, as a count of commits
+#   tests/thorough.sh --list        the steps' names
+set -eu
+cd "$(dirname "$0")/.."
+root=$PWD
+processors=$(nproc)
+
+steps="compiled_alone quick_in_release heavy_under_sanitizers fuzzers libraries_thoroughly program_thoroughly
+extremes_thoroughly films_and_convergence plans_kept air_recovered other_programs small_examples full_examples
+full_film sweep_1 sweep_2 sweep_3 sweep_4 sweep_5"
+
+released() { sh examples/build.sh "$1" packages.tests.debian; }
+test_release() { ctest --test-dir build/release --output-on-failure --no-tests=error --parallel "$processors" "$@"; }
+
+# Each source and each public header by itself: none lives on what another includes. tests/run.sh compiles many at once.
+compiled_alone() {
+  sh examples/build.sh all_verify_interface_header_sets packages.tests.debian
+  cmake --preset release -B build/alone -DCMAKE_UNITY_BUILD=OFF
+  cmake --build build/alone --target coppermoon_program
+}
+
+quick_in_release() {
+  released quick_tests
+  test_release -L '^quick$'
+}
+
+# Not by_photons, film_light and fit_light, which take an hour there; nor what runs POV-Ray.
+heavy_under_sanitizers() {
+  released coppermoon_program
+  cmake --preset sanitizers
+  cmake --build build/sanitizers --target coppermoon_program baker_shadow_heavy_tests baker_verbs_heavy_tests \
+    colour_heavy_tests extremes_heavy_tests
+  ctest --preset sanitizers -L '^heavy$' -R '^(baker/shadow/agreement|baker/verbs/(light_file|planning)|colour/registration|extremes/inputs)$' \
+    --no-tests=error --parallel "$processors"
+}
+
+fuzzers() {
+  released coppermoon_program
+  tests/fuzz.sh 120
+}
+
+libraries_thoroughly() {
+  released heavy_tests
+  COPPERMOON_THOROUGH=1 test_release -L '^heavy$' -R '^(baker|colour|povray_scenes)/'
+}
+
+program_thoroughly() {
+  released heavy_tests
+  COPPERMOON_THOROUGH=1 test_release -L '^heavy$' -R '^end_to_end/'
+}
+
+extremes_thoroughly() {
+  released heavy_tests
+  COPPERMOON_THOROUGH=1 test_release -L '^heavy$' -R '^extremes/'
+}
+
+films_and_convergence() {
+  released slow_tests
+  test_release -L '^slow$' -R '^(end_to_end/film|extremes/film_faults|baker/shadow/convergence)$'
+}
+
+plans_kept() {
+  released slow_tests
+  test_release -L '^slow$' -R '^end_to_end/planned_runs$'
+}
+
+air_recovered() {
+  released slow_tests
+  test_release -L '^slow$' -R '^end_to_end/recovery$'
+}
+
+other_programs() { tests/hand_off.sh; }
+
+# sweep K: the K-th fifth of ten thousand random recipes.
+sweep() {
+  released "coppermoon_program sweep_tests"
+  test_release -L '^sweep$' -R "^extremes/sweep/[0-9]*$(printf '(%d|%d)$' $((2 * $1 - 2)) $((2 * $1 - 1)))"
+}
+sweep_1() { sweep 1; }
+sweep_2() { sweep 2; }
+sweep_3() { sweep 3; }
+sweep_4() { sweep 4; }
+sweep_5() { sweep 5; }
+
+small_examples() {
+  released coppermoon_program
+  cd "$scratch"
+  small="--texture-width 512 --width 150 --height 100"
+  "$root/examples/paper_figures.sh" --photons 2e4 $small
+  "$root/examples/photon_convergence.sh" 1e4
+  "$root/examples/term_sizes.sh" $small
+  "$root/examples/tradeoff.sh" --quick
+  "$root/examples/plans.sh"
+  "$root/examples/film.sh" --frames 4
+  "$root/examples/gallery/gallery.sh" --width 150 --height 100
+  cd "$root"
+}
+
+full_examples() {
+  released coppermoon_program
+  cd "$scratch"
+  "$root/examples/first_eclipse.sh" --trace each
+  "$root/examples/standard_figures.sh"
+  "$root/examples/paper_figures.sh"
+  "$root/examples/term_sizes.sh"
+  "$root/examples/eclipse_brightness.sh"
+  "$root/examples/gallery/gallery.sh"
+  cd "$root"
+}
+
+full_film() {
+  released coppermoon_program
+  cd "$scratch"
+  "$root/examples/film.sh"
+  cd "$root"
+}
+
+chosen=$steps
+case ${1:-} in
+--list)
+  printf '%s\n' $steps
+  exit
+  ;;
+--part)
+  k=${2%/*} n=${2#*/}
+  case $k$n in '' | *[!0-9]*) echo "tests/thorough.sh --part $2: allowed is K/N, as 3/19" >&2; exit 2 ;; esac
+  chosen=$(printf '%s\n' $steps | awk -v k="$k" -v n="$n" '(NR - 1) % n == k % n')
+  ;;
+?*) chosen=$* ;;
+esac
+for step in $chosen; do
+  printf '%s\n' $steps | grep -qx "$step" || { echo "tests/thorough.sh $step: is no step, allowed are" $steps >&2; exit 2; }
+done
+
+. examples/parts.sh
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"; end_parts' EXIT
+for step in $chosen; do
+  part "$step"
+  $step
+done
+part ''
+printf '\n== passed: %s\n' "$(echo $chosen)"
