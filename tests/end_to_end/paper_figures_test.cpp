@@ -166,7 +166,9 @@ void expect_saturated_by_sunlight(const Image& sensor, const Image& full_moon, c
 
 const std::array<const char*, 5> exposures{"0.008", "0.050", "0.166", "0.500", "1.509"};
 
-TEST_F(PaperFigures, Figure4SaturatesWhereSunlightIsLeftForThat) {
+using PaperFiguresThoroughly = PaperFigures;
+
+TEST_F(PaperFiguresThoroughly, Figure4SaturatesWhereSunlightIsLeftForThat) {
   const auto scene = scene_at(partial);
   const auto full_moon = frame("full", partial, {"--unshadowed"});
   frame("partial", partial, usual_dust);
@@ -294,7 +296,7 @@ double sunlit_share(const Scene& scene) {
   return 1 - share_covered(moon_km, scene.bodies.umbra_km(), scene.moon_axis_km);
 }
 
-TEST_F(PaperFigures, Figure7aSaturatesInTheQuarterThatIsSunlit) {
+TEST_F(PaperFiguresThoroughly, Figure7aSaturatesInTheQuarterThatIsSunlit) {
   const auto scene = scene_at(forecast[0]);
   const double sunlit = sunlit_share(scene);
   EXPECT_WITHIN(sunlit, 0.25, 0.05, "a quarter, said in words");
@@ -308,7 +310,7 @@ TEST_F(PaperFigures, Figure7aSaturatesInTheQuarterThatIsSunlit) {
       << "a hundredth of the Sun saturates, and that is in view 150 km outside the umbra's edge";
 }
 
-TEST_F(PaperFigures, Figures7bAnd7cAreCopperAllOverAndTheSecondTheDarker) {
+TEST_F(PaperFiguresThoroughly, Figures7bAnd7cAreCopperAllOverAndTheSecondTheDarker) {
   EXPECT_LT(sunlit_share(scene_at(forecast[1])), 0.01) << "the last of it";
   EXPECT_EQ(sunlit_share(scene_at(forecast[2])), 0);
   std::vector<double> means;

@@ -75,8 +75,10 @@ TEST_F(Names, OfTexturesAreUsedToTheLetter) {
   say("bake -o", "the one file of that name");
 }
 
+using NamesThoroughly = Names;
+
 /// The recipe in the header holds the map's name: what it makes again has the same bytes.
-TEST_F(Names, OfMapsAreReadToTheLetterAndKeptInRecipes) {
+TEST_F(NamesThoroughly, OfMapsAreReadToTheLetterAndKeptInRecipes) {
   oiiotool(
       {"--pattern", "noise", "8x4", "1", "--clamp:min=0:max=1", "-d", "uint8", "-o", "map.png"});
   for (const auto& name : names) {
@@ -202,8 +204,10 @@ class Scenes : public Names {
   }
 };
 
+using ScenesThoroughly = Scenes;
+
 /// Nothing of the folder's name stands in its files, so none of it can be an order.
-TEST_F(Scenes, AreTheSameInFoldersOfAnyName) {
+TEST_F(ScenesThoroughly, AreTheSameInFoldersOfAnyName) {
   inside(tiny("scene", {"-o", "plain"}));
   for (const auto& name : names + Words{longest("")}) {
     if (name == "..") continue;
@@ -222,7 +226,7 @@ TEST_F(Scenes, InTheFolderAboveAreWhereTheyAreAskedFor) {
   EXPECT_EQ(listing(), expected);
 }
 
-TEST_F(Scenes, RenderInFoldersOfAnyName) {
+TEST_F(ScenesThoroughly, RenderInFoldersOfAnyName) {
   for (const auto& name : {all_names[0], all_names[1], all_names[2], all_names[4], all_names[6],
                            all_names[8], all_names[11]}) {
     ASSERT_EQ(inside(tiny("scene", {"--output=" + name})).status, 0);
