@@ -11,6 +11,7 @@ set -eu
 cd "$(dirname "$0")/.."
 . examples/parts.sh
 processors=$(nproc)
+export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppressions=0" UBSAN_OPTIONS=print_stacktrace=1
 
 # tested PRESET KIND: builds and runs tests of the one folder.
 tested() {
@@ -19,7 +20,7 @@ tested() {
   part "$1: build of $target"
   cmake --build "build/$1" --target "$target"
   part "$1: $2 tests of $folder"
-  ctest --preset "$1" -L "^$2$" -R "^$folder/[^/]*$" --parallel "$processors" --no-tests=error
+  ctest --test-dir "build/$1" -L "^$2$" -R "^$folder/[^/]*$" --output-on-failure --parallel "$processors" --no-tests=error
   found=yes
 }
 

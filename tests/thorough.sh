@@ -11,6 +11,7 @@ set -eu
 cd "$(dirname "$0")/.."
 root=$PWD
 processors=$(nproc)
+export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppressions=0" UBSAN_OPTIONS=print_stacktrace=1
 
 steps="compiled_alone quick_in_release heavy_under_sanitizers fuzzers libraries_thoroughly program_thoroughly
 extremes_thoroughly films_and_convergence plans_kept air_recovered other_programs small_examples full_examples
@@ -37,8 +38,8 @@ heavy_under_sanitizers() {
   cmake --preset sanitizers
   cmake --build build/sanitizers --target coppermoon_program baker_shadow_heavy_tests baker_verbs_heavy_tests \
     colour_heavy_tests extremes_heavy_tests
-  ctest --preset sanitizers -L '^heavy$' -R '^(baker/shadow/agreement|baker/verbs/(light_file|planning)|colour/registration|extremes/inputs)$' \
-    --no-tests=error --parallel "$processors"
+  ctest --test-dir build/sanitizers --output-on-failure --no-tests=error --parallel "$processors" -L '^heavy$' \
+    -R '^(baker/shadow/agreement|baker/verbs/(light_file|planning)|colour/registration|extremes/inputs)$'
 }
 
 fuzzers() {

@@ -260,7 +260,7 @@ void add_animate(CLI::App& program) {
   add_develop_options(*verb, options->film.develop);
   add_camera_options(*verb, options->film.develop.camera);
   for (const char* of_one : {"--raw", "--photograph"}) remove_flag(*verb, of_one);
-  add_flag(*verb, "-o,--output", options->output, "the folder").required();
+  add_flag(*verb, "-o,--output", options->output, "the folder").writes_folder().required();
   add_switch(*verb, "--json", options->json, "an event a line on stdout, as JSON");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });

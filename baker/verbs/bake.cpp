@@ -150,6 +150,7 @@ void add_bake(CLI::App& program) {
            "the texture: .exr; .tx, tiled and mip-mapped; .png, developed; .glb, that on a "
            "sphere; .usda, a sphere with the .exr beside it. May be given again: one "
            "simulation serves all")
+      .writes_file()
       .required()
       .kept_each_time();
   add_texture_options(*verb, options->texture);

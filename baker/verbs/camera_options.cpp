@@ -115,9 +115,11 @@ void add_camera_options(CLI::App& verb, CameraOptions& options) {
   add_optics(verb, options);
   add_sensor(verb, options);
   add_camera_flag(verb, "--raw", options.raw,
-                  "also the sensor's numbers, three channels of 16 bits, .tif");
+                  "also the sensor's numbers, three channels of 16 bits, .tif")
+      .writes_file();
   add_camera_flag(verb, "--photograph", options.photograph,
-                  "also what the camera saw, scene-linear [cd/m2], .exr");
+                  "also what the camera saw, scene-linear [cd/m2], .exr")
+      .writes_file();
 }
 
 std::optional<colour::Camera> camera_of(const CameraOptions& options,

@@ -29,7 +29,9 @@ void obey(CLI::App& program, const std::vector<std::string>& arguments) {
     if (!is_utf8(argument))
       throw WrongUsage(fmt::format("argument '{}', allowed is UTF-8", argument));
   auto all = with_recipes(program, arguments);
-  std::reverse(all.begin(), all.end());  // as CLI11 takes them
+  if (const auto recipe = recipe_named_in(program, arguments); !recipe.empty())
+    all.push_back("--recipe=" + recipe);  // a file like others that are read
+  std::reverse(all.begin(), all.end());   // as CLI11 takes them
   program.parse(std::move(all));
 }
 

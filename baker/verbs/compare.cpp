@@ -199,12 +199,15 @@ void add_compare(CLI::App& program) {
                         "A photograph beside a rendered frame: registered, exposed, measured");
   const auto options = std::make_shared<Options>();
   add_flag(*verb, "photo,--photo", options->photo, "any image; integers are sRGB, floats linear")
+      .reads_file()
       .required();
   add_flag(*verb, "render,--render", options->render,
            "scene-linear [cd/m²], .exr: what still --frame wrote")
+      .reads_file()
       .required();
   add_flag(*verb, "-o,--output", options->output,
-           "photograph, render and difference side by side, .png");
+           "photograph, render and difference side by side, .png")
+      .writes_file();
   add_flag(*verb, "--exposure", options->exposure,
            "exif: as the photograph's header says, ISO 12232; fit: what suits it best; "
            "without: exif where it is there")
@@ -215,7 +218,8 @@ void add_compare(CLI::App& program) {
       .one_of({"as-file-says", "srgb", "linear"});
   add_flag(*verb, "--recipe-in", options->recipe_in,
            "the .exr whose recipe tells what the render shows, as a scene's texture does; "
-           "without: the render itself");
+           "without: the render itself")
+      .reads_file();
   add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });

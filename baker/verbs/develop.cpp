@@ -64,8 +64,10 @@ void add_develop(CLI::App& program) {
   auto* verb =
       add_verb(program, "develop", "Exposure and view: a scene-linear frame becomes a picture");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "frame,--frame", options->frame, "scene-linear [cd/m²], .exr").required();
-  add_flag(*verb, "-o,--output", options->output, "the picture, .png").required();
+  add_flag(*verb, "frame,--frame", options->frame, "scene-linear [cd/m²], .exr")
+      .reads_file()
+      .required();
+  add_flag(*verb, "-o,--output", options->output, "the picture, .png").writes_file().required();
   add_flag(*verb, "--space", options->space,
            "lin_rec709, acescg or lin_ciexyzd65_scene; without: as the file's header or name says");
   add_develop_options(*verb, options->develop);

@@ -95,6 +95,7 @@ void add_develop_options(CLI::App& verb, DevelopOptions& options) {
   add_flag(verb, "--display", options.display, "of the OpenColorIO configuration").in(group);
   add_flag(verb, "--config", options.config,
            "an OpenColorIO configuration instead of the built-in one")
+      .reads_file()
       .in(group);
   add_flag(verb, "--bits", options.bits, "of the picture, 8 or 16").one_of({"8", "16"}).in(group);
 }

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "verbs/baked_moon.h"
 #include "verbs/develop_options.h"
 #include "verbs/film_times.h"
-#include "verbs/baked_moon.h"
 #include "verbs/observer_options.h"
 
 namespace coppermoon::verbs {

@@ -22,11 +22,23 @@ void require_ending(const fs::path& file, const char* what, const char* ending) 
     throw algebra::Error(fmt::format("{}: a {} ends in {}", file.string(), what, ending));
 }
 
+/// Names of frames are no others' in the film's folder.
+void require_no_frame(const fs::path& file, Film film) {
+  film.products = {.textures = true, .frames = true, .pictures = true};
+  film.bracket_ev = 1;
+  for (std::size_t frame = 1; frame <= film.moments.frames.size(); ++frame)
+    for (const auto& own : film.files(frame))
+      if (own.filename() == file.filename())
+        throw algebra::Error(
+            fmt::format("{}: is the name of a frame, allowed another", file.string()));
+}
+
 /// The film's own folder need not be there yet.
 void require_place_for(const fs::path& file, const Film& film) {
   const auto folder = fs::weakly_canonical(fs::absolute(file)).parent_path();
   const auto own = fs::weakly_canonical(fs::absolute(film.folder) / "").parent_path();
   if (folder != own || fs::is_directory(film.folder)) verbs::require_place_for(file);
+  if (folder == own) require_no_frame(file, film);
 }
 
 void require_product(bool made, const char* flag, const char* product) {
@@ -45,15 +57,20 @@ void add_film_files(CLI::App& verb, FilmFiles& files) {
   const std::string group = "Of the whole film";
   add_flag(verb, "--contact-sheet", files.contact_sheet,
            "a .png of some 40 pictures and those at the contacts, with their times")
+      .writes_file()
       .in(group);
   add_flag(verb, "--curve", files.curves,
            "V magnitude and mean luminance of the disc over time, above the air: a .csv, or a "
            ".svg or .png that gnuplot draws; may be given more than once")
+      .writes_file()
       .kept_each_time()
       .in(group);
-  add_flag(verb, "--movie", files.movie, "an .mp4 of the pictures, by ffmpeg").in(group);
+  add_flag(verb, "--movie", files.movie, "an .mp4 of the pictures, by ffmpeg")
+      .writes_file()
+      .in(group);
   add_flag(verb, "--composite", files.composite,
            "a .png of all frames on one picture, each with its own exposure")
+      .writes_file()
       .in(group);
 }
 

@@ -37,12 +37,22 @@ FromContact from_contact(const std::string& text) {
   return {text.substr(0, sign), seconds ? std::optional(way * *seconds) : std::nullopt};
 }
 
+/// The eclipse nearest to a moment, which is half a month away at most: another Moon's is not meant.
+eclipse::Eclipse eclipse_near(const std::string& text) {
+  constexpr double half_a_month_s = 15 * 86400.;
+  const auto moment = almanac::instant_from_utc(text);
+  const auto nearest = eclipse::nearest_eclipse(moment, eclipse::ShadowConvention::danjon);
+  if (std::abs(almanac::seconds_between(moment, nearest.greatest)) > half_a_month_s)
+    throw algebra::Error(
+        fmt::format("no lunar eclipse within 15 days of {}; the nearest is greatest at {}", text,
+                    almanac::utc_text(nearest.greatest)));
+  return nearest;
+}
+
 /// The eclipse that is named, or else nearest to a moment that is.
 eclipse::Eclipse eclipse_of(const FilmTimes& options) {
   for (const auto& text : {options.eclipse, options.from, options.to})
-    if (begins_with_digit(text))
-      return eclipse::nearest_eclipse(almanac::instant_from_utc(text),
-                                      eclipse::ShadowConvention::danjon);
+    if (begins_with_digit(text)) return eclipse_near(text);
   if (!options.eclipse.empty()) almanac::instant_from_utc(options.eclipse);  // says what is allowed
   throw algebra::Error(
       fmt::format("from {} to {} of which eclipse? Name a day near it, as 2018-07-27", options.from,

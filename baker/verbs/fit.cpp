@@ -245,9 +245,10 @@ void add_fit(CLI::App& program) {
       add_verb(program, "fit",
                "The dust, cloud and ozone that photographs or magnitudes of an eclipse tell of");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "photos,--photos", options->photos, "any images of eclipsed Moons");
+  add_flag(*verb, "photos,--photos", options->photos, "any images of eclipsed Moons").reads_file();
   add_flag(*verb, "--magnitudes", options->magnitudes,
-           "a list of the whole Moon's, .csv: instant,band,magnitude,error");
+           "a list of the whole Moon's, .csv: instant,band,magnitude,error")
+      .reads_file();
   add_belief_options(*verb, *options);
   add_film_moon_options(*verb, options->moon);
   add_view_options(*verb, options->view);

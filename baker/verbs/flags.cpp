@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "verbs/named_files.h"
+
 namespace coppermoon::verbs {
 
 Flag Flag::in(const std::string& group) const {
@@ -35,6 +37,21 @@ Flag Flag::required() const {
 
 Flag Flag::excludes(const std::string& flag) const {
   option_->excludes(flag);
+  return *this;
+}
+
+Flag Flag::reads_file() const {
+  option_->type_name(read_file);
+  return *this;
+}
+
+Flag Flag::writes_file() const {
+  option_->type_name(written_file);
+  return *this;
+}
+
+Flag Flag::writes_folder() const {
+  option_->type_name(written_folder);
   return *this;
 }
 
@@ -74,7 +91,12 @@ CLI::App* add_verb(CLI::App& program, const std::string& name, const std::string
   return program.add_subcommand(name, help);
 }
 
-void on_run(CLI::App& verb, std::function<void()> run) { verb.callback(std::move(run)); }
+void on_run(CLI::App& verb, std::function<void()> run) {
+  verb.callback([&verb, run = std::move(run)] {
+    require_files_apart(verb);
+    run();
+  });
+}
 
 bool is_given(const CLI::App& verb, const std::string& flag) {
   const auto* option = verb.get_option_no_throw(flag);

@@ -30,6 +30,9 @@ class Flag {
   Flag within(double low, double high) const;
   Flag required() const;
   Flag excludes(const std::string& flag) const;
+  Flag reads_file() const;           ///< the value names a file that is read
+  Flag writes_file() const;          ///< the value names a file that is written
+  Flag writes_folder() const;        ///< the value names a folder that files are written into
   Flag kept_each_time() const;       ///< may be given again; every value is kept
   Flag one_value_each_time() const;  ///< may be given again; what follows a value is no second one
 
@@ -52,7 +55,8 @@ Flag add_switch(CLI::App& verb, const std::string& names, bool& value, const std
 /// Returned  the new word of the command line
 CLI::App* add_verb(CLI::App& program, const std::string& name, const std::string& help);
 
-/// What a verb does, once its flags are read.
+/// What a verb does, once its flags are read, and its files are known to be apart
+/// (require_files_apart).
 void on_run(CLI::App& verb, std::function<void()> run);
 
 /// Whether the command line, or a recipe, gives a flag of that name.

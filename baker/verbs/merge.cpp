@@ -93,8 +93,11 @@ void add_merge(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   add_flag(*verb, "photographs,--photographs", options->photographs,
            "of one scene, as --photograph writes them, .exr")
+      .reads_file()
       .required();
-  add_flag(*verb, "-o,--output", options->output, "scene-linear [cd/m2], .exr").required();
+  add_flag(*verb, "-o,--output", options->output, "scene-linear [cd/m2], .exr")
+      .writes_file()
+      .required();
   add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });

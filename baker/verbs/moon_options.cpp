@@ -26,7 +26,8 @@ void add_moon_options(CLI::App& verb, MoonOptions& options) {
 
 void add_film_moon_options(CLI::App& verb, MoonOptions& options) {
   add_flag(verb, "--albedo-map", options.albedo_map,
-           "any image 2:1, longitude 0 in the middle; auto; built-in");
+           "any image 2:1, longitude 0 in the middle; auto; built-in")
+      .reads_file();
   add_flag(verb, "--photometry", options.photometry,
            "lommel-seeliger-rolo: as telescopes measured, with the opposition surge; "
            "yapo-cutler: the paper's, the same at every phase")

@@ -52,10 +52,12 @@ void add_photon_options(CLI::App& verb, PhotonOptions& options) {
   add_flag(verb, "--shard", options.shard, "K/N: traces the K-th of N parts of the photons")
       .in(group);
   add_flag(verb, "--keep", options.keep, "a file that the photons' sums are written to, JSON")
+      .writes_file()
       .in(group);
   add_flag(verb, "--add", options.add,
            "a file that --keep wrote, of the same scene: its photons count and are not "
            "traced again; may be given again")
+      .reads_file()
       .kept_each_time()
       .in(group);
   options.key = [&verb] { return key_of(verb); };

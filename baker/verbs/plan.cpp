@@ -21,7 +21,8 @@ struct Options {
 
 /// Whether a picture is meant: any flag of a view says so.
 bool of_a_picture(const CLI::App& verb) {
-  for (const auto* flag : {"--at", "--width", "--height", "--field", "--focal-length-mm"})
+  for (const auto* flag :
+       {"--at", "--width", "--height", "--field", "--focal-length", "--sensor-width"})
     if (is_given(verb, flag)) return true;
   return false;
 }

@@ -138,8 +138,13 @@ std::string flag_of_positional(const CLI::App& verb) {
   return {};
 }
 
-/// The recipe's flags, and behind them the user's own.
-std::vector<std::string> with_recipe(const CLI::App& verb, std::vector<std::string> mine) {
+/// A verb's arguments, and the recipe among them.
+struct Arguments {
+  std::string recipe;
+  std::vector<std::string> mine;
+};
+
+Arguments apart(const CLI::App& verb, std::vector<std::string> mine) {
   std::string path = taken_recipe(mine);
   if (!taken_recipe(mine).empty()) throw WrongUsage("--recipe: given twice, allowed once");
   const std::string flag = flag_of_positional(verb);
@@ -151,17 +156,28 @@ std::vector<std::string> with_recipe(const CLI::App& verb, std::vector<std::stri
       *own = flag + "=" + *own;
     }
   }
+  return {path, mine};
+}
+
+/// The recipe's flags, and behind them the user's own.
+std::vector<std::string> with_recipe(const CLI::App& verb, std::vector<std::string> all) {
+  const auto [path, mine] = apart(verb, std::move(all));
   if (path.empty()) return mine;
   auto arguments = flags_of_recipe(verb, path, mine);
   arguments.insert(arguments.end(), mine.begin(), mine.end());
   return arguments;
 }
 
+/// The first argument that is no flag.
+auto word_in(const std::vector<std::string>& arguments) {
+  return std::find_if(arguments.begin(), arguments.end(),
+                      [](const auto& a) { return !a.starts_with("-"); });
+}
+
 }  // namespace
 
 std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::string> arguments) {
-  const auto word = std::find_if(arguments.begin(), arguments.end(),
-                                 [](const auto& a) { return !a.starts_with("-"); });
+  const auto word = word_in(arguments);
   if (word == arguments.end() && arguments.empty())
     throw WrongUsage(fmt::format("a word is required: {}; --help explains them",
                                  fmt::join(words_of(program), ", ")));
@@ -172,6 +188,12 @@ std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::
   arguments.erase(word + 1, arguments.end());
   for (auto& argument : with_recipe(verb, mine)) arguments.push_back(std::move(argument));
   return arguments;
+}
+
+std::string recipe_named_in(const CLI::App& program, const std::vector<std::string>& arguments) {
+  const auto word = word_in(arguments);
+  if (word == arguments.end()) return {};
+  return apart(verb_named(program, *word), {word + 1, arguments.end()}).recipe;
 }
 
 std::string recipe_of(const CLI::App& verb) {
@@ -208,9 +230,10 @@ std::string with_width(const std::string& recipe, std::size_t width) {
 }
 
 void add_recipe_option(CLI::App& verb) {
-  verb.add_option_function<std::string>(
-      "--recipe", [](const std::string&) {},
-      "TOML file of flags without their dashes, or an .exr, .tx or .png made by coppermoon");
+  Flag(*verb.add_option_function<std::string>(
+           "--recipe", [](const std::string&) {},
+           "TOML file of flags without their dashes, or an .exr, .tx or .png made by coppermoon"))
+      .reads_file();
 }
 
 }  // namespace coppermoon::verbs

@@ -20,6 +20,11 @@ namespace coppermoon::verbs {
 ///           algebra::Error   when a recipe cannot be read: "<file>:<line>: …"
 std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::string> arguments);
 
+/// The recipe that a command line names, by --recipe or in the instant's place; empty: none.
+///
+/// Given  arguments  as with_recipes takes them, which refuses what is wrong with them
+std::string recipe_named_in(const CLI::App& program, const std::vector<std::string>& arguments);
+
 /// All that a verb was told, and the defaults of all it was not, as TOML: its own recipe. Where
 /// results go is no part of it.
 ///

@@ -17,6 +17,7 @@
 #include "texture/write_usda.h"
 #include "verbs/air_options.h"
 #include "verbs/known_words.h"
+#include "verbs/named_files.h"
 #include "verbs/one_line.h"
 
 namespace coppermoon::verbs {
@@ -163,6 +164,14 @@ void require_key(const Reading& reading, const Table& table, const Told& told) {
                                          : "the nearest is " + nearest(told.flag, table.keys)));
 }
 
+/// A recipe may be a stranger's.
+void require_no_output(const Reading& reading, const Told& told) {
+  const auto* flag = reading.verb.get_option_no_throw("--" + told.flag);
+  if (flag != nullptr && says_where_results_go(*flag))
+    throw WrongUsage(fmt::format("{}{}: where files go is said on the command line alone",
+                                 reading.where(*told.value), told.flag));
+}
+
 /// The table's keys as they stand.
 std::vector<Told> told_in(const Reading& reading, const toml::table& entries, const Table& table) {
   std::vector<Told> all;
@@ -170,6 +179,7 @@ std::vector<Told> told_in(const Reading& reading, const toml::table& entries, co
     const Told told{std::string(key.str()), &value};
     if (reading.lenient && !reading.heeds(table.keys, told.flag)) continue;
     require_key(reading, table, told);
+    require_no_output(reading, told);
     all.push_back(told);
   }
   return all;

@@ -225,6 +225,7 @@ void add_ring(CLI::App& program) {
            "an .exr; columns: position angle on the sky about the Earth's centre, from "
            "north through east; rows: even in the angle from it, which the header has for "
            "the outer edge, on top, and the inner")
+      .writes_file()
       .required();
   add_flag(*verb, "--scale", options->scale,
            "what cd/m² are multiplied with, 1e-9 to 1e9; POV-Ray reads no more than 65504");

@@ -42,6 +42,7 @@ void add_scene(CLI::App& program) {
   add_moon_options(*verb, options->moon);
   add_view_options(*verb, options->view);
   add_flag(*verb, "-o,--output", options->output, "the folder; `povray eclipse.ini` in it renders")
+      .writes_folder()
       .required();
   add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);

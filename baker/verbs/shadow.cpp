@@ -247,10 +247,11 @@ void add_shadow(CLI::App& program) {
            "about the axis, from celestial north through east [degrees]; without: the mean "
            "of all")
       .within(0, 360);
-  add_flag(*verb, "--plot", options->plot, "a .png that gnuplot draws");
+  add_flag(*verb, "--plot", options->plot, "a .png that gnuplot draws").writes_file();
   add_flag(*verb, "--lookup", options->lookup,
            "a strip for shaders instead, .exr or .cube, and a .json beside it: light of "
            "linear Rec.709 over sunlight, by distance from the axis and position angle")
+      .writes_file()
       .excludes("--plot");
   add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_light_options(*verb, options->light);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <glm/matrix.hpp>
 #include <numbers>
 
@@ -17,6 +19,8 @@
 
 namespace coppermoon::verbs {
 namespace {
+
+namespace fs = std::filesystem;
 
 using nlohmann::ordered_json;
 
@@ -146,20 +150,33 @@ void require_kind(const std::filesystem::path& file, const atmosphere::Atmospher
         file.string()));
 }
 
+/// What stands beside a strip is overwritten if it tells of the strip, and is somebody else's if not.
+void require_ours(const fs::path& beside, const fs::path& strip) {
+  std::ifstream in(beside);
+  if (!in) return;
+  const auto facts = ordered_json::parse(in, nullptr, false);
+  const bool tells = facts.is_object() && facts.contains("texture") && facts["texture"].is_string();
+  if (!tells || fs::path(facts["texture"].get<std::string>()).stem() != strip.stem())
+    throw algebra::Error(
+        fmt::format("{}: tells of no strip {}, and would be overwritten; allowed another name",
+                    beside.string(), strip.filename().string()));
+}
+
 }  // namespace
 
 ordered_json write_shadow_strip(const std::filesystem::path& file, const StripShadow& shadow,
                                 const LightOptions& options, const std::string& recipe) {
   require_kind(file, shadow.air);
   require_place_for(file);
+  const auto beside = fs::path(file).replace_extension(".json");
+  require_ours(beside, file);
   const auto strip = strip_of(shadow, options);
   const auto facts = facts_of(file, strip, shadow, recipe);
   if (file.extension() == ".cube")
     texture::write_whole(file, as_cube(strip));
   else
     texture::write_exr(file, strip.light, header(facts), {texture::ExrType::floating});
-  auto beside = file;
-  texture::write_whole(beside.replace_extension(".json"), facts.dump(2) + "\n");
+  texture::write_whole(beside, facts.dump(2) + "\n");
   return facts;
 }
 

@@ -74,8 +74,9 @@ void add_still(CLI::App& program) {
   add_view_options(*verb, options->view);
   add_develop_options(*verb, options->develop);
   add_camera_options(*verb, options->develop.camera);
-  add_flag(*verb, "-o,--output", options->output, "the picture, .png").required();
-  add_flag(*verb, "--frame", options->frame, "also the scene-linear frame [cd/m²], .exr");
+  add_flag(*verb, "-o,--output", options->output, "the picture, .png").writes_file().required();
+  add_flag(*verb, "--frame", options->frame, "also the scene-linear frame [cd/m²], .exr")
+      .writes_file();
   add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });

@@ -143,6 +143,7 @@ void add_tradeoff(CLI::App& program) {
            "ISO 8601 UTC; the scene that is lit");
   add_flag(*verb, "-o,--output", options->output,
            "folder of tradeoff.csv, tradeoff.md and tradeoff.svg")
+      .writes_folder()
       .required();
   add_flag(*verb, "--only", options->only, "one solver's sweeps; may be given again")
       .one_of(solver_names())
@@ -153,7 +154,8 @@ void add_tradeoff(CLI::App& program) {
            "runs of which the least time counts; those under a second: three or more");
   add_switch(*verb, "--quick", options->quick, "few values, small ones: seconds");
   add_flag(*verb, "--albedo-map", options->moon.albedo_map,
-           "any image 2:1, longitude 0 in the middle; auto; built-in");
+           "any image 2:1, longitude 0 in the middle; auto; built-in")
+      .reads_file();
   add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_air_options(*verb, options->moon.light.air);
   add_recipe_option(*verb);

@@ -86,6 +86,11 @@ TEST_F(Plans, OfAPreviewAreCoarseAndSmall) {
   EXPECT_LE(draft["chosen"]["texture-width"], 512);
 }
 
+TEST_F(Plans, OfAPictureHaveTheTextureThatItShows) {
+  for (const char* flag : {"--focal-length", "--sensor-width"})
+    EXPECT_LT(plan({preview[0], flag, "400"})["chosen"]["texture-width"], 4096) << flag;
+}
+
 TEST_F(Plans, OfALargeMapDoTheSameLightForMoreTexels) {
   const auto large = plan(map), usual = plan({map[0]});
   EXPECT_EQ(large["chosen"]["texture-width"], 16384);

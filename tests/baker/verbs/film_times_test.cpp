@@ -70,6 +70,9 @@ TEST(FilmTimes, OneFrameIsTheFirst) {
 TEST(FilmTimes, ThatCannotBeAreSaid) {
   EXPECT_EQ(message_of({.from = "P1", .to = "P4"}),
             "from P1 to P4 of which eclipse? Name a day near it, as 2018-07-27");
+  EXPECT_EQ(message_of({.eclipse = "2025-04-15"}).substr(0, 81),
+            "no lunar eclipse within 15 days of 2025-04-15; the nearest is greatest at 2025-03")
+      << "the full Moon before had one";
   EXPECT_EQ(message_of({.eclipse = "2019-07-16", .from = "U2"}),
             "moment = U2, allowed an instant or one of P1, U1, greatest, U4, P4 of the eclipse of "
             "2019-07-16, as P1-10min")

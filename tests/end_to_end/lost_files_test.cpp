@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Command lines by which a file would be lost to another: refused in one line, before any work, and every byte is kept.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "end_to_end/program.h"
+#include "texture/write_image.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+constexpr const char* eclipse_of_2008 = "2008-02-21T03:26:05Z";
+constexpr int could_not = 1, wrong_usage = 2;
+
+class LostFiles : public ProgramTest {
+ protected:
+  std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(here()))
+      if (entry.is_regular_file()) all[entry.path().string()] = text_of(entry.path());
+    return all;
+  }
+
+  void expect_kept(const Words& words, const std::string& said, int status = could_not) const {
+    const auto before = files();
+    const auto outcome = coppermoon(words);
+    EXPECT_EQ(outcome.status, status) << said << ": " << outcome.err;
+    EXPECT_NE(outcome.err.find(said), std::string::npos) << said << ": " << outcome.err;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+    EXPECT_TRUE(files() == before) << said;
+  }
+
+  void picture(const std::string& name) const {
+    texture::Image image(8, 4, {"R", "G", "B"});
+    std::ranges::fill(image.values, 0.5F);
+    if (name.ends_with(".exr"))
+      texture::write_exr(here(name), image, {});
+    else
+      texture::write_png(here(name), image, 8);
+  }
+
+  static Words bake(const Words& more) {
+    Words words{"bake", eclipse_of_2008, "--texture-width", "16"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+};
+
+TEST_F(LostFiles, ThatAreReadAreNotWritten) {
+  picture("map.png");
+  picture("frame.exr");
+  picture("photo.png");
+  expect_kept(bake({"--albedo-map", "map.png", "-o", "map.png"}),
+              "map.png: --output would overwrite the file that --albedo-map reads");
+  expect_kept({"compare", "photo.png", "frame.exr", "-o", "photo.png"},
+              "photo.png: --output would overwrite the file that --photo reads");
+  expect_kept({"merge", "frame.exr", "photo.png", "-o", "photo.png"},
+              "--output would overwrite the file that --photographs reads");
+  expect_kept(
+      {"develop", "frame.exr", "-o", "new.png", "--camera", "paper", "--photograph", "frame.exr"},
+      "--photograph would overwrite the file that --frame reads");
+}
+
+TEST_F(LostFiles, ThatAreReadAreNotWrittenThroughLinksOrOtherNames) {
+  picture("map.png");
+  fs::create_directory(here("folder"));
+  fs::create_symlink("map.png", here("soft.png"));
+  fs::create_hard_link(here("map.png"), here("hard.png"));
+  for (const char* same : {"soft.png", "hard.png", "./map.png", "folder/../map.png"})
+    expect_kept(bake({"--albedo-map", "map.png", "-o", same}), "would overwrite the file");
+}
+
+TEST_F(LostFiles, OfTheRecipeIsNotWritten) {
+  file("my.toml", "texture-width = 16\nalbedo-map = \"built-in\"\nsolver = \"photons\"\n");
+  expect_kept(
+      {"bake", eclipse_of_2008, "--recipe", "my.toml", "-o", "moon.exr", "--keep", "my.toml"},
+      "my.toml: --keep would overwrite the file that --recipe reads");
+}
+
+TEST_F(LostFiles, OfTwoOutputsAreNotOne) {
+  expect_kept(
+      bake({"--albedo-map", "built-in", "--solver", "photons", "--keep", "t.exr", "-o", "t.exr"}),
+      "write one file, allowed two");
+  expect_kept(bake({"--albedo-map", "built-in", "-o", "a.exr", "-o", "./a.exr"}),
+              "--output and --output write one file");
+  const Words film{"animate",  "2018-07-27", "--frames",     "3",        "--width", "16",
+                   "--height", "12",         "--albedo-map", "built-in", "-o",      "film"};
+  const auto with = [&](Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  expect_kept(with(film, {"--contact-sheet", "s.png", "--curve", "s.png"}), "write one file");
+  expect_kept(with(film, {"--contact-sheet", "film/frame.0002.png"}),
+              "film/frame.0002.png: is the name of a frame, allowed another");
+}
+
+TEST_F(LostFiles, InAFilmsFolderAreNotItsMap) {
+  fs::create_directory(here("film"));
+  picture("film/frame.0001.png");
+  expect_kept({"animate", "2018-07-27", "--frames", "3", "--albedo-map", "film/frame.0001.png",
+               "-o", "film"},
+              "--albedo-map reads a file of the folder that --output writes");
+}
+
+TEST_F(LostFiles, BesideAStripAreItsOwnOrKept) {
+  file("l.json", "{\"mine\": 1}\n");
+  expect_kept({"shadow", eclipse_of_2008, "--lookup", "l.exr", "--tolerance", "5%"},
+              "l.json: tells of no strip l.exr");
+}
+
+TEST_F(LostFiles, AreNamedByNoRecipe) {
+  fs::create_directory(here("v"));
+  file("v/victim", "precious");
+  for (const auto& [key, verb] :
+       std::map<std::string, Words>{{"output", bake({"-o", "mine.exr"})},
+                                    {"keep", bake({"-o", "mine.exr"})},
+                                    {"frame", {"still", eclipse_of_2008, "-o", "mine.png"}},
+                                    {"raw", {"still", eclipse_of_2008, "-o", "mine.png"}},
+                                    {"plot", {"shadow", eclipse_of_2008}},
+                                    {"curve", {"animate", "2018-07-27", "-o", "film"}}}) {
+    file("theirs.toml", fmt::format("{} = \"v/victim\"\n", key));
+    auto words = verb;
+    words.insert(words.end(), {"--recipe", "theirs.toml"});
+    expect_kept(
+        words,
+        fmt::format("theirs.toml:1: {}: where files go is said on the command line alone", key),
+        wrong_usage);
+  }
+}
+
+TEST_F(LostFiles, AreNotThoseWrittenAgain) {
+  picture("map.png");
+  for (int times = 0; times < 2; ++times)
+    expect_done(coppermoon(bake({"--albedo-map", "map.png", "-o", "moon.exr"})));
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end
