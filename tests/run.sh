@@ -39,7 +39,8 @@ fi
 
 sh examples/build.sh "coppermoon_program heavy_tests" packages.tests.debian
 part "tests of the program, in release"
-ctest --preset release --label-exclude "quick|slow|sweep|hand_off" --parallel "$processors" --no-tests=error
+ctest --test-dir build/release --label-exclude "quick|slow|sweep|hand_off" --output-on-failure --parallel "$processors" \
+  --no-tests=error
 
 part "build under the address and undefined-behaviour sanitizers"
 cmake --preset sanitizers
