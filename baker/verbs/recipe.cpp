@@ -176,18 +176,19 @@ auto word_in(const std::vector<std::string>& arguments) {
 
 }  // namespace
 
-std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::string> arguments) {
+std::vector<std::string> with_recipes(const CLI::App& program,
+                                      const std::vector<std::string>& arguments) {
   const auto word = word_in(arguments);
   if (word == arguments.end() && arguments.empty())
     throw WrongUsage(fmt::format("a word is required: {}; --help explains them",
                                  fmt::join(words_of(program), ", ")));
   if (word == arguments.end()) return arguments;
   const CLI::App& verb = verb_named(program, *word);
-  const std::vector<std::string> mine(word + 1, arguments.end());
+  const std::vector<std::string> mine(word + 1, arguments.cend());
   require_flags(verb, mine);
-  arguments.erase(word + 1, arguments.end());
-  for (auto& argument : with_recipe(verb, mine)) arguments.push_back(std::move(argument));
-  return arguments;
+  std::vector<std::string> all(arguments.cbegin(), word + 1);
+  for (auto& argument : with_recipe(verb, mine)) all.push_back(std::move(argument));
+  return all;
 }
 
 std::string recipe_named_in(const CLI::App& program, const std::vector<std::string>& arguments) {

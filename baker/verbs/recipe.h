@@ -18,7 +18,8 @@ namespace coppermoon::verbs {
 /// Throws    WrongUsage       for a word, flag or recipe key there is not: names the nearest there
 ///                            is
 ///           algebra::Error   when a recipe cannot be read: "<file>:<line>: …"
-std::vector<std::string> with_recipes(const CLI::App& program, std::vector<std::string> arguments);
+std::vector<std::string> with_recipes(const CLI::App& program,
+                                      const std::vector<std::string>& arguments);
 
 /// The recipe that a command line names, by --recipe or in the instant's place; empty: none.
 ///
