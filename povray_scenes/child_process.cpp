@@ -8,9 +8,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <string_view>
 
 #include "algebra/error.h"
 
@@ -24,14 +26,35 @@ using algebra::Error;
 }
 
 /// In the child: only what is safe after a fork of many threads. Returns when all has failed.
-void become(char* const* arguments, const char* folder, int standard_error, pid_t parent) {
+void become(char* const* arguments, char* const* variables, const char* folder, int standard_error,
+            pid_t parent) {
   if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) return;
   const int nothing = ::open("/dev/null", O_RDWR);
   if (nothing < 0 || ::chdir(folder) != 0) return;
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(nothing, STDOUT_FILENO);
   ::dup2(standard_error, STDERR_FILENO);
-  ::execvp(arguments[0], arguments);
+  ::execvpe(arguments[0], arguments, variables);
+}
+
+/// Our own environment but for some variables.
+std::vector<std::string> environment_with(std::vector<std::string> variables) {
+  const auto named = variables;
+  for (char** ours = environ; *ours != nullptr; ++ours) {
+    const std::string_view variable = *ours;
+    const auto name = variable.substr(0, variable.find('=') + 1);
+    if (std::ranges::none_of(named, [&](const auto& other) { return other.starts_with(name); }))
+      variables.emplace_back(variable);
+  }
+  return variables;
+}
+
+/// As exec takes them.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (auto& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
 }
 
 /// The errno of its failure, or 0: what the child writes before it ends; exec closes the pipe.
@@ -85,15 +108,13 @@ int Child::status() {
 
 /// By fork, since posix_spawn cannot ask for the child's end with ours.
 void start(Child& child, const Program& program, int standard_error) {
-  auto words = program.words;
-  std::vector<char*> pointers;
-  for (auto& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
+  auto words = program.words, variables = environment_with(program.variables);
+  const auto arguments = pointers_to(words), environment = pointers_to(variables);
   Pipe failed;
   const pid_t ourselves = ::getpid();
   child.id = ::fork();
   if (child.id == 0) {
-    become(pointers.data(), program.folder.c_str(), standard_error, ourselves);
+    become(arguments.data(), environment.data(), program.folder.c_str(), standard_error, ourselves);
     const int why = errno;
     [[maybe_unused]] const auto told = ::write(failed.in.number, &why, sizeof why);
     ::_exit(127);

@@ -46,6 +46,8 @@ struct Program {
   std::vector<std::string> words;  ///< itself, on the PATH or by its path, and its arguments
   std::string package;             ///< of Debian's that has it
   std::filesystem::path folder = ".";
+  std::vector<std::string> variables =
+      {};  ///< of its environment that differ from ours: "NAME=value"
 };
 
 /// Starts it, with nothing to read and nobody to hear its standard output. It ends with the calling

@@ -124,7 +124,9 @@ void run_povray(const RenderSettings& settings, const Draft& draft, const Run& r
   algebra::require_within("timeout [s]", settings.timeout_s, 0, 1e7);
   Pipe words;
   Child child;
-  start(child, {command(settings, run), "povray", draft.folder}, words.in.number);
+  // in place of anybody's own settings, which would count beside the scene's
+  const auto no_settings = std::string("POVINI=") + settings_file;
+  start(child, {command(settings, run), "povray", draft.folder, {no_settings}}, words.in.number);
   words.in.close();
   Conversation heard{run};
   listen(heard, words.out.number, settings);

@@ -32,14 +32,14 @@ quick_in_release() {
   test_release -L '^quick$'
 }
 
-# Not by_photons, film_light and fit_light, which take an hour there; nor what runs POV-Ray.
+# Not by_photons and film_light, which take an hour there; nor what runs POV-Ray.
 heavy_under_sanitizers() {
   released coppermoon_program
   cmake --preset sanitizers
   cmake --build build/sanitizers --target coppermoon_program baker_shadow_heavy_tests baker_verbs_heavy_tests \
     colour_heavy_tests extremes_heavy_tests
   ctest --test-dir build/sanitizers --output-on-failure --no-tests=error --parallel "$processors" -L '^heavy$' \
-    -R '^(baker/shadow/agreement|baker/verbs/(light_file|planning)|colour/registration|extremes/inputs)$'
+    -E '^(baker/shadow/by_photons|baker/verbs/film_light|end_to_end/|extremes/(faults|words)|povray_scenes/)'
 }
 
 fuzzers() {
@@ -64,7 +64,7 @@ extremes_thoroughly() {
 
 films_and_convergence() {
   released slow_tests
-  test_release -L '^slow$' -R '^(end_to_end/film|extremes/film_faults|baker/shadow/convergence)$'
+  test_release -L '^slow$' -R '^(end_to_end/film|extremes/film_faults|baker/shadow/convergence|baker/verbs/fit_light)$'
 }
 
 plans_kept() {

@@ -50,12 +50,14 @@ Output output_at(const std::string& file, const TextureOptions& asked) {
 
 constexpr std::array endings{".exr", ".tx", ".png", ".glb", ".usda"};
 
-/// The .exr that stands beside a .usda.
+/// The .exr that stands beside a .usda: of linear Rec.709 where there is one, for that is what
+/// programs take it for that do not heed its colour space.
 const Output& texture_for(const Output& scene, const std::vector<Output>& outputs) {
-  for (const auto& output : outputs)
-    if (output.ends_in(".exr") && output.path.parent_path() == scene.path.parent_path() &&
-        space_of(output.content) != colour::WorkingSpace::ciexyz_d65)
-      return output;
+  for (const auto space : {colour::WorkingSpace::linear_rec709, colour::WorkingSpace::acescg})
+    for (const auto& output : outputs)
+      if (output.ends_in(".exr") && output.path.parent_path() == scene.path.parent_path() &&
+          space_of(output.content) == space)
+        return output;
   throw algebra::Error(fmt::format(
       "{}: allowed with its texture in the same folder, as -o moon_lin_rec709.exr -o moon.usda",
       scene.path.string()));

@@ -13,13 +13,13 @@
 namespace coppermoon::verbs {
 namespace {
 
-/// Whether gnuplot did all it was told. One that is not there hangs up while it is spoken to.
+/// Whether gnuplot did all it was told, nobody's own settings (-d) among it. One that is not there hangs up while it is spoken to.
 ///
 /// Given  picture  a file that it inherits and draws into: no file's name comes into its script,
 ///                 where a line of it could be taken for an order
 bool gnuplot_did(const std::string& script, int picture) {
   const auto before = std::signal(SIGPIPE, SIG_IGN);
-  const auto command = fmt::format("gnuplot >/dev/fd/{} 2>/dev/null", picture);
+  const auto command = fmt::format("gnuplot -d >/dev/fd/{} 2>/dev/null", picture);
   FILE* gnuplot = popen(command.c_str(), "w");
   const bool told =
       gnuplot != nullptr && std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();

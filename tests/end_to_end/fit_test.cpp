@@ -97,7 +97,7 @@ TEST_F(FitThoroughly, OfMagnitudesFindsTheCloudAndSaysWhatItCannotTell) {
   EXPECT_LT(found["correlation"]["dust_cloud"], -0.5);
 }
 
-TEST_F(Fit, RefusesWhatItCannotExplain) {
+TEST_F(FitThoroughly, RefusesWhatItCannotExplain) {
   EXPECT_EQ(refusal_of({}),
             "coppermoon: nothing to explain, allowed photographs or --magnitudes\n");
   EXPECT_EQ(refusal_of({"a.png"}),

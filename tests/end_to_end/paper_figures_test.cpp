@@ -269,7 +269,7 @@ TEST_P(DustyFigures, AreTheDarkerTheMoreDustAsSumsOfExponentialsAre) {
   EXPECT_LE(saturated[2], saturated[1]);
 }
 
-INSTANTIATE_TEST_SUITE_P(PaperFigures, DustyFigures,
+INSTANTIATE_TEST_SUITE_P(PaperFiguresThoroughly, DustyFigures,
                          testing::Values(Totality{"2008-02-21T03:08:26Z", "4"},
                                          Totality{"2008-02-21T03:50:42Z", "3"}));
 

@@ -225,7 +225,7 @@ Thirds thirds_of(const texture::Image& frame) {
   return sum;
 }
 
-TEST_F(Recipes, OfAVolcanoDarkensItsHalfOfTheShadow) {
+TEST_F(RecipesThoroughly, OfAVolcanoDarkensItsHalfOfTheShadow) {
   const std::string example = COPPERMOON_TEST_DATA "/../examples/volcanic_south.toml";
   const auto thirds_with = [&](const Words& more) {
     Words words{"still",    "--recipe",     example,           "--width", "48",

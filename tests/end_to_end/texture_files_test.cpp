@@ -77,6 +77,13 @@ TEST_F(TextureFiles, OfOneSimulationHaveTheSpaceThatTheirNamesSay) {
   EXPECT_GT(compared, 8000U);
 }
 
+TEST_F(TextureFiles, OfUsdAreTheLinearRec709OneWhereThereIsOne) {
+  bake({"-o", "moon_acescg.exr", "-o", "moon_lin_rec709.exr", "-o", "moon.usda"});
+  EXPECT_NE(text_of(here("moon.usda")).find("@./moon_lin_rec709.exr@"), std::string::npos);
+  bake({"-o", "aces_acescg.exr", "-o", "aces.usda"});
+  EXPECT_NE(text_of(here("aces.usda")).find("@./aces_acescg.exr@"), std::string::npos);
+}
+
 TEST_F(TextureFiles, AreMadeAgainFromTheirHeaders) {
   bake({"-o", "a_acescg.exr", "-o", "b.tx", "-o", "c.png", "-o", "d.glb", "--passes", "--spectral",
         "20"});

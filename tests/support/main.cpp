@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs tests: PROGRAM [NOUN] [FLAGS of GoogleTest]. With a noun those of NOUN_test.cpp alone, of which there must be some.
-// Suites whose names end in Thoroughly run only with COPPERMOON_THOROUGH in the environment.
+// Tests with Thoroughly in the name of their suite run only with COPPERMOON_THOROUGH in the environment.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -39,7 +39,7 @@ int main(int count, char** words) {
   }
   if (std::getenv("COPPERMOON_THOROUGH") == nullptr) {
     auto& filter = testing::GTEST_FLAG(filter);
-    filter += (filter.find('-') == std::string::npos ? "-" : ":") + std::string("*Thoroughly.*");
+    filter += (filter.find('-') == std::string::npos ? "-" : ":") + std::string("*Thoroughly*");
   }
   return RUN_ALL_TESTS();
 }

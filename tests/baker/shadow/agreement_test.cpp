@@ -195,8 +195,10 @@ const std::vector<Way> ways{
     {"quadrature between places", between_places, finely, within_all_light(1.25e-3, 3)},
     photons("photons by the table", {500e3, 9, 4}, 1'000'000, Trace::table),
     // photons marched: their place is here
-    photons("photons to the letter", {1000e3, 5, 4}, 20'480, Trace::each),
 };
+
+/// Minutes of them: tests/thorough.sh has the time.
+const Way to_the_letter = photons("photons to the letter", {1000e3, 5, 4}, 20'480, Trace::each);
 
 class EveryWay : public testing::TestWithParam<Way> {
  protected:
@@ -250,12 +252,15 @@ TEST_P(EveryWay, IsSeenToDifferWithAWavelengthMovedBy20Nanometres) {
   EXPECT_FALSE(agrees(dusty(), dusty(), {450, 550, 630}));
 }
 
-INSTANTIATE_TEST_SUITE_P(ToTheLight, EveryWay, testing::ValuesIn(ways), [](const auto& one) {
+std::string name_of(const testing::TestParamInfo<Way>& one) {
   std::string name = one.param.name;
   for (char& c : name)
     if (c == ' ') c = '_';
   return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(ToTheLight, EveryWay, testing::ValuesIn(ways), name_of);
+INSTANTIATE_TEST_SUITE_P(ToTheLightThoroughly, EveryWay, testing::Values(to_the_letter), name_of);
 
 }  // namespace
 }  // namespace coppermoon::shadow

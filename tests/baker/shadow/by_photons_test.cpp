@@ -280,7 +280,7 @@ TEST(ByPhotonsThoroughly, MarchedThroughThePapersAirAgreeWithTheQuadratureAndThe
   expect_agreement(photons, exact, 977, 0, rings);
 }
 
-TEST(ByPhotons, MarchedThroughAirWithoutItsDustAreSeenToDifferFromTheQuadrature) {
+TEST(ByPhotonsThoroughly, MarchedThroughAirWithoutItsDustAreSeenToDifferFromTheQuadrature) {
   auto lighter = everything(true);
   for (auto& region : lighter.regions) region.column.dust_extinction_per_m = 0;
   const auto photons = by_photons(lighter, darkened, waves, marched(200'000, 500e3, 4));

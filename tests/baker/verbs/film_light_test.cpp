@@ -67,7 +67,9 @@ double worst_difference(const Moonlight& film, const Moonlight& alone,
   return worst;
 }
 
-TEST_F(WholeFilm, HasTheLightOfEachOfItsMoments) {
+using WholeFilmThoroughly = WholeFilm;
+
+TEST_F(WholeFilmThoroughly, HasTheLightOfEachOfItsMoments) {
   for (const char* air : {"standard", "molecular"}) {
     fs::remove(folder_ / "eclipse.light");
     const auto options = fine(air);
@@ -88,8 +90,6 @@ TEST_F(WholeFilm, IsSunlitBeforeAndAfterThePenumbra) {
   EXPECT_FALSE(range_at(film, almanac::sky_at(instant_from_utc("2018-07-27T17:00:00Z"))));
   EXPECT_TRUE(range_at(film, almanac::sky_at(instant_from_utc("2018-07-27T17:16:00Z"))));
 }
-
-using WholeFilmThoroughly = WholeFilm;
 
 TEST_F(WholeFilmThoroughly, IsComputedOnce) {
   const auto options = fine("standard");

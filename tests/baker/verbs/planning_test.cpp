@@ -99,7 +99,7 @@ constexpr double margin = 2;
 constexpr const char* coarse =
     "10 wavelengths, 100 rays and 9 places against 40, 400 and 17: a brief look may be 30 % off";
 
-TEST(SceneOf, KnowsHowMuchTheEllipsoidMatters) {
+TEST(SceneOfThoroughly, KnowsHowMuchTheEllipsoidMatters) {
   for (const auto& moon : {february_2008(), deep()}) {
     const double size = change(moon, on_a_sphere(moon));
     EXPECT_WITHIN_RELATIVE(scene_of(moon, {}).without_ellipsoid, margin * size, 0.3, coarse);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
 coppermoon_tests(baker/verbs LINKS coppermoon::verbs
-  QUICK disc_brightness film_sheet film_times fit_posterior frame_range observer_options one_line
-        photometric_bands photon_options photon_sums plan_options recipe spectral_bands
-  HEAVY film_light fit_light light_file planning)
+  HEAVY disc_brightness film_light film_sheet film_times fit_posterior frame_range light_file observer_options one_line
+        photometric_bands photon_options photon_sums plan_options planning recipe spectral_bands
+  SLOW fit_light)
