@@ -26,7 +26,7 @@ tested() {
 
 if [ "${1:-}" = -k ] && [ $# -eq 2 ]; then
   folder=${2%/} found=
-  sh examples/build.sh coppermoon_program packages.tests.debian
+  sh examples/build.sh coppermoon_test_main packages.tests.debian
   cmake --preset sanitizers >/dev/null
   tested sanitizers quick
   tested release heavy
