@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <unistd.h>
@@ -42,6 +43,14 @@ void say(std::string_view error) {
   std::fputs(fmt::format("coppermoon: {}\n", verbs::one_line(error)).c_str(), stderr);
 }
 
+/// Opens what stands closed among the three standard descriptors, the wrong way round: else the first
+/// file opened would have its number, and what is printed would go there.
+void hold_standard_descriptors() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(descriptor, F_GETFD) < 0)
+      ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 /// What a thread that cannot begin, or a library's promise not to throw, make of too little memory.
 [[noreturn]] void end_at_once() {
   constexpr std::string_view why = "coppermoon: not enough memory\n";
@@ -75,6 +84,7 @@ int run(CLI::App& program, int count, char** words) {
 }  // namespace
 
 int main(int count, char** words) {
+  hold_standard_descriptors();
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error like any other, said in one line
   std::set_terminate(end_at_once);
   CLI::App program{"coppermoon bakes eclipsed Moons", "coppermoon"};
@@ -82,7 +92,8 @@ int main(int count, char** words) {
   verbs::add_words(program);
   add_threads(program, threads);
   const int status = run(program, count, words);
-  if (std::fflush(stdout) == 0 || status != 0) return status;
+  const bool all_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (all_written || status != 0) return status;
   say("standard output: cannot be written");
   return could_not;
 }

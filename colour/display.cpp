@@ -55,7 +55,7 @@ std::string known_name(const ocio::Config& config, WorkingSpace space) {
       fmt::format("the configuration names no colour space {}", fmt::join(aliases(space), " or ")));
 }
 
-ocio::ConstCPUProcessorRcPtr processor(WorkingSpace space, const Development& development) try {
+ocio::ConstProcessorRcPtr processor(WorkingSpace space, const Development& development) try {
   const auto config = config_at(development.config);
   require_one_of("display", development.display, displays_in(*config));
   require_one_of("view", development.view, views_in(*config, development.display));
@@ -63,7 +63,7 @@ ocio::ConstCPUProcessorRcPtr processor(WorkingSpace space, const Development& de
   transform->setSrc(known_name(*config, space).c_str());
   transform->setDisplay(development.display.c_str());
   transform->setView(development.view.c_str());
-  return config->getProcessor(transform)->getDefaultCPUProcessor();
+  return config->getProcessor(transform);
 } catch (const ocio::Exception& problem) {
   throw Error(fmt::format("view \"{}\": {}", development.view, problem.what()));
 }
@@ -93,10 +93,14 @@ std::vector<std::string> views(const std::string& display, const std::filesystem
   return views_in(*read, display);
 }
 
+std::string fingerprint(WorkingSpace space, const Development& development) {
+  return processor(space, development)->getCacheID();
+}
+
 Image developed(const Image& scene_linear, WorkingSpace space, const Development& development) {
   if (!(development.scale > 0 && std::isfinite(development.scale)))
     throw Error(fmt::format("exposure scale = {:g}, allowed above 0", development.scale));
-  const auto view = processor(space, development);
+  const auto view = processor(space, development)->getDefaultCPUProcessor();
   Image picture = scene_linear;
   const auto develop_rows = [&](const tbb::blocked_range<std::size_t>& rows) {
     for (auto row = rows.begin(); row != rows.end(); ++row) {

@@ -34,6 +34,13 @@ struct Development {
 ///                  has) or does not know the working space
 Image developed(const Image& scene_linear, WorkingSpace space, const Development& development = {});
 
+/// A text that tells apart what two developments do to colours, whatever their files are called; it
+/// leaves out the scale.
+///
+/// Throws  Error   as developed
+/// Source  OpenColorIO's cache identifier of the processor, which holds the numbers of its tables
+std::string fingerprint(WorkingSpace space, const Development& development);
+
 /// The displays of a configuration (empty: the built-in one), the default first.
 ///
 /// Throws  Error  when the configuration cannot be read

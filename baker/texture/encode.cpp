@@ -14,6 +14,7 @@
 
 #include "algebra/error.h"
 #include "texture/oiio_attributes.h"
+#include "texture/seal.h"
 #include "texture/whole_file.h"
 
 namespace coppermoon::texture {
@@ -146,6 +147,7 @@ OIIO::ImageSpec exr_spec(const Layout& layout, ExrType type, const Attributes& a
                       attributes);
   if (!attributes.contains("capDate"))
     spec.attribute("DateTime", "");  // or it would be the clock's
+  spec.attribute(seal_attribute, unsealed);
   return spec;
 }
 
@@ -174,7 +176,7 @@ void write_encoded(const std::filesystem::path& path, const char* format,
   };
   write_whole(path, [&](int descriptor) {
     FileSink sink(descriptor);
-    const auto output = OIIO::ImageOutput::create(format);
+    auto output = OIIO::ImageOutput::create(format);
     if (!output) fail(one_line(OIIO::geterror()));
     const bool reads_back = std::string_view(format) == "tiff";  // goes by the name instead
     if (!reads_back) output->set_ioproxy(&sink);
@@ -186,8 +188,10 @@ void write_encoded(const std::filesystem::path& path, const char* format,
       closing_words(*output, false);
       throw;
     }
+    output.reset();  // of a mip-mapped file it writes something yet
     if (sink.refusal() != 0) reason = std::generic_category().message(sink.refusal());
     if (!reason.empty()) fail(reason);
+    if (std::string_view(format) == "openexr") seal(descriptor, path);
   });
 }
 

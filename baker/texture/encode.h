@@ -56,7 +56,7 @@ void require_layout(const std::filesystem::path& path, const Layout& layout);
 /// What OpenImageIO is told of an image.
 OIIO::ImageSpec spec_of(const Layout& layout, OIIO::TypeDesc type, const Attributes& attributes);
 
-/// The same of an OpenEXR file; without `capDate` that attribute is empty.
+/// The same of an OpenEXR file, yet unsealed; without `capDate` that attribute is empty.
 OIIO::ImageSpec exr_spec(const Layout& layout, ExrType type, const Attributes& attributes);
 
 /// That a texel of it can hold.
@@ -70,7 +70,7 @@ Rows rows_of(const Image& image);
 /// Returned  whether it took them
 bool write_scanlines(OIIO::ImageOutput& output, const Source& source);
 
-/// Has OpenImageIO encode a file, whole or not at all.
+/// Has OpenImageIO encode a file, whole or not at all; an OpenEXR file is sealed.
 ///
 /// Given   format  as OpenImageIO calls it
 ///         encode  told the output, and the name of an open file for what OpenImageIO writes by

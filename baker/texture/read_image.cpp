@@ -298,10 +298,18 @@ Image read_light(const fs::path& path, Coding coding) {
 }
 
 std::optional<std::string> read_attribute(const fs::path& path, std::string_view name) {
+  return read_attributes(path, {&name, 1}).front();
+}
+
+std::vector<std::optional<std::string>> read_attributes(const fs::path& path,
+                                                        std::span<const std::string_view> names) {
   const auto input = opened(path);
-  const auto* found = input->spec().find_attribute(oiio_name(name));
-  if (!found) return std::nullopt;
-  return found->get_string();
+  std::vector<std::optional<std::string>> values;
+  for (const auto name : names) {
+    const auto* found = input->spec().find_attribute(oiio_name(name));
+    values.push_back(found ? std::optional(found->get_string()) : std::nullopt);
+  }
+  return values;
 }
 
 algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding, double exponent) {

@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "algebra/grid.h"
 #include "texture/image.h"
@@ -33,6 +35,10 @@ Image read_image(const std::filesystem::path& path);
 /// Given   name   as in Attributes
 /// Throws  Error  as read_image
 std::optional<std::string> read_attribute(const std::filesystem::path& path, std::string_view name);
+
+/// Several of them, in their order.
+std::vector<std::optional<std::string>> read_attributes(const std::filesystem::path& path,
+                                                        std::span<const std::string_view> names);
 
 /// How the numbers of an integer format stand for light. Not every file says it: a TIFF never does.
 enum class Coding {

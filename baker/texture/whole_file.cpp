@@ -29,10 +29,10 @@ class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& final_path) : final_(final_path) {
     if (fs::exists("/proc/self/fd"))
-      descriptor_ = ::open(final_.parent_path().c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+      descriptor_ = ::open(final_.parent_path().c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
     if (descriptor_ < 0)
       descriptor_ = with_a_name([](const char* name) {
-        return ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        return ::open(name, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       });
   }
   TemporaryFile(const TemporaryFile&) = delete;
@@ -115,6 +115,24 @@ void write_whole(const fs::path& path, const std::function<void(int)>& fill) {
 
 void write_whole(const fs::path& path, std::string_view text) {
   write_whole(path, [&](int descriptor) { write_all(descriptor, text, path); });
+}
+
+std::string bytes_of(const fs::path& path) {
+  const auto cannot_read = [&](std::string_view why) {
+    return algebra::Error(fmt::format("{}: cannot be read: {}", path.string(), why));
+  };
+  std::error_code failed;
+  const auto status = fs::status(path, failed);
+  if (status.type() == fs::file_type::not_found) throw cannot_read("no such file");
+  if (failed) throw cannot_read(failed.message());
+  if (fs::is_directory(status)) throw cannot_read("it is a directory");
+  if (!fs::is_regular_file(status)) throw cannot_read("it is no regular file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw cannot_read(std::generic_category().message(errno));
+  std::string bytes(fs::file_size(path), ' ');
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
 }
 
 std::string beginning_of(const fs::path& path, std::size_t most_bytes) {

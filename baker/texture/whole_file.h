@@ -21,6 +21,11 @@ void write_whole(const std::filesystem::path& path, const std::function<void(int
 /// The same for text.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
+/// All bytes of a regular file.
+///
+/// Throws  Error  one line with the path: no such file; a directory, a device or a pipe; not permitted
+std::string bytes_of(const std::filesystem::path& path);
+
 /// A file's bytes, or the first of them: what has no end takes no more memory than that.
 ///
 /// Throws  Error  one line with the path, when there is no such file or it is a folder

@@ -7,6 +7,7 @@
 #include "algebra/error.h"
 #include "texture/encode.h"
 #include "texture/oiio_attributes.h"
+#include "texture/seal.h"
 
 namespace coppermoon::texture {
 namespace {
@@ -61,6 +62,7 @@ void write_exr(const std::filesystem::path& path, std::span<const Part> parts,
     specs.push_back(exr_spec(part.layout, options.type, attributes));
     specs.back().attribute("compression", !options.packed ? "none" : half ? "piz" : "zip");
     if (!part.name.empty()) specs.back().attribute("oiio:subimagename", part.name);
+    if (specs.size() > 1) specs.back().erase_attribute(seal_attribute);  // one seal for all parts
   }
   write_encoded(path, "openexr", [&](OIIO::ImageOutput& output, const std::string& name) {
     bool written = specs.size() == 1

@@ -12,12 +12,14 @@
 #include "algebra/number.h"
 #include "texture/resize.h"
 #include "verbs/film.h"
+#include "verbs/film_account.h"
 #include "verbs/film_files.h"
+#include "verbs/film_folder.h"
 #include "verbs/film_light.h"
 #include "verbs/film_progress.h"
 #include "verbs/frame_range.h"
-#include "verbs/known_words.h"
 #include "verbs/lit_scene.h"
+#include "verbs/pixels.h"
 #include "verbs/recipe.h"
 #include "verbs/verbs.h"
 
@@ -28,7 +30,7 @@ struct Options {
   Film film;
   FilmFiles files;
   std::string make = "pictures", mount = "tracking", aim, range, shard = "1/1", output;
-  bool json = false;
+  bool json = false, replace = false;
 };
 
 /// Exposures at moments, as "P1:0.001,U2:4": nothing when the time is no such list.
@@ -51,29 +53,6 @@ std::vector<std::pair<almanac::Instant, double>> time_keys(const std::string& te
     if (almanac::seconds_between(keys[i - 1].first, keys[i].first) <= 0)
       throw algebra::Error(fmt::format("exposure time = {}, allowed keys in order of time", text));
   return keys;
-}
-
-/// Of who looks, and of the camera.
-std::vector<std::string> flags_of_pictures() {
-  return flags_added_by([](CLI::App& pictures) {
-    ViewOptions view;
-    DevelopOptions develop;
-    add_view_options(pictures, view);
-    add_develop_options(pictures, develop);
-    add_camera_options(pictures, develop.camera);
-  });
-}
-
-/// Lines of a recipe that change no light.
-std::string without_the_camera(const std::string& recipe) {
-  constexpr std::array others{
-      "albedo-map", "photometry", "albedo-exponent", "texture-width", "space",  "type",
-      "spectral",   "passes",     "eclipse",         "from",          "to",     "frames",
-      "fps",        "time-scale", "mount",           "aim",           "bracket"};
-  const auto seen = flags_of_pictures();
-  return without(recipe, [&](const std::string& flag) {
-    return std::ranges::find(others, flag) != others.end() || holds(seen, flag);
-  });
 }
 
 /// As wide as the frame needs where the Moon is nearest: one width for all.
@@ -158,6 +137,9 @@ std::vector<std::size_t> prepare(const CLI::App& verb, Options& options) {
   if (!frames.empty()) require_up(film, frames);
   film.moon.texture_width = texture_width(film);
   film.recipe = with_width(recipe_of(verb), *film.moon.texture_width);
+  film.map_contents = map_contents(film.moon);
+  film.view_contents = fingerprint(film.develop, picture_space);
+  if (std::filesystem::exists(film.folder)) require_own(film, options.replace);
   return frames;
 }
 
@@ -170,12 +152,12 @@ void trace(const Options& options, const FilmProgress& progress) {
   progress.done();
 }
 
-void light_up(Film& film, const FilmProgress& progress) {
+void light_up(Film& film, bool replace, const FilmProgress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const auto width = static_cast<double>(*film.moon.texture_width);
   auto found = film_light(film.moon.light, film.moments.frames.front(), film.moments.frames.back(),
-                          {width * width / 2, reads_map(film.moon)},
-                          without_the_camera(film.recipe), film.folder);
+                          {width * width / 2, reads_map(film.moon)}, of_light(account_of(film)),
+                          film.folder, replace);
   film.light = std::make_shared<const Moonlight>(std::move(found.light));
   film.recipe = with_work(film.recipe, film.light->plan.work);
   progress.light(found.kept,
@@ -197,8 +179,11 @@ void run(const CLI::App& verb, Options& options) {
   const bool light_alone = film.products.light_alone();
   FilmProgress progress(film, light_alone ? 0 : frames.size(), options.json);
   if (light_alone && shard_from(options.shard).parts > 1) return trace(options, progress);
-  if (light_alone || !frames.empty()) light_up(film, progress);
-  if (light_alone || frames.empty()) return progress.done();
+  if (light_alone || !frames.empty()) light_up(film, options.replace, progress);
+  if (light_alone || frames.empty()) {
+    if (!frames.empty()) write_film_files(options.files, film, frames, progress);
+    return progress.done();
+  }
   if (film.products.scenes) write_film_scene(film);
   std::vector<char> there(frames.size());
   tbb::parallel_for(std::size_t{0}, frames.size(),
@@ -261,6 +246,10 @@ void add_animate(CLI::App& program) {
   add_camera_options(*verb, options->film.develop.camera);
   for (const char* of_one : {"--raw", "--photograph"}) remove_flag(*verb, of_one);
   add_flag(*verb, "-o,--output", options->output, "the folder").writes_folder().required();
+  add_switch(
+      *verb, "--replace", options->replace,
+      "files of another film in the folder are made anew; linear frames that differ by their "
+      "exposure alone are kept, and developed again");
   add_switch(*verb, "--json", options->json, "an event a line on stdout, as JSON");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });

@@ -151,6 +151,10 @@ void require_sound(const DevelopOptions& options, const std::filesystem::path& p
         fmt::format("view = {}, allowed {}", options.view, fmt::join(views, ", ")));
 }
 
+std::string fingerprint(const DevelopOptions& options, colour::WorkingSpace space) {
+  return colour::fingerprint(space, {1, options.view, options.display, options.config});
+}
+
 texture::Image shown(const DevelopOptions& options, double scale, const texture::Image& frame,
                      colour::WorkingSpace space) {
   const auto pixels = colour::developed(pixels_of(frame), space,

@@ -33,6 +33,9 @@ void add_develop_options(CLI::App& verb, DevelopOptions& options);
 colour::Exposure exposure_for(const DevelopOptions& options, const texture::Image& frame,
                               colour::WorkingSpace space);
 
+/// Of what the view and its display make of colours, whatever their configuration is called.
+std::string fingerprint(const DevelopOptions& options, colour::WorkingSpace space);
+
 /// What a luminance of 1 cd/m² becomes where white is 1, at those settings.
 double scale_of(const DevelopOptions& options, const colour::Exposure& exposure);
 

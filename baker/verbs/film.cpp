@@ -3,33 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <sstream>
 
 #include "algebra/error.h"
 #include "povray_scenes/sequence.h"
-#include "texture/read_image.h"
 
 namespace coppermoon::verbs {
 
 using povray_scenes::numbered_file;
-
-namespace {
-
-/// A file that verifies is of the film, and can be read to its end.
-bool verifies(const std::filesystem::path& path, const std::string& recipe, std::size_t frame) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return false;
-  try {
-    return texture::read_attribute(path, "coppermoon:recipe") == recipe &&
-           texture::read_attribute(path, "coppermoon:frame") == fmt::format("{}", frame) &&
-           texture::read_image(path).width > 0;
-  } catch (const algebra::Error&) {
-    return false;
-  }
-}
-
-}  // namespace
 
 Products products_from(const std::string& text) {
   Products products;
@@ -74,11 +55,6 @@ std::vector<std::filesystem::path> Film::files(std::size_t frame) const {
   if (products.pictures && bracket_ev)
     for (const char* stem : {"frame_under", "frame_over"}) all.push_back(picture(frame, stem));
   return all;
-}
-
-bool is_made(const Film& film, std::size_t frame) {
-  return std::ranges::all_of(film.files(frame),
-                             [&](const auto& path) { return verifies(path, film.recipe, frame); });
 }
 
 }  // namespace coppermoon::verbs

@@ -44,6 +44,7 @@ struct Film {
   std::filesystem::path folder;
   Moments moments{};
   std::string recipe{};  ///< in each file's header, beside the frame's number
+  std::string map_contents{}, view_contents{};  ///< fingerprints of what stands in files
   std::shared_ptr<const Moonlight> light{};
   std::shared_ptr<const algebra::Grid<float>> albedo{};
   std::vector<std::pair<almanac::Instant, double>> time_keys{};  ///< exposures [s]
@@ -61,9 +62,6 @@ struct Film {
 
 /// What a frame shows.
 View view_of(const Film& film, const almanac::SkyState& sky);
-
-/// Whether a frame's files are all there, each whole, of this film and frame.
-bool is_made(const Film& film, std::size_t frame);
 
 /// A frame that was made: its number, and the exposure of its picture.
 struct MadeFrame {

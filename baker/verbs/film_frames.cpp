@@ -15,6 +15,8 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 #include "verbs/film.h"
+#include "verbs/film_account.h"
+#include "verbs/film_folder.h"
 #include "verbs/lit_scene.h"
 #include "verbs/pixels.h"
 #include "verbs/temporary_folder.h"
@@ -32,6 +34,7 @@ BakedMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& vi
       film.moon,   sky,           film.albedo,   film.light, range_at(*film.light, sky),
       film.recipe, view.observer, view.sightline};
   auto moon = baked(lit, film.content, {extent, false});
+  for (const auto& [name, value] : account_attributes(film)) moon.attributes[name] = value;
   moon.attributes["coppermoon:frame"] = fmt::format("{}", frame);
   moon.attributes["framesPerSecond"] = static_cast<float>(film.times.fps);
   return moon;
@@ -71,9 +74,8 @@ struct Rendered {
 void write_pictures(const Film& film, const Rendered& rendered, const texture::Image& image,
                     const colour::Exposure& exposure) {
   const auto frame = rendered.frame;
-  const texture::Attributes attributes{{"coppermoon:recipe", film.recipe},
-                                       {"coppermoon:frame", fmt::format("{}", frame)},
-                                       {"coppermoon:version", std::string(COPPERMOON_VERSION)}};
+  auto attributes = account_attributes(film);
+  attributes["coppermoon:frame"] = fmt::format("{}", frame);
   const auto write = [&](const std::filesystem::path& path, double stops) {
     auto exposed = exposure;
     exposed.time_s *= std::exp2(stops);
@@ -130,6 +132,16 @@ void render(const Film& film, Frames frames, int threads, const Told& told) {
                                    std::filesystem::remove(texture_file(number));
                                  },
                                  {.threads = threads});
+}
+
+/// Under another exposure a linear frame keeps its pixels: its header and its pictures change.
+void expose(const Film& film, std::size_t frame, const Told& told) {
+  const auto sky = film.sky(frame);
+  const auto view = view_of(film, sky);
+  const auto moon = moon_of(film, sky, view, frame);
+  if (film.products.textures && !is_own(film, film.texture(frame), frame))
+    write_texture(film, frame, moon);
+  told(finished(film, {frame, moon.attributes, seen_by(view, sky)}, film.linear_frame(frame)));
 }
 
 void bake(const Film& film, std::size_t frame, const Told& told) {
@@ -193,13 +205,21 @@ void make_frames(const Film& film, const std::vector<std::size_t>& frames, const
     if (failure) std::rethrow_exception(failure);
     made(frame);
   };
+  const auto make = [&](Frames batch) {
+    std::vector<std::size_t> unseen;
+    for (const std::size_t frame : batch)
+      if (!film.products.rendered())
+        bake(film, frame, told);
+      else if (shows_scene(film, frame))
+        expose(film, frame, told);
+      else
+        unseen.push_back(frame);
+    if (!unseen.empty()) render(film, unseen, threads, told);
+  };
   const auto work = [&] {
     try {
-      for (std::size_t first; (first = next.fetch_add(length)) < frames.size();) {
-        const auto batch = Frames(frames).subspan(first, std::min(length, frames.size() - first));
-        film.products.rendered() ? render(film, batch, threads, told)
-                                 : bake(film, batch.front(), told);
-      }
+      for (std::size_t first; (first = next.fetch_add(length)) < frames.size();)
+        make(Frames(frames).subspan(first, std::min(length, frames.size() - first)));
     } catch (...) {
       const std::lock_guard lock(one_at_a_time);
       if (!failure) failure = std::current_exception();

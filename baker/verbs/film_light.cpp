@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algebra/error.h"
+#include "verbs/film_account.h"
 #include "verbs/light_file.h"
 #include "verbs/lit_scene.h"
 
@@ -43,15 +44,18 @@ LightOptions with_shards(LightOptions options, const std::filesystem::path& fold
 
 FilmLight film_light(const LightOptions& options, const almanac::Instant& from,
                      const almanac::Instant& to, const Purpose& purpose, const std::string& key,
-                     const std::filesystem::path& folder) {
+                     const std::filesystem::path& folder, bool replace) {
   const auto moon = moon_on_its_way(options, skies_between(from, to));
-  const auto whole_key =
-      fmt::format("coppermoon {}\n{:.17g} {:.17g} s\n{}", COPPERMOON_VERSION,
-                  almanac::seconds_between({}, from), almanac::seconds_between({}, to), key);
+  const auto whole_key = fmt::format("first-frame = {}\nlast-frame = {}\n{}",
+                                     almanac::utc_text(from, 3), almanac::utc_text(to, 3), key);
   const FolderLock alone(folder);
-  if (auto known = read_light(folder / file_name, whole_key)) {
-    add_direct_light(options, moon, *known);
-    return {std::move(*known), true};
+  if (auto known = read_light(folder / file_name)) {
+    if (known->key != whole_key && !replace)
+      throw algebra::Error(fmt::format(
+          "{}: holds the light of a film made with {} ({}), allowed another folder, or --replace",
+          folder.string(), differences(known->key, whole_key), file_name));
+    if (known->key == whole_key && complete(options, moon, known->light))
+      return {std::move(known->light), true};
   }
   auto light = light_on_the_way(with_shards(options, folder), moon, purpose);
   write_light(folder / file_name, whole_key, light);

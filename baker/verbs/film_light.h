@@ -21,11 +21,12 @@ struct FilmLight {
 ///
 /// Given   options   where they are photons, those that shards left in the folder are taken
 ///         from, to  the first and the last moment
-///         key       of all else that it depends on
-/// Throws  Error     as moon_on_its_way, write_light
+///         key       of all else that it depends on, in lines as a recipe's
+///         replace   whether another film's light may be replaced
+/// Throws  Error     as moon_on_its_way, read_light, write_light; for another film's light
 FilmLight film_light(const LightOptions& options, const almanac::Instant& from,
                      const almanac::Instant& to, const Purpose& purpose, const std::string& key,
-                     const std::filesystem::path& folder);
+                     const std::filesystem::path& folder, bool replace = false);
 
 /// Traces one part of a film's photons, and leaves their sums in the folder, in a file named as
 /// "eclipse.2-of-8.sums", for film_light to take.

@@ -21,7 +21,8 @@ double seconds_from(const Moments& moments, const almanac::Instant& when, std::s
   return almanac::seconds_between(when, moments.frames[frame - 1]);
 }
 
-/// The names of the contacts within the frames' time, each with the frame that is nearest to it.
+/// The frame nearest to each contact within the frames' time, with the names of those that it shows:
+/// within a minute, the finest that a sheet says.
 std::map<std::size_t, std::string> frames_at_contacts(const Moments& moments,
                                                       const Frames& frames) {
   const double all = seconds_from(moments, moments.frames[frames.front() - 1], frames.back());
@@ -34,8 +35,9 @@ std::map<std::size_t, std::string> frames_at_contacts(const Moments& moments,
     if (seconds_from(moments, when, frames.front()) > slack ||
         seconds_from(moments, when, frames.back()) < -slack)
       continue;
-    auto& known = names[*std::ranges::min_element(frames, {}, away)];
-    known += (known.empty() ? "" : ", ") + name;
+    const auto nearest = *std::ranges::min_element(frames, {}, away);
+    auto& known = names[nearest];
+    if (away(nearest) < 60) known += (known.empty() ? "" : ", ") + name;
   }
   return names;
 }
@@ -82,7 +84,7 @@ std::vector<SheetFrame> frames_of_sheet(const Moments& moments, const Frames& fr
   std::vector<SheetFrame> sheet;
   for (const auto frame : chosen) {
     const auto known = at_contacts.find(frame);
-    if (known != at_contacts.end())
+    if (known != at_contacts.end() && !known->second.empty())
       sheet.push_back({frame, known->second, true});
     else
       sheet.push_back({frame, from_nearest_contact(moments, frame), false});

@@ -4,14 +4,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
-#include <fstream>
-#include <iterator>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <span>
 
+#include "algebra/error.h"
 #include "texture/fingerprint.h"
 #include "texture/whole_file.h"
+#include "verbs/spectral_bands.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -20,7 +24,7 @@ using nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "numbers are written as they are");
 
-constexpr const char* kind = "coppermoon light 1";
+constexpr const char* light_kind = "coppermoon light 1";
 
 ordered_json described(const plan::Plan& plan) {
   const auto& work = plan.work;
@@ -57,7 +61,7 @@ plan::Plan plan_from(const ordered_json& all) {
 
 ordered_json described(const Moonlight& light, const std::string& key) {
   const auto& refracted = *light.refracted;
-  return {{"kind", kind},
+  return {{"kind", light_kind},
           {"key", key},
           {"sun_distance_m", refracted.arrangement.sun_distance_m},
           {"depths_m", refracted.arrangement.depths_m},
@@ -112,6 +116,50 @@ bool read_grids(std::string_view bytes, shadow::RefractedLight& light) {
   return true;
 }
 
+void require(bool sound) {
+  if (!sound) throw algebra::Error("no light");
+}
+
+bool are_within(std::span<const double> values, double low, double high) {
+  return std::ranges::all_of(values, [&](double v) { return v >= low && v <= high; });
+}
+
+bool ascend(std::span<const double> values) {
+  return !values.empty() &&
+         std::ranges::adjacent_find(values, std::greater_equal()) == values.end();
+}
+
+/// All but what the grids hold: their sizes must be sound before they are read.
+void require_sound(const Moonlight& light) {
+  const auto& work = light.plan.work;
+  const auto& refracted = *light.refracted;
+  require(work.method >= plan::Method::quadrature && work.method <= plan::Method::literal);
+  PlanOptions knobs;
+  knobs.bands = work.bands, knobs.rays = work.rays, knobs.sun_terms = work.sun_terms;
+  knobs.planes = work.planes, knobs.place_error = work.place_error;
+  by_hand(knobs);
+  require(are_within(
+      std::array{work.photons, light.error_found, light.plan.tolerance, light.plan.error}, 0,
+      1e15));
+  shadow::require_valid(refracted.arrangement);
+  require(ascend(refracted.arrangement.depths_m));
+  require(refracted.wavelengths_nm == wavelengths_nm(work.bands));
+  require(ascend(refracted.axis_distances_m) && are_within(refracted.axis_distances_m, 0, 1e9));
+  require(refracted.sectors >= 1 && refracted.sectors <= 1000);
+  const auto& range = light.range;
+  require(range.from_m >= 0 && range.to_m > range.from_m && range.to_m <= 1e9);
+  require(range.tolerance >= 1e-6 && range.tolerance <= 0.1);
+  require(range.sectors > 0 && range.first_sector < refracted.sectors);
+}
+
+/// Light is at most what comes without the Earth, whose air takes more away than it gathers; few photons
+/// say more.
+void require_sound(const shadow::RefractedLight& light) {
+  const double most = light.photons > 0 ? 1e12 : 1;
+  for (const auto* grids : {&light.ratio, &light.standard_error})
+    for (const auto& grid : *grids) require(are_within(grid.values(), 0, most));
+}
+
 std::string stamp_of(std::string_view bytes) {
   return fmt::format("{:016x}", texture::fingerprint(bytes));
 }
@@ -126,9 +174,9 @@ void write_light(const std::filesystem::path& path, const std::string& key,
   texture::write_whole(path, bytes + stamp_of(bytes));
 }
 
-std::optional<Moonlight> read_light(const std::filesystem::path& path, const std::string& key) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string all{std::istreambuf_iterator<char>(file), {}};
+std::optional<KeptLight> read_light(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) return std::nullopt;
+  const auto all = texture::bytes_of(path);
   constexpr std::size_t stamp = 16;
   if (all.size() < stamp) return std::nullopt;
   const auto bytes = std::string_view(all).substr(0, all.size() - stamp);
@@ -137,11 +185,15 @@ std::optional<Moonlight> read_light(const std::filesystem::path& path, const std
   if (line == std::string_view::npos) return std::nullopt;
   try {
     const auto header = ordered_json::parse(bytes.substr(0, line));
-    if (header.at("kind") != kind || header.at("key") != key) return std::nullopt;
-    auto light = light_from(header);
-    if (!read_grids(bytes.substr(line + 1), *light.refracted)) return std::nullopt;
-    return light;
+    if (header.at("kind") != light_kind) return std::nullopt;
+    KeptLight kept{header.at("key"), light_from(header)};
+    require_sound(kept.light);
+    if (!read_grids(bytes.substr(line + 1), *kept.light.refracted)) return std::nullopt;
+    require_sound(*kept.light.refracted);
+    return kept;
   } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  } catch (const algebra::Error&) {
     return std::nullopt;
   }
 }

@@ -16,10 +16,17 @@ namespace coppermoon::verbs {
 /// Throws  Error  one line with the path, when it cannot
 void write_light(const std::filesystem::path& path, const std::string& key, const Moonlight& light);
 
+/// Light that was read, and the key it was written for.
+struct KeptLight {
+  std::string key;
+  Moonlight light;
+};
+
 /// Reads it again, bit by bit the same.
 ///
-/// Returned  nothing when there is no such file, it was written for another key or by another
-///           version, or it is not, byte by byte, what was written
-std::optional<Moonlight> read_light(const std::filesystem::path& path, const std::string& key);
+/// Returned  nothing when there is no such file, or it is not, byte by byte, what was written, or not
+///           what any light is: each number within its bounds, each list of its length
+/// Throws    Error  when it is a folder, a device or a pipe
+std::optional<KeptLight> read_light(const std::filesystem::path& path);
 
 }  // namespace coppermoon::verbs

@@ -301,10 +301,30 @@ Moonlight refracted_light_of(const LightOptions& options, const ShadowedMoon& mo
 
 }  // namespace
 
-void add_direct_light(const LightOptions& asked, const ShadowedMoon& moon, Moonlight& light) {
+namespace {
+
+void add_direct_light(const LightOptions& options, const ShadowedMoon& moon, Moonlight& light) {
   const auto& work = light.plan.work;
-  light.direct.emplace(air_for(work, moon), arrangement_of(meant(asked), moon, work),
+  light.direct.emplace(air_for(work, moon), arrangement_of(options, moon, work),
                        wavelengths_nm(work.bands));
+}
+
+/// To the metre: other processors round otherwise.
+bool are_alike(const shadow::Arrangement& a, const shadow::Arrangement& b) {
+  const auto alike = [](double x, double y) { return std::abs(x - y) < 1; };
+  return a.limb_darkening == b.limb_darkening &&
+         alike(a.sun_distance_m / 1e3, b.sun_distance_m / 1e3) &&
+         std::ranges::equal(a.depths_m, b.depths_m, alike);
+}
+
+}  // namespace
+
+bool complete(const LightOptions& asked, const ShadowedMoon& moon, Moonlight& light) {
+  const auto options = meant(asked);
+  const auto& work = light.plan.work;
+  if (!are_alike(light.refracted->arrangement, arrangement_of(options, moon, work))) return false;
+  add_direct_light(options, moon, light);
+  return true;
 }
 
 Moonlight light_on_the_moon(const LightOptions& asked, const almanac::SkyState& sky,

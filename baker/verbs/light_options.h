@@ -96,7 +96,9 @@ Moonlight light_on_the_way(const LightOptions& options, const ShadowedMoon& moon
                            const Purpose& purpose);
 
 /// Adds the direct part, to light that was read without.
-void add_direct_light(const LightOptions& options, const ShadowedMoon& moon, Moonlight& light);
+///
+/// Returned  whether it is light on that way
+bool complete(const LightOptions& options, const ShadowedMoon& moon, Moonlight& light);
 
 /// What of the light on a Moon's way its disc takes in at one moment; nothing where all is sunlight.
 std::optional<shadow::LookupRange> range_at(const Moonlight& light, const almanac::SkyState& sky);

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/moon_options.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "algebra/error.h"
 #include "surface/albedo_map.h"
 #include "surface/built_in_moon.h"
+#include "texture/fingerprint.h"
 #include "texture/read_image.h"
+#include "texture/whole_file.h"
 #include "verbs/silence.h"
 
 namespace coppermoon::verbs {
@@ -45,6 +49,12 @@ void add_film_moon_options(CLI::App& verb, MoonOptions& options) {
 std::string map_chosen(const MoonOptions& options) {
   if (options.albedo_map != "auto") return options.albedo_map;
   return std::filesystem::exists(stellarium_map) ? stellarium_map : "built-in";
+}
+
+std::string map_contents(const MoonOptions& options) {
+  const auto map = map_chosen(options);
+  return map == "built-in" ? map
+                           : fmt::format("{:016x}", texture::fingerprint(texture::bytes_of(map)));
 }
 
 surface::Photometry photometry_of(const MoonOptions& options) {

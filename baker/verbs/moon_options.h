@@ -47,6 +47,11 @@ algebra::Grid<float> normal_albedo(const MoonOptions& options);
 /// Where the map of a Moon comes from: what "auto" stands for here.
 std::string map_chosen(const MoonOptions& options);
 
+/// A fingerprint of that map's file; "built-in" without one.
+///
+/// Throws Error when it cannot be read
+std::string map_contents(const MoonOptions& options);
+
 /// Throws Error when a file could not be put there: its folder is missing, or it is a folder
 /// itself. Said before the work is done.
 void require_place_for(const std::filesystem::path& file);

@@ -46,7 +46,9 @@ bool are_one(const fs::path& a, const fs::path& b) {
 bool stands_in(const fs::path& file, const fs::path& folder) {
   std::error_code failed;
   if (!fs::exists(file, failed)) return false;
-  const auto path = place_of(file), above = place_of(folder / "").parent_path();
+  const auto path = place_of(file);
+  auto above = place_of(folder);
+  if (above.filename().empty()) above = above.parent_path();  // "film/" that is not there yet
   return std::mismatch(above.begin(), above.end(), path.begin(), path.end()).first == above.end();
 }
 

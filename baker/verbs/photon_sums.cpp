@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "algebra/error.h"
@@ -137,12 +136,9 @@ void write_sums(const std::filesystem::path& path, const PhotonSums& sums) {
 }
 
 PhotonSums read_sums(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::error_code ignored;
-  if (!file || std::filesystem::is_directory(path, ignored))
-    throw Error(fmt::format("{}: cannot be read", path.string()));
+  const auto text = texture::bytes_of(path);
   try {
-    return sums_of(json::parse(file));
+    return sums_of(json::parse(text));
   } catch (const json::parse_error& error) {
     throw Error(fmt::format("{}: no JSON at byte {}", path.string(), error.byte));
   } catch (const json::exception& error) {

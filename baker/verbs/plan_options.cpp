@@ -117,9 +117,15 @@ plan::ByHand by_hand(const PlanOptions& options) {
   return hand;
 }
 
-std::string with_work(const std::string& recipe, const plan::Work& work) {
+std::string without_work(const std::string& recipe) {
   constexpr std::array replaced{"tolerance", "budget",      "bands",     "rays",    "sun-terms",
                                 "planes",    "place-error", "leave-out", "photons", "solver"};
+  return without(recipe, [&](const std::string& flag) {
+    return std::ranges::find(replaced, flag) != replaced.end();
+  });
+}
+
+std::string with_work(const std::string& recipe, const plan::Work& work) {
   std::vector<std::string_view> out;
   for (const auto& term : terms)
     if (!(work.*term.in)) out.push_back(term.name);
@@ -130,9 +136,7 @@ std::string with_work(const std::string& recipe, const plan::Work& work) {
   const bool photons = work.method != plan::Method::quadrature;
   text += fmt::format("solver = \"{}\"\n", photons ? "photons" : "quadrature");
   if (photons) text += fmt::format("photons = {}\n", work.photons);
-  return text + without(recipe, [&](const std::string& flag) {
-           return std::ranges::find(replaced, flag) != replaced.end();
-         });
+  return text + without_work(recipe);
 }
 
 }  // namespace coppermoon::verbs

@@ -32,4 +32,7 @@ plan::ByHand by_hand(const PlanOptions& options);
 /// for: the same Moon on any machine. The quality stays: it may say more.
 std::string with_work(const std::string& recipe, const plan::Work& work);
 
+/// A recipe in which neither stands, nor what was asked for.
+std::string without_work(const std::string& recipe);
+
 }  // namespace coppermoon::verbs

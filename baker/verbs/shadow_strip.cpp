@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr std::size_t columns = 1024;
-constexpr double lunar_radius_m = algebra::in_metres(almanac::lunar_radius);
+constexpr double moon_radius_m = algebra::in_metres(almanac::lunar_radius);
 
 struct Strip {
   texture::Image light;
@@ -82,8 +82,8 @@ ordered_json axis_of(const almanac::SkyState& sky) {
   const auto frame = sky.selenographic_from_gcrs * glm::transpose(axis.shadow_from_gcrs);
   return {{"instant", almanac::utc_text(sky.when)},
           {"axis_point_lunar_radii",
-           as_json(-(centre_m.x * frame[0] + centre_m.y * frame[1]) / lunar_radius_m)},
-          {"axis_point_depth_lunar_radii", centre_m.z / lunar_radius_m},
+           as_json(-(centre_m.x * frame[0] + centre_m.y * frame[1]) / moon_radius_m)},
+          {"axis_point_depth_lunar_radii", centre_m.z / moon_radius_m},
           {"axis_direction", as_json(frame[2])},
           {"axis_east", as_json(frame[0])},
           {"axis_north", as_json(frame[1])}};
@@ -100,12 +100,12 @@ ordered_json facts_of(const std::filesystem::path& file, const Strip& strip,
                      {"step_km", strip.step_m() / 1e3},
                      {"depth_km", depth_m / 1e3},
                      {"sun_distance_km", shadow.arrangement.sun_distance_m / 1e3},
-                     {"lunar_radius_km", lunar_radius_m / 1e3},
-                     {"end_lunar_radii", strip.end_m / lunar_radius_m},
-                     {"step_lunar_radii", strip.step_m() / lunar_radius_m},
-                     {"depth_lunar_radii", depth_m / lunar_radius_m},
-                     {"limb_lunar_radii", shadow::limb_m / lunar_radius_m},
-                     {"one_limb_lunar_radii", shadow::one_limb_m / lunar_radius_m}};
+                     {"lunar_radius_km", moon_radius_m / 1e3},
+                     {"end_lunar_radii", strip.end_m / moon_radius_m},
+                     {"step_lunar_radii", strip.step_m() / moon_radius_m},
+                     {"depth_lunar_radii", depth_m / moon_radius_m},
+                     {"limb_lunar_radii", shadow::limb_m / moon_radius_m},
+                     {"one_limb_lunar_radii", shadow::one_limb_m / moon_radius_m}};
   if (shadow.sky) facts.update(axis_of(*shadow.sky));
   facts["version"] = COPPERMOON_VERSION;
   facts["recipe"] = recipe;
@@ -128,7 +128,7 @@ texture::Attributes header(const ordered_json& facts) {
 }
 
 std::string as_cube(const Strip& strip) {
-  const double end = strip.end_m / lunar_radius_m;
+  const double end = strip.end_m / moon_radius_m;
   auto text = fmt::format(
       "TITLE \"light in the Earth's shadow over sunlight, lin_rec709\"\n"
       "# in: distance from the shadow's axis, in lunar radii\n"

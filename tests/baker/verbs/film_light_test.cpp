@@ -26,9 +26,10 @@ class WholeFilm : public testing::Test {
   }
   ~WholeFilm() override { fs::remove_all(folder_); }
 
-  FilmLight light(const LightOptions& options, const std::string& key = "") const {
+  FilmLight light(const LightOptions& options, const std::string& key = "",
+                  bool replace = false) const {
     return film_light(options, instant_from_utc("2018-07-27T17:10:00Z"),
-                      instant_from_utc("2018-07-27T23:32:00Z"), {}, key, folder_);
+                      instant_from_utc("2018-07-27T23:32:00Z"), {}, key, folder_, replace);
   }
 
   fs::path folder_;
@@ -95,9 +96,10 @@ TEST_F(WholeFilmThoroughly, IsComputedOnce) {
   const auto options = fine("standard");
   EXPECT_FALSE(light(options).kept);
   EXPECT_TRUE(light(options).kept);
-  EXPECT_FALSE(light(options, "of other air").kept);
+  EXPECT_THROW(light(options, "ozone-du = 0\n"), algebra::Error) << "of other air";
+  EXPECT_FALSE(light(options, "ozone-du = 0\n", true).kept);
   fs::resize_file(folder_ / "eclipse.light", 1000);
-  EXPECT_FALSE(light(options, "of other air").kept) << "a file that does not verify";
+  EXPECT_FALSE(light(options, "ozone-du = 0\n").kept) << "a file that does not verify";
 }
 
 TEST_F(WholeFilm, OutsideAnyEclipseIsRefused) {

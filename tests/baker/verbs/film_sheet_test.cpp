@@ -53,6 +53,13 @@ TEST(FramesOfSheet, AreAllOfAShortFilm) {
   EXPECT_EQ(frames_of_sheet(moments, all_of(moments)).size(), 12);
 }
 
+TEST(FramesOfSheet, FarFromAContactSayHowFar) {
+  const auto sheet = frames_of_sheet(moments_between("U2-12min", "U2+12min", 2), {1, 2});
+  EXPECT_EQ(sheet.front().moment, "U2-12min");
+  EXPECT_EQ(sheet.back().moment, "U2+12min");
+  for (const auto& frame : sheet) EXPECT_FALSE(frame.at_contact);
+}
+
 TEST(FramesOfSheet, AreNamedAfterNoContactBeyondTheFilm) {
   const auto moments = moments_between("U2+10min", "greatest", 20);
   const auto sheet = frames_of_sheet(moments, all_of(moments));

@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/light_file.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
 
+#include "algebra/error.h"
 #include "almanac/instant.h"
+#include "texture/fingerprint.h"
 
 namespace coppermoon::verbs {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 
 std::string bytes_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -43,8 +51,10 @@ class LightFile : public testing::Test {
 };
 
 TEST_F(LightFile, GivesTheVeryLightThatWasWritten) {
-  const auto read = read_light(path(), key);
-  ASSERT_TRUE(read);
+  const auto kept = read_light(path());
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->key, key);
+  const auto* read = &kept->light;
   EXPECT_EQ(read->refracted->wavelengths_nm, light_.refracted->wavelengths_nm);
   EXPECT_EQ(read->refracted->axis_distances_m, light_.refracted->axis_distances_m);
   EXPECT_EQ(read->refracted->arrangement.depths_m, light_.refracted->arrangement.depths_m);
@@ -62,11 +72,7 @@ TEST_F(LightFile, GivesTheVeryLightThatWasWritten) {
   EXPECT_EQ(read->plan.left_out.size(), light_.plan.left_out.size());
 }
 
-TEST_F(LightFile, OfAnotherKeyIsNotTaken) {
-  EXPECT_FALSE(read_light(path(), "air and Sun\nof another"));
-}
-
-TEST_F(LightFile, ThatIsNotThereIsNotTaken) { EXPECT_FALSE(read_light(folder_ / "none", key)); }
+TEST_F(LightFile, ThatIsNotThereIsNotTaken) { EXPECT_FALSE(read_light(folder_ / "none")); }
 
 TEST_F(LightFile, WithAnyBitSpoiltIsNotTaken) {
   const auto whole = bytes_of(path());
@@ -74,17 +80,88 @@ TEST_F(LightFile, WithAnyBitSpoiltIsNotTaken) {
     auto bytes = whole;
     bytes[at] = static_cast<char>(bytes[at] ^ 1);
     spoil(bytes);
-    EXPECT_FALSE(read_light(path(), key)) << "byte " << at;
+    EXPECT_FALSE(read_light(path())) << "byte " << at;
   }
   for (const std::size_t length :
        {std::size_t{0}, std::size_t{15}, std::size_t{16}, whole.size() / 2, whole.size() - 1}) {
     spoil(whole.substr(0, length));
-    EXPECT_FALSE(read_light(path(), key)) << length << " bytes";
+    EXPECT_FALSE(read_light(path())) << length << " bytes";
   }
   spoil(whole + "x");
-  EXPECT_FALSE(read_light(path(), key));
+  EXPECT_FALSE(read_light(path()));
   spoil(whole);
-  EXPECT_TRUE(read_light(path(), key));
+  EXPECT_TRUE(read_light(path()));
+}
+
+/// A file with a fingerprint that is right, and a header that somebody wrote.
+std::string forged(const std::string& whole, const std::string& pointer, const json& value) {
+  const auto line = whole.find('\n');
+  auto header = json::parse(whole.substr(0, line));
+  header[json::json_pointer(pointer)] = value;
+  const auto bytes = header.dump() + whole.substr(line, whole.size() - line - 16);
+  return bytes + fmt::format("{:016x}", texture::fingerprint(bytes));
+}
+
+TEST_F(LightFile, ThatNoLightIsLikeIsNotTaken) {
+  const auto whole = bytes_of(path());
+  spoil(forged(whole, "/key", key));
+  EXPECT_TRUE(read_light(path())) << "the forger's own work is sound";
+  const auto two = json::array({1e6, 1e6});
+  for (const auto& [pointer, value] :
+       std::vector<std::pair<std::string, json>>{{"/sun_distance_m", 1.},
+                                                 {"/sun_distance_m", "far"},
+                                                 {"/depths_m", json::array()},
+                                                 {"/depths_m", json::array({4.1e8, 4.0e8})},
+                                                 {"/wavelengths_nm", json::array()},
+                                                 {"/wavelengths_nm/0", 1e9},
+                                                 {"/axis_distances_m", json::array()},
+                                                 {"/axis_distances_m", two},
+                                                 {"/axis_distances_m/1", -1.},
+                                                 {"/sectors", 0},
+                                                 {"/sectors", std::uint64_t{1} << 62},
+                                                 {"/sectors", -1},
+                                                 {"/range", json::array({0, 0, 1e-3})},
+                                                 {"/range", json::array({0, 1e7})},
+                                                 {"/range", json::array({-1e9, 1e7, 1e-3})},
+                                                 {"/range", json::array({0, 1e300, 1e-3})},
+                                                 {"/range", json::array({0, 1e7, 0})},
+                                                 {"/range_sectors", json::array({1000, 1})},
+                                                 {"/range_sectors", json::array({0, 0})},
+                                                 {"/error_found", -1},
+                                                 {"/plan/method", 17},
+                                                 {"/plan/photons", -5},
+                                                 {"/plan/knobs", json::array({0, 300, 3, 2})},
+                                                 {"/plan/knobs", json::array({20, 1, 3, 2})},
+                                                 {"/plan/knobs", json::array({20, 300, 7, 2})},
+                                                 {"/plan/knobs", json::array({20, 300, 3, 0})},
+                                                 {"/plan/place_error", 0},
+                                                 {"/plan/tolerance", -1},
+                                                 {"/plan", json::object()}}) {
+    spoil(forged(whole, pointer, value));
+    EXPECT_FALSE(read_light(path())) << pointer << " = " << value;
+  }
+}
+
+TEST_F(LightFile, OfNumbersThatNoLightHasIsNotTaken) {
+  const auto set_all = [&](double value) {
+    auto light = light_;
+    for (auto& grid : light.refracted->ratio) std::ranges::fill(grid.values(), value);
+    write_light(path(), key, light);
+  };
+  set_all(0.5);
+  EXPECT_TRUE(read_light(path()));
+  for (const double value : {-1e-9, 1.1, std::numeric_limits<double>::infinity(),
+                             std::numeric_limits<double>::quiet_NaN()}) {
+    set_all(value);
+    EXPECT_FALSE(read_light(path())) << value;
+  }
+}
+
+TEST_F(LightFile, IsARegularOne) {
+  fs::create_directory(folder_ / "a folder");
+  EXPECT_THROW(read_light(folder_ / "a folder"), algebra::Error);
+  ASSERT_EQ(::mkfifo((folder_ / "a pipe").c_str(), 0666), 0);
+  EXPECT_THROW(read_light(folder_ / "a pipe"), algebra::Error);
 }
 
 }  // namespace
