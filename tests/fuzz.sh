@@ -10,7 +10,7 @@ set -eu
 cd "$(dirname "$0")/.."
 seconds=${1:-120}
 [ $# -eq 0 ] || shift
-[ $# -gt 0 ] || set -- albedo_map flags instant photon_sums recipe words
+[ $# -gt 0 ] || set -- albedo_map flags instant light_file photon_sums recipe words
 command -v clang++ >/dev/null || { echo "clang++: not found; install the package clang" >&2; exit 1; }
 cmake --preset sanitizers >/dev/null
 cmake --build build/sanitizers --target fuzzers

@@ -312,6 +312,13 @@ std::vector<std::optional<std::string>> read_attributes(const fs::path& path,
   return values;
 }
 
+void require_albedo_map(const fs::path& path, double exponent) {
+  algebra::require_within("albedo exponent", exponent, 0.1, 10);
+  const auto input = opened(path);
+  require_two_to_one(path, input->spec());
+  require_light(path, input->spec());
+}
+
 algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding, double exponent) {
   algebra::require_within("albedo exponent", exponent, 0.1, 10);
   const auto input = opened(path);

@@ -69,4 +69,9 @@ Image read_light(const std::filesystem::path& path, Coding coding = Coding::as_f
 algebra::Grid<float> read_albedo_map(const std::filesystem::path& path,
                                      Coding coding = Coding::as_file_says, double exponent = 1);
 
+/// Refuses a map before it is read, as far as its header tells.
+///
+/// Throws  Error  as read_albedo_map
+void require_albedo_map(const std::filesystem::path& path, double exponent = 1);
+
 }  // namespace coppermoon::texture

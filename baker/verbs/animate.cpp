@@ -137,6 +137,7 @@ std::vector<std::size_t> prepare(const CLI::App& verb, Options& options) {
   if (!frames.empty()) require_up(film, frames);
   film.moon.texture_width = texture_width(film);
   film.recipe = with_width(recipe_of(verb), *film.moon.texture_width);
+  require_map(film.moon);
   film.map_contents = map_contents(film.moon);
   film.view_contents = fingerprint(film.develop, picture_space);
   if (std::filesystem::exists(film.folder)) require_own(film, options.replace);

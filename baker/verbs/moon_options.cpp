@@ -51,6 +51,12 @@ std::string map_chosen(const MoonOptions& options) {
   return std::filesystem::exists(stellarium_map) ? stellarium_map : "built-in";
 }
 
+void require_map(const MoonOptions& options) {
+  if (!reads_map(options)) return;
+  const Silence silence;
+  texture::require_albedo_map(map_chosen(options), options.albedo_exponent.value_or(1));
+}
+
 std::string map_contents(const MoonOptions& options) {
   const auto map = map_chosen(options);
   return map == "built-in" ? map

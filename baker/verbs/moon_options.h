@@ -47,6 +47,9 @@ algebra::Grid<float> normal_albedo(const MoonOptions& options);
 /// Where the map of a Moon comes from: what "auto" stands for here.
 std::string map_chosen(const MoonOptions& options);
 
+/// Throws Error as normal_albedo, as far as that map's header tells
+void require_map(const MoonOptions& options);
+
 /// A fingerprint of that map's file; "built-in" without one.
 ///
 /// Throws Error when it cannot be read

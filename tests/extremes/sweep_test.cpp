@@ -289,6 +289,16 @@ class Sweep : public end_to_end::ProgramTest, public testing::WithParamInterface
     return listing() == std::set<std::string>{"here/recipe.toml"} ? "" : "something is left";
   }
 
+  /// Nothing but the recipe and the output, neither of them another's.
+  std::string flaw_of_folder(const Recipe& recipe) const {
+    if (text_of(here("recipe.toml")) != recipe.text) return "the recipe is another";
+    const auto output = std::string("here/") + recipe.verb.output;
+    for (const auto& name : listing())
+      if (name != "here/recipe.toml" && name != output && !name.starts_with(output + "/"))
+        return name + " is left";
+    return "";
+  }
+
   void tidy(const Verb& verb) const {
     if (*verb.output != 0) fs::remove_all(here(verb.output));
   }
@@ -303,6 +313,7 @@ TEST_P(Sweep, EndsInAValidFileOrOneLine) {
     const auto outcome = made(recipe);
     const bool done = outcome.status == 0;
     auto flaw = done ? flaw_of_file(recipe.verb, outcome) : flaw_of_refusal(outcome);
+    if (done && flaw.empty()) flaw = flaw_of_folder(recipe);
     if (done && !outcome.err.empty() &&
         outcome.err.find("the budget left no time") == std::string::npos)
       flaw = "done, with a complaint";

@@ -11,8 +11,8 @@ add_dependencies(extremes_heavy_tests extremes_clock_set_back)
 target_compile_definitions(extremes_heavy_tests PRIVATE
                            COPPERMOON_CLOCK_SET_BACK="$<TARGET_FILE:extremes_clock_set_back>")
 
-# all that may be asked for: ten thousand recipes, a hundred a time
-coppermoon_test_program(extremes sweep sweep "coppermoon::texture;nlohmann_json::nlohmann_json")
+# all that may be asked for: ten thousand recipes and five hundred commands on files, a hundredth a time
+coppermoon_test_program(extremes sweep "sweep;sweep_of_files" "coppermoon::texture;nlohmann_json::nlohmann_json")
 foreach(hundred RANGE 99)
   add_test(NAME extremes/sweep/${hundred} COMMAND ${program} --gtest_filter=*/${hundred})
   set_tests_properties(extremes/sweep/${hundred} PROPERTIES LABELS sweep TIMEOUT 6000)

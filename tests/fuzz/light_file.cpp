@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// A film's eclipse.light with a fingerprint that is right: read, completed and looked up.
+#include "verbs/light_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "almanac/instant.h"
+#include "fuzz/refused.h"
+#include "fuzz/scratch_file.h"
+#include "texture/fingerprint.h"
+#include "verbs/spectral_bands.h"
+
+namespace {
+
+using namespace coppermoon;
+
+/// What the film asks for that finds the file in its folder.
+struct Asked {
+  verbs::LightOptions options;
+  verbs::ShadowedMoon moon;
+};
+
+Asked asked() {
+  Asked asked;
+  asked.options.air.atmosphere = "paper";
+  const std::array skies{almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:21:45Z"))};
+  asked.moon = verbs::moon_on_its_way(asked.options, skies);
+  return asked;
+}
+
+void read(std::string_view text) {
+  static const fuzz::ScratchFile file("eclipse.light");
+  static const Asked film = asked();
+  auto kept = verbs::read_light(
+      file.holding(std::string(text) + fmt::format("{:016x}", texture::fingerprint(text))));
+  if (!kept || !verbs::complete(film.options, film.moon, kept->light)) return;
+  const auto lookup = kept->light.in_channels(verbs::luminance_weights());
+  std::array<double, 1> ratio{};
+  lookup.read(film.moon.centre, ratio);
+  fuzz::require(ratio[0] >= 0 && ratio[0] <= 1e15);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz::done([&] { read(fuzz::as_text(data, size)); });
+  return 0;
+}
