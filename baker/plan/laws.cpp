@@ -63,7 +63,7 @@ double seconds_of_quadrature(const Work& work, const Scene& scene, double distan
          places * (cost.place + terms * (cost.place_term + cost.place_wavelength * parts * waves));
 }
 
-/// What it takes to see how exact the light is, at eighteen places.
+/// What it takes to see how exact the light is, at thirty places.
 double seconds_of_check(Work work, const Scene& scene) {
   work.bands = std::min(400, 2 * work.bands);
   work.rays *= 2;
@@ -72,7 +72,7 @@ double seconds_of_check(Work work, const Scene& scene) {
   work.ellipsoid = work.regions = true;
   Scene few = scene;
   few.sectors = std::min<std::size_t>(3, scene.sectors);
-  return seconds_of_quadrature(work, few, 6);
+  return seconds_of_quadrature(work, few, 8);
 }
 
 /// How much of a scene's parallel work one more core takes off.
@@ -112,9 +112,9 @@ double predicted_seconds(const Work& work, const Scene& scene, const Machine& ma
   double light = cost.trial + cost.lookup;
   if (work.scattered_light)
     light += cost.twilight + cost.twilight_wavelength * std::min(work.bands, 80);
+  if (!work.refracted || work.method == Method::quadrature) light += seconds_of_check(work, scene);
   if (work.refracted && work.method == Method::quadrature) {
-    light +=
-        seconds_of_quadrature(work, scene, distances(work, scene)) + seconds_of_check(work, scene);
+    light += seconds_of_quadrature(work, scene, distances(work, scene));
   } else if (work.refracted) {
     const double dearer = sectors(work, scene) > 1 ? cost.sectors_dearer : 1;
     const double by_wavelength = dearer * cost.photon_wavelength * work.bands * work.planes;
@@ -123,8 +123,9 @@ double predicted_seconds(const Work& work, const Scene& scene, const Machine& ma
                                                              : by_wavelength;
     light += 0.05 + work.photons * a_photon;
   }
-  const double texture = cost.texel * scene.texels + (scene.map_file ? cost.map_file : 0);
-  return (cost.together * light + texture) / machine.speed / cores(machine) + scene.other_seconds;
+  const double map = scene.map_file ? cost.map_file : 0;  // read by one core
+  const double all = cost.together * light + cost.texel * scene.texels + map;
+  return std::max(map, all / cores(machine)) / machine.speed + scene.other_seconds;
 }
 
 }  // namespace coppermoon::plan

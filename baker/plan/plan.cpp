@@ -41,10 +41,15 @@ Knob refracted(double tolerance, const Scene& scene, const ByHand& by_hand) {
   return {{1}, [](Work& work, double) { work.refracted = true; }};
 }
 
+Knob scattered(const Scene& scene, const ByHand& by_hand) {
+  if (!by_hand.terms && by_hand.scattered_light)
+    return {{1}, [](Work& work, double) { work.scattered_light = true; }};
+  return term(scene.without_scattered > 0, by_hand, &Work::scattered_light);
+}
+
 std::vector<Knob> switches(double tolerance, const Scene& scene, const ByHand& by_hand) {
   return {refracted(tolerance, scene, by_hand), term(scene.ellipsoid, by_hand, &Work::ellipsoid),
-          term(scene.columns > 1, by_hand, &Work::regions),
-          term(scene.without_scattered > 0, by_hand, &Work::scattered_light)};
+          term(scene.columns > 1, by_hand, &Work::regions), scattered(scene, by_hand)};
 }
 
 std::vector<double> doubled(double from, double to) {
@@ -170,8 +175,9 @@ Plan plan_with(Method method, double tolerance, const Scene& scene, const Machin
           {}};
 }
 
-/// By the cheapest method that is good enough, else by the best. A method is chosen as if nothing
-/// were set by hand: few rays ask for a coarse quadrature, not for photons.
+/// By the cheapest method that is good enough; where none is, by the quickest: photons might take
+/// weeks to be better by a hair. A method is chosen as if nothing were set by hand: few rays ask for a
+/// coarse quadrature, not for photons.
 Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
                  const ByHand& by_hand) {
   using enum Method;
@@ -181,14 +187,14 @@ Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
   std::vector<Plan> free;
   for (const auto method : methods)
     free.push_back(plan_with(method, tolerance, scene, machine, {}));
-  // those that are good enough by their time, before those that are not by their error
   std::ranges::sort(free, {}, [&](const Plan& plan) {
-    return std::pair{plan.error > tolerance ? plan.error : 0., plan.seconds};
+    return std::pair{plan.error > tolerance, plan.seconds};
   });
   std::vector<Plan> plans;
   for (const auto& plan : free)
     plans.push_back(plan_with(plan.work.method, tolerance, scene, machine, by_hand));
   Plan best = plans.front();
+  if (free.front().error > tolerance) best.gave_way = "tolerance";
   for (const auto& plan : plans)
     best.methods.push_back({plan.work.method, plan.seconds, plan.error});
   return best;
@@ -219,8 +225,9 @@ Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine, cons
     tolerance *= 1.25;
     if (tolerance > coarsest) break;
     plan = plan_within(tolerance, scene, machine, by_hand);
-    if (wish.tolerance && plan.error > asked) plan.gave_way = "tolerance";
+    if (plan.error > asked) plan.gave_way = "tolerance";
   }
+  if (!wish.tolerance) plan.gave_way.clear();
   return plan;
 }
 

@@ -38,6 +38,7 @@ struct ByHand {
   std::optional<int> bands{}, rays{}, sun_terms{}, planes{};
   std::optional<double> place_error{};
   std::optional<Work> terms{};  ///< its four switches
+  bool scattered_light = false;  ///< however little it is, where the switches say nothing
 };
 
 /// A Moon in the Earth's shadow, as far as work depends on it.
@@ -84,7 +85,8 @@ struct Plan {
   double seconds = 0, error = 0;
   std::vector<LeftOut> left_out{};
   std::vector<Alternative> methods{};  ///< those that were weighed up, best first
-  std::string gave_way{};  ///< "tolerance" where the budget took more than was asked, else empty
+  /// "tolerance" where what was asked cannot be had, or not in the budget; else empty
+  std::string gave_way{};
 };
 
 /// Seconds that light and texture take.
@@ -100,8 +102,9 @@ double predicted_error(const Work& work, const Scene& scene);
 /// The cheapest work, of the cheapest method, whose predicted error is within the tolerance: from
 /// the coarsest, step by step that refinement (or that term) which takes off most error for its
 /// time. What is set by hand may leave more than the tolerance: then all else is within it; the
-/// method is chosen as if nothing were set by hand. With a budget, the finest tolerance it has time
-/// for; where even the coarsest work takes longer, that.
+/// method is chosen as if nothing were set by hand. Where no method is good enough, the quickest,
+/// within the tolerance of its best. With a budget, the finest tolerance it has time for; where even the coarsest work
+/// takes longer, that.
 ///
 /// Given     by_hand  stays as it is
 /// Throws    Error    when a wish is outside its range

@@ -253,20 +253,22 @@ class Refinement {
     }
     open.back() = false;
     auto found = solver_.rings(middles, {});
+    std::vector<bool> still(all.size());
+    for (std::size_t i = 0, next = 0; i < all.size(); ++i) {
+      if (!open[i]) continue;
+      const std::size_t first = std::clamp<std::size_t>(i, 1, all.size() - 3) - 1;
+      const auto& middle = found[next++];
+      still[i] = surprise(std::span(all).subspan(first, 4), middle,
+                          direct_light(atmosphere_, arrangement_, middle.gamma_m)) > error;
+    }
     std::vector<Ring> finer;
     std::vector<bool> finer_open;
     for (std::size_t i = 0, next = 0; i < all.size(); ++i) {
-      bool still = false;
-      if (open[i]) {
-        const std::size_t first = std::clamp<std::size_t>(i, 1, all.size() - 3) - 1;
-        still = surprise(std::span(all).subspan(first, 4), found[next],
-                         direct_light(atmosphere_, arrangement_, found[next].gamma_m)) > error;
-      }
-      finer.push_back(all[i]);
-      finer_open.push_back(still);
+      finer.push_back(std::move(all[i]));
+      finer_open.push_back(still[i]);
       if (!open[i]) continue;
       finer.push_back(std::move(found[next++]));
-      finer_open.push_back(still);
+      finer_open.push_back(still[i]);
     }
     all = std::move(finer);
     open = std::move(finer_open);
@@ -300,6 +302,19 @@ void fill(std::span<const Ring> rings, const Atmosphere& atmosphere,
   }
 }
 
+/// What they are computed from, as large as they, is gone when they are returned.
+std::vector<Ring> rings_of(const Atmosphere& atmosphere, const Arrangement& arrangement,
+                           std::span<const double> wavelengths_nm,
+                           std::span<const double> axis_distances_m,
+                           const QuadratureSettings& settings, const algebra::Progress& progress) {
+  const auto sun =
+      photons::disc_terms(wavelengths_nm, arrangement.limb_darkening, settings.sun_terms);
+  const photons::WholeLimb limb(atmosphere, optics_of(atmosphere, wavelengths_nm), settings.rays);
+  const Solver solver(limb, sun, arrangement, angles(atmosphere, settings), settings.rays);
+  return Refinement(solver, atmosphere, arrangement)
+      .rings(axis_distances_m, settings.place_error, progress);
+}
+
 void require_valid(const QuadratureSettings& settings) {
   algebra::require_within("rays", settings.rays, 2, 1e7);
   algebra::require_within("first sector", static_cast<double>(settings.first_sector), 0,
@@ -322,12 +337,8 @@ RefractedLight by_quadrature(const Atmosphere& atmosphere, const Arrangement& ar
   const std::size_t sectors = atmosphere.symmetric() ? 1 : settings.around;
   if (atmosphere.top_m() <= 0 || wavelengths_nm.empty() || axis_distances_m.empty())
     return darkness(arrangement, wavelengths_nm, axis_distances_m, sectors);
-  const auto sun =
-      photons::disc_terms(wavelengths_nm, arrangement.limb_darkening, settings.sun_terms);
-  const photons::WholeLimb limb(atmosphere, optics_of(atmosphere, wavelengths_nm), settings.rays);
-  const Solver solver(limb, sun, arrangement, angles(atmosphere, settings), settings.rays);
-  const auto rings = Refinement(solver, atmosphere, arrangement)
-                         .rings(axis_distances_m, settings.place_error, progress);
+  const auto rings =
+      rings_of(atmosphere, arrangement, wavelengths_nm, axis_distances_m, settings, progress);
   std::vector<double> distances_m;
   for (const auto& ring : rings) distances_m.push_back(ring.gamma_m);
   auto light = darkness(arrangement, wavelengths_nm, distances_m, sectors);

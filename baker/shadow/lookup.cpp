@@ -88,7 +88,7 @@ struct Filling {
   algebra::Grid<double> direct_weights = direct.in_layers(weights);
 
   /// Given     row  of the table
-  /// Returned  whether refracted light is known there, and no direct light is
+  /// Returned  whether refracted light is known there
   bool fill(LookupTable& table, std::size_t row, std::span<double> ratios,
             std::span<double> clear) const {
     const std::size_t plane = row / table.nodes / table.held, sector = sector_of(table, row);
@@ -107,7 +107,7 @@ struct Filling {
     for (std::size_t c = 0; c < weights.rows(); ++c)
       table.values(row, c) =
           in_channel(weights.row(c), ratios) + of_direct * in_channel(direct_weights.row(c), clear);
-    return clear.front() == 0 && at_m >= places.front() && at_m <= places.back();
+    return at_m >= places.front() && at_m <= places.back();
   }
 };
 
@@ -126,31 +126,38 @@ double bend(const LookupTable& table, std::size_t middle) {
   return brightest > 0 ? bent / brightest : 0;
 }
 
-/// Returned  the largest bend where no direct light is
+/// Returned  the largest bend where refracted light is known
 double fill_table(LookupTable& table, const Filling& filling, double to_m) {
   table.nodes = static_cast<std::size_t>(std::ceil((to_m - table.first_m) / table.spacing_m)) + 1;
   table.nodes = std::max<std::size_t>(2, table.nodes);
   const std::size_t rows = table.depths_m.size() * table.held * table.nodes;
   table.values = {};  // those of wider nodes, before there are two of them
   table.values = algebra::Grid<double>(rows, table.sunlight.size());
-  std::vector<char> umbra(rows);
+  std::vector<char> known(rows);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, 64), [&](const auto& part) {
     std::vector<double> ratios(filling.weights.columns()), clear(filling.direct_weights.columns());
     for (std::size_t i = part.begin(); i < part.end(); ++i)
-      if (!is_dark(table, i)) umbra[i] = filling.fill(table, i, ratios, clear);
+      if (!is_dark(table, i)) known[i] = filling.fill(table, i, ratios, clear);
   });
   double worst = 0;
   for (std::size_t i = 1; i + 1 < rows; ++i)
-    if (i % table.nodes != 0 && (i + 1) % table.nodes != 0 && umbra[i - 1] && umbra[i + 1])
+    if (i % table.nodes != 0 && (i + 1) % table.nodes != 0 && known[i - 1] && known[i + 1])
       worst = std::max(worst, bend(table, i));
   return worst;
 }
 
-/// The straight line's error falls as the square of the spacing, somewhat slower where the cubics
-/// meet.
+/// The straight line's error falls as the square of the spacing, where direct light begins as its power
+/// of 3/2: so does the part of the Sun's disc that is clear.
 double spacing_for(double tolerance, double error) {
-  const double finer = std::pow(std::min(1., 0.8 * tolerance / error), 0.6);
+  const double finer = std::pow(std::min(1., 0.8 * tolerance / error), 2. / 3);
   return std::max(closest_spacing_m, widest_spacing_m * finer);
+}
+
+/// The closest at which a table is no larger than a gigabyte, if it is not at its widest.
+double spacing_in_memory(const LookupTable& table) {
+  constexpr double most_values = 1e9 / sizeof(double);
+  const auto values = static_cast<double>(table.values.rows() * table.values.columns());
+  return std::min(widest_spacing_m, table.spacing_m * values / most_values);
 }
 
 }  // namespace
@@ -176,7 +183,7 @@ Lookup::Lookup(const RefractedLight& light, const DirectLight& direct,
   const double to_m = std::clamp(range.to_m, table_.first_m, table_.end_m);
   const Filling filling{light, direct, weights, part};
   if (const double error = fill_table(table_, filling, to_m); error > range.tolerance) {
-    table_.spacing_m = spacing_for(range.tolerance, error);
+    table_.spacing_m = std::max(spacing_for(range.tolerance, error), spacing_in_memory(table_));
     fill_table(table_, filling, to_m);
   }
   if (part == LightPart::refracted) std::ranges::fill(table_.sunlight, 0);

@@ -45,9 +45,9 @@ class Lookup {
   /// Given     light    refracted light; direct: the sunlight that goes with it
   ///           weights  what each channel makes of the ratio at each wavelength
   ///           range    outside of it the outermost values hold, but for sunlight
-  /// Accuracy  in the umbra straight lines between nodes err by less than the tolerance of the
-  ///           brightest channel (each counted in its own sunlight), unless nodes were to stand
-  ///           closer than 1 km; where direct light begins by 2e-3 of the light there
+  /// Accuracy  straight lines between nodes err by less than the tolerance of the brightest channel
+  ///           (each counted in its own sunlight), unless nodes were to stand closer than 1 km, or
+  ///           the table to take more than a gigabyte
   /// Throws    Error    when the tolerance is outside its range
   Lookup(const RefractedLight& light, const DirectLight& direct, const ChannelWeights& weights,
          const LookupRange& range = {}, LightPart part = LightPart::all);

@@ -191,12 +191,19 @@ ShadowedMoon shadowed_moon(const LightOptions& options, const almanac::SkyState&
 
 namespace {
 
+/// Whether scattered light was left out that may be a twentieth of the error or more.
+bool leaves_scattered_light(const plan::Plan& plan) {
+  const auto& all = plan.left_out;
+  const auto scattered = std::ranges::find(all, "scattered light", &plan::LeftOut::term);
+  return scattered != all.end() && scattered->size > plan.error / 20;
+}
+
 /// Of luminance: what the quadrature is found to err by; two standard errors of photons.
 double found_error(const ShadowedMoon& moon, const Moonlight& light) {
   const auto weights = at_wavelengths(luminance_weights(), light.plan.work.bands);
   const auto luminance = light.in_sums(weights, light.range);
   if (light.plan.work.method == plan::Method::quadrature || !light.plan.work.refracted)
-    return error_found(moon, light.plan.work, luminance);
+    return error_found(moon, light.plan.work, luminance, leaves_scattered_light(light.plan));
   const auto distances = distances_over_the_disc(moon);
   return 2 * luminance.worst_relative_error(*light.refracted, weights, distances.front(),
                                             distances.back());
@@ -217,7 +224,7 @@ plan::Plan plan_of(const LightOptions& options, const ShadowedMoon& moon, const 
   auto scene = scene_of(moon, purpose);
   auto hand = by_hand(options.plan);
   if (options.scattered_light == "off") scene.without_scattered = 0;
-  if (options.scattered_light == "on") scene.without_scattered = 1;
+  hand.scattered_light = options.scattered_light == "on";
   hand.photons = options.photons;
   if (options.solver == "quadrature") hand.method = plan::Method::quadrature;
   if (wants_photons(options)) hand.method = method_of(options);

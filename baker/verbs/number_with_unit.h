@@ -8,7 +8,7 @@
 
 namespace coppermoon::verbs {
 
-/// A number with one of some endings, "" last.
+/// A number with one of some endings, "" last where it needs none.
 ///
 /// Given     units  each with what it multiplies by
 /// Returned  nothing when the text is no such number

@@ -77,7 +77,8 @@ void print(const Planned& all) {
   for (std::size_t i = 1; i < plan.methods.size(); ++i)
     fmt::print("or          {:.2g} s by {}, error {}\n", plan.methods[i].seconds,
                name(plan.methods[i].method), percent(plan.methods[i].error));
-  if (!plan.gave_way.empty()) fmt::print("gave way    {}\n", plan.gave_way);
+  if (!plan.gave_way.empty())
+    fmt::print("gave way    {}: error {} predicted\n", plan.gave_way, percent(plan.error));
 }
 
 void run(const CLI::App& verb, const Options& options) {

@@ -35,10 +35,11 @@ std::string term_names() {
 }
 
 double tolerance_of(const std::string& text) {
-  const auto tolerance = number_with_unit(text, {{"%", 0.01}, {"", 1}});
-  if (!tolerance)
-    throw algebra::Error(fmt::format("tolerance = {}, allowed 0.01% to 50%, or 1e-4 to 0.5", text));
-  return *tolerance;
+  const auto percentage = number_with_unit(text, {{"%", 1}});
+  if (!percentage)
+    throw algebra::Error(fmt::format("tolerance = {}, allowed a percentage as 0.1%", text));
+  algebra::require_within("tolerance [%]", *percentage, 0.01, 50);
+  return 0.01 * *percentage;
 }
 
 double budget_of(const std::string& text) {
@@ -79,7 +80,7 @@ void add_plan_options(CLI::App& verb, PlanOptions& options) {
       "Cutler (2009), 1e7 of them, step by step")
       .one_of({"draft", "standard", "reference", "paper"});
   add("--tolerance", options.tolerance,
-      "of luminance anywhere on the disc, as 1% or 0.01: 0.01% to 50%");
+      "of luminance anywhere on the disc, 0.01% to 50%; not with a --quality but standard");
   add("--budget", options.budget, "the best that can be done in a time, as 500ms, 2s or 1min");
   add("--bands", options.bands, "wavelengths that light is computed at, 1 to 400");
   add("--rays", options.rays,
@@ -93,6 +94,9 @@ void add_plan_options(CLI::App& verb, PlanOptions& options) {
 
 plan::Wish wish_of(const PlanOptions& options) {
   plan::Wish wish;
+  if (options.tolerance && options.quality != "standard")
+    throw algebra::Error(fmt::format("tolerance = {}, allowed with quality standard, not {}",
+                                     *options.tolerance, options.quality));
   if (options.tolerance) wish.tolerance = tolerance_of(*options.tolerance);
   if (options.budget) wish.budget_s = budget_of(*options.budget);
   if (!options.tolerance && !options.budget) wish.tolerance = tolerance_named(options.quality);

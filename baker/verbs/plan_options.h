@@ -19,10 +19,10 @@ struct PlanOptions {
 
 void add_plan_options(CLI::App& verb, PlanOptions& options);
 
-/// What is asked for: a tolerance as "1%" or "0.01", a budget as "2s", "500ms" or "2"; without
+/// What is asked for: a tolerance as "1%", a budget as "2s", "500ms" or "2"; without
 /// either the tolerance of the quality.
 ///
-/// Throws  Error  when one of them cannot be understood
+/// Throws  Error  when one of them cannot be understood, or a tolerance and a quality are both given
 plan::Wish wish_of(const PlanOptions& options);
 
 /// Throws  Error  when a knob is outside its range

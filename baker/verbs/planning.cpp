@@ -180,6 +180,38 @@ double scattered_share(const ShadowedMoon& moon, const Trial& trial,
   return share > 0 ? share / (darkest + share) : 0;
 }
 
+/// Scattered light over unshaded sunlight, of 560 nm for all: the largest around the axis.
+std::vector<double> scattered_at(std::span<const double> places_m,
+                                 const atmosphere::Atmosphere& air,
+                                 const shadow::Arrangement& arrangement) {
+  const std::array wavelengths{560.};
+  const std::size_t sectors = air.regions.empty() ? 1 : shadow::sectors_around;
+  auto light = shadow::darkness(arrangement, wavelengths, places_m, sectors);
+  shadow::add_twilight(light, air);
+  std::vector<double> most(places_m.size());
+  for (const auto& grid : light.ratio)
+    for (std::size_t d = 0; d < most.size(); ++d) most[d] = std::max(most[d], grid(d, 0));
+  return most;
+}
+
+/// Places where direct light begins, from the pole's umbra to the equator's and a node of the look-up
+/// on: light is least smooth there.
+void add_edge_of_the_umbra(const ShadowedMoon& moon, const shadow::Arrangement& arrangement,
+                           Range disc, std::vector<double>& places_m) {
+  constexpr double a_node_m = 10e3;
+  constexpr int intervals = 7;
+  const double depth = arrangement.depths_m[0], spread = 1 + depth / moon.sun_distance_m;
+  const auto edge = [&](double position_angle_rad) {
+    const double limb = atmosphere::limb_at(moon.air.earth, position_angle_rad).radius_m;
+    return (limb + moon.air.top_m()) * spread - projected_solar_radius_m(arrangement, depth);
+  };
+  for (const double place : evenly({edge(0), edge(pi / 2) + a_node_m}, intervals))
+    if (place > disc.from_m && place < disc.to_m) places_m.push_back(place);
+  std::ranges::sort(places_m);
+  const auto again = std::ranges::unique(places_m);
+  places_m.erase(again.begin(), again.end());
+}
+
 /// Of one trial, for what it was too coarse to see.
 constexpr double margin = 2;
 
@@ -281,17 +313,18 @@ shadow::ChannelWeights luminance_weights() {
 }
 
 double error_found(const ShadowedMoon& moon, const plan::Work& work,
-                   const shadow::Lookup& luminance) {
+                   const shadow::Lookup& luminance, bool scattered_counts) {
   plan::Work finer;
   finer.bands = std::min(400, 2 * work.bands);
   finer.rays = 2 * work.rays;
   finer.place_error = 0;
   constexpr double off_nodes = 0.07;  // of the disc: between the places light was computed at
   const auto disc = disc_of(moon);
-  const auto places =
+  auto places =
       evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, places_over(disc, 23));
   const double depth = mean_depth_m(moon) + lunar_radius_m / 4;
   const shadow::Arrangement arrangement{moon.sun_distance_m, {depth}, moon.limb_darkening};
+  add_edge_of_the_umbra(moon, arrangement, disc, places);
   const auto waves = wavelengths_nm(finer.bands);
   auto settings = quadrature_for(finer, moon);
   constexpr std::size_t between = 29;  // sectors, no multiple of a plan's: off their middles
@@ -310,6 +343,9 @@ double error_found(const ShadowedMoon& moon, const plan::Work& work,
   settings.place_error = 0;
   auto light = shadow::by_quadrature(moon.air, arrangement, waves, places, settings);
   if (work.scattered_light) shadow::add_twilight(light, moon.air);
+  const auto left_out = scattered_counts && !work.scattered_light
+                            ? scattered_at(places, moon.air, arrangement)
+                            : std::vector<double>(places.size());
   const auto weights = at_wavelengths(luminance_weights(), finer.bands);
   const shadow::DirectLight clear(moon.air, arrangement, waves);
   const std::size_t sectors = std::min(light.sectors, settings.sectors);
@@ -325,7 +361,7 @@ double error_found(const ShadowedMoon& moon, const plan::Work& work,
       clear.ratios(places[d], angle, depth, ratios);
       double exact = 0;
       for (std::size_t w = 0; w < ratios.size(); ++w)
-        exact += weights(0, w) * (ratios[w] + light.ratio[s](d, w));
+        exact += weights(0, w) * (ratios[w] + light.ratio[s](d, w) + left_out[d]);
       luminance.read({.axis_distance = algebra::metres(places[d]),
                       .position_angle = algebra::radians(angle),
                       .depth = algebra::metres(depth)},

@@ -50,11 +50,12 @@ plan::Machine this_machine();
 /// The luminance that weights of wavelengths make.
 shadow::ChannelWeights luminance_weights();
 
-/// The largest error of luminance that is found at some places of the disc, against all terms computed
-/// twice as finely.
+/// The largest error of luminance that is found at some places of the disc, those where direct light
+/// begins among them, against all terms computed twice as finely.
 ///
-/// Given  luminance  one channel, luminance_weights
+/// Given  luminance         one channel, luminance_weights
+///        scattered_counts  where it was left out, scattered light is part of the error
 double error_found(const ShadowedMoon& moon, const plan::Work& work,
-                   const shadow::Lookup& luminance);
+                   const shadow::Lookup& luminance, bool scattered_counts);
 
 }  // namespace coppermoon::verbs

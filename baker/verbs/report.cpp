@@ -35,9 +35,8 @@ void report(const Report& made, bool json) {
     fmt::print("{}: {:.1f} s, error {:.2g}\n", fmt::join(names, ", "), made.seconds,
                made.relative_error);
     if (!made.plan.gave_way.empty())
-      fmt::print(stderr,
-                 "coppermoon: the budget left no time for the tolerance: {:.2g} predicted\n",
-                 made.plan.error);
+      fmt::print(stderr, "coppermoon: the tolerance was not to be had: error {:.2g} % predicted\n",
+                 100 * made.plan.error);
     return;
   }
   nlohmann::ordered_json all;

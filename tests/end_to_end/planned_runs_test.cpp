@@ -87,7 +87,7 @@ Run random_run(std::uint64_t index) {
   Random random(2008, index);
   Run run{random_instant(random), {}};
   run.options.air = random_air(random);
-  run.options.plan.tolerance = fmt::format("{:.3g}", log_between(random, 1e-4, 0.1));
+  run.options.plan.tolerance = fmt::format("{:.3g}%", 100 * log_between(random, 1e-4, 0.1));
   return run;
 }
 

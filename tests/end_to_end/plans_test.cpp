@@ -56,11 +56,36 @@ TEST_F(Plans, OfADeepEclipseHaveScatteredLight) {
 TEST_F(Plans, WithoutAnyLightSendNoPhotonsAfterIt) {
   // cloud over the whole limb, and air that scatters nothing: the disc is black
   const auto plan = this->plan({"2010-12-21T08:19:28Z", "--atmosphere", "molecular", "--rayleigh",
-                                "off", "--cloud-cover", "1", "--tolerance", "0.06"});
+                                "off", "--cloud-cover", "1", "--tolerance", "6%"});
   EXPECT_FALSE(computes(plan, "scattered-light"));
   EXPECT_EQ(left_out(plan, "scattered light")["size"], 0);
   EXPECT_LE(plan["predicted"]["error"], 0.06);
   EXPECT_FALSE(plan["chosen"].contains("photons")) << plan["chosen"];
+}
+
+TEST_F(Plans, ThatAreNotToBeHadSaySo) {
+  const auto plan = this->plan({deep[0], "--tolerance", "0.01%"});
+  EXPECT_GT(plan["predicted"]["error"], 1e-4);
+  EXPECT_EQ(plan["gave_way"], "tolerance");
+  EXPECT_FALSE(this->plan({deep[0]}).contains("gave_way"));
+  const auto text = coppermoon({"plan", deep[0], "--tolerance", "0.01%"});
+  EXPECT_NE(text.out.find("gave way    tolerance: error 0.0"), std::string::npos) << text.out;
+}
+
+TEST_F(Plans, OfAToleranceAndAQualityThatSaysAnotherAreRefused) {
+  const auto expect_refused = [&](const Words& flags, const std::string& why) {
+    Words words{"plan", deep[0]};
+    words.insert(words.end(), flags.begin(), flags.end());
+    const auto outcome = coppermoon(words);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, "coppermoon: " + why + "\n");
+  };
+  const auto both = "tolerance = 0.1%, allowed with quality standard, not draft";
+  file("both.toml", "quality = 'draft'\ntolerance = '0.1%'\n");
+  file("number.toml", "tolerance = 0.1\n");
+  expect_refused({"--tolerance", "0.1%", "--quality", "draft"}, both);
+  expect_refused({"--recipe", "both.toml"}, both);
+  expect_refused({"--recipe", "number.toml"}, "tolerance = 0.1, allowed a percentage as 0.1%");
 }
 
 TEST_F(Plans, OfAVolcanosAirHaveRegions) {

@@ -202,6 +202,36 @@ TEST(PlanFor, LetsTheToleranceGiveWayToTheBudgetAndSaysSo) {
   EXPECT_GE(both.tolerance, both.error) << "the tolerance that was met in its place";
 }
 
+/// Scattered light leaves more error than may be, whatever is done.
+Scene beyond_reach() {
+  auto scene = ordinary();
+  scene.without_scattered = 0.5;
+  return scene;
+}
+
+TEST(PlanFor, SaysSoWhereAToleranceIsNotToBeHad) {
+  const auto plan = plan_for(beyond_reach(), {.tolerance = 1e-3}, {});
+  EXPECT_GT(plan.error, 1e-3);
+  EXPECT_EQ(plan.gave_way, "tolerance");
+  EXPECT_EQ(within(1e-3, ordinary()).gave_way, "");
+  EXPECT_EQ(plan_for(beyond_reach(), {.budget_s = 1e3}, {}).gave_way, "") << "nobody asked for one";
+}
+
+TEST(PlanFor, DoesNotSendPhotonsAfterAToleranceThatIsNotToBeHad) {
+  for (const double tolerance : {1e-4, 5e-4, 1e-3})
+    EXPECT_EQ(plan_for(beyond_reach(), {.tolerance = tolerance}, {}).work.method,
+              Method::quadrature);
+}
+
+TEST(PlanFor, HasScatteredLightThatIsAskedForHoweverLittleItIs) {
+  auto scene = ordinary();
+  scene.without_scattered = 1e-7;
+  EXPECT_FALSE(plan_for(scene, {.tolerance = 0.01}, {}).work.scattered_light);
+  const auto plan = plan_for(scene, {.tolerance = 1e-3}, {}, {.scattered_light = true});
+  EXPECT_TRUE(plan.work.scattered_light);
+  EXPECT_LE(plan.error, 1e-3) << "of little light little error";
+}
+
 TEST(PlanFor, ChoosesTheMethodAsIfNothingWereSetByHand) {
   ByHand without_terms;
   without_terms.terms = Work{.ellipsoid = false};

@@ -38,7 +38,7 @@ class WholeFilm : public testing::Test {
 LightOptions fine(const char* atmosphere) {
   LightOptions options;
   options.air.atmosphere = atmosphere;
-  options.plan.tolerance = "0.002";
+  options.plan.tolerance = "0.2%";
   return options;
 }
 

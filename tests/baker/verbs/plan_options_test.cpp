@@ -2,6 +2,7 @@
 #include "verbs/plan_options.h"
 
 #include <CLI/CLI.hpp>
+#include <cstring>
 #include <sstream>
 
 #include "algebra/error.h"
@@ -36,11 +37,27 @@ std::string error_of(const Function& function) {
 
 constexpr const char* rounding = "a decimal times a hundredth or a thousandth";
 
-TEST(WishOf, ReadsATolerancePerHundredOrPlain) {
+TEST(WishOf, ReadsATolerancePerHundred) {
   EXPECT_WITHIN(*wish_of(toleranced("1%")).tolerance, 0.01, 1e-17, rounding);
-  EXPECT_WITHIN(*wish_of(toleranced("0.01")).tolerance, 0.01, 1e-17, rounding);
   EXPECT_WITHIN(*wish_of(toleranced("0.05%")).tolerance, 5e-4, 1e-18, rounding);
-  EXPECT_WITHIN(*wish_of(toleranced("1e-3")).tolerance, 1e-3, 1e-18, rounding);
+  EXPECT_WITHIN(*wish_of(toleranced("1e-1%")).tolerance, 1e-3, 1e-18, rounding);
+  EXPECT_WITHIN(*wish_of(toleranced("0.01%")).tolerance, 1e-4, 0, "the finest");
+}
+
+TEST(WishOf, RefusesATolerancePerHundredOutOfRange) {
+  for (const char* text : {"60%", "0.009%", "-1%"})
+    EXPECT_EQ(
+        error_of([&] { wish_of(toleranced(text)); }),
+        "tolerance [%] = " + std::string(text, std::strlen(text) - 1) + ", allowed 0.01 to 50");
+}
+
+TEST(WishOf, RefusesAToleranceWithAQualityThatSaysAnother) {
+  for (const char* quality : {"draft", "reference", "paper"}) {
+    auto options = toleranced("0.1%");
+    options.quality = quality;
+    EXPECT_EQ(error_of([&] { wish_of(options); }),
+              "tolerance = 0.1%, allowed with quality standard, not " + std::string(quality));
+  }
 }
 
 TEST(WishOf, ReadsABudgetInSecondsUnlessItSaysOtherwise) {
@@ -50,9 +67,9 @@ TEST(WishOf, ReadsABudgetInSecondsUnlessItSaysOtherwise) {
 }
 
 TEST(WishOf, RefusesOtherWordsInOneLineThatNamesThem) {
-  for (const char* text : {"", "%", "fine", "1 percent", "1%%", "one%", "1s"}) {
+  for (const char* text : {"", "%", "fine", "0.1", "1 percent", "1%%", "one%", "1s"}) {
     const auto error = error_of([&] { wish_of(toleranced(text)); });
-    EXPECT_EQ(error, "tolerance = " + std::string(text) + ", allowed 0.01% to 50%, or 1e-4 to 0.5");
+    EXPECT_EQ(error, "tolerance = " + std::string(text) + ", allowed a percentage as 0.1%");
   }
   for (const char* text : {"", "s", "soon", "2h", "1%", "2 s s", "ms"}) {
     const auto error = error_of([&] { wish_of(budgeted(text)); });
