@@ -1,144 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "texture/read_image.h"
 
-#include <OpenImageIO/imageio.h>
+#include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <fstream>
 #include <limits>
-#include <memory>
 #include <new>
 #include <stdexcept>
-#include <string_view>
-#include <system_error>
-#include <utility>
 
 #include "algebra/error.h"
-#include "texture/image_claims.h"
+#include "texture/image_input.h"
 #include "texture/oiio_attributes.h"
+#include "texture/silence.h"
 
 namespace coppermoon::texture {
 namespace {
 
 namespace fs = std::filesystem;
-using algebra::Error;
-
-Error cannot_read(const fs::path& path, std::string_view reason) {
-  return Error(fmt::format("{}: cannot be read: {}", path.string(), reason));
-}
-
-/// The first line of what OpenImageIO says; asked in any case, or it would print it at the end.
-std::string reason_of(OIIO::ImageInput* input) {
-  auto text = input ? input->geterror() : std::string();
-  const auto pending = OIIO::geterror();
-  if (text.empty()) text = pending;
-  text = text.substr(0, text.find('\n'));
-  return text.empty() ? "no image, or one of an unknown kind" : text;
-}
-
-void require_readable_file(const fs::path& path) {
-  std::error_code failed;
-  const auto status = fs::status(path, failed);
-  if (status.type() == fs::file_type::not_found) throw cannot_read(path, "no such file");
-  if (failed) throw cannot_read(path, failed.message());
-  if (fs::is_directory(status)) throw cannot_read(path, "it is a directory");
-  if (!fs::is_regular_file(status)) throw cannot_read(path, "it is no regular file");
-  if (fs::file_size(path, failed) == 0 && !failed) throw cannot_read(path, "it is empty");
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (!file) throw cannot_read(path, std::generic_category().message(errno));
-}
-
-/// A header may claim any size: the file must be able to hold it before any memory is asked for.
-void require_size(const fs::path& path, const OIIO::ImageSpec& spec) {
-  const auto within = [&](std::string_view what, double value, double most) {
-    if (value <= most) return;
-    throw cannot_read(path, fmt::format("{} = {:g}, allowed up to {:g}", what, value, most));
-  };
-  within("width [texels]", spec.width, most_texels_a_side);
-  within("height [texels]", spec.height, most_texels_a_side);
-  within("distance from the origin [texels]",
-         std::max(std::abs(spec.x * 1.), std::abs(spec.y * 1.)), most_texels_a_side);
-  const double numbers = 1. * spec.width * spec.height * spec.nchannels;
-  within("numbers, texels by channels", numbers, most_numbers);
-  const double of_this_file =
-      most_numbers_of_any_file + most_numbers_a_byte * static_cast<double>(fs::file_size(path));
-  within("numbers in a file so small", numbers, of_this_file);
-  const double tile = 1. * spec.tile_width * spec.tile_height * spec.nchannels;
-  within("numbers of a tile in a file so small", tile, of_this_file);
-}
-
-/// OpenImageIO's name for what reads a file: by its first bytes, else by its name's ending. Left alone
-/// it would hand a file that one reader refuses to all of its others, films and medicine included.
-std::string format_of(const fs::path& path) {
-  using namespace std::string_view_literals;
-  constexpr std::array<std::pair<std::string_view, const char*>, 7> known{
-      {{"v/1\x01"sv, "openexr"},
-       {"II*\0"sv, "tiff"},
-       {"MM\0*"sv, "tiff"},
-       {"II+\0"sv, "tiff"},
-       {"MM\0+"sv, "tiff"},
-       {"\x89PNG"sv, "png"},
-       {"\xFF\xD8\xFF"sv, "jpeg"}}};
-  std::array<char, 4> bytes{};
-  std::ifstream(path, std::ios::binary).read(bytes.data(), bytes.size());
-  const std::string_view beginning(bytes.data(), bytes.size());
-  for (const auto& [sign, format] : known)
-    if (beginning.starts_with(sign)) return format;
-  const auto ending = path.extension().string();
-  return ending.empty() ? ending : ending.substr(1);
-}
-
-std::unique_ptr<OIIO::ImageInput> opened(const fs::path& path) {
-  require_readable_file(path);
-  const auto format = format_of(path);
-  require_honest_claims(path, format);
-  auto input = format.empty() ? nullptr : OIIO::ImageInput::create(format);
-  OIIO::ImageSpec spec;
-  if (!input || !input->open(path.string(), spec)) throw cannot_read(path, reason_of(input.get()));
-  if (spec.deep || spec.depth > 1 || spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
-    throw cannot_read(path, "not a flat image with texels");
-  require_size(path, spec);
-  return input;
-}
-
-/// Some rows of an image, all its channels.
-template <class T>
-struct RowsRead {
-  std::size_t first_row, rows;
-  std::vector<T> values;
-};
-
-/// Reads some 64 rows at a time, whole rows of tiles where there are tiles: memory stays small.
-template <class T>
-void for_all_rows(OIIO::ImageInput& input, const fs::path& path, const auto& act) {
-  const auto spec = input.spec();
-  constexpr auto type = OIIO::BaseTypeFromC<T>::value;
-  const bool tiled = spec.tile_width > 0;
-  const int step = tiled ? spec.tile_height * std::max(1, 64 / spec.tile_height) : 64;
-  RowsRead<T> band;
-  for (int y = 0; y < spec.height; y += step) {
-    const int begin = spec.y + y, end = spec.y + std::min(y + step, spec.height);
-    band.first_row = static_cast<std::size_t>(y);
-    band.rows = static_cast<std::size_t>(end - begin);
-    band.values.resize(band.rows * static_cast<std::size_t>(spec.width) *
-                       static_cast<std::size_t>(spec.nchannels));
-    const bool read = tiled ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, 0, 1,
-                                               0, spec.nchannels, type, band.values.data())
-                            : input.read_scanlines(0, 0, begin, end, 0, 0, spec.nchannels, type,
-                                                   band.values.data());
-    if (!read || input.has_error())  // of TIFF and JPEG that end early it says both
-      throw cannot_read(path, reason_of(&input));
-    act(band);
-  }
-}
-
 /// What does not fit into memory is an error of the file's.
 template <class Make>
 auto within_memory(const fs::path& path, const OIIO::ImageSpec& spec, Make make) {
@@ -169,13 +51,61 @@ float linear(float v, Curve curve) {
   return curve.power == 1 ? v : std::pow(v, curve.power);
 }
 
-/// Which channels are red, green and blue: by name, else the first three; all the same for grey.
-std::array<std::size_t, 3> rgb_channels(const OIIO::ImageSpec& spec) {
-  if (spec.nchannels < 3) return {0, 0, 0};
-  const std::array found{spec.channelindex("R"), spec.channelindex("G"), spec.channelindex("B")};
-  if (*std::min_element(found.begin(), found.end()) < 0) return {0, 1, 2};
-  return {static_cast<std::size_t>(found[0]), static_cast<std::size_t>(found[1]),
-          static_cast<std::size_t>(found[2])};
+/// Channels as a line tells of them, not all of very many.
+std::string names_of(const std::vector<std::string>& channels) {
+  constexpr std::size_t most = 12;
+  const auto shown = static_cast<std::ptrdiff_t>(std::min(most, channels.size()));
+  return fmt::format("channels {}{}", fmt::join(channels.begin(), channels.begin() + shown, ", "),
+                     channels.size() > most ? ", …" : "");
+}
+
+/// Which channels are red, green and blue, by name; all the same for grey. Only OpenEXR's names are the
+/// file's own: of other kinds the order says it.
+std::array<std::size_t, 3> rgb_channels(const fs::path& path, const OIIO::ImageInput& input) {
+  const auto& spec = input.spec();
+  const auto has = [&](const char* name) { return spec.channelindex(name) >= 0; };
+  const auto at = [&](const char* name) {
+    return static_cast<std::size_t>(spec.channelindex(name));
+  };
+  if (has("R") && has("G") && has("B")) return {at("R"), at("G"), at("B")};
+  if (has("Y") && !has("RY") && !has("BY") && !has("X") && !has("Z"))
+    return {at("Y"), at("Y"), at("Y")};
+  if (!is_openexr(input))
+    return spec.nchannels < 3 ? std::array<std::size_t, 3>{0, 0, 0}
+                              : std::array<std::size_t, 3>{0, 1, 2};
+  throw cannot_read(path, names_of(spec.channelnames) + ", allowed R, G and B, or Y alone");
+}
+
+/// Reads all that a picture shows: `put` is told where in it a texel is, row by row, and the texel's
+/// numbers. Where the file has none nothing is put.
+template <class Put>
+void for_all_texels(OIIO::ImageInput& input, const fs::path& path, const Put& put) {
+  const auto [data, display] = windows_of(input);
+  const auto stride = static_cast<std::ptrdiff_t>(input.spec().nchannels);
+  const auto left = std::max(data.left, display.left),
+             right = std::min(data.left + static_cast<int>(data.width),
+                              display.left + static_cast<int>(display.width));
+  for_all_rows<float>(input, path,
+                      [&, top = data.top - display.top, data = data,
+                       display = display](const RowsRead<float>& band) {
+                        for (std::size_t r = 0; r < band.rows; ++r) {
+                          const auto row = top + static_cast<std::ptrdiff_t>(band.first_row + r);
+                          if (row < 0 || row >= static_cast<std::ptrdiff_t>(display.height))
+                            continue;
+                          const float* texels = band.values.data() +
+                                                r * data.width * static_cast<std::size_t>(stride);
+                          for (auto x = left; x < right; ++x)
+                            put(static_cast<std::size_t>(row) * display.width +
+                                    static_cast<std::size_t>(x - display.left),
+                                texels + (x - data.left) * stride);
+                        }
+                      });
+}
+
+/// An image of what the file shows, black so far.
+Image black(const OIIO::ImageInput& input, std::vector<std::string> channels) {
+  const auto shown = windows_of(input).display;
+  return {shown.width, shown.height, std::move(channels)};
 }
 
 float luminance(float red, float green, float blue) {
@@ -217,7 +147,7 @@ struct ByteTone {
 template <class Tone>
 void read_luminance(OIIO::ImageInput& input, const fs::path& path, const Tone& tone,
                     algebra::Grid<float>& map) {
-  const auto [r, g, b] = rgb_channels(input.spec());
+  const auto [r, g, b] = rgb_channels(path, input);
   const auto stride = static_cast<std::size_t>(input.spec().nchannels);
   const auto add = [&, r = r, g = g, b = b](const auto& band) {
     tbb::parallel_for(std::size_t{0}, band.rows, [&](std::size_t row) {
@@ -231,11 +161,13 @@ void read_luminance(OIIO::ImageInput& input, const fs::path& path, const Tone& t
   for_all_rows<typename Tone::Number>(input, path, add);
 }
 
-void require_two_to_one(const fs::path& path, const OIIO::ImageSpec& spec) {
+void require_two_to_one(const fs::path& path, const OIIO::ImageInput& input) {
+  const auto& spec = input.spec();
+  const auto [data, display] = windows_of(input);
   if (spec.width != 2 * spec.height)
     throw cannot_read(
         path, fmt::format("albedo map of {} x {} texels, allowed 2:1", spec.width, spec.height));
-  if (spec.full_width != spec.width || spec.full_height != spec.height)
+  if (spec.full_width != spec.width || spec.full_height != spec.height || data != display)
     throw cannot_read(path,
                       fmt::format("albedo map cropped from {} x {} texels, allowed whole ones",
                                   spec.full_width, spec.full_height));
@@ -262,39 +194,61 @@ void require_albedo(const fs::path& path, const algebra::Grid<float>& map) {
 }  // namespace
 
 Image read_image(const fs::path& path) {
+  const Silence silence(path);
+  const auto input = opened(path);
+  return within_memory(path, input->spec(), [&] {
+    auto image = black(*input, input->spec().channelnames);
+    const auto stride = image.channels.size();
+    for_all_texels(*input, path, [&](std::size_t place, const float* texel) {
+      std::copy_n(texel, stride, image.values.data() + stride * place);
+    });
+    return image;
+  });
+}
+
+Image read_channels(const fs::path& path, const std::vector<std::string>& names) {
+  const Silence silence(path);
   const auto input = opened(path);
   const auto& spec = input->spec();
+  std::vector<std::size_t> chosen;
+  for (const auto& name : names) {
+    if (spec.channelindex(name) < 0)
+      throw algebra::Error(fmt::format("{}: {}, allowed {}", path.string(),
+                                       names_of(spec.channelnames), fmt::join(names, ", ")));
+    chosen.push_back(static_cast<std::size_t>(spec.channelindex(name)));
+  }
   return within_memory(path, spec, [&] {
-    Image image(static_cast<std::size_t>(spec.width), static_cast<std::size_t>(spec.height),
-                spec.channelnames);
-    for_all_rows<float>(*input, path, [&](const RowsRead<float>& band) {
-      const auto start = band.first_row * image.width * image.channels.size();
-      std::copy(band.values.begin(), band.values.end(),
-                image.values.begin() + static_cast<std::ptrdiff_t>(start));
+    auto image = black(*input, names);
+    for_all_texels(*input, path, [&](std::size_t place, const float* texel) {
+      float* value = image.values.data() + names.size() * place;
+      for (const auto channel : chosen) *value++ = texel[channel];
     });
     return image;
   });
 }
 
 Image read_light(const fs::path& path, Coding coding) {
+  const Silence silence(path);
   const auto input = opened(path);
   const auto& spec = input->spec();
   require_light(path, spec);
   const auto curve = curve_of(spec, coding);
-  const auto [r, g, b] = rgb_channels(spec);
-  const auto stride = static_cast<std::size_t>(spec.nchannels);
-  return within_memory(path, spec, [&, r = r, g = g, b = b] {
-    Image image(static_cast<std::size_t>(spec.width), static_cast<std::size_t>(spec.height),
-                {"R", "G", "B"});
-    for_all_rows<float>(*input, path, [&](const RowsRead<float>& band) {
-      float* light = image.values.data() + 3 * band.first_row * image.width;
-      for (std::size_t i = 0; i < band.values.size(); i += stride)
-        for (const std::size_t k : {r, g, b}) *light++ = linear(band.values[i + k], curve);
+  const auto rgb = rgb_channels(path, *input);
+  return within_memory(path, spec, [&] {
+    auto image = black(*input, {"R", "G", "B"});
+    for_all_texels(*input, path, [&](std::size_t place, const float* texel) {
+      float* light = image.values.data() + 3 * place;
+      for (const auto channel : rgb) *light++ = linear(texel[channel], curve);
     });
     for (const float value : image.values)
       if (!std::isfinite(value)) throw cannot_read(path, "light that is not finite");
     return image;
   });
+}
+
+Windows windows_of(const fs::path& path) {
+  const Silence silence(path);
+  return windows_of(*opened(path));
 }
 
 std::optional<std::string> read_attribute(const fs::path& path, std::string_view name) {
@@ -303,6 +257,7 @@ std::optional<std::string> read_attribute(const fs::path& path, std::string_view
 
 std::vector<std::optional<std::string>> read_attributes(const fs::path& path,
                                                         std::span<const std::string_view> names) {
+  const Silence silence(path);
   const auto input = opened(path);
   std::vector<std::optional<std::string>> values;
   for (const auto name : names) {
@@ -314,16 +269,18 @@ std::vector<std::optional<std::string>> read_attributes(const fs::path& path,
 
 void require_albedo_map(const fs::path& path, double exponent) {
   algebra::require_within("albedo exponent", exponent, 0.1, 10);
+  const Silence silence(path);
   const auto input = opened(path);
-  require_two_to_one(path, input->spec());
+  require_two_to_one(path, *input);
   require_light(path, input->spec());
 }
 
 algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding, double exponent) {
   algebra::require_within("albedo exponent", exponent, 0.1, 10);
+  const Silence silence(path);
   const auto input = opened(path);
   const auto& spec = input->spec();
-  require_two_to_one(path, spec);
+  require_two_to_one(path, *input);
   require_light(path, spec);
   const FloatingTone tone{curve_of(spec, coding), static_cast<float>(exponent)};
   return within_memory(path, spec, [&] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -21,7 +22,8 @@ inline constexpr double most_texels_a_side = 1 << 20, most_numbers = 8589934592.
 
 /// Every texel of an image file of any kind: floating-point formats as they are, integer formats 0
 /// to 1, still coded as in the file. EXR, TIFF, PNG and JPEG are known by their first bytes, others by
-/// their names' endings.
+/// their names' endings. Of an EXR file the display window, black where its data window does not
+/// reach; this and the next two functions.
 ///
 /// Throws  Error  one line with the path: no such file, not permitted, a directory, empty, no
 ///                image, an image that ends early; a side of more than most_texels_a_side, more
@@ -29,6 +31,29 @@ inline constexpr double most_texels_a_side = 1 << 20, most_numbers = 8589934592.
 ///                most_numbers_of_any_file and most_numbers_a_byte for each byte of the file, in all
 ///                or in a tile
 Image read_image(const std::filesystem::path& path);
+
+/// The same, of the channels of some names, in their order.
+///
+/// Throws  Error  as read_image; when there is no channel of a name: names those there are
+Image read_channels(const std::filesystem::path& path, const std::vector<std::string>& names);
+
+/// Texels of a plane.
+struct Window {
+  int left = 0, top = 0;
+  std::size_t width = 0, height = 0;
+  bool operator==(const Window&) const = default;
+};
+
+/// Where an image's texels are, and where its picture is.
+struct Windows {
+  Window data, display;
+  bool operator==(const Windows&) const = default;
+};
+
+/// OpenEXR's data and display window; one of both for other kinds of files.
+///
+/// Throws  Error  as read_image
+Windows windows_of(const std::filesystem::path& path);
 
 /// One attribute of an image file's header, as text; empty when there is none of that name.
 ///
@@ -47,23 +72,25 @@ enum class Coding {
   linear,
 };
 
-/// The light of an image of any kind: channels R, G, B, all the same for grey.
+/// The light of an image of any kind: channels R, G, B, all the same for grey. Of an EXR file they are
+/// taken by name, R, G and B, or Y alone.
 ///
 /// Returned  linear; integer formats 0 to 1
 /// Omits     chromaticities other than Rec. 709, colour profiles, alpha
-/// Throws    Error  as read_image; when a channel is not finite
+/// Throws    Error  as read_image; when channels have other names, as of luminance and chroma; when
+///                  one is not finite
 /// Source    IEC 61966-2-1
 Image read_light(const std::filesystem::path& path, Coding coding = Coding::as_file_says);
 
 /// An albedo map: the luminance of an image, row 0 in the north.
 ///
-///     Y = 0.2126 R + 0.7152 G + 0.0722 B        of linear R, G, B; one channel stands for itself
+///     Y = 0.2126 R + 0.7152 G + 0.0722 B        of linear R, G, B; Y alone stands for itself
 ///
 /// Given     path      of any image 2:1, longitude 0 in the middle, east to the right
 ///           exponent  power of Y that undoes a tone curve, 0.1 to 10
 /// Returned  Y^exponent, linear, in the image's own scale; normalise it before use
 /// Omits     chromaticities other than Rec. 709, alpha
-/// Throws    Error     as read_image; when it is not 2:1, a texel is negative, infinite or no
+/// Throws    Error     as read_light; when it is not 2:1 or a part of a larger one, a texel is negative, infinite or no
 ///                     number, or the exponent is outside its range
 /// Source    ITU-R BT.709, IEC 61966-2-1
 algebra::Grid<float> read_albedo_map(const std::filesystem::path& path,

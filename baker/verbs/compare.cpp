@@ -20,7 +20,6 @@
 #include "verbs/one_line.h"
 #include "verbs/photo_file.h"
 #include "verbs/recipe.h"
-#include "verbs/silence.h"
 #include "verbs/verbs.h"
 
 namespace coppermoon::verbs {
@@ -44,10 +43,7 @@ void require_rec709(const std::string& render) {
 
 texture::Image read_render(const Options& options, const FramePlaces& places) {
   require_rec709(options.render);
-  auto render = [&] {
-    const Silence silence;
-    return texture::read_light(options.render, texture::Coding::linear);
-  }();
+  auto render = texture::read_light(options.render, texture::Coding::linear);
   if (render.width != places.camera.width || render.height != places.camera.height)
     throw algebra::Error(fmt::format("{}: {} x {} pixels, allowed {} x {}, as its recipe says",
                                      options.render, render.width, render.height,

@@ -9,8 +9,8 @@
 #include "verbs/develop_options.h"
 #include "verbs/moon_options.h"
 #include "verbs/one_line.h"
+#include "verbs/photo_file.h"
 #include "verbs/recipe.h"
-#include "verbs/silence.h"
 #include "verbs/verbs.h"
 
 namespace coppermoon::verbs {
@@ -31,9 +31,10 @@ colour::WorkingSpace space_of(const Options& options) {
   return colour::space_in_name(stem).value_or(colour::WorkingSpace::linear_rec709);
 }
 
-texture::Image read_silently(const std::string& frame) {
-  const Silence silence;
-  return texture::read_image(frame);
+texture::Image read_frame(const std::string& frame, colour::WorkingSpace space) {
+  if (space == colour::WorkingSpace::ciexyz_d65)
+    return texture::read_channels(frame, {"X", "Y", "Z"});
+  return texture::read_channels(frame, {"R", "G", "B"});
 }
 
 void run(const Options& options) {
@@ -41,10 +42,11 @@ void run(const Options& options) {
   for (const auto& file :
        {options.output, options.develop.camera.raw, options.develop.camera.photograph})
     if (!file.empty()) require_place_for(file);
-  const auto frame = read_silently(options.frame);
   const auto space = space_of(options);
+  const auto frame = read_frame(options.frame, space);
   const auto exposure = exposure_for(options.develop, frame, space);
-  const auto picture = taken(options.develop, exposure, frame, space, seen_by(options.frame));
+  const auto picture = taken(options.develop, exposure, frame, space, seen_by(options.frame), 0,
+                             scene_attributes(options.frame));
   write_developed(options.develop, exposure, picture, space, options.output, {});
   const nlohmann::ordered_json all{{"file", options.output},
                                    {"colour_space", colour::name(space)},

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/fit_magnitudes.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <map>
 #include <numeric>
+#include <optional>
 #include <sstream>
+#include <string_view>
 
 #include "algebra/error.h"
 #include "algebra/number.h"
@@ -24,10 +30,12 @@ constexpr std::size_t rows = 128, most_bytes = 1 << 20;
 
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
-  std::istringstream text(line);
-  for (std::string cell; std::getline(text, cell, ',');) {
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const auto end = std::min(line.find(',', begin), line.size());
+    const auto cell = line.substr(begin, end - begin);
     const auto from = cell.find_first_not_of(" \t\r"), to = cell.find_last_not_of(" \t\r");
     cells.push_back(from == std::string::npos ? "" : cell.substr(from, to - from + 1));
+    begin = end + 1;
   }
   return cells;
 }
@@ -46,36 +54,55 @@ double number_in(const std::string& cell, const char* what, double least, double
   return *number;
 }
 
-/// Which cell holds what.
-struct Columns {
-  std::size_t instant, band, magnitude, error;
+constexpr std::array<std::string_view, 4> column_names{"instant", "band", "magnitude", "error"};
 
-  explicit Columns(const std::vector<std::string>& names)
-      : instant(at(names, "instant")),
-        band(at(names, "band")),
-        magnitude(at(names, "magnitude")),
-        error(at(names, "error")) {
-    if (std::max({instant, band, magnitude}) == names.size())
-      throw algebra::Error("columns: allowed are instant, band, magnitude and error");
+/// What the first line names.
+class Columns {
+ public:
+  explicit Columns(std::vector<std::string> names) : names_(std::move(names)) {
+    const auto of = [&](std::string_view name) { return std::ranges::count(names_, name); };
+    const bool each_once = std::ranges::all_of(column_names, [&](auto name) {
+      return of(name) == 1 || (name == column_names.back() && of(name) == 0);
+    });
+    const bool no_other = std::ranges::all_of(names_, [](const auto& name) {
+      return std::ranges::find(column_names, name) != column_names.end();
+    });
+    if (!each_once || !no_other)
+      throw algebra::Error(fmt::format(
+          "columns = {}, allowed instant, band, magnitude and, if you like, error, each once, "
+          "with commas between",
+          fmt::join(names_, ",")));
+  }
+
+  /// A line's cells, by name.
+  std::map<std::string, std::string> named(const std::vector<std::string>& cells) const {
+    if (cells.size() < names_.size())
+      throw algebra::Error("a line of fewer columns than the first");
+    if (cells.size() > names_.size())
+      throw algebra::Error(
+          fmt::format("{} columns, allowed {} as in the first line, and decimal points, no commas, "
+                      "in numbers",
+                      cells.size(), names_.size()));
+    std::map<std::string, std::string> named;
+    for (std::size_t i = 0; i < cells.size(); ++i) named[names_[i]] = cells[i];
+    return named;
   }
 
  private:
-  static std::size_t at(const std::vector<std::string>& names, const char* name) {
-    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-  }
+  std::vector<std::string> names_;
 };
 
 MeasuredMagnitude measured_in(const std::vector<std::string>& cells, const Columns& columns) {
-  constexpr double usual_error = 0.1;
-  if (cells.size() <= std::max({columns.instant, columns.band, columns.magnitude}))
-    throw algebra::Error("a line of fewer columns than the first");
-  almanac::instant_from_utc(cells[columns.instant]);
-  band_named(cells[columns.band]);
-  return {cells[columns.instant], cells[columns.band],
-          number_in(cells[columns.magnitude], "magnitude", -30, 30),
-          columns.error < cells.size()
-              ? number_in(cells[columns.error], "error of a magnitude", 1e-3, 10)
-              : usual_error};
+  // a whole number would be the part of a magnitude behind a decimal comma
+  constexpr double least_error = 1e-3, most_error = 0.99;
+  auto named = columns.named(cells);
+  almanac::instant_from_utc(named["instant"]);
+  band_named(named["band"]);
+  MeasuredMagnitude measured{named["instant"], named["band"],
+                             number_in(named["magnitude"], "magnitude", -30, 30)};
+  if (const auto& error = named["error"]; !error.empty())
+    measured.error = number_in(error, "error of a magnitude", least_error, most_error);
+  return measured;
 }
 
 /// Texels that the Earth's centre sees, in one bin, each as bright as it is large there.
@@ -113,7 +140,9 @@ std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file) {
   if (text.size() > most_bytes)
     throw algebra::Error(
         fmt::format("{}: a list of more than {} bytes, allowed up to that", file, most_bytes));
-  std::istringstream lines(text);
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  std::istringstream lines(text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size())
+                                                             : text);
   std::optional<Columns> columns;
   std::vector<MeasuredMagnitude> all;
   std::size_t number = 0;

@@ -14,13 +14,15 @@ namespace coppermoon::verbs {
 /// air.
 struct MeasuredMagnitude {
   std::string instant, band;  ///< band: B, V or R
-  double magnitude, error;
+  double magnitude, error = 0.1;
 };
 
 /// Reads a list: comma-separated, lines that begin with # left out, first the names of the columns
-/// instant, band, magnitude and, if the measurer tells, error (else 0.1).
+/// instant, band, magnitude and, if the measurer tells, error, 0.001 to 0.99 (without, or empty: 0.1).
+/// Decimal points; a byte-order mark and any line ends.
 ///
-/// Throws  Error  with the line, of what is no such list
+/// Throws  Error  with the line, of what is no such list: a column twice or of another name, a line of
+///                more or fewer columns than the first, as one with decimal commas has
 std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file);
 
 /// Magnitudes of one moment, and the light they are of.

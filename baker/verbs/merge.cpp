@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +13,8 @@
 #include "texture/write_image.h"
 #include "verbs/moon_options.h"
 #include "verbs/one_line.h"
+#include "verbs/one_scene.h"
+#include "verbs/photo_file.h"
 #include "verbs/pixels.h"
 #include "verbs/recipe.h"
 #include "verbs/verbs.h"
@@ -35,29 +37,27 @@ double number_of(const std::string& file, const char* attribute) {
   return number;
 }
 
+void require_sound(const std::string& file, const texture::Image& image) {
+  for (std::size_t i = 0; i < image.values.size(); ++i) {
+    const float value = image.values[i];
+    const auto channel = i % image.channels.size();
+    const bool valid = channel == 3;
+    if (valid ? value >= 0 && value <= 1 : std::isfinite(value)) continue;
+    const auto pixel = i / image.channels.size();
+    throw algebra::Error(fmt::format(
+        "{}: {} at row {}, column {} = {:g}, allowed {}", file, image.channels[channel],
+        pixel / image.width, pixel % image.width, value, valid ? "0 to 1" : "what is finite"));
+  }
+}
+
 colour::Bracketed bracketed(const std::string& file) {
-  const auto image = texture::read_image(file);
-  if (image.channels.size() != 4)
-    throw algebra::Error(
-        fmt::format("{}: {} channels, allowed R, G, B and valid, as --photograph "
-                    "writes them",
-                    file, image.channels.size()));
-  colour::Bracketed one{pixels_of(image), algebra::Grid<float>(image.height, image.width), 0};
-  for (std::size_t i = 0; i < one.valid.values().size(); ++i)
-    one.valid.values()[i] = image.values[4 * i + 3];
+  const auto image = texture::read_channels(file, {"R", "G", "B", "valid"});
+  require_sound(file, image);
+  colour::Bracketed one{pixels_of(image), channel_of(image, 3), 0};
   const double f_number = number_of(file, "aperture"), time_s = number_of(file, "expTime");
   colour::exposure_scale({time_s, f_number});  // their ranges
   one.light = time_s / (f_number * f_number);
   return one;
-}
-
-/// What the first one's header says of the scene.
-texture::Attributes attributes_of(const std::string& file) {
-  texture::Attributes attributes;
-  for (const char* name : {"coppermoon:recipe", "coppermoon:version", "coppermoon:colour_space",
-                           "coppermoon:unit", "capDate"})
-    if (const auto text = texture::read_attribute(file, name)) attributes[name] = *text;
-  return attributes;
 }
 
 double share_valid(const colour::Bracketed& photograph) {
@@ -69,10 +69,13 @@ double share_valid(const colour::Bracketed& photograph) {
 void run(const Options& options) {
   require_place_for(options.output);
   std::vector<colour::Bracketed> photographs;
-  for (const auto& file : options.photographs) photographs.push_back(bracketed(file));
+  for (const auto& file : options.photographs) {
+    require_one_scene(options.photographs.front(), file);
+    photographs.push_back(bracketed(file));
+  }
   const auto merged = colour::merged(photographs);
   texture::write_exr(options.output, image_of(merged.scene_linear, merged.valid),
-                     attributes_of(options.photographs.front()),
+                     scene_attributes(options.photographs.front()),
                      {.type = texture::ExrType::floating, .allow_negative = true});
   const double valid = share_valid(merged);
   if (options.json)

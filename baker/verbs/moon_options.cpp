@@ -11,7 +11,6 @@
 #include "texture/fingerprint.h"
 #include "texture/read_image.h"
 #include "texture/whole_file.h"
-#include "verbs/silence.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -53,7 +52,6 @@ std::string map_chosen(const MoonOptions& options) {
 
 void require_map(const MoonOptions& options) {
   if (!reads_map(options)) return;
-  const Silence silence;
   texture::require_albedo_map(map_chosen(options), options.albedo_exponent.value_or(1));
 }
 
@@ -86,11 +84,9 @@ algebra::Grid<float> normal_albedo(const MoonOptions& options) {
         surface::built_in_moon(std::max<std::size_t>(8, texture_width_of(options) / 2)),
         photometry_of(options));
   const double exponent = options.albedo_exponent.value_or(map == stellarium_map ? 0.5 : 1);
-  auto albedo = [&] {
-    const Silence silence;
-    return texture::read_albedo_map(map, texture::Coding::as_file_says, exponent);
-  }();
-  return surface::normalised_to_geometric_albedo(std::move(albedo), photometry_of(options));
+  return surface::normalised_to_geometric_albedo(
+      texture::read_albedo_map(map, texture::Coding::as_file_says, exponent),
+      photometry_of(options));
 }
 
 void require_place_for(const std::filesystem::path& file) {

@@ -174,8 +174,7 @@ TEST_F(CameraTest, MergesABracketedSetOfPhotographs) {
   EXPECT_WITHIN_RELATIVE(light, there, 2e-3, "noise of 5400 pixels of some 1e4 electrons each");
   const auto outcome = coppermoon({"merge", "frame.exr", "-o", "no.exr"});
   EXPECT_EQ(outcome.err,
-            "coppermoon: frame.exr: 3 channels, allowed R, G, B and valid, as --photograph writes "
-            "them\n");
+            "coppermoon: frame.exr: channels R, G, B, allowed R, G, B, valid\n");
 }
 
 TEST_F(CameraTest, GivesEachFrameOfAFilmNoiseOfItsOwn) {

@@ -107,7 +107,8 @@ TEST_F(FitThoroughly, RefusesWhatItCannotExplain) {
   EXPECT_EQ(refusal_of({"--magnitudes", "no.csv"}), "coppermoon: no.csv: cannot be read\n");
   file("a.csv", "when,band,magnitude\n");
   EXPECT_EQ(refusal_of({"--magnitudes", "a.csv"}),
-            "coppermoon: a.csv:1: columns: allowed are instant, band, magnitude and error\n");
+            "coppermoon: a.csv:1: columns = when,band,magnitude, allowed instant, band, magnitude and, if "
+            "you like, error, each once, with commas between\n");
   file("b.csv", "instant,band,magnitude\n2018-07-27T20:40:00Z,K,3\n");
   EXPECT_EQ(refusal_of({"--magnitudes", "b.csv"}),
             "coppermoon: b.csv:2: band = K, allowed B, V or R\n");

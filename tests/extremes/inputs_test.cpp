@@ -487,7 +487,7 @@ TEST_F(Photographs, ThatDoNotGoTogetherAreRefused) {
   };
   expect_refused("merge: another size", merged("wide.exr"), "5 x 2 pixels, allowed 4 x 2");
   expect_refused("merge: without valid", merged("three.exr"),
-                 "3 channels, allowed R, G, B and valid");
+                 "channels R, G, B, allowed R, G, B, valid");
   expect_refused("merge: an infinite exposure time", merged("endless.exr"),
                  "exposure time [s] = inf, allowed");
   expect_refused("merge: a folder", merged("."), ".: cannot be read");

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "texture/read_image.h"
 
+#include <OpenImageIO/imageio.h>
+#include <unistd.h>
+
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -22,6 +25,38 @@ std::string float_map(int width, int height, const std::vector<float>& grey) {
   std::string bytes = "Pf\n" + std::to_string(width) + " " + std::to_string(height) + "\n-1\n";
   bytes.append(reinterpret_cast<const char*>(grey.data()), grey.size() * sizeof(float));
   return bytes;
+}
+
+/// An EXR file of one row of texels, 1, 2, 3 …, that stand from `x` of a picture that begins at 0.
+std::filesystem::path row_from(const std::filesystem::path& path, int x, int texels, int shown,
+                               const std::vector<std::string>& channels = {"R", "G", "B"}) {
+  OIIO::ImageSpec spec(texels, 1, static_cast<int>(channels.size()), OIIO::TypeDesc::FLOAT);
+  spec.x = x;
+  spec.full_width = shown;
+  spec.channelnames = channels;
+  std::vector<float> values;
+  for (int i = 0; i < texels; ++i)
+    values.insert(values.end(), channels.size(), static_cast<float>(i + 1));
+  const auto output = OIIO::ImageOutput::create("openexr");
+  EXPECT_TRUE(output->open(path.string(), spec));
+  EXPECT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()));
+  return path;
+}
+
+/// What is said on stderr meanwhile.
+std::string said_by(const std::function<void()>& act) {
+  std::FILE* said = std::tmpfile();
+  const int before = ::dup(STDERR_FILENO);
+  ::dup2(::fileno(said), STDERR_FILENO);
+  act();
+  std::fflush(stderr);
+  ::dup2(before, STDERR_FILENO);
+  ::close(before);
+  std::string text(static_cast<std::size_t>(std::ftell(said)), ' ');
+  std::rewind(said);
+  text.resize(std::fread(text.data(), 1, text.size(), said));
+  std::fclose(said);
+  return text;
 }
 
 TEST_F(ReadImage, GivesIntegersAsFractions) {
@@ -66,6 +101,68 @@ TEST_F(ReadImage, FindsAttributesByTheirStandardNames) {
   EXPECT_EQ(read_attribute(in_folder("a.exr"), "capDate"), "2008:02:21 03:26:05");
   EXPECT_EQ(read_attribute(in_folder("a.exr"), "expTime"), "0.5");
   EXPECT_EQ(read_attribute(in_folder("a.exr"), "coppermoon:recipe"), std::nullopt);
+}
+
+TEST_F(ReadImage, IsTheDisplayWindowBlackOutsideTheData) {
+  const auto reds = [](const Image& image) {
+    std::vector<float> values;
+    for (std::size_t c = 0; c < image.width; ++c) values.push_back(image(0, c, 0));
+    return values;
+  };
+  const auto within = row_from(in_folder("within.exr"), 2, 3, 6),
+             beyond = row_from(in_folder("beyond.exr"), -1, 5, 3),
+             apart = row_from(in_folder("apart.exr"), 9, 2, 3);
+  const std::vector<std::string> red{"R"};
+  for (const auto& image : {read_image(within), read_channels(within, red), read_light(within)})
+    EXPECT_EQ(reds(image), (std::vector<float>{0, 0, 1, 2, 3, 0}));
+  for (const auto& image : {read_image(beyond), read_channels(beyond, red), read_light(beyond)})
+    EXPECT_EQ(reds(image), (std::vector<float>{2, 3, 4}));
+  EXPECT_EQ(reds(read_image(apart)), (std::vector<float>{0, 0, 0}));
+  EXPECT_EQ(windows_of(beyond), (Windows{{-1, 0, 5, 1}, {0, 0, 3, 1}}));
+}
+
+TEST_F(ReadImage, TakesChannelsByTheirNames) {
+  Image image(1, 1, {"A", "B", "G", "R", "valid"});
+  image.values = {1, 2, 3, 4, 5};
+  write_exr(in_folder("a.exr"), image, {}, {.type = ExrType::floating});
+  EXPECT_EQ(read_channels(in_folder("a.exr"), {"R", "G", "B", "valid"}).values,
+            (std::vector<float>{4, 3, 2, 5}));
+  EXPECT_ERROR(read_channels(in_folder("a.exr"), {"X", "Y", "Z"}), "a.exr: channels ");
+  EXPECT_ERROR(read_channels(in_folder("a.exr"), {"X", "Y", "Z"}), "valid, allowed X, Y, Z");
+}
+
+TEST_F(ReadImage, ClaimsOfADisplayWindowAreNotBelieved) {
+  EXPECT_ERROR(read_image(row_from(in_folder("a.exr"), 0, 2, 1 << 21)),
+               "a.exr: cannot be read: attribute \"displayWindow\"");
+}
+
+/// libpng and libtiff say a line of their own of such files.
+TEST_F(ReadImage, OfBrokenFilesNobodyPrints) {
+  Image image(64, 32, {"R", "G", "B"});
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] = static_cast<float>(i * 7919 % 1000) / 1000;
+  write_png(in_folder("a.png"), image, 8);
+  write_tiff(in_folder("a.tif"), image, {});
+  for (const char* name : {"a.png", "a.tif"}) {
+    const auto bytes = bytes_of(in_folder(name));
+    const auto cut =
+        file(std::string("cut") + name, std::string_view(bytes).substr(0, bytes.size() * 2 / 3));
+    EXPECT_EQ(said_by([&] { EXPECT_ERROR(read_image(cut), "cannot be read: "); }), "") << name;
+    EXPECT_EQ(said_by([&] { EXPECT_ERROR(read_light(cut), "cannot be read: "); }), "") << name;
+  }
+}
+
+TEST_F(ReadLight, TakesRedGreenAndBlueByTheirNamesOrGreyAlone) {
+  const auto light_of = [&](const std::vector<std::string>& channels) {
+    return read_light(row_from(in_folder("a.exr"), 0, 1, 1, channels));
+  };
+  for (const auto& other : std::vector<std::vector<std::string>>{
+           {"Y", "RY", "BY"}, {"B", "A", "Z"}, {"X", "Y", "Z"}, {"Z"}, {"a.R", "a.G", "a.B"}})
+    EXPECT_ERROR(light_of(other), "allowed R, G and B, or Y alone");
+  EXPECT_ERROR(light_of({"B", "A", "Z"}), "a.exr: cannot be read: channels ");
+  EXPECT_EQ(light_of({"Y", "A"}).values, (std::vector<float>{1, 1, 1}));
+  EXPECT_ERROR(read_albedo_map(row_from(in_folder("a.exr"), 0, 2, 2, {"Y", "RY", "BY"})),
+               "allowed R, G and B, or Y alone");
 }
 
 TEST_F(ReadLight, UndoesTheCodingOfIntegers) {
@@ -168,6 +265,12 @@ TEST_F(ReadAlbedoMap, RaisesLuminanceToAPower) {
 TEST_F(ReadAlbedoMap, MustBeTwiceAsWideAsHigh) {
   EXPECT_ERROR(read_albedo_map(file("a.pgm", "P5\n3 2\n255\nabcdef")),
                "a.pgm: cannot be read: albedo map of 3 x 2 texels, allowed 2:1");
+}
+
+TEST_F(ReadAlbedoMap, MustBeWhole) {
+  for (const int x : {-1, 1})
+    EXPECT_ERROR(read_albedo_map(row_from(in_folder("a.exr"), x, 2, 2, {"Y"})),
+                 "cropped from 2 x 1");
 }
 
 TEST_F(ReadAlbedoMap, MustBeNumbersOfZeroOrMore) {

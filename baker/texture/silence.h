@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+namespace coppermoon::texture {
+
+/// Keeps stderr closed to the libraries below for as long as any is there, in whatever thread: libpng
+/// and libtiff print lines of their own about files that end early, which an Error then tells again.
+/// Nothing of ours may print meanwhile. OpenEXR prints nothing, and needs none.
+class Silence {
+ public:
+  explicit Silence(const std::filesystem::path& file);
+  ~Silence();
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  bool wanted_;
+};
+
+}  // namespace coppermoon::texture
