@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "algebra/error.h"
+#include "colour/lut_files.h"
 #include "colour/tables.h"
 
 namespace ocio = OCIO_NAMESPACE;
@@ -21,23 +22,40 @@ namespace {
 using algebra::Error;
 
 ocio::ConstConfigRcPtr config_at(const std::filesystem::path& path) try {
-  if (!path.empty()) return ocio::Config::CreateFromFile(path.c_str());
-  std::istringstream text{std::string(config_text())};
-  return ocio::Config::CreateFromStream(text);
+  if (path.empty()) {
+    std::istringstream text{std::string(config_text())};
+    return ocio::Config::CreateFromStream(text);
+  }
+  const auto config = ocio::Config::CreateFromFile(path.c_str());
+  require_regular_luts(*config);
+  return config;
 } catch (const ocio::Exception& problem) {
   throw Error(fmt::format("{}: {}", path.empty() ? "config.ocio" : path.string(), problem.what()));
 }
 
-std::vector<std::string> displays_in(const ocio::Config& config) {
+/// Active ones of a user's configuration; all of the built-in one, whatever OCIO_ACTIVE_DISPLAYS and
+/// OCIO_ACTIVE_VIEWS say.
+std::vector<std::string> displays_at(const std::filesystem::path& path) {
+  const auto config = config_at(path);
   std::vector<std::string> names;
-  for (int i = 0; i < config.getNumDisplays(); ++i) names.emplace_back(config.getDisplay(i));
+  if (path.empty())
+    for (int i = 0; i < config->getNumDisplaysAll(); ++i)
+      names.emplace_back(config->getDisplayAll(i));
+  else
+    for (int i = 0; i < config->getNumDisplays(); ++i) names.emplace_back(config->getDisplay(i));
   return names;
 }
 
-std::vector<std::string> views_in(const ocio::Config& config, const std::string& display) {
+std::vector<std::string> views_at(const std::filesystem::path& path, const std::string& display) {
+  const auto config = config_at(path);
+  const char* of = display.c_str();
   std::vector<std::string> names;
-  for (int i = 0; i < config.getNumViews(display.c_str()); ++i)
-    names.emplace_back(config.getView(display.c_str(), i));
+  if (path.empty())
+    for (const auto type : {ocio::VIEW_DISPLAY_DEFINED, ocio::VIEW_SHARED})
+      for (int i = 0; i < config->getNumViews(type, of); ++i)
+        names.emplace_back(config->getView(type, of, i));
+  else
+    for (int i = 0; i < config->getNumViews(of); ++i) names.emplace_back(config->getView(of, i));
   return names;
 }
 
@@ -57,13 +75,15 @@ std::string known_name(const ocio::Config& config, WorkingSpace space) {
 
 ocio::ConstProcessorRcPtr processor(WorkingSpace space, const Development& development) try {
   const auto config = config_at(development.config);
-  require_one_of("display", development.display, displays_in(*config));
-  require_one_of("view", development.view, views_in(*config, development.display));
+  require_one_of("display", development.display, displays_at(development.config));
+  require_one_of("view", development.view, views_at(development.config, development.display));
   const auto transform = ocio::DisplayViewTransform::Create();
   transform->setSrc(known_name(*config, space).c_str());
   transform->setDisplay(development.display.c_str());
   transform->setView(development.view.c_str());
-  return config->getProcessor(transform);
+  const auto processor = config->getProcessor(transform);
+  require_finite_luts(*processor);
+  return processor;
 } catch (const ocio::Exception& problem) {
   throw Error(fmt::format("view \"{}\": {}", development.view, problem.what()));
 }
@@ -84,13 +104,12 @@ void expose_row(Image& image, std::size_t row, double scale) {
 std::string_view config_text() { return tables::config(); }
 
 std::vector<std::string> displays(const std::filesystem::path& config) {
-  return displays_in(*config_at(config));
+  return displays_at(config);
 }
 
 std::vector<std::string> views(const std::string& display, const std::filesystem::path& config) {
-  const auto read = config_at(config);
-  require_one_of("display", display, displays_in(*read));
-  return views_in(*read, display);
+  require_one_of("display", display, displays_at(config));
+  return views_at(config, display);
 }
 
 std::string fingerprint(WorkingSpace space, const Development& development) {

@@ -117,16 +117,21 @@ void write_whole(const fs::path& path, std::string_view text) {
   write_whole(path, [&](int descriptor) { write_all(descriptor, text, path); });
 }
 
+void require_regular_file(const fs::path& path) {
+  std::error_code failed;
+  const auto status = fs::status(path, failed);
+  if (fs::is_directory(status))
+    throw algebra::Error(fmt::format("{}: cannot be read: it is a directory", path.string()));
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    throw algebra::Error(fmt::format("{}: cannot be read: it is no regular file", path.string()));
+}
+
 std::string bytes_of(const fs::path& path) {
   const auto cannot_read = [&](std::string_view why) {
     return algebra::Error(fmt::format("{}: cannot be read: {}", path.string(), why));
   };
-  std::error_code failed;
-  const auto status = fs::status(path, failed);
-  if (status.type() == fs::file_type::not_found) throw cannot_read("no such file");
-  if (failed) throw cannot_read(failed.message());
-  if (fs::is_directory(status)) throw cannot_read("it is a directory");
-  if (!fs::is_regular_file(status)) throw cannot_read("it is no regular file");
+  if (!fs::exists(path)) throw cannot_read("no such file");
+  require_regular_file(path);
   std::ifstream file(path, std::ios::binary);
   if (!file) throw cannot_read(std::generic_category().message(errno));
   std::string bytes(fs::file_size(path), ' ');
@@ -136,10 +141,10 @@ std::string bytes_of(const fs::path& path) {
 }
 
 std::string beginning_of(const fs::path& path, std::size_t most_bytes) {
+  require_regular_file(path);
   std::ifstream file(path, std::ios::binary);
   std::error_code failed;
-  if (!file || fs::is_directory(path, failed))
-    throw algebra::Error(fmt::format("{}: cannot be read", path.string()));
+  if (!file) throw algebra::Error(fmt::format("{}: cannot be read", path.string()));
   const auto size = fs::file_size(path, failed);
   std::string text(failed ? most_bytes : std::min<std::size_t>(size, most_bytes), ' ');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));

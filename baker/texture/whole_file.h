@@ -21,14 +21,19 @@ void write_whole(const std::filesystem::path& path, const std::function<void(int
 /// The same for text.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
+/// Refuses what would not end or not come, as a pipe or device.
+///
+/// Throws  Error  one line with the path, when something that is no regular file is there
+void require_regular_file(const std::filesystem::path& path);
+
 /// All bytes of a regular file.
 ///
-/// Throws  Error  one line with the path: no such file; a directory, a device or a pipe; not permitted
+/// Throws  Error  one line with the path: no such file, not permitted, or as require_regular_file
 std::string bytes_of(const std::filesystem::path& path);
 
 /// A file's bytes, or the first of them: what has no end takes no more memory than that.
 ///
-/// Throws  Error  one line with the path, when there is no such file or it is a folder
+/// Throws  Error  one line with the path, when there is no such file, or as require_regular_file
 std::string beginning_of(const std::filesystem::path& path, std::size_t most_bytes);
 
 }  // namespace coppermoon::texture

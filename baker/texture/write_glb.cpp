@@ -202,9 +202,9 @@ std::string json_of(const fs::path& path) {
   const auto fail = [&](std::string_view what) {
     throw Error(fmt::format("{}: {}", path.string(), what));
   };
+  require_regular_file(path);
   std::ifstream file(path, std::ios::binary);
-  std::error_code ignored;
-  if (!file || fs::is_directory(path, ignored)) fail("cannot be read");
+  if (!file) fail("cannot be read");
   std::array<std::uint32_t, 5> head{};
   file.read(reinterpret_cast<char*>(head.data()), sizeof head);
   if (!file || head[0] != magic || head[1] != version || head[4] != json_chunk)

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <list>
 #include <map>
@@ -32,7 +33,7 @@ struct Options {
   std::string camera;
   MoonOptions moon;
   ViewOptions view;
-  bool json = false;
+  bool despite_misfit = false, json = false;
 };
 
 /// One for each photograph, or one for all.
@@ -173,6 +174,7 @@ void print_json(const Evidence& evidence, const AirFit& fit) {
              {"dust_ozone", p.correlation[0][2]},
              {"cloud_ozone", p.correlation[1][2]}}},
            {"chi_squared", p.least_chi_squared},
+           {"explained", explains(fit)},
            {"numbers", fit.numbers},
            {"photographs", Json::array()}};
   for (const auto& seen : evidence.seen) {
@@ -215,10 +217,30 @@ void require_sound(const Options& options) {
     throw algebra::Error("photographs: allowed with --instants, when they were taken (UTC)");
 }
 
+/// In one line.
+std::string misfit_of(const Evidence& evidence, const AirFit& fit) {
+  std::string why = "a list of another eclipse or of other bands, or errors told too small";
+  if (!evidence.seen.empty()) {
+    why = "a tone curve (--coding), another instant, another eclipse or place";
+    if (std::ranges::any_of(evidence.seen, [](const Seen& seen) {
+          return seen.registration.render_to_photo.mirrored;
+        }))
+      why += ", a mirrored photograph";
+  }
+  return fmt::format(
+      "no air explains this: chi squared = {:.1f} of {} numbers, allowed up to {:.1f}; likely: {}",
+      fit.posterior.least_chi_squared, fit.numbers, most_chi_squared(fit), why);
+}
+
 void run(const Options& options) {
   require_sound(options);
   const auto evidence = evidence_of(options);
   const auto fit = fitted_air(evidence.witnesses);
+  if (!explains(fit)) {
+    if (!options.despite_misfit)
+      throw algebra::Error(misfit_of(evidence, fit) + "; --despite-misfit answers all the same");
+    fmt::print(stderr, "coppermoon: {}\n", one_line(misfit_of(evidence, fit)));
+  }
   options.json ? print_json(evidence, fit) : print_table(evidence, fit);
 }
 
@@ -258,6 +280,8 @@ void add_fit(CLI::App& program) {
         "--sensor-width",    "--up",          "--flattening", "--solver", "--trace",
         "--photons",         "--shard",       "--keep",       "--add",    "--texture-width"})
     remove_flag(*verb, not_asked);
+  add_switch(*verb, "--despite-misfit", options->despite_misfit,
+             "answer although no air explains what was seen: a warning, no error");
   add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });

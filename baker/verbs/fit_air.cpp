@@ -74,13 +74,22 @@ double least_of(const algebra::Grid<double>& chi_squared) {
   return *std::ranges::min_element(chi_squared.values());
 }
 
+/// Numbers above the three unknowns.
+double freedom_of(std::size_t numbers) { return std::max(1., static_cast<double>(numbers) - 3); }
+
 }  // namespace
+
+double most_chi_squared(const AirFit& fit) { return 10 * freedom_of(fit.numbers); }
+
+bool explains(const AirFit& fit) {
+  return fit.posterior.least_chi_squared <= most_chi_squared(fit);
+}
 
 AirFit fitted_air(std::span<const Witness> witnesses) {
   constexpr int looks = 3;
   AirFit result{{}, 0};
   for (const auto& witness : witnesses) result.numbers += witness.count;
-  const double freedom = std::max(1., static_cast<double>(result.numbers) - 3);
+  const double freedom = freedom_of(result.numbers);
   const auto whole = whole_axes();
   auto axes = whole;
   for (int look = 1;; ++look) {

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/flags.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstddef>
+#include <limits>
 #include <optional>
+#include <system_error>
+#include <type_traits>
 #include <utility>
 
+#include "algebra/number.h"
 #include "verbs/named_files.h"
 
 namespace coppermoon::verbs {
@@ -65,9 +72,42 @@ Flag Flag::one_value_each_time() const {
   return *this;
 }
 
+namespace {
+
+/// What is wrong with a text that is to be a whole number; nothing where CLI11 is left to say it.
+template <typename Whole>
+std::string fault_of(const std::string& text) {
+  const auto end = text.data() + text.size();
+  const auto begin = text.data() + text.starts_with('+');
+  Whole whole{};
+  const auto [rest, failed] = std::from_chars(begin, end, whole);
+  const bool number = algebra::number_in(text).has_value();
+  if (failed == std::errc() && rest == end) return {};
+  if (std::is_unsigned_v<Whole> && number && text.starts_with('-'))
+    return fmt::format("{}, allowed whole numbers, 0 or more", text);
+  if (failed == std::errc::result_out_of_range)
+    return fmt::format("{}, allowed {} to {}", text, std::numeric_limits<Whole>::min(),
+                       std::numeric_limits<Whole>::max());
+  return number ? fmt::format("{}, allowed whole numbers", text) : "";
+}
+
+template <typename Value>
+struct Single {
+  using Type = Value;
+};
+template <typename Value>
+struct Single<std::optional<Value>> {
+  using Type = Value;
+};
+
+}  // namespace
+
 template <typename Value>
 Flag add_flag(CLI::App& verb, const std::string& names, Value& value, const std::string& help) {
-  return Flag(*verb.add_option(names, value, help));
+  auto* option = verb.add_option(names, value, help);
+  using Type = typename Single<Value>::Type;
+  if constexpr (std::is_integral_v<Type>) option->check(CLI::Validator(fault_of<Type>, ""));
+  return Flag(*option);
 }
 
 template Flag add_flag(CLI::App&, const std::string&, double&, const std::string&);

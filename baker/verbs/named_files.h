@@ -16,7 +16,8 @@ bool says_where_results_go(const CLI::Option& flag);
 ///
 /// Throws  algebra::Error  when a file that is written is also one that is read (the same file by any
 ///                         name or link), two that are written are one, or one that is read stands in
-///                         a folder that is written; the recipe may stand there
+///                         a folder that is written; the recipe may stand there. When one that is
+///                         read is no regular file
 void require_files_apart(const CLI::App& verb);
 
 }  // namespace coppermoon::verbs

@@ -12,6 +12,7 @@
 
 #include "verbs/air_options.h"
 #include "verbs/known_words.h"
+#include "verbs/named_files.h"
 #include "verbs/recipe_file.h"
 
 namespace coppermoon::verbs {
@@ -105,14 +106,29 @@ std::string taken_recipe(std::vector<std::string>& arguments) {
   return {};
 }
 
+/// Where there is no -o, which flags name the files.
+void require_no_output(const CLI::App& verb, const std::string& argument) {
+  if (!argument.starts_with("-o") || verb.get_option_no_throw("-o") != nullptr) return;
+  std::vector<std::string> flags;
+  for (const auto* option : verb.get_options())
+    if (says_where_results_go(*option)) flags.push_back("--" + option->get_lnames().front());
+  throw WrongUsage(fmt::format("-o: {} has no such flag; {}", verb.get_name(),
+                               flags.empty()
+                                   ? "it prints its results"
+                                   : fmt::format("files are named by {}", fmt::join(flags, ", "))));
+}
+
 void require_flags(const CLI::App& verb, const std::vector<std::string>& arguments) {
   const auto known = long_flags(verb);
   for (const auto& argument : arguments) {
+    require_no_output(verb, argument);
     if (!argument.starts_with("--") || argument.size() == 2) continue;
     const auto flag = argument.substr(2, argument.find('=') - 2);
     if (!holds(known, flag))
       throw WrongUsage(fmt::format("--{}: {} has no such flag; the nearest is --{}", flag,
                                    verb.get_name(), nearest(flag, known)));
+    if (argument.size() == flag.size() + 3)  // else the next word would be taken
+      throw WrongUsage(fmt::format("--{}: no value behind the =", flag));
   }
 }
 

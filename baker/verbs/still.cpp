@@ -38,6 +38,7 @@ void run(const CLI::App& verb, Options options) {
   options.develop.focal_length_mm = options.view.focal_length_mm;
   require_sound(options.develop, options.output);
   require_place_for(options.output);
+  require_temporary_folder();
   for (const auto& file :
        {options.frame, options.develop.camera.raw, options.develop.camera.photograph})
     if (!file.empty()) require_place_for(file);

@@ -41,7 +41,16 @@ pid_t remover_of(std::string folder, int input) {
 
 }  // namespace
 
+void require_temporary_folder() {
+  std::error_code failed;
+  if (!std::filesystem::temp_directory_path(failed).empty() && !failed) return;
+  const char* told = std::getenv("TMPDIR");
+  throw algebra::Error(fmt::format("TMPDIR = {}: no such directory, allowed one that is there",
+                                   told != nullptr ? told : "/tmp"));
+}
+
 TemporaryFolder::TemporaryFolder() {
+  require_temporary_folder();
   std::string name = (std::filesystem::temp_directory_path() / "coppermoon-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr)
     throw algebra::Error(

@@ -7,6 +7,11 @@
 
 namespace coppermoon::verbs {
 
+/// Refuses a system without a folder for temporary files. Said before the work is done.
+///
+/// Throws  Error  with the name that TMPDIR gives
+void require_temporary_folder();
+
 /// A folder that is there for as long as this is, and no longer than the program, whatever ends it: a
 /// shell waits beside the program for its end, by kill -9 too, and then removes the folder.
 ///

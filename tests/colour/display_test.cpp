@@ -2,9 +2,11 @@
 #include "colour/display.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -293,6 +295,68 @@ TEST(Display, HasBuiltInTheConfigurationThatIsInstalled) {
   const auto installed = text_of(COPPERMOON_TEST_DATA "/../colour/config.ocio");
   ASSERT_FALSE(installed.empty());
   EXPECT_EQ(config_text(), installed);
+}
+
+/// A configuration of one view, by a table, in a folder of its own.
+class LookUpTable : public testing::Test {
+ protected:
+  LookUpTable() {
+    auto name = (std::filesystem::temp_directory_path() / "coppermoon_XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    std::ofstream(config()) << "ocio_profile_version: 2\nroles: {default: lin_rec709_scene}\n"
+                               "displays:\n  sRGB:\n"
+                               "    - !<View> {name: Un-tone-mapped, colorspace: graded}\n"
+                               "    - !<View> {name: Raw, colorspace: lin_rec709_scene}\n"
+                               "colorspaces:\n"
+                               "  - !<ColorSpace> {name: lin_rec709_scene}\n"
+                               "  - !<ColorSpace>\n    name: graded\n    from_scene_reference: "
+                               "!<FileTransform> {src: a.cube}\n";
+  }
+  ~LookUpTable() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path config() const { return folder_ / "config.ocio"; }
+  std::filesystem::path table() const { return folder_ / "a.cube"; }
+
+  std::string refusal_of(const std::string& entry) const {
+    std::ofstream(table()) << "# nan is no number\nTITLE inf\nLUT_1D_SIZE 2\n0 0 0\n"
+                           << entry << "\n";
+    return refusal();
+  }
+  std::string refusal() const {
+    try {
+      grey_shown(0.5F, {.config = config()});
+    } catch (const algebra::Error& error) {
+      return error.what();
+    }
+    return {};
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+TEST_F(LookUpTable, WithAnEntryThatIsNotFiniteIsRefused) {
+  EXPECT_EQ(refusal_of("1 1 1"), "");
+  for (const std::string entry : {"nan", "inf", "-inf", "NaN"})
+    EXPECT_EQ(refusal_of("1 " + entry + " 1"),
+              table().string() + ":5: " + entry + " in a look-up table, allowed finite numbers");
+}
+
+TEST_F(LookUpTable, ThatIsAPipeIsRefused) {
+  ASSERT_EQ(::mkfifo(table().c_str(), 0666), 0);
+  EXPECT_EQ(refusal(), table().string() + ": cannot be read: it is no regular file");
+}
+
+TEST_F(LookUpTable, OfAUsersConfigurationHasTheActiveViewsAlone) {
+  const auto all = views(), shown = displays();
+  ::setenv("OCIO_ACTIVE_VIEWS", "Raw", 1);
+  ::setenv("OCIO_ACTIVE_DISPLAYS", "P3-D65", 1);
+  EXPECT_EQ(views(), all) << "of the built-in configuration: nobody's settings count";
+  EXPECT_EQ(displays(), shown);
+  EXPECT_GT(grey_shown(0.5F, {}), 0);
+  EXPECT_EQ(views("sRGB", config()), std::vector<std::string>{"Raw"});
+  ::unsetenv("OCIO_ACTIVE_VIEWS");
+  ::unsetenv("OCIO_ACTIVE_DISPLAYS");
 }
 
 }  // namespace

@@ -75,6 +75,7 @@ TEST_F(Fit, OfAPhotographFindsItsAir) {
   EXPECT_GT(dust["high_68"], dust["median"]);
   EXPECT_GT(found["numbers"], 20);
   EXPECT_EQ(found["photographs"][0]["mirrored"], false);
+  EXPECT_EQ(found["explained"], true);
   EXPECT_EQ(found["photographs"][0]["exposure_known"], true);
 }
 
@@ -97,6 +98,25 @@ TEST_F(FitThoroughly, OfMagnitudesFindsTheCloudAndSaysWhatItCannotTell) {
   EXPECT_LT(found["correlation"]["dust_cloud"], -0.5);
 }
 
+TEST_F(FitThoroughly, SaysThatNoAirExplainsWhatNoneDoes) {
+  file("list.csv", std::string("instant,band,magnitude\n") + deep + ",V,-11\n" + deep + ",B,-2\n");
+  const Words words{"fit", "--magnitudes", "list.csv", "--albedo-map", "built-in"};
+  const auto refused = coppermoon(words);
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_TRUE(refused.err.starts_with("coppermoon: no air explains this: chi squared = "))
+      << refused.err;
+  EXPECT_NE(
+      refused.err.find(" of 2 numbers, allowed up to 10.0; likely: a list of another eclipse"),
+      std::string::npos);
+  auto despite = words;
+  despite.insert(despite.end(), {"--despite-misfit", "--json"});
+  const auto answered = coppermoon(despite);
+  EXPECT_EQ(answered.status, 0);
+  EXPECT_TRUE(answered.err.starts_with("coppermoon: no air explains this")) << answered.err;
+  EXPECT_EQ(json::parse(answered.out)["explained"], false);
+}
+
 TEST_F(FitThoroughly, RefusesWhatItCannotExplain) {
   EXPECT_EQ(refusal_of({}),
             "coppermoon: nothing to explain, allowed photographs or --magnitudes\n");
@@ -107,7 +127,8 @@ TEST_F(FitThoroughly, RefusesWhatItCannotExplain) {
   EXPECT_EQ(refusal_of({"--magnitudes", "no.csv"}), "coppermoon: no.csv: cannot be read\n");
   file("a.csv", "when,band,magnitude\n");
   EXPECT_EQ(refusal_of({"--magnitudes", "a.csv"}),
-            "coppermoon: a.csv:1: columns = when,band,magnitude, allowed instant, band, magnitude and, if "
+            "coppermoon: a.csv:1: columns = when,band,magnitude, allowed instant, band, magnitude "
+            "and, if "
             "you like, error, each once, with commas between\n");
   file("b.csv", "instant,band,magnitude\n2018-07-27T20:40:00Z,K,3\n");
   EXPECT_EQ(refusal_of({"--magnitudes", "b.csv"}),

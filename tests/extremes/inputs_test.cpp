@@ -290,7 +290,7 @@ TEST_F(Recipes, WithoutEndAreRefused) {
   expect_recipe_refused("a name of 300000 parts", name + " = 5\n", "a name of more than 16 parts");
   expect_recipe_refused("a table of 300000 parts", "['x'" + name.substr(1) + "]\n", "16 parts");
   const auto outcome = coppermoon(bake({"--recipe", "/dev/zero", "-o", "by.exr"}));
-  expect_refused("recipe: /dev/zero", outcome, "/dev/zero: a recipe of more than 1048576 bytes");
+  expect_refused("recipe: /dev/zero", outcome, "/dev/zero: cannot be read: it is no regular file");
 }
 
 /// A picture from someone else may not say where this one's results go.
@@ -463,7 +463,7 @@ TEST_F(Magnitudes, ThatAreNoneAreRefused) {
     file("a.csv", text);
     expect_list_refused(what, "a.csv", part);
   }
-  expect_list_refused("/dev/zero", "/dev/zero", "a list of more than 1048576 bytes");
+  expect_list_refused("/dev/zero", "/dev/zero", "it is no regular file");
   expect_list_refused("a folder", ".", ".: cannot be read");
 }
 

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// What would hang, wrap around or be said in words that do not help, were it not refused at once.
+#include <sys/stat.h>
+
+#include "end_to_end/program.h"
+#include "texture/write_image.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr const char* eclipsed = "2008-02-21T03:26:05Z";
+
+class Refusals : public ProgramTest {
+ protected:
+  void expect_refused(const Words& words, int status, const std::string& why) const {
+    Surroundings around;
+    around.processor_limit = 20;
+    const auto outcome = coppermoon(words, around);
+    EXPECT_EQ(outcome.status, status);
+    EXPECT_EQ(outcome.err, "coppermoon: " + why + "\n");
+  }
+};
+
+constexpr int could_not = 1, wrong_usage = 2;
+
+TEST_F(Refusals, APipeInThePlaceOfAFileIsRefused) {
+  ASSERT_EQ(::mkfifo(here("pipe").c_str(), 0666), 0);
+  texture::write_exr(here("a.exr"), texture::Image(4, 2, {"R", "G", "B"}), {});
+  for (const auto& words :
+       std::vector<Words>{{"fit", "--magnitudes", "pipe"},
+                          {"fit", "pipe", "--instants", eclipsed},
+                          {"merge", "pipe", "-o", "b.exr"},
+                          {"compare", "pipe", "a.exr"},
+                          {"develop", "pipe", "-o", "a.png"},
+                          {"develop", "a.exr", "--config", "pipe", "-o", "a.png"},
+                          {"bake", eclipsed, "--recipe", "pipe", "-o", "b.exr"},
+                          {"bake", eclipsed, "--albedo-map", "pipe", "-o", "b.exr"}})
+    expect_refused(words, could_not, "pipe: cannot be read: it is no regular file");
+  ASSERT_EQ(::mkfifo(here("pipe.glb").c_str(), 0666), 0);
+  expect_refused({"bake", "pipe.glb", "-o", "b.exr"}, could_not,
+                 "pipe.glb: cannot be read: it is no regular file");
+}
+
+TEST_F(Refusals, WholeNumbersThatAreNoneOrTooLargeAreNamed) {
+  const auto bake = [&](const char* flag, const char* value, const std::string& why) {
+    expect_refused({"bake", eclipsed, flag, value, "-o", "a.exr"}, wrong_usage, why);
+  };
+  bake("--seed", "18446744073709551616",
+       "--seed: 18446744073709551616, allowed 0 to 18446744073709551615");
+  bake("--seed", "-1", "--seed: -1, allowed whole numbers, 0 or more");
+  bake("--danjon", "1.5", "--danjon: 1.5, allowed whole numbers");
+  bake("--danjon", "3000000000", "--danjon: 3000000000, allowed -2147483648 to 2147483647");
+}
+
+TEST_F(Refusals, AnOutputThatAWordDoesNotHaveIsAnsweredWithThoseItHas) {
+  expect_refused({"shadow", eclipsed, "-o", "u.csv"}, wrong_usage,
+                 "-o: shadow has no such flag; files are named by --plot, --lookup, --keep");
+  expect_refused({"sky", eclipsed, "-o", "u.csv"}, wrong_usage,
+                 "-o: sky has no such flag; it prints its results");
+}
+
+TEST_F(Refusals, AFlagWithNothingBehindItsSignTakesNotTheNextWord) {
+  expect_refused({"animate", "2018-07-27", "--range=", "-o", "film"}, wrong_usage,
+                 "--range: no value behind the =");
+}
+
+TEST_F(Refusals, AMissingFolderForTemporaryFilesIsNamed) {
+  const auto outcome =
+      run({"env", "TMPDIR=/no/such", COPPERMOON_PROGRAM, "still", eclipsed, "-o", "a.png"});
+  EXPECT_EQ(outcome.status, could_not);
+  EXPECT_EQ(outcome.err,
+            "coppermoon: TMPDIR = /no/such: no such directory, allowed one that is there\n");
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end
