@@ -158,11 +158,11 @@ TEST_F(FilmFolder, KeepsPicturesOfSomebodyElse) {
 
 TEST_F(FilmFolder, KeepsTheLightOfAnotherFilm) {
   expect_done(coppermoon(film({"--frames", "2", "--make", "light"})));
-  expect_refused(film({"--frames", "2", "--make", "light", "--tolerance", "7%"}),
-                 "the light of a film made with tolerance = none, asked '7%' (eclipse.light)");
+  expect_refused(film({"--frames", "2", "--make", "light", "--ozone-du", "200"}),
+                 "the light of a film made with ozone-du = none, asked 200 (eclipse.light)");
   expect_done(coppermoon(film({"--frames", "2", "--make", "light", "--iso", "100"})));
   expect_done(
-      coppermoon(film({"--frames", "2", "--make", "light", "--tolerance", "7%", "--replace"})));
+      coppermoon(film({"--frames", "2", "--make", "light", "--ozone-du", "200", "--replace"})));
 }
 
 TEST_F(FilmFolder, WithAFlippedBitInAFrameHasItMadeAgain) {
