@@ -18,6 +18,9 @@ using atmosphere::StratosphericAerosol;
 
 constexpr const char* air_group = "The Earth's air";
 
+/// Of five degrees of the limb each; they take two minutes of computing, and twice as many six.
+constexpr std::size_t most_regions = 72;
+
 template <typename Value>
 Flag add_air_flag(CLI::App& app, const std::string& flag, Value& value, const std::string& text) {
   return add_flag(app, flag, value, text).in(air_group);
@@ -182,6 +185,10 @@ atmosphere::Atmosphere atmosphere_of(const AirOptions& options, algebra::Angle s
                     : atmosphere::ellipsoid(algebra::in_radians(sun_declination));
   change_molecules(options, air);
   air.column = changed(air.column, options.column);
+  if (options.regions.size() > most_regions)
+    throw algebra::Error(
+        fmt::format("regions = {}, allowed up to {}: each has air of its own to compute",
+                    options.regions.size(), most_regions));
   for (const auto& text : options.regions)
     for (const auto& region : regions_from(text, air, sun_declination))
       air.regions.push_back(region);

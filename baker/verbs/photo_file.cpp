@@ -45,10 +45,9 @@ texture::Attributes scene_attributes(const std::string& file) {
   return attributes;
 }
 
-std::optional<double> taken_at_s(const std::string& photo) {
-  const auto date = texture::read_attribute(photo, "capDate");
-  if (!date || date->find_first_not_of(" :0") == date->npos) return std::nullopt;
-  auto text = *date;
+std::optional<double> seconds_of_date(const std::string& date) {
+  if (date.find_first_not_of(" :0") == date.npos) return std::nullopt;
+  auto text = date;
   try {
     if (text.size() != 19 || text[4] != ':' || text[7] != ':' || text[10] != ' ')
       throw algebra::Error("another form");
@@ -56,8 +55,17 @@ std::optional<double> taken_at_s(const std::string& photo) {
     const auto when = almanac::instant_from_utc(text);
     return (when.tt_day + when.tt_fraction) * 86400;
   } catch (const algebra::Error&) {
-    throw algebra::Error(
-        fmt::format("{}: its header's date = {}, allowed YYYY:MM:DD HH:MM:SS", photo, *date));
+    throw algebra::Error(fmt::format("its header's date = {}, allowed YYYY:MM:DD HH:MM:SS", date));
+  }
+}
+
+std::optional<double> taken_at_s(const std::string& photo) {
+  const auto date = texture::read_attribute(photo, "capDate");
+  if (!date) return std::nullopt;
+  try {
+    return seconds_of_date(*date);
+  } catch (const algebra::Error& error) {
+    throw algebra::Error(fmt::format("{}: {}", photo, error.what()));
   }
 }
 

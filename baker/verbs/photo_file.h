@@ -21,10 +21,15 @@ std::optional<colour::Exposure> exif_of(const std::string& photo);
 /// has: its recipe and moment, what the numbers stand for.
 texture::Attributes scene_attributes(const std::string& file);
 
-/// When it was taken, in seconds of a time that goes on evenly; nothing when its header does not say,
-/// or a camera's clock was not set.
+/// A header's date, as "2008:02:21 03:26:05", in seconds of a time that goes on evenly; nothing for that
+/// of a camera whose clock was not set: blanks or zeros.
 ///
-/// Throws  Error  when what it says is no date as "2008:02:21 03:26:05"
+/// Throws  Error  when it is anything else
+std::optional<double> seconds_of_date(const std::string& date);
+
+/// When a photograph was taken; nothing when its header does not say.
+///
+/// Throws  Error  with the photograph's name, as seconds_of_date
 std::optional<double> taken_at_s(const std::string& photo);
 
 }  // namespace coppermoon::verbs

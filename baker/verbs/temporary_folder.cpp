@@ -21,7 +21,7 @@ namespace {
 ///
 /// Returned  0 when there is no shell
 pid_t remover_of(std::string folder, int input) {
-  std::string shell = "sh", command = "-c", script = "cat > /dev/null; rm -rf -- \"$0\"";
+  std::string shell = "sh", command = "-c", script = "cat && rm -rf -- \"$0\"";
   std::array<char*, 5> words{shell.data(), command.data(), script.data(), folder.data(), nullptr};
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

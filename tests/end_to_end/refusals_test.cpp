@@ -15,9 +15,9 @@ constexpr const char* eclipsed = "2008-02-21T03:26:05Z";
 class Refusals : public ProgramTest {
  protected:
   void expect_refused(const Words& words, int status, const std::string& why) const {
-    Surroundings around;
-    around.processor_limit = 20;
-    const auto outcome = coppermoon(words, around);
+    Words timed{"timeout", "20", COPPERMOON_PROGRAM};
+    timed.insert(timed.end(), words.begin(), words.end());
+    const auto outcome = run(timed);
     EXPECT_EQ(outcome.status, status);
     EXPECT_EQ(outcome.err, "coppermoon: " + why + "\n");
   }
@@ -64,6 +64,24 @@ TEST_F(Refusals, AnOutputThatAWordDoesNotHaveIsAnsweredWithThoseItHas) {
 TEST_F(Refusals, AFlagWithNothingBehindItsSignTakesNotTheNextWord) {
   expect_refused({"animate", "2018-07-27", "--range=", "-o", "film"}, wrong_usage,
                  "--range: no value behind the =");
+}
+
+TEST_F(Refusals, MoreRegionsThanCanBeComputedAreRefusedAtOnce) {
+  Words bake{"bake", eclipsed, "-o", "a.exr"};
+  for (int i = 0; i < 300; ++i) {
+    bake.push_back("--region");
+    bake.push_back("from-latitude=-90,to-latitude=0,ozone-du=" + std::to_string(200 + i));
+  }
+  expect_refused(bake, could_not,
+                 "regions = 300, allowed up to 72: each has air of its own to compute");
+}
+
+/// A shell of few descriptors cannot redirect: the folder's remover needs none.
+TEST_F(Refusals, FewFileDescriptorsDoNotTakeTheTemporaryFolderAway) {
+  const auto outcome = run({"sh", "-c", "ulimit -n 10; exec \"$@\"", "sh", COPPERMOON_PROGRAM,
+                            "still", eclipsed, "--unshadowed", "--texture-width", "16", "--width",
+                            "16", "--height", "16", "--albedo-map", "built-in", "-o", "a.png"});
+  EXPECT_EQ(outcome.err.find("No such file"), std::string::npos) << outcome.err;
 }
 
 TEST_F(Refusals, AMissingFolderForTemporaryFilesIsNamed) {
