@@ -14,8 +14,8 @@ processors=$(nproc)
 export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppressions=0" UBSAN_OPTIONS=print_stacktrace=1
 
 steps="compiled_alone quick_in_release heavy_under_sanitizers fuzzers libraries_thoroughly program_thoroughly
-extremes_thoroughly films_and_convergence plans_kept air_recovered other_programs small_examples full_examples
-full_film sweep_1 sweep_2 sweep_3 sweep_4 sweep_5"
+extremes_thoroughly films_and_convergence plans_kept air_recovered planted_faults other_programs small_examples
+full_examples full_film sweep_1 sweep_2 sweep_3 sweep_4 sweep_5"
 
 released() { sh examples/build.sh "$1" packages.tests.debian; }
 test_release() { ctest --test-dir build/release --output-on-failure --no-tests=error --parallel "$processors" "$@"; }
@@ -75,6 +75,12 @@ plans_kept() {
 air_recovered() {
   released slow_tests
   test_release -L '^slow$' -R '^end_to_end/recovery$'
+}
+
+# Twenty minutes from nothing, twelve once it was built.
+planted_faults() {
+  released coppermoon_program
+  tests/faults.sh
 }
 
 other_programs() { tests/hand_off.sh; }

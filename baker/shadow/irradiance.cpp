@@ -29,6 +29,16 @@ RefractedLight darkness(const Arrangement& arrangement, std::span<const double> 
           dark};
 }
 
+algebra::Grid<double> mean_ratio(const RefractedLight& light, std::size_t plane) {
+  algebra::Grid<double> mean(light.axis_distances_m.size(), light.wavelengths_nm.size());
+  for (std::size_t s = 0; s < light.sectors; ++s) {
+    const auto sector = light.ratio[plane * light.sectors + s].values();
+    for (std::size_t i = 0; i < sector.size(); ++i)
+      mean.values()[i] += sector[i] / static_cast<double>(light.sectors);
+  }
+  return mean;
+}
+
 double combined_error(const RefractedLight& light, std::span<const double> errors,
                       std::span<const double> weights) {
   double sum = 0, variance = 0;

@@ -32,7 +32,8 @@ struct RefractedLight {
   std::vector<double> axis_distances_m;  ///< increasing
   /// equal parts of the position angle about the axis; 1: all around alike
   std::size_t sectors = 1;
-  /// [plane × sectors + sector](axis distance, wavelength); sector s is centred at 2π s / sectors
+  /// [plane × sectors + sector](axis distance, wavelength); sector s is centred at the position angle
+  /// 2π s / sectors, so [0] is the first plane's north alone: see mean_ratio
   std::vector<algebra::Grid<double>> ratio, standard_error;
   std::uint64_t photons = 0;  ///< that were traced for it
   /// errors of a place's wavelengths are those of the same photons and add up; else independent
@@ -42,6 +43,12 @@ struct RefractedLight {
 /// No light at all, on every plane in that many sectors.
 RefractedLight darkness(const Arrangement& arrangement, std::span<const double> wavelengths_nm,
                         std::span<const double> axis_distances_m, std::size_t sectors);
+
+/// The ratio's mean over all position angles on one plane.
+///
+/// Given     light  with light in all its sectors: those that by_quadrature was not asked for are dark
+/// Returned  (axis distance, wavelength)
+algebra::Grid<double> mean_ratio(const RefractedLight& light, std::size_t plane = 0);
 
 /// The standard error of a weighted sum over wavelengths, from theirs; at most so much where they
 /// add up.

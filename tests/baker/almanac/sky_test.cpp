@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "almanac/lunar_orientation.h"
 #include "baker/almanac/published_rows.h"
 #include "support/within.h"
 
@@ -64,6 +65,24 @@ TEST(Sky, LibrationSunAndAxisAgreeWithAnIndependentReading) {
     EXPECT_WITHIN(in_degrees(sky.axis_position_angle), number(row, "axis_position_angle_deg"), 0.01,
                   "the table's north is mean, ours true: nutation is under 0.003°");
   }
+}
+
+TEST(Sky, TheSubsolarPointIsThatOfAWorkedExample) {
+  const SkyState sky = sky_at({2448724.5, 0}, LunarTheory::moon98);  // 1992 April 12, 0 h TT
+  const char* reason = "Meeus (1998), example 53.b: two digits; as from the Earth it is 0.137° off";
+  EXPECT_WITHIN(in_degrees(sky.sub_solar.longitude), 67.89, 0.02, reason);
+  EXPECT_WITHIN(in_degrees(sky.sub_solar.latitude), 1.461, 0.01, reason);
+}
+
+TEST(Sky, TheMoonsFaceIsAsItsLightLeftIt) {
+  const SkyState sky = sky_at(instant_from_utc("2008-02-21T03:26:05Z"), LunarTheory::moon98);
+  const glm::dmat3 turned =
+      selenographic_from_gcrs(sky.when) * glm::transpose(sky.selenographic_from_gcrs);
+  const double turn_rad = (turned[1][0] - turned[0][1]) / 2;  // about the pole
+  const double light_time_s = glm::length(sky.moon_m) / 299792458;
+  EXPECT_WITHIN_RELATIVE(std::abs(turn_rad),
+                         2 * std::acos(-1.0) / (27.321661 * 86400) * light_time_s, 0.01,
+                         "the sidereal month; physical libration changes by 0.1 % of that");
 }
 
 TEST(Sky, TheRotationsAreRotations) {

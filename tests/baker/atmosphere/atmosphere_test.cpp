@@ -240,6 +240,18 @@ TEST(Breaks, AreWhereTheProfilesBend) {
   EXPECT_EQ(breaks_m({.density = Density::none}), std::vector<double>{0});
 }
 
+TEST(CriticalRefractivity, IsWhereARayGoesRoundOnTheGround) {
+  // US 1976 on the ground: T = 288.15 K, falling by 6.5 K/km, and dρ/dh = −ρ (34.163 − 6.5) / 288.15
+  const double slope = -(34.163195 - 6.5) / 288.15e3, radius_m = 6.378e6;
+  const double critical = critical_refractivity({}, radius_m);
+  EXPECT_WITHIN_RELATIVE(critical, -1 / (1 + radius_m * slope), 1e-4,
+                         "closed form, printed digits");
+  EXPECT_WITHIN_RELATIVE(critical, 1.636e-3, 3e-4, "as it is told");
+  EXPECT_NO_THROW(require_no_trap({}, radius_m, 0.999 * critical));
+  EXPECT_THROW(require_no_trap({}, radius_m, 1.001 * critical), algebra::Error);
+  EXPECT_NO_THROW(require_no_trap({.refraction = false}, radius_m, 0.1));
+}
+
 TEST(Atmosphere, OfTheDefaultsIsThePapersSphere) {
   EXPECT_TRUE(Atmosphere{}.symmetric());
   EXPECT_EQ(Atmosphere{}.top_radius_m(), 6.42e6);

@@ -8,6 +8,7 @@
 
 #include "algebra/error.h"
 #include "photons/solar_disc.h"
+#include "shadow/by_quadrature.h"
 #include "support/within.h"
 
 namespace coppermoon::shadow {
@@ -86,6 +87,30 @@ TEST(Landing, FollowsTheStraightLineWhenNothingBends) {
   const double slope = std::asin(earth_m / sun_m);
   EXPECT_WITHIN_RELATIVE(landing_m(earth_m, 0, sun_m, moon_m), (sun_m + moon_m) * std::tan(slope),
                          1e-9, "closed form; the ray passes D tan ε = b / cos ε to 1e-9");
+}
+
+TEST(MeanRatio, IsThatOfAllPositionAnglesOfAPlane) {
+  RefractedLight light{{sun_m, {3.8e8, 3.9e8}}, {500, 600}, {0, 1e6, 2e6}, 4, {}, {}};
+  for (int plane = 0; plane < 2; ++plane)
+    for (const double sector : {1., 2., 3., 6.})
+      light.ratio.emplace_back(3, 2, sector + 10 * plane);
+  light.ratio[1](2, 1) = 6;
+  EXPECT_EQ(mean_ratio(light)(0, 0), 3);
+  EXPECT_EQ(mean_ratio(light)(2, 1), 4);
+  EXPECT_EQ(mean_ratio(light, 1)(0, 0), 13);
+}
+
+TEST(MeanRatio, OfAnEllipsoidIsNoOneSectors) {
+  const atmosphere::Atmosphere air{.earth = atmosphere::ellipsoid(0)};
+  const std::vector<double> waves{600}, places{3.5e6};
+  const auto in = [&](std::size_t sectors) {
+    return by_quadrature(air, {sun_m, {moon_m}}, waves, places, {.around = sectors});
+  };
+  const auto light = in(24);
+  EXPECT_WITHIN_RELATIVE(mean_ratio(light)(0, 0), mean_ratio(in(90))(0, 0), 1e-12,
+                         "cos 2θ and cos 4θ vanish in the mean over any even number of sectors");
+  EXPECT_GT(std::abs(light.ratio[0](0, 0) / mean_ratio(light)(0, 0) - 1), 0.005)
+      << "towards the pole the limb is lower";
 }
 
 TEST(Arrangement, OutsideItsRangeIsRefused) {

@@ -118,6 +118,24 @@ TEST(Lookup, PartsAddUpToAllOfTheLight) {
   EXPECT_EQ(read(straight, place(1e7, depth)), 7);
 }
 
+TEST(Lookup, HasTheDirectLightOfEachPositionAngle) {
+  const atmosphere::Atmosphere flat{.earth = atmosphere::ellipsoid(0)};
+  const std::vector<double> waves{550}, places{4e6, 5e6};
+  const Arrangement plane{1.479e11, {3.82e8}};
+  const DirectLight clear(flat, plane, waves);
+  const auto dark = darkness(plane, waves, places, sectors_around);
+  const Lookup lookup(dark, clear, one_channel(1), {.from_m = 4e6, .to_m = 5e6});
+  const double quarter = std::numbers::pi / 2;
+  std::array<double, 4> direct;
+  for (std::size_t i = 0; i < direct.size(); ++i) {
+    const double turn = static_cast<double>(i) * quarter;
+    clear.ratios(4.8e6, turn, 3.82e8, {&direct[i], 1});
+    EXPECT_WITHIN_RELATIVE(read(lookup, place(4.8e6, 3.82e8, turn)), direct[i], 2e-3,
+                           "straight lines over 10 km");
+  }
+  EXPECT_GT(direct[0], 1.1 * direct[1]) << "over the poles more of the Sun is clear";
+}
+
 TEST(Lookup, TurnsWithThePositionAngle) {
   RefractedLight light{around_the_moon, {500}, {0, 1e6, 2e6}, 4, {}, {}};
   for (int plane = 0; plane < 3; ++plane)

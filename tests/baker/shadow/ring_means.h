@@ -21,12 +21,13 @@ inline algebra::Grid<double> ring_means(const atmosphere::Atmosphere& air,
     for (int k = 0; k < places; ++k)
       distances.push_back((static_cast<double>(r) + (k + 0.5) / places) * width_m);
   const auto light = by_quadrature(air, arrangement, waves, distances, {.rays = 1000});
+  const auto ratio = mean_ratio(light);
   algebra::Grid<double> means(rings, waves.size());
   for (std::size_t r = 0; r < rings; ++r)
     for (std::size_t w = 0; w < waves.size(); ++w) {
       double sum = 0, area = 0;
       for (std::size_t d = r * places; d < (r + 1) * places; ++d) {
-        sum += distances[d] * light.ratio[0](d, w);
+        sum += distances[d] * ratio(d, w);
         area += distances[d];
       }
       means(r, w) = sum / area;

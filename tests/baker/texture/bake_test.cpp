@@ -50,6 +50,22 @@ TEST(Bake, LightsTheSubSolarPointByTheInverseSquareOfItsDistance) {
                          "float texels; mu is 1 − 1e-4 within a texel, f 1 − 1e-5");
 }
 
+TEST(Bake, IrradianceIsThatOfTheSunAtItsDistanceWhateverTheGround) {
+  auto sky = almanac::sky_at(february_2008);
+  const auto to_sun = glm::normalize(sky.sun_m - sky.moon_m);
+  sky.sun_m = sky.moon_m + 2 * almanac::astronomical_unit_m * to_sun;  // as on an asteroid
+  const std::size_t rows = 16;
+  const auto light = sunlight(1000);
+  const auto ground = uniform(rows, 0.3F);
+  const auto lit =
+      lit_rows(ground, sky, light, rows, {yapo_cutler, Extent::whole, Quantity::irradiance});
+  std::vector<float> values(2 * rows * rows);
+  lit(0, values);
+  const float sunlit = values[row_of(algebra::in_degrees(sky.sub_solar.latitude), rows) * 2 * rows +
+                              column_of(algebra::in_degrees(sky.sub_solar.longitude), rows)];
+  EXPECT_WITHIN_RELATIVE(sunlit, 1000. / 4, 1e-4, "the inverse square; the lunar radius is 1e-5");
+}
+
 TEST(Bake, FollowsThePhotometricFunctionAwayFromIt) {
   const auto sky = almanac::sky_at(february_2008);
   const std::size_t rows = 360;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "shadow/landed_light.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "shadow/irradiance.h"
+#include "support/within.h"
+
+namespace coppermoon::shadow {
+namespace {
+
+constexpr double sun_m = 1.5e11, moon_m = 3.8e8, radius_m = 6.4e6;
+
+/// Five rays 25 m apart of one wavelength, which air neither bends nor dims.
+photons::WholeLimb::Part five_rays() {
+  photons::Fan fan;
+  for (const double height : {0., 25., 50., 75., 100.}) {
+    fan.tangent_height_m.push_back(height);
+    fan.impact_height_m.push_back(height);
+    fan.bending_rad.push_back(0);
+    fan.optical_depth.push_back(0);
+    if (height > 0) fan.filter.push_back(1);
+  }
+  return {radius_m, {fan}, radius_m, {}};
+}
+
+double landing_bin(double impact_height_m, double bin_m) {
+  return landing_m(radius_m + impact_height_m, 0, sun_m, moon_m) / bin_m;
+}
+
+/// ∫ (r − centre)^m b db of all five, r in bins.
+double moment_about(double centre, std::size_t moment, double bin_m) {
+  const LandedLight landed(five_rays(), sun_m, moon_m, bin_m);
+  std::array<double, moments> factors{1, 0, 0};
+  if (moment == 1) factors = {-centre, 1, 0};
+  if (moment == 2) factors = {centre * centre, -2 * centre, 1};
+  const std::vector<NodeTerm> all{{landed.last(), factors}};
+  alignas(lanes * sizeof(double)) std::array<double, lanes> sums{};
+  landed.add(all, 0, sums);
+  return sums[0];
+}
+
+TEST(LandedLight, HasTheMomentsOfAnEvenSpread) {
+  const double light = 100 * (radius_m + 50);  // ∫ b db
+  for (const double bin_m : {17., 45., 1000., 1e6}) {
+    const double low = landing_bin(0, bin_m), high = landing_bin(100, bin_m);
+    const double middle = (low + high) / 2, width = high - low;
+    EXPECT_WITHIN_RELATIVE(moment_about(middle, 0, bin_m), light, 1e-12, "closed form");
+    EXPECT_WITHIN(moment_about(middle, 1, bin_m), 0, 1e-5 * light * width,
+                  "light grows by 16e-6 from the first ray to the last");
+    EXPECT_WITHIN_RELATIVE(moment_about(middle, 2, bin_m), light * width * width / 12, 1e-3,
+                           "closed form; of a bin 1e6 m wide, 6 digits of 16 are left")
+        << bin_m;
+  }
+}
+
+}  // namespace
+}  // namespace coppermoon::shadow
