@@ -2,17 +2,17 @@
 #include "colour/limb.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <vector>
 
 #include "algebra/error.h"
-#include "algebra/random.h"
+#include "colour/circles.h"
 #include "colour/similarity.h"
 
 namespace coppermoon::colour {
@@ -37,136 +37,29 @@ double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(at)];
 }
 
-/// What is seen where the Moon is not.
-struct Sky {
-  double level, noise;
-};
-
-/// From the darker half of the pixels; noise from how each differs from its neighbours.
-Sky sky_of(const Luminance& image) {
-  std::vector<double> all(image.values().begin(), image.values().end());
-  const double dark = quantile(all, 0.4);
-  std::vector<double> rough;
-  for (std::size_t r = 1; r + 1 < image.rows(); ++r)
-    for (std::size_t c = 1; c + 1 < image.columns(); ++c)
-      if (image(r, c) <= dark)
-        rough.push_back(std::abs(image(r, c) - 0.25 * (image(r - 1, c) + image(r + 1, c) +
-                                                       image(r, c - 1) + image(r, c + 1))));
-  constexpr double sigma_of_median = 1.4826, of_difference = 1.118;  // √(1 + 4/16)
-  const double noise = rough.empty() ? 0 : sigma_of_median / of_difference * quantile(rough, 0.5);
-  return {quantile(std::move(all), 0.2), noise};
-}
-
-/// Straight near the sky's noise, logarithmic above.
-Luminance toned(Luminance image) {
-  const auto sky = sky_of(image);
-  const double most = *std::ranges::max_element(image.values());
-  const double floor = std::max({3 * sky.noise, 2e-4 * (most - sky.level), 1e-30});
-  for (float& value : image.values())
-    value = static_cast<float>(std::asinh((double{value} - sky.level) / floor));
-  return image;
-}
-
-/// Weights 1, 2, 1 both ways, twice.
-Luminance softened(const Luminance& image) {
-  Luminance soft = image;
-  for (int pass = 0; pass < 2; ++pass) {
-    const Luminance from = soft;
-    for (std::size_t r = 1; r + 1 < image.rows(); ++r)
-      for (std::size_t c = 1; c + 1 < image.columns(); ++c) {
-        const auto line = [&](std::size_t row) {
-          return from(row, c - 1) + 2 * from(row, c) + from(row, c + 1);
-        };
-        soft(r, c) = (line(r - 1) + 2 * line(r) + line(r + 1)) / 16;
-      }
-  }
-  return soft;
-}
-
-/// A place where light changes most, and towards where it grows.
-struct Edge {
-  glm::dvec2 at, inward;
-};
-
-glm::dvec2 slope(const Luminance& image, std::size_t r, std::size_t c) {
-  return {0.5 * (image(r, c + 1) - image(r, c - 1)), 0.5 * (image(r + 1, c) - image(r - 1, c))};
-}
-
-/// Pixels whose slope is the steepest across the edge.
-std::vector<Edge> edges_of(const Luminance& image) {
-  Luminance steepness(image.rows(), image.columns());
-  for (std::size_t r = 3; r + 3 < image.rows(); ++r)
-    for (std::size_t c = 3; c + 3 < image.columns(); ++c)
-      steepness(r, c) = static_cast<float>(glm::length(slope(image, r, c)));
-  const double least = std::max(0.1 * *std::ranges::max_element(steepness.values()), 0.2);
-  std::vector<Edge> edges;
-  for (std::size_t r = 3; r + 3 < image.rows(); ++r)
-    for (std::size_t c = 3; c + 3 < image.columns(); ++c) {
-      const double here = steepness(r, c);
-      if (here < least) continue;
-      const glm::dvec2 inward = slope(image, r, c) / here;
-      const glm::dvec2 at(static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5);
-      const double before = between_pixels(steepness, at - inward),
-                   behind = between_pixels(steepness, at + inward);
-      if (here < before || here <= behind) continue;
-      edges.push_back(
-          {at + 0.5 * (behind - before) / (2 * here - before - behind) * inward, inward});
+/// Means over so many pixels both ways; what is left over at the right and below is left out.
+Luminance reduced(const Luminance& image, std::size_t by) {
+  Luminance small(image.rows() / by, image.columns() / by);
+  std::vector<double> sums(small.columns());
+  for (std::size_t r = 0; r < small.rows(); ++r) {
+    std::ranges::fill(sums, 0);
+    for (std::size_t i = 0; i < by; ++i) {
+      const auto line = image.row(r * by + i);
+      for (std::size_t c = 0; c < small.columns(); ++c)
+        for (std::size_t k = 0; k < by; ++k) sums[c] += double{line[c * by + k]};
     }
-  return edges;
-}
-
-std::optional<Disc> circle_through(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-  const glm::dvec2 u = b - a, v = c - a;
-  const double twice_area = 2 * (u.x * v.y - u.y * v.x);
-  if (std::abs(twice_area) < 1e-6) return std::nullopt;
-  const double uu = glm::dot(u, u), vv = glm::dot(v, v);
-  const glm::dvec2 centre((v.y * uu - u.y * vv) / twice_area, (u.x * vv - v.x * uu) / twice_area);
-  return Disc{a.x + centre.x, a.y + centre.y, glm::length(centre)};
-}
-
-bool lies_on(const Edge& edge, const Disc& disc) {
-  constexpr double aside_px = 1.5, least_cosine = 0.85;
-  const glm::dvec2 outward = edge.at - glm::dvec2(disc.x_px, disc.y_px);
-  const double away = glm::length(outward);
-  return std::abs(away - disc.radius_px) < aside_px &&
-         -glm::dot(outward, edge.inward) > least_cosine * away;
-}
-
-/// The circle that most edges lie on, of so many through three random ones.
-std::optional<Disc> voted(const std::vector<Edge>& edges, double most_radius_px) {
-  constexpr int ballots = 3000;
-  constexpr double most_edges = 1500;
-  if (edges.size() < 12) return std::nullopt;
-  algebra::Random random(1, 0);
-  const auto any = [&] {
-    return edges[static_cast<std::size_t>(random.uniform() * static_cast<double>(edges.size()))];
-  };
-  std::vector<Edge> voters;
-  const double share = most_edges / static_cast<double>(edges.size());
-  for (const auto& edge : edges)
-    if (random.uniform() < share) voters.push_back(edge);
-  std::optional<Disc> best;
-  std::ptrdiff_t most = 0;
-  for (int ballot = 0; ballot < ballots; ++ballot) {
-    const std::array three{any(), any(), any()};
-    const auto disc = circle_through(three[0].at, three[1].at, three[2].at);
-    if (!disc || disc->radius_px < least_radius_px || disc->radius_px > most_radius_px ||
-        !std::ranges::all_of(three, [&](const Edge& edge) { return lies_on(edge, *disc); }))
-      continue;
-    const auto votes =
-        std::ranges::count_if(voters, [&](const Edge& edge) { return lies_on(edge, *disc); });
-    if (votes <= most) continue;
-    most = votes;
-    best = disc;
+    for (std::size_t c = 0; c < small.columns(); ++c)
+      small(r, c) = static_cast<float>(sums[c] / static_cast<double>(by * by));
   }
-  return best;
+  return small;
 }
 
 /// Where the limb is found along a radius.
 struct LimbPlace {
   glm::dvec2 outward;
   double offset_px;  ///< outward from the circle tried
-  double weight;
+  double weight;     ///< in the fit
+  double seen;       ///< root of the step of light
 };
 
 /// Light along a radius, the mean over a little of the limb to both sides.
@@ -208,22 +101,39 @@ struct Picture {
   double clipped;
 };
 
+/// The profile without what lies behind the brightest ground and is less than three quarters as
+/// bright: a thin crescent ends there.
+std::span<const double> ground_and_sky(std::span<const double> light) {
+  constexpr double of_brightest = 0.75;
+  const auto quarter = light.size() / 4;
+  const auto ground = light.first(light.size() - quarter);
+  const double sky = spread_of(light.last(quarter)).mean;
+  auto begin = std::ranges::max_element(ground);
+  const double least = sky + of_brightest * (*begin - sky);
+  while (begin != ground.begin() && *(begin - 1) > least) --begin;
+  return light.subspan(static_cast<std::size_t>(begin - ground.begin()));
+}
+
 /// The step of light at the limb: as much light as there is fills it so far from within.
 std::optional<LimbPlace> limb_place(const Picture& picture, const Disc& disc, double angle,
                                     double half_width_px) {
-  constexpr double clearly = 4, of_clipped = 0.1;
+  constexpr double clearly = 4, of_clipped = 0.3;
   const auto light = profile(picture.image, disc, angle, half_width_px);
   if (light.empty()) return std::nullopt;
-  const std::span all(light);
+  const auto all = ground_and_sky(light);
+  const double inner_px =
+      half_width_px * (1 - 2 * static_cast<double>(all.size()) / static_cast<double>(light.size()));
   const auto inside = spread_of(all.first(all.size() / 4)),
              outside = spread_of(all.last(all.size() / 4));
   const double step = inside.mean - outside.mean;
   if (!(step > clearly * std::hypot(inside.error, outside.error)) || step <= 0) return std::nullopt;
   const double filled = (spread_of(all).mean - outside.mean) / step;
   const bool clipped = inside.mean > picture.clipped;
-  return LimbPlace{{std::cos(angle), std::sin(angle)},
-                   half_width_px * std::clamp(2 * filled - 1, -1., 1.),
-                   clipped ? of_clipped : 1};
+  return LimbPlace{
+      {std::cos(angle), std::sin(angle)},
+      std::clamp(inner_px + filled * (half_width_px - inner_px), -half_width_px, half_width_px),
+      clipped ? of_clipped : 1,
+      std::sqrt(step)};
 }
 
 std::vector<LimbPlace> limb_places(const Picture& picture, const Disc& disc, double half_width_px) {
@@ -262,46 +172,194 @@ glm::dvec3 shift_onto(const std::vector<LimbPlace>& places) {
   return shift;
 }
 
-bool is_a_limb(const std::vector<LimbPlace>& places, const Disc& disc) {
-  const double near_px = std::max(1.5, 0.02 * disc.radius_px);
-  const auto on_it = std::ranges::count_if(
-      places, [&](const LimbPlace& place) { return std::abs(place.offset_px) < near_px; });
-  return on_it >= 90 && 4 * on_it >= 3 * static_cast<std::ptrdiff_t>(places.size());
+/// A circle, and how much of the picture's light ends on it.
+struct Found {
+  Disc disc;
+  double evidence;
+};
+
+/// The steps of light on a circle, by their roots and lengths; 0 when less than a quarter of it is
+/// limb, or a quarter of the steps of light lie beside it.
+double evidence_of(const std::vector<LimbPlace>& places, const Disc& disc) {
+  const double near_px = std::max(0.7, 0.02 * disc.radius_px);
+  int degrees = 0;
+  double on_it = 0, all = 0, evidence = 0;
+  for (const auto& place : places) {
+    all += place.seen * place.seen;
+    const double off = place.offset_px / near_px;
+    if (std::abs(off) >= 1) continue;
+    ++degrees;
+    on_it += place.seen * place.seen;
+    evidence += place.seen * (1 - off * off);
+  }
+  return degrees >= 85 && on_it >= 0.75 * all ? disc.radius_px * evidence : 0;
 }
 
 /// The circle on the limb, measured again and again along narrower pieces of the radii.
-std::optional<Disc> measured(const Luminance& image, Disc disc, double unsure_px) {
-  const Picture picture{image, 0.98 * *std::ranges::max_element(image.values())};
+Found measured(const Picture& picture, Disc disc, double last_share) {
   std::vector<LimbPlace> places;
-  for (const double share : {0.08, 0.06, 0.05, 0.05, 0.05}) {
-    const double half_width_px =
-        std::max({4., share * disc.radius_px, share > 0.05 ? 3 * unsure_px : 0.});
+  for (const double wider : {1.6, 1.2, 1., 1., 1.}) {
+    const double half_width_px = std::max(2., wider * last_share * disc.radius_px);
     places = limb_places(picture, disc, half_width_px);
-    if (places.size() < 45) return std::nullopt;
+    if (places.size() < 45) return {disc, 0};
     const auto shift = shift_onto(places);
     disc = {disc.x_px + shift.x, disc.y_px + shift.y, disc.radius_px + shift.z};
-    if (!(disc.radius_px >= least_radius_px)) return std::nullopt;
+    if (!(disc.radius_px >= least_radius_px)) return {disc, 0};
     for (auto& place : places) place.offset_px = residual(place, shift);
   }
-  return is_a_limb(places, disc) ? std::optional(disc) : std::nullopt;
+  return {disc, evidence_of(places, disc)};
+}
+
+/// How uneven the sky is beside a disc: its steps of light, and what is above its darkest fifth, over
+/// the steps from the disc to it. What goes on beyond the circle, as a corner or a horizon does, or
+/// falls as steadily as inside it, is above a half.
+double unevenness(const Luminance& image, const Disc& disc) {
+  constexpr double band = 0.1;
+  const double wide_px = std::max(2., band * disc.radius_px);
+  double uneven = 0, limb = 0;
+  std::vector<double> beyond;
+  for (int degree = 0; degree < 360; ++degree) {
+    const auto light = profile(image, disc, degree * std::numbers::pi / 180, 2 * wide_px);
+    if (light.empty()) continue;
+    const std::span all(light);
+    const auto mean = [&](std::size_t quarter) {
+      return spread_of(all.subspan(quarter * all.size() / 4, all.size() / 4)).mean;
+    };
+    uneven += std::abs(mean(2) - mean(3));
+    limb += std::max(0., std::max(mean(0), mean(1)) - mean(2));
+    beyond.push_back(mean(3));
+  }
+  if (limb <= 0) return std::numeric_limits<double>::infinity();
+  const double dark = quantile(beyond, 0.2);
+  for (const double light : beyond) uneven += std::abs(light - dark);
+  return uneven / limb;
+}
+
+/// The share of the steps of light near a disc's edge that lie on it.
+double roundness(const Picture& picture, const Disc& disc) {
+  const double near_px = std::max(0.6, 0.05 * disc.radius_px);
+  double on_it = 0, all = 0;
+  for (const auto& place : limb_places(picture, disc, std::max(3., 0.25 * disc.radius_px))) {
+    all += place.seen * place.seen;
+    if (std::abs(place.offset_px) < near_px) on_it += place.seen * place.seen;
+  }
+  return all > 0 ? on_it / all : 0;
+}
+
+/// Round, and before an even sky.
+bool stands_alone(const Picture& picture, const Disc& disc) {
+  return unevenness(picture.image, disc) <= 0.5 && roundness(picture, disc) >= 0.75;
+}
+
+bool alike(const Disc& a, const Disc& b) {
+  const double near_px = std::max(0.5, 0.01 * a.radius_px);
+  return std::hypot(a.x_px - b.x_px, a.y_px - b.y_px) < near_px &&
+         std::abs(a.radius_px - b.radius_px) < near_px;
+}
+
+/// The circle with the most evidence, of those likely.
+Found found_in(const Luminance& image) {
+  const Picture picture{image, 0.98 * *std::ranges::max_element(image.values())};
+  std::vector<Disc> tried;
+  Found best{{}, 0};
+  for (const auto& circle : likely_circles(image)) {
+    if (std::ranges::any_of(tried, [&](const Disc& disc) { return alike(disc, circle); })) continue;
+    tried.push_back(circle);
+    const auto found = measured(picture, circle, 0.1);
+    if (found.evidence > best.evidence) best = found;
+  }
+  if (best.evidence > 0)
+    for (const double share : {0.05, 0.2}) {
+      const auto found = measured(picture, best.disc, share);
+      if (found.evidence > best.evidence) best = found;
+    }
+  if (best.evidence > 0 && !stands_alone(picture, best.disc)) best.evidence = 0;
+  return best;
+}
+
+/// A part of a picture.
+struct Window {
+  std::size_t left, top, columns, rows;
+};
+
+/// The square about a disc, as far as it is in the picture.
+Window window_about(const Luminance& image, const Disc& disc) {
+  const auto within = [](double at, std::size_t most) {
+    return static_cast<std::size_t>(std::clamp(at, 0., static_cast<double>(most)));
+  };
+  const auto left = within(disc.x_px - disc.radius_px, image.columns()),
+             top = within(disc.y_px - disc.radius_px, image.rows());
+  return {left, top, within(disc.x_px + disc.radius_px, image.columns()) - left,
+          within(disc.y_px + disc.radius_px, image.rows()) - top};
+}
+
+Luminance cut_out(const Luminance& image, const Window& window) {
+  Luminance part(window.rows, window.columns);
+  for (std::size_t r = 0; r < window.rows; ++r)
+    std::ranges::copy(image.row(window.top + r).subspan(window.left, window.columns),
+                      part.row(r).begin());
+  return part;
+}
+
+std::size_t reduction_of(std::size_t rows, std::size_t columns) {
+  constexpr std::size_t longest_px = 400;
+  return (std::max(rows, columns) + longest_px - 1) / longest_px;
+}
+
+/// The same in a picture made as small as need be, and smaller where noise hides the limb.
+Found found_at_any_size(const Luminance& image) {
+  constexpr double least_reduced_px = 20;  // a square's corners are seen
+  std::size_t by = reduction_of(image.rows(), image.columns());
+  for (int level = 0; level < 3; ++level, by *= 2) {
+    if (std::min(image.rows(), image.columns()) / by < 16) break;
+    const double scale = static_cast<double>(by);
+    const auto [disc, evidence] = found_in(reduced(image, by));
+    if (evidence > 0 && (level == 0 || disc.radius_px > least_reduced_px))
+      return {{scale * disc.x_px, scale * disc.y_px, scale * disc.radius_px}, evidence};
+  }
+  return {{}, 0};
+}
+
+/// The same in a part of it.
+Found found_within(const Luminance& image, const Window& window) {
+  if (std::min(window.rows, window.columns) < 16) return {{}, 0};
+  auto found = found_at_any_size(cut_out(image, window));
+  found.disc.x_px += static_cast<double>(window.left);
+  found.disc.y_px += static_cast<double>(window.top);
+  return found;
+}
+
+/// A piece about the brightest place: where a Moon is that is small in the picture.
+Window about_the_brightest(const Luminance& image) {
+  constexpr std::size_t mean_over = 4, reach = 8;
+  const auto by = mean_over * reduction_of(image.rows(), image.columns());
+  const auto small = reduced(image, by);
+  if (small.empty()) return {0, 0, 0, 0};
+  const auto at =
+      static_cast<std::size_t>(std::ranges::max_element(small.values()) - small.values().begin());
+  const double scale = static_cast<double>(by);
+  return window_about(image,
+                      {scale * (static_cast<double>(at % small.columns()) + 0.5),
+                       scale * (static_cast<double>(at / small.columns()) + 0.5), reach * scale});
 }
 
 }  // namespace
 
 std::optional<Disc> limb_of(const Luminance& luminance) {
   require_luminance(luminance);
-  constexpr double longest_px = 400;
-  const double longest = static_cast<double>(std::max(luminance.rows(), luminance.columns()));
-  const double shrink = std::min(1., longest_px / longest);
-  const auto sized = [&](std::size_t n) {
-    return static_cast<std::size_t>(std::ceil(shrink * static_cast<double>(n)));
-  };
-  const auto small =
-      resampled(luminance, {.scale = shrink}, sized(luminance.rows()), sized(luminance.columns()));
-  const auto disc = voted(edges_of(softened(toned(small))), longest_px);
-  if (!disc) return std::nullopt;
-  return measured(luminance, {disc->x_px / shrink, disc->y_px / shrink, disc->radius_px / shrink},
-                  1 / shrink);
+  constexpr double margin = 1.6;
+  Window window{0, 0, luminance.columns(), luminance.rows()};
+  auto found = found_within(luminance, window);
+  if (found.evidence == 0) {
+    window = about_the_brightest(luminance);
+    found = found_within(luminance, window);
+  }
+  if (found.evidence == 0) return std::nullopt;
+  const auto& [x, y, radius] = found.disc;
+  const auto close = window_about(luminance, {x, y, margin * radius});
+  if (reduction_of(close.rows, close.columns) < reduction_of(window.rows, window.columns))
+    if (const auto again = found_within(luminance, close); again.evidence > 0) return again.disc;
+  return found.disc;
 }
 
 }  // namespace coppermoon::colour

@@ -14,17 +14,26 @@ struct Disc {
 
 /// The disc of a Moon whose limb is in a picture, all or some of it.
 ///
-/// Edges of a tone curve that shows dim limbs beside bright ones vote for circles, three random
-/// edges at a time; light falls outward across all of a limb, as it does not across the edge of the
-/// Earth's shadow. Then the limb is measured along 360 radii, by the area under each step of light,
-/// which no blur moves, and the circle is fitted to those places by least squares without outliers.
+/// Edges vote for circles, three random ones at a time, under four tone curves from one that shows
+/// the dimmest limb to one in which JPEG's blocks and ringing are nothing beside the brightest; light
+/// falls outward across all of a limb, as it does not across the edge of the Earth's shadow. Then the
+/// limb is measured along 360 radii, by the area under each step of light, which no blur moves, and the
+/// circle is fitted to those places by least squares without outliers. The circle on which most
+/// light ends is the limb. This is done in a picture of 400 pixels at most, in smaller ones where
+/// noise hides the limb, about the brightest place where nothing else is found, and once more close up.
 ///
 /// Given     luminance  scene-linear, of any scale; what saturated the camera has the largest value
-/// Returned  nothing when no circle has a limb along a quarter of it in the picture: no Moon, one
-///           cut off, one whose radius is below 6 pixels, or one that air flattens by more than 4 %
+/// Returned  nothing when no circle has a limb along a quarter of it in the picture, or a quarter of
+///           the light's steps lie beside it: no Moon, one cut off, one whose radius is below 6
+///           pixels, or one that air flattens by more than 4 %
 /// Accuracy  0.25 pixel in place and radius for discs of 40 to 160 pixels blurred by 1 pixel, 0.5
 ///           for those blurred by 2.5 with noise of 2 % of the brightest, and for those whose dark
-///           side is lost in noise. A limb that is clipped seems further out by a blur or two
+///           side is lost in noise. A limb that is clipped seems further out by a blur or two. In
+///           JPEG of quality 50 to 100, blurred, noisy and up to 30 times too bright, of radii from
+///           10 pixels and 2 % of the picture, 99 of 100 are found to 2 % of the radius, half a pixel,
+///           half the blur and that bloom together; where less than half of the limb is seen, as
+///           much more as a shorter arc tells less, 1 / (1 - cos of half of it). Of crescents less
+///           than a fifth of the radius wide some are off by a fifth
 /// Throws    Error      when a luminance is not finite, or a side is below 16 or above 65535 pixels
 std::optional<Disc> limb_of(const algebra::Grid<float>& luminance);
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-coppermoon_tests(colour LINKS coppermoon::colour coppermoon::surface
+coppermoon_tests(colour LINKS coppermoon::colour coppermoon::surface PkgConfig::OpenImageIO
   QUICK bracket cie_observer difference display exposure limb photograph point_spread similarity working_space
-  HEAVY registration)
+  HEAVY limb_in_jpeg registration)
 
 set(config ${PROJECT_SOURCE_DIR}/colour/config.ocio)
 set(prefix ${PROJECT_BINARY_DIR}/colour_config_installed)
