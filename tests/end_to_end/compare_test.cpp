@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Photographs are made here, of the program's own frame: what a comparison must find is known.
+#include <OpenImageIO/imagebuf.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -142,6 +144,21 @@ TEST_F(Compare, FindsAPhotographInEightBits) {
   expect_alike(found, 0.03,
                "codes are rounded; their curve is straight over a step but below code 11, and the "
                "darkest bin is not much above");
+}
+
+/// A photograph of our own camera, a part in the umbra, as JPEG of usual qualities.
+TEST_F(Compare, FindsAPartialEclipseInJpeg) {
+  expect_done(coppermoon({"still", "2019-01-21T04:10:00Z", "--camera", "refractor", "--time",
+                          "0.05", "--width", "600", "--height", "400", "--quality", "draft",
+                          "--frame", "partial.exr", "-o", "partial.png"}));
+  for (const int quality : {85, 90, 92, 95}) {
+    SCOPED_TRACE(quality);
+    OIIO::ImageBuf photo(here("partial.png").string());
+    photo.specmod().attribute("Compression", "jpeg:" + std::to_string(quality));
+    ASSERT_TRUE(photo.write(here("partial.jpg").string(), OIIO::TypeDesc::UINT8));
+    const auto is = compared({"partial.jpg", "partial.exr"})["registration"];
+    EXPECT_WITHIN(is["scale"].get<double>(), 1, 0.02, "2 % of the radius is what limb_of promises");
+  }
 }
 
 TEST_F(Compare, FitsTheExposureWhereTheHeaderIsSilent) {
