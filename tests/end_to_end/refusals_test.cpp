@@ -78,9 +78,10 @@ TEST_F(Refusals, MoreRegionsThanCanBeComputedAreRefusedAtOnce) {
 
 /// A shell of few descriptors cannot redirect: the folder's remover needs none.
 TEST_F(Refusals, FewFileDescriptorsDoNotTakeTheTemporaryFolderAway) {
-  const auto outcome = run({"sh", "-c", "ulimit -n 10; exec \"$@\"", "sh", COPPERMOON_PROGRAM,
-                            "still", eclipsed, "--unshadowed", "--texture-width", "16", "--width",
-                            "16", "--height", "16", "--albedo-map", "built-in", "-o", "a.png"});
+  const auto outcome =
+      run({"sh", "-c", "ulimit -n 10; exec 3>&- 4>&-; exec \"$@\"", "sh", COPPERMOON_PROGRAM,
+           "still", eclipsed, "--unshadowed", "--texture-width", "16", "--width", "16", "--height",
+           "16", "--albedo-map", "built-in", "-o", "a.png"});
   EXPECT_EQ(outcome.err.find("No such file"), std::string::npos) << outcome.err;
 }
 
