@@ -54,7 +54,7 @@ double seconds_of_quadrature(const Work& work, const Scene& scene, double distan
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
   const bool regions = work.regions && scene.columns > 1;
   const double parts = (regions ? static_cast<double>(scene.columns) : 1) * (ellipsoid ? 2 : 1);
-  const double angles = regions ? static_cast<double>(scene.sectors) : ellipsoid ? 3 : 1;
+  const double angles = regions ? static_cast<double>(scene.sectors) : ellipsoid ? 2 : 1;
   const double waves = 8 * std::ceil(work.bands / 8.), rays = work.rays;
   const double terms = scene.limb_darkening ? work.sun_terms : 1;
   const double places = distances * angles * work.planes * (1 + rays / 1000);  // finer, more cuts

@@ -124,23 +124,17 @@ class Plane {
   std::vector<LandedLight> landed_;  // by the limb's part
 };
 
-/// Light at all position angles from that towards the pole, the equator, and half way: an ellipse
-/// knows no more than cos 2θ and cos 4θ.
-struct Harmonics {
-  double pole, between, equator;
-
-  double at(double theta) const {
-    const double sum = pole + equator;
-    return (sum + 2 * between) / 4 + (pole - equator) / 2 * std::cos(2 * theta) +
-           (sum - 2 * between) / 4 * std::cos(4 * theta);
-  }
-};
+/// Light at all position angles from that towards the pole and the equator: the limb is their mean by
+/// cos², so a disc's arcs of it know no more than cos 2θ.
+double between(double pole, double equator, double theta) {
+  return (pole + equator) / 2 + (pole - equator) / 2 * std::cos(2 * theta);
+}
 
 /// The angles that are computed: each sector's; on an ellipsoid without regions only those towards
-/// its pole, its equator and half way.
+/// its pole and its equator.
 std::vector<double> angles(const Atmosphere& atmosphere, const QuadratureSettings& settings) {
   if (atmosphere.symmetric()) return {0};
-  if (atmosphere.regions.empty()) return {0, pi / 4, pi / 2};
+  if (atmosphere.regions.empty()) return {0, pi / 2};
   std::vector<double> all;
   for (std::size_t i = 0; i < std::min(settings.sectors, settings.around); ++i)
     all.push_back(sector_angle((settings.first_sector + i) % settings.around, settings.around));
@@ -292,8 +286,7 @@ void fill(std::span<const Ring> rings, const Atmosphere& atmosphere,
       const auto row = [&](std::size_t k) { return rings[d].ratio.row(plane * a_plane + k); };
       for (std::size_t w = 0; w < waves; ++w) {
         if (ellipse_alone) {
-          const Harmonics of{row(0)[w], row(1)[w], row(2)[w]};
-          light.ratio[g](d, w) = std::max(0., of.at(sector_angle(s, light.sectors)));  // at its rim
+          light.ratio[g](d, w) = between(row(0)[w], row(1)[w], sector_angle(s, light.sectors));
         } else if (light.sectors == 1 || i < a_plane) {
           light.ratio[g](d, w) = row(light.sectors == 1 ? 0 : i)[w];
         }

@@ -78,7 +78,7 @@ class TrueLuminance {
   }
 
   /// Of a sector in the sum of waves around the axis that goes through all of them: what an ellipsoid
-  /// does has two, cos 2θ and cos 4θ.
+  /// does has one, cos 2θ.
   static double share(std::size_t sector, std::size_t sectors, double angle_rad) {
     if (sectors == 1) return 1;
     const auto count = static_cast<double>(sectors);

@@ -69,9 +69,12 @@ TEST(Sky, LibrationSunAndAxisAgreeWithAnIndependentReading) {
 
 TEST(Sky, TheSubsolarPointIsThatOfAWorkedExample) {
   const SkyState sky = sky_at({2448724.5, 0}, LunarTheory::moon98);  // 1992 April 12, 0 h TT
-  const char* reason = "Meeus (1998), example 53.b: two digits; as from the Earth it is 0.137° off";
-  EXPECT_WITHIN(in_degrees(sky.sub_solar.longitude), 67.89, 0.02, reason);
-  EXPECT_WITHIN(in_degrees(sky.sub_solar.latitude), 1.461, 0.01, reason);
+  const char* reason =
+      "Meeus (1998), example 53.b, optical libration alone: the physical is 0.03°; as from the "
+      "Earth "
+      "the longitude is 0.137° off";
+  EXPECT_WITHIN(in_degrees(sky.sub_solar.longitude), 67.89, 0.03, reason);
+  EXPECT_WITHIN(in_degrees(sky.sub_solar.latitude), 1.461, 0.03, reason);
 }
 
 TEST(Sky, TheMoonsFaceIsAsItsLightLeftIt) {
