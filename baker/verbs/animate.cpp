@@ -21,6 +21,7 @@
 #include "verbs/lit_scene.h"
 #include "verbs/pixels.h"
 #include "verbs/recipe.h"
+#include "verbs/temporary_folder.h"
 #include "verbs/verbs.h"
 
 namespace coppermoon::verbs {
@@ -127,6 +128,7 @@ std::vector<std::size_t> prepare(const CLI::App& verb, Options& options) {
   auto develop = film.develop;
   if (!film.time_keys.empty()) develop.time = "auto";
   require_sound(develop, film.picture(1));
+  if (film.products.rendered()) require_temporary_folder();
   if (film.bracket_ev) algebra::require_within("bracket [EV]", *film.bracket_ev, 0.01, 10);
   set_up(options);
   if (std::filesystem::exists(film.folder) && !std::filesystem::is_directory(film.folder))

@@ -22,6 +22,8 @@ bool begins_with_digit(const std::string& text) {
   return !text.empty() && text.find_first_of("0123456789") <= (text.front() == '-' ? 1 : 0);
 }
 
+constexpr double half_a_month_s = 15 * 86400.;
+
 /// Of "P1-10min" the contact, and the seconds from it on.
 struct FromContact {
   std::string name;
@@ -34,12 +36,13 @@ FromContact from_contact(const std::string& text) {
   const auto seconds =
       number_with_unit(text.substr(sign + 1), {{"min", 60}, {"h", 3600}, {"s", 1}});
   const double way = text[sign] == '-' ? -1 : 1;
-  return {text.substr(0, sign), seconds ? std::optional(way * *seconds) : std::nullopt};
+  const bool near =
+      seconds && std::abs(*seconds) <= half_a_month_s;  // not so where it is no number
+  return {text.substr(0, sign), near ? std::optional(way * *seconds) : std::nullopt};
 }
 
 /// The eclipse nearest to a moment, which is half a month away at most: another Moon's is not meant.
 eclipse::Eclipse eclipse_near(const std::string& text) {
-  constexpr double half_a_month_s = 15 * 86400.;
   const auto moment = almanac::instant_from_utc(text);
   const auto nearest = eclipse::nearest_eclipse(moment, eclipse::ShadowConvention::danjon);
   if (std::abs(almanac::seconds_between(moment, nearest.greatest)) > half_a_month_s)

@@ -159,7 +159,9 @@ shadow::RefractedLight refracted_light(const LightOptions& asked, const atmosphe
   auto light = [&] {
     if (options.solver == "photons") {
       if (!options.photons)
-        throw algebra::Error("photons = none, allowed 1 to 1e12 where no Moon is to be lit");
+        throw algebra::Error(
+            "photons: none given, allowed 1 to 1e12; only light on a Moon has a tolerance that "
+            "says how many");
       return photons_of(options, air, arrangement, wavelengths_nm, {});
     }
     // what a hundredth of the light's tolerance takes, and no places of its own

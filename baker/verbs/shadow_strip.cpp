@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <glm/matrix.hpp>
 #include <numbers>
 
@@ -152,9 +151,8 @@ void require_kind(const std::filesystem::path& file, const atmosphere::Atmospher
 
 /// What stands beside a strip is overwritten if it tells of the strip, and is somebody else's if not.
 void require_ours(const fs::path& beside, const fs::path& strip) {
-  std::ifstream in(beside);
-  if (!in) return;
-  const auto facts = ordered_json::parse(in, nullptr, false);
+  if (!fs::exists(beside)) return;
+  const auto facts = ordered_json::parse(texture::bytes_of(beside), nullptr, false);
   const bool tells = facts.is_object() && facts.contains("texture") && facts["texture"].is_string();
   if (!tells || fs::path(facts["texture"].get<std::string>()).stem() != strip.stem())
     throw algebra::Error(

@@ -261,6 +261,11 @@ TEST_F(Animate, RefusesWhatItCannotMake) {
                  "range = 1-500, allowed frames of 1-240, as 1-240, 1-240x2 or 7,9,20-30");
   expect_refused(film({"--time", "U1:0.01,U1:2"}),
                  "exposure time = U1:0.01,U1:2, allowed keys in order of time");
+  for (const char* from : {"P1+nanmin", "P1-infh", "P1+1e300s"}) {
+    const auto outcome = coppermoon(film({"--from", from}));
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find(from), std::string::npos) << outcome.err;
+  }
   expect_refused(film({"--mount", "fixed"}), "mount = fixed, allowed with --at alone");
   expect_refused(film({"--at", "-21,55", "--aim", "30,20"}),
                  "mount = tracking, allowed fixed with --aim");

@@ -78,11 +78,13 @@ TEST_F(Refusals, MoreRegionsThanCanBeComputedAreRefusedAtOnce) {
 
 /// A shell of few descriptors cannot redirect: the folder's remover needs none.
 TEST_F(Refusals, FewFileDescriptorsDoNotTakeTheTemporaryFolderAway) {
-  const auto outcome =
-      run({"sh", "-c", "ulimit -n 10; exec 3>&- 4>&-; exec \"$@\"", "sh", COPPERMOON_PROGRAM,
-           "still", eclipsed, "--unshadowed", "--texture-width", "16", "--width", "16", "--height",
-           "16", "--albedo-map", "built-in", "-o", "a.png"});
-  EXPECT_EQ(outcome.err.find("No such file"), std::string::npos) << outcome.err;
+  for (const char* most : {"7", "8", "9", "10"}) {
+    const auto outcome =
+        run({"sh", "-c", "exec 3>&- 4>&-; ulimit -n $0; exec \"$@\"", most, COPPERMOON_PROGRAM,
+             "still", eclipsed, "--unshadowed", "--texture-width", "16", "--width", "16",
+             "--height", "16", "--albedo-map", "built-in", "-o", "a.png"});
+    EXPECT_EQ(outcome.err.find("No such file"), std::string::npos) << outcome.err;
+  }
 }
 
 TEST_F(Refusals, AMissingFolderForTemporaryFilesIsNamed) {
@@ -91,6 +93,10 @@ TEST_F(Refusals, AMissingFolderForTemporaryFilesIsNamed) {
   EXPECT_EQ(outcome.status, could_not);
   EXPECT_EQ(outcome.err,
             "coppermoon: TMPDIR = /no/such: no such directory, allowed one that is there\n");
+  const auto film =
+      run({"env", "TMPDIR=/no/such", COPPERMOON_PROGRAM, "animate", "2018-07-27", "-o", "film"});
+  EXPECT_EQ(film.err, outcome.err);
+  EXPECT_FALSE(std::filesystem::exists(here("film"))) << "said before any work";
 }
 
 }  // namespace
