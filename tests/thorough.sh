@@ -77,7 +77,7 @@ air_recovered() {
   test_release -L '^slow$' -R '^end_to_end/recovery$'
 }
 
-# Twenty minutes from nothing, twelve once it was built.
+# Twenty minutes from nothing, four where it was built before.
 planted_faults() {
   released coppermoon_program
   tests/faults.sh
