@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -181,7 +182,7 @@ struct Found {
 /// The steps of light on a circle, by their roots and lengths; 0 when less than a quarter of it is
 /// limb, or a quarter of the steps of light lie beside it.
 double evidence_of(const std::vector<LimbPlace>& places, const Disc& disc) {
-  const double near_px = std::max(0.7, 0.02 * disc.radius_px);
+  const double near_px = std::max(0.7, 0.03 * disc.radius_px);
   int degrees = 0;
   double on_it = 0, all = 0, evidence = 0;
   for (const auto& place : places) {
@@ -212,7 +213,7 @@ Found measured(const Picture& picture, Disc disc, double last_share) {
 
 /// How uneven the sky is beside a disc: its steps of light, and what is above its darkest fifth, over
 /// the steps from the disc to it. What goes on beyond the circle, as a corner or a horizon does, or
-/// falls as steadily as inside it, is above a half.
+/// falls as steadily as inside it, is above a half; what nobody sees before the sky is infinite.
 double unevenness(const Luminance& image, const Disc& disc) {
   constexpr double band = 0.1;
   const double wide_px = std::max(2., band * disc.radius_px);
@@ -229,7 +230,9 @@ double unevenness(const Luminance& image, const Disc& disc) {
     limb += std::max(0., std::max(mean(0), mean(1)) - mean(2));
     beyond.push_back(mean(3));
   }
-  if (limb <= 0) return std::numeric_limits<double>::infinity();
+  constexpr double least_contrast = 0.02;  // four of sRGB's 255 steps are 0.05 and more
+  const double sky = std::reduce(beyond.begin(), beyond.end());
+  if (limb <= 0 || limb < least_contrast * sky) return std::numeric_limits<double>::infinity();
   const double dark = quantile(beyond, 0.2);
   for (const double light : beyond) uneven += std::abs(light - dark);
   return uneven / limb;
@@ -266,14 +269,13 @@ Found found_in(const Luminance& image) {
     if (std::ranges::any_of(tried, [&](const Disc& disc) { return alike(disc, circle); })) continue;
     tried.push_back(circle);
     const auto found = measured(picture, circle, 0.1);
-    if (found.evidence > best.evidence) best = found;
+    if (found.evidence > best.evidence && stands_alone(picture, found.disc)) best = found;
   }
   if (best.evidence > 0)
     for (const double share : {0.05, 0.2}) {
       const auto found = measured(picture, best.disc, share);
-      if (found.evidence > best.evidence) best = found;
+      if (found.evidence > best.evidence && stands_alone(picture, found.disc)) best = found;
     }
-  if (best.evidence > 0 && !stands_alone(picture, best.disc)) best.evidence = 0;
   return best;
 }
 

@@ -23,17 +23,17 @@ struct Disc {
 /// noise hides the limb, about the brightest place where nothing else is found, and once more close up.
 ///
 /// Given     luminance  scene-linear, of any scale; what saturated the camera has the largest value
-/// Returned  nothing when no circle has a limb along a quarter of it in the picture, or a quarter of
-///           the light's steps lie beside it: no Moon, one cut off, one whose radius is below 6
-///           pixels, or one that air flattens by more than 4 %
+/// Returned  nothing when no circle has a limb along a quarter of it in the picture, is round and
+///           stands before an even sky: no Moon, one cut off, one whose radius is below 6 pixels, or
+///           one that air flattens by more than 4 %. What is as round as a Moon passes for one
 /// Accuracy  0.25 pixel in place and radius for discs of 40 to 160 pixels blurred by 1 pixel, 0.5
 ///           for those blurred by 2.5 with noise of 2 % of the brightest, and for those whose dark
 ///           side is lost in noise. A limb that is clipped seems further out by a blur or two. In
-///           JPEG of quality 50 to 100, blurred, noisy and up to 30 times too bright, of radii from
-///           10 pixels and 2 % of the picture, 99 of 100 are found to 2 % of the radius, half a pixel,
-///           half the blur and that bloom together; where less than half of the limb is seen, as
-///           much more as a shorter arc tells less, 1 / (1 - cos of half of it). Of crescents less
-///           than a fifth of the radius wide some are off by a fifth
+///           JPEG of quality 50 to 100, blurred, noisy, up to 30 times too bright, where a person sees
+///           a third of the limb, 99 of 100 are found if their radius is 20 pixels and 2 % of the
+///           picture or more, 97 of 100 from 10 pixels on: to 2 % of the radius, half a pixel, half
+///           the blur and that bloom together; where less than half of the limb is seen, to as much
+///           more as a short arc tells less, 1 / (1 - cos of half of it)
 /// Throws    Error      when a luminance is not finite, or a side is below 16 or above 65535 pixels
 std::optional<Disc> limb_of(const algebra::Grid<float>& luminance);
 

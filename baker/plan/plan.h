@@ -103,8 +103,8 @@ double predicted_error(const Work& work, const Scene& scene);
 /// the coarsest, step by step that refinement (or that term) which takes off most error for its
 /// time. What is set by hand may leave more than the tolerance: then all else is within it; the
 /// method is chosen as if nothing were set by hand. Where no method is good enough, the quickest,
-/// within the tolerance of its best. With a budget, the finest tolerance it has time for; where even the coarsest work
-/// takes longer, that.
+/// within the tolerance of its best. With a budget, the finest tolerance it has time for; where even
+/// the coarsest work takes longer, that.
 ///
 /// Given     by_hand  stays as it is
 /// Throws    Error    when a wish is outside its range

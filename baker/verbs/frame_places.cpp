@@ -51,9 +51,10 @@ FramePlaces frame_places(const std::filesystem::path& told_by) {
 }
 
 std::optional<double> axis_distance_km(const FramePlaces& places, const glm::dvec2& pixel) {
-  constexpr double least_cosine = 0.25;  // of emission: 0.97 of the disc's radius
+  constexpr double least_emission_cosine = 0.25;  // of emission: 0.97 of the disc's radius
   const auto ground = povray_scenes::ground_at(places.sight, pixel);
-  if (!ground || glm::dot(*ground, glm::normalize(places.sight.position - *ground)) < least_cosine)
+  if (!ground ||
+      glm::dot(*ground, glm::normalize(places.sight.position - *ground)) < least_emission_cosine)
     return std::nullopt;
   const auto at_m = places.sky.moon_m + glm::transpose(places.sky.selenographic_from_gcrs) *
                                             (algebra::in_metres(almanac::lunar_radius) * *ground);

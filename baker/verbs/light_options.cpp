@@ -308,10 +308,6 @@ Moonlight refracted_light_of(const LightOptions& options, const ShadowedMoon& mo
   return light;
 }
 
-}  // namespace
-
-namespace {
-
 void add_direct_light(const LightOptions& options, const ShadowedMoon& moon, Moonlight& light) {
   const auto& work = light.plan.work;
   light.direct.emplace(air_for(work, moon), arrangement_of(options, moon, work),

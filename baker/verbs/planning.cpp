@@ -208,8 +208,7 @@ void add_edge_of_the_umbra(const ShadowedMoon& moon, const shadow::Arrangement& 
   for (const double place : evenly({edge(0), edge(pi / 2) + a_node_m}, intervals))
     if (place > disc.from_m && place < disc.to_m) places_m.push_back(place);
   std::ranges::sort(places_m);
-  const auto again = std::ranges::unique(places_m);
-  places_m.erase(again.begin(), again.end());
+  places_m.erase(std::unique(places_m.begin(), places_m.end()), places_m.end());
 }
 
 /// Of one trial, for what it was too coarse to see.

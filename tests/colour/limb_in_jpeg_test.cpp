@@ -44,24 +44,35 @@ TakenMoon any_moon(std::uint64_t seed, double longest_px) {
   }
 }
 
+/// That 99 of 100 are found where they are, or all but one of fewer than that, which one in three such
+/// samples would miss at that rate; of all, those of 10 to 20 pixels' radius among them, which
+/// JPEG's blocks of 8 pixels cover in a few, 97.
 void expect_found(std::uint64_t first_seed, int count, double longest_px) {
-  int found_right = 0;
+  int found = 0, large = 0, found_large = 0;
   std::string others;
   for (int i = 0; i < count; ++i) {
     const auto moon = any_moon(first_seed + static_cast<std::uint64_t>(i), longest_px);
-    const auto found = limb_of(taken(moon));
+    const auto disc = limb_of(taken(moon));
     const double tolerance = tolerance_px(moon, tellable(moon));
     const auto& [x, y, radius] = moon.disc;
-    if (found && std::hypot(found->x_px - x, found->y_px - y) < tolerance &&
-        std::abs(found->radius_px - radius) < tolerance)
-      ++found_right;
+    const bool right = disc && std::hypot(disc->x_px - x, disc->y_px - y) < tolerance &&
+                       std::abs(disc->radius_px - radius) < tolerance;
+    if (radius >= 20) ++large;
+    if (right && radius >= 20) ++found_large;
+    if (right)
+      ++found;
     else
-      others += " " + std::to_string(moon.seed) + (found ? " (elsewhere)" : " (lost)");
+      others += " " + std::to_string(moon.seed) + (disc ? " (elsewhere)" : " (lost)");
   }
-  EXPECT_GE(found_right, 0.99 * count) << "not those of seeds" << others;
+  EXPECT_LE(large - found_large, std::max(1., 0.01 * large))
+      << "of " << large << ", not those of seeds" << others;
+  EXPECT_LE(count - found, std::max(1., 0.03 * count)) << "not those of seeds" << others;
+  testing::Test::RecordProperty("found", found);
+  testing::Test::RecordProperty("found_large", found_large);
+  testing::Test::RecordProperty("large", large);
 }
 
-TEST(LimbInJpeg, OfFiftyMoonsIsFound) { expect_found(1000, 50, 500); }
+TEST(LimbInJpeg, OfFortyMoonsIsFound) { expect_found(1000, 40, 400); }
 
 TEST(LimbInJpegThoroughly, OfSixHundredMoonsIsFound) {
   if (!support::thorough()) GTEST_SKIP() << "tests/thorough.sh";
@@ -69,15 +80,15 @@ TEST(LimbInJpegThoroughly, OfSixHundredMoonsIsFound) {
 }
 
 TEST(LimbInJpeg, OfEveryQualityIsFound) {
-  TakenMoon moon{.columns = 360,
-                 .rows = 270,
-                 .disc = {190.3, 128.6, 92.4},
+  TakenMoon moon{.columns = 240,
+                 .rows = 180,
+                 .disc = {126.9, 85.7, 61.6},
                  .shadow_x = 3.2,
                  .exposure = 20,
                  .glow = 0.01};
   const auto light = light_of(moon);
   const auto clipped = std::ranges::count_if(light[0].values(), [](float v) { return v >= 1; });
-  EXPECT_GT(static_cast<double>(clipped), 0.16 * 360 * 270);
+  EXPECT_GT(static_cast<double>(clipped), 0.16 * 240 * 180);
   const double tolerance = tolerance_px(moon, tellable(moon));
   for (moon.quality = 50; moon.quality <= 100; ++moon.quality) {
     SCOPED_TRACE(moon.quality);
@@ -123,8 +134,8 @@ TEST(LimbInJpeg, IsNotSeenWhereThereIsNoMoon) {
     return y < 0.6 + 0.03 * std::sin(9 * x) ? 0.5 : 0.02;
   };
   for (const double noise : {0.001, 0.05})
-    for (const int quality : {60, 75, 85, 90, 95}) {
-      const TakenMoon picture{.columns = 320, .rows = 320, .noise = noise, .quality = quality};
+    for (const int quality : {60, 85, 92}) {
+      const TakenMoon picture{.columns = 240, .rows = 240, .noise = noise, .quality = quality};
       SCOPED_TRACE(testing::Message() << "noise " << noise << ", quality " << quality);
       const auto is_found = [&](const std::function<double(double, double)>& light_at) {
         return limb_of(luminance_in_jpeg(drawn_by(picture, light_at), picture)).has_value();
