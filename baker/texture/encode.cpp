@@ -188,7 +188,7 @@ void write_encoded(const std::filesystem::path& path, const char* format,
       closing_words(*output, false);
       throw;
     }
-    output.reset();  // of a mip-mapped file it writes something yet
+    output.reset();  // a mip-mapped file has its end from here, not from close()
     if (sink.refusal() != 0) reason = std::generic_category().message(sink.refusal());
     if (!reason.empty()) fail(reason);
     if (std::string_view(format) == "openexr") seal(descriptor, path);

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <sstream>
 
 #include "texture/read_image.h"
 #include "verbs/film.h"
@@ -75,27 +73,12 @@ bool is_texture(const std::filesystem::path& file) {
   return file.filename().string().starts_with("moon_");
 }
 
-/// Lines by their flags; what stands in tables is of the air.
-std::map<std::string, std::string> values_of(const Account& account) {
-  std::map<std::string, std::string> values;
-  std::istringstream lines(account);
-  bool in_tables = false;
-  for (std::string line; std::getline(lines, line);) {
-    in_tables = in_tables || line.starts_with("[");
-    const auto equals = line.find(" = ");
-    if (in_tables && line.starts_with("model = "))
-      values["atmosphere"] = line.substr(8);
-    else if (in_tables)
-      values["regions-contents"] += line + "\n";
-    else if (equals != line.npos)
-      values[line.substr(0, equals)] = line.substr(equals + 3);
-  }
-  return values;
-}
-
-std::string value_in(const std::map<std::string, std::string>& values, const std::string& flag) {
-  const auto found = values.find(flag);
-  return found == values.end() ? "none" : found->second;
+/// One of them, for whoever asked for the second.
+std::string told(const RecipeDifference& difference) {
+  const auto& [flag, there, asked] = difference;
+  if (flag == "regions") return "other contents of regions";
+  if (flag.ends_with("-contents")) return "other contents of " + flag.substr(0, flag.rfind('-'));
+  return fmt::format("{} = {}, asked {}", flag, there, asked);
 }
 
 }  // namespace
@@ -141,21 +124,15 @@ Account of_file(const std::filesystem::path& file, const Account& account) {
 
 std::string differences(const Account& there, const Account& asked) {
   constexpr std::size_t most = 3;
-  const auto mine = values_of(asked), theirs = values_of(there);
-  Names flags, told;
-  for (const auto& values : {theirs, mine})
-    for (const auto& [flag, value] : values)
-      if (value_in(mine, flag) != value_in(theirs, flag) && !holds(flags, flag))
-        flags.push_back(flag);
-  for (const auto& flag : flags)
-    if (flag.ends_with("-contents"))
-      told.push_back("other contents of " + flag.substr(0, flag.rfind('-')));
-    else
-      told.push_back(
-          fmt::format("{} = {}, asked {}", flag, value_in(theirs, flag), value_in(mine, flag)));
-  const auto more = told.size() > most ? fmt::format("; {} more", told.size() - most) : "";
-  told.resize(std::min(told.size(), most));
-  return fmt::format("{}{}", fmt::join(told, "; "), more);
+  auto all = recipe_differences(there, asked);
+  std::ranges::sort(all, {}, [](const RecipeDifference& difference) {
+    return std::pair(difference.first == "none", difference.flag);
+  });
+  Names some;
+  for (const auto& difference : all)
+    if (some.size() < most) some.push_back(told(difference));
+  const auto more = all.size() > most ? fmt::format("; {} more", all.size() - most) : "";
+  return fmt::format("{}{}", fmt::join(some, "; "), more);
 }
 
 }  // namespace coppermoon::verbs

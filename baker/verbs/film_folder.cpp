@@ -69,14 +69,19 @@ std::vector<Foreign> foreign_files(const Film& film) {
   return all;
 }
 
-bool is_of_frame(const fs::path& file, std::size_t frame) {
-  return texture::read_attribute(file, "coppermoon:frame") == fmt::format("{}", frame);
-}
-
 /// PNG has checks of its own.
 bool is_whole(const fs::path& file) {
   return file.extension() == ".exr" ? texture::is_sealed(file)
                                     : texture::read_image(file).width > 0;
+}
+
+/// Whether a file is of that frame, whole, and made from what the film is, as far as `part` looks.
+bool is_whole_of(const Film& film, const fs::path& file, std::size_t frame, const auto& part) try {
+  return fs::is_regular_file(file) &&
+         texture::read_attribute(file, "coppermoon:frame") == fmt::format("{}", frame) &&
+         part(account_in(file)) == part(account_of(film)) && is_whole(file);
+} catch (const algebra::Error&) {
+  return false;
 }
 
 }  // namespace
@@ -96,11 +101,8 @@ void require_own(const Film& film, bool replace) {
     if (!own.contains(one.file.filename())) fs::remove(one.file);
 }
 
-bool is_own(const Film& film, const fs::path& file, std::size_t frame) try {
-  return fs::is_regular_file(file) && is_of_frame(file, frame) &&
-         of_file(file, account_in(file)) == of_file(file, account_of(film)) && is_whole(file);
-} catch (const algebra::Error&) {
-  return false;
+bool is_own(const Film& film, const fs::path& file, std::size_t frame) {
+  return is_whole_of(film, file, frame, [&](const Account& all) { return of_file(file, all); });
 }
 
 bool is_made(const Film& film, std::size_t frame) {
@@ -108,12 +110,8 @@ bool is_made(const Film& film, std::size_t frame) {
                              [&](const auto& file) { return is_own(film, file, frame); });
 }
 
-bool shows_scene(const Film& film, std::size_t frame) try {
-  const auto file = film.linear_frame(frame);
-  return fs::is_regular_file(file) && is_of_frame(file, frame) &&
-         of_scene(account_in(file)) == of_scene(account_of(film)) && is_whole(file);
-} catch (const algebra::Error&) {
-  return false;
+bool shows_scene(const Film& film, std::size_t frame) {
+  return is_whole_of(film, film.linear_frame(frame), frame, of_scene);
 }
 
 }  // namespace coppermoon::verbs

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/one_scene.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <sstream>
-#include <utility>
-#include <vector>
 
 #include "algebra/error.h"
 #include "texture/read_image.h"
+#include "verbs/develop_options.h"
+#include "verbs/known_words.h"
 #include "verbs/photo_file.h"
 #include "verbs/recipe.h"
 
@@ -59,33 +56,14 @@ void require_one_meaning(const std::string& first, const std::string& other) {
   }
 }
 
-/// Flags and their values; tables of the air as one.
-using Lines = std::vector<std::pair<std::string, std::string>>;
-
-Lines lines_of(const std::string& recipe) {
-  constexpr std::array of_the_exposure{"time", "iso",     "f-number", "noise", "noise-seed",
-                                       "view", "display", "config",   "bits"};
-  std::istringstream text(without(recipe, [&](const std::string& flag) {
-    return std::ranges::find(of_the_exposure, flag) != of_the_exposure.end();
-  }));
-  Lines lines;
-  bool in_tables = false;
-  for (std::string line; std::getline(text, line);) {
-    if (line.empty()) continue;
-    const auto sign = line.find(" = ");
-    if (in_tables)
-      lines.back().second += "; " + line;
-    else if (line.starts_with("["))
-      lines.emplace_back("atmosphere", line), in_tables = true;
-    else
-      lines.emplace_back(line.substr(0, sign), sign == line.npos ? "" : line.substr(sign + 3));
-  }
-  return lines;
-}
-
-std::string value_in(const Lines& lines, const std::string& flag) {
-  const auto line = std::ranges::find(lines, flag, &Lines::value_type::first);
-  return line == lines.end() ? "none" : line->second;
+/// A recipe without what makes exposures of one scene.
+std::string scene_in(const std::string& recipe) {
+  auto dropped = flags_added_by([](CLI::App& verb) {
+    DevelopOptions develop;
+    add_develop_options(verb, develop);
+  });
+  dropped.insert(dropped.end(), {"noise", "noise-seed"});
+  return without(recipe, [&](const std::string& flag) { return holds(dropped, flag); });
 }
 
 void require_one_recipe(const std::string& first, const std::string& other) {
@@ -93,13 +71,9 @@ void require_one_recipe(const std::string& first, const std::string& other) {
   const auto mine = texture::read_attribute(other, name),
              its = texture::read_attribute(first, name);
   if (!mine || !its) return;
-  const auto a = lines_of(*mine), b = lines_of(*its);
-  auto both = a;
-  both.insert(both.end(), b.begin(), b.end());
-  for (const auto& [flag, value] : both)
-    if (value_in(a, flag) != value_in(b, flag))
-      throw algebra::Error(fmt::format("{}: its recipe has {} = {}, allowed {} as {}", other, flag,
-                                       value_in(a, flag), value_in(b, flag), first));
+  for (const auto& [flag, here, there] : recipe_differences(scene_in(*mine), scene_in(*its)))
+    throw algebra::Error(fmt::format("{}: its recipe has {} = {}, allowed {} as {}", other, flag,
+                                     here, there, first));
 }
 
 }  // namespace

@@ -184,6 +184,34 @@ std::vector<std::string> with_recipe(const CLI::App& verb, std::vector<std::stri
   return arguments;
 }
 
+/// Flags and their values; all regions of the air as one.
+using Lines = std::vector<std::pair<std::string, std::string>>;
+
+Lines lines_of(const std::string& recipe) {
+  std::istringstream text(recipe);
+  Lines lines;
+  bool in_tables = false;
+  for (std::string line; std::getline(text, line);) {
+    if (line.empty()) continue;
+    const auto sign = line.find(" = ");
+    if (line == "[atmosphere]")
+      in_tables = true;
+    else if (in_tables && line.starts_with("model = "))
+      lines.emplace_back("atmosphere", line.substr(sign + 3));
+    else if (in_tables && lines.back().first == "regions")
+      lines.back().second += "; " + line;
+    else if (in_tables)
+      lines.emplace_back("regions", line);
+    else
+      lines.emplace_back(line.substr(0, sign), sign == line.npos ? "" : line.substr(sign + 3));
+  }
+  return lines;
+}
+
+Lines::const_iterator line_in(const Lines& lines, const std::string& flag) {
+  return std::ranges::find(lines, flag, &Lines::value_type::first);
+}
+
 /// The first argument that is no flag.
 auto word_in(const std::vector<std::string>& arguments) {
   return std::find_if(arguments.begin(), arguments.end(),
@@ -239,6 +267,20 @@ std::string without(const std::string& recipe,
     if (in_tables || !dropped(line.substr(0, line.find(' ')))) left += line + "\n";
   }
   return left;
+}
+
+std::vector<RecipeDifference> recipe_differences(const std::string& first,
+                                                 const std::string& second) {
+  const auto a = lines_of(first), b = lines_of(second);
+  std::vector<RecipeDifference> all;
+  for (const auto& [flag, value] : a) {
+    const auto other = line_in(b, flag);
+    if (other == b.end() || other->second != value)
+      all.push_back({flag, value, other == b.end() ? "none" : other->second});
+  }
+  for (const auto& [flag, value] : b)
+    if (line_in(a, flag) == a.end()) all.push_back({flag, "none", value});
+  return all;
 }
 
 std::string with_width(const std::string& recipe, std::size_t width) {

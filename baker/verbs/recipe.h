@@ -36,6 +36,16 @@ std::string recipe_of(const CLI::App& verb);
 std::string without(const std::string& recipe,
                     const std::function<bool(const std::string& flag)>& dropped);
 
+/// What two recipes say otherwise: a flag, and its value in each, "none" where one says nothing.
+struct RecipeDifference {
+  std::string flag, first, second;
+};
+
+/// Flags in the order of the first recipe, then those of the second alone. All regions of the air count
+/// as one value: that of "regions".
+std::vector<RecipeDifference> recipe_differences(const std::string& first,
+                                                 const std::string& second);
+
 /// A recipe with a texture's width in place of any that it has.
 std::string with_width(const std::string& recipe, std::size_t width);
 

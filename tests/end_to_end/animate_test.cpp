@@ -17,13 +17,7 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-using Words = std::vector<std::string>;
 namespace fs = std::filesystem;
-
-Words operator+(Words words, const Words& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
 
 const Words small{"--albedo-map", "built-in", "--texture-width", "128", "--width", "48",
                   "--height",     "32",       "--field",         "0.9"};

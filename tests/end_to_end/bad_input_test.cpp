@@ -10,15 +10,8 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-using Words = std::vector<std::string>;
-
 constexpr int could_not = 1, wrong_usage = 2;
 constexpr const char* eclipse_of_2008 = "2008-02-21T03:26:05Z";
-
-Words operator+(Words words, const Words& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
 
 /// Every test here: one line, the right exit status, and nothing left behind.
 class BadInput : public ProgramTest {

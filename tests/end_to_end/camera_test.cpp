@@ -10,8 +10,6 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-using Words = std::vector<std::string>;
-
 constexpr const char *deep = "2008-02-21T03:08:26Z", *new_york = "42.86,-73.77";
 
 class CameraTest : public ProgramTest {

@@ -17,7 +17,6 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-using Words = std::vector<std::string>;
 using nlohmann::json;
 
 constexpr colour::Exposure exposure{2, 8, 400};

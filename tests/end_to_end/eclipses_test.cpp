@@ -12,8 +12,6 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-using Words = std::vector<std::string>;
-
 /// The Moons that a user may have; the first is Stellarium's where it is installed.
 const Words maps{"auto", "built-in"};
 

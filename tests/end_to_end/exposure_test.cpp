@@ -14,7 +14,6 @@ namespace coppermoon::end_to_end {
 namespace {
 
 using std::numbers::pi;
-using Words = std::vector<std::string>;
 
 constexpr const char* mid_eclipse = "2008-02-21T03:26:05Z";
 constexpr double time_s = 1. / 500, f_number = 11, iso = 100;

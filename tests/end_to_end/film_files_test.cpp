@@ -10,8 +10,6 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-using Words = std::vector<std::string>;
-
 class FilmFiles : public ProgramTest {
  protected:
   static Words film(const Words& more) {

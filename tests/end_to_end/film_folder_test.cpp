@@ -13,13 +13,7 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-using Words = std::vector<std::string>;
 namespace fs = std::filesystem;
-
-Words operator+(Words words, const Words& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
 
 class FilmFolder : public ProgramTest {
  protected:

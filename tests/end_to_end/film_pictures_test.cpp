@@ -13,8 +13,6 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-using Words = std::vector<std::string>;
-
 class FilmPictures : public ProgramTest {
  protected:
   static Words film(const Words& more) {

@@ -11,7 +11,6 @@ namespace coppermoon::end_to_end {
 namespace {
 
 using nlohmann::json;
-using Words = std::vector<std::string>;
 
 constexpr const char *deep = "2018-07-27T20:40:00Z", *syria = "36,38";
 

@@ -13,7 +13,6 @@ namespace coppermoon::end_to_end {
 namespace {
 
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
 
 constexpr const char* eclipse_of_2008 = "2008-02-21T03:26:05Z";
 constexpr int could_not = 1, wrong_usage = 2;

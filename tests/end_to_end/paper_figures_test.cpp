@@ -14,7 +14,6 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-using Words = std::vector<std::string>;
 using texture::Image;
 
 constexpr std::size_t width = 150, height = 100;
@@ -64,11 +63,6 @@ void expect_copper(const Image& image, const Scene& scene, double within_km) {
 // -- the program
 
 const std::string recipe = COPPERMOON_TEST_DATA "/../examples/first_eclipse.toml";
-
-Words operator+(Words words, const Words& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
 
 class PaperFigures : public ProgramTest {
  protected:

@@ -5,8 +5,6 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-using Words = std::vector<std::string>;
-
 class PersonalSettings : public ProgramTest {
  protected:
   /// With a home folder, and POVINI where it is given.

@@ -8,7 +8,6 @@ namespace coppermoon::end_to_end {
 namespace {
 
 using nlohmann::json;
-using Words = std::vector<std::string>;
 
 const Words penumbral{"2009-02-09T12:40:00Z"}, deep{"2011-06-15T20:13:00Z"},
     volcanic{"2018-07-27T20:21:45Z", "--region",

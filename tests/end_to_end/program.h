@@ -18,6 +18,13 @@
 
 namespace coppermoon::end_to_end {
 
+using Words = std::vector<std::string>;
+
+inline Words operator+(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
 /// How a program ended and what it said.
 struct Outcome {
   int status = -1;  ///< of its exit; 128 + the signal's number when it was ended by one

@@ -9,8 +9,6 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-using Words = std::vector<std::string>;
-
 class Recipes : public ProgramTest {
  protected:
   void SetUp() override {

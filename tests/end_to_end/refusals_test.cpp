@@ -8,8 +8,6 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-using Words = std::vector<std::string>;
-
 constexpr const char* eclipsed = "2008-02-21T03:26:05Z";
 
 class Refusals : public ProgramTest {

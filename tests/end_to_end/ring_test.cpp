@@ -16,7 +16,6 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-using Words = std::vector<std::string>;
 using std::numbers::pi;
 using texture::Image;
 

@@ -18,7 +18,6 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-using Words = std::vector<std::string>;
 using texture::Image;
 
 /// A partial phase: full sunlight, penumbra and umbra on one disc.

@@ -12,15 +12,11 @@ namespace coppermoon::extremes {
 
 using end_to_end::Outcome;
 using end_to_end::text_of;
-using Words = std::vector<std::string>;
+using end_to_end::Words;
+using end_to_end::operator+;
 
 constexpr int could_not = 1, wrong_usage = 2;
 constexpr const char* eclipse_of_2008 = "2008-02-21T03:26:05Z";
-
-inline Words operator+(Words words, const Words& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
 
 /// What it is given may come from anyone: it is used, or refused in one line, and nothing is left.
 class Untrusted : public end_to_end::ProgramTest {
