@@ -9,7 +9,7 @@
 
 #include "algebra/error.h"
 #include "povray_scenes/scene_text.h"
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 
 namespace coppermoon::povray_scenes {
 namespace {
@@ -136,8 +136,8 @@ void write_texts(const std::filesystem::path& folder, const std::string& pov,
   std::filesystem::create_directory(folder, failure);
   if (!std::filesystem::is_directory(folder, failure))
     throw algebra::Error(fmt::format("{}: cannot be made a folder", folder.string()));
-  texture::write_whole(folder / scene_file, pov);
-  texture::write_whole(folder / settings_file, ini);
+  files::write_whole(folder / scene_file, pov);
+  files::write_whole(folder / settings_file, ini);
 }
 
 std::string to_pov(const Scene& scene) {

@@ -15,7 +15,7 @@
 #include "algebra/error.h"
 #include "texture/oiio_attributes.h"
 #include "texture/seal.h"
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 
 namespace coppermoon::texture {
 namespace {
@@ -174,7 +174,7 @@ void write_encoded(const std::filesystem::path& path, const char* format,
   const auto fail = [&](std::string_view reason) {
     throw Error(fmt::format("{}: cannot be written: {}", path.string(), reason));
   };
-  write_whole(path, [&](int descriptor) {
+  files::write_whole(path, [&](int descriptor) {
     FileSink sink(descriptor);
     auto output = OIIO::ImageOutput::create(format);
     if (!output) fail(one_line(OIIO::geterror()));

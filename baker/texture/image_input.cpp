@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "texture/image_claims.h"
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 
 namespace coppermoon::texture {
 
@@ -37,7 +37,7 @@ void require_readable_file(const fs::path& path) {
   const auto status = fs::status(path, failed);
   if (status.type() == fs::file_type::not_found) throw cannot_read(path, "no such file");
   if (failed) throw cannot_read(path, failed.message());
-  require_regular_file(path);
+  files::require_regular_file(path);
   if (fs::file_size(path, failed) == 0 && !failed) throw cannot_read(path, "it is empty");
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              &std::fclose);

@@ -14,7 +14,7 @@
 #include <system_error>
 
 #include "algebra/error.h"
-#include "texture/fingerprint.h"
+#include "files/fingerprint.h"
 
 namespace coppermoon::texture {
 namespace {
@@ -56,7 +56,7 @@ std::optional<std::size_t> place_of_digits(std::string_view bytes) {
   return found + before.size();
 }
 
-std::string digits_of(std::string_view bytes) { return fmt::format("{:016x}", fingerprint(bytes)); }
+std::string digits_of(std::string_view bytes) { return fmt::format("{:016x}", files::fingerprint(bytes)); }
 
 }  // namespace
 

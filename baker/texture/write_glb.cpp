@@ -16,7 +16,7 @@
 #include "algebra/error.h"
 #include "almanac/lunar_orientation.h"
 #include "texture/sphere_mesh.h"
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 
 namespace coppermoon::texture {
 namespace {
@@ -202,7 +202,7 @@ std::string json_of(const fs::path& path) {
   const auto fail = [&](std::string_view what) {
     throw Error(fmt::format("{}: {}", path.string(), what));
   };
-  require_regular_file(path);
+  files::require_regular_file(path);
   std::ifstream file(path, std::ios::binary);
   if (!file) fail("cannot be read");
   std::array<std::uint32_t, 5> head{};
@@ -231,7 +231,7 @@ void write_glb(const fs::path& path, const Image& developed, const Attributes& e
          {magic, version, static_cast<std::uint32_t>(heads + text.size() + buffer.bytes.size())});
   append_chunk(file, json_chunk, text);
   append_chunk(file, binary_chunk, buffer.bytes);
-  write_whole(path, file);
+  files::write_whole(path, file);
 }
 
 std::optional<std::string> recipe_in_glb(const fs::path& path) {

@@ -13,7 +13,7 @@
 #include "almanac/lunar_orientation.h"
 #include "texture/sphere_mesh.h"
 #include "texture/usda_text.h"
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 
 namespace coppermoon::texture {
 namespace {
@@ -194,13 +194,13 @@ void write_usda(const fs::path& path, const std::string& texture_file_name,
                             colour_space_name));
   const auto look =
       fmt::format(fmt::runtime(looks), usda_asset(texture_file_name), colour_space_name);
-  write_whole(path,
+  files::write_whole(path,
               fmt::format("{}\ndef Xform \"Moon\" (\n    kind = \"component\"\n)\n{{\n{}\n{}}}\n",
                           layer_of(layer_data), mesh_text(), look));
 }
 
 std::optional<std::string> recipe_in_usda(const fs::path& path) {
-  const auto text = beginning_of(path, most_bytes);
+  const auto text = files::beginning_of(path, most_bytes);
   if (!text.starts_with(first_line)) throw Error(path.string() + ": is no USD text");
   return string_in_layer_data(text, "coppermoon", "recipe");
 }

@@ -9,7 +9,7 @@
 #include "algebra/error.h"
 #include "texture/bake.h"
 #include "texture/resize.h"
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 #include "verbs/gnuplot.h"
 #include "verbs/photometer.h"
 
@@ -131,7 +131,7 @@ void write_curve(const std::filesystem::path& path, const eclipse::Eclipse& ecli
                  const Curve& curve) {
   require_curve_ending(path);
   if (path.extension() == ".csv")
-    texture::write_whole(path, as_csv(eclipse, curve));
+    files::write_whole(path, as_csv(eclipse, curve));
   else
     write_plot(path,
                path.extension() == ".png"

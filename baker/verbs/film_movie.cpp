@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "povray_scenes/child_process.h"
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 #include "verbs/temporary_folder.h"
 
 namespace coppermoon::verbs {
@@ -46,7 +46,7 @@ void require_ffmpeg() {
 void write_movie(const fs::path& path, const Film& film, const std::vector<std::size_t>& frames) {
   const TemporaryFolder folder;
   number_pictures(folder.path(), film, frames);
-  texture::write_whole(path, [&](int descriptor) {
+  files::write_whole(path, [&](int descriptor) {
     povray_scenes::FileDescriptor inherited;
     inherited.number = ::dup(descriptor);  // what is opened here is closed to other programs
     povray_scenes::run_program({.words = command(film.times.fps, inherited.number),

@@ -19,7 +19,7 @@
 #include "almanac/instant.h"
 #include "surface/albedo_map.h"
 #include "texture/bake.h"
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 #include "verbs/photometer.h"
 #include "verbs/photometric_bands.h"
 
@@ -136,7 +136,7 @@ std::vector<double> unshadowed_magnitudes(const MoonOptions& moon, const almanac
 }  // namespace
 
 std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file) {
-  const auto text = texture::beginning_of(file, most_bytes + 1);
+  const auto text = files::beginning_of(file, most_bytes + 1);
   if (text.size() > most_bytes)
     throw algebra::Error(
         fmt::format("{}: a list of more than {} bytes, allowed up to that", file, most_bytes));

@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "algebra/error.h"
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -32,7 +32,7 @@ bool gnuplot_did(const std::string& script, int picture) {
 
 void write_plot(const std::filesystem::path& picture, const std::string& terminal,
                 const std::string& script) {
-  texture::write_whole(picture, [&](int descriptor) {
+  files::write_whole(picture, [&](int descriptor) {
     const int inherited = ::dup(descriptor);  // what is opened here is closed to other programs
     const bool done = gnuplot_did(fmt::format("set terminal {}\n{}", terminal, script), inherited);
     ::close(inherited);

@@ -13,8 +13,8 @@
 #include <span>
 
 #include "algebra/error.h"
-#include "texture/fingerprint.h"
-#include "texture/whole_file.h"
+#include "files/fingerprint.h"
+#include "files/whole_file.h"
 #include "verbs/spectral_bands.h"
 
 namespace coppermoon::verbs {
@@ -161,7 +161,7 @@ void require_sound(const shadow::RefractedLight& light) {
 }
 
 std::string stamp_of(std::string_view bytes) {
-  return fmt::format("{:016x}", texture::fingerprint(bytes));
+  return fmt::format("{:016x}", files::fingerprint(bytes));
 }
 
 }  // namespace
@@ -171,12 +171,12 @@ void write_light(const std::filesystem::path& path, const std::string& key,
   std::string bytes = described(light, key).dump() + "\n";
   append(light.refracted->ratio, bytes);
   append(light.refracted->standard_error, bytes);
-  texture::write_whole(path, bytes + stamp_of(bytes));
+  files::write_whole(path, bytes + stamp_of(bytes));
 }
 
 std::optional<KeptLight> read_light(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) return std::nullopt;
-  const auto all = texture::bytes_of(path);
+  const auto all = files::bytes_of(path);
   constexpr std::size_t stamp = 16;
   if (all.size() < stamp) return std::nullopt;
   const auto bytes = std::string_view(all).substr(0, all.size() - stamp);

@@ -8,9 +8,9 @@
 #include "algebra/error.h"
 #include "surface/albedo_map.h"
 #include "surface/built_in_moon.h"
-#include "texture/fingerprint.h"
+#include "files/fingerprint.h"
 #include "texture/read_image.h"
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -58,7 +58,7 @@ void require_map(const MoonOptions& options) {
 std::string map_contents(const MoonOptions& options) {
   const auto map = map_chosen(options);
   return map == "built-in" ? map
-                           : fmt::format("{:016x}", texture::fingerprint(texture::bytes_of(map)));
+                           : fmt::format("{:016x}", files::fingerprint(files::bytes_of(map)));
 }
 
 surface::Photometry photometry_of(const MoonOptions& options) {

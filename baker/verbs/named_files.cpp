@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "algebra/error.h"
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -61,7 +61,7 @@ bool says_where_results_go(const CLI::Option& flag) {
 
 void require_files_apart(const CLI::App& verb) {
   const auto read = files_called(read_file, verb), written = files_called(written_file, verb);
-  for (const auto& file : read) texture::require_regular_file(file.path);
+  for (const auto& file : read) files::require_regular_file(file.path);
   for (auto file = written.begin(); file != written.end(); ++file) {
     for (const auto& other : read)
       if (are_one(file->path, other.path))

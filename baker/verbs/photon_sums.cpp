@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "algebra/error.h"
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -132,11 +132,11 @@ void write_sums(const std::filesystem::path& path, const PhotonSums& sums) {
                  {"blocks", blocks_of(sums)},
                  {"sum_m2", numbers_of(sums.sum)},
                  {"sum_of_squares_m4", numbers_of(sums.sum_of_squares)}};
-  texture::write_whole(path, all.dump() + "\n");
+  files::write_whole(path, all.dump() + "\n");
 }
 
 PhotonSums read_sums(const std::filesystem::path& path) {
-  const auto text = texture::bytes_of(path);
+  const auto text = files::bytes_of(path);
   try {
     return sums_of(json::parse(text));
   } catch (const json::parse_error& error) {

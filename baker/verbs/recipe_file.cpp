@@ -12,7 +12,7 @@
 
 #include "algebra/error.h"
 #include "texture/read_image.h"
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 #include "texture/write_glb.h"
 #include "texture/write_usda.h"
 #include "verbs/air_options.h"
@@ -50,7 +50,7 @@ std::string as_text(const toml::node& value, const std::string& where) {
 constexpr std::size_t most_bytes = 1 << 20;
 
 std::string recipe_text(const std::string& path) {
-  if (!holds_recipe(path)) return texture::beginning_of(path, most_bytes + 1);
+  if (!holds_recipe(path)) return files::beginning_of(path, most_bytes + 1);
   const auto ending = std::filesystem::path(path).extension();
   const auto text = ending == ".glb"    ? texture::recipe_in_glb(path)
                     : ending == ".usda" ? texture::recipe_in_usda(path)

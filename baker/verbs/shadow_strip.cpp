@@ -10,7 +10,7 @@
 #include "algebra/error.h"
 #include "almanac/instant.h"
 #include "eclipse/shadow_axis.h"
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 #include "texture/write_image.h"
 #include "verbs/moon_options.h"
 #include "verbs/pixels.h"
@@ -152,7 +152,7 @@ void require_kind(const std::filesystem::path& file, const atmosphere::Atmospher
 /// What stands beside a strip is overwritten if it tells of the strip, and is somebody else's if not.
 void require_ours(const fs::path& beside, const fs::path& strip) {
   if (!fs::exists(beside)) return;
-  const auto facts = ordered_json::parse(texture::bytes_of(beside), nullptr, false);
+  const auto facts = ordered_json::parse(files::bytes_of(beside), nullptr, false);
   const bool tells = facts.is_object() && facts.contains("texture") && facts["texture"].is_string();
   if (!tells || fs::path(facts["texture"].get<std::string>()).stem() != strip.stem())
     throw algebra::Error(
@@ -171,10 +171,10 @@ ordered_json write_shadow_strip(const std::filesystem::path& file, const StripSh
   const auto strip = strip_of(shadow, options);
   const auto facts = facts_of(file, strip, shadow, recipe);
   if (file.extension() == ".cube")
-    texture::write_whole(file, as_cube(strip));
+    files::write_whole(file, as_cube(strip));
   else
     texture::write_exr(file, strip.light, header(facts), {texture::ExrType::floating});
-  texture::write_whole(beside, facts.dump(2) + "\n");
+  files::write_whole(beside, facts.dump(2) + "\n");
   return facts;
 }
 

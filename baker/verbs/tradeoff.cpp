@@ -9,7 +9,7 @@
 #include "algebra/error.h"
 #include "almanac/instant.h"
 #include "eclipse/shadow_axis.h"
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 #include "verbs/gnuplot.h"
 #include "verbs/moon_options.h"
 #include "verbs/one_line.h"
@@ -82,8 +82,8 @@ std::string document(const Options& options, const ReferenceSettings& reference,
 
 void write_files(const std::filesystem::path& folder, const Options& options,
                  const ReferenceSettings& reference, std::span<const Measured> all) {
-  texture::write_whole(folder / "tradeoff.csv", as_csv(all));
-  texture::write_whole(folder / "tradeoff.md", document(options, reference, all));
+  files::write_whole(folder / "tradeoff.csv", as_csv(all));
+  files::write_whole(folder / "tradeoff.md", document(options, reference, all));
   write_plot(folder / "tradeoff.svg",
              "svg size 1100,680 background rgb 'white' font 'sans-serif,13'", as_plot(all));
 }

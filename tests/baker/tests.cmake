@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
-foreach(stage algebra almanac atmosphere eclipse photons plan shadow surface texture verbs)
+foreach(stage algebra almanac atmosphere eclipse files photons plan shadow surface texture verbs)
   include(${CMAKE_CURRENT_LIST_DIR}/${stage}/tests.cmake)
 endforeach()

@@ -9,7 +9,7 @@
 #include "almanac/instant.h"
 #include "fuzz/refused.h"
 #include "fuzz/scratch_file.h"
-#include "texture/fingerprint.h"
+#include "files/fingerprint.h"
 #include "verbs/spectral_bands.h"
 
 namespace {
@@ -34,7 +34,7 @@ void read(std::string_view text) {
   static const fuzz::ScratchFile file("eclipse.light");
   static const Asked film = asked();
   auto kept = verbs::read_light(
-      file.holding(std::string(text) + fmt::format("{:016x}", texture::fingerprint(text))));
+      file.holding(std::string(text) + fmt::format("{:016x}", files::fingerprint(text))));
   if (!kept || !verbs::complete(film.options, film.moon, kept->light)) return;
   const auto lookup = kept->light.in_channels(verbs::luminance_weights());
   std::array<double, 1> ratio{};

@@ -15,7 +15,7 @@
 
 #include "algebra/error.h"
 #include "almanac/instant.h"
-#include "texture/fingerprint.h"
+#include "files/fingerprint.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -99,7 +99,7 @@ std::string forged(const std::string& whole, const std::string& pointer, const j
   auto header = json::parse(whole.substr(0, line));
   header[json::json_pointer(pointer)] = value;
   const auto bytes = header.dump() + whole.substr(line, whole.size() - line - 16);
-  return bytes + fmt::format("{:016x}", texture::fingerprint(bytes));
+  return bytes + fmt::format("{:016x}", files::fingerprint(bytes));
 }
 
 TEST_F(LightFile, ThatNoLightIsLikeIsNotTaken) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace coppermoon::texture {
+namespace coppermoon::files {
 
 /// Writes a file that appears whole or not at all: under a temporary name in the same folder,
 /// flushed to the disk, then renamed. Whatever stops it, the temporary file goes and the old file
@@ -36,4 +36,4 @@ std::string bytes_of(const std::filesystem::path& path);
 /// Throws  Error  one line with the path, when there is no such file, or as require_regular_file
 std::string beginning_of(const std::filesystem::path& path, std::size_t most_bytes);
 
-}  // namespace coppermoon::texture
+}  // namespace coppermoon::files

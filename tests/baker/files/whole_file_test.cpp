@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -12,7 +12,7 @@
 namespace {
 
 using coppermoon::algebra::Error;
-using coppermoon::texture::write_whole;
+using coppermoon::files::write_whole;
 
 using WholeFile = ScratchFolder;
 

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <string_view>
 
-namespace coppermoon::texture {
+namespace coppermoon::files {
 
 /// 64 bits that tell two texts apart unless someone means them not to: the same on every machine.
 ///
 /// Source  FarmHash's Fingerprint64, by OpenImageIO
 std::uint64_t fingerprint(std::string_view bytes);
 
-}  // namespace coppermoon::texture
+}  // namespace coppermoon::files

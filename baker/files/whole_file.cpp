@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "texture/whole_file.h"
+#include "files/whole_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -13,7 +13,7 @@
 
 #include "algebra/error.h"
 
-namespace coppermoon::texture {
+namespace coppermoon::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -152,4 +152,4 @@ std::string beginning_of(const fs::path& path, std::size_t most_bytes) {
   return text;
 }
 
-}  // namespace coppermoon::texture
+}  // namespace coppermoon::files
