@@ -1,21 +1,46 @@
 # SPDX-License-Identifier: MIT
-# What the libraries stand on; installed too, so that an outside project finds the same things the same way.
+# How each library is found that a stage may link, by the name of its target. The build finds all of them. The file is
+# installed too, so that an outside project finds the same things the same way: those alone that its components link.
+#
+# Given  coppermoon_wanted   the targets to be found, or ALL
+# Gives  coppermoon_known    the targets that stand here
+#        coppermoon_missing  those of the wanted that are not to be had
+#
 # Debian 12's CMake packages of OpenImageIO and OpenColorIO name folders that do not exist: pkg-config is sound for both.
-include(CMakeFindDependencyMacro)
-find_dependency(Threads)
-find_dependency(glm)
-find_dependency(fmt)
-find_dependency(TBB)
-find_dependency(nlohmann_json)
-find_dependency(PkgConfig)
-pkg_check_modules(OpenImageIO REQUIRED QUIET IMPORTED_TARGET GLOBAL OpenImageIO)
-pkg_check_modules(OpenColorIO REQUIRED QUIET IMPORTED_TARGET GLOBAL OpenColorIO)
-pkg_check_modules(ERFA REQUIRED QUIET IMPORTED_TARGET GLOBAL erfa)
-pkg_check_modules(Highway REQUIRED QUIET IMPORTED_TARGET GLOBAL libhwy)
-if(NOT TARGET coppermoon::libnova)
-  find_library(COPPERMOON_LIBNOVA_LIBRARY nova REQUIRED)
-  find_path(COPPERMOON_LIBNOVA_INCLUDE libnova/lunar.h REQUIRED)
-  add_library(coppermoon::libnova INTERFACE IMPORTED)
-  target_link_libraries(coppermoon::libnova INTERFACE ${COPPERMOON_LIBNOVA_LIBRARY})
-  target_include_directories(coppermoon::libnova INTERFACE ${COPPERMOON_LIBNOVA_INCLUDE})
-endif()
+macro(coppermoon_library target way name)
+  list(APPEND coppermoon_known ${target})
+  if(("${coppermoon_wanted}" STREQUAL "ALL" OR "${target}" IN_LIST coppermoon_wanted) AND NOT TARGET ${target})
+    if("${way}" STREQUAL "PACKAGE")
+      find_package(${name} QUIET)
+    elseif("${way}" STREQUAL "MODULE")
+      find_package(PkgConfig QUIET)
+      string(REPLACE "PkgConfig::" "" coppermoon_prefix ${target})
+      pkg_check_modules(${coppermoon_prefix} QUIET IMPORTED_TARGET ${name})
+    else()
+      string(TOUPPER COPPERMOON_${name} coppermoon_prefix)
+      find_library(${coppermoon_prefix}_LIBRARY ${name})
+      find_path(${coppermoon_prefix}_INCLUDE ${way})
+      if(${coppermoon_prefix}_LIBRARY AND ${coppermoon_prefix}_INCLUDE)
+        add_library(${target} INTERFACE IMPORTED)
+        target_link_libraries(${target} INTERFACE ${${coppermoon_prefix}_LIBRARY})
+        target_include_directories(${target} INTERFACE ${${coppermoon_prefix}_INCLUDE})
+      endif()
+    endif()
+    if(NOT TARGET ${target})
+      list(APPEND coppermoon_missing ${target})
+    endif()
+  endif()
+endmacro()
+
+set(coppermoon_known)
+set(coppermoon_missing)
+# target, then PACKAGE and the name of a CMake package, MODULE and pkg-config's name, or a header and a library's name
+coppermoon_library(fmt::fmt PACKAGE fmt)
+coppermoon_library(glm::glm PACKAGE glm)
+coppermoon_library(nlohmann_json::nlohmann_json PACKAGE nlohmann_json)
+coppermoon_library(TBB::tbb PACKAGE TBB)
+coppermoon_library(PkgConfig::ERFA MODULE erfa)
+coppermoon_library(PkgConfig::Highway MODULE libhwy)
+coppermoon_library(PkgConfig::OpenColorIO MODULE OpenColorIO)
+coppermoon_library(PkgConfig::OpenImageIO MODULE OpenImageIO)
+coppermoon_library(coppermoon::libnova libnova/lunar.h nova)

@@ -1,33 +1,60 @@
 # SPDX-License-Identifier: MIT
-# coppermoon_stage(NAME HEADERS … SOURCES … ALONE … TABLES … NEEDS earlier stages … USES libraries … PRIVATELY libraries …)
-# makes folder NAME a static library with the alias coppermoon::NAME. TABLES are CSV (or other text) files under
+# coppermoon_stage(NAME [IN FOLDER] HEADERS … SOURCES … APART … ALONE … TABLES … NEEDS earlier stages … USES libraries … PRIVATELY libraries …)
+# makes folder NAME a static library with the alias coppermoon::NAME, and a component of the package, which installs
+# HEADERS: they are included as NAME/…, or as FOLDER/NAME/… with IN FOLDER. TABLES are CSV (or other text) files under
 # data/, compiled in: NAME/tables.h declares `std::string_view <file name without ending>()`. ALONE are sources that are
-# never compiled together with others (CMAKE_UNITY_BUILD): Highway compiles each once for every kind of vector.
+# never compiled together with others (CMAKE_UNITY_BUILD): Highway compiles each once for every kind of vector. APART are
+# compiled together, but not with SOURCES: a program that calls none of them has none of them. Without SOURCES it is a
+# name for all that it needs.
 function(coppermoon_stage name)
-  cmake_parse_arguments(STAGE "" "ROOT" "HEADERS;SOURCES;ALONE;TABLES;NEEDS;USES;PRIVATELY" ${ARGN})
+  cmake_parse_arguments(STAGE "" "ROOT;IN" "HEADERS;SOURCES;APART;ALONE;TABLES;NEEDS;USES;PRIVATELY" ${ARGN})
   if(NOT STAGE_ROOT)
     set(STAGE_ROOT ${CMAKE_CURRENT_SOURCE_DIR})
   endif()
   cmake_path(GET STAGE_ROOT PARENT_PATH base)
+  if(STAGE_IN)
+    cmake_path(GET base PARENT_PATH base)
+  endif()
   set(generated)
   if(STAGE_TABLES)
     coppermoon_tables(${name} ${STAGE_ROOT} generated ${STAGE_TABLES})
   endif()
   list(TRANSFORM STAGE_HEADERS PREPEND ${STAGE_ROOT}/)
   list(TRANSFORM STAGE_SOURCES PREPEND ${STAGE_ROOT}/)
+  list(TRANSFORM STAGE_APART PREPEND ${STAGE_ROOT}/)
   list(TRANSFORM STAGE_ALONE PREPEND ${STAGE_ROOT}/)
   set_source_files_properties(${STAGE_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   list(TRANSFORM STAGE_NEEDS PREPEND coppermoon::)
-  add_library(coppermoon_${name} STATIC ${STAGE_SOURCES} ${STAGE_ALONE} ${generated})
+  if(NOT STAGE_SOURCES)
+    add_library(coppermoon_${name} INTERFACE)
+    add_library(coppermoon::${name} ALIAS coppermoon_${name})
+    target_link_libraries(coppermoon_${name} INTERFACE ${STAGE_NEEDS})
+    target_include_directories(coppermoon_${name} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    set_target_properties(coppermoon_${name} PROPERTIES EXPORT_NAME ${name})
+    set_property(GLOBAL APPEND PROPERTY COPPERMOON_STAGES ${name})
+    return()
+  endif()
+  add_library(coppermoon_${name} STATIC ${STAGE_SOURCES} ${STAGE_APART} ${STAGE_ALONE} ${generated})
   add_library(coppermoon::${name} ALIAS coppermoon_${name})
-  target_sources(coppermoon_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${base} FILES ${STAGE_HEADERS})
-  target_include_directories(coppermoon_${name} PRIVATE ${PROJECT_BINARY_DIR}/generated)
+  target_include_directories(coppermoon_${name}
+    PUBLIC $<BUILD_INTERFACE:${base}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE ${PROJECT_BINARY_DIR}/generated)
   target_link_libraries(coppermoon_${name} PUBLIC ${STAGE_NEEDS} ${STAGE_USES} PRIVATE ${STAGE_PRIVATELY})
   target_compile_features(coppermoon_${name} PUBLIC cxx_std_20)
-  set_target_properties(coppermoon_${name} PROPERTIES EXPORT_NAME ${name} VERIFY_INTERFACE_HEADER_SETS ON)
+  set_target_properties(coppermoon_${name} PROPERTIES EXPORT_NAME ${name})
+  if(STAGE_APART)
+    set_source_files_properties(${STAGE_SOURCES} PROPERTIES UNITY_GROUP sources)
+    set_source_files_properties(${STAGE_APART} PROPERTIES UNITY_GROUP apart)
+    set_target_properties(coppermoon_${name} PROPERTIES UNITY_BUILD_MODE GROUP)
+  endif()
   coppermoon_warnings(coppermoon_${name})
-  install(TARGETS coppermoon_${name} EXPORT coppermoon ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-          FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/coppermoon)
+  set_property(GLOBAL APPEND PROPERTY COPPERMOON_STAGES ${name})
+  # Public headers are a target of their own, for they are installed otherwise than CMake would install a FILE_SET
+  # (.cmake/headers.cmake). all_verify_interface_header_sets compiles each by itself.
+  add_library(coppermoon_${name}_headers INTERFACE)
+  target_sources(coppermoon_${name}_headers INTERFACE FILE_SET HEADERS BASE_DIRS ${base} FILES ${STAGE_HEADERS})
+  target_link_libraries(coppermoon_${name}_headers INTERFACE coppermoon_${name})
+  set_target_properties(coppermoon_${name}_headers PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
 endfunction()
 
 function(coppermoon_tables name root out)

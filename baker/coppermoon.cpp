@@ -15,7 +15,7 @@
 #include <string_view>
 
 #include "verbs/command_line.h"
-#include "verbs/one_line.h"
+#include "verbs/reports/one_line.h"
 
 namespace {
 
@@ -60,7 +60,7 @@ void hold_standard_descriptors() {
 
 int run(CLI::App& program, int count, char** words) {
   try {
-    verbs::obey(program, {words + std::min(count, 1), words + count});
+    verbs::run(program, {words + std::min(count, 1), words + count});
     return 0;
   } catch (const CLI::CallForHelp& call) {
     return program.exit(call);

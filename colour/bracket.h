@@ -8,7 +8,7 @@
 
 namespace coppermoon::colour {
 
-/// One photograph of several of a scene that holds still.
+/// One of several photographs of a scene that holds still.
 struct Bracketed {
   Image scene_linear;          ///< [cd/m²]
   algebra::Grid<float> valid;  ///< 1 where no channel is clipped, else 0
@@ -22,8 +22,8 @@ struct Bracketed {
 /// Photons' noise is least so: Lᵢ has the variance L / wᵢ.
 ///
 /// Given     photographs  of one size; light above 0
-/// Returned  scene_linear, valid where any is; elsewhere what has least light holds, its own
-///           saturation. light: the sum of all
+/// Returned  scene_linear, valid where any is; elsewhere that of the photograph with least light, at
+///           its saturation. light: the sum of all
 /// Omits     read noise, which weighs down a short exposure's dark more than this does
 /// Throws    Error  when there is none, sizes differ, or a light is not above 0
 Bracketed merged(std::span<const Bracketed> photographs);

@@ -72,24 +72,24 @@ Response of_matrix(const glm::dmat3& from_xyz) {
   return response;
 }
 
-/// π/4 τ (1 − ε²): of luminance, over N² the illuminance in the focus.
+/// π/4 τ (1 − ε²): illuminance in the focus over luminance, times N².
 double light_passed(const Optics& optics) {
   return pi / 4 * optics.transmission * (1 - optics.obstruction * optics.obstruction);
 }
 
-/// That a pixel collects, by the light that falls on it.
+/// Electrons that a pixel collects, by the light that falls on it.
 double electrons_per_lx_s(const Sensor& sensor) {
   const double side_m = sensor.pixel_um * 1e-6;
   return sensor.quantum_efficiency * photons_per_lm_s * side_m * side_m;
 }
 
-/// That fill the range of its numbers, were its pixels never full.
+/// Electrons that fill the range of its numbers, were its pixels never full.
 double saturation_e(const Sensor& sensor, double iso) {
   exposure_scale({.iso = iso});  // its range
   return electrons_per_lx_s(sensor) * saturation_exposure_lx_s / iso;
 }
 
-/// In the focus, of 1 cd/m².
+/// Exposure in the focus by a luminance of 1 cd/m² [lx s].
 double exposure_lx_s(const Camera& camera, const Exposure& exposure) {
   exposure_scale(exposure);  // ranges
   return light_passed(camera.optics) * exposure.time_s / (exposure.f_number * exposure.f_number);

@@ -20,12 +20,12 @@ struct Optics {
   double transmission = 1;        ///< of the glass, 0.01 to 1
 };
 
-/// What lies in its focus.
+/// The sensor in its focus.
 struct Sensor {
   double width_mm = 22.7;  ///< 0.1 to 1000
   double pixel_um = 7.4;   ///< a pixel's side, 0.1 to 1000
-  /// electrons of the most sensitive channel, of white, for each photon of 555 nm that would be as
-  /// bright: filters, gaps between pixels and all; 0.001 to 1
+  /// electrons of the most sensitive channel under white light, per equal-luminance photon of 555 nm,
+  /// filters and fill factor included; 0.001 to 1
   double quantum_efficiency = 0.5;
   double full_well_e = 50000;     ///< 10 to 1e9
   double read_noise_e = 3;        ///< before the gain, 0 to 1e4
@@ -35,7 +35,7 @@ struct Sensor {
   std::string response = "colorimetric";
 };
 
-/// A camera: all that is between a scene and a raw file, but for how it is set.
+/// A camera: all that is between a scene and a raw file, without its exposure.
 struct Camera {
   Optics optics{};
   Sensor sensor{};
@@ -62,7 +62,7 @@ struct Response {
 Response response_named(std::string_view name);
 std::vector<std::string> response_names();
 
-/// Electrons that a pixel of the most sensitive channel collects, of white.
+/// Electrons that a pixel of the most sensitive channel collects under white light, for each cd/m².
 ///
 ///     QE · 4.09e15 s⁻¹ lm⁻¹ · L · π/4 τ (1 − ε²) / N² · t · p²
 ///
@@ -72,21 +72,21 @@ std::vector<std::string> response_names();
 /// Throws    Error  when camera or exposure is outside its range
 double electrons_per_cd_m2(const Camera& camera, const Exposure& exposure);
 
-/// How a sensor counts at a speed.
+/// The numbers that a sensor gives at a speed.
 struct Gain {
   double dn_per_electron;
   double white_dn;  ///< above the black level, whole; 1 to 65535
 };
 
-/// The electrons of 78/S lx s fill the range of its numbers; white is there, or where pixels are
-/// full before.
+/// Gain at the speed S: the electrons of 78/S lx s fill the range of the numbers. White is at its
+/// end, or lower where pixels are full before.
 ///
 /// Source  ISO 12232
 /// Throws  Error  when camera or speed is outside its range, or white is not one number above black
 Gain gain_at(const Camera& camera, double iso);
 
-/// Luminance [cd/m²] of what the camera's white is: as colour::exposure_scale has it, with the
-/// optics' own light for a usual lens's, and darker where a pixel is full before.
+/// Luminance that becomes the camera's white [cd/m²]: as colour::exposure_scale has it, with the
+/// optics' own transmission in place of a usual lens's; lower where a pixel is full before.
 ///
 /// Throws  Error  as electrons_per_cd_m2
 double saturation_cd_m2(const Camera& camera, const Exposure& exposure);

@@ -12,7 +12,8 @@ namespace coppermoon::colour {
 /// Source  BIPM, The International System of Units (2019), K_cd
 inline constexpr double luminous_efficacy_lm_per_W = 683;
 
-/// What turns band means of a spectral radiance into absolute CIE XYZ, for the 1931 2° observer.
+/// Weights that turn band means of a spectral radiance into absolute CIE XYZ, for the 1931 2°
+/// observer.
 ///
 ///     X = 683 Σ_b L_b ∫_b x̄(λ) dλ        [cd/m²]; likewise Y (the luminance) and Z
 ///

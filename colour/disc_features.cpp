@@ -88,7 +88,8 @@ Values mean_nearby(const Values& light, const Values& counts, std::size_t reach)
   return mean;
 }
 
-/// Of the sky beside the disc: how much one pixel differs from the next.
+/// Noise of the sky beside the disc: the standard deviation of a pixel, from how much one differs
+/// from the next.
 double noise_of(const Values& light, const Disc& disc) {
   Values rough(light.rows(), light.columns());
   for (std::size_t r = 1; r < light.rows(); ++r)

@@ -7,17 +7,17 @@
 
 namespace coppermoon::colour {
 
-/// What stands out on a disc: light over what it is nearby, less 1.
+/// Markings of a disc: light over its mean nearby, less 1.
 struct DiscFeatures {
   algebra::Grid<float> contrast;  ///< −1 beyond the limb
   algebra::Grid<float> weight;    ///< 0 to 1; 0 where a picture has nothing to say
   Similarity from_picture;        ///< to these grids; the disc's centre is the middle of both
-  double floor;  ///< light that noise hides, over what a hundredth of the disc exceeds
+  double floor;  ///< light that noise hides, over that which a hundredth of the disc exceeds
 };
 
-/// How little and how much light a camera told apart.
+/// The range within which a camera told light apart.
 struct TonalRange {
-  double clipped = 0;  ///< share of the disc, its brightest, that looks the same
+  double clipped = 0;  ///< share of the disc, its brightest part, that looks the same
   double floor = 0;    ///< as DiscFeatures has it
 };
 

@@ -29,8 +29,7 @@ struct Development {
 ///           leave values below 0 or above 1, for whoever writes 8 or 16 bits to clip
 /// Accuracy  sRGB without tone mapping: 2e-5 of the coded value from IEC 61966-2-1
 /// Throws    Error  when a scaled channel is not finite (names the pixel), the scale is not above
-/// 0,
-///                  the configuration cannot be read, has no such view or display (names those it
+///                  0, the configuration cannot be read, has no such view or display (names those it
 ///                  has) or does not know the working space, or a look-up table of it has an entry
 ///                  that is not finite (names file and line) or is no regular file
 Image developed(const Image& scene_linear, WorkingSpace space, const Development& development = {});

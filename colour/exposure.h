@@ -15,7 +15,7 @@ struct Exposure {
 /// Source  ISO 12232
 constexpr double saturation_exposure_lx_s = 78;
 
-/// What a scene luminance of 1 cd/m² becomes, where 1.0 saturates the sensor.
+/// Value that a scene luminance of 1 cd/m² becomes, where 1.0 saturates the sensor.
 ///
 ///     value = q L t S / (78 N²),    q = 0.65
 ///

@@ -150,8 +150,8 @@ double residual(const LimbPlace& place, const glm::dvec3& shift) {
   return place.offset_px - glm::dot(place.outward, glm::dvec2(shift)) - shift.z;
 }
 
-/// What moves the circle onto the places: x, y and radius, by least squares whose weights leave out
-/// what lies far off (Tukey's).
+/// The correction that moves the circle onto the places: x, y and radius, by least squares whose
+/// weights leave out what lies far off (Tukey's).
 glm::dvec3 shift_onto(const std::vector<LimbPlace>& places) {
   glm::dvec3 shift(0);
   for (int pass = 0; pass < 12; ++pass) {

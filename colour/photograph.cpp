@@ -44,7 +44,7 @@ void require_finite(const Image& scene) {
               fmt::format("pixel {}, {} [cd/m2] = {}, allowed finite", c, r, value));
 }
 
-/// As aperture and air spread it.
+/// A picture as aperture and air spread it.
 Image spread(const Image& scene, const Camera& camera, double pixel_rad) {
   if (!camera.diffraction && camera.seeing_arcsec == 0) return scene;
   Image result(scene.rows(), scene.columns());

@@ -21,7 +21,7 @@ struct Shot {
 
 using RawPixel = std::array<std::uint16_t, 3>;
 
-/// What comes of it.
+/// The photograph that comes of a shot.
 struct Photograph {
   /// luminances of the scene as far as the camera knows: noise and all, also below 0; what is clipped
   /// is white at saturation

@@ -87,7 +87,7 @@ double over_a_pixel(const Blur& blur, double pixel_rad, double x, double y) {
   return sum / (parts * parts);
 }
 
-/// What diffraction leaves of each frequency.
+/// Share of each frequency's contrast that diffraction leaves.
 Spectrum diffraction_transfer(const Blur& blur, double pixel_rad, std::size_t rows,
                               std::size_t columns) {
   Spectrum spread(rows, columns);
@@ -131,7 +131,7 @@ class SampledSeeing {
     whole_ = 1 + summed(along(counts(0)), counts(0));
   }
 
-  /// What each node counts for a part of a frequency, -1/2 to 1/2.
+  /// Weight of each node for a part of a frequency, -1/2 to 1/2.
   Counts counts(double frequency) const {
     return algebra::on_polynomial<count>(squares_, frequency * frequency);
   }

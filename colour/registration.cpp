@@ -211,7 +211,7 @@ Disc disc_in(const Values& picture, const char* name) {
                        ": no Moon found, allowed is one with a quarter of its limb in the picture");
 }
 
-/// What stands out on both discs, brought to one radius, the render with the photograph's tonal range:
+/// Markings of both discs, brought to one radius, the render with the photograph's tonal range:
 /// what is brightest on the one is so on the other.
 struct Discs {
   const Values &photo, &render;

@@ -38,7 +38,7 @@ std::optional<WorkingSpace> space_in_name(std::string_view file_name);
 /// Source  ITU-R BT.709; SMPTE ST 2065-1 and S-2014-004 (ACEScg); Lam (1985), as in ICC.1 annex E
 glm::dmat3 channels_from_xyz(WorkingSpace space);
 
-/// What turns band means of a spectral radiance into the channels of the space.
+/// Weights that turn band means of a spectral radiance into the channels of the space.
 ///
 /// Given     edges_nm  as in xyz_weights
 /// Returned  weights   [channel][band], cd/m² per W m⁻² sr⁻¹ nm⁻¹

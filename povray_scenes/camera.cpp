@@ -63,29 +63,29 @@ algebra::Angle field_of_view(algebra::Length focal_length, algebra::Length senso
 }
 
 Camera camera_at(const almanac::SkyState& sky, const almanac::ObserverView& view, Up up,
-                 algebra::Angle field, std::size_t width, std::size_t height) {
-  Camera camera{{}, {}, field, width, height};
+                 const Picture& picture) {
+  Camera camera{{}, {}, picture.field, picture.width, picture.height};
   camera.zenith = sky.selenographic_from_gcrs * view.zenith;
   return looking_from(sky, view.position_m, up == Up::zenith ? view.zenith : celestial_north(sky),
                       up, camera);
 }
 
-Camera camera_at(const almanac::SkyState& sky, Up up, algebra::Angle field, std::size_t width,
-                 std::size_t height) {
+Camera camera_at(const almanac::SkyState& sky, Up up, const Picture& picture) {
   if (up == Up::zenith)
     throw algebra::Error(
         "up = zenith, which the Earth's centre has not: celestial-north or moon-north");
-  return looking_from(sky, {0, 0, 0}, celestial_north(sky), up, {{}, {}, field, width, height});
+  return looking_from(sky, {0, 0, 0}, celestial_north(sky), up,
+                      {{}, {}, picture.field, picture.width, picture.height});
 }
 
 Camera camera_fixed(const almanac::SkyState& sky, const almanac::ObserverView& view,
-                    const HorizonPlace& aim, algebra::Angle field, std::size_t width,
-                    std::size_t height) {
+                    const HorizonPlace& aim, const Picture& picture) {
   require_within("altitude of the aim [degrees]", in_degrees(aim.altitude), -90, 90);
   require_within("azimuth of the aim [degrees]", in_degrees(aim.azimuth), -360, 360);
   const glm::dmat3 from_apparent =
       sky.selenographic_from_gcrs * without_refraction(sky.moon_m - view.position_m, view.zenith);
-  Camera camera{place_of(sky, view.position_m), from_apparent * view.zenith, field, width, height};
+  Camera camera{place_of(sky, view.position_m), from_apparent * view.zenith, picture.field,
+                picture.width, picture.height};
   camera.zenith = sky.selenographic_from_gcrs * view.zenith;
   camera.direction = from_apparent * direction_of(aim, view);
   require_sound(camera);

@@ -33,6 +33,12 @@ struct Camera {
                                     ///< Moon's centre
 };
 
+/// What a camera takes in, and in how many pixels.
+struct Picture {
+  algebra::Angle field;       ///< of its whole width; the Moon's disc is about 0.52 degrees
+  std::size_t width, height;  ///< in pixels
+};
+
 /// A place in the sky over an observer, as it is seen: refraction included.
 struct HorizonPlace {
   algebra::Angle altitude, azimuth;  ///< above the horizon; from north through east
@@ -48,36 +54,30 @@ algebra::Angle field_of_view(algebra::Length focal_length, algebra::Length senso
 
 /// The Moon as a place on Earth sees it, east to the left when north is up (not mirrored).
 ///
-/// Given   sky, view         the moment, and that place's view of it
-///         field             of the picture's width; the Moon's disc is about 0.52 degrees
-///         width, height     in pixels
+/// Given   sky, view  the moment, and that place's view of it
 /// Omits   refraction in the observer's air: it lifts the Moon, and flattens it near the horizon by
 ///         what the camera's `flattening` is then set to
 /// Throws  Error  when the camera would not be sound (see require_sound)
 Camera camera_at(const almanac::SkyState& sky, const almanac::ObserverView& view, Up up,
-                 algebra::Angle field, std::size_t width, std::size_t height);
+                 const Picture& picture);
 
 /// The same from the Earth's centre.
 ///
 /// Throws  Error  also for Up::zenith, which the Earth's centre does not have
-Camera camera_at(const almanac::SkyState& sky, Up up, algebra::Angle field, std::size_t width,
-                 std::size_t height);
+Camera camera_at(const almanac::SkyState& sky, Up up, const Picture& picture);
 
 /// A camera on a tripod, the zenith up: the Moon goes through its picture as through the sky.
 ///
-/// Given   sky, view      the moment, and that place's view of it
-///         aim            the place of the sky in the picture's middle; altitude -90 to 90 degrees,
-///                        azimuth -360 to 360
-///         field          of the picture's width
-///         width, height  in pixels
+/// Given   sky, view  the moment, and that place's view of it
+///         aim        the place of the sky in the picture's middle; altitude -90 to 90 degrees,
+///                    azimuth -360 to 360
 /// Returned  a camera that stands where the observer does; aim and zenith are turned down along the
 ///           Moon's vertical by the Moon's refraction, so that it appears at its apparent place
 /// Omits   the horizon: a Moon below it is shown none the less. Its flattening, as camera_at
 /// Throws  Error  when the aim is out of its range, or the camera would not be sound, as with the
 ///                aim in the zenith (see require_sound)
 Camera camera_fixed(const almanac::SkyState& sky, const almanac::ObserverView& view,
-                    const HorizonPlace& aim, algebra::Angle field, std::size_t width,
-                    std::size_t height);
+                    const HorizonPlace& aim, const Picture& picture);
 
 /// Where the picture's middle is: a unit vector from the camera, Moon-fixed.
 ///

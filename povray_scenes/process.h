@@ -11,7 +11,8 @@
 
 namespace coppermoon::povray_scenes {
 
-/// The frames under way: their names tell of no others, and nothing of them is left behind.
+/// The files of frames that POV-Ray is still writing, under names of their own; none is left
+/// behind.
 struct Draft {
   std::filesystem::path folder;
   std::string stem;  ///< of all that POV-Ray writes

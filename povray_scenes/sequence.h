@@ -55,7 +55,7 @@ std::string to_ini(const Sequence& sequence);
 ///                 made
 void write_sequence(const std::filesystem::path& folder, const Sequence& sequence);
 
-/// Told of a frame whose file is whole.
+/// A callback that is told of each frame when its file is whole.
 using FrameDone = std::function<void(std::size_t frame, const std::filesystem::path& exr)>;
 
 /// Renders frames in one run of POV-Ray.

@@ -25,7 +25,8 @@ std::optional<glm::dvec3> ground_at(const Sight& sight, const glm::dvec2& pixel)
       sight.round_from_flattened *
       glm::normalize(sight.corner + pixel.x * sight.across + pixel.y * sight.down);
   const glm::dvec3 from = sight.round_from_flattened * sight.position;
-  // Of the nearest place along the ray first: from afar its distance is a difference of large numbers.
+  // First the nearest place along the ray: seen from afar, the distance of the ground is a
+  // difference of large numbers.
   const double squared = glm::dot(ray, ray), away = -glm::dot(from, ray) / squared;
   const glm::dvec3 nearest = from + away * ray;
   const double inside = 1 - glm::dot(nearest, nearest);

@@ -14,8 +14,8 @@ processors=$(nproc)
 export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppressions=0" UBSAN_OPTIONS=print_stacktrace=1
 
 steps="compiled_alone quick_in_release heavy_under_sanitizers fuzzers libraries_thoroughly program_thoroughly
-extremes_thoroughly films_and_convergence plans_kept air_recovered planted_faults other_programs small_examples
-full_examples full_film sweep_1 sweep_2 sweep_3 sweep_4 sweep_5"
+extremes_thoroughly films_and_convergence plans_kept air_recovered planted_faults other_programs measurements
+small_examples full_examples full_film sweep_1 sweep_2 sweep_3 sweep_4 sweep_5"
 
 released() { sh examples/build.sh "$1" packages.tests.debian; }
 test_release() { ctest --test-dir build/release --output-on-failure --no-tests=error --parallel "$processors" "$@"; }
@@ -36,10 +36,11 @@ quick_in_release() {
 heavy_under_sanitizers() {
   released coppermoon_program
   cmake --preset sanitizers
-  cmake --build build/sanitizers --target coppermoon_program baker_shadow_heavy_tests baker_verbs_heavy_tests \
-    colour_heavy_tests extremes_heavy_tests
+  cmake --build build/sanitizers --target coppermoon_program baker_shadow_heavy_tests baker_uses_light_heavy_tests \
+    baker_uses_picture_heavy_tests baker_uses_film_heavy_tests baker_uses_study_heavy_tests baker_verbs_flags_heavy_tests \
+    baker_verbs_recipes_heavy_tests baker_verbs_reports_heavy_tests colour_heavy_tests extremes_heavy_tests
   ctest --test-dir build/sanitizers --output-on-failure --no-tests=error --parallel "$processors" -L '^heavy$' \
-    -E '^(baker/shadow/by_photons|baker/verbs/film_light|end_to_end/|extremes/(faults|words)|povray_scenes/)'
+    -E '^(baker/shadow/by_photons|baker/uses/film/film_light|end_to_end/|extremes/(faults|words)|povray_scenes/)'
 }
 
 fuzzers() {
@@ -64,7 +65,7 @@ extremes_thoroughly() {
 
 films_and_convergence() {
   released slow_tests
-  test_release -L '^slow$' -R '^(end_to_end/film|extremes/film_faults|baker/shadow/convergence|baker/verbs/fit_light)$'
+  test_release -L '^slow$' -R '^(end_to_end/film|extremes/film_faults|baker/shadow/convergence|baker/uses/study/fit_light)$'
 }
 
 plans_kept() {
@@ -96,13 +97,19 @@ sweep_3() { sweep 3; }
 sweep_4() { sweep 4; }
 sweep_5() { sweep 5; }
 
+measurements() {
+  released coppermoon_program
+  cd "$scratch"
+  "$root/tests/measurements/photon_convergence.sh" 1e4
+  "$root/tests/measurements/term_sizes.sh"
+  cd "$root"
+}
+
 small_examples() {
   released coppermoon_program
   cd "$scratch"
   small="--texture-width 512 --width 150 --height 100"
   "$root/examples/paper_figures.sh" --photons 2e4 $small
-  "$root/examples/photon_convergence.sh" 1e4
-  "$root/examples/term_sizes.sh" $small
   "$root/examples/tradeoff.sh" --quick
   "$root/examples/plans.sh"
   "$root/examples/film.sh" --frames 4
@@ -116,7 +123,6 @@ full_examples() {
   "$root/examples/first_eclipse.sh" --trace each
   "$root/examples/standard_figures.sh"
   "$root/examples/paper_figures.sh"
-  "$root/examples/term_sizes.sh"
   "$root/examples/eclipse_brightness.sh"
   "$root/examples/gallery/gallery.sh"
   cd "$root"

@@ -8,8 +8,8 @@
 
 namespace coppermoon::algebra {
 
-/// What a wrong input is answered with: one line that names the value, its unit and what is
-/// allowed. The one exception type of the library; the program prints it and exits 1.
+/// The library's one exception type, for wrong input: one line that names the value, its unit and
+/// what is allowed. The program prints it and exits 1.
 struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -54,6 +54,20 @@ double mean_between(std::span<const double> x, std::span<const double> y, double
   return sum / (to - from);
 }
 
+void on_polynomial(std::span<const double> nodes, double at, std::span<double> weights) {
+  assert(weights.size() == nodes.size());
+  std::ranges::fill(weights, 1);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t j = 0; j < nodes.size(); ++j)
+      if (j != i) weights[i] *= (at - nodes[j]) / (nodes[i] - nodes[j]);
+}
+
+std::vector<double> on_polynomial(std::span<const double> nodes, double at) {
+  std::vector<double> weights(nodes.size());
+  on_polynomial(nodes, at, weights);
+  return weights;
+}
+
 MonotoneCubic::MonotoneCubic(std::span<const double> x, std::span<const double> y)
     : end_(x.back()), end_value_(y.back()), cells_per_unit_(1 / least_distance(x)) {
   assert(x.size() >= 2 && x.size() == y.size() && cells_per_unit_ > 0);

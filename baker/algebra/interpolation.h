@@ -17,18 +17,23 @@ double interpolated(std::span<const double> x, std::span<const double> y, double
 /// outside.
 double mean_between(std::span<const double> x, std::span<const double> y, double from, double to);
 
-/// What each of some nodes counts, at a place, on the polynomial through all of them.
+/// Weights of some nodes for a value between them: Lagrange's, on the polynomial through all of them.
 ///
-/// Given     nodes  all different
+///     c_i = Π_{j≠i} (x − x_j) / (x_i − x_j)
+///
+/// Given     nodes  all different; at: x
 /// Returned  as many, whose sum is 1
+std::vector<double> on_polynomial(std::span<const double> nodes, double at);
+
+/// The same, written into as many.
+void on_polynomial(std::span<const double> nodes, double at, std::span<double> weights);
+
+/// The same of a number of nodes that is known when it is compiled.
 template <std::size_t size>
 std::array<double, size> on_polynomial(std::span<const double, size> nodes, double at) {
-  std::array<double, size> counts;
-  counts.fill(1);
-  for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t j = 0; j < size; ++j)
-      if (i != j) counts[i] *= (at - nodes[j]) / (nodes[i] - nodes[j]);
-  return counts;
+  std::array<double, size> weights;
+  on_polynomial(nodes, at, weights);
+  return weights;
 }
 
 /// A smooth curve through points: cubics whose slopes agree where they meet, between two points

@@ -46,7 +46,7 @@ constexpr Directions reversal() {
   return v;
 }
 
-/// Of dimension 1 and up.
+/// Direction numbers of dimension 1 and up.
 constexpr std::array<Directions, most_dimensions - 1> directions{
     reversal(), directions_of(polynomials[0]), directions_of(polynomials[1]),
     directions_of(polynomials[2]), directions_of(polynomials[3])};

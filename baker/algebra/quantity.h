@@ -12,17 +12,21 @@ template <class Dimension>
 class Quantity {
  public:
   constexpr Quantity() = default;
-  constexpr explicit Quantity(double si) : si_(si) {}
-  constexpr double si() const { return si_; }
+  constexpr explicit Quantity(double in_kept_unit) : value_(in_kept_unit) {}
+  constexpr double in_kept_unit() const { return value_; }
   constexpr auto operator<=>(const Quantity&) const = default;
-  friend constexpr Quantity operator+(Quantity a, Quantity b) { return Quantity(a.si_ + b.si_); }
-  friend constexpr Quantity operator-(Quantity a, Quantity b) { return Quantity(a.si_ - b.si_); }
-  friend constexpr Quantity operator-(Quantity a) { return Quantity(-a.si_); }
-  friend constexpr Quantity operator*(double s, Quantity a) { return Quantity(s * a.si_); }
-  friend constexpr double operator/(Quantity a, Quantity b) { return a.si_ / b.si_; }
+  friend constexpr Quantity operator+(Quantity a, Quantity b) {
+    return Quantity(a.value_ + b.value_);
+  }
+  friend constexpr Quantity operator-(Quantity a, Quantity b) {
+    return Quantity(a.value_ - b.value_);
+  }
+  friend constexpr Quantity operator-(Quantity a) { return Quantity(-a.value_); }
+  friend constexpr Quantity operator*(double s, Quantity a) { return Quantity(s * a.value_); }
+  friend constexpr double operator/(Quantity a, Quantity b) { return a.value_ / b.value_; }
 
  private:
-  double si_ = 0;
+  double value_ = 0;
 };
 
 using Angle = Quantity<struct AngleDimension>;            ///< kept in radians
@@ -31,16 +35,16 @@ using Wavelength = Quantity<struct WavelengthDimension>;  ///< kept in nanometre
 
 constexpr Length metres(double x) { return Length(x); }
 constexpr Length kilometres(double x) { return Length(x * 1e3); }
-constexpr double in_metres(Length x) { return x.si(); }
-constexpr double in_kilometres(Length x) { return x.si() / 1e3; }
+constexpr double in_metres(Length x) { return x.in_kept_unit(); }
+constexpr double in_kilometres(Length x) { return x.in_kept_unit() / 1e3; }
 
 constexpr Angle radians(double x) { return Angle(x); }
 constexpr Angle degrees(double x) { return Angle(x * std::numbers::pi / 180); }
-constexpr double in_radians(Angle x) { return x.si(); }
-constexpr double in_degrees(Angle x) { return x.si() * 180 / std::numbers::pi; }
+constexpr double in_radians(Angle x) { return x.in_kept_unit(); }
+constexpr double in_degrees(Angle x) { return x.in_kept_unit() * 180 / std::numbers::pi; }
 constexpr double in_arcminutes(Angle x) { return in_degrees(x) * 60; }
 
 constexpr Wavelength nanometres(double x) { return Wavelength(x); }
-constexpr double in_nanometres(Wavelength x) { return x.si(); }
+constexpr double in_nanometres(Wavelength x) { return x.in_kept_unit(); }
 
 }  // namespace coppermoon::algebra

@@ -17,7 +17,7 @@ namespace coppermoon::atmosphere {
 /// Source    Young (1994), Appl. Opt. 33, 1108. Eq. 14 of Yapo & Cutler (2009) misprints 0.0102963
 double air_mass_young_1994(algebra::Angle altitude);
 
-/// The same of aerosol, which lies lower: a scale height of 1.5 km.
+/// Air mass of aerosol, which lies lower than air: a scale height of 1.5 km.
 ///
 ///     X = 1 / (c + 0.0123 exp(−24.5 c)),     c = sin a
 ///
@@ -28,7 +28,7 @@ double air_mass_young_1994(algebra::Angle altitude);
 /// Source    Schaefer (1993), Vistas in Astronomy 36, 311
 double aerosol_air_mass_schaefer_1993(algebra::Angle apparent_altitude);
 
-/// The same of ozone, as a thin layer at 22 km over a sphere of R = 6378 km.
+/// Air mass of ozone, as a thin layer at 22 km over a sphere of R = 6378 km.
 ///
 ///     X = 1 / √(1 − (R cos a / (R + 22 km))²)
 ///

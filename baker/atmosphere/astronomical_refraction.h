@@ -5,7 +5,7 @@
 
 namespace coppermoon::atmosphere {
 
-/// How much higher air makes a light appear that stands outside it.
+/// Refraction: how much higher a light outside the air appears than it stands.
 ///
 ///     R = 1.02' / tan(h + 10.3 / (h + 5.11)) + 0.0019'        h, 10.3 and 5.11 in degrees
 ///
@@ -23,7 +23,7 @@ algebra::Angle astronomical_refraction(algebra::Angle true_altitude);
 /// The true altitude of what is seen on the horizon of the sea: h + R(h) = 0.
 inline constexpr algebra::Angle lowest_true_altitude = algebra::degrees(-0.5739);
 
-/// Where a light is seen: its true altitude and what refraction adds.
+/// Altitude at which a light is seen: its true altitude and what refraction adds.
 ///
 /// Throws  Error  as astronomical_refraction
 algebra::Angle apparent_altitude(algebra::Angle true_altitude);

@@ -77,7 +77,7 @@ struct Atmosphere {
   double top_radius_m() const { return earth.equatorial_radius_m + top_m(); }
   /// All its columns: the one outside all regions, then each region's.
   std::vector<const Column*> columns() const;
-  /// Which of them stands there.
+  /// Index in `columns` of the one at a position angle.
   std::size_t column_index(double position_angle_rad) const;
   const Column& column_at(double position_angle_rad) const;
 };
@@ -85,7 +85,7 @@ struct Atmosphere {
 /// Throws Error when a term is outside its range: names it, its unit and what is allowed.
 void require_valid(const Atmosphere& atmosphere);
 
-/// What does not depend on altitude: the air at sea level, for one wavelength.
+/// Optical properties of the air at sea level, for one wavelength: they do not depend on altitude.
 struct Optics {
   double refractivity;    ///< n₀ − 1
   double rayleigh_per_m;  ///< β₀ = N₀ σ
@@ -95,8 +95,9 @@ struct Optics {
 /// Throws Error when the wavelength is outside 380 to 780 nm
 Optics sea_level_optics(algebra::Wavelength wavelength, const Molecules& molecules = {});
 
-/// What takes light out of a ray. Each has a profile over altitude and a spectrum; extinction is
-/// the sum of their products, optical depth that of spectrum and profile summed along the path.
+/// Constituents that take light out of a ray. Each has a profile over altitude and a spectrum;
+/// extinction is the sum of their products, optical depth that of spectrum and profile summed along
+/// the path.
 enum Absorber : std::size_t { air, ozone, dust_layer, troposphere, stratosphere };
 inline constexpr std::size_t absorbers = 5;
 using Amounts = std::array<double, absorbers>;
@@ -136,7 +137,8 @@ void require_no_trap(const Column& column, double earth_radius_m, double refract
 /// Extinction [m⁻¹] at an altitude.
 double extinction_per_m(const Column& column, const Optics& optics, double altitude_m);
 
-/// What cloud and, where it is a filter, ozone leave of light that passed the limb.
+/// Transmittance, 0 to 1, of cloud and (where it is a filter) of ozone, for light that passed the
+/// limb.
 ///
 /// Given  tangent_height_m  the lowest altitude of its path
 double limb_filter(const Column& column, const Optics& optics, double tangent_height_m);

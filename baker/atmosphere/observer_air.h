@@ -31,7 +31,7 @@ void require_valid(const ObserverAir& air);
 /// Source    U.S. Standard Atmosphere 1976; below 20 km, geometric for geopotential altitude
 double pressure_ratio_us_1976(double elevation_m);
 
-/// What the observer's air lets through of a light.
+/// Transmittance of the observer's air for a light in the sky.
 ///
 ///     exp(−(p/p₀ M τ_R(λ) + X_O3 σ(λ) N_O3 + X_a τ_a (λ / 550 nm)^−å))
 ///
@@ -39,7 +39,7 @@ double pressure_ratio_us_1976(double elevation_m);
 ///           altitude    of the light without refraction, −1 to 90 degrees; below −0.574, the
 ///                       apparent horizon, held as it is there
 ///           wavelength  380 to 780 nm
-/// Returned  of Rayleigh scattering with Young's air mass M, ozone as a layer at 22 km, aerosol
+/// Returned  0 to 1: Rayleigh scattering with Young's air mass M, ozone as a layer at 22 km, aerosol
 /// Omits     water vapour and oxygen lines; scattering into the line of sight; that the air masses
 ///           are those of sea level, and an observer above the ozone; differences across the disc
 /// Throws    Error       when an argument is outside its range

@@ -27,7 +27,7 @@ struct Eruption {
   double dust_extinction_per_m, dust_top_m;
 };
 
-/// What hangs in the stratosphere for L from 0 to 3.
+/// The aerosol that hangs in the stratosphere for L from 0 to 3.
 constexpr std::array<Eruption, 4> eruptions{{{StratosphericAerosol::extreme, 1e-6, 25e3},
                                              {StratosphericAerosol::high, 0, 20e3},
                                              {StratosphericAerosol::moderate, 3e-6, 20e3},

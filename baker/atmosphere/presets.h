@@ -22,7 +22,8 @@ std::span<const std::string_view> preset_names();
 /// Throws  Error            when there is no preset of that name: says which there are
 Atmosphere preset(std::string_view name, algebra::Angle sun_declination);
 
-/// What cloud and aerosol make a totally eclipsed Moon look as Danjon's scale describes it:
+/// A column with the cloud and aerosol that make a totally eclipsed Moon look as Danjon's scale
+/// describes it:
 ///
 ///     L   looks                        troposphere, cloud    stratosphere   dust layer
 ///     0   almost invisible             as usual              extreme        1e-6 m⁻¹, 15 to 25 km

@@ -6,7 +6,7 @@
 
 namespace coppermoon::eclipse {
 
-/// How much larger than the solid Earth's the umbra is said to be: four published conventions.
+/// Four published conventions for how much larger the umbra is than the solid Earth's.
 ///
 ///     danjon          1.01 πm + πs ∓ s
 ///     danjon_oblate   (1 + 1/85) πm r / a + πs ∓ s

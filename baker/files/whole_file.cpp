@@ -152,4 +152,12 @@ std::string beginning_of(const fs::path& path, std::size_t most_bytes) {
   return text;
 }
 
+void require_place_for(const std::filesystem::path& file) {
+  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  if (!std::filesystem::is_directory(folder))
+    throw algebra::Error(fmt::format("{}: no such directory", folder.string()));
+  if (std::filesystem::is_directory(file))
+    throw algebra::Error(fmt::format("{}: is a directory", file.string()));
+}
+
 }  // namespace coppermoon::files

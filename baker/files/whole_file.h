@@ -21,17 +21,24 @@ void write_whole(const std::filesystem::path& path, const std::function<void(int
 /// The same for text.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
-/// Refuses what would not end or not come, as a pipe or device.
+/// Refuses a pipe, a device or any other file that reading might wait for, or never come to the end
+/// of.
 ///
 /// Throws  Error  one line with the path, when something that is no regular file is there
 void require_regular_file(const std::filesystem::path& path);
+
+/// Refuses a place where no file could be put, before the work is done for it.
+///
+/// Throws  Error  when its folder is missing, or it is a folder itself
+void require_place_for(const std::filesystem::path& file);
 
 /// All bytes of a regular file.
 ///
 /// Throws  Error  one line with the path: no such file, not permitted, or as require_regular_file
 std::string bytes_of(const std::filesystem::path& path);
 
-/// A file's bytes, or the first of them: what has no end takes no more memory than that.
+/// The first bytes of a file, at most `most_bytes`: a file that has no end takes no more memory
+/// than that.
 ///
 /// Throws  Error  one line with the path, when there is no such file, or as require_regular_file
 std::string beginning_of(const std::filesystem::path& path, std::size_t most_bytes);

@@ -10,9 +10,9 @@
 
 namespace coppermoon::photons {
 
-/// The whole limb in parts that one table each stands for: every column of air; on an ellipsoid
-/// each at the equator and at the pole; between them a place takes cos² of its position angle of the
-/// pole's.
+/// The whole limb in parts, each with a table of rays: one part for every column of air, on an
+/// ellipsoid two, at the equator and at the pole. A place between these is a mean of both parts,
+/// the pole's with a weight of cos² of the position angle.
 class WholeLimb {
  public:
   struct Part {
@@ -32,7 +32,8 @@ class WholeLimb {
 
   const std::vector<Part>& parts() const { return parts_; }
 
-  /// What makes up the limb at a position angle; shares add to 1, the second is 0 on a sphere.
+  /// The parts that make up the limb at a position angle; their shares add to 1, the second is 0 on
+  /// a sphere.
   ///
   /// Accuracy  on an ellipsoid the pole's share is taken as cos² of the position angle: 0.3 % of the
   ///           difference between pole and equator
@@ -40,7 +41,7 @@ class WholeLimb {
     return at(column_at(position_angle_rad), std::cos(position_angle_rad));
   }
 
-  /// The same of a column of air, by the angle's cosine.
+  /// The same for a column of air, by the cosine of the position angle.
   std::array<Share, 2> at(std::size_t column, double cos_position_angle) const {
     if (atmosphere_.earth.sphere()) return {{{column, 1}, {column, 0}}};
     const double pole = cos_position_angle * cos_position_angle;

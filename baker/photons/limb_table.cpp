@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "algebra/error.h"
+#include "algebra/interpolation.h"
 
 namespace coppermoon::photons {
 namespace {
@@ -84,7 +85,8 @@ class Polynomial {
   std::vector<Path> values_;
 };
 
-/// The lower of two refractivities' Chebyshev points, or three, or four.
+/// Chebyshev's points between two refractivities, `count` of them; one alone where these are the
+/// same.
 std::vector<double> chebyshev_roots(double least, double greatest, int count) {
   if (!(greatest - least > 1e-9 * greatest)) return {greatest};
   const double middle = (least + greatest) / 2, half = (greatest - least) / 2;
@@ -94,18 +96,9 @@ std::vector<double> chebyshev_roots(double least, double greatest, int count) {
   return roots;
 }
 
-/// Lagrange's weights of the nodes for a value between them.
-std::vector<double> lagrange(std::span<const double> nodes, double at) {
-  std::vector<double> weights(nodes.size(), 1);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (std::size_t j = 0; j < nodes.size(); ++j)
-      if (j != i) weights[i] *= (at - nodes[j]) / (nodes[i] - nodes[j]);
-  return weights;
-}
-
-/// What a difference between two paths means: bending in units of a milliradian, which moves a ray's
-/// landing by as much as light changes by a factor e there; optical depth as it is, and where little
-/// comes through anyway, in part.
+/// Significance of the difference between two paths: bending in units of a milliradian, which moves
+/// a ray's landing by as much as light changes by a factor e there; optical depth as it is, and
+/// where little comes through anyway, in part.
 class Significance {
  public:
   Significance(const Column& column, const Optics& optics)
@@ -204,7 +197,7 @@ std::vector<double> refractivity_nodes(const Column& column, std::span<const Opt
 
 Blend blend(const Column& column, const Optics& optics, std::span<const double> nodes) {
   Blend blend{column.refraction ? optics.refractivity : 0,
-              lagrange(nodes, optics.refractivity),
+              algebra::on_polynomial(nodes, optics.refractivity),
               {},
               limb_filter(column, optics, 0),
               limb_filter(column, optics, column.cloud_top_m)};

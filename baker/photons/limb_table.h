@@ -15,15 +15,15 @@ struct Fan {
   std::vector<double> filter;         ///< of cloud and filters, between each ray and the next
 };
 
-/// Refractivities between those of some wavelengths that rays are followed at for them all: from one
-/// to the next a ray changes smoothly.
+/// Refractivities that rays are followed at, for all of some wavelengths: between them a ray
+/// changes smoothly.
 ///
 /// Given     count  3 or more
 /// Returned  Chebyshev's nodes; one alone where all are the same, 0 where the air does not bend
 std::vector<double> refractivity_nodes(const atmosphere::Column& column,
                                        std::span<const atmosphere::Optics> optics, int count);
 
-/// How a wavelength's ray is made of the same ray at such nodes.
+/// Weights that make a wavelength's ray of the same ray at such nodes.
 ///
 ///     δ = Σ s_k δ_k        τ = Σ s_k β · a_k
 ///

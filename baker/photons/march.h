@@ -50,8 +50,8 @@ class Marcher {
   /// Given  earth_radius_m  of the ground's curvature along the path
   Marcher(const atmosphere::Column& column, double earth_radius_m, const Marching& marching);
 
-  /// What limb_path gives, ray by ray. Rays of similar heights side by side end together, which
-  /// wastes no lanes.
+  /// Fills in the paths that limb_path gives, ray by ray. Rays of similar heights side by side end
+  /// together, which wastes no lanes.
   ///
   /// Given     tangent_heights_m  0 to the top of the air
   ///           refractivity       n₀ − 1, at sea level, 0 to 0.001

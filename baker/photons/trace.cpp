@@ -28,16 +28,28 @@ struct Standing {
       : column(&over), spectra(atmosphere::spectra(over, optics)) {}
 };
 
-glm::dvec3 refractivity_gradient(const Column& column, const Optics& optics, const glm::dvec3& at_m,
-                                 double here, const atmosphere::Figure& earth, double step_m) {
-  glm::dvec3 gradient;
-  for (int j = 0; j < 3; ++j) {
-    glm::dvec3 beside = at_m;
-    beside[j] += step_m;
-    gradient[j] = (refractivity(column, optics, altitude_m(earth, beside)) - here) / step_m;
+/// What bends a ray: one column's air around the Earth, at one wavelength.
+struct Medium {
+  const Column& column;
+  const Optics& optics;
+  const atmosphere::Figure& earth;
+
+  double refractivity_at(const glm::dvec3& at_m) const {
+    return refractivity(column, optics, altitude_m(earth, at_m));
   }
-  return gradient;
-}
+
+  /// Given     here     the refractivity at that place
+  /// Returned  its forward differences over that step [1/m]
+  glm::dvec3 gradient(const glm::dvec3& at_m, double here, double step_m) const {
+    glm::dvec3 gradient;
+    for (int j = 0; j < 3; ++j) {
+      glm::dvec3 beside = at_m;
+      beside[j] += step_m;
+      gradient[j] = (refractivity_at(beside) - here) / step_m;
+    }
+    return gradient;
+  }
+};
 
 void require_valid(const Stepping& stepping, const Atmosphere& atmosphere, const Optics& optics) {
   algebra::require_within("step [m]", stepping.step_m, 1, 1e5);
@@ -75,13 +87,13 @@ std::optional<Traced> trace(const Ray& entering, const Atmosphere& atmosphere, c
       standing = Standing(over, optics);
     const Column& column = *standing.column;
     if (altitude < lowest) lowest = altitude, at_lowest = &column;
+    const Medium medium{column, optics, earth};
     const double here = refractivity(column, optics, altitude);
     optical_depth += atmosphere::product(profiles(column, altitude), standing.spectra) * length;
     const glm::dvec3 momentum =
-        (1 + here) * direction +
-        length * refractivity_gradient(column, optics, at, here, earth, stepping.gradient_step_m);
+        (1 + here) * direction + length * medium.gradient(at, here, stepping.gradient_step_m);
     at += length * direction;
-    const double there = refractivity(column, optics, altitude_m(earth, at));
+    const double there = medium.refractivity_at(at);
     direction = momentum / (1 + there);
     ++steps;
   }

@@ -22,18 +22,18 @@ struct Costs {
   double twilight = 40e-3, twilight_wavelength = 1e-3;
   double photon_wavelength = 2.2e-9;  ///< by the table, on one plane, gathered in rings alone
   double sectors_dearer = 8;          ///< gathered in sectors too
-  double photon_marched = 14e-6, photon_literal = 163e-6;
+  double photon_marched = 14e-6, photon_step_by_step = 163e-6;
   double together = 2.2;  ///< what all parts of light take over their sum: a hundred planned runs
   double texel = 48e-9;   ///< lit and written
   double map_file = 0.2;
 };
 
-/// Of scattered light, as it is computed at few places and wavelengths.
+/// Relative error of scattered light, which is computed at few places and wavelengths.
 constexpr double scattered_error = 3e-3;
 
-/// Two standard errors of luminance in the worst ring of 50 km of one photon; they fall as the root
-/// of the number.
-double noise(Method method) { return method == Method::literal ? 250 : 35; }
+/// Relative error of luminance by a single photon: two standard errors in the worst ring of 50 km.
+/// It falls as the root of the number of photons.
+double noise(Method method) { return method == Method::step_by_step ? 250 : 35; }
 
 /// Cells that a ring is gathered in, where light is not alike all around.
 double sectors(const Work& work, const Scene& scene) {
@@ -48,7 +48,7 @@ double distances(const Work& work, const Scene& scene) {
   return across_m / 100e3 + 2 + 26 * share * std::max(0., std::log10(0.1 / work.place_error));
 }
 
-/// What the quadrature takes.
+/// Seconds that the quadrature takes on one core.
 double seconds_of_quadrature(const Work& work, const Scene& scene, double distances) {
   const Costs cost;
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
@@ -63,7 +63,7 @@ double seconds_of_quadrature(const Work& work, const Scene& scene, double distan
          places * (cost.place + terms * (cost.place_term + cost.place_wavelength * parts * waves));
 }
 
-/// What it takes to see how exact the light is, at thirty places.
+/// Seconds that it takes on one core to check the error of light, at thirty places.
 double seconds_of_check(Work work, const Scene& scene) {
   work.bands = std::min(400, 2 * work.bands);
   work.rays *= 2;
@@ -118,14 +118,14 @@ double predicted_seconds(const Work& work, const Scene& scene, const Machine& ma
   } else if (work.refracted) {
     const double dearer = sectors(work, scene) > 1 ? cost.sectors_dearer : 1;
     const double by_wavelength = dearer * cost.photon_wavelength * work.bands * work.planes;
-    const double a_photon = work.method == Method::literal   ? cost.photon_literal
+    const double a_photon = work.method == Method::step_by_step ? cost.photon_step_by_step
                             : work.method == Method::marched ? cost.photon_marched + by_wavelength
                                                              : by_wavelength;
     light += 0.05 + work.photons * a_photon;
   }
   const double map = scene.map_file ? cost.map_file : 0;  // read by one core
   const double all = cost.together * light + cost.texel * scene.texels + map;
-  return std::max(map, all / cores(machine)) / machine.speed + scene.other_seconds;
+  return std::max(map, all / cores(machine)) / machine.speed;
 }
 
 }  // namespace coppermoon::plan

@@ -12,9 +12,9 @@ struct LawPoint {
   double setting, error;
 };
 
-/// What 95 of 100 scenes stay under, each knob by itself, where the disc reaches into the umbra:
-/// measured on sixty random eclipses under random air, against the finest settings; together they are
-/// held to it by a hundred planned runs (tests/end_to_end/planned_runs).
+/// Errors that 95 of 100 scenes stay under, each knob by itself, where the disc reaches into the
+/// umbra: measured on sixty random eclipses under random air, against the finest settings; together
+/// they are held to it by a hundred planned runs (tests/end_to_end/planned_runs).
 inline constexpr std::array<LawPoint, 7> law_of_bands{
     {{10, 0.035}, {20, 5e-3}, {40, 1.6e-3}, {60, 4e-4}, {80, 1.3e-4}, {200, 6e-5}, {400, 1e-6}}};
 inline constexpr std::array<LawPoint, 7> law_of_rays{{{60, 0.03},

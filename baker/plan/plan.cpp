@@ -183,7 +183,7 @@ Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
   using enum Method;
   const std::vector<Method> methods = by_hand.method
                                           ? std::vector{*by_hand.method}
-                                          : std::vector{quadrature, table, marched, literal};
+                                          : std::vector{quadrature, table, marched, step_by_step};
   std::vector<Plan> free;
   for (const auto method : methods)
     free.push_back(plan_with(method, tolerance, scene, machine, {}));
@@ -194,7 +194,7 @@ Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
   for (const auto& plan : free)
     plans.push_back(plan_with(plan.work.method, tolerance, scene, machine, by_hand));
   Plan best = plans.front();
-  if (free.front().error > tolerance) best.gave_way = "tolerance";
+  if (free.front().error > tolerance) best.relaxed = "tolerance";
   for (const auto& plan : plans)
     best.methods.push_back({plan.work.method, plan.seconds, plan.error});
   return best;
@@ -208,7 +208,7 @@ std::string_view name(Method method) {
       return "photons by table";
     case Method::marched:
       return "photons marched";
-    case Method::literal:
+    case Method::step_by_step:
       return "photons literal";
     default:
       return "quadrature";
@@ -225,10 +225,19 @@ Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine, cons
     tolerance *= 1.25;
     if (tolerance > coarsest) break;
     plan = plan_within(tolerance, scene, machine, by_hand);
-    if (plan.error > asked) plan.gave_way = "tolerance";
+    if (plan.error > asked) plan.relaxed = "tolerance";
   }
-  if (!wish.tolerance) plan.gave_way.clear();
+  if (!wish.tolerance) plan.relaxed.clear();
   return plan;
+}
+
+Work work_of_rays(double tolerance, bool limb_darkening, const ByHand& by_hand) {
+  auto all_but_rays =
+      by_hand;  // as fine as they go: the whole tolerance is left for rays and terms
+  all_but_rays.bands = 400, all_but_rays.planes = 9, all_but_rays.place_error = 3e-5;
+  return plan_for({.limb_darkening = limb_darkening, .ellipsoid = false}, {.tolerance = tolerance},
+                  {}, all_but_rays)
+      .work;
 }
 
 }  // namespace coppermoon::plan

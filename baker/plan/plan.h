@@ -9,11 +9,12 @@
 
 namespace coppermoon::plan {
 
-/// Ways to the same light: without noise; photons by the limb-ray table; marched by SIMD; stepped one
-/// by one, to the letter of the paper.
-enum class Method { quadrature, table, marched, literal };
+/// Ways to the same light: the quadrature, which has no noise; photons by a table of the limb's rays;
+/// photons marched by SIMD; photons step by step, to the letter of the paper.
+enum class Method { quadrature, table, marched, step_by_step };
 
-/// "quadrature", "photons by table", "photons marched", "photons literal"
+/// The method's name in reports: "quadrature", "photons by table", "photons marched", or "photons
+/// literal" for `Method::step_by_step`.
 std::string_view name(Method method);
 
 /// How closely the light on a Moon is computed: every knob that costs time.
@@ -31,28 +32,26 @@ struct Work {
   double place_error = 1e-3;     ///< between the axis distances where light is computed
 };
 
-/// Those of the knobs that were set by hand.
+/// The knobs that were set by hand; the others are empty, and free.
 struct ByHand {
   std::optional<Method> method{};
   std::optional<double> photons{};
   std::optional<int> bands{}, rays{}, sun_terms{}, planes{};
   std::optional<double> place_error{};
-  std::optional<Work> terms{};  ///< its four switches
-  bool scattered_light = false;  ///< however little it is, where the switches say nothing
+  std::optional<Work> terms{};   ///< sets the four switches, and nothing else
+  bool scattered_light = false;  ///< wanted however little it is, where `terms` is empty
 };
 
 /// A Moon in the Earth's shadow, as far as work depends on it.
 struct Scene {
   double nearest_m = 0, farthest_m = 0;  ///< axis distances of its disc
-  bool photons = false;                  ///< simulated, instead of the quadrature
   bool limb_darkening = true, ellipsoid = true;
-  std::size_t columns = 1;   ///< of air: 1, and one for each region
-  std::size_t sectors = 1;   ///< of position angle that the disc takes in, where there are regions
-  double texels = 0;         ///< that are baked; 0: no texture
-  bool map_file = false;     ///< an albedo map is read
-  double other_seconds = 0;  ///< on the machine of `Machine`: what the plan has no hand in
+  std::size_t columns = 1;  ///< of air: 1, and one for each region
+  std::size_t sectors = 1;  ///< of position angle that the disc takes in, where there are regions
+  double texels = 0;        ///< that are baked; 0: no texture
+  bool map_file = false;    ///< an albedo map is read
 
-  /// What luminance anywhere on the disc changes by at most, over itself, without a term.
+  /// Largest relative change of luminance anywhere on the disc when a term is left out.
   double without_refracted = 1, without_ellipsoid = 0, without_regions = 0, without_scattered = 0;
 };
 
@@ -68,7 +67,7 @@ struct Machine {
   int cores = 2;
 };
 
-/// What a method would take.
+/// A method that was weighed up: its predicted time and error.
 struct Alternative {
   Method method;
   double seconds, error;
@@ -76,17 +75,17 @@ struct Alternative {
 
 struct LeftOut {
   std::string term;
-  double size;  ///< what luminance changes by without it, over itself
+  double size;  ///< relative change of luminance without it
 };
 
 struct Plan {
   Work work{};
-  double tolerance = 0;  ///< that was met
+  double tolerance = 0;  ///< that the work was chosen for
   double seconds = 0, error = 0;
   std::vector<LeftOut> left_out{};
   std::vector<Alternative> methods{};  ///< those that were weighed up, best first
-  /// "tolerance" where what was asked cannot be had, or not in the budget; else empty
-  std::string gave_way{};
+  /// "tolerance" where the one asked for cannot be had, or not within the budget; else empty
+  std::string relaxed{};
 };
 
 /// Seconds that light and texture take.
@@ -110,5 +109,12 @@ double predicted_error(const Work& work, const Scene& scene);
 /// Throws    Error    when a wish is outside its range
 Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine,
               const ByHand& by_hand = {});
+
+/// The rays and the terms of the Sun that light at given places and wavelengths takes, on one plane;
+/// nothing else of the work is chosen.
+///
+/// Given   by_hand  its rays and terms stay as they are
+/// Throws  Error    when the tolerance is outside its range
+Work work_of_rays(double tolerance, bool limb_darkening, const ByHand& by_hand = {});
 
 }  // namespace coppermoon::plan

@@ -25,7 +25,7 @@ using atmosphere::Atmosphere;
 /// Photons whose rows are held at once.
 constexpr std::size_t batch = 32;
 
-/// Of the table that only aims.
+/// Rays of the table that only says where marched photons aim.
 constexpr int aiming_rays = 100;
 
 /// Room that a thread works in.
@@ -61,7 +61,7 @@ class Simulation {
         settings_(settings),
         optics_(optics_of(atmosphere, wavelengths_nm)),
         rings_{static_cast<float>(settings.ring_width_m), rings, settings.sectors} {
-    if (settings.trace == Trace::each) return;
+    if (settings.trace == Trace::step_by_step) return;
     const bool marched = settings.trace == Trace::marched;
     landings_.emplace(atmosphere, arrangement, wavelengths_nm,
                       marched ? aiming_rays : settings.rays);
@@ -79,14 +79,14 @@ class Simulation {
         add_block(block, work);
       else
         for (std::uint64_t i = 0; i < photons_a_block; ++i)
-          add_literal_photon(block * photons_a_block + i, work.tally);
+          add_photon_step_by_step(block * photons_a_block + i, work.tally);
       drain(work.tally, sums.sum, sums.sum_of_squares);
     }
     return sums;
   }
 
  private:
-  /// Of the Sun's disc over its mean, at a place of it.
+  /// Radiance of a place on the Sun's disc over the disc's mean.
   double brightness_at(const glm::dvec3& source_m, std::size_t wave) const {
     if (!arrangement_.limb_darkening) return 1;
     const double rho = std::hypot(source_m.x, source_m.y) / photons::solar_radius_m;
@@ -95,13 +95,13 @@ class Simulation {
   }
 
   /// The part of the ring that each photon stands for, of all wavelengths.
-  double literal_area_m2() const {
+  double emitting_area_m2() const {
     const double inner = photons::innermost_radius_m(atmosphere_);
     const double outer = atmosphere_.top_radius_m();
     return std::numbers::pi * (outer * outer - inner * inner) * static_cast<double>(waves());
   }
 
-  void add_literal_photon(std::uint64_t index, Tally& tally) const {
+  void add_photon_step_by_step(std::uint64_t index, Tally& tally) const {
     algebra::Random random(settings_.seed, index);
     const auto wave =
         static_cast<std::size_t>(random.uniform() * static_cast<double>(optics_.size()));
@@ -111,7 +111,7 @@ class Simulation {
     const auto out = photons::trace(*entering, atmosphere_, optics_[wave], settings_.stepping);
     if (!out) return;
     const double light =
-        literal_area_m2() * out->transmittance * brightness_at(ray.position_m, wave);
+        emitting_area_m2() * out->transmittance * brightness_at(ray.position_m, wave);
     for (std::size_t k = 0; k < arrangement_.depths_m.size(); ++k) {
       const auto landed = photons::at_depth(out->leaving, arrangement_.depths_m[k]);
       const std::size_t row = k * rings_.rows() + rings_.row(landed.x, landed.y);
@@ -241,7 +241,7 @@ PhotonSums no_photons(const Atmosphere& atmosphere, const Arrangement& arrangeme
           settings.ring_width_m,
           rings,
           settings.sectors,
-          settings.trace != Trace::each,
+          settings.trace != Trace::step_by_step,
           {},
           nothing,
           nothing};

@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "algebra/error.h"
+#include "algebra/interpolation.h"
 #include "photons/limb.h"
 #include "shadow/disc_arcs.h"
 #include "shadow/landed_light.h"
@@ -30,7 +31,7 @@ double sector_angle(std::size_t sector, std::size_t sectors) {
 /// Width of the bins that light is gathered in, of distance from the axis: finer as rays are.
 double bin_width_m(int rays) { return std::clamp(1.2e6 / rays, 100., 50e3); }
 
-/// What one term of the Sun's disc draws from one part of the limb.
+/// Sums that one term of the Sun's disc draws from one part of the limb.
 struct Draw {
   std::size_t part, term;
   std::vector<NodeTerm> nodes;
@@ -191,23 +192,19 @@ class Solver {
   std::vector<Plane> planes_;
 };
 
-/// What a ring has beside refracted light, of the direct.
+/// Direct light of a ring, over unshaded sunlight.
 double direct_light(const Atmosphere& atmosphere, const Arrangement& arrangement, double gamma_m) {
   return 1 - covered_part(gamma_m, arrangement.depths_m.front(), arrangement.sun_distance_m,
                           atmosphere.top_radius_m());
 }
 
-/// The largest error of a cubic through the four rings about a middle, of light over all
-/// wavelengths, or of what counts as darkness where there is less.
+/// Largest relative error of a cubic through the four rings about a middle: of refracted light over
+/// all wavelengths, against all light there, with direct light taken as darkness_ratio where there
+/// is less.
 double surprise(std::span<const Ring> about, const Ring& middle, double direct) {
-  std::vector<double> shares;
-  for (const auto& ring : about) {
-    double share = 1;
-    for (const auto& other : about)
-      if (&other != &ring)
-        share *= (middle.gamma_m - other.gamma_m) / (ring.gamma_m - other.gamma_m);
-    shares.push_back(share);
-  }
+  std::vector<double> gammas_m;
+  for (const auto& ring : about) gammas_m.push_back(ring.gamma_m);
+  const auto shares = algebra::on_polynomial(gammas_m, middle.gamma_m);
   double worst = 0;
   for (std::size_t row = 0; row < middle.ratio.rows(); ++row) {
     double foretold = 0, found = 0;
@@ -295,7 +292,8 @@ void fill(std::span<const Ring> rings, const Atmosphere& atmosphere,
   }
 }
 
-/// What they are computed from, as large as they, is gone when they are returned.
+/// The rings asked for and those put between them. The tables that they are computed from, which
+/// are as large, are freed on return.
 std::vector<Ring> rings_of(const Atmosphere& atmosphere, const Arrangement& arrangement,
                            std::span<const double> wavelengths_nm,
                            std::span<const double> axis_distances_m,

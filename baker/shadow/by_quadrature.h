@@ -10,21 +10,22 @@ namespace coppermoon::shadow {
 
 /// How finely the quadrature goes.
 struct QuadratureSettings {
-  /// from the one that grazes the ground to the air's top, 2 to 1e7; the bins of landing distance
+  /// rays from the one that grazes the ground to the air's top, 2 to 1e7; the bins of landing distance
   /// are 4 km wide at 300 rays, and in proportion
   int rays = 300;
   int sun_terms = 6;                    ///< of a limb-darkened disc (photons::disc_terms), 1 to 6
   std::size_t around = sectors_around;  ///< sectors that all position angles make, 4 to 360
-  /// computed of them, going round from the first; the others stay dark. Only where the
-  /// air has regions
+  /// sectors that are computed, going round from the first; the others stay dark. They count only
+  /// where the air has regions
   std::size_t first_sector = 0, sectors = 360;
-  /// more axis distances are put between those given, where a cubic through four of them errs by more
-  /// than that of all light there, over all wavelengths, and of darkness_ratio; 0: none
+  /// relative error of a cubic through four axis distances above which one more is put between the
+  /// middle two; the error counts against all light there, over all wavelengths, with direct light
+  /// taken as darkness_ratio where there is less; 0: none is added
   double place_error = 0;
 };
 
-/// Of unshaded sunlight; less is not looked at closer. A thousandth of what the smallest half float
-/// above 0 stands for on the Moon.
+/// Ratio to unshaded sunlight below which light is treated as dark: no more rings are computed for
+/// its sake. A thousandth of what the smallest half float above 0 stands for on the Moon.
 inline constexpr double darkness_ratio = 1e-14;
 
 /// Refracted light without noise.
@@ -43,7 +44,8 @@ inline constexpr double darkness_ratio = 1e-14;
 /// limb-darkened disc is a sum of uniform ones.
 ///
 /// Given     wavelengths_nm  380 to 780; axis_distances_m: increasing, 0 or more
-/// Returned  at those distances, and more; one sector for air that is alike all around, else as many as asked for; standard_error is 0
+/// Returned  at those distances, and more; one sector for air that is alike all around, else as many
+///           as asked for; standard_error is 0
 /// Accuracy  against 8000 rays, any wavelength, up to 4500 km from the axis, worst and at 550 nm:
 ///           at 300 rays 1.3e-3 and 3e-4, at 1000 1.5e-4 and 8e-5; beyond, 1e-5 of unshaded
 ///           sunlight

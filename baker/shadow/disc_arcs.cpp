@@ -16,7 +16,8 @@ using std::numbers::pi;
 constexpr int nodes_an_edge = 4;
 const double gauss_node = std::sqrt(0.6);  // of the outer two, the third is 0
 
-/// Of an arc between borders, by its reach either way in the variable of add_arc, of a whole arc's π/2.
+/// Number of Gauss's nodes for an arc between borders, by its reach either way in the variable of
+/// add_arc; a whole arc reaches π/2.
 int nodes_over(double reach) { return 4 + static_cast<int>(std::ceil(6 * reach / (pi / 2))); }
 
 /// Ends between two, ever closer towards both.

@@ -11,8 +11,8 @@
 
 namespace coppermoon::shadow {
 
-/// A stretch of distances from the axis, in whole bins, over which what the Sun's disc about a place
-/// sheds along arcs is a square of the distance: through Gauss's three nodes.
+/// A stretch of distances from the axis, in whole bins. Over it the light that the Sun's disc about
+/// a place sheds along arcs is a square of the distance, through Gauss's three nodes.
 struct Stretch {
   int from, to;
   /// [node](term of the disc, part of the limb) its light along the arc of the limb [rad], lowest
@@ -33,8 +33,8 @@ class DiscArcs {
   DiscArcs(const photons::WholeLimb& limb, const photons::DiscTerms& sun, double gamma, double a,
            double theta_rad);
 
-  /// On the place's side of the axis, or opposite, from the limb opposite, with light that crossed
-  /// the axis; as far inwards or outwards as a distance.
+  /// Stretches between two distances, in bins: on the place's side of the axis or, with `opposite`,
+  /// on the far side, for light from the limb opposite that crossed the axis.
   std::vector<Stretch> stretches(bool opposite, int from, int to) const;
 
  private:

@@ -47,7 +47,7 @@ double combined_error(const RefractedLight& light, std::span<const double> error
     sum += error;
     variance += error * error;
   }
-  return light.errors_add ? sum : std::sqrt(variance);
+  return light.errors_correlated ? sum : std::sqrt(variance);
 }
 
 std::vector<atmosphere::Optics> optics_of(const atmosphere::Atmosphere& atmosphere,

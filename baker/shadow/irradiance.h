@@ -35,9 +35,10 @@ struct RefractedLight {
   /// [plane × sectors + sector](axis distance, wavelength); sector s is centred at the position angle
   /// 2π s / sectors, so [0] is the first plane's north alone: see mean_ratio
   std::vector<algebra::Grid<double>> ratio, standard_error;
-  std::uint64_t photons = 0;  ///< that were traced for it
-  /// errors of a place's wavelengths are those of the same photons and add up; else independent
-  bool errors_add = false;
+  std::uint64_t photons = 0;  ///< traced for it
+  /// whether a place's wavelengths share their photons, so that their errors add up; if not, errors
+  /// are independent
+  bool errors_correlated = false;
 };
 
 /// No light at all, on every plane in that many sectors.
@@ -50,8 +51,8 @@ RefractedLight darkness(const Arrangement& arrangement, std::span<const double> 
 /// Returned  (axis distance, wavelength)
 algebra::Grid<double> mean_ratio(const RefractedLight& light, std::size_t plane = 0);
 
-/// The standard error of a weighted sum over wavelengths, from theirs; at most so much where they
-/// add up.
+/// The standard error of a weighted sum over wavelengths, from theirs; an upper bound where they
+/// are correlated.
 double combined_error(const RefractedLight& light, std::span<const double> errors,
                       std::span<const double> weights);
 
@@ -91,8 +92,8 @@ double covered_part(double axis_distance_m, double depth_m, double sun_distance_
 /// Sunlight that passes clear of the Earth and its air, over unshaded sunlight, by wavelength: the
 /// closed form for a uniform disc, summed over the discs that make a limb-darkened one.
 ///
-/// Accuracy  of an ellipsoid's edge: a circle of its radius at the place's position angle; less than
-///           1e-3 of unshaded sunlight
+/// Accuracy  1e-3 of unshaded sunlight: an ellipsoid's edge is taken as a circle of its radius at the
+///           place's position angle
 class DirectLight {
  public:
   DirectLight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
@@ -102,13 +103,13 @@ class DirectLight {
   void ratios(double axis_distance_m, double position_angle_rad, double depth_m,
               std::span<double> values) const;
 
-  /// The same by layers of the Sun's disc, the whole of it first: the part of each, over the whole
-  /// unit disc, that is clear; as many values as in_layers has columns.
+  /// Writes the clear area of each layer of the Sun's disc, the whole disc first, over the area of
+  /// the unit disc; as many values as in_layers has columns.
   void clear_parts(double axis_distance_m, double position_angle_rad, double depth_m,
                    std::span<double> parts) const;
 
-  /// What weights of wavelengths come to: Σ weight ratio is Σ over the layers of that times
-  /// clear_parts.
+  /// Weights of layers that stand for weights of wavelengths: Σ weight clear_part over layers is Σ
+  /// weight ratio over wavelengths.
   ///
   /// Given     weights  (channel, wavelength)
   /// Returned  (channel, layer)

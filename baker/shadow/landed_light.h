@@ -10,13 +10,13 @@
 
 namespace coppermoon::shadow {
 
-/// What polynomials up to squares are integrated against.
+/// Number of moments of the landing distance that are summed: its powers 0, 1 and 2.
 inline constexpr std::size_t moments = 3;
 
 /// Wavelengths whose sums stand side by side.
 inline constexpr std::size_t lanes = 8;
 
-/// A node between two bins, and how often the sums up to it count.
+/// A node between two bins, and the factor of each moment's sum up to it.
 struct NodeTerm {
   std::int32_t node;
   std::array<double, moments> factors;

@@ -26,7 +26,8 @@ constexpr std::size_t distance_bins = 96;
 /// Wavelengths that say where light is, at most.
 constexpr std::size_t deciding_waves = 8;
 
-/// Of photons, those whose heights do not follow the light; and of these, those spread evenly.
+/// Fraction of photons whose height is not importance-sampled; and the fraction of these that is
+/// spread evenly over heights, not over landings.
 constexpr double blind_share = 0.2, even_share = 0.25;
 
 void pad(std::span<float> row, std::size_t waves, float value) {

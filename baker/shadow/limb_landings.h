@@ -27,8 +27,9 @@ struct Aim {
   double weight_m;
 };
 
-/// Where on each plane light lands that passed the limb, and how much, by tangent height and
-/// wavelength: all that photons need, tabulated. A photon that stands for 1/N of all carries
+/// Tables of where on each plane light lands that passed the limb, and of how much it is, by
+/// tangent height and wavelength: all that photons need. A photon that stands for 1/N of all
+/// carries
 ///
 ///     2π T b (db/dh) / p(h)
 ///
@@ -69,14 +70,14 @@ class LimbLandings {
   void land(std::span<const Aim> aims, std::size_t plane, algebra::Grid<float>& landing_m) const;
 
  private:
-  /// Of a part of the limb.
+  /// The tables of one part of the limb.
   struct Table {
     std::vector<double> heights_m;       ///< by ray
     std::vector<double> middle_landing;  ///< of the middle wavelength, in projected solar radii
     algebra::Grid<float> light;          ///< (2 cell + end, wavelength)
     std::vector<algebra::Grid<float>> landing_m;  ///< by plane, (ray, wavelength)
-    /// that a photon of this axis distance passes lower, (bin of the distance, ray); all 0 where
-    /// none lands
+    /// probability that a photon of this axis distance passes below a ray, (bin of the distance, ray);
+    /// all 0 where none lands
     algebra::Grid<double> chance;
   };
 

@@ -46,11 +46,11 @@ class LimbRing {
   void radiance(double position_angle_rad, double impact_parameter_m,
                 std::span<double> values) const;
 
-  /// From the lowest ground of the limb up to the highest ray that comes from the Sun, one ray of the
-  /// table to spare; both alike where none does.
+  /// Impact parameters of the ring: from the lowest ground of the limb up to the highest ray that
+  /// comes from the Sun, one ray of the table to spare; both alike where none does.
   Extent extent() const;
 
-  /// From the Earth's centre, D [m].
+  /// Distance D of the place from the Earth's centre [m].
   double distance_m() const;
 
  private:

@@ -44,19 +44,15 @@ struct Cubic {
   std::array<double, 4> share{};
 };
 
-/// Lagrange's polynomial through the two places on either side; the end values hold outside.
+/// The polynomial through the two places on either side; the end values hold outside.
 Cubic cubic_at(std::span<const double> x, double at) {
   if (at <= x.front()) return {0, 1, {1}};
   if (at >= x.back()) return {x.size() - 1, 1, {1}};
   const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
   Cubic cubic{0, std::min<std::size_t>(4, x.size()), {}};
   cubic.first = std::min(above - std::min<std::size_t>(2, above), x.size() - cubic.count);
-  for (std::size_t i = 0; i < cubic.count; ++i) {
-    cubic.share[i] = 1;
-    for (std::size_t k = 0; k < cubic.count; ++k)
-      if (k != i)
-        cubic.share[i] *= (at - x[cubic.first + k]) / (x[cubic.first + i] - x[cubic.first + k]);
-  }
+  algebra::on_polynomial(x.subspan(cubic.first, cubic.count), at,
+                         std::span(cubic.share).first(cubic.count));
   return cubic;
 }
 
@@ -74,12 +70,12 @@ std::size_t sector_of(const LookupTable& table, std::size_t row) {
   return (table.first_sector + row / table.nodes % table.held) % table.sectors;
 }
 
-/// Whether a row is of those that nobody asked for.
+/// Whether a row is of the sectors that nobody asked for.
 bool is_dark(const LookupTable& table, std::size_t row) {
   return table.held < table.sectors && row / table.nodes % table.held == table.held - 1;
 }
 
-/// What fills a table, node by node.
+/// Fills a table, node by node.
 struct Filling {
   const RefractedLight& light;
   const DirectLight& direct;

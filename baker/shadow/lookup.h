@@ -16,19 +16,19 @@ namespace coppermoon::shadow {
 /// Weighted sums over wavelength, a row of weights for each channel.
 using ChannelWeights = algebra::Grid<double>;  // (channel, wavelength)
 
-/// What of the light in the shadow a look-up holds.
+/// The part of the light in the shadow that a look-up holds.
 enum class LightPart {
   all,
   refracted,  ///< what the Earth's air bends and scatters into the shadow; no sunlight beyond it
   direct,     ///< sunlight that passes clear of the Earth and its air
 };
 
-/// Which axis distances a look-up is read at, and how exactly.
+/// The axis distances that a look-up is read at, and how exactly.
 struct LookupRange {
   double from_m = 0;
   double to_m = std::numeric_limits<double>::infinity();  ///< at most to the penumbra's end
   double tolerance = 1e-4;                                ///< see Lookup's Accuracy; 1e-6 to 0.1
-  /// that are read, going round from the first; the others may stay dark
+  /// sectors that are read, going round from the first; the others may stay dark
   std::size_t first_sector = 0, sectors = std::numeric_limits<std::size_t>::max();
 };
 
@@ -43,7 +43,7 @@ struct LookupRange {
 class Lookup {
  public:
   /// Given     light    refracted light; direct: the sunlight that goes with it
-  ///           weights  what each channel makes of the ratio at each wavelength
+  ///           weights  of each channel for the ratio at each wavelength
   ///           range    outside of it the outermost values hold, but for sunlight
   /// Accuracy  straight lines between nodes err by less than the tolerance of the brightest channel
   ///           (each counted in its own sunlight), unless nodes were to stand closer than 1 km, or
@@ -52,7 +52,7 @@ class Lookup {
   Lookup(const RefractedLight& light, const DirectLight& direct, const ChannelWeights& weights,
          const LookupRange& range = {}, LightPart part = LightPart::all);
 
-  /// Full sunlight everywhere: no shadow; or none of what is not direct.
+  /// Full sunlight everywhere, as without a shadow; with `LightPart::refracted`, zero everywhere.
   explicit Lookup(const ChannelWeights& weights, LightPart part = LightPart::all);
 
   std::size_t channels() const { return table_.channels; }

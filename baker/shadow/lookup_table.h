@@ -31,10 +31,10 @@ struct LookupTable {
   algebra::Grid<double> values;
 };
 
-/// The limb, as a ray passes it.
+/// Distance from the Earth's centre at which a ray passes the limb [m].
 inline constexpr double limb_m = 6.39e6;
 
-/// Nearer to the axis than that the light of both limbs counts.
+/// Axis distance within which light of both limbs counts [m].
 inline constexpr double one_limb_m = 1.5e6;
 
 /// Where a straight line from the limb that crosses a plane at one axis distance crosses another
@@ -47,7 +47,8 @@ inline double sheared(double axis_distance_m, double deeper) {
   return axis_distance_m + shift * std::min(1., axis_distance_m / one_limb_m);
 }
 
-/// Rows of the table are a multiple of that long, so that whole vectors can be read.
+/// Rows of the table are padded to a multiple of this many channels, so that whole vectors can be
+/// read.
 inline constexpr std::size_t channel_padding = 4;
 
 /// Reads the table: straight lines between planes, between nodes and around the axis; the outermost

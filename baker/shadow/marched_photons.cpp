@@ -18,7 +18,7 @@
 namespace coppermoon::shadow {
 namespace {
 
-/// Of a part of the limb, (…, wavelength).
+/// The spectra of one part of the limb, (…, wavelength).
 struct Spectra {
   const algebra::Grid<float>&refractivity, &shares, &extinction, &filter;
 };

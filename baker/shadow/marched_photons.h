@@ -13,7 +13,7 @@
 
 namespace coppermoon::shadow {
 
-/// Refractivities that each photon is marched at, at most.
+/// Largest number of refractivities that a photon is marched at.
 inline constexpr std::size_t march_nodes = 3;
 
 /// A photon that was marched past the limb.
@@ -28,7 +28,7 @@ struct MarchedPhoton {
   std::array<float, march_nodes * atmosphere::absorbers> amounts;  ///< [node][absorber at work]
 };
 
-/// What photons of a few carry, (photon, wavelength), padded.
+/// What a few photons carry, (photon, wavelength), padded.
 struct MarchedRows {
   algebra::Grid<float> impact_m, bending_rad, light;  ///< b, δ and light as LimbLandings has it
 

@@ -9,7 +9,7 @@
 
 namespace coppermoon::shadow {
 
-/// How long a row is for that many wavelengths; what is beyond them lands nowhere.
+/// Length of a row for that many wavelengths; values beyond them land nowhere.
 constexpr std::size_t padded(std::size_t waves) { return (waves + 15) / 16 * 16; }
 
 /// A place between two rows that follow each other, and what their mean is multiplied with.

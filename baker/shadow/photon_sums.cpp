@@ -136,7 +136,7 @@ RefractedLight estimated(const PhotonSums& sums) {
   const std::uint64_t blocks = blocks_in(sums.done);
   auto light = darkness(sums.arrangement, sums.wavelengths_nm, middles_m, sums.sectors);
   light.photons = blocks * photons_a_block;
-  light.errors_add = sums.all_wavelengths;
+  light.errors_correlated = sums.all_wavelengths;
   if (blocks == 0) return light;
   light.ratio = sums.sum;
   light.standard_error = sums.sum_of_squares;

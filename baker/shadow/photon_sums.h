@@ -10,10 +10,10 @@
 
 namespace coppermoon::shadow {
 
-/// Photons come in blocks of so many.
+/// Number of photons in a block.
 inline constexpr std::uint64_t photons_a_block = 1024;
 
-/// With fewer blocks their standard error is not known.
+/// Smallest number of blocks whose standard error is known.
 inline constexpr std::uint64_t blocks_for_an_error = 8;
 
 /// Blocks of photons by number, without the last.
@@ -32,8 +32,8 @@ BlockRange blocks_of(std::uint64_t photons);
 /// Throws  Error  when it is not
 BlockRange shard(BlockRange blocks, std::uint64_t part, std::uint64_t parts);
 
-/// What some blocks of photons brought to each cell: partial results that add up, wherever and
-/// whenever each was traced.
+/// The light that some blocks of photons brought to each cell: partial results that add up,
+/// wherever and whenever each was traced.
 struct PhotonSums {
   std::string key;  ///< what they belong to: air, arrangement, seed and all else that changes them
   Arrangement arrangement{};
@@ -54,7 +54,7 @@ std::uint64_t blocks_in(const std::vector<BlockRange>& ranges);
 /// The blocks of a range that are not done yet.
 std::vector<BlockRange> missing(const PhotonSums& sums, BlockRange blocks);
 
-/// Both together.
+/// The sums of both together.
 ///
 /// Accuracy  as if traced in one run but for rounding, 1e-12, however many are merged one by one
 /// Throws    Error  when they belong to different things, or hold the same blocks
@@ -69,11 +69,11 @@ PhotonSums merged(PhotonSums a, const PhotonSums& b);
 ///           where there are fewer than blocks_for_an_error
 RefractedLight estimated(const PhotonSums& sums);
 
-/// When enough photons have been traced: the light that weights make of the wavelengths is known,
-/// between two axis distances, in every ring and sector.
+/// The condition on which enough photons have been traced: light, weighted over wavelengths, is
+/// known to a tolerance in every ring and sector between two axis distances.
 struct StoppingRule {
   std::vector<double> weights;  ///< by wavelength
-  double tolerance;             ///< relative: of two standard errors, 1e-6 to 1
+  double tolerance;             ///< two standard errors over the light, 1e-6 to 1
   double from_m, to_m;          ///< axis distances
 };
 

@@ -33,8 +33,8 @@ Amounts sum(const Amounts& a, const Amounts& b, double share_of_b = 1) {
   return both;
 }
 
-/// What stands on straight lines through a column of air, from a place on the line outwards: a
-/// table over the line's lowest altitude and the distance of the place from there.
+/// Amounts of what stands on straight lines through a column of air, from a place on the line
+/// outwards: a table over the line's lowest altitude and the distance of the place from there.
 class Slants {
  public:
   Slants(const Column& column, double radius_m) : top_m_(top_m(column)) {
@@ -108,17 +108,22 @@ std::vector<double> stations(const Column& column) {
   return heights;
 }
 
-void add_sight(const Column& column, const Slants& slants, double radius_m, double height_m,
-               double width_m, std::vector<Point>& points) {
-  const double impact = radius_m + height_m;
+/// Sights that pass at nearly one height.
+struct Layer {
+  double height_m, width_m;
+};
+
+void add_sight(const Column& column, const Slants& slants, double radius_m, const Layer& layer,
+               std::vector<Point>& points) {
+  const double impact = radius_m + layer.height_m;
   const double reach = std::sqrt(squared(radius_m + top_m(column)) - squared(impact));
   const double step = 2 * reach / points_a_sight;
   for (int i = 0; i < points_a_sight; ++i) {
     const double along = (i + 0.5) * step - reach;
     const double altitude = std::hypot(impact, along) - radius_m;
-    points.push_back({impact, along, altitude, along < 0 ? height_m : altitude,
-                      sum({}, profiles(column, altitude), impact * width_m * step),
-                      slants.up_to(height_m, -along)});
+    points.push_back({impact, along, altitude, along < 0 ? layer.height_m : altitude,
+                      sum({}, profiles(column, altitude), impact * layer.width_m * step),
+                      slants.up_to(layer.height_m, -along)});
   }
 }
 
@@ -129,7 +134,7 @@ std::vector<Point> points_of(const Column& column, const Slants& slants, double 
     for (const auto& [x, weight] : algebra::gauss_legendre(nodes_a_piece)) {
       const double width = (ends[i + 1] - ends[i]) / 2;
       if (width > 0)
-        add_sight(column, slants, radius_m, ends[i] + (1 + x) * width, weight * width, points);
+        add_sight(column, slants, radius_m, {ends[i] + (1 + x) * width, weight * width}, points);
     }
   return points;
 }

@@ -46,9 +46,9 @@ RefractedLight twilight(const atmosphere::Atmosphere& atmosphere, const Arrangem
 /// Accuracy  0.5 % of the twilight
 void add_twilight(RefractedLight& light, const atmosphere::Atmosphere& atmosphere);
 
-/// What the stars of half the sky shed on a surface, over sunlight at 1 au: a mean of 100 stars of
-/// tenth magnitude a square degree, under a Sun of V = −26.74. Its spectrum is taken to be that of
-/// the Sun.
+/// Ratio to sunlight at 1 au of the light that the stars of half the sky shed on a surface: a mean
+/// of 100 stars of tenth magnitude a square degree, under a Sun of V = −26.74. Its spectrum is
+/// taken to be that of the Sun.
 ///
 ///     ¼ · 41253 · 100 · 10^(−0.4 (10 + 26.74))
 ///

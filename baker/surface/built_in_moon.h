@@ -17,8 +17,7 @@ namespace coppermoon::surface {
 ///
 /// Given     rows    8 to 32768
 /// Returned  normal albedo, rows × 2 rows, as albedo_map.h says; not yet normalised. The same for
-/// any
-///           number of threads
+///           any number of threads
 /// Accuracy  places to about a degree; albedos of single places to a third
 /// Throws    Error   when rows is outside its range
 /// Source    baker/surface/data/moon_features.csv

@@ -5,7 +5,7 @@
 
 namespace coppermoon::surface {
 
-/// How bright a place looks: radiance factor (I/F) over normal albedo.
+/// Laws of how bright a place looks: radiance factor (I/F) over normal albedo.
 enum class Photometry {
   yapo_cutler,           ///< radiance_factor_yapo_cutler: the same at every phase
   lommel_seeliger_rolo,  ///< radiance_factor_lommel_seeliger_rolo: with the opposition surge

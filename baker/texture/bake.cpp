@@ -95,15 +95,15 @@ struct Baking {
 
 }  // namespace
 
-Rows lit_rows(const algebra::Grid<float>& normal_albedo, const almanac::SkyState& sky,
-              const shadow::Lookup& light, std::size_t rows, const Lighting& lighting,
+Rows lit_rows(const LitSurface& moon, std::size_t rows, const Lighting& lighting,
               const algebra::Progress& progress) {
-  const ResizedRows albedo(normal_albedo, rows);
+  const ResizedRows albedo(moon.normal_albedo, rows);
   const double unseen = lighting.extent == Extent::seen_from_earth
                             ? sine_of_the_unseen(rows)
                             : std::numeric_limits<double>::infinity();
-  const std::shared_ptr<Baking> baking(new Baking{Globe(sky, rows, lighting.photometry, unseen),
-                                                  light, albedo, lighting.quantity, progress});
+  const std::shared_ptr<Baking> baking(
+      new Baking{Globe(moon.sky, rows, lighting.photometry, unseen), moon.light, albedo,
+                 lighting.quantity, progress});
   return [baking](std::size_t first_row, std::span<float> values) {
     const std::size_t length = 2 * baking->globe.rows * baking->light.channels();
     tbb::parallel_for(std::size_t{0}, values.size() / length, [&](std::size_t r) {
@@ -124,10 +124,9 @@ Rows albedo_rows(const algebra::Grid<float>& normal_albedo, std::size_t rows) {
       };
 }
 
-Image bake(const algebra::Grid<float>& normal_albedo, const almanac::SkyState& sky,
-           const shadow::Lookup& light, std::vector<std::string> channels, std::size_t rows,
+Image bake(const LitSurface& moon, std::vector<std::string> channels, std::size_t rows,
            surface::Photometry photometry, const algebra::Progress& progress) {
-  const auto fill = lit_rows(normal_albedo, sky, light, rows, {photometry}, progress);
+  const auto fill = lit_rows(moon, rows, {photometry}, progress);
   Image texture(2 * rows, rows, std::move(channels));
   fill(0, texture.values);
   return texture;

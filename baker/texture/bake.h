@@ -14,6 +14,14 @@
 
 namespace coppermoon::texture {
 
+/// What a texture is baked from.
+struct LitSurface {
+  const algebra::Grid<float>& normal_albedo;  ///< A, plate carrée, 2:1
+  const almanac::SkyState& sky;
+  const shadow::Lookup& light;  ///< w, each channel's radiance at 1 au of a white ground that faces
+                                ///< the Sun
+};
+
 /// The Moon of one moment, every texel lit: what comes through the shadow at the texel's own place
 /// on the sphere, times the ground's normal albedo and photometric function.
 ///
@@ -26,17 +34,14 @@ namespace coppermoon::texture {
 /// 0.90 to 1.03 degrees. mu0 remains the Sun's. Lit ground that the Earth does not see is baked as
 /// if mu were 0, so that it joins the limb without a step.
 ///
-/// Given     normal_albedo  A, plate carrée, 2:1
-///           light          w, each channel's radiance at 1 au of a white ground that faces the Sun
-///           channels       their names, as many as `light` has
-///           rows           of the texture, 2 to 16384; twice as many columns. Smaller than the
-///                          map: the mean over each texel's area; larger: bilinear
-///           photometry     f
+/// Given     channels    their names, as many as the light has
+///           rows        of the texture, 2 to 16384; twice as many columns. Smaller than the map:
+///                       the mean over each texel's area; larger: bilinear
+///           photometry  f
 /// Returned  plate carrée, row 0 north, longitude 0 in the middle, east to the right; 0 on the
 ///           night side
-/// Throws    Error          when rows or the map's shape is outside what is allowed
-Image bake(const algebra::Grid<float>& normal_albedo, const almanac::SkyState& sky,
-           const shadow::Lookup& light, std::vector<std::string> channels, std::size_t rows,
+/// Throws    Error       when rows or the map's shape is outside what is allowed
+Image bake(const LitSurface& moon, std::vector<std::string> channels, std::size_t rows,
            surface::Photometry photometry, const algebra::Progress& progress = {});
 
 /// Which texels are lit.
@@ -45,7 +50,7 @@ enum class Extent {
   seen_from_earth,  ///< those that some place on Earth sees, and some beyond; the others stay 0
 };
 
-/// What of L = E ρ / π a texel holds.
+/// The quantity of L = E ρ / π that a texel holds.
 enum class Quantity {
   luminance,    ///< L
   irradiance,   ///< E / π: of a white diffuse ground that faces the Sun; 0 on the night side
@@ -61,12 +66,11 @@ struct Lighting {
 
 /// The same texture, row by row as it is asked for, on all threads: memory does not grow with it.
 ///
-/// Given     normal_albedo, light  must outlive what is returned
-///           progress              told the fraction of rows lit
+/// Given     moon      its albedo and light must outlive what is returned
+///           progress  told the fraction of rows lit
 /// Returned  the same values whatever rows are asked for at once and on how many threads
 /// Accuracy  1e-5 of the expression above: of the phase curve between its table's entries
-Rows lit_rows(const algebra::Grid<float>& normal_albedo, const almanac::SkyState& sky,
-              const shadow::Lookup& light, std::size_t rows, const Lighting& lighting = {},
+Rows lit_rows(const LitSurface& moon, std::size_t rows, const Lighting& lighting = {},
               const algebra::Progress& progress = {});
 
 /// The normal albedo itself, at the texture's size: one channel, the night side too.

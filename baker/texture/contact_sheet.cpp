@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "texture/contact_sheet.h"
 
+#include "texture/openimageio/oiio.h"
+
 #include <OpenImageIO/color.h>
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>

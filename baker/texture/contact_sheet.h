@@ -34,7 +34,7 @@ struct SheetGrid {
   std::size_t width() const { return gap + columns * (picture_width + gap); }
   std::size_t height() const { return title_height + rows * row_height(); }
   std::size_t row_height() const { return picture_height + label_height + gap; }
-  /// Of a picture's upper left corner.
+  /// Pixels from the sheet's left edge and top to a picture's upper left corner.
   std::size_t left(std::size_t index) const {
     return gap + index % columns * (picture_width + gap);
   }

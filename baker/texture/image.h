@@ -40,7 +40,7 @@ struct Image {
   }
 };
 
-/// What an image is but for its values.
+/// An image's size and channels, without its values.
 struct Layout {
   std::size_t width = 0, height = 0;
   std::vector<std::string> channels;
@@ -50,12 +50,13 @@ struct Layout {
 /// that row of the image on.
 using Rows = std::function<void(std::size_t first_row, std::span<float> values)>;
 
-/// What an image file's header says beside the texels.
+/// A value in an image file's header.
 using Attribute = std::variant<std::string, float, int, std::vector<float>>;
 
-/// By name. OpenEXR's standard names mean what OpenEXR says they mean: `capDate`, `utcOffset` [s],
-/// `longitude`, `latitude` [degrees], `altitude` [m], `expTime` [s], `aperture`, `isoSpeed`,
-/// `whiteLuminance` [cd/m²], `chromaticities` (8 numbers), `framesPerSecond`, `owner`, `comments`.
+/// Values of a header by name. OpenEXR's standard names mean what OpenEXR says they mean:
+/// `capDate`, `utcOffset` [s], `longitude`, `latitude` [degrees], `altitude` [m], `expTime` [s],
+/// `aperture`, `isoSpeed`, `whiteLuminance` [cd/m²], `chromaticities` (8 numbers),
+/// `framesPerSecond`, `owner`, `comments`.
 using Attributes = std::map<std::string, Attribute, std::less<>>;
 
 }  // namespace coppermoon::texture

@@ -13,9 +13,9 @@
 #include <stdexcept>
 
 #include "algebra/error.h"
-#include "texture/image_input.h"
-#include "texture/oiio_attributes.h"
-#include "texture/silence.h"
+#include "texture/openimageio/image_input.h"
+#include "texture/openimageio/oiio_attributes.h"
+#include "texture/openimageio/silence.h"
 
 namespace coppermoon::texture {
 namespace {

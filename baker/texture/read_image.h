@@ -14,9 +14,9 @@
 
 namespace coppermoon::texture {
 
-/// What is read of an image at most, so that no header's claim takes memory or time that its file is
-/// not worth: 4 bytes for each number. 65536 x 32768 texels of four channels are within, and a uniform
-/// image as DWA packs it, the densest of all: 7000 numbers a byte.
+/// Limits of the images that are read, so that no header's claim takes memory or time that its file
+/// is not worth: 4 bytes for each number. 65536 x 32768 texels of four channels are within, and a
+/// uniform image as DWA packs it, the densest of all: 7000 numbers a byte.
 inline constexpr double most_texels_a_side = 1 << 20, most_numbers = 8589934592.,
                         most_numbers_of_any_file = 1 << 24, most_numbers_a_byte = 8192;
 
@@ -90,8 +90,8 @@ Image read_light(const std::filesystem::path& path, Coding coding = Coding::as_f
 ///           exponent  power of Y that undoes a tone curve, 0.1 to 10
 /// Returned  Y^exponent, linear, in the image's own scale; normalise it before use
 /// Omits     chromaticities other than Rec. 709, alpha
-/// Throws    Error     as read_light; when it is not 2:1 or a part of a larger one, a texel is negative, infinite or no
-///                     number, or the exponent is outside its range
+/// Throws    Error     as read_light; when it is not 2:1 or a part of a larger one, a texel is
+///                     negative, infinite or no number, or the exponent is outside its range
 /// Source    ITU-R BT.709, IEC 61966-2-1
 algebra::Grid<float> read_albedo_map(const std::filesystem::path& path,
                                      Coding coding = Coding::as_file_says, double exponent = 1);

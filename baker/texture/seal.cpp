@@ -52,11 +52,14 @@ class MappedFile {
 std::optional<std::size_t> place_of_digits(std::string_view bytes) {
   const auto before = std::string(seal_attribute) + std::string("\0string\0\x10\0\0\0"sv);
   const auto found = bytes.find(before);
-  if (found == bytes.npos || bytes.size() - found < before.size() + seal_digits) return std::nullopt;
+  if (found == bytes.npos || bytes.size() - found < before.size() + seal_digits)
+    return std::nullopt;
   return found + before.size();
 }
 
-std::string digits_of(std::string_view bytes) { return fmt::format("{:016x}", files::fingerprint(bytes)); }
+std::string digits_of(std::string_view bytes) {
+  return fmt::format("{:016x}", files::fingerprint(bytes));
+}
 
 }  // namespace
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "texture/write_glb.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -15,8 +12,9 @@
 
 #include "algebra/error.h"
 #include "almanac/lunar_orientation.h"
-#include "texture/sphere_mesh.h"
 #include "files/whole_file.h"
+#include "texture/openimageio/oiio.h"
+#include "texture/sphere_mesh.h"
 
 namespace coppermoon::texture {
 namespace {

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "algebra/error.h"
-#include "texture/encode.h"
-#include "texture/oiio_attributes.h"
+#include "texture/openimageio/encode.h"
+#include "texture/openimageio/oiio_attributes.h"
 #include "texture/seal.h"
 
 namespace coppermoon::texture {

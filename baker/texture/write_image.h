@@ -25,8 +25,7 @@ struct ExrOptions {
 /// Given   image       channels of any names, each once
 ///         attributes  standard ones get their standard types; without `capDate` that one is empty
 /// Throws  Error       a texel that is no number, infinite, negative or beyond the type's range,
-/// with
-///                     its place and channel; an image without texels; a file that cannot be
+///                     with its place and channel; an image without texels; a file that cannot be
 ///                     written
 void write_exr(const std::filesystem::path& path, const Image& image, const Attributes& attributes,
                const ExrOptions& options = {});

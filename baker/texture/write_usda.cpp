@@ -11,9 +11,9 @@
 
 #include "algebra/error.h"
 #include "almanac/lunar_orientation.h"
+#include "files/whole_file.h"
 #include "texture/sphere_mesh.h"
 #include "texture/usda_text.h"
-#include "files/whole_file.h"
 
 namespace coppermoon::texture {
 namespace {
@@ -194,9 +194,9 @@ void write_usda(const fs::path& path, const std::string& texture_file_name,
                             colour_space_name));
   const auto look =
       fmt::format(fmt::runtime(looks), usda_asset(texture_file_name), colour_space_name);
-  files::write_whole(path,
-              fmt::format("{}\ndef Xform \"Moon\" (\n    kind = \"component\"\n)\n{{\n{}\n{}}}\n",
-                          layer_of(layer_data), mesh_text(), look));
+  files::write_whole(
+      path, fmt::format("{}\ndef Xform \"Moon\" (\n    kind = \"component\"\n)\n{{\n{}\n{}}}\n",
+                        layer_of(layer_data), mesh_text(), look));
 }
 
 std::optional<std::string> recipe_in_usda(const fs::path& path) {

@@ -10,9 +10,9 @@
 #include "almanac/instant.h"
 #include "eclipse/contacts.h"
 #include "eclipse/feature.h"
-#include "verbs/number_list.h"
-#include "verbs/recipe.h"
-#include "verbs/verbs.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/number_list.h"
+#include "verbs/recipes/recipe.h"
 
 namespace coppermoon::verbs {
 namespace {

@@ -5,22 +5,26 @@
 
 #include "algebra/error.h"
 #include "almanac/instant.h"
+#include "files/whole_file.h"
 #include "texture/write_glb.h"
 #include "texture/write_image.h"
 #include "texture/write_usda.h"
-#include "verbs/baked_moon.h"
-#include "verbs/develop_options.h"
-#include "verbs/recipe.h"
-#include "verbs/report.h"
-#include "verbs/verbs.h"
+#include "uses/picture/baked_moon.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/develop_options.h"
+#include "verbs/flags/moon_options.h"
+#include "verbs/flags/texture_options.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/reports/progress_bar.h"
+#include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
 namespace {
 
 struct Options {
   MoonOptions moon;
-  TextureOptions texture;
-  DevelopOptions develop;
+  uses::TextureContent texture;
+  uses::Development develop;
   std::vector<std::string> outputs;
   bool json = false;
 };
@@ -28,20 +32,20 @@ struct Options {
 /// One file to be written.
 struct Output {
   std::filesystem::path path;
-  TextureOptions content;
+  uses::TextureContent content;
 
   bool ends_in(const char* ending) const { return path.extension() == ending; }
   bool developed() const { return ends_in(".png") || ends_in(".glb"); }
 };
 
 /// In the space that the file's name says, if any.
-Output output_at(const std::string& file, const TextureOptions& asked) {
+Output output_at(const std::string& file, const uses::TextureContent& asked) {
   Output output{file, asked};
   const auto named = colour::space_in_name(output.path.stem().string());
   if (named && asked.space && space_of(asked) != *named)
     throw algebra::Error(fmt::format("{}: space = {}, allowed {} as its name says, or no --space",
-                                     file, *asked.space, colour::name(*named)));
-  if (named) output.content.space = colour::name(*named);
+                                     file, colour::name(*asked.space), colour::name(*named)));
+  if (named) output.content.space = named;
   if (output.ends_in(".exr")) return output;
   output.content.passes = false;
   output.content.spectral_nm.reset();
@@ -71,12 +75,13 @@ void require_sound(const Options& options, const std::vector<Output>& outputs) {
       throw algebra::Error(
           fmt::format("{}: a texture ends in {}", output.path.string(), fmt::join(endings, ", ")));
     if (output.developed()) require_sound(options.develop, output.path.stem() += ".png");
-    if (output.ends_in(".glb") && texture_width_of(options.moon) > texture::most_glb_columns)
+    if (output.ends_in(".glb") &&
+        texture_width_of(options.moon.request) > texture::most_glb_columns)
       throw algebra::Error(fmt::format("{}: texture width [texels] = {}, allowed to {}",
-                                       output.path.string(), texture_width_of(options.moon),
+                                       output.path.string(), texture_width_of(options.moon.request),
                                        texture::most_glb_columns));
     if (output.ends_in(".usda")) texture_for(output, outputs);
-    require_place_for(output.path);
+    files::require_place_for(output.path);
   }
   require_sound(options.texture);
   if (!exr && (options.texture.passes || options.texture.spectral_nm))
@@ -90,19 +95,20 @@ texture::Image image_of(const texture::Part& part) {
   return image;
 }
 
-void write_picture(const DevelopOptions& develop, const Output& output, const BakedMoon& moon) {
+void write_picture(const uses::Development& develop, const Output& output,
+                   const uses::BakedMoon& moon) {
   const auto image = image_of(moon.parts.front());
   const auto space = space_of(output.content);
   const auto exposure = exposure_for(develop, image, space);
   if (output.ends_in(".png"))
-    return write_developed(develop, exposure, image, space, output.path, moon.attributes);
+    return write_developed(develop, exposure, {image, space, {}, 0, moon.attributes}, output.path);
   auto extras = moon.attributes;
-  add_exposure(extras, exposure);
+  uses::add_exposure(extras, exposure);
   texture::write_glb(output.path, developed(develop, exposure, image, space), extras);
 }
 
-/// Of one file alone: its own space, and no passes where it has none.
-std::string recipe_for(const TextureOptions& content, const std::string& recipe) {
+/// The recipe of one file alone: with its own space, and without passes where it has none.
+std::string recipe_for(const uses::TextureContent& content, const std::string& recipe) {
   const std::string space(colour::name(space_of(content)));
   return fmt::format("space = \"{}\"\n", space) + without(recipe, [&](const std::string& flag) {
            return flag == "space" || (flag == "passes" && !content.passes) ||
@@ -110,11 +116,8 @@ std::string recipe_for(const TextureOptions& content, const std::string& recipe)
          });
 }
 
-/// Returned  the recipe of that file
-std::string write(const Options& options, const std::vector<Output>& outputs, const Output& output,
-                  LitMoon moon) {
-  moon.recipe = recipe_for(output.content, moon.recipe);
-  const auto made = baked(moon, output.content);
+void write(const Options& options, const std::vector<Output>& outputs, const Output& output,
+           const uses::BakedMoon& made) {
   if (output.ends_in(".usda")) {
     const auto& texture = texture_for(output, outputs);
     texture::write_usda(output.path, texture.path.filename().string(),
@@ -126,18 +129,30 @@ std::string write(const Options& options, const std::vector<Output>& outputs, co
                              made.attributes, type_of(output.content));
   else
     texture::write_exr(output.path, made.parts, made.attributes, {type_of(output.content)});
-  return moon.recipe;
 }
 
 void run(const CLI::App& verb, const Options& options) {
+  const auto start = std::chrono::steady_clock::now();
   std::vector<Output> outputs;
   for (const auto& file : options.outputs) outputs.push_back(output_at(file, options.texture));
   require_sound(options, outputs);
-  const auto sky = almanac::sky_at(almanac::instant_from_utc(options.moon.instant));
-  const auto moon = lit_moon(options.moon, sky, recipe_of(verb));
-  Report made{options.outputs, {}, 0, moon.light->error_found, moon.light->plan};
-  for (const auto& output : outputs) made.recipe = write(options, outputs, output, moon);
-  made.seconds = moon.seconds();
+  const auto request = moon_request(options.moon);
+  const auto sky = eclipsed_sky(options.moon);
+  const auto moon = [&] {
+    ProgressBar bar("light");
+    return uses::lit_moon(request, sky, bar.progress());
+  }();
+  const auto& light = *moon.light;
+  const auto recipe = made_recipe(recipe_of(verb), request.unshadowed, light.plan);
+  Report made{options.outputs, {}, 0, light.error_found, light.plan};
+  for (const auto& output : outputs) {
+    ProgressBar bar("bake");
+    auto baked = uses::baked(moon, output.content, {.progress = bar.progress()});
+    made.recipe = recipe_for(output.content, recipe);
+    baked.attributes["coppermoon:recipe"] = made.recipe;
+    write(options, outputs, output, baked);
+  }
+  made.seconds = seconds_since(start);
   report(made, options.json);
 }
 

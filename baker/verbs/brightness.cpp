@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
+#include "uses/picture/brightness.h"
+
 #include <fmt/format.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "almanac/instant.h"
-#include "eclipse/contacts.h"
-#include "texture/bake.h"
-#include "verbs/disc_brightness.h"
-#include "verbs/moon_options.h"
-#include "verbs/photometer.h"
-#include "verbs/recipe.h"
-#include "verbs/verbs.h"
+#include "uses/light/photometric_bands.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/moon_options.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -21,32 +21,20 @@ struct Options {
   bool json = false;
 };
 
-bool in_totality(const almanac::Instant& when) {
-  const auto eclipse = eclipse::eclipse_at(when, eclipse::ShadowConvention::danjon);
-  if (!eclipse || !eclipse->contacts.U2 || !eclipse->contacts.U3) return false;
-  return almanac::seconds_between(*eclipse->contacts.U2, when) >= 0 &&
-         almanac::seconds_between(when, *eclipse->contacts.U3) >= 0;
-}
-
 nlohmann::ordered_json described(const Options& options) {
-  constexpr std::size_t rows = 360;
-  const auto sky = almanac::sky_at(almanac::instant_from_utc(options.moon.instant));
-  const auto meter = photometer();
-  const auto light = light_on_the_moon(options.moon.light, sky, options.moon.unshadowed)
-                         .in_channels(meter.weights);
-  const auto disc = measured(meter,
-                             texture::bake(normal_albedo(options.moon), sky, light, meter.channels,
-                                           rows, photometry_of(options.moon)),
-                             sky);
+  const auto request = moon_request(options.moon);
+  const auto sky = eclipsed_sky(options.moon);
+  ProgressBar bar("light");
+  const auto brightness = uses::brightness_of(request, sky, bar.progress());
+  const auto bands = uses::photometric_bands();
   nlohmann::ordered_json magnitudes;
-  for (std::size_t k = 0; k < disc.magnitudes.size(); ++k)
-    magnitudes[meter.channels[k]] = disc.magnitudes[k];
+  for (std::size_t k = 0; k < bands.size(); ++k)
+    magnitudes[bands[k].name] = brightness.disc.magnitudes[k];
   nlohmann::ordered_json all{{"instant", almanac::utc_text(sky.when)},
                              {"magnitudes", magnitudes},
-                             {"mean_luminance_cd_m2", disc.mean_luminance_cd_m2},
+                             {"mean_luminance_cd_m2", brightness.disc.mean_luminance_cd_m2},
                              {"danjon", nullptr}};
-  if (!options.moon.unshadowed && in_totality(sky.when))
-    all["danjon"] = danjon_estimate(magnitudes["V"]);
+  if (brightness.danjon) all["danjon"] = *brightness.danjon;
   return all;
 }
 

@@ -6,10 +6,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "verbs/known_words.h"
-#include "verbs/one_line.h"
-#include "verbs/recipe.h"
-#include "verbs/verbs.h"
+#include "uses/light/header.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/known_words.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
 
@@ -17,14 +18,14 @@ void add_words(CLI::App& program) {
   program.option_defaults()->always_capture_default()->multi_option_policy(
       CLI::MultiOptionPolicy::TakeLast);
   program.require_subcommand(1);
-  program.set_version_flag("--version", "coppermoon " COPPERMOON_VERSION);
+  program.set_version_flag("--version", fmt::format("coppermoon {}", uses::version()));
   for (const auto add :
        {add_almanac, add_sky, add_plan, add_shadow, add_brightness, add_bake, add_ring, add_scene,
         add_still, add_animate, add_develop, add_merge, add_compare, add_fit, add_tradeoff})
     add(program);
 }
 
-void obey(CLI::App& program, const std::vector<std::string>& arguments) {
+void run(CLI::App& program, const std::vector<std::string>& arguments) {
   for (const auto& argument : arguments)
     if (!is_utf8(argument))
       throw WrongUsage(fmt::format("argument '{}', allowed is UTF-8", argument));

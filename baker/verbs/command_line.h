@@ -4,9 +4,27 @@
 #include <string>
 #include <vector>
 
-#include "verbs/flags.h"
+#include "verbs/flags/flags.h"
 
 namespace coppermoon::verbs {
+
+/// Each adds one word to the command line: its flags, and what it does once they are read.
+/// What it does throws algebra::Error when it cannot, WrongUsage when the usage is wrong.
+void add_almanac(CLI::App& program);
+void add_sky(CLI::App& program);
+void add_plan(CLI::App& program);
+void add_shadow(CLI::App& program);
+void add_brightness(CLI::App& program);
+void add_bake(CLI::App& program);
+void add_ring(CLI::App& program);
+void add_scene(CLI::App& program);
+void add_still(CLI::App& program);
+void add_animate(CLI::App& program);
+void add_develop(CLI::App& program);
+void add_merge(CLI::App& program);
+void add_compare(CLI::App& program);
+void add_fit(CLI::App& program);
+void add_tradeoff(CLI::App& program);
 
 /// All words of the command line, each with its flags.
 void add_words(CLI::App& program);
@@ -18,6 +36,6 @@ void add_words(CLI::App& program);
 ///                          neither a recipe nor JSON could hold
 ///         CLI::ParseError  when CLI11 finds it wrong, or for help
 ///         algebra::Error   when it cannot be done
-void obey(CLI::App& program, const std::vector<std::string>& arguments);
+void run(CLI::App& program, const std::vector<std::string>& arguments);
 
 }  // namespace coppermoon::verbs

@@ -1,26 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "algebra/error.h"
 #include "almanac/instant.h"
+#include "almanac/sky.h"
 #include "colour/exposure.h"
-#include "colour/limb.h"
 #include "colour/working_space.h"
+#include "files/whole_file.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
-#include "verbs/comparison.h"
-#include "verbs/comparison_sheet.h"
-#include "verbs/moon_options.h"
-#include "verbs/one_line.h"
-#include "verbs/photo_file.h"
-#include "verbs/recipe.h"
-#include "verbs/verbs.h"
+#include "uses/picture/lit_scene.h"
+#include "uses/picture/photo_file.h"
+#include "uses/study/comparison.h"
+#include "uses/study/comparison_sheet.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/coding_option.h"
+#include "verbs/flags/moon_options.h"
+#include "verbs/flags/view_options.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/recipes/recipe_file.h"
+#include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -28,11 +35,44 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Options {
-  std::string photo, render, output, recipe_in, coding = "as-file-says";
+  std::string photo, render, output, recipe_in;
+  texture::Coding coding = texture::Coding::as_file_says;
   std::string exposure;  ///< empty: exif where there is one
   std::size_t bins = 12;
   bool json = false;
 };
+
+/// What of a still's flags says when it is seen and from where.
+struct StillFlags {
+  MoonOptions moon;
+  uses::ViewRequest view;
+};
+
+StillFlags flags_told_by(const std::string& file) {
+  StillFlags flags;
+  CLI::App still;
+  still.option_defaults()->always_capture_default();
+  add_moon_options(still, flags.moon);
+  add_view_options(still, flags.view);
+  auto words = flags_of_recipe(still, file, {});
+  std::ranges::reverse(words);  // as CLI11 takes them
+  try {
+    still.parse(std::move(words));
+  } catch (const CLI::ParseError& error) {
+    throw algebra::Error(
+        fmt::format("{}: its recipe is not that of one frame: {}", file, error.what()));
+  }
+  return flags;
+}
+
+/// The places that a frame shows, by the recipe in its own header or its scene's texture's.
+uses::FramePlaces places_told_by(const std::string& file) {
+  if (!holds_recipe(file))
+    throw algebra::Error(fmt::format("{}: allowed is an .exr made by coppermoon", file));
+  const auto flags = flags_told_by(file);
+  const auto sky = almanac::sky_at(almanac::instant_from_utc(flags.moon.instant));
+  return uses::frame_places(sky, uses::view_for_frame(flags.view, sky).view.camera);
+}
 
 void require_rec709(const std::string& render) {
   const auto space = texture::read_attribute(render, "coppermoon:colour_space");
@@ -41,7 +81,7 @@ void require_rec709(const std::string& render) {
                                      colour::name(colour::WorkingSpace::linear_rec709)));
 }
 
-texture::Image read_render(const Options& options, const FramePlaces& places) {
+texture::Image read_render(const Options& options, const uses::FramePlaces& places) {
   require_rec709(options.render);
   auto render = texture::read_light(options.render, texture::Coding::linear);
   if (render.width != places.camera.width || render.height != places.camera.height)
@@ -52,12 +92,14 @@ texture::Image read_render(const Options& options, const FramePlaces& places) {
 }
 
 /// All that was found.
-struct Comparison {
+struct Found {
   almanac::Instant when;
-  colour::Registration registration;
   std::optional<colour::Exposure> exif;
-  double exposure, fitted;  ///< photograph's value per cd/m²
-  std::vector<Difference> differences;
+  uses::Comparison comparison;
+
+  double stops_of_fit() const {
+    return std::log2(comparison.fitted_exposure / comparison.exposure);
+  }
 };
 
 Json as_json(const colour::Registration& registration) {
@@ -69,7 +111,7 @@ Json as_json(const colour::Registration& registration) {
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-Json as_json(const Difference& difference) {
+Json as_json(const uses::Difference& difference) {
   const auto part = [](const std::optional<std::array<double, 2>>& uv, std::size_t k) {
     return uv ? Json((*uv)[k]) : Json();
   };
@@ -85,11 +127,11 @@ Json as_json(const Difference& difference) {
           {"delta_e_2000", or_null(difference.delta_e_2000)}};
 }
 
-Json exposure_json(const Comparison& found) {
+Json exposure_json(const Found& found) {
   Json all{{"from", found.exif ? "exif" : "fit"},
-           {"value_per_cd_m2", found.exposure},
-           {"fitted_value_per_cd_m2", found.fitted},
-           {"fitted_over_used_stops", std::log2(found.fitted / found.exposure)}};
+           {"value_per_cd_m2", found.comparison.exposure},
+           {"fitted_value_per_cd_m2", found.comparison.fitted_exposure},
+           {"fitted_over_used_stops", found.stops_of_fit()}};
   if (found.exif)
     all.update(Json{{"time_s", found.exif->time_s},
                     {"f_number", found.exif->f_number},
@@ -97,16 +139,17 @@ Json exposure_json(const Comparison& found) {
   return all;
 }
 
-void print_json(const Options& options, const Comparison& found) {
+void print_json(const Options& options, const Found& found) {
+  const auto& differences = found.comparison.differences;
   Json all{{"photo", options.photo},
            {"render", options.render},
            {"instant", almanac::utc_text(found.when)},
-           {"registration", as_json(found.registration)},
+           {"registration", as_json(found.comparison.registration)},
            {"exposure", exposure_json(found)},
            {"bins", Json::array()},
-           {"disc", as_json(found.differences.back())}};
-  for (std::size_t i = 0; i + 1 < found.differences.size(); ++i)
-    all["bins"].push_back(as_json(found.differences[i]));
+           {"disc", as_json(differences.back())}};
+  for (std::size_t i = 0; i + 1 < differences.size(); ++i)
+    all["bins"].push_back(as_json(differences[i]));
   if (!options.output.empty()) all["file"] = options.output;
   fmt::print("{}\n", all.dump(2));
 }
@@ -115,7 +158,7 @@ std::string number_or_dash(const std::optional<double>& value, const char* forma
   return value ? fmt::format(fmt::runtime(format), *value) : "-";
 }
 
-void print_line(const Difference& row) {
+void print_line(const uses::Difference& row) {
   const auto uv = [](const std::optional<std::array<double, 2>>& value) {
     return value ? fmt::format("{:.4f} {:.4f}", (*value)[0], (*value)[1]) : std::string("-");
   };
@@ -124,18 +167,19 @@ void print_line(const Difference& row) {
              uv(row.photo_uv), uv(row.render_uv), number_or_dash(row.delta_e_2000, "{:.2f}"));
 }
 
-void print_table(const Options& options, const Comparison& found) {
-  const auto& is = found.registration.render_to_photo;
+void print_table(const Options& options, const Found& found) {
+  const auto& registration = found.comparison.registration;
+  const auto& is = registration.render_to_photo;
   fmt::print(
       "{}: scale {:.4f}, rotation {:.2f} degrees, shift {:.2f}, {:.2f} pixels{}, "
       "correlation {:.3f}\n",
       one_line(options.photo), is.scale, is.rotation_rad * 180 / std::numbers::pi, is.x_px, is.y_px,
-      is.mirrored ? ", mirrored" : "", found.registration.correlation);
+      is.mirrored ? ", mirrored" : "", registration.correlation);
   fmt::print("exposure by {}: {:.4g} per cd/m2; a fit says {:+.3f} stops\n",
-             found.exif ? "exif" : "fit", found.exposure, std::log2(found.fitted / found.exposure));
+             found.exif ? "exif" : "fit", found.comparison.exposure, found.stops_of_fit());
   fmt::print("{:>15} {:>9} {:>8} {:>8}  {:>13}  {:>13} {:>8}\n", "axis [km]", "pixels", "clipped",
              "stops", "photo u' v'", "render u' v'", "dE2000");
-  for (const auto& row : found.differences) print_line(row);
+  for (const auto& row : found.comparison.differences) print_line(row);
 }
 
 void require_sound(const Options& options) {
@@ -145,13 +189,13 @@ void require_sound(const Options& options) {
   if (options.output.empty()) return;
   if (std::filesystem::path(options.output).extension() != ".png")
     throw algebra::Error(fmt::format("{}: a picture ends in .png", options.output));
-  require_place_for(options.output);
+  files::require_place_for(options.output);
 }
 
 /// Nothing where the exposure is to be fitted.
 std::optional<colour::Exposure> exif_to_use(const Options& options) {
   if (options.exposure == "fit") return std::nullopt;
-  const auto exif = exif_of(options.photo);
+  const auto exif = uses::exif_of(options.photo);
   if (!exif && options.exposure == "exif")
     throw algebra::Error(fmt::format(
         "{}: its header has not all of exposure time, f-number and ISO speed; allowed is "
@@ -160,28 +204,17 @@ std::optional<colour::Exposure> exif_to_use(const Options& options) {
   return exif;
 }
 
-void write_sheet(const Options& options, const texture::Image& photo, texture::Image render,
-                 const Comparison& found) {
-  for (float& value : render.values) value *= static_cast<float>(found.exposure);
-  const auto disc = colour::limb_of(luminance_of(photo)).value();
-  texture::write_png(options.output, comparison_sheet(photo, render, disc), 8);
-}
-
 void run(const Options& options) {
   require_sound(options);
   const auto exif = exif_to_use(options);
-  const auto places = frame_places(options.recipe_in.empty() ? options.render : options.recipe_in);
-  const auto photo = read_photo(options.photo, options.coding),
+  const auto places =
+      places_told_by(options.recipe_in.empty() ? options.render : options.recipe_in);
+  const auto photo = texture::read_light(options.photo, options.coding),
              frame = read_render(options, places);
-  const auto registration = colour::registered(luminance_of(photo), luminance_of(frame));
-  const auto render = resampled(frame, registration.render_to_photo, photo.height, photo.width);
-  const auto pixels = shared_pixels(photo, render, places, registration.render_to_photo);
-  const double fitted = fitted_exposure(pixels);
-  const double exposure = exif ? colour::exposure_scale(*exif) : fitted;
-  const Comparison found{
-      places.sky.when, registration, exif,
-      exposure,        fitted,       differences(pixels, exposure, options.bins)};
-  if (!options.output.empty()) write_sheet(options, photo, render, found);
+  const Found found{places.sky.when, exif,
+                    uses::compared(photo, frame, places, exif, options.bins)};
+  if (!options.output.empty())
+    texture::write_png(options.output, uses::comparison_sheet(photo, found.comparison), 8);
   if (options.json)
     print_json(options, found);
   else
@@ -209,9 +242,8 @@ void add_compare(CLI::App& program) {
            "without: exif where it is there")
       .one_of({"exif", "fit"});
   add_flag(*verb, "--bins", options->bins, "steps of distance from the shadow's axis, 1 to 1000");
-  add_flag(*verb, "--coding", options->coding,
-           "of the photograph: as-file-says, srgb or linear, which a TIFF never says")
-      .one_of({"as-file-says", "srgb", "linear"});
+  add_coding_option(*verb, options->coding,
+                    "of the photograph: as-file-says, srgb or linear, which a TIFF never says");
   add_flag(*verb, "--recipe-in", options->recipe_in,
            "the .exr whose recipe tells what the render shows, as a scene's texture does; "
            "without: the render itself")

@@ -5,19 +5,20 @@
 #include <nlohmann/json.hpp>
 
 #include "algebra/error.h"
+#include "files/whole_file.h"
 #include "texture/read_image.h"
-#include "verbs/develop_options.h"
-#include "verbs/moon_options.h"
-#include "verbs/one_line.h"
-#include "verbs/photo_file.h"
-#include "verbs/recipe.h"
-#include "verbs/verbs.h"
+#include "uses/picture/photo_file.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/camera_options.h"
+#include "verbs/flags/develop_options.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
 namespace {
 
 struct Options {
-  DevelopOptions develop;
+  uses::Development develop;
   std::string frame, output, space;
   bool json = false;
 };
@@ -39,15 +40,16 @@ texture::Image read_frame(const std::string& frame, colour::WorkingSpace space) 
 
 void run(const Options& options) {
   require_sound(options.develop, options.output);
-  for (const auto& file :
-       {options.output, options.develop.camera.raw, options.develop.camera.photograph})
-    if (!file.empty()) require_place_for(file);
+  const auto& camera = options.develop.camera;
+  for (const auto& file : {std::filesystem::path(options.output), camera.raw, camera.photograph})
+    if (!file.empty()) files::require_place_for(file);
   const auto space = space_of(options);
   const auto frame = read_frame(options.frame, space);
   const auto exposure = exposure_for(options.develop, frame, space);
-  const auto picture = taken(options.develop, exposure, frame, space, seen_by(options.frame), 0,
-                             scene_attributes(options.frame));
-  write_developed(options.develop, exposure, picture, space, options.output, {});
+  const auto seen = uses::seen_by(std::filesystem::path(options.frame));
+  const auto picture = taken(options.develop, exposure,
+                             {frame, space, seen, 0, uses::scene_attributes(options.frame)});
+  write_developed(options.develop, exposure, {picture, space}, options.output);
   const nlohmann::ordered_json all{{"file", options.output},
                                    {"colour_space", colour::name(space)},
                                    {"time_s", exposure.time_s},
@@ -74,6 +76,7 @@ void add_develop(CLI::App& program) {
            "lin_rec709, acescg or lin_ciexyzd65_scene; without: as the file's header or name says");
   add_develop_options(*verb, options->develop);
   add_camera_options(*verb, options->develop.camera);
+  add_camera_file_options(*verb, options->develop.camera);
   add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });

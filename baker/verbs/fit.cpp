@@ -1,38 +1,36 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <list>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "algebra/error.h"
-#include "verbs/camera_options.h"
-#include "verbs/fit_magnitudes.h"
-#include "verbs/fit_witness.h"
-#include "verbs/number_list.h"
-#include "verbs/one_line.h"
-#include "verbs/photo_file.h"
-#include "verbs/recipe.h"
-#include "verbs/verbs.h"
+#include "uses/study/fit.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/air_options.h"
+#include "verbs/flags/coding_option.h"
+#include "verbs/flags/light_options.h"
+#include "verbs/flags/moon_options.h"
+#include "verbs/flags/number_list.h"
+#include "verbs/flags/view_options.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using uses::Estimate, uses::ReadPhotograph;
 
 struct Options {
   std::vector<std::string> photos;
-  std::string instants, times, isos, magnitudes, coding = "as-file-says";
+  std::string instants, times, isos, magnitudes;
+  texture::Coding coding = texture::Coding::as_file_says;
   std::optional<double> f_number;
-  double exposure_error = 0.1, white_balance_error = 0.03;
-  std::string camera;
-  MoonOptions moon;
-  ViewOptions view;
+  uses::FitRequest request;  ///< all but photographs and magnitudes
   bool despite_misfit = false, json = false;
 };
 
@@ -48,6 +46,7 @@ void require_one_or(std::size_t photos, std::size_t count, const char* what) {
                                      count, what, photos));
 }
 
+/// Texts of instants, one for each photograph or one for all.
 std::vector<std::string> instants_of(const Options& options) {
   std::vector<std::string> all;
   std::istringstream parts(options.instants);
@@ -57,8 +56,8 @@ std::vector<std::string> instants_of(const Options& options) {
 }
 
 /// A number that is told for each photograph; nothing when none is.
-std::optional<double> told(const std::string& list, std::size_t i, std::size_t photos,
-                           const char* what) {
+std::optional<double> number_told(const std::string& list, std::size_t i, std::size_t photos,
+                                  const char* what) {
   const auto numbers = number_list(list);
   if (!numbers)
     throw algebra::Error(fmt::format("{} = {}, allowed numbers with commas", what, list));
@@ -67,104 +66,43 @@ std::optional<double> told(const std::string& list, std::size_t i, std::size_t p
   return one_of(*numbers, i);
 }
 
-/// As told, else as the header says; nothing unless all of it is known.
-std::optional<colour::Exposure> exposure_of(const Options& options, std::size_t i) {
-  const auto exif = exif_of(options.photos[i]);
-  const auto time_s = told(options.times, i, options.photos.size(), "times"),
-             iso = told(options.isos, i, options.photos.size(), "ISO speeds");
-  if (!exif && !(time_s && iso && options.f_number)) return std::nullopt;
-  auto exposure = exif.value_or(colour::Exposure{});
-  exposure.time_s = time_s.value_or(exposure.time_s);
-  exposure.iso = iso.value_or(exposure.iso);
-  exposure.f_number = options.f_number.value_or(exposure.f_number);
-  return exposure;
-}
-
-Belief belief_of(const Options& options, std::size_t i) {
-  Belief belief{{}, options.exposure_error, options.white_balance_error};
-  const auto exposure = exposure_of(options, i);
-  if (!exposure) return belief;
-  belief.value_per_cd_m2 = colour::exposure_scale(*exposure);
-  if (!options.camera.empty())
-    belief.value_per_cd_m2 =
-        1 / colour::saturation_cd_m2(colour::camera_named(options.camera), *exposure);
-  return belief;
-}
-
-/// A photograph, as it was read.
-struct Seen {
-  std::string file, instant;
-  colour::Registration registration;
-  bool exposure_known;
-  std::size_t numbers;
+/// What is to be explained, and the instants of its photographs as they were told.
+struct Told {
+  uses::FitRequest request;
+  std::vector<std::string> instants;
 };
 
-/// All that speaks of the air, for as long as it is asked.
-struct Evidence {
-  std::map<std::string, FitScene> scenes;  ///< by instant
-  std::list<MagnitudeWitness> magnitudes;
-  std::vector<Witness> witnesses;
-  std::vector<Seen> seen;
-};
-
-void add_photograph(const Options& options, const std::string& instant, std::size_t i,
-                    Evidence& evidence) {
-  const auto& file = options.photos[i];
-  const auto photo = read_photo(file, options.coding);
-  const auto belief = belief_of(options, i);
-  auto scene = evidence.scenes.find(instant);
-  if (scene == evidence.scenes.end()) {
-    auto moon = options.moon;
-    moon.instant = instant;
-    scene = evidence.scenes.emplace(instant, fit_scene(moon, options.view)).first;
+Told told_by(const Options& options) {
+  Told told{options.request, {}};
+  const auto photos = options.photos.size();
+  const auto instants = photos > 0 ? instants_of(options) : std::vector<std::string>{};
+  for (std::size_t i = 0; i < photos; ++i) {
+    told.instants.push_back(one_of(instants, i));
+    told.request.photographs.push_back({.file = options.photos[i],
+                                        .instant = almanac::instant_from_utc(told.instants.back()),
+                                        .coding = options.coding,
+                                        .time_s = number_told(options.times, i, photos, "times"),
+                                        .iso = number_told(options.isos, i, photos, "ISO speeds"),
+                                        .f_number = options.f_number});
   }
-  try {
-    const auto photograph = binned(scene->second, photo);
-    evidence.witnesses.push_back(witness_of(scene->second, photograph, belief));
-    evidence.seen.push_back({file, instant, photograph.registration,
-                             belief.value_per_cd_m2.has_value(), evidence.witnesses.back().count});
-  } catch (const algebra::Error& error) {
-    throw algebra::Error(fmt::format("{}: {}", file, error.what()));
-  }
-}
-
-void add_magnitudes(const Options& options, Evidence& evidence) {
-  std::map<std::string, std::vector<MeasuredMagnitude>> by_instant;
-  for (const auto& measured : read_magnitudes(options.magnitudes))
-    by_instant[measured.instant].push_back(measured);
-  for (const auto& [instant, measured] : by_instant) {
-    auto moon = options.moon;
-    moon.instant = instant;
-    evidence.magnitudes.push_back(witness_of(moon, measured));
-    evidence.witnesses.push_back(evidence.magnitudes.back().witness);
-  }
-}
-
-Evidence evidence_of(const Options& options) {
-  Evidence evidence;
-  if (!options.photos.empty()) {
-    const auto instants = instants_of(options);
-    for (std::size_t i = 0; i < options.photos.size(); ++i)
-      add_photograph(options, one_of(instants, i), i, evidence);
-  }
-  if (!options.magnitudes.empty()) add_magnitudes(options, evidence);
-  if (evidence.witnesses.empty())
-    throw algebra::Error("nothing to explain, allowed photographs or --magnitudes");
-  return evidence;
+  if (!options.magnitudes.empty())
+    told.request.magnitudes = uses::read_magnitudes(options.magnitudes);
+  return told;
 }
 
 /// Below this nothing was learnt: the interval is what was allowed from the start.
-constexpr double told_nothing = 0.3;
+constexpr double no_information = 0.3;
 
 Json as_json(const Estimate& estimate, bool logarithm) {
   const auto value = [&](double x) { return logarithm ? std::exp(x) : x; };
   return {{"median", value(estimate.median)},
           {"low_68", value(estimate.low)},
           {"high_68", value(estimate.high)},
-          {"told", estimate.told >= told_nothing}};
+          {"told", estimate.information >= no_information}};
 }
 
-void print_json(const Evidence& evidence, const AirFit& fit) {
+void print_json(const Told& told, const uses::FitReport& found) {
+  const auto& [fit, photographs] = found;
   const auto& p = fit.posterior;
   Json all{{"dust_extinction_per_m", as_json(p.estimates[0], true)},
            {"cloud_cover", as_json(p.estimates[1], false)},
@@ -177,28 +115,32 @@ void print_json(const Evidence& evidence, const AirFit& fit) {
            {"explained", explains(fit)},
            {"numbers", fit.numbers},
            {"photographs", Json::array()}};
-  for (const auto& seen : evidence.seen) {
-    const auto& is = seen.registration.render_to_photo;
-    all["photographs"].push_back({{"file", seen.file},
-                                  {"instant", seen.instant},
-                                  {"numbers", seen.numbers},
-                                  {"exposure_known", seen.exposure_known},
-                                  {"mirrored", is.mirrored},
-                                  {"correlation", seen.registration.correlation}});
+  for (std::size_t i = 0; i < photographs.size(); ++i) {
+    const auto& [registration, exposure_known, numbers] = photographs[i];
+    all["photographs"].push_back({{"file", told.request.photographs[i].file},
+                                  {"instant", told.instants[i]},
+                                  {"numbers", numbers},
+                                  {"exposure_known", exposure_known},
+                                  {"mirrored", registration.render_to_photo.mirrored},
+                                  {"correlation", registration.correlation}});
   }
   fmt::print("{}\n", all.dump(2));
 }
 
-void print_table(const Evidence& evidence, const AirFit& fit) {
+void print_table(const Told& told, const uses::FitReport& found) {
+  const auto& [fit, photographs] = found;
   const auto& p = fit.posterior;
-  for (const auto& seen : evidence.seen)
-    fmt::print("{}: {} numbers{}, exposure {}, correlation {:.3f}\n", one_line(seen.file),
-               seen.numbers, seen.registration.render_to_photo.mirrored ? ", mirrored" : "",
-               seen.exposure_known ? "known" : "free", seen.registration.correlation);
+  for (std::size_t i = 0; i < photographs.size(); ++i) {
+    const auto& [registration, exposure_known, numbers] = photographs[i];
+    fmt::print("{}: {} numbers{}, exposure {}, correlation {:.3f}\n",
+               one_line(told.request.photographs[i].file), numbers,
+               registration.render_to_photo.mirrored ? ", mirrored" : "",
+               exposure_known ? "known" : "free", registration.correlation);
+  }
   const auto print = [](const char* name, const Estimate& e, bool logarithm, const char* unit) {
     const auto value = [&](double x) { return logarithm ? std::exp(x) : x; };
     fmt::print("{:<12} {:>9.3g}  {:.3g} to {:.3g} {}{}\n", name, value(e.median), value(e.low),
-               value(e.high), unit, e.told < told_nothing ? " (nothing told)" : "");
+               value(e.high), unit, e.information < no_information ? " (nothing told)" : "");
   };
   print("dust", p.estimates[0], true, "1/m");
   print("cloud cover", p.estimates[1], false, "");
@@ -210,20 +152,20 @@ void print_table(const Evidence& evidence, const AirFit& fit) {
 }
 
 void require_sound(const Options& options) {
-  algebra::require_within("exposure error", options.exposure_error, 1e-3, 10);
-  algebra::require_within("white balance error", options.white_balance_error, 1e-3, 10);
-  if (!options.camera.empty()) colour::camera_named(options.camera);
   if (!options.photos.empty() && options.instants.empty())
     throw algebra::Error("photographs: allowed with --instants, when they were taken (UTC)");
+  if (options.photos.empty() && options.magnitudes.empty())
+    throw algebra::Error("nothing to explain, allowed photographs or --magnitudes");
 }
 
 /// In one line.
-std::string misfit_of(const Evidence& evidence, const AirFit& fit) {
+std::string misfit_of(const uses::FitReport& found) {
+  const auto& [fit, photographs] = found;
   std::string why = "a list of another eclipse or of other bands, or errors told too small";
-  if (!evidence.seen.empty()) {
+  if (!photographs.empty()) {
     why = "a tone curve (--coding), another instant, another eclipse or place";
-    if (std::ranges::any_of(evidence.seen, [](const Seen& seen) {
-          return seen.registration.render_to_photo.mirrored;
+    if (std::ranges::any_of(photographs, [](const ReadPhotograph& photograph) {
+          return photograph.registration.render_to_photo.mirrored;
         }))
       why += ", a mirrored photograph";
   }
@@ -234,17 +176,17 @@ std::string misfit_of(const Evidence& evidence, const AirFit& fit) {
 
 void run(const Options& options) {
   require_sound(options);
-  const auto evidence = evidence_of(options);
-  const auto fit = fitted_air(evidence.witnesses);
-  if (!explains(fit)) {
+  const auto told = told_by(options);
+  const auto found = uses::fitted_air(told.request);
+  if (!explains(found.fit)) {
     if (!options.despite_misfit)
-      throw algebra::Error(misfit_of(evidence, fit) + "; --despite-misfit answers all the same");
-    fmt::print(stderr, "coppermoon: {}\n", one_line(misfit_of(evidence, fit)));
+      throw algebra::Error(misfit_of(found) + "; --despite-misfit answers all the same");
+    fmt::print(stderr, "coppermoon: {}\n", one_line(misfit_of(found)));
   }
-  options.json ? print_json(evidence, fit) : print_table(evidence, fit);
+  options.json ? print_json(told, found) : print_table(told, found);
 }
 
-void add_belief_options(CLI::App& verb, Options& options) {
+void add_photograph_options(CLI::App& verb, Options& options) {
   const std::string group = "How the photographs were taken";
   const auto add = [&](const char* flag, auto& value, const char* text) {
     return add_flag(verb, flag, value, text).in(group);
@@ -253,11 +195,12 @@ void add_belief_options(CLI::App& verb, Options& options) {
   add("--times", options.times, "exposure times [s], the same; without: the header's");
   add("--isos", options.isos, "ISO speeds, the same; without: the header's");
   add("--f-number", options.f_number, "without: the header's");
-  add("--camera", options.camera, "whose saturation is meant; without: as ISO 12232 has it");
-  add("--exposure-error", options.exposure_error, "standard, of its logarithm");
-  add("--white-balance-error", options.white_balance_error, "standard, of red and blue over green");
-  add("--coding", options.coding, "as-file-says, srgb or linear")
-      .one_of({"as-file-says", "srgb", "linear"});
+  add("--camera", options.request.camera,
+      "whose saturation is meant; without: as ISO 12232 has it");
+  add("--exposure-error", options.request.exposure_error, "standard, of its logarithm");
+  add("--white-balance-error", options.request.white_balance_error,
+      "standard, of red and blue over green");
+  add_coding_option(verb, options.coding, "as-file-says, srgb or linear").in(group);
 }
 
 }  // namespace
@@ -271,15 +214,12 @@ void add_fit(CLI::App& program) {
   add_flag(*verb, "--magnitudes", options->magnitudes,
            "a list of the whole Moon's, .csv: instant,band,magnitude,error")
       .reads_file();
-  add_belief_options(*verb, *options);
-  add_film_moon_options(*verb, options->moon);
-  add_view_options(*verb, options->view);
-  for (const char* not_asked :
-       {"--dust-extinction", "--cloud-cover", "--ozone-du",   "--danjon", "--region",
-        "--unshadowed",      "--width",       "--height",     "--field",  "--focal-length",
-        "--sensor-width",    "--up",          "--flattening", "--solver", "--trace",
-        "--photons",         "--shard",       "--keep",       "--add",    "--texture-width"})
-    remove_flag(*verb, not_asked);
+  add_photograph_options(*verb, *options);
+  auto& moon = options->request.moon;
+  add_map_options(*verb, moon);
+  add_air_but_sought(*verb, moon.light.air);
+  add_sunlight_options(*verb, moon.light);
+  add_observer_options(*verb, options->request.view);
   add_switch(*verb, "--despite-misfit", options->despite_misfit,
              "answer although no air explains what was seen: a warning, no error");
   add_switch(*verb, "--json", options->json, "one JSON document on stdout");

@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "algebra/error.h"
-#include "algebra/number.h"
 #include "colour/bracket.h"
-#include "colour/exposure.h"
-#include "texture/read_image.h"
+#include "files/whole_file.h"
 #include "texture/write_image.h"
-#include "verbs/moon_options.h"
-#include "verbs/one_line.h"
-#include "verbs/one_scene.h"
-#include "verbs/photo_file.h"
-#include "verbs/pixels.h"
-#include "verbs/recipe.h"
-#include "verbs/verbs.h"
+#include "uses/picture/photo_file.h"
+#include "uses/picture/pixels.h"
+#include "verbs/command_line.h"
+#include "verbs/recipes/one_scene.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -28,38 +23,6 @@ struct Options {
   bool json = false;
 };
 
-double number_of(const std::string& file, const char* attribute) {
-  const double number =
-      algebra::number_in(texture::read_attribute(file, attribute).value_or("")).value_or(0);
-  if (!(number > 0))
-    throw algebra::Error(fmt::format(
-        "{}: its header has no {}, allowed are photographs of --photograph", file, attribute));
-  return number;
-}
-
-void require_sound(const std::string& file, const texture::Image& image) {
-  for (std::size_t i = 0; i < image.values.size(); ++i) {
-    const float value = image.values[i];
-    const auto channel = i % image.channels.size();
-    const bool valid = channel == 3;
-    if (valid ? value >= 0 && value <= 1 : std::isfinite(value)) continue;
-    const auto pixel = i / image.channels.size();
-    throw algebra::Error(fmt::format(
-        "{}: {} at row {}, column {} = {:g}, allowed {}", file, image.channels[channel],
-        pixel / image.width, pixel % image.width, value, valid ? "0 to 1" : "what is finite"));
-  }
-}
-
-colour::Bracketed bracketed(const std::string& file) {
-  const auto image = texture::read_channels(file, {"R", "G", "B", "valid"});
-  require_sound(file, image);
-  colour::Bracketed one{pixels_of(image), channel_of(image, 3), 0};
-  const double f_number = number_of(file, "aperture"), time_s = number_of(file, "expTime");
-  colour::exposure_scale({time_s, f_number});  // their ranges
-  one.light = time_s / (f_number * f_number);
-  return one;
-}
-
 double share_valid(const colour::Bracketed& photograph) {
   double sum = 0;
   for (const float valid : photograph.valid.values()) sum += valid;
@@ -67,15 +30,15 @@ double share_valid(const colour::Bracketed& photograph) {
 }
 
 void run(const Options& options) {
-  require_place_for(options.output);
+  files::require_place_for(options.output);
   std::vector<colour::Bracketed> photographs;
   for (const auto& file : options.photographs) {
     require_one_scene(options.photographs.front(), file);
-    photographs.push_back(bracketed(file));
+    photographs.push_back(uses::bracketed(file));
   }
   const auto merged = colour::merged(photographs);
-  texture::write_exr(options.output, image_of(merged.scene_linear, merged.valid),
-                     scene_attributes(options.photographs.front()),
+  texture::write_exr(options.output, uses::image_of(merged.scene_linear, merged.valid),
+                     uses::scene_attributes(options.photographs.front()),
                      {.type = texture::ExrType::floating, .allow_negative = true});
   const double valid = share_valid(merged);
   if (options.json)

@@ -5,17 +5,19 @@
 #include <nlohmann/json.hpp>
 
 #include "almanac/instant.h"
-#include "verbs/lit_scene.h"
-#include "verbs/recipe.h"
-#include "verbs/report.h"
-#include "verbs/verbs.h"
+#include "uses/picture/lit_scene.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/moon_options.h"
+#include "verbs/flags/view_options.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
 namespace {
 
 struct Options {
   MoonOptions moon;
-  ViewOptions view;
+  uses::ViewRequest view;
   bool json = false;
 };
 
@@ -35,18 +37,21 @@ struct Planned {
 };
 
 Planned planned(const Options& options, bool picture) {
-  const auto sky = almanac::sky_at(almanac::instant_from_utc(options.moon.instant));
-  auto moon = options.moon;
+  auto moon = moon_request(options.moon);
+  const auto sky = eclipsed_sky(options.moon);
   Planned result;
   if (picture) {
-    const auto seen = view_for_frame(options.view, sky);
+    const auto seen = uses::view_for_frame(options.view, sky);
     moon = fitted(moon, seen.view.camera);
     result.picture_left_out = seen.left_out;
   }
   result.texture_width = texture_width_of(moon);
   const auto texels = static_cast<double>(result.texture_width * result.texture_width / 2);
-  result.plan = planned_light(moon.light, sky, moon.unshadowed,
-                              {picture ? texels / 2 : texels, reads_map(moon)});
+  if (moon.unshadowed)
+    uses::unshadowed_light(moon.light, sky);
+  else
+    result.plan =
+        uses::planned_light(moon.light, sky, {picture ? texels / 2 : texels, reads_map(moon)});
   return result;
 }
 
@@ -77,15 +82,15 @@ void print(const Planned& all) {
   for (std::size_t i = 1; i < plan.methods.size(); ++i)
     fmt::print("or          {:.2g} s by {}, error {}\n", plan.methods[i].seconds,
                name(plan.methods[i].method), percent(plan.methods[i].error));
-  if (!plan.gave_way.empty())
-    fmt::print("gave way    {}: error {} predicted\n", plan.gave_way, percent(plan.error));
+  if (!plan.relaxed.empty())
+    fmt::print("gave way    {}: error {} predicted\n", plan.relaxed, percent(plan.error));
 }
 
 void run(const CLI::App& verb, const Options& options) {
   const auto all = planned(options, of_a_picture(verb));
   if (!options.json) return print(all);
   auto recipe = recipe_of(verb);
-  if (!options.moon.texture_width)
+  if (!options.moon.request.texture_width)
     recipe = fmt::format("texture-width = {}\n", all.texture_width) + recipe;
   nlohmann::ordered_json json{{"chosen", as_json(with_work(recipe, all.plan.work))}};
   json.update(as_json(all.plan));

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "algebra/error.h"
-#include "verbs/lit_scene.h"
-#include "verbs/recipe.h"
-#include "verbs/report.h"
-#include "verbs/verbs.h"
+#include "files/whole_file.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/view_options.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/recipes/recorded_scene.h"
 
 namespace coppermoon::verbs {
 namespace {
 
 struct Options {
   MoonOptions moon;
-  ViewOptions view;
+  uses::ViewRequest view;
   std::string output;
   bool json = false;
 };
@@ -21,16 +24,11 @@ void run(const CLI::App& verb, const Options& options) {
   const std::filesystem::path folder = options.output;
   if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
     throw algebra::Error(fmt::format("{}: is no directory", folder.string()));
-  if (!std::filesystem::is_directory(folder)) require_place_for(folder);
-  const auto recipe = recipe_of(verb);
-  const auto scene = lit_scene(options.moon, options.view, recipe);
+  if (!std::filesystem::is_directory(folder)) files::require_place_for(folder);
+  const auto start = std::chrono::steady_clock::now();
+  const auto scene = lit_scene(verb, options.moon, options.view, texture::Extent::whole);
   write_lit_scene(folder, scene);
-  report({{options.output},
-          scene.moon.recipe,
-          scene.moon.seconds(),
-          scene.moon.light->error_found,
-          scene.moon.light->plan},
-         options.json);
+  report(report_of(options.output, scene, seconds_since(start)), options.json);
 }
 
 }  // namespace

@@ -2,22 +2,22 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "algebra/error.h"
-#include "algebra/interpolation.h"
 #include "almanac/instant.h"
 #include "eclipse/shadow_axis.h"
-#include "verbs/gnuplot.h"
-#include "verbs/light_options.h"
-#include "verbs/moon_options.h"
-#include "verbs/number_list.h"
-#include "verbs/recipe.h"
-#include "verbs/shadow_strip.h"
-#include "verbs/verbs.h"
+#include "files/whole_file.h"
+#include "uses/film/gnuplot.h"
+#include "uses/light/shadow_profile.h"
+#include "uses/light/shadow_strip.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/light_options.h"
+#include "verbs/flags/number_list.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/reports/progress_bar.h"
+#include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -35,19 +35,6 @@ std::vector<double> required_list(const std::string& text, const char* what) {
     throw algebra::Error(fmt::format("{} = {}, allowed numbers with commas between", what, text));
   return *list;
 }
-
-std::vector<double> wavelengths_of(const Options& options) {
-  const auto list = required_list(options.wavelengths, "wavelengths [nm]");
-  if (list.empty()) throw algebra::Error("wavelengths [nm] = none, allowed one or more");
-  return list;
-}
-
-/// The ratio and its standard error over (axis distance, wavelength), direct light included.
-struct Across {
-  std::vector<double> wavelengths_nm;
-  std::vector<double> axis_distances_m;
-  algebra::Grid<double> ratio, standard_error;
-};
 
 /// Where the shadow is cut: how far behind the Earth, under what Sun.
 struct Cut {
@@ -74,77 +61,12 @@ Cut cut_of(const Options& options) {
           options.moon_distance_km.value_or(depth_km) * 1e3, axis.sun_declination, sky};
 }
 
-std::vector<double> distances_of(const Options& options, const atmosphere::Atmosphere& air,
-                                 const shadow::Arrangement& arrangement) {
-  std::vector<double> distances;
-  for (const double km : required_list(options.axis_distances, "axis distances [km]")) {
-    algebra::require_within("axis distance [km]", km, 0, 1e5);
-    if (!distances.empty() && km * 1e3 <= distances.back())
-      throw algebra::Error(
-          fmt::format("axis distance [km] = {:g}, allowed above {:g}, the one before", km,
-                      distances.back() / 1e3));
-    distances.push_back(km * 1e3);
-  }
-  if (!distances.empty()) return distances;
-  constexpr double spacing_m = 100e3;
-  const double reach = shadow::refracted_reach_m(arrangement, air, arrangement.depths_m[0]);
-  for (double d = 0; d < reach + spacing_m; d += spacing_m) distances.push_back(d);
-  return distances;
-}
-
-/// A solver's values at other distances: straight lines, nothing beyond the last.
-algebra::Grid<double> at_distances(const shadow::RefractedLight& light,
-                                   const algebra::Grid<double>& values,
-                                   const std::vector<double>& distances_m) {
-  algebra::Grid<double> there(distances_m.size(), values.columns());
-  std::vector<double> column(values.rows());
-  for (std::size_t w = 0; w < values.columns(); ++w) {
-    for (std::size_t d = 0; d < values.rows(); ++d) column[d] = values(d, w);
-    for (std::size_t d = 0; d < distances_m.size(); ++d)
-      if (distances_m[d] <= light.axis_distances_m.back())
-        there(d, w) = algebra::interpolated(light.axis_distances_m, column, distances_m[d]);
-  }
-  return there;
-}
-
-/// The sectors' mean, or the two nearest to a position angle.
-std::vector<double> sector_shares(std::size_t sectors, std::optional<double> position_angle_deg) {
-  if (!position_angle_deg) return std::vector<double>(sectors, 1 / static_cast<double>(sectors));
-  const double at = *position_angle_deg / 360 * static_cast<double>(sectors);
-  const double part = at - std::floor(at);
-  const auto first = static_cast<std::size_t>(std::floor(at)) % sectors;
-  std::vector<double> shares(sectors);
-  shares[first] += 1 - part;
-  shares[(first + 1) % sectors] += part;
-  return shares;
-}
-
-Across across(const Options& options, const atmosphere::Atmosphere& air,
-              const shadow::Arrangement& arrangement) {
-  Across result{wavelengths_of(options), distances_of(options, air, arrangement), {}, {}};
-  const auto& distances = result.axis_distances_m;
-  const auto light =
-      refracted_light(options.light, air, arrangement, result.wavelengths_nm, distances);
-  const shadow::DirectLight direct(air, arrangement, result.wavelengths_nm);
-  result.ratio = algebra::Grid<double>(distances.size(), result.wavelengths_nm.size());
-  result.standard_error = result.ratio;
-  const auto shares = sector_shares(light.sectors, options.position_angle_deg);
-  std::vector<double> clear(result.wavelengths_nm.size());
-  for (std::size_t s = 0; s < shares.size(); ++s) {
-    const double angle =
-        2 * std::numbers::pi * static_cast<double>(s) / static_cast<double>(shares.size());
-    const auto refracted = at_distances(light, light.ratio[s], distances),
-               error = at_distances(light, light.standard_error[s], distances);
-    for (std::size_t d = 0; d < distances.size(); ++d) {
-      direct.ratios(distances[d], angle, arrangement.depths_m[0], clear);
-      for (std::size_t w = 0; w < clear.size(); ++w) {
-        result.ratio(d, w) += shares[s] * (refracted(d, w) + clear[w]);
-        result.standard_error(d, w) =
-            std::hypot(result.standard_error(d, w), shares[s] * error(d, w));
-      }
-    }
-  }
-  return result;
+uses::ProfilePlaces places_of(const Options& options) {
+  uses::ProfilePlaces places{.position_angle_deg = options.position_angle_deg};
+  places.wavelengths_nm = required_list(options.wavelengths, "wavelengths [nm]");
+  for (const double km : required_list(options.axis_distances, "axis distances [km]"))
+    places.axis_distances_m.push_back(km * 1e3);
+  return places;
 }
 
 nlohmann::ordered_json rows_of(const algebra::Grid<double>& grid) {
@@ -160,7 +82,7 @@ std::vector<double> in_kilometres(const std::vector<double>& metres) {
   return kilometres;
 }
 
-std::string as_csv(const Across& result) {
+std::string as_csv(const uses::ShadowProfile& result) {
   std::string text = "axis_distance_km";
   for (const double nm : result.wavelengths_nm)
     text += fmt::format(",irradiance_ratio_{:g}nm,standard_error_{:g}nm", nm, nm);
@@ -174,7 +96,7 @@ std::string as_csv(const Across& result) {
   return text;
 }
 
-std::string plot_script(const Across& result) {
+std::string plot_script(const uses::ShadowProfile& result) {
   const std::string table = as_csv(result);
   std::string script = fmt::format(
       "set logscale y\n"
@@ -189,10 +111,11 @@ std::string plot_script(const Across& result) {
 }
 
 /// Where no distance is given, the plane stands in the middle of the ground that is lit.
-void make_lookup(const Options& options, StripShadow shadow, const std::string& recipe) {
+void make_lookup(const Options& options, uses::StripShadow shadow, const uses::LightRequest& light,
+                 const std::string& recipe) {
   if (!options.moon_distance_km)
     shadow.arrangement.depths_m[0] -= algebra::in_metres(almanac::lunar_radius) / 2;
-  const auto facts = write_shadow_strip(options.lookup, shadow, options.light, recipe);
+  const auto facts = uses::write_shadow_strip(options.lookup, shadow, light, recipe);
   if (options.json)
     fmt::print("{}\n", facts.dump(2));
   else
@@ -202,18 +125,21 @@ void make_lookup(const Options& options, StripShadow shadow, const std::string& 
 }
 
 void run(const CLI::App& verb, const Options& options) {
-  if (!options.plot.empty()) require_place_for(options.plot);
+  if (!options.plot.empty()) files::require_place_for(options.plot);
   const auto start = std::chrono::steady_clock::now();
   const auto cut = cut_of(options);
-  const auto air = atmosphere_of(options.light.air, cut.sun_declination);
-  const auto arrangement = arrangement_of(options.light, cut.sun_distance_m, {cut.depth_m});
+  const auto light = light_request(options.light);
+  const auto air = uses::atmosphere_of(light.air, cut.sun_declination);
+  const auto arrangement = uses::arrangement_of(light, cut.sun_distance_m, {cut.depth_m});
   if (!options.lookup.empty())
-    return make_lookup(options, {air, arrangement, cut.sky}, recipe_of(verb));
-  const auto result = across(options, air, arrangement);
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return make_lookup(options, {air, arrangement, cut.sky}, light, recipe_of(verb));
+  const auto result = [&] {
+    ProgressBar bar("light");
+    return uses::shadow_profile(light, {air, arrangement}, places_of(options), bar.progress());
+  }();
+  const double seconds = seconds_since(start);
   if (!options.plot.empty())
-    write_plot(options.plot, "pngcairo size 1000,640", plot_script(result));
+    uses::write_plot(options.plot, "pngcairo size 1000,640", plot_script(result));
   if (!options.json) {
     fmt::print("{}", as_csv(result));
     return;
@@ -221,7 +147,7 @@ void run(const CLI::App& verb, const Options& options) {
   const nlohmann::ordered_json all{
       {"moon_distance_km", arrangement.depths_m[0] / 1e3},
       {"sun_distance_km", arrangement.sun_distance_m / 1e3},
-      {"solver", options.light.solver == "photons" ? "photons" : "quadrature"},
+      {"solver", light.solver == uses::Solver::photons ? "photons" : "quadrature"},
       {"seconds", seconds},
       {"wavelengths_nm", result.wavelengths_nm},
       {"axis_distance_km", in_kilometres(result.axis_distances_m)},
@@ -255,6 +181,7 @@ void add_shadow(CLI::App& program) {
       .excludes("--plot");
   add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_light_options(*verb, options->light);
+  add_photon_file_options(*verb, options->light);
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

@@ -9,9 +9,9 @@
 #include "almanac/observer.h"
 #include "almanac/sky.h"
 #include "eclipse/shadow_axis.h"
-#include "verbs/observer_options.h"
-#include "verbs/recipe.h"
-#include "verbs/verbs.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/view_options.h"
+#include "verbs/recipes/recipe.h"
 
 namespace coppermoon::verbs {
 namespace {

@@ -1,69 +1,69 @@
 // SPDX-License-Identifier: MIT
+#include "uses/picture/still.h"
+
+#include <chrono>
 #include <memory>
 
-#include "povray_scenes/render.h"
-#include "texture/read_image.h"
+#include "files/temporary_folder.h"
+#include "files/whole_file.h"
 #include "texture/write_image.h"
-#include "verbs/develop_options.h"
-#include "verbs/lit_scene.h"
-#include "verbs/pixels.h"
-#include "verbs/progress_bar.h"
-#include "verbs/recipe.h"
-#include "verbs/report.h"
-#include "verbs/temporary_folder.h"
-#include "verbs/verbs.h"
+#include "uses/light/header.h"
+#include "uses/light/spectral_bands.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/camera_options.h"
+#include "verbs/flags/develop_options.h"
+#include "verbs/flags/view_options.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/recipes/recorded_scene.h"
+#include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
 namespace {
 
 struct Options {
   MoonOptions moon;
-  ViewOptions view;
-  DevelopOptions develop;
+  uses::ViewRequest view;
+  uses::Development develop;
   std::string output, frame;
   bool json = false;
 };
 
-/// Returned  the frame, and the seconds until it was begun
-std::pair<texture::Image, double> rendered(const LitScene& scene) {
-  const TemporaryFolder folder;
-  write_lit_scene(folder.path(), scene, {.packed = false});
-  const double seconds = scene.moon.seconds();
-  ProgressBar bar("render");
-  return {texture::read_image(povray_scenes::render(folder.path(), {}, bar.progress())), seconds};
+void require_sound(const Options& options) {
+  require_sound(options.develop, options.output);
+  files::require_temporary_folder();
+  const auto& camera = options.develop.camera;
+  for (const std::filesystem::path& file :
+       {std::filesystem::path(options.output), std::filesystem::path(options.frame), camera.raw,
+        camera.photograph})
+    if (!file.empty()) files::require_place_for(file);
 }
 
 void run(const CLI::App& verb, Options options) {
   options.view = seen_through(options.develop.camera, options.view);
   options.develop.focal_length_mm = options.view.focal_length_mm;
-  require_sound(options.develop, options.output);
-  require_place_for(options.output);
-  require_temporary_folder();
-  for (const auto& file :
-       {options.frame, options.develop.camera.raw, options.develop.camera.photograph})
-    if (!file.empty()) require_place_for(file);
-  const auto recipe = recipe_of(verb);
-  const auto scene =
-      lit_scene(options.moon, options.view, recipe, texture::Extent::seen_from_earth);
-  const auto [frame, seconds] = rendered(scene);
-  const auto exposure = exposure_for(options.develop, frame, picture_space);
-  const auto seen = seen_by(scene.view, scene.moon.sky);
-  auto attributes = scene.texture.attributes;
-  if (!options.frame.empty()) {
-    add_exposure(attributes, exposure);
-    add_seen(attributes, seen);
-    texture::write_exr(options.frame, frame, attributes);
-  }
-  const auto picture = taken(options.develop, exposure, frame, picture_space, seen, 0, attributes);
-  write_developed(options.develop, exposure, picture, picture_space, options.output,
-                  {{"coppermoon:recipe", scene.moon.recipe},
-                   {"coppermoon:version", std::string(COPPERMOON_VERSION)}});
-  report({{options.output},
-          scene.moon.recipe,
-          seconds,
-          scene.moon.light->error_found,
-          scene.moon.light->plan},
-         options.json);
+  require_sound(options);
+  const auto start = std::chrono::steady_clock::now();
+  const auto scene = lit_scene(verb, options.moon, options.view, texture::Extent::seen_from_earth);
+  const auto made = report_of(options.output, scene, seconds_since(start));
+  const auto frame = [&] {
+    ProgressBar bar("render");
+    return uses::rendered(scene, bar.progress());
+  }();
+  const auto exposure = exposure_for(options.develop, frame, uses::picture_space);
+  const auto header = uses::frame_header(scene, exposure);
+  if (!options.frame.empty()) texture::write_exr(options.frame, frame, header);
+  const auto seen = uses::seen_by(scene.view, scene.moon.sky);
+  const auto picture = taken(options.develop, exposure,
+                             {frame, uses::picture_space, seen, 0, scene.texture.attributes});
+  write_developed(
+      options.develop, exposure,
+      {picture,
+       uses::picture_space,
+       {},
+       0,
+       {{"coppermoon:recipe", made.recipe}, {"coppermoon:version", std::string(uses::version())}}},
+      options.output);
+  report(made, options.json);
 }
 
 }  // namespace
@@ -75,6 +75,7 @@ void add_still(CLI::App& program) {
   add_view_options(*verb, options->view);
   add_develop_options(*verb, options->develop);
   add_camera_options(*verb, options->develop.camera);
+  add_camera_file_options(*verb, options->develop.camera);
   add_flag(*verb, "-o,--output", options->output, "the picture, .png").writes_file().required();
   add_flag(*verb, "--frame", options->frame, "also the scene-linear frame [cd/m²], .exr")
       .writes_file();

@@ -8,56 +8,41 @@
 
 #include "algebra/error.h"
 #include "almanac/instant.h"
-#include "eclipse/shadow_axis.h"
+#include "almanac/sky.h"
 #include "files/whole_file.h"
-#include "verbs/gnuplot.h"
-#include "verbs/moon_options.h"
-#include "verbs/one_line.h"
-#include "verbs/progress_bar.h"
-#include "verbs/recipe.h"
-#include "verbs/tradeoff_files.h"
-#include "verbs/tradeoff_runs.h"
-#include "verbs/tradeoff_sweeps.h"
-#include "verbs/verbs.h"
-#include "verbs/yardstick.h"
+#include "uses/film/gnuplot.h"
+#include "uses/study/tradeoff_runs.h"
+#include "uses/study/tradeoff_sweeps.h"
+#include "uses/study/yardstick.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/air_options.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/reports/one_line.h"
+#include "verbs/reports/progress_bar.h"
+#include "verbs/reports/tradeoff_files.h"
 
 namespace coppermoon::verbs {
 namespace {
 
+using uses::Measured, uses::ReferenceSettings;
+
 struct Options {
-  MoonOptions moon;
-  std::string output;
+  std::string instant = "2008-02-21T03:26:05Z", output;
+  uses::MoonRequest moon;
   std::vector<std::string> only;
-  RunLimits limits;
+  uses::RunLimits limits;
   bool quick = false, json = false;
 };
 
-MeasuredScene scene_of(const Options& options, std::size_t widest_texture) {
-  const auto sky = almanac::sky_at(almanac::instant_from_utc(options.moon.instant));
-  const auto axis = eclipse::shadow_axis(sky);
-  const double depth_m = algebra::in_metres(eclipse::place_in_shadow(axis, sky.moon_m).depth);
-  const auto& light = options.moon.light;
-  auto moon = options.moon;
-  moon.texture_width = widest_texture;  // of the built-in map
-  return {sky, atmosphere_of(light.air, axis.sun_declination),
-          arrangement_of(light, algebra::in_metres(axis.sun_distance), {depth_m}),
-          normal_albedo(moon), photometry_of(moon)};
+uses::MeasuredScene scene_of(const Options& options) {
+  auto moon = options.moon;  // a map that is built in is as fine as any texture
+  moon.texture_width = widest_texture(uses::sweeps(options.quick, uses::most_replicas));
+  return measured_scene(moon, almanac::sky_at(almanac::instant_from_utc(options.instant)));
 }
 
-std::vector<Sweep> chosen_sweeps(const Options& options, bool symmetric) {
-  auto all = sweeps(options.quick, symmetric ? most_replicas : most_replicas / 2);
-  std::erase_if(all, [&](const Sweep& sweep) {
-    return !options.only.empty() &&
-           std::ranges::find(options.only, sweep.middle.solver) == options.only.end();
-  });
-  return all;
-}
-
-std::size_t widest_texture(bool quick) {
-  double widest = 0;
-  for (const auto& sweep : sweeps(quick, most_replicas))
-    for (const auto& trial : sweep.trials()) widest = std::max(widest, trial.texture_width);
-  return static_cast<std::size_t>(widest);
+std::vector<uses::Sweep> sweeps_for(const Options& options, const atmosphere::Atmosphere& air) {
+  const double replicas = air.symmetric() ? uses::most_replicas : uses::most_replicas / 2;
+  return sweeps_of(options.only, uses::sweeps(options.quick, replicas));
 }
 
 std::string document(const Options& options, const ReferenceSettings& reference,
@@ -76,7 +61,7 @@ std::string document(const Options& options, const ReferenceSettings& reference,
       "making of tables; those of\na texture's width are the bake's alone, and its ΔE that against "
       "the widest texture. Extrapolated: time as the number of\nphotons and of steps, errors as "
       "N^(−1/2); a ΔE extrapolated from more than 10 is too small, by up to two times.\n\n{}",
-      options.moon.instant, options.quick ? " --quick" : "", reference.rays, reference.bands,
+      options.instant, options.quick ? " --quick" : "", reference.rays, reference.bands,
       reference.spacing_m / 1e3, as_markdown(all));
 }
 
@@ -84,8 +69,8 @@ void write_files(const std::filesystem::path& folder, const Options& options,
                  const ReferenceSettings& reference, std::span<const Measured> all) {
   files::write_whole(folder / "tradeoff.csv", as_csv(all));
   files::write_whole(folder / "tradeoff.md", document(options, reference, all));
-  write_plot(folder / "tradeoff.svg",
-             "svg size 1100,680 background rgb 'white' font 'sans-serif,13'", as_plot(all));
+  uses::write_plot(folder / "tradeoff.svg",
+                   "svg size 1100,680 background rgb 'white' font 'sans-serif,13'", as_plot(all));
 }
 
 /// Writes into a folder, made when it is missing, and gone again when nothing could be written.
@@ -105,24 +90,23 @@ void require_sound(const Options& options) {
   algebra::require_within("longest run [s]", options.limits.longest_s, 0, 1e6);
   algebra::require_within("repeat", options.limits.repeat, 1, 100);
   if (std::filesystem::is_directory(options.output)) return;
-  require_place_for(options.output);
+  files::require_place_for(options.output);
   if (std::filesystem::exists(options.output))
     throw algebra::Error(fmt::format("{}: is not a directory", options.output));
 }
 
 void run(const Options& options) {
   require_sound(options);
-  const auto scene = scene_of(options, widest_texture(options.quick));
-  const auto chosen = chosen_sweeps(options, scene.air.symmetric());
-  const ReferenceSettings reference =
-      options.quick ? ReferenceSettings{3000, 200, 50e3, 256} : ReferenceSettings{};
+  const auto scene = scene_of(options);
+  const auto chosen = sweeps_for(options, scene.air);
+  const auto reference = options.quick ? uses::quick_reference : ReferenceSettings{};
   auto yardstick = [&] {
     ProgressBar bar("reference");
-    return Yardstick(scene, reference, bar.progress());
+    return uses::Yardstick(scene, reference, bar.progress());
   }();
   const auto all = [&] {
     ProgressBar bar("tradeoff");
-    return measured(chosen, yardstick, options.limits, bar.progress());
+    return uses::measured_trials(chosen, yardstick, options.limits, bar.progress());
   }();
   write_folder(options, reference, all);
   if (options.json)
@@ -138,15 +122,13 @@ void add_tradeoff(CLI::App& program) {
   auto* verb = add_verb(program, "tradeoff",
                         "Speed against accuracy, measured for every method and setting");
   const auto options = std::make_shared<Options>();
-  options->moon.instant = "2008-02-21T03:26:05Z";
-  add_flag(*verb, "instant,--instant", options->moon.instant,
-           "ISO 8601 UTC; the scene that is lit");
+  add_flag(*verb, "instant,--instant", options->instant, "ISO 8601 UTC; the scene that is lit");
   add_flag(*verb, "-o,--output", options->output,
            "folder of tradeoff.csv, tradeoff.md and tradeoff.svg")
       .writes_folder()
       .required();
   add_flag(*verb, "--only", options->only, "one solver's sweeps; may be given again")
-      .one_of(solver_names())
+      .one_of(uses::solver_names())
       .one_value_each_time();
   add_flag(*verb, "--longest", options->limits.longest_s,
            "of one run [s]; a row that would take longer is extrapolated");

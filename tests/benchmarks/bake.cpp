@@ -41,7 +41,7 @@ struct Scene {
     return shadow::Lookup(refracted, shadow::DirectLight({}, refracted.arrangement, waves), each);
   }
 
-  texture::Rows lit() const { return texture::lit_rows(albedo, sky, light, rows, {photometry}); }
+  texture::Rows lit() const { return texture::lit_rows({albedo, sky, light}, rows, {photometry}); }
 };
 
 const Scene& scene() {
@@ -50,8 +50,8 @@ const Scene& scene() {
 }
 
 const texture::Image& baked() {
-  static const auto image =
-      texture::bake(scene().albedo, scene().sky, scene().light, layout.channels, rows, photometry);
+  static const auto image = texture::bake({scene().albedo, scene().sky, scene().light},
+                                          layout.channels, rows, photometry);
   return image;
 }
 

@@ -35,8 +35,8 @@ std::vector<photons::Ray> photons_entering(const atmosphere::Atmosphere& air) {
   return rays;
 }
 
-/// Photons of the paper's simulation by its literal stepper, 1 km; those that meet the ground, whose
-/// steps it does not tell, are left out.
+/// Photons of the paper's simulation, step by step of 1 km. Left out are those that meet the ground,
+/// for their steps are not told.
 void trace(benchmark::State& state, const char* preset) {
   const auto air = air_of(preset);
   const auto green = green_of(air);

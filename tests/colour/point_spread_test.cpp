@@ -105,7 +105,7 @@ TEST(Blurred, StarIsAsWideAsItsSeeing) {
   EXPECT_WITHIN(picture(128 - 10, 128) / peak, 0.5, 0.01, "the same");
 }
 
-/// Of a point r from its middle, by the transfer's Hankel transform.
+/// Light of a point at a distance r from its middle, by the transfer's Hankel transform.
 double seeing_spread(double r, double width) {
   constexpr int steps = 20000;
   const double step = 4 / width / steps;

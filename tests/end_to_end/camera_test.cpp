@@ -95,7 +95,7 @@ TEST_F(CameraTest, IsATableOfARecipe) {
   EXPECT_EQ(refusal_of("[camera]\nmodel = \"brownie\"\n"),
             "coppermoon: camera = brownie, allowed paper, 400mm, schmidt-cassegrain, refractor\n");
   EXPECT_EQ(refusal_of("seeing = 3\n"),
-            "coppermoon: a camera's aperture, sensor, noise, sky or files: allowed with --camera "
+            "coppermoon: a camera's aperture, sensor, noise, sky or files: allowed with a camera: "
             "paper, 400mm, schmidt-cassegrain, refractor\n");
   EXPECT_EQ(refusal_of("[camera]\nmodel = \"paper\"\nread-noise = -1\n"),
             "coppermoon: read noise [e] = -1, allowed 0 to 10000\n");

@@ -67,7 +67,7 @@ double coded(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
-/// Of some pixels' middle channel, and of what `of` makes of each.
+/// The mean of what `of` makes of some pixels' middle channel.
 template <class Of>
 double mean(const texture::Image& image, std::size_t top, std::size_t left, std::size_t rows,
             std::size_t columns, Of of) {

@@ -27,8 +27,8 @@ almanac::ObserverView seen() {
 double apparent_altitude_deg(double true_altitude_deg) {
   double apparent = true_altitude_deg;
   for (int i = 0; i < 100; ++i)
-    apparent =
-        true_altitude_deg + 1 / std::tan(degrees(apparent + 7.31 / (apparent + 4.4)).si()) / 60;
+    apparent = true_altitude_deg +
+               1 / std::tan(in_radians(degrees(apparent + 7.31 / (apparent + 4.4)))) / 60;
   return apparent;
 }
 

@@ -8,7 +8,7 @@
 
 namespace coppermoon::end_to_end {
 
-/// Of a pixel in linear Rec.709, in its own unit.
+/// Luminance of a pixel in linear Rec.709, in its own unit.
 inline double luminance(const texture::Image& image, std::size_t row, std::size_t column) {
   const std::array<double, 3> rgb{image(row, column, 0), image(row, column, 1),
                                   image(row, column, 2)};

@@ -58,7 +58,7 @@ Centres centres_in(const texture::Image& frame) {
 Centres by_camera(const Look& look) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc(look.instant));
   const auto camera = povray_scenes::camera_at(sky, almanac::view_from(look.observer, sky), look.up,
-                                               degrees(field_deg), side, side);
+                                               {degrees(field_deg), side, side});
   Centres all;
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i] = *povray_scenes::pixel_of(camera, spots()[i].at);

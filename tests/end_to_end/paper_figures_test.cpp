@@ -26,8 +26,8 @@ Scene scene_at(const std::string& utc) {
   const auto scene = end_to_end::scene_at(
       sky, povray_scenes::camera_at(
                sky, almanac::view_from(clifton_park, sky), povray_scenes::Up::celestial_north,
-               povray_scenes::field_of_view(algebra::metres(1.537), algebra::metres(0.0227)), width,
-               height));
+               {povray_scenes::field_of_view(algebra::metres(1.537), algebra::metres(0.0227)),
+                width, height}));
   EXPECT_GT(scene.ground.size(), 6000U) << "of 92 x 92 x π/4, without the limb";
   return scene;
 }
@@ -41,7 +41,7 @@ double luminance(const Image& image, const Ground& at) {
   return end_to_end::luminance(image, at.row, at.column);
 }
 
-/// Of the disc, in some channel.
+/// Share of the disc that is saturated in some channel.
 double saturated_share(const Image& picture, const Scene& scene) {
   const auto saturated = std::ranges::count_if(
       scene.ground, [&](const Ground& at) { return brightest_channel(picture, at) >= 1; });
@@ -180,7 +180,7 @@ TEST_F(PaperFiguresThoroughly, Figure4SaturatesWhereSunlightIsLeftForThat) {
   }
 }
 
-/// Of the brightest channel, in sunlight and in the umbra, 300 km within its edge.
+/// Values of the brightest channel in sunlight and in the umbra, 300 km within its edge.
 struct Exposed {
   double lit = 0, umbra_least = 1, umbra_most = 0;
 };

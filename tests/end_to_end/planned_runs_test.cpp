@@ -14,7 +14,7 @@
 #include "eclipse/shadow_axis.h"
 #include "end_to_end/true_luminance.h"
 #include "support/within.h"
-#include "verbs/light_options.h"
+#include "uses/light/moonlight.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -23,7 +23,7 @@ using algebra::Random;
 
 struct Run {
   almanac::Instant when;
-  verbs::LightOptions options;
+  uses::LightRequest request;
 };
 
 double between(Random& random, double least, double most) {
@@ -59,8 +59,8 @@ almanac::Instant random_instant(Random& random) {
 }
 
 /// Each term of the air as it is in the preset, or anything.
-verbs::AirOptions random_air(Random& random) {
-  verbs::AirOptions air;
+uses::Air random_air(Random& random) {
+  uses::Air air;
   air.atmosphere = one_of(
       random, std::array<std::string, 5>{"paper", "molecular", "clear", "standard", "standard"});
   auto& column = air.column;
@@ -77,8 +77,8 @@ verbs::AirOptions random_air(Random& random) {
   sometimes([&] { column.tropospheric_optical_depth = between(random, 0, 0.3); });
   sometimes([&] { column.dust_extinction_per_m = log_between(random, 1e-7, 3e-5); });
   sometimes([&] {
-    column.stratosphere = one_of(
-        random, std::array<std::string, 5>{"none", "background", "moderate", "high", "extreme"});
+    using enum atmosphere::StratosphericAerosol;
+    column.stratosphere = one_of(random, std::array{none, background, moderate, high, extreme});
   });
   return air;
 }
@@ -86,8 +86,8 @@ verbs::AirOptions random_air(Random& random) {
 Run random_run(std::uint64_t index) {
   Random random(2008, index);
   Run run{random_instant(random), {}};
-  run.options.air = random_air(random);
-  run.options.plan.tolerance = fmt::format("{:.3g}%", 100 * log_between(random, 1e-4, 0.1));
+  run.request.air = random_air(random);
+  run.request.wish.tolerance = log_between(random, 1e-4, 0.1);
   return run;
 }
 
@@ -99,17 +99,18 @@ Run random_run_with_a_region(std::uint64_t index) {
   while (total == nullptr || total->type != eclipse::EclipseType::total)
     total = &random_eclipse(random);
   run.when = total->greatest;
-  run.options.air = {};
-  run.options.air.earth = "sphere";
+  run.request.air = {};
+  run.request.air.earth = uses::EarthFigure::sphere;
   const double south = one_of(random, std::array{-90., -30., 0.}), north = south == 0 ? 90 : 0;
-  run.options.air.regions = {
-      fmt::format("from-latitude={},to-latitude={},dust-extinction={:.2g}", south, north,
-                  log_between(random, 1e-6, 1e-5))};
+  run.request.air.regions = {
+      {.from_latitude = south,
+       .to_latitude = north,
+       .column = {.dust_extinction_per_m = log_between(random, 1e-6, 1e-5)}}};
   return run;
 }
 
 std::string described(const Run& run) {
-  const auto& air = run.options.air;
+  const auto& air = run.request.air;
   const auto& column = air.column;
   std::string text = fmt::format("{} {}", almanac::utc_text(run.when), air.atmosphere);
   const auto say = [&](const char* what, const auto& value) {
@@ -120,18 +121,21 @@ std::string described(const Run& run) {
   say("cloud", column.cloud_cover);
   say("to [km]", column.cloud_top_km);
   say("troposphere", column.tropospheric_optical_depth);
-  say("stratosphere", column.stratosphere);
+  if (column.stratosphere)
+    text += fmt::format(", stratosphere {}", static_cast<int>(*column.stratosphere));
   say("dust", column.dust_extinction_per_m);
-  for (const auto& region : air.regions) text += ", " + region;
+  for (const auto& region : air.regions)
+    text += fmt::format(", dust {} from {} to {} degrees", *region.column.dust_extinction_per_m,
+                        *region.from_latitude, *region.to_latitude);
   return text;
 }
 
-verbs::ShadowedMoon moon_of(const Run& run, const almanac::SkyState& sky) {
+uses::ShadowedMoon moon_of(const Run& run, const almanac::SkyState& sky) {
   const auto axis = eclipse::shadow_axis(sky);
   const double sun_m = algebra::in_metres(axis.sun_distance);
   return {eclipse::place_in_shadow(axis, sky.moon_m), sun_m,
-          arrangement_of(run.options, sun_m, {}).limb_darkening,
-          atmosphere_of(run.options.air, axis.sun_declination)};
+          arrangement_of(run.request, sun_m, {}).limb_darkening,
+          atmosphere_of(run.request.air, axis.sun_declination)};
 }
 
 /// Places of the lit half on a circle of one depth, by increasing axis distance.
@@ -141,7 +145,7 @@ struct Circle {
 };
 
 /// Given  out  of the disc's middle, as the Sun sees it, over its radius
-Circle circle_on(const verbs::ShadowedMoon& moon, double out, std::size_t places, Random& random) {
+Circle circle_on(const uses::ShadowedMoon& moon, double out, std::size_t places, Random& random) {
   const double radius = algebra::in_metres(almanac::lunar_radius),
                away = algebra::in_metres(moon.centre.axis_distance),
                towards = algebra::in_radians(moon.centre.position_angle);
@@ -162,7 +166,7 @@ Circle circle_on(const verbs::ShadowedMoon& moon, double out, std::size_t places
 }
 
 /// Evenly over the disc.
-std::vector<Circle> circles_on(const verbs::ShadowedMoon& moon, std::size_t circles,
+std::vector<Circle> circles_on(const uses::ShadowedMoon& moon, std::size_t circles,
                                std::size_t places, std::uint64_t index) {
   Random random(2009, index);
   std::vector<Circle> all;
@@ -206,17 +210,17 @@ Result result_of(const Run& run, std::size_t circles, std::size_t places, const 
                  std::uint64_t index) {
   const auto sky = almanac::sky_at(run.when);
   const auto start = std::chrono::steady_clock::now();
-  const auto light = light_on_the_moon(run.options, sky, false);
+  const auto light = light_on_the_moon(run.request, sky);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   const auto moon = moon_of(run, sky);
   const double error =
-      largest_error(light.in_channels(verbs::luminance_weights()), TrueLuminance(moon, truth),
+      largest_error(light.in_channels(uses::luminance_weights()), TrueLuminance(moon, truth),
                     circles_on(moon, circles, places, index));
   const Result result{light.plan.error, light.error_found, error, light.plan.seconds,
                       taken.count()};
   if (!result.bounded() || !result.told()) {
     fmt::print("run {}: tolerance {}, predicted {:.2g}, found {:.2g}, true {:.2g}\n  {}\n", index,
-               *run.options.plan.tolerance, result.predicted, result.found, result.truth,
+               *run.request.wish.tolerance, result.predicted, result.found, result.truth,
                described(run));
     const auto& work = light.plan.work;
     fmt::print("  bands {}, rays {}, sun terms {}, planes {}, place error {}{}{}{}{}\n", work.bands,

@@ -11,9 +11,8 @@
 #include "end_to_end/program.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
-#include "verbs/develop_options.h"
-#include "verbs/fit_witness.h"
-#include "verbs/pixels.h"
+#include "uses/picture/pixels.h"
+#include "uses/study/fit_witness.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -39,13 +38,16 @@ double normal(Random& random) {
 
 /// An eclipse, and where it is seen from.
 struct Occasion {
-  const char *instant, *at;
+  const char* instant;
+  double latitude, longitude;  // [degrees]
+
+  std::string at() const { return fmt::format("{},{}", latitude, longitude); }
 };
 
 constexpr std::array occasions{
-    Occasion{"2018-07-27T20:40:00Z", "36,38"}, Occasion{"2008-02-21T03:12:00Z", "42.86,-73.77"},
-    Occasion{"2015-09-28T02:30:00Z", "30,-40"}, Occasion{"2010-12-21T08:00:00Z", "40,-100"},
-    Occasion{"2000-07-16T13:20:00Z", "-20,150"}};
+    Occasion{"2018-07-27T20:40:00Z", 36, 38}, Occasion{"2008-02-21T03:12:00Z", 42.86, -73.77},
+    Occasion{"2015-09-28T02:30:00Z", 30, -40}, Occasion{"2010-12-21T08:00:00Z", 40, -100},
+    Occasion{"2000-07-16T13:20:00Z", -20, 150}};
 
 struct Truth {
   double dust_per_m, cloud_cover, ozone_du;
@@ -95,7 +97,7 @@ class Recovery : public ProgramTest {
     const auto outcome = coppermoon({"still",
                                      occasion.instant,
                                      "--at",
-                                     occasion.at,
+                                     occasion.at(),
                                      "--dust-extinction",
                                      fmt::format("{}", truth.dust_per_m),
                                      "--cloud-cover",
@@ -136,10 +138,10 @@ class Recovery : public ProgramTest {
     const colour::Exposure exposure{taken.time_s, f_number, taken.iso};
     const double pixel_rad = 2 * std::tan(0.75 / 2 * std::numbers::pi / 180) / 440;
     const auto photograph =
-        colour::photographed(verbs::pixels_of(frame), rec709, camera,
+        colour::photographed(uses::pixels_of(frame), rec709, camera,
                              {exposure, pixel_rad, 2e-4, seed + 1, random_number_++});
     value_per_cd_m2 = 1 / photograph.saturation_cd_m2;
-    auto image = verbs::image_of(photograph.scene_linear);
+    auto image = uses::image_of(photograph.scene_linear);
     for (float& value : image.values) value *= static_cast<float>(value_per_cd_m2);
     return written(turned(image, between(random, 0, 6.28)), taken.jpeg);
   }
@@ -162,13 +164,13 @@ class Recovery : public ProgramTest {
   mutable std::uint64_t random_number_ = 0;
 };
 
-verbs::FitScene scene_of(const Occasion& occasion) {
-  verbs::MoonOptions moon;
-  moon.instant = occasion.instant;
+uses::FitScene scene_of(const Occasion& occasion) {
+  uses::ViewRequest view;
+  view.observer = almanac::Observer{algebra::degrees(occasion.latitude),
+                                    algebra::degrees(occasion.longitude), algebra::metres(0)};
+  uses::MoonRequest moon;
   moon.albedo_map = "built-in";
-  verbs::ViewOptions view;
-  view.at = occasion.at;
-  return fit_scene(moon, view);
+  return fit_scene(moon, view, almanac::sky_at(almanac::instant_from_utc(occasion.instant)));
 }
 
 /// How often something was so, of all.
@@ -176,7 +178,7 @@ struct Tally {
   int photographs = 0, found = 0, refused = 0;
   std::array<int, 3> inside{};
 
-  void count(const Truth& truth, const verbs::Posterior& posterior) {
+  void count(const Truth& truth, const uses::Posterior& posterior) {
     const std::array<double, 3> true_values{std::log(truth.dust_per_m), truth.cloud_cover,
                                             truth.ozone_du};
     const auto& [dust, cover, ozone] = posterior.estimates;
@@ -200,7 +202,7 @@ TEST_F(Recovery, OfAHundredPhotographsFindsDustAndCloudAndKnowsHowWell) {
           photograph_of(frame_of(occasion, taken.truth), taken, random, value_per_cd_m2);
       try {
         const auto witness = witness_of(scene, binned(scene, photo), {value_per_cd_m2, 0.1, 0.03});
-        tally.count(taken.truth, verbs::fitted_air({&witness, 1}).posterior);
+        tally.count(taken.truth, uses::fitted_air({&witness, 1}).posterior);
       } catch (const algebra::Error&) {
         ++tally.refused;  // one whose Moon is lost in noise or light: not found
       }

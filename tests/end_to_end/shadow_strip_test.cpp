@@ -227,7 +227,7 @@ TEST_F(ShadowStrip, SaysWhatItCannotWrite) {
     EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
   };
   refused({"--lookup", "a.png"}, "a.png: a look-up ends in .exr or .cube");
-  refused({"--lookup", "a.cube"}, "allowed with --earth sphere");
+  refused({"--lookup", "a.cube"}, "allowed with a spherical Earth");
   refused({"--lookup", "no/a.exr"}, "no: no such directory");
   EXPECT_TRUE(listing().empty());
 }

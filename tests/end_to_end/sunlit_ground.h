@@ -56,7 +56,7 @@ struct Scene {
   std::vector<Ground> ground;
 };
 
-/// Of all pixels that hold ground [km], by row and column.
+/// Distances from the shadow axis [km] of all pixels that hold ground, by row and column.
 inline std::map<std::pair<std::size_t, std::size_t>, double> axis_distances(
     const almanac::SkyState& sky, const povray_scenes::Camera& camera) {
   const auto axis = eclipse::shadow_axis(sky);

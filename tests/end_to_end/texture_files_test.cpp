@@ -159,8 +159,8 @@ TEST_F(TextureFiles, IrradianceIsTheSunsWhereNoShadowIs) {
       << "the Moon is redder than grey";
 }
 
-/// Of the channels that the reader of Fichet, Pacanowski & Wilkie (2021) takes, by their names: their
-/// place, and the middle of the band.
+/// The channels that the reader of Fichet, Pacanowski & Wilkie (2021) takes, by their names: each
+/// one's place, and the middle of its band.
 std::vector<std::pair<std::size_t, double>> bands_of(const Image& image) {
   const std::regex form(
       R"(^((S([0-3]))|T)\.(\d*,?\d*([Ee][+-]?\d+)?)(Y|Z|E|P|T|G|M|k|h|da|d|c|m|u|n|p)?(m|Hz)$)");

@@ -8,8 +8,8 @@
 
 #include "algebra/interpolation.h"
 #include "shadow/twilight.h"
-#include "verbs/planning.h"
-#include "verbs/spectral_bands.h"
+#include "uses/light/planning.h"
+#include "uses/light/spectral_bands.h"
 
 namespace coppermoon::end_to_end {
 
@@ -22,16 +22,16 @@ struct Truth {
 /// terms, no look-up, nothing between planes, places or sectors but where the Earth is an ellipsoid.
 class TrueLuminance {
  public:
-  TrueLuminance(verbs::ShadowedMoon moon, const Truth& truth)
+  TrueLuminance(uses::ShadowedMoon moon, const Truth& truth)
       : moon_(std::move(moon)),
         truth_(truth),
-        waves_(verbs::wavelengths_nm(truth.bands)),
-        weights_(verbs::at_wavelengths(verbs::luminance_weights(), truth.bands)) {
+        waves_(uses::wavelengths_nm(truth.bands)),
+        weights_(uses::at_wavelengths(uses::luminance_weights(), truth.bands)) {
     for (double nm = 380; nm <= 780; nm += 5) twilight_nm_.push_back(nm);
   }
 
-  /// Of places of one depth, by increasing axis distance. Air with regions is turned until the place's
-  /// position angle is that of a sector, which only a sphere allows.
+  /// Luminances of places of one depth, by increasing axis distance. Air with regions is turned
+  /// until the place's position angle is that of a sector, which only a sphere allows.
   std::vector<double> at(double depth_m, std::span<const double> distances_m,
                          std::span<const double> angles_rad) const {
     if (moon_.air.regions.empty()) return around(moon_.air, depth_m, distances_m, angles_rad);
@@ -77,8 +77,8 @@ class TrueLuminance {
     for (std::size_t w = 0; w < ratios.size(); ++w) ratios[w] += share * row[w];
   }
 
-  /// Of a sector in the sum of waves around the axis that goes through all of them: what an ellipsoid
-  /// does has one, cos 2θ.
+  /// Share of a sector in the sum of waves around the axis that goes through all of them: what an
+  /// ellipsoid does has one, cos 2θ.
   static double share(std::size_t sector, std::size_t sectors, double angle_rad) {
     if (sectors == 1) return 1;
     const auto count = static_cast<double>(sectors);
@@ -86,7 +86,7 @@ class TrueLuminance {
     return std::abs(std::sin(half)) < 1e-9 ? 1 : std::sin(count * half) / std::tan(half) / count;
   }
 
-  verbs::ShadowedMoon moon_;
+  uses::ShadowedMoon moon_;
   Truth truth_;
   std::vector<double> waves_, twilight_nm_;
   algebra::Grid<double> weights_;

@@ -9,7 +9,7 @@
 #include "support/within.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
-#include "verbs/photon_sums.h"
+#include "uses/light/photon_file.h"
 
 namespace coppermoon::extremes {
 namespace {
@@ -418,7 +418,7 @@ TEST_F(Sums, CutShortAreRefused) {
   const auto whole = text_of(here("one"));
   for (std::size_t tenths = 0; tenths < 10; ++tenths) {
     file("cut", whole.substr(0, whole.size() * tenths / 10));
-    EXPECT_THROW(verbs::read_sums(here("cut")), algebra::Error) << tenths;
+    EXPECT_THROW(uses::read_sums(here("cut")), algebra::Error) << tenths;
     tried(fmt::format("photons' sums: {}/10 of a file", tenths), "refused");
   }
 }

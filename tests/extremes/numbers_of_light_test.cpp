@@ -238,7 +238,7 @@ TEST(Light, OfAirThatIsBlackIsNoneAndNeverNoNumber) {
     EXPECT_TRUE(is_light(lookup.worst_relative_error(light, weights, 0, 4e6)));
     add_twilight(light, air);
     expect_light(light, "black air and twilight");
-    for (const auto trace : {Trace::each, Trace::marched, Trace::table}) {
+    for (const auto trace : {Trace::step_by_step, Trace::marched, Trace::table}) {
       const auto photons = by_photons(air, february_2008, waves, photons_of(1, trace, 5e5, 2));
       expect_light(photons, "photons in black air");
     }
@@ -249,7 +249,7 @@ TEST(Light, OfAirThatIsBlackIsNoneAndNeverNoNumber) {
 }
 
 TEST(Light, OfOnePhotonAndOneWavelengthIsFiniteAndItsErrorUnknown) {
-  for (const auto trace : {Trace::each, Trace::marched, Trace::table}) {
+  for (const auto trace : {Trace::step_by_step, Trace::marched, Trace::table}) {
     const auto light = by_photons(Atmosphere{}, february_2008, green, photons_of(1, trace, 5e4));
     EXPECT_EQ(light.photons, shadow::photons_a_block);
     expect_light(light, "one photon");

@@ -372,7 +372,7 @@ TEST(Texels, AreTheExpressionInDoublePrecisionWhereverSunAndMoonStand) {
     for (const double moon : {0.5, 0.93, 1.06, 2.})
       for (const double sun : {0.5, 1., 2.}) {
         const auto sky = moved(moon, sun);
-        const auto image = texture::bake(white, sky, sunlight, {"Y"}, rows, photometry);
+        const auto image = texture::bake({white, sky, sunlight}, {"Y"}, rows, photometry);
         for (std::size_t r = 0; r < rows; ++r)
           for (std::size_t c = 0; c < 2 * rows; ++c) {
             const double other = by_vectors(sky, r, c, rows, photometry);
@@ -386,8 +386,8 @@ TEST(Texels, AreTheExpressionInDoublePrecisionWhereverSunAndMoonStand) {
 TEST(Textures, OfTwoRowsAreBakedAndOfOneRefused) {
   const shadow::Lookup dark(shadow::ChannelWeights(3, 1, 0.));
   const auto bake = [&](std::size_t rows) {
-    return texture::bake(algebra::Grid<float>(2, 4, 1.F), moved(1, 1), dark, {"R", "G", "B"}, rows,
-                         surface::Photometry::lommel_seeliger_rolo);
+    return texture::bake({algebra::Grid<float>(2, 4, 1.F), moved(1, 1), dark}, {"R", "G", "B"},
+                         rows, surface::Photometry::lommel_seeliger_rolo);
   };
   for (const float x : bake(2).values) EXPECT_TRUE(x == 0 && !std::signbit(x));
   tried("a texture of two rows without any light", "0 in every texel, not -0 and no NaN");

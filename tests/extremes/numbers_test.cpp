@@ -172,7 +172,7 @@ TEST(Rays, OfTheCloudDeckAreCutByTheCoverThereAndNowhereElse) {
 constexpr double us_1976_scale_height_m = 288.15 / (34.163195e-3 - 6.5e-3);  // at sea level
 
 TEST(Air, ThatBendsAsTheEarthDoesIsRefusedFromTheClosedFormOn) {
-  // Of ρ = exp(−h/H), n r falls where (n₀ − 1) (r/H − 1) > 1.
+  // In air of ρ = exp(−h/H), n r falls where (n₀ − 1) (r/H − 1) > 1.
   Worst worst;
   for (const double r : {1e6, radius_m, 1e7, 6.378e7})
     for (const auto density : {Density::us_1976, Density::yapo_cutler})

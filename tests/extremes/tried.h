@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows of the table of extremes, which examples/extremes.sh gathers from what the tests print.
+// Rows of the table of extremes, which tests/measurements/extremes.sh gathers from what the tests print.
 #pragma once
 
 #include <fmt/format.h>

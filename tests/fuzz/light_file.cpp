@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A film's eclipse.light with a fingerprint that is right: read, completed and looked up.
-#include "verbs/light_file.h"
+#include "uses/light/light_file.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "fuzz/refused.h"
 #include "fuzz/scratch_file.h"
 #include "files/fingerprint.h"
-#include "verbs/spectral_bands.h"
+#include "uses/light/spectral_bands.h"
 
 namespace {
 
@@ -18,25 +18,25 @@ using namespace coppermoon;
 
 /// What the film asks for that finds the file in its folder.
 struct Asked {
-  verbs::LightOptions options;
-  verbs::ShadowedMoon moon;
+  uses::LightRequest request;
+  uses::ShadowedMoon moon;
 };
 
 Asked asked() {
   Asked asked;
-  asked.options.air.atmosphere = "paper";
+  asked.request.air.atmosphere = "paper";
   const std::array skies{almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:21:45Z"))};
-  asked.moon = verbs::moon_on_its_way(asked.options, skies);
+  asked.moon = uses::moon_on_its_way(asked.request, skies);
   return asked;
 }
 
 void read(std::string_view text) {
   static const fuzz::ScratchFile file("eclipse.light");
   static const Asked film = asked();
-  auto kept = verbs::read_light(
+  auto kept = uses::read_light(
       file.holding(std::string(text) + fmt::format("{:016x}", files::fingerprint(text))));
-  if (!kept || !verbs::complete(film.options, film.moon, kept->light)) return;
-  const auto lookup = kept->light.in_channels(verbs::luminance_weights());
+  if (!kept || !uses::complete(film.request, film.moon, kept->light)) return;
+  const auto lookup = kept->light.in_channels(uses::luminance_weights());
   std::array<double, 1> ratio{};
   lookup.read(film.moon.centre, ratio);
   fuzz::require(ratio[0] >= 0 && ratio[0] <= 1e15);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files of --keep, a zero byte between: read, put together, and made light of.
-#include "verbs/photon_sums.h"
+#include "uses/light/photon_file.h"
 
 #include <optional>
 #include <string>
@@ -14,7 +14,7 @@ using namespace coppermoon;
 
 void add(std::optional<shadow::PhotonSums>& all, std::string_view text) {
   static const fuzz::ScratchFile file("sums.json");
-  auto sums = verbs::read_sums(file.holding(text));
+  auto sums = uses::read_sums(file.holding(text));
   const auto blocks = shadow::blocks_in(sums.done);
   all = all ? shadow::merged(std::move(*all), sums) : std::move(sums);
   fuzz::require(shadow::blocks_in(all->done) >= blocks);

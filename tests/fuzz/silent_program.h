@@ -10,8 +10,8 @@
 #include "fuzz/refused.h"
 #include "fuzz/scratch_file.h"
 #include "verbs/command_line.h"
-#include "verbs/one_line.h"
-#include "verbs/recipe.h"
+#include "verbs/reports/one_line.h"
+#include "verbs/recipes/recipe.h"
 
 namespace coppermoon::fuzz {
 
@@ -30,7 +30,7 @@ struct SilentProgram {
   /// Whether the words can be understood.
   bool understands(const Words& words) {
     try {
-      done([&] { verbs::obey(app, words); });
+      done([&] { verbs::run(app, words); });
     } catch (const Understood&) {
       return true;
     } catch (const CLI::ParseError& error) {

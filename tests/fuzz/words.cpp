@@ -4,20 +4,19 @@
 
 #include "colour/working_space.h"
 #include "fuzz/refused.h"
-#include "verbs/air_options.h"
-#include "verbs/number_list.h"
-#include "verbs/observer_options.h"
-#include "verbs/one_line.h"
-#include "verbs/plan_options.h"
+#include "verbs/flags/air_options.h"
+#include "verbs/flags/number_list.h"
+#include "verbs/reports/one_line.h"
+#include "verbs/flags/plan_options.h"
+#include "verbs/flags/view_options.h"
 
 namespace {
 
 using namespace coppermoon;
 
 void read_region(const std::string& text) {
-  verbs::AirOptions options;
-  options.regions = {text};
-  const auto air = verbs::atmosphere_of(options, algebra::degrees(10));
+  verbs::RegionReader reader;
+  const auto air = uses::atmosphere_of({.regions = {reader.read(text)}}, algebra::degrees(10));
   for (const auto& region : air.regions)
     fuzz::require(std::isfinite(algebra::in_radians(region.from)) &&
                   std::isfinite(algebra::in_radians(region.to)));

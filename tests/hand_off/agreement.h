@@ -26,14 +26,14 @@ inline glm::dvec2 from_middle(const Luminances& frame, std::size_t row, std::siz
           static_cast<double>(row) + 0.5 - static_cast<double>(frame.rows()) / 2};
 }
 
-/// Of the disc, in pixels.
+/// Radius of the disc, in pixels.
 inline double radius_px(const povray_scenes::Camera& camera) {
   const double distance = glm::length(camera.position);
   return static_cast<double>(camera.width) / 2 / std::tan(in_radians(camera.horizontal_field) / 2) /
          std::sqrt(distance * distance - 1);
 }
 
-/// Of the pixels more than 2 px inside the limb, the part that differs by more than `relative`.
+/// The part of the pixels more than 2 px inside the limb that differs by more than `relative`.
 inline double part_that_differs(const Luminances& frame, const Luminances& reference,
                                 double within_px, double relative) {
   double differing = 0, all = 0;
@@ -47,14 +47,14 @@ inline double part_that_differs(const Luminances& frame, const Luminances& refer
   return all > 0 ? differing / all : 1;
 }
 
-/// Of the whole frame, [cd/m² px].
+/// Sum over the whole frame [cd/m² px].
 inline double total(const Luminances& frame) {
   double sum = 0;
   for (const double value : frame.values()) sum += value;
   return sum;
 }
 
-/// Of the light, in pixels from the picture's middle.
+/// Centroid of the light, in pixels from the picture's middle.
 inline glm::dvec2 centroid(const Luminances& frame) {
   glm::dvec2 sum{0, 0};
   for (std::size_t r = 0; r < frame.rows(); ++r)

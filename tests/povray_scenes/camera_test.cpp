@@ -42,7 +42,7 @@ TEST(FieldOfView, RefusesWhatIsNoLens) {
 
 TEST(CameraAt, StandsWhereTheObserverIs) {
   const auto camera = camera_at(moon_at_the_equinox(), on_the_meridian(degrees(90)),
-                                Up::celestial_north, degrees(1), 100, 100);
+                                Up::celestial_north, {degrees(1), 100, 100});
   EXPECT_WITHIN(camera.position.x, 384400 / 1737.4, 1e-9, rounding);
   EXPECT_WITHIN(camera.position.y, 0, 1e-9, rounding);
   EXPECT_WITHIN(camera.position.z, 6371 / 1737.4, 1e-9, rounding);
@@ -54,9 +54,9 @@ TEST(CameraAt, PutsCrisiumRightInTheNorthAndLeftInTheSouth) {
   const auto crisium = place(17, 59);
   const auto sky = moon_at_the_equinox();
   const auto north = pixel_of(
-      camera_at(sky, on_the_meridian(degrees(45)), Up::zenith, degrees(0.6), 100, 100), crisium);
+      camera_at(sky, on_the_meridian(degrees(45)), Up::zenith, {degrees(0.6), 100, 100}), crisium);
   const auto south = pixel_of(
-      camera_at(sky, on_the_meridian(degrees(-33)), Up::zenith, degrees(0.6), 100, 100), crisium);
+      camera_at(sky, on_the_meridian(degrees(-33)), Up::zenith, {degrees(0.6), 100, 100}), crisium);
   ASSERT_TRUE(north && south);
   EXPECT_GT(north->x, 60);
   EXPECT_LT(north->y, 45);
@@ -66,7 +66,7 @@ TEST(CameraAt, PutsCrisiumRightInTheNorthAndLeftInTheSouth) {
 
 TEST(CameraAt, TakesNorthFromTheEquatorOfDateWhereverTheObserverStands) {
   const auto camera = camera_at(moon_at_the_equinox(), on_the_meridian(degrees(-33)),
-                                Up::celestial_north, degrees(0.6), 100, 100);
+                                Up::celestial_north, {degrees(0.6), 100, 100});
   EXPECT_GT(pixel_of(camera, place(17, 59))->x, 60);
   EXPECT_LT(pixel_of(camera, place(80, 0))->y, 20);
 }
@@ -78,7 +78,7 @@ TEST(CameraAt, LeansWithThePoleOfDate) {
   const double q = 20 * std::numbers::pi / 180;
   sky.equator_from_gcrs = glm::transpose(
       glm::dmat3({1, 0, 0}, {0, std::cos(q), -std::sin(q)}, {0, std::sin(q), std::cos(q)}));
-  const auto chart = camera_at(sky, Up::celestial_north, degrees(0.6), 100, 100);
+  const auto chart = camera_at(sky, Up::celestial_north, {degrees(0.6), 100, 100});
   const auto top = *pixel_of(chart, place(60, 0)) - glm::dvec2(50, 50);
   EXPECT_WITHIN(std::atan2(top.x, -top.y), q, 1e-9, rounding);
 }
@@ -86,7 +86,7 @@ TEST(CameraAt, LeansWithThePoleOfDate) {
 TEST(CameraAt, LooksDownOnTheSubObserverPointOfTheAlmanac) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T03:26:05Z"));
   const auto view = almanac::view_from({degrees(42.4), degrees(-71.1), metres(10)}, sky);
-  const auto camera = camera_at(sky, view, Up::zenith, degrees(0.6), 100, 100);
+  const auto camera = camera_at(sky, view, Up::zenith, {degrees(0.6), 100, 100});
   const auto middle = *pixel_of(camera, view.sub_observer);
   EXPECT_WITHIN(middle.x, 50, 1e-6, rounding);
   EXPECT_WITHIN(middle.y, 50, 1e-6, rounding);
@@ -98,7 +98,7 @@ TEST(CameraAt, TurnsFromNorthToTheZenithByTheParallacticAngle) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T03:26:05Z"));
   const auto view = almanac::view_from({degrees(42.4), degrees(-71.1), metres(10)}, sky);
   const auto bearing = [&](Up up) {
-    const auto camera = camera_at(sky, view, up, degrees(0.6), 1000, 1000);
+    const auto camera = camera_at(sky, view, up, {degrees(0.6), 1000, 1000});
     const auto pole = *pixel_of(camera, place(80, 0)) - glm::dvec2(500, 500);
     return std::atan2(-pole.x, -pole.y);  // anticlockwise from up, which is east of north
   };
@@ -115,28 +115,28 @@ TEST(CameraAt, TurnsTheMoonByThePositionAngleOfItsAxis) {
   const glm::dvec3 pole(0, std::sin(p), std::cos(p)), ninety_east(0, -std::cos(p), std::sin(p));
   for (int i = 0; i < 3; ++i)
     sky.selenographic_from_gcrs[i] = {i == 0 ? -1.0 : 0.0, ninety_east[i], pole[i]};
-  const auto chart = camera_at(sky, Up::celestial_north, degrees(0.6), 100, 100);
+  const auto chart = camera_at(sky, Up::celestial_north, {degrees(0.6), 100, 100});
   const auto top = *pixel_of(chart, place(60, 0)) - glm::dvec2(50, 50);
   EXPECT_WITHIN(std::atan2(-top.x, -top.y), p, 1e-9, rounding);
-  const auto upright = camera_at(sky, Up::moon_north, degrees(0.6), 100, 100);
+  const auto upright = camera_at(sky, Up::moon_north, {degrees(0.6), 100, 100});
   EXPECT_WITHIN(pixel_of(upright, place(60, 0))->x, 50, 1e-9, rounding);
 }
 
 TEST(CameraAt, HasNoZenithAtTheCentreOfTheEarth) {
-  EXPECT_THROW(camera_at(moon_at_the_equinox(), Up::zenith, degrees(1), 10, 10), Error);
+  EXPECT_THROW(camera_at(moon_at_the_equinox(), Up::zenith, {degrees(1), 10, 10}), Error);
 }
 
 TEST(CameraAt, RefusesTheZenithAsUpWhereTheMoonStandsInIt) {
   EXPECT_THROW(
-      camera_at(moon_at_the_equinox(), on_the_meridian(degrees(0)), Up::zenith, degrees(1), 9, 9),
+      camera_at(moon_at_the_equinox(), on_the_meridian(degrees(0)), Up::zenith, {degrees(1), 9, 9}),
       Error);
 }
 
 TEST(CameraAt, RefusesAFieldThatNoPinholeHas) {
   const auto sky = moon_at_the_equinox();
   for (const double field : {180.0, 200.0, 0.0, -1.0, std::numeric_limits<double>::infinity()})
-    EXPECT_THROW(camera_at(sky, Up::moon_north, degrees(field), 10, 10), Error) << field;
-  EXPECT_THROW(camera_at(sky, Up::moon_north, degrees(1), 0, 10), Error);
+    EXPECT_THROW(camera_at(sky, Up::moon_north, {degrees(field), 10, 10}), Error) << field;
+  EXPECT_THROW(camera_at(sky, Up::moon_north, {degrees(1), 0, 10}), Error);
 }
 
 TEST(Camera, MayNotStandInTheMoon) {
@@ -234,7 +234,7 @@ TEST(CameraAt, KnowsTheZenithWhicheverWayIsUp) {
   const auto sky = moon_at_the_equinox();
   for (const auto up : {Up::celestial_north, Up::moon_north, Up::zenith}) {
     const auto zenith =
-        camera_at(sky, on_the_meridian(degrees(-33)), up, degrees(1), 100, 100).zenith;
+        camera_at(sky, on_the_meridian(degrees(-33)), up, {degrees(1), 100, 100}).zenith;
     EXPECT_WITHIN(zenith.z, -std::sin(33 * std::numbers::pi / 180), 1e-12, rounding);
     EXPECT_WITHIN(zenith.x, -std::cos(33 * std::numbers::pi / 180), 1e-12, rounding);
   }
@@ -309,7 +309,7 @@ TEST(CameraFixed, ShowsTheMoonItIsAimedAtInTheMiddle) {
   for (const double longitude_deg : {-71.1, 25.0, -155.0}) {
     const auto view = almanac::view_from({degrees(42.4), degrees(longitude_deg), metres(10)}, sky);
     const HorizonPlace aim{atmosphere::apparent_altitude(view.altitude), view.azimuth};
-    const auto camera = camera_fixed(sky, view, aim, degrees(30), 200, 100);
+    const auto camera = camera_fixed(sky, view, aim, {degrees(30), 200, 100});
     const auto middle = *pixel_of(camera, view.sub_observer);
     EXPECT_WITHIN(middle.x, 100, 1e-6, rounding);
     EXPECT_WITHIN(middle.y, 50, 1e-6, rounding);
@@ -322,7 +322,7 @@ TEST(CameraFixed, ShowsTheMoonWhereTheSkyHasIt) {
   const HorizonPlace moon{atmosphere::apparent_altitude(view.altitude), view.azimuth};
   for (const auto& off : {glm::dvec2(10, 0), glm::dvec2(0, -7), glm::dvec2(-25, 12)}) {
     const HorizonPlace aim{moon.altitude + degrees(off.y), moon.azimuth + degrees(off.x)};
-    const auto camera = camera_fixed(sky, view, aim, degrees(80), 200, 100);
+    const auto camera = camera_fixed(sky, view, aim, {degrees(80), 200, 100});
     const auto expected = gnomonic(moon, aim, 80), shown = *pixel_of(camera, view.sub_observer);
     EXPECT_WITHIN(shown.x, expected.x, 1e-6, rounding);
     EXPECT_WITHIN(shown.y, expected.y, 1e-6, rounding);
@@ -332,7 +332,7 @@ TEST(CameraFixed, ShowsTheMoonWhereTheSkyHasIt) {
 TEST(CameraFixed, ShowsAMoonOnTheHorizonTenDegreesToTheRightByTheTangent) {
   const auto camera =
       camera_fixed(moon_at_the_equinox(), moon_in_the_east(atmosphere::lowest_true_altitude),
-                   {degrees(0), degrees(80)}, degrees(40), 200, 100);
+                   {degrees(0), degrees(80)}, {degrees(40), 200, 100});
   const auto shown = *pixel_of(camera, place(0, 0));
   const double tangent = std::tan(in_radians(degrees(10))),
                edge = std::tan(in_radians(degrees(20)));
@@ -343,7 +343,7 @@ TEST(CameraFixed, ShowsAMoonOnTheHorizonTenDegreesToTheRightByTheTangent) {
 TEST(CameraFixed, LiftsALowMoonByItsRefraction) {
   // Meeus, chapter 16: at a true altitude of 1 degree, 1.02' / tan(1 + 10.3 / 6.11) = 21.75'.
   const auto camera = camera_fixed(moon_at_the_equinox(), moon_in_the_east(degrees(1)),
-                                   {degrees(1), degrees(90)}, degrees(4), 200, 100);
+                                   {degrees(1), degrees(90)}, {degrees(4), 200, 100});
   const auto shown = *pixel_of(camera, place(0, 0));
   EXPECT_WITHIN(shown.x, 100, 1e-9, rounding);
   const double arcminutes_per_pixel = 4 * 60 / 200.;
@@ -356,7 +356,7 @@ TEST(CameraFixed, HoldsTheHorizonLevelUnderALowMoon) {
   // zenith, which is behind the top of the picture, where it is beside.
   const auto up_there = [](double azimuth_deg) {
     const auto camera = camera_fixed(moon_at_the_equinox(), moon_in_the_east(degrees(1)),
-                                     {degrees(30), degrees(azimuth_deg)}, degrees(60), 200, 100);
+                                     {degrees(30), degrees(azimuth_deg)}, {degrees(60), 200, 100});
     return *pixel_of(camera, place(60, 0)) - *pixel_of(camera, place(-60, 0));
   };
   EXPECT_WITHIN(up_there(90).x, 0, 1e-9, rounding);
@@ -367,14 +367,14 @@ TEST(CameraFixed, HoldsTheHorizonLevelUnderALowMoon) {
 
 TEST(CameraFixed, AllowsAMoonThatIsNotInThePicture) {
   const auto camera = camera_fixed(moon_at_the_equinox(), moon_in_the_east(degrees(-40)),
-                                   {degrees(10), degrees(-90)}, degrees(60), 200, 100);
+                                   {degrees(10), degrees(-90)}, {degrees(60), 200, 100});
   EXPECT_FALSE(pixel_of(camera, place(0, 0)));
 }
 
 TEST(CameraFixed, RefusesTheZenithAndWhatIsNoPlaceOfTheSky) {
   const auto aimed = [](double altitude_deg, double azimuth_deg) {
     return camera_fixed(moon_at_the_equinox(), moon_in_the_east(degrees(40)),
-                        {degrees(altitude_deg), degrees(azimuth_deg)}, degrees(60), 200, 100);
+                        {degrees(altitude_deg), degrees(azimuth_deg)}, {degrees(60), 200, 100});
   };
   EXPECT_NO_THROW(aimed(89, 360));
   EXPECT_THROW(aimed(90, 0), Error);

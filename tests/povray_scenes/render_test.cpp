@@ -58,8 +58,8 @@ void expect_pattern(const Camera& camera, double moon_radius = 1) {
 }
 
 Camera seen_from(double latitude_deg, Up up = Up::zenith) {
-  return camera_at(moon_at_the_equinox(), on_the_meridian(degrees(latitude_deg)), up, degrees(0.6),
-                   240, 240);
+  return camera_at(moon_at_the_equinox(), on_the_meridian(degrees(latitude_deg)), up,
+                   {degrees(0.6), 240, 240});
 }
 
 TEST(Frame, ShowsPlacesWherePixelOfSaysFromTheNorth) { expect_pattern(seen_from(52)); }
@@ -121,7 +121,7 @@ TEST(Frame, ShowsPlacesWherePixelOfSaysAwayFromTheMiddleOfAWideField) {
 TEST(Frame, ShowsPlacesWherePixelOfSaysFromATripod) {
   // Due east at a true altitude of 2 degrees, in the lower right of the picture.
   auto camera = camera_fixed(moon_at_the_equinox(), moon_in_the_east(degrees(2)),
-                             {degrees(2.5), degrees(89.7)}, degrees(1.2), 480, 480);
+                             {degrees(2.5), degrees(89.7)}, {degrees(1.2), 480, 480});
   camera.flattening = 0.9;
   expect_pattern(camera);
 }
@@ -160,7 +160,7 @@ TEST(Frame, HasTheTexturesLuminanceOverTheDiscThatGeometryGives) {
     EXPECT_WITHIN_RELATIVE(frame.at(120, 120), luminance, 5e-4, "half floats");
     EXPECT_EQ(frame.at(1, 1), 0);
     const double tangent = 1 / std::sqrt(glm::dot(camera.position, camera.position) - 1);
-    const double radius = 120 * tangent / std::tan(degrees(0.3).si());
+    const double radius = 120 * tangent / std::tan(in_radians(degrees(0.3)));
     EXPECT_WITHIN_RELATIVE(frame.total(), luminance * std::numbers::pi * radius * radius, 1e-3,
                            "limb pixels are means of 25 rays");
   }
@@ -170,8 +170,8 @@ TEST(Frame, HasTheTexturesLuminanceOverTheDiscThatGeometryGives) {
 Camera seen_low(double flattening) {
   auto camera = seen_from(52, Up::celestial_north);
   const glm::dvec3 right = glm::normalize(glm::cross(-camera.position, camera.up));
-  camera.zenith = std::cos(degrees(40).si()) * glm::normalize(camera.up) +
-                  std::sin(degrees(40).si()) * right + glm::normalize(camera.position);
+  camera.zenith = std::cos(in_radians(degrees(40))) * glm::normalize(camera.up) +
+                  std::sin(in_radians(degrees(40))) * right + glm::normalize(camera.position);
   camera.flattening = flattening;
   return camera;
 }
@@ -182,7 +182,7 @@ TEST(Frame, ShowsAFlattenedDiscAsAnEllipseTowardsTheZenith) {
   const TemporaryFolder folder;
   const Luminance frame(rendered(folder.path, seen_low(0.85), uniform_texture(1)));
   // Second moments of the disc, along the zenith and across it: as the squares of its diameters.
-  const glm::dvec2 zenith{std::sin(degrees(40).si()), -std::cos(degrees(40).si())};
+  const glm::dvec2 zenith{std::sin(in_radians(degrees(40))), -std::cos(in_radians(degrees(40)))};
   const glm::dvec2 horizon{-zenith.y, zenith.x};
   double along = 0, across = 0, mixed = 0;
   for (int y = 0; y < 240; ++y)
@@ -235,7 +235,7 @@ Camera seen_by_observer(double latitude_deg, double longitude_deg, double axis_a
   const auto toward = almanac::selenographic_direction(place(latitude_deg, longitude_deg));
   const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), toward));
   const glm::dvec3 north = glm::cross(toward, right);
-  const double turn = degrees(axis_angle_deg).si();
+  const double turn = in_radians(degrees(axis_angle_deg));
   return {221. * toward, std::cos(turn) * north + std::sin(turn) * right, degrees(0.7), 240, 200};
 }
 
@@ -277,8 +277,8 @@ TEST(CoppermoonInc, PutsTheMoonIntoTheSkyOfALandscapeWithAzimuthsGrowingToTheRig
       "sphere { 1000*Coppermoon_Direction(30, 150.36), 0.1\n"
       "pigment { rgb 1000 } finish { ambient 0 diffuse 0 emission 1 } }\n");
   expect_pattern_in(frame, camera);
-  const double right = std::cos(degrees(30).si()) * std::sin(degrees(0.36).si());
-  const double x = 120 + 120 * right / std::tan(degrees(0.35).si());
+  const double right = std::cos(in_radians(degrees(30))) * std::sin(in_radians(degrees(0.36)));
+  const double x = 120 + 120 * right / std::tan(in_radians(degrees(0.35)));
   const auto star = spot_near(frame, {x, 100});
   ASSERT_GT(star.luminance, 1000);
   EXPECT_WITHIN(star.centroid.x, x, 0.25, "a disc of 4 pixels, means of 25 rays");

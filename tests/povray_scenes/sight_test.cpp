@@ -14,7 +14,7 @@ using algebra::degrees;
 constexpr const char* rounding =
     "rounding of doubles 220 radii from the Moon, over the slope of ground seen aslant";
 
-/// Of all kinds: mirrored, flattened by air, aimed beside the Moon's centre.
+/// Cameras of all kinds: mirrored, flattened by air, aimed beside the Moon's centre.
 std::vector<Camera> cameras() {
   Camera plain{{220, 10, -5}, {0.2, 0.3, 1}, degrees(0.7), 300, 200};
   Camera mirrored = plain, flat = plain, aimed = plain;

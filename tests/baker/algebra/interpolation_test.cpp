@@ -51,6 +51,11 @@ TEST(OnPolynomial, IsExactForACubicThroughFourNodes) {
   }
 }
 
+TEST(OnPolynomial, IsTheSameOfANumberOfNodesThatIsKnownLate) {
+  const auto early = on_polynomial(std::span(x), 3.3);
+  EXPECT_TRUE(std::ranges::equal(on_polynomial(std::span<const double>(x), 3.3), early));
+}
+
 // Trapezia by hand: 20, then 20 (30 to −10 over 2), then −5.
 TEST(MeanBetween, IsTheAreaOverTheWidth) {
   EXPECT_WITHIN(mean_between(x, y, 1, 5), (20.0 + 20 - 5) / 4, 1e-14, "rounding");

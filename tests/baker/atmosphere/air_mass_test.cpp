@@ -31,7 +31,8 @@ TEST(AirMass, BelowAllThatRefractionLiftsIsRefused) {
 
 /// ∫ exp(−h/H) ds along a straight ray over H, in steps of the altitude: s = √((R+h)² − (R cos a)²).
 double integrated_air_mass(double apparent_deg, double scale_height_m) {
-  const double radius_m = 6371e3, sine = std::sin(algebra::degrees(apparent_deg).si());
+  const double radius_m = 6371e3,
+               sine = std::sin(algebra::in_radians(algebra::degrees(apparent_deg)));
   const auto path_m = [&](double h) {
     return std::sqrt(h * (2 * radius_m + h) + radius_m * radius_m * sine * sine) - radius_m * sine;
   };
@@ -58,7 +59,8 @@ TEST(OzoneAirMass, IsThatOfAThinShell) {
   EXPECT_WITHIN_RELATIVE(ozone_air_mass(algebra::degrees(0)), std::sqrt(6378 / 44.0), 0.003,
                          "h / R = 0.0034");
   EXPECT_WITHIN_RELATIVE(ozone_air_mass(algebra::degrees(60)),
-                         1 / std::sin(algebra::degrees(60).si()), 0.002, "h tan² z / R = 0.0011");
+                         1 / std::sin(algebra::in_radians(algebra::degrees(60))), 0.002,
+                         "h tan² z / R = 0.0011");
 }
 
 TEST(AirMasses, OfLayersRefuseLightFromBelowTheHorizon) {

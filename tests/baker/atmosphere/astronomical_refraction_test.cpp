@@ -29,7 +29,7 @@ TEST(AstronomicalRefraction, IsThatOfTheTablesByApparentAltitude) {
 TEST(AstronomicalRefraction, IsLaplacesFarFromTheHorizon) {
   // 58.3" tan z for air of 1010 hPa and 10 degrees Celsius, z apparent.
   for (const double apparent_deg : {30.0, 45.0, 60.0, 80.0}) {
-    const double arcmin = 58.3 / 60 * std::tan(degrees(90 - apparent_deg).si());
+    const double arcmin = 58.3 / 60 * std::tan(in_radians(degrees(90 - apparent_deg)));
     EXPECT_WITHIN(refraction_at(apparent_deg - arcmin / 60), arcmin, 0.1,
                   "5 %, by its rounded constants");
   }

@@ -132,9 +132,9 @@ double predicted_delay_s(const Instant& contact) {
   return 120 * less / neared;
 }
 
-// Of a sphere's umbra and one flattened by 1/298 the difference is 6″ to the east and west, −5″ to
-// the north and south; the Moon crosses that in some 13 s. At U1 in 2007 it stands half-way, where
-// the two umbras are alike.
+// The umbra of a sphere and one flattened by 1/298 differ by 6″ to the east and west, −5″ to the
+// north and south; the Moon crosses that in some 13 s. At U1 in 2007 it stands half-way, where the
+// two umbras are alike.
 TEST(Contacts, OfTheOblateUmbraComeSoonerOrLaterByTheLimbUnderTheMoon) {
   const auto by = [](const char* date, ShadowConvention convention) {
     return nearest_eclipse(instant_from_utc(date), convention).contacts;

@@ -163,7 +163,7 @@ TEST(DiscLayers, RefuseWavelengthsOutsideTheirRange) {
   EXPECT_THROW(disc_layers(std::vector<double>{550, 790}, true), algebra::Error);
 }
 
-/// Of the radiance over the mean, at any wavelength and angle.
+/// Largest error of the radiance over the mean, at any wavelength and angle.
 double worst_of_terms(int count) {
   std::vector<double> grid;
   for (double nm = 380; nm <= 780; nm += 10) grid.push_back(nm);

@@ -97,7 +97,7 @@ TEST(PredictedError, OfTermsThatTheSceneHasNotIsNone) {
 }
 
 TEST(PredictedError, OfPhotonsFallsAsTheRootOfTheirNumber) {
-  for (const auto method : {Method::table, Method::literal}) {
+  for (const auto method : {Method::table, Method::step_by_step}) {
     const auto noise = [&](double photons) {
       return predicted_error({.method = method, .photons = photons}, umbral()) -
              predicted_error({.method = method, .photons = endless}, umbral());
@@ -160,7 +160,7 @@ TEST(PredictedSeconds, GoFromTableToMarchedToLiteralUpwards) {
     return predicted_seconds({.method = method, .photons = 1e6, .bands = 40}, umbral(), {});
   };
   EXPECT_LT(seconds(Method::table), seconds(Method::marched));
-  EXPECT_LT(seconds(Method::marched), seconds(Method::literal));
+  EXPECT_LT(seconds(Method::marched), seconds(Method::step_by_step));
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ TEST(PlanFor, PrefersTheQuadratureOverPhotons) {
 }
 
 TEST(PlanFor, TakesTheMethodAskedForAndNoOther) {
-  for (const auto method : {Method::table, Method::marched, Method::literal}) {
+  for (const auto method : {Method::table, Method::marched, Method::step_by_step}) {
     const auto plan = within(0.02, ordinary(), {.method = method});
     EXPECT_EQ(plan.work.method, method);
     ASSERT_EQ(plan.methods.size(), 1U);
@@ -158,7 +158,7 @@ TEST(PlanFor, TakesTheMethodAskedForAndNoOther) {
 
 TEST(PlanFor, TakesAsManyPhotonsAsAskedFor) {
   const auto plan =
-      within(1e-3, ordinary(), {.method = Method::literal, .photons = 1e7, .bands = 200});
+      within(1e-3, ordinary(), {.method = Method::step_by_step, .photons = 1e7, .bands = 200});
   EXPECT_EQ(plan.work.photons, 1e7);
   EXPECT_GT(plan.error, 1e-3) << "which are too few, and it says so";
 }
@@ -178,7 +178,7 @@ TEST(PlanFor, WithABudgetIsTheFinestThatFits) {
     const auto plan = plan_for(scene, {.budget_s = known.seconds}, {});
     EXPECT_LE(plan.seconds, known.seconds);
     EXPECT_LE(plan.error, 1.25 * tolerance) << "tolerances are tried at steps of 1.25";
-    EXPECT_EQ(plan.gave_way, "") << "no tolerance was asked for";
+    EXPECT_EQ(plan.relaxed, "") << "no tolerance was asked for";
   }
 }
 
@@ -196,7 +196,7 @@ TEST(PlanFor, LetsTheToleranceGiveWayToTheBudgetAndSaysSo) {
   const auto fine = within(1e-3, scene);
   const double time = (fine.seconds + within(0.01, scene).seconds) / 2;
   const auto both = plan_for(scene, {.tolerance = 1e-3, .budget_s = time}, {});
-  EXPECT_EQ(both.gave_way, "tolerance");
+  EXPECT_EQ(both.relaxed, "tolerance");
   EXPECT_LE(both.seconds, time);
   EXPECT_GT(both.error, 1e-3);
   EXPECT_GE(both.tolerance, both.error) << "the tolerance that was met in its place";
@@ -212,9 +212,9 @@ Scene beyond_reach() {
 TEST(PlanFor, SaysSoWhereAToleranceIsNotToBeHad) {
   const auto plan = plan_for(beyond_reach(), {.tolerance = 1e-3}, {});
   EXPECT_GT(plan.error, 1e-3);
-  EXPECT_EQ(plan.gave_way, "tolerance");
-  EXPECT_EQ(within(1e-3, ordinary()).gave_way, "");
-  EXPECT_EQ(plan_for(beyond_reach(), {.budget_s = 1e3}, {}).gave_way, "") << "nobody asked for one";
+  EXPECT_EQ(plan.relaxed, "tolerance");
+  EXPECT_EQ(within(1e-3, ordinary()).relaxed, "");
+  EXPECT_EQ(plan_for(beyond_reach(), {.budget_s = 1e3}, {}).relaxed, "") << "nobody asked for one";
 }
 
 TEST(PlanFor, DoesNotSendPhotonsAfterAToleranceThatIsNotToBeHad) {
@@ -247,12 +247,12 @@ TEST(PlanFor, StopsAtTheToleranceThoughThereIsTime) {
   const auto scene = ordinary();
   const auto plan = plan_for(scene, {.tolerance = 0.01, .budget_s = 100}, {});
   EXPECT_EQ(plan.seconds, within(0.01, scene).seconds);
-  EXPECT_EQ(plan.gave_way, "");
+  EXPECT_EQ(plan.relaxed, "");
 }
 
 TEST(PlanFor, WithTooLittleTimeForAnythingIsTheCoarsest) {
   const auto plan = plan_for(ordinary(), {.tolerance = 0.01, .budget_s = 1e-3}, {});
-  EXPECT_EQ(plan.gave_way, "tolerance");
+  EXPECT_EQ(plan.relaxed, "tolerance");
   EXPECT_GT(plan.seconds, 1e-3);
   EXPECT_LE(plan.seconds, within(0.4, ordinary()).seconds);
 }
@@ -286,7 +286,15 @@ TEST(Name, TellsTheMethodsApart) {
   EXPECT_EQ(name(Method::quadrature), "quadrature");
   EXPECT_EQ(name(Method::table), "photons by table");
   EXPECT_EQ(name(Method::marched), "photons marched");
-  EXPECT_EQ(name(Method::literal), "photons literal");
+  EXPECT_EQ(name(Method::step_by_step), "photons literal");
+}
+
+TEST(WorkOfRays, GrowsWithWhatIsAskedFor) {
+  const auto coarse = work_of_rays(1e-2, true), fine = work_of_rays(1e-4, true);
+  EXPECT_LT(coarse.rays, fine.rays);
+  EXPECT_LE(coarse.sun_terms, fine.sun_terms);
+  EXPECT_EQ(work_of_rays(1e-3, true, {.rays = 77}).rays, 77);
+  EXPECT_THROW(work_of_rays(1, true), algebra::Error);
 }
 
 }  // namespace

@@ -42,7 +42,8 @@ Agreement within(double relative) {
   };
 }
 
-/// Of the light of all wavelengths together, which stand one beside the other.
+/// Agreement of each wavelength within a part of the light of all together, which stand one beside
+/// the other.
 Agreement within_all_light(double relative, std::size_t waves) {
   return [=](const Cells& found, const Cells& exact) {
     for (std::size_t i = 0; i < exact.value.size(); i += waves) {
@@ -198,7 +199,8 @@ const std::vector<Way> ways{
 };
 
 /// Minutes of them: tests/thorough.sh has the time.
-const Way to_the_letter = photons("photons to the letter", {1000e3, 5, 4}, 20'480, Trace::each);
+const Way to_the_letter =
+    photons("photons to the letter", {1000e3, 5, 4}, 20'480, Trace::step_by_step);
 
 class EveryWay : public testing::TestWithParam<Way> {
  protected:

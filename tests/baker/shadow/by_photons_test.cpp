@@ -64,7 +64,7 @@ TEST(ByPhotonsThoroughly, CarryTheMeanThatTheQuadratureCarries) {
 }
 
 TEST(ByPhotons, AreTheSamePhotonsWhateverTheNumberOfThreads) {
-  for (const auto trace : {Trace::each, Trace::marched, Trace::table}) {
+  for (const auto trace : {Trace::step_by_step, Trace::marched, Trace::table}) {
     auto settings = settings_of(trace == Trace::table ? 300'000 : 10'000, 100e3);
     settings.trace = trace;
     std::vector<RefractedLight> runs;

@@ -37,8 +37,8 @@ double relative_error(Trace trace, Cut rings, std::uint64_t photons, std::uint64
 
 TEST(Convergence, FallsWithTheSquareRootOfTheNumberOfPhotonsOverThreeDecades) {
   constexpr Cut wide{1000e3, 2, 8};
-  const double few = relative_error(Trace::each, wide, 1'000, 12),
-               many = relative_error(Trace::each, wide, 1'000'000, 2);
+  const double few = relative_error(Trace::step_by_step, wide, 1'000, 12),
+               many = relative_error(Trace::step_by_step, wide, 1'000'000, 2);
   const double slope = std::log10(many / few) / 3;
   // 216 and 36 squared errors: the roots are known to 5 and 12 %, the slope to 0.019; 3.3 times
   // that.

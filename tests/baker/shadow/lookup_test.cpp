@@ -92,7 +92,7 @@ TEST(Lookup, SumsWavelengthsWithTheChannelsWeights) {
   EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8)), 3 * 0.25 + 4 * 0.5, 1e-14, "closed form");
   EXPECT_WITHIN(lookup.worst_relative_error(light, weights, 0, 1e6), 0.03 * 5 / 2.75, 1e-14,
                 "errors of 3 and 4 add to 5");
-  light.errors_add = true;
+  light.errors_correlated = true;
   EXPECT_WITHIN(lookup.worst_relative_error(light, weights, 0, 1e6), 0.03 * 7 / 2.75, 1e-14,
                 "of the same photons, to 7");
 }

@@ -41,7 +41,7 @@ std::size_t column_of(double longitude_deg, std::size_t rows) {
 
 TEST(Bake, LightsTheSubSolarPointByTheInverseSquareOfItsDistance) {
   const auto sky = almanac::sky_at(february_2008);
-  const auto moon = bake(uniform(180), sky, sunlight(1000), {"Y"}, 180, yapo_cutler);
+  const auto moon = bake({uniform(180), sky, sunlight(1000)}, {"Y"}, 180, yapo_cutler);
   const double sun_m = glm::length(sky.sun_m - sky.moon_m) - 1.7374e6;
   const double near = almanac::astronomical_unit_m / sun_m;
   const float lit = moon(row_of(algebra::in_degrees(sky.sub_solar.latitude), 180),
@@ -58,7 +58,7 @@ TEST(Bake, IrradianceIsThatOfTheSunAtItsDistanceWhateverTheGround) {
   const auto light = sunlight(1000);
   const auto ground = uniform(rows, 0.3F);
   const auto lit =
-      lit_rows(ground, sky, light, rows, {yapo_cutler, Extent::whole, Quantity::irradiance});
+      lit_rows({ground, sky, light}, rows, {yapo_cutler, Extent::whole, Quantity::irradiance});
   std::vector<float> values(2 * rows * rows);
   lit(0, values);
   const float sunlit = values[row_of(algebra::in_degrees(sky.sub_solar.latitude), rows) * 2 * rows +
@@ -69,7 +69,7 @@ TEST(Bake, IrradianceIsThatOfTheSunAtItsDistanceWhateverTheGround) {
 TEST(Bake, FollowsThePhotometricFunctionAwayFromIt) {
   const auto sky = almanac::sky_at(february_2008);
   const std::size_t rows = 360;
-  const auto moon = bake(uniform(rows), sky, sunlight(1), {"Y"}, rows, yapo_cutler);
+  const auto moon = bake({uniform(rows), sky, sunlight(1)}, {"Y"}, rows, yapo_cutler);
   const auto sun = almanac::selenographic_direction(sky.sub_solar);
   for (const double longitude : {-70., -30., 20., 60., 80.}) {
     const std::size_t r = row_of(20, rows), c = column_of(longitude, rows);
@@ -112,7 +112,7 @@ double disc_mean(const Image& moon, const almanac::SkyState& sky) {
 TEST(Bake, GivesTheFullMoonsDiscTheLuminanceOfItsAlbedo) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T00:36:00Z"));
   ASSERT_NEAR(phase_deg(sky), 1.5, 0.02);
-  const auto moon = bake(uniform(180), sky, sunlight(1000), {"Y"}, 180, lommel_seeliger_rolo);
+  const auto moon = bake({uniform(180), sky, sunlight(1000)}, {"Y"}, 180, lommel_seeliger_rolo);
   EXPECT_WITHIN_RELATIVE(disc_mean(moon, sky), 0.1 * 1000 * sunlight_at(sky), 3e-3,
                          "0.01 degrees of phase are 1e-3; 0.9e-3 is dark at the limb; texels");
 }
@@ -123,7 +123,7 @@ TEST(Bake, DimsTheDiscAsRoloMeasuredWhenThePhaseGrows) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T13:20:00Z"));
   const double phase = phase_deg(sky);
   ASSERT_NEAR(phase, 5, 0.3);
-  const auto moon = bake(uniform(180), sky, sunlight(1000), {"Y"}, 180, lommel_seeliger_rolo);
+  const auto moon = bake({uniform(180), sky, sunlight(1000)}, {"Y"}, 180, lommel_seeliger_rolo);
   const double rolo = (0.1075 + (phase - 5) * (0.0985 - 0.1203) / 4) / 0.1347;
   EXPECT_WITHIN_RELATIVE(disc_mean(moon, sky) / (0.1 * 1000 * sunlight_at(sky)), rolo, 0.01,
                          "the slope from 3 to 7 degrees, 5 %/degree, over 0.3 degrees at most");
@@ -134,7 +134,7 @@ TEST(Bake, LightsTheEclipsedMoonFromTheEarthsLimb) {
   // centre is behind it.
   const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T03:26:05Z"));
   ASSERT_LT(phase_deg(sky), 0.5);
-  const auto moon = bake(uniform(180), sky, sunlight(1), {"Y"}, 180, lommel_seeliger_rolo);
+  const auto moon = bake({uniform(180), sky, sunlight(1)}, {"Y"}, 180, lommel_seeliger_rolo);
   const double surge =
       surface::radiance_factor(lommel_seeliger_rolo, 1, 1, algebra::degrees(0.957));
   ASSERT_GT(surge, 1.04);
@@ -149,7 +149,7 @@ TEST(Bake, GoesOnWithoutAStepBeyondWhatTheEarthSees) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-24T03:26:05Z"));
   ASSERT_GT(phase_deg(sky), 30);
   const std::size_t rows = 360;
-  const auto moon = bake(uniform(rows), sky, sunlight(1000), {"Y"}, rows, lommel_seeliger_rolo);
+  const auto moon = bake({uniform(rows), sky, sunlight(1000)}, {"Y"}, rows, lommel_seeliger_rolo);
   for (double longitude = -110; longitude < -60; longitude += 0.5) {
     const std::size_t r = row_of(0.1, rows), c = column_of(longitude + 0.1, rows);
     ASSERT_GT(moon(r, c, 0), 0);
@@ -160,7 +160,7 @@ TEST(Bake, GoesOnWithoutAStepBeyondWhatTheEarthSees) {
 
 TEST(Bake, LeavesTheFarSideDark) {
   const auto moon =
-      bake(uniform(90), almanac::sky_at(february_2008), sunlight(1), {"Y"}, 90, yapo_cutler);
+      bake({uniform(90), almanac::sky_at(february_2008), sunlight(1)}, {"Y"}, 90, yapo_cutler);
   EXPECT_EQ(moon(45, 0, 0), 0);
   EXPECT_EQ(moon(45, 179, 0), 0);
   EXPECT_GT(moon(45, 90, 0), 0);
@@ -177,7 +177,7 @@ TEST(Bake, DarkensTheSideThatIsDeeperInTheShadow) {
   const auto light = shadow::by_quadrature({}, {1.479e11, {3.82e8, 3.83e8}}, waves, distances);
   const shadow::DirectLight direct({}, light.arrangement, waves);
   const shadow::Lookup lookup(light, direct, shadow::ChannelWeights(1, 1, 1));
-  const auto moon = bake(uniform(180), sky, lookup, {"Y"}, 180, yapo_cutler);
+  const auto moon = bake({uniform(180), sky, lookup}, {"Y"}, 180, yapo_cutler);
   const auto at = [&](double latitude, double longitude) {
     return moon(row_of(latitude, 180), column_of(longitude, 180), 0);
   };
@@ -192,8 +192,8 @@ shadow::Lookup eclipse_light() {
   const std::vector<double> waves{450, 550, 650};
   std::vector<double> distances;
   for (double d = 0; d < 9.4e6; d += 5e4) distances.push_back(d);
-  const auto light =
-      shadow::by_quadrature({}, {1.479e11, {3.80e8, 3.82e8, 3.84e8}}, waves, distances, {.rays = 100});
+  const auto light = shadow::by_quadrature({}, {1.479e11, {3.80e8, 3.82e8, 3.84e8}}, waves,
+                                           distances, {.rays = 100});
   const shadow::DirectLight direct({}, light.arrangement, waves);
   shadow::ChannelWeights each(3, 3);
   for (std::size_t c = 0; c < 3; ++c) each(c, c) = 1000;
@@ -236,7 +236,7 @@ TEST(Bake, IsItsExpressionAtEveryTexel) {
   for (const char* when : {"2008-02-21T03:26:05Z", "2008-02-21T02:10:00Z", "2008-02-24T03:26:05Z"})
     for (const auto photometry : {yapo_cutler, lommel_seeliger_rolo}) {
       const auto sky = almanac::sky_at(almanac::instant_from_utc(when));
-      const auto moon = bake(map, sky, light, {"R", "G", "B"}, rows, photometry);
+      const auto moon = bake({map, sky, light}, {"R", "G", "B"}, rows, photometry);
       for (std::size_t r = 0; r < rows; ++r)
         for (std::size_t c = 0; c < 2 * rows; ++c) {
           const auto expected =
@@ -253,9 +253,9 @@ TEST(Bake, IsTheSameHoweverItIsCutIntoRowsAndThreads) {
   const auto sky = almanac::sky_at(february_2008);
   const auto map = spotted(64);
   const auto light = eclipse_light();
-  const auto whole = bake(map, sky, light, {"R", "G", "B"}, rows, lommel_seeliger_rolo);
+  const auto whole = bake({map, sky, light}, {"R", "G", "B"}, rows, lommel_seeliger_rolo);
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  const auto lit = lit_rows(map, sky, light, rows, {lommel_seeliger_rolo});
+  const auto lit = lit_rows({map, sky, light}, rows, {lommel_seeliger_rolo});
   std::vector<float> band(7 * 2 * rows * 3);
   for (std::size_t r = 0; r + 7 <= rows; r += 7) {
     lit(r, band);
@@ -269,9 +269,9 @@ TEST(Bake, LeavesOutOnlyWhatNoPlaceOnEarthSees) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-24T03:26:05Z"));
   const auto map = uniform(rows);
   const auto light = sunlight(1);
-  const auto whole = bake(map, sky, light, {"Y"}, rows, yapo_cutler);
+  const auto whole = bake({map, sky, light}, {"Y"}, rows, yapo_cutler);
   std::vector<float> seen(whole.values.size());
-  lit_rows(map, sky, light, rows, {yapo_cutler, Extent::seen_from_earth})(0, seen);
+  lit_rows({map, sky, light}, rows, {yapo_cutler, Extent::seen_from_earth})(0, seen);
   std::size_t left_out = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const auto at = surface::texel_centre(i / (2 * rows), i % (2 * rows), rows);

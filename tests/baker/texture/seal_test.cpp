@@ -2,7 +2,7 @@
 #include "texture/seal.h"
 
 #include "baker/texture/scratch_folder.h"
-#include "texture/encode.h"
+#include "texture/openimageio/encode.h"
 #include "texture/write_image.h"
 
 namespace coppermoon::texture {

@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: MIT
-coppermoon_tests(baker/verbs LINKS coppermoon::verbs
-  HEAVY disc_brightness film_light film_sheet film_times fit_magnitudes fit_posterior frame_range light_file light_options observer_options one_line
-        photometric_bands photon_options photon_sums plan_options planning recipe spectral_bands
-  SLOW fit_light)
+coppermoon_tests(baker/verbs/flags LINKS coppermoon::verbs HEAVY film_options light_options plan_options view_options)
+coppermoon_tests(baker/verbs/recipes LINKS coppermoon::verbs HEAVY recipe)
+coppermoon_tests(baker/verbs/reports LINKS coppermoon::verbs HEAVY one_line)

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
+#include "texture/image.h"
+
+#include <coppermoon/almanac/instant.h>
+#include <coppermoon/almanac/sky.h>
+#include <coppermoon/colour/display.h>
+#include <coppermoon/eclipse/contacts.h>
+#include <coppermoon/povray_scenes/camera.h>
+#include <coppermoon/shadow/lookup.h>
+#include <coppermoon/surface/albedo_map.h>
+#include <coppermoon/texture/read_image.h>
+#include <coppermoon/texture/write_image.h>
 #include <cstdio>
 #include <filesystem>
 
-#include "almanac/instant.h"
-#include "almanac/sky.h"
-#include "colour/display.h"
-#include "eclipse/contacts.h"
-#include "povray_scenes/camera.h"
-#include "shadow/lookup.h"
-#include "surface/albedo_map.h"
-#include "texture/read_image.h"
-#include "texture/write_image.h"
+#if __has_include("almanac/sky.h")
+#error "headers are <coppermoon/almanac/sky.h>, and by no other name"
+#endif
 
 using namespace coppermoon;
 
@@ -44,12 +49,13 @@ void print_texture(const std::filesystem::path& file) {
 void print_pixel() {
   const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T03:26:05Z"));
   const auto camera =
-      povray_scenes::camera_at(sky, povray_scenes::Up::moon_north, algebra::degrees(1), 64, 64);
+      povray_scenes::camera_at(sky, povray_scenes::Up::moon_north, {algebra::degrees(1), 64, 64});
   const auto pixel = povray_scenes::pixel_of(camera, sky.sub_earth);
   std::printf("pixel %.2f %.2f\n", pixel->x, pixel->y);
 }
 
 int main(int, char** words) {
+  std::puts(consumer::texture);
   print_eclipse();
   print_picture();
   print_texture(std::filesystem::path(words[0]).replace_filename("texture.exr"));

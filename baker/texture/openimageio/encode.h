@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "texture/image.h"
+#include "texture/openimageio/oiio.h"
+#include "texture/write_image.h"
+
+namespace coppermoon::texture {
+
+/// The range that a file's values must be in.
+struct Limits {
+  float lowest, highest;
+
+  bool hold(float value) const { return value >= lowest && value <= highest; }
+};
+
+/// Some rows on their way into a file.
+struct Band {
+  std::size_t first_row = 0;
+  std::vector<float> values{};
+};
+
+/// An image to be encoded: rows are made, looked at and handed on, some at a time.
+struct Source {
+  const std::filesystem::path& path;
+  const Layout& layout;
+  const Rows& rows;
+  Limits limits;
+
+  std::size_t row_length() const { return layout.width * layout.channels.size(); }
+
+  /// Has all rows made, in order, some multiple of 64 at a time: the next are made while `act` is
+  /// busy with some.
+  ///
+  /// Throws  Error  a value outside the limits, with its place and channel
+  void for_each_band(const std::function<void(const Band&)>& act) const;
+
+  /// Throws  Error  as for_each_band, for rows that are there
+  void require_all(std::span<const float> values, std::size_t first_row = 0) const;
+
+ private:
+  std::size_t rows_at_once() const;
+  void make(Band& band) const;
+  void require_values(std::size_t row, std::span<const float> values) const;
+};
+
+/// Throws  Error  when there is no texel, or a channel's name is empty or there twice
+void require_layout(const std::filesystem::path& path, const Layout& layout);
+
+/// OpenImageIO's description of an image.
+OIIO::ImageSpec spec_of(const Layout& layout, OIIO::TypeDesc type, const Attributes& attributes);
+
+/// The same of an OpenEXR file, yet unsealed; without `capDate` that attribute is empty.
+OIIO::ImageSpec exr_spec(const Layout& layout, ExrType type, const Attributes& attributes);
+
+/// Largest value that a texel of the type can hold.
+float highest_of(ExrType type);
+
+/// The rows of an image, which must outlive them.
+Rows rows_of(const Image& image);
+
+/// Hands all of an image to an output that is open.
+///
+/// Returned  whether it took them
+bool write_scanlines(OIIO::ImageOutput& output, const Source& source);
+
+/// Has OpenImageIO encode a file, whole or not at all; an OpenEXR file is sealed.
+///
+/// Given   format  as OpenImageIO calls it
+///         encode  told the output, and the name of an open file for what OpenImageIO writes by
+///                 name alone (else any name will do); opens it, and returns whether all was written
+/// Throws  Error   when the file cannot be written, and why
+void write_encoded(const std::filesystem::path& path, const char* format,
+                   const std::function<bool(OIIO::ImageOutput&, const std::string&)>& encode);
+
+}  // namespace coppermoon::texture

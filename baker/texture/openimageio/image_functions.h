@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "texture/contact_sheet.h"
+#include "texture/read_image.h"
+#include "texture/write_glb.h"
+#include "texture/write_image.h"
+
+namespace coppermoon::texture {
+
+/// All functions of the sources that need OpenImageIO. The program has none of them itself: it takes
+/// them from a module, coppermoon_images.so, when it first calls one (image_module.cpp,
+/// loaded_images.cpp). Other programs have them from the library, and do not see this.
+struct ImageFunctions {
+  const char* version;  ///< of coppermoon that they belong to
+
+  decltype(texture::read_image)* read_image;
+  decltype(texture::read_channels)* read_channels;
+  decltype(texture::windows_of)* windows_of;
+  decltype(texture::read_attribute)* read_attribute;
+  decltype(texture::read_attributes)* read_attributes;
+  decltype(texture::read_light)* read_light;
+  decltype(texture::read_albedo_map)* read_albedo_map;
+  decltype(texture::require_albedo_map)* require_albedo_map;
+
+  void (*write_exr)(const std::filesystem::path&, const Image&, const Attributes&,
+                    const ExrOptions&);
+  void (*write_exr_of_rows)(const std::filesystem::path&, const Layout&, const Rows&,
+                            const Attributes&, const ExrOptions&);
+  void (*write_exr_of_parts)(const std::filesystem::path&, std::span<const Part>, const Attributes&,
+                             const ExrOptions&);
+  decltype(texture::write_mipmapped)* write_mipmapped;
+  decltype(texture::write_png)* write_png;
+  decltype(texture::write_tiff)* write_tiff;
+  decltype(texture::write_glb)* write_glb;
+  decltype(texture::recipe_in_glb)* recipe_in_glb;
+
+  decltype(texture::sheet_grid)* sheet_grid;
+  decltype(texture::sheet_font)* sheet_font;
+  decltype(texture::drawn)* drawn;
+};
+
+/// The one name that the module gives away.
+inline constexpr const char* image_functions_name = "coppermoon_image_functions";
+
+/// What stands under that name.
+using GiveImageFunctions = const ImageFunctions*();
+
+}  // namespace coppermoon::texture

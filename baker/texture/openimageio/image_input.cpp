@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "texture/openimageio/image_input.h"
+
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "files/whole_file.h"
+#include "texture/openimageio/image_claims.h"
+
+namespace coppermoon::texture {
+
+namespace fs = std::filesystem;
+using algebra::Error;
+
+Error cannot_read(const fs::path& path, std::string_view reason) {
+  return Error(fmt::format("{}: cannot be read: {}", path.string(), reason));
+}
+
+/// The first line of what OpenImageIO says; asked in any case, or it would print it at the end.
+std::string reason_of(OIIO::ImageInput* input) {
+  auto text = input ? input->geterror() : std::string();
+  const auto pending = OIIO::geterror();
+  if (text.empty()) text = pending;
+  text = text.substr(0, text.find('\n'));
+  return text.empty() ? "no image, or one of an unknown kind" : text;
+}
+
+namespace {
+
+void require_readable_file(const fs::path& path) {
+  std::error_code failed;
+  const auto status = fs::status(path, failed);
+  if (status.type() == fs::file_type::not_found) throw cannot_read(path, "no such file");
+  if (failed) throw cannot_read(path, failed.message());
+  files::require_regular_file(path);
+  if (fs::file_size(path, failed) == 0 && !failed) throw cannot_read(path, "it is empty");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             &std::fclose);
+  if (!file) throw cannot_read(path, std::generic_category().message(errno));
+}
+
+/// A header may claim any size: the file must be able to hold it before any memory is asked for.
+void require_size(const fs::path& path, const OIIO::ImageInput& input) {
+  const auto within = [&](std::string_view what, double value, double most) {
+    if (value <= most) return;
+    throw cannot_read(path, fmt::format("{} = {:g}, allowed up to {:g}", what, value, most));
+  };
+  const auto& spec = input.spec();
+  const double of_this_file =
+      most_numbers_of_any_file + most_numbers_a_byte * static_cast<double>(fs::file_size(path));
+  const auto [data, display] = windows_of(input);
+  for (const auto& [left, top, width, height] : {data, display}) {
+    within("width [texels]", static_cast<double>(width), most_texels_a_side);
+    within("height [texels]", static_cast<double>(height), most_texels_a_side);
+    within("distance from the origin [texels]", std::max(std::abs(left * 1.), std::abs(top * 1.)),
+           most_texels_a_side);
+    const double numbers =
+        static_cast<double>(width) * static_cast<double>(height) * spec.nchannels;
+    within("numbers, texels by channels", numbers, most_numbers);
+    within("numbers in a file so small", numbers, of_this_file);
+  }
+  const double tile = 1. * spec.tile_width * spec.tile_height * spec.nchannels;
+  within("numbers of a tile in a file so small", tile, of_this_file);
+}
+
+/// OpenImageIO's name for what reads a file: by its first bytes, else by its name's ending. Left alone
+/// it would hand a file that one reader refuses to all of its others, films and medicine included.
+std::string format_of(const fs::path& path) {
+  using namespace std::string_view_literals;
+  constexpr std::array<std::pair<std::string_view, const char*>, 7> known{
+      {{"v/1\x01"sv, "openexr"},
+       {"II*\0"sv, "tiff"},
+       {"MM\0*"sv, "tiff"},
+       {"II+\0"sv, "tiff"},
+       {"MM\0+"sv, "tiff"},
+       {"\x89PNG"sv, "png"},
+       {"\xFF\xD8\xFF"sv, "jpeg"}}};
+  std::array<char, 4> bytes{};
+  std::ifstream(path, std::ios::binary).read(bytes.data(), bytes.size());
+  const std::string_view beginning(bytes.data(), bytes.size());
+  for (const auto& [sign, format] : known)
+    if (beginning.starts_with(sign)) return format;
+  const auto ending = path.extension().string();
+  return ending.empty() ? ending : ending.substr(1);
+}
+
+}  // namespace
+
+bool has_openexr(const fs::path& path) {
+  std::error_code failed;
+  return fs::is_regular_file(path, failed) && format_of(path) == "openexr";
+}
+
+std::unique_ptr<OIIO::ImageInput> opened(const fs::path& path) {
+  require_readable_file(path);
+  const auto format = format_of(path);
+  require_honest_claims(path, format);
+  auto input = format.empty() ? nullptr : OIIO::ImageInput::create(format);
+  OIIO::ImageSpec spec;
+  if (!input || !input->open(path.string(), spec)) throw cannot_read(path, reason_of(input.get()));
+  if (spec.deep || spec.depth > 1 || spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
+    throw cannot_read(path, "not a flat image with texels");
+  if (is_openexr(*input) && (spec.full_width < 1 || spec.full_height < 1))
+    throw cannot_read(path, "a display window without texels");
+  require_size(path, *input);
+  return input;
+}
+
+bool is_openexr(const OIIO::ImageInput& input) {
+  return std::string_view(input.format_name()) == "openexr";
+}
+
+Windows windows_of(const OIIO::ImageInput& input) {
+  const auto& spec = input.spec();
+  const auto window = [](int left, int top, int width, int height) {
+    return Window{left, top, static_cast<std::size_t>(width), static_cast<std::size_t>(height)};
+  };
+  const auto data = window(spec.x, spec.y, spec.width, spec.height);
+  if (!is_openexr(input)) return {data, data};
+  return {data, window(spec.full_x, spec.full_y, spec.full_width, spec.full_height)};
+}
+
+}  // namespace coppermoon::texture

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// The program's own definitions of all functions that need OpenImageIO, which takes 0.3 s to load: they
+// load it when one is first called. Linked before the library, whose definitions are then left out.
+#include <dlfcn.h>
+#include <sys/mman.h>
+
+#include <cstddef>
+#include <new>
+#include <string_view>
+#include <system_error>
+
+#include "algebra/error.h"
+#include "texture/openimageio/image_functions.h"
+
+namespace coppermoon::texture {
+namespace {
+
+namespace fs = std::filesystem;
+using algebra::Error;
+
+/// The module beside the program, where it was built, or where it was installed.
+///
+/// Throws  Error  when it is in neither place
+fs::path module_file() {
+  constexpr const char* name = "coppermoon_images.so";
+  const auto folder = fs::read_symlink("/proc/self/exe").parent_path();
+  std::error_code failed;
+  if (auto built = folder / name; fs::exists(built, failed)) return built;
+  auto installed = (folder / COPPERMOON_MODULES / name).lexically_normal();
+  if (fs::exists(installed, failed)) return installed;
+  throw Error(fmt::format(
+      "{}: no such file; it is installed with the program, and reads and writes its images",
+      installed.string()));
+}
+
+/// Refuses where the system would not give the addresses that the module's libraries take: their own
+/// start does not end well then.
+///
+/// Throws  std::bad_alloc
+void require_addresses() {
+  constexpr std::size_t taken = 420U << 20U;  // by the 264 libraries of Debian 12's OpenImageIO
+  void* const place =
+      ::mmap(nullptr, taken, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (place == MAP_FAILED) throw std::bad_alloc();
+  ::munmap(place, taken);
+}
+
+/// Loads the module, which then stays.
+///
+/// Throws  Error  one line with its path: it is not there, it or a library of its own cannot be
+///                loaded, it belongs to another coppermoon
+const ImageFunctions& loaded() {
+  const auto file = module_file();
+  require_addresses();
+  void* const module = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
+  if (!module) throw Error(fmt::format("{}: cannot be loaded: {}", file.string(), ::dlerror()));
+  const auto give = reinterpret_cast<GiveImageFunctions*>(::dlsym(module, image_functions_name));
+  const std::string_view version = give ? give()->version : "of unknown version";
+  if (version != COPPERMOON_VERSION)
+    throw Error(fmt::format("{}: belongs to coppermoon {}, allowed {}", file.string(), version,
+                            COPPERMOON_VERSION));
+  return *give();
+}
+
+const ImageFunctions& images() {
+  static const ImageFunctions& functions = loaded();
+  return functions;
+}
+
+}  // namespace
+
+Image read_image(const fs::path& path) { return images().read_image(path); }
+
+Image read_channels(const fs::path& path, const std::vector<std::string>& names) {
+  return images().read_channels(path, names);
+}
+
+Windows windows_of(const fs::path& path) { return images().windows_of(path); }
+
+std::optional<std::string> read_attribute(const fs::path& path, std::string_view name) {
+  return images().read_attribute(path, name);
+}
+
+std::vector<std::optional<std::string>> read_attributes(const fs::path& path,
+                                                        std::span<const std::string_view> names) {
+  return images().read_attributes(path, names);
+}
+
+Image read_light(const fs::path& path, Coding coding) { return images().read_light(path, coding); }
+
+algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding, double exponent) {
+  return images().read_albedo_map(path, coding, exponent);
+}
+
+void require_albedo_map(const fs::path& path, double exponent) {
+  images().require_albedo_map(path, exponent);
+}
+
+void write_exr(const fs::path& path, const Image& image, const Attributes& attributes,
+               const ExrOptions& options) {
+  images().write_exr(path, image, attributes, options);
+}
+
+void write_exr(const fs::path& path, const Layout& layout, const Rows& rows,
+               const Attributes& attributes, const ExrOptions& options) {
+  images().write_exr_of_rows(path, layout, rows, attributes, options);
+}
+
+void write_exr(const fs::path& path, std::span<const Part> parts, const Attributes& attributes,
+               const ExrOptions& options) {
+  images().write_exr_of_parts(path, parts, attributes, options);
+}
+
+void write_mipmapped(const fs::path& path, const Layout& layout, const Rows& rows,
+                     const Attributes& attributes, ExrType type) {
+  images().write_mipmapped(path, layout, rows, attributes, type);
+}
+
+void write_png(const fs::path& path, const Image& image, int bits, const Attributes& attributes) {
+  images().write_png(path, image, bits, attributes);
+}
+
+void write_tiff(const fs::path& path, const Image& image, const Attributes& attributes) {
+  images().write_tiff(path, image, attributes);
+}
+
+void write_glb(const fs::path& path, const Image& developed, const Attributes& extras) {
+  images().write_glb(path, developed, extras);
+}
+
+std::optional<std::string> recipe_in_glb(const fs::path& path) {
+  return images().recipe_in_glb(path);
+}
+
+SheetGrid sheet_grid(std::size_t pictures, std::size_t columns, std::size_t width,
+                     std::size_t height) {
+  return images().sheet_grid(pictures, columns, width, height);
+}
+
+fs::path sheet_font() { return images().sheet_font(); }
+
+Image drawn(const ContactSheet& sheet) { return images().drawn(sheet); }
+
+}  // namespace coppermoon::texture

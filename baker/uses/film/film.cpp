@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "uses/film/film.h"
+
+#include <fmt/format.h>
+
+#include "povray_scenes/sequence.h"
+#include "uses/picture/lit_scene.h"
+
+namespace coppermoon::uses {
+
+using povray_scenes::numbered_file;
+
+almanac::SkyState Film::sky(std::size_t frame) const {
+  return almanac::sky_at(moments.frames.at(frame - 1));
+}
+
+std::filesystem::path Film::texture(std::size_t frame) const {
+  const auto space = colour::name(space_of(content));
+  return folder / numbered_file(fmt::format("moon_{}", space), frame, moments.frames.size());
+}
+
+std::filesystem::path Film::linear_frame(std::size_t frame) const {
+  return folder / numbered_file("frame_lin_rec709", frame, moments.frames.size());
+}
+
+std::filesystem::path Film::picture(std::size_t frame, const char* stem) const {
+  return (folder / numbered_file(stem, frame, moments.frames.size())).replace_extension(".png");
+}
+
+std::vector<std::filesystem::path> Film::files(std::size_t frame) const {
+  std::vector<std::filesystem::path> all;
+  if (products.textures) all.push_back(texture(frame));
+  if (products.frames) all.push_back(linear_frame(frame));
+  if (products.pictures) all.push_back(picture(frame));
+  if (products.pictures && bracket_ev)
+    for (const char* stem : {"frame_under", "frame_over"}) all.push_back(picture(frame, stem));
+  return all;
+}
+
+View view_of(const Film& film, const almanac::SkyState& sky) {
+  return view_for_frame(film.view, sky).view;
+}
+
+}  // namespace coppermoon::uses

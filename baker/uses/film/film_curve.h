@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "uses/film/film.h"
+
+namespace coppermoon::uses {
+
+/// How bright the whole disc is in a frame, above the air, seen from the Earth's centre.
+struct CurvePoint {
+  std::size_t frame;
+  almanac::Instant when;
+  double V_magnitude;  ///< apparent; infinite when nothing is lit
+  double mean_luminance_cd_m2;
+};
+
+/// Brightness of the disc in some frames, in the film's own light.
+///
+/// Given     frames  increasing
+/// Accuracy  5e-4 mag, and as much of luminance, from brightness_of, which simulates each moment on
+///           twice as many rows
+/// Throws    Error   as normal_albedo
+std::vector<CurvePoint> light_curve(const Film& film, const std::vector<std::size_t>& frames);
+
+/// Writes a curve as a table in .csv, or drawn by gnuplot in .svg or .png, with the eclipse's contacts.
+///
+/// Throws  Error  when the path ends in none of these; as write_plot
+void write_curve(const std::filesystem::path& path, const eclipse::Eclipse& eclipse,
+                 const std::vector<CurvePoint>& curve);
+
+/// Refuses a file that a curve cannot be written to.
+///
+/// Throws  Error  when the path ends in none of .csv, .svg and .png
+void require_curve_ending(const std::filesystem::path& path);
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "uses/film/film_folder.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <set>
+
+#include "algebra/error.h"
+#include "texture/read_image.h"
+#include "texture/seal.h"
+
+namespace coppermoon::uses {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "frame" and ".png" of "frame.0012.png": a numbered file's name without its number.
+std::pair<std::string, std::string> around_number(const fs::path& file) {
+  return {file.stem().stem().string(), file.extension().string()};
+}
+
+bool is_number(const std::string& text) {
+  return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// All files in the folder that are called as frames of the film's products are, whatever their number.
+std::vector<fs::path> files_so_called(const Film& film) {
+  std::set<std::pair<std::string, std::string>> own;
+  for (const auto& file : film.files(1)) own.insert(around_number(file));
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(film.folder)) {
+    const auto number = entry.path().stem().extension().string();
+    if (!number.empty() && is_number(number.substr(1)) && own.contains(around_number(entry.path())))
+      files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+/// A file that is not of the film.
+struct Foreign {
+  fs::path file;
+  std::string contents;  ///< in words; empty: it is of this film, or damaged
+};
+
+std::string contents_of(const Film& film, const fs::path& file) {
+  if (!film.record.foreign_contents) return "what is not known to be of this film";
+  return film.record.foreign_contents(file);
+}
+
+std::vector<Foreign> foreign_files(const Film& film) {
+  std::vector<Foreign> all;
+  for (const auto& file : files_so_called(film)) all.push_back({file, {}});
+  tbb::parallel_for(std::size_t{0}, all.size(),
+                    [&](std::size_t i) { all[i].contents = contents_of(film, all[i].file); });
+  std::erase_if(all, [](const auto& one) { return one.contents.empty(); });
+  return all;
+}
+
+/// PNG has checks of its own.
+bool is_whole(const fs::path& file) {
+  return file.extension() == ".exr" ? texture::is_sealed(file)
+                                    : texture::read_image(file).width > 0;
+}
+
+/// Whether a file is of that frame, whole, and made from what the film is, as the record's `alike` says.
+bool is_whole_of(const fs::path& file, std::size_t frame, const auto& alike) try {
+  return alike && fs::is_regular_file(file) &&
+         texture::read_attribute(file, "coppermoon:frame") == fmt::format("{}", frame) &&
+         alike(file) && is_whole(file);
+} catch (const algebra::Error&) {
+  return false;
+}
+
+}  // namespace
+
+void require_own(const Film& film, bool replace) {
+  const auto foreign = foreign_files(film);
+  if (foreign.empty()) return;
+  if (!replace)
+    throw algebra::Error(
+        fmt::format("{}: holds {} ({}{}), allowed another folder{}", film.folder.string(),
+                    foreign.front().contents, foreign.front().file.filename().string(),
+                    foreign.size() > 1 ? fmt::format(" and {} more", foreign.size() - 1) : "",
+                    film.record.way_out));
+  std::set<fs::path> own;
+  for (std::size_t frame = 1; frame <= film.moments.frames.size(); ++frame)
+    for (const auto& file : film.files(frame)) own.insert(file.filename());
+  for (const auto& one : foreign)
+    if (!own.contains(one.file.filename())) fs::remove(one.file);
+}
+
+bool is_own(const Film& film, const fs::path& file, std::size_t frame) {
+  return is_whole_of(file, frame, film.record.made_alike);
+}
+
+bool is_made(const Film& film, std::size_t frame) {
+  return std::ranges::all_of(film.files(frame),
+                             [&](const auto& file) { return is_own(film, file, frame); });
+}
+
+bool shows_scene(const Film& film, std::size_t frame) {
+  return is_whole_of(film.linear_frame(frame), frame, film.record.shows_the_same);
+}
+
+}  // namespace coppermoon::uses

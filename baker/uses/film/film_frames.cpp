@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "uses/film/film_frames.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <fstream>
+#include <limits>
+#include <mutex>
+#include <span>
+#include <thread>
+
+#include "files/temporary_folder.h"
+#include "povray_scenes/sequence.h"
+#include "texture/read_image.h"
+#include "texture/write_image.h"
+#include "uses/film/film_folder.h"
+#include "uses/light/spectral_bands.h"
+#include "uses/picture/lit_scene.h"
+
+namespace coppermoon::uses {
+namespace {
+
+using Frames = std::span<const std::size_t>;
+
+BakedMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& view,
+                  std::size_t frame) {
+  const auto extent =
+      film.products.textures ? texture::Extent::whole : texture::Extent::seen_from_earth;
+  const LitMoon lit{
+      film.moon,     sky,           film.albedo, film.light, range_at(*film.light, sky),
+      view.observer, view.sightline};
+  auto moon = baked(lit, film.content, {extent});
+  for (const auto& [name, value] : film.record.frame_header) moon.attributes[name] = value;
+  moon.attributes["coppermoon:frame"] = fmt::format("{}", frame);
+  moon.attributes["framesPerSecond"] = static_cast<float>(film.fps);
+  return moon;
+}
+
+void write_texture(const Film& film, std::size_t frame, const BakedMoon& moon) {
+  texture::write_exr(film.texture(frame), moon.parts, moon.attributes, {type_of(film.content)});
+}
+
+/// Exposure time at a moment [s]: its logarithm goes on a line between the two keys about it; the
+/// outermost keys hold beyond them.
+double keyed_time_s(const Film& film, const almanac::Instant& when) {
+  const auto& keys = film.time_keys;
+  const auto above = std::ranges::find_if(
+      keys, [&](const auto& key) { return almanac::seconds_between(when, key.first) > 0; });
+  if (above == keys.begin()) return keys.front().second;
+  if (above == keys.end()) return keys.back().second;
+  const auto& [from, before] = *(above - 1);
+  const double share =
+      almanac::seconds_between(from, when) / almanac::seconds_between(from, above->first);
+  return before * std::pow(above->second / before, share);
+}
+
+colour::Exposure exposure_of(const Film& film, std::size_t frame, const texture::Image& image) {
+  auto development = film.development;
+  if (!film.time_keys.empty())
+    development.time = {ExposureTime::Rule::fixed,
+                        keyed_time_s(film, film.moments.frames[frame - 1])};
+  return exposure_for(development, image, picture_space);
+}
+
+/// A frame on its way to its files.
+struct Rendered {
+  std::size_t frame;
+  texture::Attributes attributes;
+  SeenFrame seen;
+};
+
+void write_pictures(const Film& film, const Rendered& rendered, const texture::Image& image,
+                    const colour::Exposure& exposure) {
+  const auto frame = rendered.frame;
+  auto attributes = film.record.frame_header;
+  attributes["coppermoon:frame"] = fmt::format("{}", frame);
+  const auto write = [&](const std::filesystem::path& path, double stops) {
+    auto exposed = exposure;
+    exposed.time_s *= std::exp2(stops);
+    const auto picture =
+        taken(film.development, exposed, {image, picture_space, rendered.seen, frame});
+    write_developed(film.development, exposed, {picture, picture_space, {}, frame, attributes},
+                    path);
+  };
+  write(film.picture(frame), 0);
+  if (!film.bracket_ev) return;
+  write(film.picture(frame, "frame_under"), -*film.bracket_ev);
+  write(film.picture(frame, "frame_over"), *film.bracket_ev);
+}
+
+MadeFrame finished(const Film& film, const Rendered& rendered, const std::filesystem::path& file) {
+  const auto image = texture::read_image(file);
+  const auto exposure = exposure_of(film, rendered.frame, image);
+  auto attributes = rendered.attributes;
+  add_exposure(attributes, exposure);
+  add_seen(attributes, rendered.seen);
+  if (film.products.frames)
+    texture::write_exr(film.linear_frame(rendered.frame), image, attributes);
+  if (film.products.pictures) write_pictures(film, rendered, image, exposure);
+  return {rendered.frame, exposure.time_s};
+}
+
+using Told = std::function<void(const MadeFrame&)>;
+
+/// Bakes a few frames, has POV-Ray render them in one go, and develops each as it comes.
+void render(const Film& film, Frames frames, int threads, const Told& told) {
+  const files::TemporaryFolder folder;
+  const auto texture_file = [&](std::size_t number) {
+    return folder.path() / povray_scenes::numbered_file(texture_stem, number, frames.size());
+  };
+  povray_scenes::Sequence sequence{.cameras = {}, .textures = texture_stem};
+  std::vector<Rendered> batch;
+  for (const std::size_t frame : frames) {
+    const auto sky = film.sky(frame);
+    const auto view = view_of(film, sky);
+    const auto moon = moon_of(film, sky, view, frame);
+    const auto path = texture_file(batch.size() + 1);
+    if (film.products.textures) {
+      write_texture(film, frame, moon);
+      std::filesystem::create_symlink(std::filesystem::absolute(film.texture(frame)), path);
+    } else {
+      texture::write_exr(path, moon.parts, moon.attributes, {.packed = false});
+    }
+    sequence.cameras.push_back(view.camera);
+    batch.push_back({frame, moon.attributes, seen_by(view, sky)});
+  }
+  write_sequence(folder.path(), sequence);
+  povray_scenes::render_sequence(folder.path(), 1, frames.size(),
+                                 [&](std::size_t number, const std::filesystem::path& rendered) {
+                                   told(finished(film, batch[number - 1], rendered));
+                                   std::filesystem::remove(rendered);
+                                   std::filesystem::remove(texture_file(number));
+                                 },
+                                 {.threads = threads});
+}
+
+/// Under another exposure a linear frame keeps its pixels: its header and its pictures change.
+void expose(const Film& film, std::size_t frame, const Told& told) {
+  const auto sky = film.sky(frame);
+  const auto view = view_of(film, sky);
+  const auto moon = moon_of(film, sky, view, frame);
+  if (film.products.textures && !is_own(film, film.texture(frame), frame))
+    write_texture(film, frame, moon);
+  told(finished(film, {frame, moon.attributes, seen_by(view, sky)}, film.linear_frame(frame)));
+}
+
+void bake(const Film& film, std::size_t frame, const Told& told) {
+  const auto sky = film.sky(frame);
+  const auto moon = moon_of(film, sky, view_of(film, sky), frame);
+  write_texture(film, frame, moon);
+  told({frame, std::nullopt});
+}
+
+/// Memory that the system can give [bytes].
+double available_memory() {
+  std::ifstream file("/proc/meminfo");
+  for (std::string name; file >> name;
+       file.ignore(std::numeric_limits<std::streamsize>::max(), '\n'))
+    if (double kibibytes = 0; name == "MemAvailable:" && file >> kibibytes) return 1024 * kibibytes;
+  return 1e9;
+}
+
+double texels_of(const Film& film) {
+  const auto width = static_cast<double>(texture_width_of(film.moon));
+  return width * width / 2;
+}
+
+/// Some frames at a time: one more than there are processors, for POV-Ray sleeps at its start, as
+/// long as half of the memory takes them: POV-Ray takes 28 bytes a texel.
+std::size_t lanes_of(const Film& film, std::size_t processors) {
+  if (processors == 1) return 1;
+  const double a_lane = 28 * texels_of(film) + 64e6;
+  const double most = std::max(1., available_memory() / 2 / a_lane);
+  return static_cast<std::size_t>(std::min(most, static_cast<double>(processors + 1)));
+}
+
+/// Frames that one start of POV-Ray renders: as many as wait in 256 MB of textures, and few enough
+/// that all lanes end together.
+std::size_t frames_a_batch(const Film& film, std::size_t frames, std::size_t lanes) {
+  if (!film.products.rendered()) return 1;
+  constexpr double waiting = 256e6, most = 16;
+  const double fit = std::clamp(waiting / (6 * texels_of(film)), 1., most);
+  return std::min(static_cast<std::size_t>(fit), std::max<std::size_t>(1, frames / (2 * lanes)));
+}
+
+}  // namespace
+
+void make_frames(const Film& film, const std::vector<std::size_t>& frames, const Told& made) {
+  const auto processors =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  const auto most = lanes_of(film, processors);
+  const auto length = frames_a_batch(film, frames.size(), most);
+  const auto lanes = std::min(most, (frames.size() + length - 1) / length);
+  const auto threads =
+      static_cast<int>(lanes < processors ? processors / std::max<std::size_t>(1, lanes) : 1);
+  std::atomic<std::size_t> next = 0;
+  std::mutex one_at_a_time;
+  std::exception_ptr failure;
+  const Told told = [&](const MadeFrame& frame) {
+    const std::lock_guard lock(one_at_a_time);
+    if (failure) std::rethrow_exception(failure);
+    made(frame);
+  };
+  const auto make = [&](Frames batch) {
+    std::vector<std::size_t> unseen;
+    for (const std::size_t frame : batch)
+      if (!film.products.rendered())
+        bake(film, frame, told);
+      else if (shows_scene(film, frame))
+        expose(film, frame, told);
+      else
+        unseen.push_back(frame);
+    if (!unseen.empty()) render(film, unseen, threads, told);
+  };
+  const auto work = [&] {
+    try {
+      for (std::size_t first; (first = next.fetch_add(length)) < frames.size();)
+        make(Frames(frames).subspan(first, std::min(length, frames.size() - first)));
+    } catch (...) {
+      const std::lock_guard lock(one_at_a_time);
+      if (!failure) failure = std::current_exception();
+      next = frames.size();
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < lanes; ++i) others.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+void write_film_scene(const Film& film) {
+  povray_scenes::Sequence sequence{.cameras = {}, .textures = texture_stem};
+  for (std::size_t frame = 1; frame <= film.moments.frames.size(); ++frame)
+    sequence.cameras.push_back(view_of(film, film.sky(frame)).camera);
+  write_sequence(film.folder, sequence);
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "uses/film/film_light.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "algebra/error.h"
+#include "files/folder_lock.h"
+#include "uses/light/light_file.h"
+
+namespace coppermoon::uses {
+namespace {
+
+constexpr const char* light_file = "eclipse.light";
+
+/// Moments of the Moon's way through a film, at most three minutes apart: it leaves a straight line by
+/// 0.1 km.
+std::vector<almanac::SkyState> skies_of(const Moments& moments) {
+  constexpr double apart_s = 180;
+  const auto& first = moments.frames.front();
+  const double seconds = almanac::seconds_between(first, moments.frames.back());
+  const int intervals = std::max(1, static_cast<int>(std::ceil(seconds / apart_s)));
+  std::vector<almanac::SkyState> skies;
+  for (int i = 0; i <= intervals; ++i)
+    skies.push_back(almanac::sky_at(almanac::later(first, seconds * i / intervals)));
+  return skies;
+}
+
+std::string key_of(const Film& film) {
+  const auto& frames = film.moments.frames;
+  return fmt::format("first-frame = {}\nlast-frame = {}\n{}", almanac::utc_text(frames.front(), 3),
+                     almanac::utc_text(frames.back(), 3), film.record.light_key);
+}
+
+Purpose purpose_of(const Film& film) {
+  const auto width = static_cast<double>(texture_width_of(film.moon));
+  return {width * width / 2, reads_map(film.moon)};
+}
+
+/// With the photons that shards left in a folder.
+LightRequest with_shards(LightRequest request, const std::filesystem::path& folder) {
+  if (!wants_photons(request)) return request;
+  request.solver = Solver::photons;
+  auto& sums = request.photon_files.add;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".sums") sums.push_back(entry.path());
+  std::ranges::sort(sums);  // sums of the same order have the same bits
+  return request;
+}
+
+void require_key(const Film& film, const std::string& there, const std::string& asked) {
+  if (there == asked) return;
+  const auto& differences = film.record.differences;
+  throw algebra::Error(
+      fmt::format("{}: holds the light of a film made with {} ({}), allowed another folder{}",
+                  film.folder.string(), differences ? differences(there, asked) : "other settings",
+                  light_file, film.record.way_out));
+}
+
+}  // namespace
+
+FilmLight film_light(const Film& film, bool replace, const algebra::Progress& progress) {
+  const auto& request = film.moon.light;
+  const auto file = film.folder / light_file;
+  const auto moon = moon_on_its_way(request, skies_of(film.moments));
+  const auto key = key_of(film);
+  const files::FolderLock alone(film.folder);
+  if (auto known = read_light(file)) {
+    if (!replace) require_key(film, known->key, key);
+    if (known->key == key && complete(request, moon, known->light))
+      return {std::move(known->light), true};
+  }
+  auto light =
+      light_on_the_way(with_shards(request, film.folder), moon, purpose_of(film), progress);
+  write_light(file, key, light);
+  return {std::move(light), false};
+}
+
+void trace_shard(const Film& film, const Shard& shard, const algebra::Progress& progress) {
+  auto request = film.moon.light;
+  if (!wants_photons(request) || !request.photons)
+    throw algebra::Error(
+        fmt::format("shard = {}/{} of the light, allowed where a number of photons is given",
+                    shard.part, shard.parts));
+  request.solver = Solver::photons;
+  request.photon_files.shard = shard;
+  request.photon_files.keep =
+      film.folder / fmt::format("eclipse.{}-of-{}.sums", shard.part, shard.parts);
+  light_on_the_way(request, moon_on_its_way(request, skies_of(film.moments)), {}, progress);
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "uses/film/film_setup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "algebra/error.h"
+#include "files/temporary_folder.h"
+#include "files/whole_file.h"
+#include "uses/picture/lit_scene.h"
+
+namespace coppermoon::uses {
+namespace {
+
+/// POV-Ray reads textures of its own colours, and of nothing else.
+void require_content(const Film& film) {
+  require_sound(film.content);
+  if (!film.products.framed()) return;
+  if (const auto space = space_of(film.content); space != colour::WorkingSpace::linear_rec709)
+    throw algebra::Error(fmt::format(
+        "space = {}, allowed lin_rec709 with scenes, frames or pictures", colour::name(space)));
+  if (film.content.passes || film.content.spectral_nm)
+    throw algebra::Error("passes and spectra: allowed where textures alone are made");
+}
+
+void require_exposure(const Film& film) {
+  require_sound(film.development, film.picture(1));
+  if (film.products.rendered()) files::require_temporary_folder();
+  if (film.bracket_ev) algebra::require_within("bracket [EV]", *film.bracket_ev, 0.01, 10);
+}
+
+void require_folder(const Film& film) {
+  if (std::filesystem::is_directory(film.folder)) return;
+  if (std::filesystem::exists(film.folder))
+    throw algebra::Error(fmt::format("{}: is no directory", film.folder.string()));
+  files::require_place_for(film.folder);
+}
+
+void mount(Film& film, const Mounting& mounting) {
+  if (mounting.aim && mounting.mount != Mount::fixed)
+    throw algebra::Error("an aim: allowed with a fixed mount alone");
+  if (mounting.mount == Mount::horizon) film.view.up = povray_scenes::Up::zenith;
+  if (mounting.mount != Mount::fixed) return;
+  if (!film.view.observer) throw algebra::Error("a fixed mount: allowed with an observer alone");
+  const auto half_way = (film.moments.frames.size() + 1) / 2;
+  film.view.aim =
+      mounting.aim ? *mounting.aim : apparent_place(*film.view.observer, film.sky(half_way));
+}
+
+/// The Moon is up in all frames that show it, as far as a few hundred of them tell.
+void require_up(const Film& film, const std::vector<std::size_t>& frames) {
+  if (!film.view.observer || film.products.light_alone() || frames.empty()) return;
+  const std::size_t step = std::max<std::size_t>(1, frames.size() / 240);
+  std::vector<std::size_t> up, down;
+  const auto look = [&](std::size_t frame) {
+    (moon_is_up(film.view, film.sky(frame)) ? up : down).push_back(frame);
+  };
+  for (std::size_t i = 0; i + 1 < frames.size(); i += step) look(frames[i]);
+  look(frames.back());
+  if (down.empty()) return;
+  const auto place = place_text(*film.view.observer);
+  if (up.empty())
+    throw algebra::Error(fmt::format("the Moon is below the horizon of {} in all frames", place));
+  const auto [first, last] = std::ranges::minmax(up);
+  throw algebra::Error(fmt::format(
+      "the Moon is below the horizon of {} in frame {}; it is up from frame {} ({}) to {}", place,
+      std::ranges::min(down), first, almanac::utc_text(film.moments.frames[first - 1]), last));
+}
+
+/// Width of all textures [texels]: as the frame needs it where the Moon is nearest.
+std::size_t widest_texture(const Film& film) {
+  if (film.moon.texture_width || !film.products.framed()) return texture_width_of(film.moon);
+  std::size_t widest = 0;
+  const std::size_t count = film.moments.frames.size();
+  for (const std::size_t frame : {std::size_t{1}, (count + 1) / 2, count})
+    widest =
+        std::max(widest, *fitted(film.moon, view_of(film, film.sky(frame)).camera).texture_width);
+  return widest;
+}
+
+}  // namespace
+
+void set_up(Film& film, const Mounting& mounting, const std::vector<std::size_t>& frames) {
+  require_content(film);
+  film.view = seen_through(film.development.camera, film.view);
+  film.development.focal_length_mm = film.view.focal_length_mm;
+  require_exposure(film);
+  mount(film, mounting);
+  require_folder(film);
+  require_up(film, frames);
+  film.moon.texture_width = widest_texture(film);
+  require_map(film.moon);
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "uses/film/film_sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "texture/contact_sheet.h"
+#include "texture/write_image.h"
+
+namespace coppermoon::uses {
+namespace {
+
+constexpr std::size_t pictures_evenly = 40, most_columns = 8;
+
+double seconds_from(const Moments& moments, const almanac::Instant& when, std::size_t frame) {
+  return almanac::seconds_between(when, moments.frames[frame - 1]);
+}
+
+/// The frame nearest to each contact within the frames' time, with the names of those that it shows:
+/// within a minute, the finest that a sheet says.
+std::map<std::size_t, std::string> frames_at_contacts(const Moments& moments,
+                                                      const std::vector<std::size_t>& frames) {
+  const double all = seconds_from(moments, moments.frames[frames.front() - 1], frames.back());
+  const double slack = std::max(1., all / static_cast<double>(2 * frames.size()));
+  std::map<std::size_t, std::string> names;
+  for (const auto& [name, when] : contacts_of(moments.eclipse)) {
+    const auto away = [&, at = when](std::size_t frame) {
+      return std::abs(seconds_from(moments, at, frame));
+    };
+    if (seconds_from(moments, when, frames.front()) > slack ||
+        seconds_from(moments, when, frames.back()) < -slack)
+      continue;
+    const auto nearest = *std::ranges::min_element(frames, {}, away);
+    auto& known = names[nearest];
+    if (away(nearest) < 60) known += (known.empty() ? "" : ", ") + name;
+  }
+  return names;
+}
+
+std::string from_nearest_contact(const Moments& moments, std::size_t frame) {
+  const auto contacts = contacts_of(moments.eclipse);
+  const auto& [name, when] = *std::ranges::min_element(contacts, {}, [&](const auto& contact) {
+    return std::abs(seconds_from(moments, contact.second, frame));
+  });
+  const double seconds = seconds_from(moments, when, frame), away = std::abs(seconds);
+  return fmt::format(
+      "{}{}{}", name, seconds < 0 ? '-' : '+',
+      away < 59.5 ? fmt::format("{:.0f}s", away) : fmt::format("{:.0f}min", away / 60));
+}
+
+std::vector<std::size_t> some_of(const std::vector<std::size_t>& frames) {
+  if (frames.size() <= pictures_evenly) return frames;
+  std::vector<std::size_t> some;
+  for (std::size_t i = 0; i < pictures_evenly; ++i)
+    some.push_back(
+        frames[(i * (frames.size() - 1) + (pictures_evenly - 1) / 2) / (pictures_evenly - 1)]);
+  return some;
+}
+
+/// "20:21:44" of a moment.
+std::string time_of_day(const almanac::Instant& when) {
+  const auto text = almanac::utc_text(when);
+  return text.substr(text.find('T') + 1, 8);
+}
+
+std::string title_of(const Film& film) {
+  return fmt::format("{}, seen from {}; times in UTC", name_of(film.moments.eclipse),
+                     film.view.observer ? place_text(*film.view.observer) : "the Earth's centre");
+}
+
+}  // namespace
+
+std::vector<SheetFrame> frames_of_sheet(const Moments& moments,
+                                        const std::vector<std::size_t>& frames) {
+  const auto at_contacts = frames_at_contacts(moments, frames);
+  auto chosen = some_of(frames);
+  for (const auto& [frame, name] : at_contacts) chosen.push_back(frame);
+  std::ranges::sort(chosen);
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  std::vector<SheetFrame> sheet;
+  for (const auto frame : chosen) {
+    const auto known = at_contacts.find(frame);
+    if (known != at_contacts.end() && !known->second.empty())
+      sheet.push_back({frame, known->second, true});
+    else
+      sheet.push_back({frame, from_nearest_contact(moments, frame), false});
+  }
+  return sheet;
+}
+
+void write_contact_sheet(const std::filesystem::path& path, const Film& film,
+                         const std::vector<std::size_t>& frames) {
+  const auto shown = frames_of_sheet(film.moments, frames);
+  const double side = std::ceil(std::sqrt(static_cast<double>(shown.size())));
+  texture::ContactSheet sheet{title_of(film),
+                              {},
+                              std::min(most_columns, static_cast<std::size_t>(side)),
+                              texture::sheet_font()};
+  for (const auto& [frame, moment, at_contact] : shown)
+    sheet.pictures.push_back(
+        {film.picture(frame), time_of_day(film.moments.frames[frame - 1]), moment, at_contact});
+  texture::write_png(path, texture::drawn(sheet), 8, film.record.film_header);
+}
+
+}  // namespace coppermoon::uses

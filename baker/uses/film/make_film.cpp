@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "uses/film/make_film.h"
+
+#include <tbb/parallel_for.h>
+
+#include "texture/resize.h"
+#include "uses/film/film_folder.h"
+
+namespace coppermoon::uses {
+namespace {
+
+/// The frames that are not made yet; the others are told.
+std::vector<std::size_t> missing_of(const Film& film, const std::vector<std::size_t>& frames,
+                                    const FilmEvents& told) {
+  std::vector<char> there(frames.size());
+  tbb::parallel_for(std::size_t{0}, frames.size(),
+                    [&](std::size_t i) { there[i] = is_made(film, frames[i]); });
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    if (!there[i])
+      missing.push_back(frames[i]);
+    else if (told.kept)
+      told.kept(frames[i]);
+  return missing;
+}
+
+/// With its albedo at the textures' own size, so that no frame has to make it so again.
+Film with_ground(Film film) {
+  const auto albedo = normal_albedo(film.moon);
+  film.albedo = std::make_shared<const algebra::Grid<float>>(
+      texture::resized(albedo, texture_width_of(film.moon) / 2));
+  return film;
+}
+
+}  // namespace
+
+void make_film(const Film& film, const std::vector<std::size_t>& frames, const FilmEvents& told) {
+  if (film.products.light_alone() || frames.empty()) return;
+  if (film.products.scenes) write_film_scene(film);
+  const auto missing = missing_of(film, frames, told);
+  if (missing.empty()) return;
+  make_frames(with_ground(film), missing, [&](const MadeFrame& frame) {
+    if (told.made) told.made(frame);
+  });
+}
+
+}  // namespace coppermoon::uses

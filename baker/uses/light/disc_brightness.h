@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "almanac/sky.h"
+#include "texture/image.h"
+
+namespace coppermoon::uses {
+
+/// How bright the whole Moon is in a band, as from the Earth's centre:
+///
+///     E = Σ L cos e ΔA / d²        e: emission angle, d: texel to the Earth's centre
+///
+/// Given     texture  plate carrée, any channels of radiance or luminance
+/// Returned  [channel]  irradiance or illuminance on a surface that faces the Moon
+std::vector<double> irradiance_of_disc(const texture::Image& texture, const almanac::SkyState& sky);
+
+/// Solid angle of the Moon from the Earth's centre [sr], summed over the same texels.
+double solid_angle_of_disc(std::size_t rows, const almanac::SkyState& sky);
+
+/// The Danjon scale that goes with a totally eclipsed Moon's visual magnitude.
+///
+///     m = 4.2 − 3 L + (L/2)²
+///
+/// Returned  L, held to 0 to 4
+/// Accuracy  0.4 between observers
+/// Source    H. C. Vital's correlation of observers' estimates (REA Brazil, 2004 to 2015)
+double danjon_estimate(double visual_magnitude);
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "uses/light/header.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace coppermoon::uses {
+
+std::string_view version() { return COPPERMOON_VERSION; }
+
+std::string capture_date(const almanac::Instant& instant) {
+  std::string text = almanac::utc_text(instant).substr(0, 19);
+  std::ranges::replace(text, '-', ':');
+  std::ranges::replace(text, 'T', ' ');
+  return text;
+}
+
+texture::Attributes scene_linear_header(colour::WorkingSpace space, const almanac::Instant& when) {
+  const auto xy = colour::chromaticities(space);
+  return {{"chromaticities", std::vector<float>(xy.begin(), xy.end())},
+          {"whiteLuminance", 1.F},
+          {"capDate", capture_date(when)},
+          {"utcOffset", 0.F},
+          {"coppermoon:version", std::string(version())},
+          {"coppermoon:colour_space", std::string(colour::name(space))},
+          {"coppermoon:unit", std::string("cd/m^2")}};
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "almanac/instant.h"
+#include "colour/working_space.h"
+#include "texture/image.h"
+
+namespace coppermoon::uses {
+
+/// The version of coppermoon, as "0.1.0".
+std::string_view version();
+
+/// A moment as OpenEXR's capDate writes it: "2008:02:21 03:08:26", UTC.
+std::string capture_date(const almanac::Instant& instant);
+
+/// What the header of a scene-linear image in cd/m² says: its space, its moment, and who made it.
+texture::Attributes scene_linear_header(colour::WorkingSpace space, const almanac::Instant& when);
+
+}  // namespace coppermoon::uses

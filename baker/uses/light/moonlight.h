@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "algebra/progress.h"
+#include "almanac/sky.h"
+#include "photons/march.h"
+#include "shadow/by_photons.h"
+#include "shadow/irradiance.h"
+#include "shadow/lookup.h"
+#include "uses/light/air.h"
+#include "uses/light/planning.h"
+#include "uses/light/shard.h"
+
+namespace coppermoon::uses {
+
+/// How photons are shared among runs: the part that this one traces, and sums that go from run to run.
+struct PhotonFiles {
+  std::optional<Shard> shard{};              ///< without: all photons
+  std::filesystem::path keep{};              ///< file that the sums are written to; empty: none
+  std::vector<std::filesystem::path> add{};  ///< files that were kept: their photons count
+  std::string key{};  ///< what the photons belong to; sums of others are refused
+
+  /// Whether any of them is asked for: they mean nothing to another solver.
+  bool asked_for() const { return shard || !keep.empty() || !add.empty(); }
+};
+
+enum class Solver { automatic, quadrature, photons };
+
+/// Whether sunlight that the air scatters into the shadow is computed; automatic: where it counts.
+enum class ScatteredLight { automatic, on, off };
+
+/// The Sun, the Earth and its air, and how light is sent through them.
+struct LightRequest {
+  Air air{};
+  std::optional<bool> limb_darkening{};  ///< without: on, but for the atmosphere "paper"
+  ScatteredLight scattered_light = ScatteredLight::automatic;
+  bool starlight = false;
+  Solver solver =
+      Solver::automatic;  ///< automatic: the quicker, or photons where `photons` is given
+  plan::Wish wish{.tolerance = 0.01};
+  plan::ByHand by_hand{};           ///< knobs; solver and photons stand here, not there
+  std::optional<double> photons{};  ///< 1 to 1e12; without: as many as the tolerance asks for
+  shadow::Trace trace = shadow::Trace::table;
+  photons::Precision precision = photons::Precision::full;  ///< of photons that are marched
+  double step_km = 1;                                       ///< length of a step of a photon's path
+  double ring_km = 50;      ///< width of the rings that gather photons
+  double smoothing_km = 0;  ///< standard deviation of the Gaussian that smooths them, 0 to 2000
+  std::uint64_t seed = 1;   ///< of the photons
+  PhotonFiles photon_files{};
+};
+
+/// The Sun's disc, uniform or not, over planes behind the Earth.
+shadow::Arrangement arrangement_of(const LightRequest& request, double sun_distance_m,
+                                   std::vector<double> depths_m);
+
+/// The Moon of one moment, in the shadow of that air.
+ShadowedMoon shadowed_moon(const LightRequest& request, const almanac::SkyState& sky);
+
+/// Where light is computed, on each plane.
+struct LightGrid {
+  std::span<const double> wavelengths_nm;
+  std::span<const double> axis_distances_m{};   ///< photons gather in rings of their own
+  std::size_t around = shadow::sectors_around;  ///< sectors, where light differs around the axis
+};
+
+/// Refracted light by the solver asked for; scattered light and starlight are added to it where they
+/// are on. Its rays and the terms of the Sun are those that 0.1 % of light asks for, or a finer
+/// tolerance.
+///
+/// Throws  Error  when photons are asked for, and not how many
+shadow::RefractedLight refracted_light(const LightRequest& request,
+                                       const atmosphere::Atmosphere& air,
+                                       const shadow::Arrangement& arrangement,
+                                       const LightGrid& grid,
+                                       const algebra::Progress& progress = {});
+
+/// The light that falls on the Moon's sphere; without `refracted` it is sunlight, as if the Earth were
+/// away.
+struct Moonlight {
+  std::optional<shadow::RefractedLight> refracted;
+  std::optional<shadow::DirectLight> direct;
+  shadow::LookupRange range;
+  plan::Plan plan;
+  double error_found = 0;  ///< of luminance, the largest at some places of the disc
+
+  /// Given  weights  (channel, band)
+  shadow::Lookup in_channels(const shadow::ChannelWeights& weights) const;
+
+  /// Given  weights  (channel, wavelength), of the plan's `wavelengths_nm`
+  shadow::Lookup in_sums(const shadow::ChannelWeights& weights, const shadow::LookupRange& within,
+                         shadow::LightPart part = shadow::LightPart::all) const;
+};
+
+/// Refuses a moment without an eclipse.
+///
+/// Throws  Error  names the nearest eclipse, and then a way out of it
+void require_eclipse(const almanac::Instant& when, const std::string& way_out = {});
+
+/// Light on the Moon of one moment, planned and computed.
+///
+/// Throws  Error  when the Moon is not in the Earth's shadow at that moment: names the nearest eclipse;
+///                when the request is not sound
+Moonlight light_on_the_moon(const LightRequest& request, const almanac::SkyState& sky,
+                            const Purpose& purpose = {}, const algebra::Progress& progress = {});
+
+/// Light as if the Earth were away.
+///
+/// Throws  Error  when the request is not sound
+Moonlight unshadowed_light(const LightRequest& request, const almanac::SkyState& sky);
+
+/// What light_on_the_moon would do.
+///
+/// Throws  Error  as it
+plan::Plan planned_light(const LightRequest& request, const almanac::SkyState& sky,
+                         const Purpose& purpose = {});
+
+/// Whether light is to be photons: whoever says how many wants them.
+bool wants_photons(const LightRequest& request);
+
+/// The Moon on its way through the shadow.
+///
+/// Given   skies  in order of time, at most a few minutes apart
+/// Throws  Error  when no eclipse is under way at any of them: names the nearest there is
+ShadowedMoon moon_on_its_way(const LightRequest& request, std::span<const almanac::SkyState> skies);
+
+/// Light on all of a Moon's way, from one simulation.
+Moonlight light_on_the_way(const LightRequest& request, const ShadowedMoon& moon,
+                           const Purpose& purpose = {}, const algebra::Progress& progress = {});
+
+/// Adds the direct part, to light that was read without.
+///
+/// Returned  whether it is light on that way
+bool complete(const LightRequest& request, const ShadowedMoon& moon, Moonlight& light);
+
+/// What of the light on a Moon's way its disc takes in at one moment; nothing where all is sunlight.
+std::optional<shadow::LookupRange> range_at(const Moonlight& light, const almanac::SkyState& sky);
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: MIT
+#include "uses/light/planning.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <thread>
+
+#include "algebra/error.h"
+#include "almanac/lunar_orientation.h"
+#include "atmosphere/presets.h"
+#include "colour/cie_observer.h"
+#include "shadow/twilight.h"
+#include "uses/light/spectral_bands.h"
+
+namespace coppermoon::uses {
+namespace {
+
+using std::numbers::pi;
+
+const double lunar_radius_m = algebra::in_metres(almanac::lunar_radius);
+
+/// Where the Moon's centre stands, or goes.
+std::span<const eclipse::ShadowPlace> centres(const ShadowedMoon& moon) {
+  return moon.path.empty() ? std::span(&moon.centre, 1) : std::span(moon.path);
+}
+
+/// Where half of the lit half of the Moon is.
+double mean_depth_m(const ShadowedMoon& moon) {
+  return algebra::in_metres(moon.centre.depth) - lunar_radius_m / 2;
+}
+
+struct Range {
+  double from_m, to_m;
+};
+
+/// Sunlight is whole beyond.
+constexpr double farthest_m = 1.2e7;
+
+/// What its disc takes in.
+Range disc_of(const ShadowedMoon& moon) {
+  Range disc{farthest_m, 0};
+  for (const auto& place : centres(moon)) {
+    const double centre = algebra::in_metres(place.axis_distance);
+    disc.from_m = std::min(disc.from_m, std::max(0., centre - lunar_radius_m));
+    disc.to_m = std::max(disc.to_m, centre + lunar_radius_m);
+  }
+  if (!moon.path.empty()) disc.to_m = std::clamp(disc.to_m, disc.from_m + 1, farthest_m);
+  return disc;
+}
+
+/// As many over every diameter of the Moon as over one.
+int places_over(Range disc, int a_diameter) {
+  const double diameters = (disc.to_m - disc.from_m) / (2 * lunar_radius_m);
+  return static_cast<int>(std::ceil(a_diameter * std::max(1., diameters) - 1e-9));
+}
+
+std::vector<double> evenly(Range range, int intervals) {
+  std::vector<double> all;
+  for (int i = 0; i <= intervals; ++i)
+    all.push_back(range.from_m + (range.to_m - range.from_m) * i / intervals);
+  return all;
+}
+
+/// Straight lines are drawn between sectors: 24 leave half a percent at the umbra's edge on an
+/// ellipsoid.
+constexpr std::size_t sectors_of_a_plan = 96, sectors_of_a_trial = 24;
+
+/// Sectors that the disc takes in, going round from the first.
+struct Sectors {
+  std::size_t first, count;
+};
+
+Sectors sectors_of(const eclipse::ShadowPlace& place, std::size_t all) {
+  const double centre = algebra::in_metres(place.axis_distance);
+  if (centre <= lunar_radius_m) return {0, all};
+  const double a_sector = 2 * pi / static_cast<double>(all);
+  const double half = std::asin(lunar_radius_m / centre),
+               middle = algebra::in_radians(place.position_angle);
+  const int from = static_cast<int>(std::floor((middle - half) / a_sector)),
+            to = static_cast<int>(std::ceil((middle + half) / a_sector));
+  const int count = static_cast<int>(all);
+  return {static_cast<std::size_t>(((from % count) + count) % count),
+          std::min(all, static_cast<std::size_t>(to - from + 1))};
+}
+
+/// All but the widest gap between those of all places.
+Sectors sectors_of(const ShadowedMoon& moon, std::size_t all) {
+  std::vector<bool> taken(all);
+  for (const auto& place : centres(moon)) {
+    const auto some = sectors_of(place, all);
+    for (std::size_t i = 0; i < some.count; ++i) taken[(some.first + i) % all] = true;
+  }
+  Sectors widest{0, 0};  // gap
+  for (std::size_t first = 0; first < all; ++first) {
+    std::size_t gap = 0;
+    while (gap < all && !taken[(first + gap) % all]) ++gap;
+    if (gap > widest.count) widest = {first, gap};
+  }
+  return {(widest.first + widest.count) % all, all - widest.count};
+}
+
+/// Luminance over that of unshadowed sunlight, in every sector of the disc (or one).
+struct CoarseLight {
+  std::vector<std::vector<double>> refracted, direct;  ///< [sector][place]
+};
+
+/// A coarse look at the disc's light.
+CoarseLight tried(const ShadowedMoon& moon, const atmosphere::Atmosphere& air,
+                  std::span<const double> places_m) {
+  constexpr int bands = 10;
+  const auto waves = wavelengths_nm(bands);
+  const auto weights = at_wavelengths(luminance_weights(), bands);
+  double sunlight = 0;
+  for (const double w : weights.row(0)) sunlight += w;
+  const auto luminance = [&](std::span<const double> ratio) {
+    double sum = 0;
+    for (std::size_t w = 0; w < ratio.size(); ++w) sum += weights(0, w) * ratio[w];
+    return std::max(sum, 0.) / sunlight;
+  };
+  const shadow::Arrangement arrangement{
+      moon.sun_distance_m, {mean_depth_m(moon)}, moon.limb_darkening};
+  const auto sectors = sectors_of(moon, sectors_of_a_trial);
+  const auto light = shadow::by_quadrature(air, arrangement, waves, places_m,
+                                           {.rays = 100,
+                                            .sun_terms = 2,
+                                            .around = sectors_of_a_trial,
+                                            .first_sector = sectors.first,
+                                            .sectors = sectors.count});
+  const shadow::DirectLight clear(air, arrangement, waves);
+  CoarseLight coarse;
+  std::vector<double> ratios(waves.size());
+  for (std::size_t i = 0; i < std::min(light.sectors, sectors.count); ++i) {
+    const std::size_t s = (sectors.first + i) % light.sectors;
+    const double angle = 2 * pi * static_cast<double>(s) / static_cast<double>(light.sectors);
+    auto &refracted = coarse.refracted.emplace_back(), &direct = coarse.direct.emplace_back();
+    for (std::size_t d = 0; d < places_m.size(); ++d) {
+      refracted.push_back(luminance(light.ratio[s].row(d)));
+      clear.ratios(places_m[d], angle, arrangement.depths_m[0], ratios);
+      direct.push_back(luminance(ratios));
+    }
+  }
+  return coarse;
+}
+
+/// The largest change of luminance, over itself.
+double largest_change(const CoarseLight& all, const CoarseLight& without) {
+  double worst = 0;
+  for (std::size_t s = 0; s < all.refracted.size(); ++s)
+    for (std::size_t d = 0; d < all.direct[s].size(); ++d) {
+      const std::size_t k = s % without.refracted.size();
+      const double there = all.refracted[s][d] + all.direct[s][d],
+                   left = without.refracted[k][d] + without.direct[k][d];
+      if (there > 0) worst = std::max(worst, std::abs(there - left) / there);
+    }
+  return worst;
+}
+
+/// Scattered light where the disc is darkest: as much as it can be, and where that may count, as much
+/// as it is.
+double scattered_share(const ShadowedMoon& moon, const CoarseLight& coarse,
+                       std::span<const double> places_m) {
+  constexpr double most = 1.2e-6, counts = 1e-5;
+  double darkest = std::numeric_limits<double>::max();
+  std::size_t where = 0;
+  for (std::size_t d = 0; d < places_m.size(); ++d)
+    for (std::size_t s = 0; s < coarse.refracted.size(); ++s)
+      if (const double here = coarse.refracted[s][d] + coarse.direct[s][d]; here < darkest)
+        darkest = here, where = d;
+  if (moon.air.top_m() <= 0) return 0;
+  if (most / darkest < counts) return most / darkest;
+  const std::array wavelengths{560.};
+  const auto scattered =
+      shadow::twilight(moon.air, {moon.sun_distance_m, {mean_depth_m(moon)}, moon.limb_darkening},
+                       wavelengths, places_m.subspan(where, 1));
+  double share = 0;
+  for (const auto& grid : scattered.ratio) share = std::max(share, grid(0, 0));
+  return share > 0 ? share / (darkest + share) : 0;
+}
+
+/// Scattered light over unshaded sunlight, of 560 nm for all: the largest around the axis.
+std::vector<double> scattered_at(std::span<const double> places_m,
+                                 const atmosphere::Atmosphere& air,
+                                 const shadow::Arrangement& arrangement) {
+  const std::array wavelengths{560.};
+  const std::size_t sectors = air.regions.empty() ? 1 : shadow::sectors_around;
+  auto light = shadow::darkness(arrangement, wavelengths, places_m, sectors);
+  shadow::add_twilight(light, air);
+  std::vector<double> most(places_m.size());
+  for (const auto& grid : light.ratio)
+    for (std::size_t d = 0; d < most.size(); ++d) most[d] = std::max(most[d], grid(d, 0));
+  return most;
+}
+
+/// Places where direct light begins, from the pole's umbra to the equator's and a node of the look-up
+/// on: light is least smooth there.
+void add_edge_of_the_umbra(const ShadowedMoon& moon, const shadow::Arrangement& arrangement,
+                           Range disc, std::vector<double>& places_m) {
+  constexpr double a_node_m = 10e3;
+  constexpr int intervals = 7;
+  const double depth = arrangement.depths_m[0], spread = 1 + depth / moon.sun_distance_m;
+  const auto edge = [&](double position_angle_rad) {
+    const double limb = atmosphere::limb_at(moon.air.earth, position_angle_rad).radius_m;
+    return (limb + moon.air.top_m()) * spread - projected_solar_radius_m(arrangement, depth);
+  };
+  for (const double place : evenly({edge(0), edge(pi / 2) + a_node_m}, intervals))
+    if (place > disc.from_m && place < disc.to_m) places_m.push_back(place);
+  std::ranges::sort(places_m);
+  places_m.erase(std::unique(places_m.begin(), places_m.end()), places_m.end());
+}
+
+/// Factor on a term's size, for what the coarse look did not see.
+constexpr double margin = 2;
+
+}  // namespace
+
+void require_knobs(const plan::ByHand& by_hand) {
+  const auto within = [](const char* what, const auto& value, double low, double high) {
+    if (value) algebra::require_within(what, static_cast<double>(*value), low, high);
+  };
+  within("bands", by_hand.bands, 1, 400);
+  within("rays", by_hand.rays, 2, 1e7);
+  within("sun terms", by_hand.sun_terms, 1, 6);
+  within("planes", by_hand.planes, 1, 9);
+  within("place error", by_hand.place_error, 1e-5, 1);
+}
+
+std::vector<double> depths_of(const ShadowedMoon& moon, int planes) {
+  if (planes == 1) return {mean_depth_m(moon)};
+  const auto [nearest, farthest] = std::ranges::minmax(
+      centres(moon), {}, [](const auto& place) { return algebra::in_metres(place.depth); });
+  const double from = algebra::in_metres(nearest.depth) - lunar_radius_m,
+               to = algebra::in_metres(farthest.depth), spacing = lunar_radius_m / (planes - 1);
+  const int intervals = static_cast<int>(std::ceil((to - from) / spacing - 1e-9));
+  std::vector<double> depths;
+  for (int i = 0; i <= intervals; ++i)
+    depths.push_back(to - (to - from) * (intervals - i) / intervals);
+  return depths;
+}
+
+std::vector<double> distances_over_the_disc(const ShadowedMoon& moon) {
+  constexpr double spacing_m = 200e3, beyond_m = 50e3;
+  auto range = disc_of(moon);
+  range.from_m = std::max(0., range.from_m - beyond_m);
+  range.to_m += beyond_m;
+  return evenly(range, static_cast<int>(std::ceil((range.to_m - range.from_m) / spacing_m)));
+}
+
+atmosphere::Atmosphere air_for(const plan::Work& work, const ShadowedMoon& moon) {
+  auto air = moon.air;
+  if (!work.ellipsoid && !air.earth.sphere()) {
+    const double radius =
+        atmosphere::limb_at(air.earth, algebra::in_radians(moon.centre.position_angle)).radius_m;
+    air.earth = {radius, radius, air.earth.sun_declination_rad};
+  }
+  if (!work.regions) air.regions.clear();
+  return air;
+}
+
+shadow::QuadratureSettings quadrature_for(const plan::Work& work, const ShadowedMoon& moon) {
+  const auto sectors = sectors_of(moon, sectors_of_a_plan);
+  return {.rays = work.rays,
+          .sun_terms = work.sun_terms,
+          .around = sectors_of_a_plan,
+          .first_sector = sectors.first,
+          .sectors = sectors.count,
+          .place_error = work.place_error};
+}
+
+plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose) {
+  const auto disc = disc_of(moon);
+  plan::Scene scene{.nearest_m = disc.from_m,
+                    .farthest_m = disc.to_m,
+                    .limb_darkening = moon.limb_darkening,
+                    .ellipsoid = !moon.air.earth.sphere(),
+                    .columns = 1 + moon.air.regions.size(),
+                    .sectors = sectors_of(moon, sectors_of_a_plan).count,
+                    .texels = purpose.texels,
+                    .map_file = purpose.map_file};
+  const auto places = evenly(disc, places_over(disc, 12));
+  const auto coarse = tried(moon, moon.air, places);
+  CoarseLight direct_alone = coarse;
+  for (auto& row : direct_alone.refracted) std::ranges::fill(row, 0);
+  scene.without_refracted = largest_change(coarse, direct_alone);
+  plan::Work all;
+  const auto change_without = [&](bool plan::Work::*term) {
+    plan::Work work = all;
+    work.*term = false;
+    return margin * largest_change(coarse, tried(moon, air_for(work, moon), places));
+  };
+  if (scene.without_refracted > 0 && scene.ellipsoid)
+    scene.without_ellipsoid = change_without(&plan::Work::ellipsoid);
+  if (scene.without_refracted > 0 && scene.columns > 1)
+    scene.without_regions = change_without(&plan::Work::regions);
+  scene.without_refracted = std::min(1., margin * scene.without_refracted);
+  scene.without_scattered = margin * scattered_share(moon, coarse, places);
+  return scene;
+}
+
+plan::Machine this_machine() {
+  constexpr double seconds_elsewhere = 1.6e-3;
+  const std::vector<double> waves{400, 450, 500, 550, 600, 650, 700, 750};
+  std::vector<double> places;
+  for (double d = 1e6; d < 5e6; d += 2e5) places.push_back(d);
+  double least = std::numeric_limits<double>::max();
+  for (int i = 0; i < 3; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    shadow::by_quadrature({}, {1.479e11, {3.83e8}}, waves, places, {.rays = 60});
+    least = std::min(
+        least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return {seconds_elsewhere / least,
+          std::max(1, static_cast<int>(std::thread::hardware_concurrency()))};
+}
+
+shadow::ChannelWeights luminance_weights() {
+  const auto xyz = colour::xyz_weights(band_edges_nm());
+  shadow::ChannelWeights luminance(1, xyz.columns());
+  std::ranges::copy(xyz.row(1), luminance.row(0).begin());
+  return moonlight_weights(luminance);
+}
+
+double error_found(const ShadowedMoon& moon, const plan::Work& work,
+                   const shadow::Lookup& luminance, bool scattered_counts) {
+  plan::Work finer;
+  finer.bands = std::min(400, 2 * work.bands);
+  finer.rays = 2 * work.rays;
+  finer.place_error = 0;
+  constexpr double off_nodes = 0.07;  // of the disc: between the places light was computed at
+  const auto disc = disc_of(moon);
+  auto places =
+      evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, places_over(disc, 23));
+  const double depth = mean_depth_m(moon) + lunar_radius_m / 4;
+  const shadow::Arrangement arrangement{moon.sun_distance_m, {depth}, moon.limb_darkening};
+  add_edge_of_the_umbra(moon, arrangement, disc, places);
+  const auto waves = wavelengths_nm(finer.bands);
+  auto settings = quadrature_for(finer, moon);
+  constexpr std::size_t between = 29;  // sectors, no multiple of a plan's: off their middles
+  const std::size_t last = settings.first_sector + settings.sectors - 1, around = settings.around;
+  if (settings.sectors < around) {  // those within what was computed
+    settings.first_sector = (settings.first_sector * between + around - 1) / around;
+    const std::size_t end = last * between / around + 1;
+    settings.sectors = end > settings.first_sector ? end - settings.first_sector : 1;
+    settings.first_sector %= between;
+  } else {
+    settings.first_sector = 0;
+    settings.sectors = between;
+  }
+  settings.around = between;
+  if (!moon.air.regions.empty()) settings.sectors = std::min<std::size_t>(settings.sectors, 3);
+  settings.place_error = 0;
+  auto light = shadow::by_quadrature(moon.air, arrangement, waves, places, settings);
+  if (work.scattered_light) shadow::add_twilight(light, moon.air);
+  const auto left_out = scattered_counts && !work.scattered_light
+                            ? scattered_at(places, moon.air, arrangement)
+                            : std::vector<double>(places.size());
+  const auto weights = at_wavelengths(luminance_weights(), finer.bands);
+  const shadow::DirectLight clear(moon.air, arrangement, waves);
+  const std::size_t sectors = std::min(light.sectors, settings.sectors);
+  std::vector<double> ratios(waves.size());
+  std::array<double, 1> found;
+  double worst = 0;
+  for (std::size_t i = 0; i < sectors; ++i) {
+    const std::size_t s = (settings.first_sector + i) % light.sectors;
+    const double angle = light.sectors == 1
+                             ? algebra::in_radians(moon.centre.position_angle)
+                             : 2 * pi * static_cast<double>(s) / static_cast<double>(light.sectors);
+    for (std::size_t d = 0; d < places.size(); ++d) {
+      clear.ratios(places[d], angle, depth, ratios);
+      double exact = 0;
+      for (std::size_t w = 0; w < ratios.size(); ++w)
+        exact += weights(0, w) * (ratios[w] + light.ratio[s](d, w) + left_out[d]);
+      luminance.read({.axis_distance = algebra::metres(places[d]),
+                      .position_angle = algebra::radians(angle),
+                      .depth = algebra::metres(depth)},
+                     found);
+      if (exact > 0) worst = std::max(worst, std::abs(found[0] / exact - 1));
+    }
+  }
+  return worst;
+}
+
+}  // namespace coppermoon::uses

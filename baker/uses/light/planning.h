@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "almanac/sky.h"
+#include "atmosphere/atmosphere.h"
+#include "eclipse/shadow_axis.h"
+#include "plan/plan.h"
+#include "shadow/by_quadrature.h"
+#include "shadow/lookup.h"
+
+namespace coppermoon::uses {
+
+/// The Moon as it stands in the shadow, under what Sun and air; or as it goes through it.
+struct ShadowedMoon {
+  eclipse::ShadowPlace centre{};
+  double sun_distance_m = 0;
+  bool limb_darkening = true;
+  atmosphere::Atmosphere air{};
+  std::vector<eclipse::ShadowPlace> path{};  ///< the centre's, where it goes; empty: it stands
+};
+
+/// What is made of its light.
+struct Purpose {
+  double texels = 0;      ///< that are baked; 0: no texture
+  bool map_file = false;  ///< an albedo map is read from a file
+};
+
+/// Refuses knobs set by hand that are outside their ranges.
+///
+/// Throws  Error
+void require_knobs(const plan::ByHand& by_hand);
+
+/// Planes through the half of the Moon that faces the Sun, as many as asked for; where it goes, as
+/// close through all that it takes up.
+std::vector<double> depths_of(const ShadowedMoon& moon, int planes);
+
+/// A few axis distances, 200 km apart or less, from before its disc to behind it.
+std::vector<double> distances_over_the_disc(const ShadowedMoon& moon);
+
+/// The air with some terms left out: see plan::Work.
+atmosphere::Atmosphere air_for(const plan::Work& work, const ShadowedMoon& moon);
+
+/// The quadrature's settings, and the sectors that the disc takes in.
+shadow::QuadratureSettings quadrature_for(const plan::Work& work, const ShadowedMoon& moon);
+
+/// What work depends on; how much each term matters is tried at a few places, coarsely.
+plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose);
+
+/// How fast this machine is: a small quadrature, timed.
+plan::Machine this_machine();
+
+/// The luminance that weights of wavelengths make.
+shadow::ChannelWeights luminance_weights();
+
+/// The largest error of luminance that is found at some places of the disc, those where direct light
+/// begins among them, against all terms computed twice as finely.
+///
+/// Given  luminance         one channel, luminance_weights
+///        scattered_counts  where it was left out, scattered light is part of the error
+double error_found(const ShadowedMoon& moon, const plan::Work& work,
+                   const shadow::Lookup& luminance, bool scattered_counts);
+
+}  // namespace coppermoon::uses

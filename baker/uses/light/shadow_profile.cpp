@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "uses/light/shadow_profile.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "algebra/error.h"
+#include "algebra/interpolation.h"
+#include "eclipse/shadow_axis.h"
+
+namespace coppermoon::uses {
+namespace {
+
+std::vector<double> distances_of(const ProfilePlaces& places, const ShadowCut& cut) {
+  std::vector<double> distances;
+  for (const double m : places.axis_distances_m) {
+    algebra::require_within("axis distance [km]", m / 1e3, 0, 1e5);
+    if (!distances.empty() && m <= distances.back())
+      throw algebra::Error(
+          fmt::format("axis distance [km] = {:g}, allowed above {:g}, the one before", m / 1e3,
+                      distances.back() / 1e3));
+    distances.push_back(m);
+  }
+  if (!distances.empty()) return distances;
+  constexpr double spacing_m = 100e3;
+  const double reach =
+      shadow::refracted_reach_m(cut.arrangement, cut.air, cut.arrangement.depths_m[0]);
+  for (double d = 0; d < reach + spacing_m; d += spacing_m) distances.push_back(d);
+  return distances;
+}
+
+/// A solver's values at other distances: straight lines, nothing beyond the last.
+algebra::Grid<double> at_distances(const shadow::RefractedLight& light,
+                                   const algebra::Grid<double>& values,
+                                   const std::vector<double>& distances_m) {
+  algebra::Grid<double> there(distances_m.size(), values.columns());
+  std::vector<double> column(values.rows());
+  for (std::size_t w = 0; w < values.columns(); ++w) {
+    for (std::size_t d = 0; d < values.rows(); ++d) column[d] = values(d, w);
+    for (std::size_t d = 0; d < distances_m.size(); ++d)
+      if (distances_m[d] <= light.axis_distances_m.back())
+        there(d, w) = algebra::interpolated(light.axis_distances_m, column, distances_m[d]);
+  }
+  return there;
+}
+
+/// The sectors' mean, or the two nearest to a position angle.
+std::vector<double> sector_shares(std::size_t sectors, std::optional<double> position_angle_deg) {
+  if (!position_angle_deg) return std::vector<double>(sectors, 1 / static_cast<double>(sectors));
+  const double at = *position_angle_deg / 360 * static_cast<double>(sectors);
+  const double part = at - std::floor(at);
+  const auto first = static_cast<std::size_t>(std::floor(at)) % sectors;
+  std::vector<double> shares(sectors);
+  shares[first] += 1 - part;
+  shares[(first + 1) % sectors] += part;
+  return shares;
+}
+
+}  // namespace
+
+ShadowCut shadow_at_the_moon(const LightRequest& request, const almanac::SkyState& sky) {
+  const auto axis = eclipse::shadow_axis(sky);
+  const double depth_m = algebra::in_metres(eclipse::place_in_shadow(axis, sky.moon_m).depth);
+  return {atmosphere_of(request.air, axis.sun_declination),
+          arrangement_of(request, algebra::in_metres(axis.sun_distance), {depth_m})};
+}
+
+ShadowProfile shadow_profile(const LightRequest& request, const ShadowCut& cut,
+                             const ProfilePlaces& places, const algebra::Progress& progress) {
+  if (places.wavelengths_nm.empty())
+    throw algebra::Error("wavelengths [nm] = none, allowed one or more");
+  ShadowProfile profile{places.wavelengths_nm, distances_of(places, cut), {}, {}};
+  const auto& distances = profile.axis_distances_m;
+  const auto light = refracted_light(request, cut.air, cut.arrangement,
+                                     {profile.wavelengths_nm, distances}, progress);
+  const shadow::DirectLight direct(cut.air, cut.arrangement, profile.wavelengths_nm);
+  profile.ratio = algebra::Grid<double>(distances.size(), profile.wavelengths_nm.size());
+  profile.standard_error = profile.ratio;
+  const auto shares = sector_shares(light.sectors, places.position_angle_deg);
+  std::vector<double> clear(profile.wavelengths_nm.size());
+  for (std::size_t s = 0; s < shares.size(); ++s) {
+    const double angle =
+        2 * std::numbers::pi * static_cast<double>(s) / static_cast<double>(shares.size());
+    const auto refracted = at_distances(light, light.ratio[s], distances),
+               error = at_distances(light, light.standard_error[s], distances);
+    for (std::size_t d = 0; d < distances.size(); ++d) {
+      direct.ratios(distances[d], angle, cut.arrangement.depths_m[0], clear);
+      for (std::size_t w = 0; w < clear.size(); ++w) {
+        profile.ratio(d, w) += shares[s] * (refracted(d, w) + clear[w]);
+        profile.standard_error(d, w) =
+            std::hypot(profile.standard_error(d, w), shares[s] * error(d, w));
+      }
+    }
+  }
+  return profile;
+}
+
+}  // namespace coppermoon::uses

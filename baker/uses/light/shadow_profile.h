@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "algebra/grid.h"
+#include "algebra/progress.h"
+#include "uses/light/moonlight.h"
+
+namespace coppermoon::uses {
+
+/// Where the shadow is cut: one plane, through what air and under what Sun.
+struct ShadowCut {
+  atmosphere::Atmosphere air;
+  shadow::Arrangement arrangement;  ///< one plane
+};
+
+/// At the Moon of one moment.
+ShadowCut shadow_at_the_moon(const LightRequest& request, const almanac::SkyState& sky);
+
+/// What is asked of a cut.
+struct ProfilePlaces {
+  std::vector<double> wavelengths_nm{450, 550, 650};  ///< 380 to 780
+  std::vector<double> axis_distances_m{};  ///< increasing; empty: every 100 km, to the shadow's end
+  /// about the axis, from celestial north through east, 0 to 360; without: the mean of all
+  std::optional<double> position_angle_deg{};
+};
+
+/// Irradiance across the shadow over unobstructed sunlight, direct light included, and its standard
+/// error: (axis distance, wavelength).
+struct ShadowProfile {
+  std::vector<double> wavelengths_nm, axis_distances_m;
+  algebra::Grid<double> ratio, standard_error;
+};
+
+/// Throws  Error  when no wavelength is given, or a distance is outside 0 to 1e8 m or not above the one
+///                before; as refracted_light
+ShadowProfile shadow_profile(const LightRequest& request, const ShadowCut& cut,
+                             const ProfilePlaces& places = {},
+                             const algebra::Progress& progress = {});
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "uses/light/spectral_bands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "algebra/error.h"
+#include "algebra/interpolation.h"
+#include "colour/cie_observer.h"
+#include "photons/solar_disc.h"
+#include "surface/reflectance.h"
+
+namespace coppermoon::uses {
+namespace {
+
+constexpr int bands = 400;
+constexpr double first_nm = 380, width_nm = 1;
+
+std::vector<double> lunar_reflectance() {
+  const auto xyz = colour::xyz_weights(band_edges_nm());
+  const auto luminance = xyz.row(1);
+  std::vector<double> reflectance;
+  const auto sunlight = photons::solar_irradiance(band_edges_nm());
+  const auto centres = band_centres_nm();
+  double seen = 0, light = 0;
+  for (std::size_t b = 0; b < centres.size(); ++b) {
+    reflectance.push_back(surface::lunar_reflectance_yapo_cutler(algebra::nanometres(centres[b])));
+    seen += luminance[b] * sunlight[b] * reflectance[b];
+    light += luminance[b] * sunlight[b];
+  }
+  for (double& r : reflectance) r *= light / seen;
+  return reflectance;
+}
+
+double transmittance(const std::optional<atmosphere::Sightline>& sightline, double wavelength_nm) {
+  if (!sightline) return 1;
+  return atmosphere::transmittance_above(sightline->air, sightline->altitude,
+                                         algebra::nanometres(wavelength_nm));
+}
+
+}  // namespace
+
+std::vector<double> band_edges_nm() {
+  std::vector<double> edges;
+  for (int i = 0; i <= bands; ++i) edges.push_back(first_nm + width_nm * i);
+  return edges;
+}
+
+std::vector<double> band_centres_nm() {
+  std::vector<double> centres;
+  for (int i = 0; i < bands; ++i) centres.push_back(first_nm + width_nm * (i + 0.5));
+  return centres;
+}
+
+std::vector<double> wavelengths_nm(int count) {
+  algebra::require_within("wavelengths", count, 1, bands);
+  std::vector<double> middles;
+  for (int i = 0; i < count; ++i)
+    middles.push_back(first_nm + bands * width_nm * (i + 0.5) / count);
+  return middles;
+}
+
+algebra::Grid<double> at_wavelengths(const algebra::Grid<double>& weights, int count) {
+  const int points = std::min(4, count);
+  algebra::Grid<double> nodes(weights.rows(), static_cast<std::size_t>(count));
+  for (int b = 0; b < bands; ++b) {
+    const double place = (b + 0.5) * count / bands - 0.5;
+    const int first =
+        std::clamp(static_cast<int>(std::floor(place)) - (points / 2 - 1), 0, count - points);
+    std::vector<double> around(static_cast<std::size_t>(points));
+    std::iota(around.begin(), around.end(), first);
+    const auto shares = algebra::on_polynomial(around, place);
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      for (std::size_t c = 0; c < weights.rows(); ++c)
+        nodes(c, static_cast<std::size_t>(first) + i) +=
+            shares[i] * weights(c, static_cast<std::size_t>(b));
+  }
+  return nodes;
+}
+
+void into_gamut_or_black(colour::WorkingSpace space, std::span<double> channels) {
+  if (colour::luminance(space, channels) < 0)
+    std::ranges::fill(channels, 0);
+  else
+    colour::into_gamut(space, channels);
+}
+
+algebra::Grid<double> white_ground_weights(const algebra::Grid<double>& response,
+                                           const std::optional<atmosphere::Sightline>& sightline) {
+  const auto sunlight = photons::solar_irradiance(band_edges_nm());
+  const auto centres = band_centres_nm();
+  algebra::Grid<double> weights = response;
+  for (std::size_t b = 0; b < centres.size(); ++b) {
+    const double seen = sunlight[b] / std::numbers::pi * transmittance(sightline, centres[b]);
+    for (std::size_t c = 0; c < weights.rows(); ++c) weights(c, b) *= seen;
+  }
+  return weights;
+}
+
+algebra::Grid<double> moonlight_weights(const algebra::Grid<double>& response,
+                                        const std::optional<atmosphere::Sightline>& sightline) {
+  const auto reflectance = lunar_reflectance();
+  auto weights = white_ground_weights(response, sightline);
+  for (std::size_t c = 0; c < weights.rows(); ++c)
+    for (std::size_t b = 0; b < weights.columns(); ++b) weights(c, b) *= reflectance[b];
+  return weights;
+}
+
+}  // namespace coppermoon::uses

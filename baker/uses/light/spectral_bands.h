@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "algebra/grid.h"
+#include "atmosphere/observer_air.h"
+#include "colour/working_space.h"
+
+namespace coppermoon::uses {
+
+/// Space of frames, strips and sheets: what POV-Ray and shaders take values for.
+constexpr auto picture_space = colour::WorkingSpace::linear_rec709;
+
+/// The bands that sunlight and responses are known in: 400 of 1 nm, from 380 to 780 nm.
+std::vector<double> band_edges_nm();
+std::vector<double> band_centres_nm();
+
+/// Where light is computed: the middles of so many even bands from 380 to 780 nm, 1 to 400.
+///
+/// Throws  Error  when the count is outside its range
+/// Source  Yapo & Cutler (2009) §2.2, for 200 of them
+std::vector<double> wavelengths_nm(int count);
+
+/// What weights of bands come to at those wavelengths, between which light is taken to run as a cubic
+/// through the four nearest: Σ weight(band) light(band) is the sum over them.
+///
+/// Given     weights  (channel, band)
+/// Returned  (channel, wavelength), as many as `count`
+algebra::Grid<double> at_wavelengths(const algebra::Grid<double>& weights, int count);
+
+/// Colours of light that was computed at few wavelengths, or by few photons: less than no luminance,
+/// as cubics through noise may leave, is black; others are brought into the gamut.
+void into_gamut_or_black(colour::WorkingSpace space, std::span<double> channels);
+
+/// What a white diffuse ground that faces the Sun at 1 au makes of sunlight in some channels, band by
+/// band:
+///
+///     w = C E / π
+///
+/// Given     response   C, [channel][band]: of radiance, in the channel's unit per W m⁻² sr⁻¹ nm⁻¹
+///           sightline  through an observer's air, which reddens it (see
+///                      atmosphere::transmittance_above); none: seen from space
+/// Returned  w          [channel][band]
+algebra::Grid<double> white_ground_weights(
+    const algebra::Grid<double>& response,
+    const std::optional<atmosphere::Sightline>& sightline = {});
+
+/// The same were the ground as reddish as the Moon, and as bright as its normal albedo in V says:
+///
+///     w = C E k_r / (π k_V)        k_V: k_r averaged over the Sun's light as the eye sees it
+algebra::Grid<double> moonlight_weights(const algebra::Grid<double>& response,
+                                        const std::optional<atmosphere::Sightline>& sightline = {});
+
+}  // namespace coppermoon::uses

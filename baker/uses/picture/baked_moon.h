@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "almanac/instant.h"
+#include "almanac/observer.h"
+#include "almanac/sky.h"
+#include "atmosphere/observer_air.h"
+#include "colour/working_space.h"
+#include "texture/bake.h"
+#include "texture/write_image.h"
+#include "uses/picture/moon.h"
+
+namespace coppermoon::uses {
+
+/// What a texture holds, and how it is stored.
+struct TextureContent {
+  std::optional<colour::WorkingSpace> space{};  ///< without: linear Rec.709
+  std::optional<texture::ExrType> type{};       ///< without: half, float for a spectrum
+  std::optional<double> spectral_nm{};  ///< width of bands of spectral radiance, where asked for
+  bool passes = false;                  ///< also what the light is made of
+};
+
+/// Throws  Error  when a band is outside 1 to 100 nm, or does not go into 400 nm evenly
+void require_sound(const TextureContent& content);
+
+colour::WorkingSpace space_of(const TextureContent& content);
+
+texture::ExrType type_of(const TextureContent& content);
+
+/// What the textures of one moment are made from.
+struct LitMoon {
+  MoonRequest request;
+  almanac::SkyState sky;
+  std::shared_ptr<const algebra::Grid<float>> albedo;
+  std::shared_ptr<const Moonlight> light;
+  /// what of the light the disc takes in; nothing: all is sunlight
+  std::optional<shadow::LookupRange> within;
+  /// who sees it, and through what air, which reddens it; without: from the Earth's centre
+  std::optional<almanac::Observer> observer = {};
+  std::optional<atmosphere::Sightline> sightline = {};
+};
+
+/// Reads the map, and plans and computes the light.
+LitMoon lit_moon(const MoonRequest& request, const almanac::SkyState& sky,
+                 const algebra::Progress& progress = {});
+
+/// A texture that is baked as its rows are asked for, and what its file's header says.
+struct BakedMoon {
+  std::vector<texture::Part> parts;
+  texture::Attributes attributes;
+};
+
+/// How a Moon is baked.
+struct Baking {
+  texture::Extent extent = texture::Extent::whole;
+  algebra::Progress progress = {};  ///< of rows being baked
+};
+
+/// The texture in its space [cd/m²], and what else was asked for:
+///
+///     S0.…nm      spectral radiance [W m⁻² sr⁻¹ nm⁻¹], the mean over each band, after Fichet et
+///                 al. (2021), beside the colours
+///     direct, refracted        parts whose luminances add up to the whole
+///     irradiance, reflectance  parts whose product it is: the luminance of a white diffuse ground
+///                              that faces the Sun, under light as the Moon's reddish ground weighs
+///                              it; the radiance factor under sunlight, of the ground's own colour
+///     albedo      a part: the map's normal albedo
+///
+/// Colours outside the space are brought into it in each part by itself.
+BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking& baking = {});
+
+}  // namespace coppermoon::uses

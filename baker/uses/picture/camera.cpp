@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "uses/picture/camera.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "algebra/error.h"
+#include "algebra/number.h"
+#include "atmosphere/sky_luminance.h"
+#include "texture/read_image.h"
+#include "uses/picture/pixels.h"
+
+namespace coppermoon::uses {
+namespace {
+
+constexpr double arcsec_rad = std::numbers::pi / 180 / 3600;
+
+constexpr const char *pixel_attribute = "coppermoon:pixel_arcsec",
+                     *sky_attribute = "coppermoon:sky_cd_m2";
+
+bool any_given(const CameraRequest& o) {
+  return o.aperture_mm || o.obstruction || o.transmission || o.pixel_um || o.quantum_efficiency ||
+         o.full_well_e || o.read_noise_e || o.converter_noise_dn || o.black_level_dn ||
+         o.seeing_arcsec || o.sensor_bits || o.response || o.diffraction || o.noise ||
+         o.sky_cd_m2 || !o.raw.empty() || !o.photograph.empty();
+}
+
+template <typename Value>
+void change(Value& value, const std::optional<Value>& given) {
+  if (given) value = *given;
+}
+
+void change(colour::Sensor& sensor, const CameraRequest& request) {
+  change(sensor.pixel_um, request.pixel_um);
+  change(sensor.quantum_efficiency, request.quantum_efficiency);
+  change(sensor.full_well_e, request.full_well_e);
+  change(sensor.read_noise_e, request.read_noise_e);
+  change(sensor.converter_noise_dn, request.converter_noise_dn);
+  change(sensor.black_level_dn, request.black_level_dn);
+  change(sensor.bits, request.sensor_bits);
+  change(sensor.response, request.response);
+}
+
+double number_in(const std::filesystem::path& frame, const char* attribute) {
+  return algebra::number_in(texture::read_attribute(frame, attribute).value_or("")).value_or(-1);
+}
+
+double sky_over(const almanac::Observer& observer, const almanac::SkyState& sky) {
+  const auto view = almanac::view_from(observer, sky);
+  const double sine = glm::dot(glm::normalize(sky.sun_m - view.position_m), view.zenith);
+  constexpr double day = 5;  // an eclipsed Moon is down by then
+  return atmosphere::sky_luminance_cd_m2(
+      algebra::degrees(std::min(std::asin(sine) * 180 / std::numbers::pi, day)));
+}
+
+}  // namespace
+
+std::optional<colour::Camera> camera_of(const CameraRequest& request,
+                                        const std::optional<double>& f_number,
+                                        const std::optional<double>& focal_length_mm) {
+  if (request.model.empty()) {
+    if (any_given(request))
+      throw algebra::Error(
+          fmt::format("a camera's aperture, sensor, noise, sky or files: allowed with a camera: {}",
+                      fmt::join(colour::camera_names(), ", ")));
+    return std::nullopt;
+  }
+  auto camera = colour::camera_named(request.model);
+  auto& optics = camera.optics;
+  const double f_number_of_its_own = optics.focal_length_mm / optics.aperture_mm;
+  change(optics.focal_length_mm, focal_length_mm);
+  if (focal_length_mm && !request.aperture_mm)
+    optics.aperture_mm = optics.focal_length_mm / f_number_of_its_own;
+  change(optics.aperture_mm, request.aperture_mm);
+  if (f_number) optics.aperture_mm = optics.focal_length_mm / *f_number;
+  change(optics.obstruction, request.obstruction);
+  change(optics.transmission, request.transmission);
+  change(camera.sensor, request);
+  change(camera.seeing_arcsec, request.seeing_arcsec);
+  camera.diffraction = request.diffraction.value_or(true);
+  camera.noise = request.noise.value_or(true);
+  require_sound(camera);
+  return camera;
+}
+
+ViewRequest seen_through(const CameraRequest& request, ViewRequest view) {
+  if (request.model.empty()) return view;
+  const auto camera = colour::camera_named(request.model);
+  view.focal_length_mm = view.focal_length_mm.value_or(camera.optics.focal_length_mm);
+  view.sensor_width_mm = view.sensor_width_mm.value_or(camera.sensor.width_mm);
+  return view;
+}
+
+SeenFrame seen_by(const View& view, const almanac::SkyState& sky) {
+  const auto& camera = view.camera;
+  SeenFrame seen{2 * std::tan(algebra::in_radians(camera.horizontal_field) / 2) /
+                     static_cast<double>(camera.width),
+                 {}};
+  if (view.observer) seen.sky_cd_m2 = sky_over(*view.observer, sky);
+  return seen;
+}
+
+SeenFrame seen_by(const std::filesystem::path& frame) {
+  SeenFrame seen;
+  seen.pixel_rad = std::max(0., number_in(frame, pixel_attribute)) * arcsec_rad;
+  if (const double sky = number_in(frame, sky_attribute); sky >= 0) seen.sky_cd_m2 = sky;
+  return seen;
+}
+
+void add_seen(texture::Attributes& attributes, const SeenFrame& seen) {
+  attributes[pixel_attribute] = static_cast<float>(seen.pixel_rad / arcsec_rad);
+  if (seen.sky_cd_m2) attributes[sky_attribute] = static_cast<float>(*seen.sky_cd_m2);
+}
+
+colour::Photograph photographed(const CameraRequest& request, const colour::Camera& camera,
+                                const Frame& frame, const colour::Exposure& exposure) {
+  const auto pixels = pixels_of(frame.light);
+  const auto& seen = frame.seen;
+  const double across = static_cast<double>(pixels.columns()) * camera.optics.focal_length_mm;
+  const colour::Shot shot{
+      .exposure = exposure,
+      .pixel_rad = seen.pixel_rad > 0 ? seen.pixel_rad : camera.sensor.width_mm / across,
+      .sky_cd_m2 = request.sky_cd_m2.value_or(seen.sky_cd_m2.value_or(0)),
+      .seed = request.noise_seed,
+      .frame = frame.number};
+  return colour::photographed(pixels, frame.space, camera, shot);
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "colour/exposure.h"
+#include "colour/working_space.h"
+#include "texture/image.h"
+#include "uses/picture/camera.h"
+
+namespace coppermoon::uses {
+
+/// How long a frame is exposed.
+struct ExposureTime {
+  enum class Rule {
+    automatic,  ///< the brightest hundredth of what is lit comes to 0.8 of saturation
+    follow,     ///< the cube of the mean cube root of luminance comes to 0.25: without a step
+    fixed
+  };
+  Rule rule = Rule::automatic;
+  double seconds = 1;  ///< where it is fixed, 1e-6 to 1e6
+};
+
+/// How the camera is set and its frame developed.
+struct Development {
+  ExposureTime time{};
+  std::optional<double> f_number{};  ///< without: 12.1, or the camera's
+  double iso = 800;
+  std::string view = "Un-tone-mapped", display = "sRGB",
+              config;                       ///< of OpenColorIO; config: a file
+  int bits = 8;                             ///< of a picture's number, 8 or 16
+  CameraRequest camera{};                   ///< of a frame that is seen; no texture has one
+  std::optional<double> focal_length_mm{};  ///< given for the view; without: the camera's
+};
+
+/// The camera's settings, the time by its rule; 1 s when nothing is lit.
+///
+/// Throws Error when a setting is outside its range, or the frame has fewer than three channels
+colour::Exposure exposure_for(const Development& development, const texture::Image& frame,
+                              colour::WorkingSpace space);
+
+/// Fingerprint of what the view and its display make of colours, whatever their configuration is called.
+std::string fingerprint(const Development& development, colour::WorkingSpace space);
+
+/// What a luminance of 1 cd/m² becomes where white is 1, at those settings.
+double scale_of(const Development& development, const colour::Exposure& exposure);
+
+/// What the camera sees of a scene-linear frame, by the same unit; the frame itself without one. The
+/// camera's own files are written, where any are asked for.
+texture::Image taken(const Development& development, const colour::Exposure& exposure,
+                     const Frame& frame);
+
+/// The camera's settings under OpenEXR's standard names.
+void add_exposure(texture::Attributes& attributes, const colour::Exposure& exposure);
+
+/// Throws Error when the development cannot be made whatever the frame holds: a setting outside its
+/// range, a picture that does not end in .png, a view there is not
+void require_sound(const Development& development, const std::filesystem::path& picture);
+
+/// A scene-linear frame as the display shows it, 1/scale of it as white: channels R, G, B, 0 to 1.
+texture::Image shown(const Development& development, double scale, const texture::Image& frame,
+                     colour::WorkingSpace space);
+
+/// A scene-linear frame [cd/m²] as the display shows it: channels R, G, B, 0 to 1.
+texture::Image developed(const Development& development, const colour::Exposure& exposure,
+                         const texture::Image& frame, colour::WorkingSpace space);
+
+/// Develops a scene-linear frame and writes the picture.
+void write_developed(const Development& development, const colour::Exposure& exposure,
+                     const Frame& frame, const std::filesystem::path& picture);
+
+}  // namespace coppermoon::uses

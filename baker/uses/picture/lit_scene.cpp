@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "uses/picture/lit_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "files/folder_lock.h"
+#include "povray_scenes/scene.h"
+
+namespace coppermoon::uses {
+namespace {
+
+constexpr const char* texture_file = "moon_lin_rec709.exr";
+
+/// Diameter of the disc [pixels].
+double diameter(const povray_scenes::Camera& camera) {
+  const double away = glm::length(camera.position);  // in lunar radii
+  const double tangent = 1 / std::sqrt(away * away - 1);
+  return static_cast<double>(camera.width) * tangent /
+         std::tan(algebra::in_radians(camera.horizontal_field) / 2);
+}
+
+}  // namespace
+
+FrameView view_for_frame(const ViewRequest& request, const almanac::SkyState& sky) {
+  constexpr double visible_px = 0.25;
+  FrameView frame{view_of(request, sky), {}};
+  auto& camera = frame.view.camera;
+  const double flattened_px = (1 - camera.flattening) * diameter(camera);
+  if (camera.flattening < 1 && flattened_px < visible_px) {
+    frame.left_out.push_back(fmt::format("flattening of the disc: {:.2g} pixel", flattened_px));
+    camera.flattening = 1;
+  }
+  if (!frame.view.sightline) frame.left_out.push_back("air above the observer, who is in space");
+  return frame;
+}
+
+MoonRequest fitted(MoonRequest moon, const povray_scenes::Camera& camera) {
+  if (moon.texture_width) return moon;
+  const double width = moon.texels_per_pixel * std::numbers::pi * diameter(camera);
+  moon.texture_width =
+      static_cast<std::size_t>(std::ceil(std::clamp(width, 64., 16384.) / 32)) * 32;
+  return moon;
+}
+
+LitScene lit_scene(const MoonRequest& request, const ViewRequest& view,
+                   const almanac::SkyState& sky, const SceneBaking& baking) {
+  const auto seen = view_for_frame(view, sky).view;
+  auto moon = lit_moon(fitted(request, seen.camera), sky, baking.light);
+  moon.observer = seen.observer;
+  moon.sightline = seen.sightline;
+  auto texture = baked(moon, {}, {baking.extent, baking.bake});
+  return {std::move(moon), seen, std::move(texture)};
+}
+
+void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
+                     const texture::ExrOptions& options) {
+  povray_scenes::Scene pov{.camera = scene.view.camera, .texture = texture_file, .caption = {}};
+  std::error_code ignored;
+  const bool made = std::filesystem::create_directory(folder, ignored);
+  const files::FolderLock alone(folder);
+  try {
+    texture::write_exr(folder / texture_file, scene.texture.parts, scene.texture.attributes,
+                       options);
+    write_scene(folder, pov);
+  } catch (...) {
+    if (made) std::filesystem::remove_all(folder, ignored);
+    throw;
+  }
+}
+
+}  // namespace coppermoon::uses

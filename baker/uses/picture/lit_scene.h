@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "uses/picture/baked_moon.h"
+#include "uses/picture/view.h"
+
+namespace coppermoon::uses {
+
+/// A scene made: what it holds, and for whom.
+struct LitScene {
+  LitMoon moon;
+  View view;
+  BakedMoon texture;
+};
+
+/// A view with what its frame does not show left out: the flattening of a disc by less than a quarter
+/// of a pixel.
+struct FrameView {
+  View view;
+  std::vector<std::string> left_out;
+};
+
+/// Throws  Error  as view_of
+FrameView view_for_frame(const ViewRequest& request, const almanac::SkyState& sky);
+
+/// A texture without a width of its own has as many texels around the equator as the middle of the
+/// disc has pixels: π times the disc's diameter, times its `texels_per_pixel`.
+MoonRequest fitted(MoonRequest moon, const povray_scenes::Camera& camera);
+
+/// How a scene's texture is made.
+struct SceneBaking {
+  texture::Extent extent = texture::Extent::whole;
+  algebra::Progress light = {}, bake = {};  ///< told how far each has come
+};
+
+/// The view, and the Moon ready to be baked: all of a scene but its files.
+LitScene lit_scene(const MoonRequest& moon, const ViewRequest& view, const almanac::SkyState& sky,
+                   const SceneBaking& baking = {});
+
+/// Bakes the texture, and writes it, scene and settings into a folder, made when only its last part
+/// is missing; a folder made so is gone again when they cannot be written.
+void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
+                     const texture::ExrOptions& options = {});
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "uses/picture/photo_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "algebra/error.h"
+#include "algebra/number.h"
+#include "almanac/instant.h"
+#include "colour/exposure.h"
+#include "texture/read_image.h"
+#include "uses/picture/pixels.h"
+
+namespace coppermoon::uses {
+namespace {
+
+/// The first of some names that a photograph's header knows a number by.
+std::optional<double> number_in_header(const std::string& photo,
+                                       std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    const auto value = algebra::number_in(texture::read_attribute(photo, name).value_or(""));
+    if (value && *value > 0) return value;
+  }
+  return std::nullopt;
+}
+
+double number_of(const std::string& file, const char* attribute) {
+  const double number =
+      algebra::number_in(texture::read_attribute(file, attribute).value_or("")).value_or(0);
+  if (!(number > 0))
+    throw algebra::Error(fmt::format(
+        "{}: its header has no {}, allowed are photographs that coppermoon took", file, attribute));
+  return number;
+}
+
+void require_sound(const std::string& file, const texture::Image& image) {
+  for (std::size_t i = 0; i < image.values.size(); ++i) {
+    const float value = image.values[i];
+    const auto channel = i % image.channels.size();
+    const bool valid = channel == 3;
+    if (valid ? value >= 0 && value <= 1 : std::isfinite(value)) continue;
+    const auto pixel = i / image.channels.size();
+    throw algebra::Error(fmt::format(
+        "{}: {} at row {}, column {} = {:g}, allowed {}", file, image.channels[channel],
+        pixel / image.width, pixel % image.width, value, valid ? "0 to 1" : "what is finite"));
+  }
+}
+
+}  // namespace
+
+std::optional<colour::Exposure> exif_of(const std::string& photo) {
+  const auto time_s = number_in_header(photo, {"expTime", "Exif:ExposureTime"}),
+             f_number = number_in_header(photo, {"aperture", "Exif:FNumber"}),
+             iso = number_in_header(
+                 photo, {"isoSpeed", "Exif:PhotographicSensitivity", "Exif:ISOSpeedRatings"});
+  if (!time_s || !f_number || !iso) return std::nullopt;
+  return colour::Exposure{*time_s, *f_number, *iso};
+}
+
+texture::Attributes scene_attributes(const std::string& file) {
+  texture::Attributes attributes;
+  for (const char* name : {"coppermoon:recipe", "coppermoon:version", "coppermoon:colour_space",
+                           "coppermoon:unit", "capDate"})
+    if (const auto text = texture::read_attribute(file, name)) attributes[name] = *text;
+  return attributes;
+}
+
+std::optional<double> seconds_of_date(const std::string& date) {
+  if (date.find_first_not_of(" :0") == date.npos) return std::nullopt;
+  auto text = date;
+  try {
+    if (text.size() != 19 || text[4] != ':' || text[7] != ':' || text[10] != ' ')
+      throw algebra::Error("another form");
+    text[4] = text[7] = '-', text[10] = 'T';
+    const auto when = almanac::instant_from_utc(text);
+    return (when.tt_day + when.tt_fraction) * 86400;
+  } catch (const algebra::Error&) {
+    throw algebra::Error(fmt::format("its header's date = {}, allowed YYYY:MM:DD HH:MM:SS", date));
+  }
+}
+
+std::optional<double> taken_at_s(const std::string& photo) {
+  const auto date = texture::read_attribute(photo, "capDate");
+  if (!date) return std::nullopt;
+  try {
+    return seconds_of_date(*date);
+  } catch (const algebra::Error& error) {
+    throw algebra::Error(fmt::format("{}: {}", photo, error.what()));
+  }
+}
+
+colour::Bracketed bracketed(const std::string& file) {
+  const auto image = texture::read_channels(file, {"R", "G", "B", "valid"});
+  require_sound(file, image);
+  colour::Bracketed one{pixels_of(image), channel_of(image, 3), 0};
+  const double f_number = number_of(file, "aperture"), time_s = number_of(file, "expTime");
+  colour::exposure_scale({time_s, f_number});  // their ranges
+  one.light = time_s / (f_number * f_number);
+  return one;
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "colour/bracket.h"
+#include "colour/exposure.h"
+#include "texture/image.h"
+
+namespace coppermoon::uses {
+
+/// What its header says of how the camera was set; nothing when it does not say all of it.
+std::optional<colour::Exposure> exif_of(const std::string& photo);
+
+/// What the header of a frame or photograph says of the scene, under the names that texture::Attributes
+/// has: its recipe and moment, what the numbers stand for.
+texture::Attributes scene_attributes(const std::string& file);
+
+/// A header's date, as "2008:02:21 03:26:05", in seconds of a time that goes on evenly; nothing for that
+/// of a camera whose clock was not set: blanks or zeros.
+///
+/// Throws  Error  when it is anything else
+std::optional<double> seconds_of_date(const std::string& date);
+
+/// When a photograph was taken; nothing when its header does not say.
+///
+/// Throws  Error  with the photograph's name, as seconds_of_date
+std::optional<double> taken_at_s(const std::string& photo);
+
+/// A photograph of a bracketed set, as coppermoon takes them: its light, which of its pixels are valid,
+/// and how much light it took in.
+///
+/// Throws  Error  with the file's name: for channels, numbers or a header that no such photograph has
+colour::Bracketed bracketed(const std::string& file);
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "uses/picture/development.h"
+#include "uses/picture/lit_scene.h"
+
+namespace coppermoon::uses {
+
+/// A scene-linear frame of a scene, linear Rec.709 [cd/m²]: POV-Ray renders it in a folder that is gone
+/// afterwards.
+///
+/// Throws  Error  when POV-Ray is not there, or fails
+texture::Image rendered(const LitScene& scene, const algebra::Progress& progress = {});
+
+/// A frame's header: the texture's, and the exposure and what a camera has to know of it.
+texture::Attributes frame_header(const LitScene& scene, const colour::Exposure& exposure);
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "colour/limb.h"
+#include "texture/image.h"
+#include "uses/study/comparison.h"
+
+namespace coppermoon::uses {
+
+/// A picture of three panels side by side: a photograph, the render as that camera would have taken it, and how they differ:
+/// red where the photograph is brighter, blue where it is darker, full at two stops; black where
+/// either is dark.
+///
+/// Given     photo     linear Rec.709
+///           render    the same, in the photograph's geometry and exposure
+///           in_photo  the disc that is shown
+/// Returned  sRGB-coded, 0 to 1: R, G, B; three squares of at most 640 pixels
+texture::Image comparison_sheet(const texture::Image& photo, const texture::Image& render,
+                                const colour::Disc& in_photo);
+
+/// The same of a photograph and what it was compared with, about the photograph's own disc.
+texture::Image comparison_sheet(const texture::Image& photo, const Comparison& found);
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "uses/study/fit_light.h"
+#include "uses/study/fit_posterior.h"
+
+namespace coppermoon::uses {
+
+/// Numbers that tell of the air: a photograph's, or magnitudes.
+struct Witness {
+  const FittedLight* light;
+  std::function<double(const algebra::Grid<double>& light)>
+      chi_squared;    ///< χ² of light on its bins
+  std::size_t count;  ///< how many numbers
+};
+
+/// The air that some witnesses tell of.
+struct AirFit {
+  Posterior posterior{};    ///< unknowns: logarithm of dust [1/m], cloud cover, ozone [DU]
+  std::size_t numbers = 0;  ///< how many were compared
+};
+
+/// The air that explains all of them best. Where even that is further off than the errors say, all
+/// errors are taken to be as much larger.
+AirFit fitted_air(std::span<const Witness> witnesses);
+
+/// Largest χ² at which air explains what was seen: ten for each number above the three unknowns, as if all
+/// errors were three times as large as believed.
+///
+/// Source  a hundred photographs of tests/end_to_end/recovery_test.cpp: 0.2 to 3.2; of one of them with
+///         a tone curve of the power 0.7: 15, at a time 30 minutes off: 98, of another eclipse: 388
+double most_chi_squared(const AirFit& fit);
+
+/// Whether χ² is no larger than that.
+bool explains(const AirFit& fit);
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/flags/develop_options.h"
+
+#include <fmt/format.h>
+
+#include "algebra/error.h"
+#include "algebra/number.h"
+#include "verbs/flags/camera_options.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+constexpr const char* time_help =
+    "exposure time [s]; auto: the brightest are not lost; follow: as the shadow deepens, without a "
+    "step";
+
+std::string text_of(const uses::ExposureTime& time) {
+  using enum uses::ExposureTime::Rule;
+  if (time.rule == automatic) return "auto";
+  return time.rule == follow ? "follow" : fmt::format("{}", time.seconds);
+}
+
+}  // namespace
+
+uses::ExposureTime exposure_time_from(const std::string& text) {
+  using enum uses::ExposureTime::Rule;
+  if (text == "auto") return {automatic};
+  if (text == "follow") return {follow};
+  const auto seconds = algebra::number_in(text);
+  if (!seconds)
+    throw algebra::Error(
+        fmt::format("exposure time = {}, allowed auto, follow or 1e-6 to 1e6 s", text));
+  return {fixed, *seconds};
+}
+
+void add_time_option(CLI::App& verb, std::string& time) {
+  add_flag(verb, "--time", time, time_help).in(camera_group);
+}
+
+void add_picture_options(CLI::App& verb, uses::Development& development) {
+  const std::string group = camera_group;
+  add_flag(verb, "--f-number", development.f_number,
+           "focal length over aperture; 12.1, or the camera's")
+      .in(group);
+  add_flag(verb, "--iso", development.iso, "ISO 12232 saturation-based speed").in(group);
+  add_flag(verb, "--view", development.view, "of the OpenColorIO configuration").in(group);
+  add_flag(verb, "--display", development.display, "of the OpenColorIO configuration").in(group);
+  add_flag(verb, "--config", development.config,
+           "an OpenColorIO configuration instead of the built-in one")
+      .reads_file()
+      .in(group);
+  add_flag(verb, "--bits", development.bits, "of the picture, 8 or 16")
+      .one_of({"8", "16"})
+      .in(group);
+}
+
+void add_develop_options(CLI::App& verb, uses::Development& development) {
+  auto& time = development.time;
+  add_parsed(
+      verb, "--time", [&time](const std::string& text) { time = exposure_time_from(text); },
+      time_help, text_of(time))
+      .in(camera_group);
+  add_picture_options(verb, development);
+}
+
+}  // namespace coppermoon::verbs

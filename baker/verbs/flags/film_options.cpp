@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/flags/film_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "algebra/error.h"
+#include "algebra/number.h"
+#include "verbs/flags/number_with_unit.h"
+#include "verbs/flags/view_options.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+using almanac::Instant;
+
+constexpr const char* film_group = "The film";
+
+const std::vector<std::pair<std::string, uses::Mount>> mounts{{"tracking", uses::Mount::tracking},
+                                                              {"horizon", uses::Mount::horizon},
+                                                              {"fixed", uses::Mount::fixed}};
+
+void add_times(CLI::App& verb, FilmOptions& options) {
+  add_flag(verb, "eclipse,--eclipse", options.eclipse,
+           "a day near it, as 2018-07-27; or a file that coppermoon made of it, to go on")
+      .in(film_group);
+  const char* moments =
+      "an instant, or a contact: P1, U1, U2, greatest, U3, U4, P4, as P1-10min or U2+90s";
+  add_flag(verb, "--from", options.from, moments).in(film_group);
+  add_flag(verb, "--to", options.to, moments).in(film_group);
+  add_flag(verb, "--frames", options.frames,
+           "1 to 1000000, the first at the one moment, the last "
+           "at the other; without: 240")
+      .not_negative()
+      .in(film_group);
+  add_flag(verb, "--fps", options.fps, "frames in a second of the film, 1 to 1000").in(film_group);
+  add_flag(verb, "--time-scale", options.time_scale,
+           "seconds of the eclipse in a second of the film, instead of --frames")
+      .in(film_group);
+}
+
+void add_making(CLI::App& verb, FilmOptions& options) {
+  add_flag(verb, "--make", options.make,
+           "textures, scenes (with their textures), frames (scene-linear) and pictures, "
+           "with commas between; or light: what they all need, alone")
+      .in(film_group);
+  add_flag(verb, "--range", options.range, "of all frames, as 1-240, 1-240x2 or 7,9,20-30")
+      .in(film_group);
+  add_flag(verb, "--shard", options.shard,
+           "K/N: every N-th frame of these from the K-th on; of light: of its photons")
+      .in(film_group);
+  add_choice<uses::Mount>(verb, "--mount", options.mount, mounts,
+                          "tracking: the Moon in the middle; horizon: and the zenith up; fixed: on "
+                          "a tripod, the zenith up")
+      .in(film_group);
+  add_flag(verb, "--aim", options.aim,
+           "ALTITUDE,AZIMUTH of a fixed mount [degrees, as seen; from north through east]; "
+           "without: where the Moon is half way")
+      .in(film_group);
+  add_flag(verb, "--bracket", options.bracket_ev,
+           "pictures so many stops under and over as well, 0.01 to 10")
+      .in(film_group);
+}
+
+void add_files_of_all(CLI::App& verb, FilmOptions& options) {
+  const std::string group = "Of the whole film";
+  add_flag(verb, "--contact-sheet", options.contact_sheet,
+           "a .png of some 40 pictures and those at the contacts, with their times")
+      .writes_file()
+      .in(group);
+  add_flag(verb, "--curve", options.curves,
+           "V magnitude and mean luminance of the disc over time, above the air: a .csv, or a "
+           ".svg or .png that gnuplot draws; may be given more than once")
+      .writes_file()
+      .kept_each_time()
+      .in(group);
+  add_flag(verb, "--movie", options.movie, "an .mp4 of the pictures, by ffmpeg")
+      .writes_file()
+      .in(group);
+  add_flag(verb, "--composite", options.composite,
+           "a .png of all frames on one picture, each with its own exposure")
+      .writes_file()
+      .in(group);
+}
+
+bool begins_with_digit(const std::string& text) {
+  return !text.empty() && text.find_first_of("0123456789") <= (text.front() == '-' ? 1 : 0);
+}
+
+constexpr double half_a_month_s = 15 * 86400.;
+
+/// The contact of "P1-10min", and the seconds from it on.
+struct FromContact {
+  std::string name;
+  std::optional<double> seconds;
+};
+
+FromContact from_contact(const std::string& text) {
+  const auto sign = text.find_first_of("+-");
+  if (sign == std::string::npos) return {text, 0};
+  const auto seconds =
+      number_with_unit(text.substr(sign + 1), {{"min", 60}, {"h", 3600}, {"s", 1}});
+  const double way = text[sign] == '-' ? -1 : 1;
+  const bool near =
+      seconds && std::abs(*seconds) <= half_a_month_s;  // not so where it is no number
+  return {text.substr(0, sign), near ? std::optional(way * *seconds) : std::nullopt};
+}
+
+/// The eclipse nearest to a moment, which is half a month away at most: another Moon's is not meant.
+eclipse::Eclipse eclipse_near(const std::string& text) {
+  const auto moment = almanac::instant_from_utc(text);
+  const auto nearest = eclipse::nearest_eclipse(moment, eclipse::ShadowConvention::danjon);
+  if (std::abs(almanac::seconds_between(moment, nearest.greatest)) > half_a_month_s)
+    throw algebra::Error(
+        fmt::format("no lunar eclipse within 15 days of {}; the nearest is greatest at {}", text,
+                    almanac::utc_text(nearest.greatest)));
+  return nearest;
+}
+
+/// The eclipse that is named, or else nearest to a moment that is.
+eclipse::Eclipse eclipse_of(const FilmOptions& options) {
+  for (const auto& text : {options.eclipse, options.from, options.to})
+    if (begins_with_digit(text)) return eclipse_near(text);
+  if (!options.eclipse.empty()) almanac::instant_from_utc(options.eclipse);  // says what is allowed
+  throw algebra::Error(
+      fmt::format("from {} to {} of which eclipse? Name a day near it, as 2018-07-27", options.from,
+                  options.to));
+}
+
+std::string word_for(uses::Mount mount) {
+  return std::ranges::find(mounts, mount, &std::pair<std::string, uses::Mount>::second)->first;
+}
+
+void require_product(bool made, const std::string& file, const char* flag, const char* product) {
+  if (!file.empty() && !made)
+    throw algebra::Error(
+        fmt::format("{0} is made of {1}, allowed with {1} among --make", flag, product));
+}
+
+}  // namespace
+
+void add_film_options(CLI::App& verb, FilmOptions& options) {
+  add_times(verb, options);
+  add_making(verb, options);
+  add_files_of_all(verb, options);
+}
+
+Instant moment_from(const std::string& text, const eclipse::Eclipse& eclipse) {
+  if (begins_with_digit(text)) return almanac::instant_from_utc(text);
+  const auto [name, seconds] = from_contact(text);
+  std::vector<std::string> names;
+  for (const auto& [contact, when] : uses::contacts_of(eclipse)) {
+    if (contact == name && seconds) return almanac::later(when, *seconds);
+    names.push_back(contact);
+  }
+  throw algebra::Error(fmt::format(
+      "moment = {}, allowed an instant or one of {} of the eclipse of {}, as {}-10min", text,
+      fmt::join(names, ", "), almanac::utc_text(eclipse.greatest).substr(0, 10), names.front()));
+}
+
+uses::FilmTimes times_of(const FilmOptions& options) {
+  const auto eclipse = eclipse_of(options);
+  return {.eclipse = eclipse,
+          .from = moment_from(options.from, eclipse),
+          .to = moment_from(options.to, eclipse),
+          .frames = options.frames,
+          .fps = options.fps,
+          .time_scale = options.time_scale};
+}
+
+uses::Products products_from(const std::string& text) {
+  uses::Products products;
+  std::istringstream names(text);
+  for (std::string name; std::getline(names, name, ',');) {
+    products.light |= name == "light";
+    products.textures |= name == "textures" || name == "scenes";
+    products.scenes |= name == "scenes";
+    products.frames |= name == "frames";
+    products.pictures |= name == "pictures";
+    if (name != "light" && name != "textures" && name != "scenes" && name != "frames" &&
+        name != "pictures")
+      throw algebra::Error(fmt::format(
+          "make = {}, allowed light, textures, scenes, frames and pictures, with commas between",
+          text));
+  }
+  return products;
+}
+
+std::vector<std::pair<Instant, double>> time_keys_from(const std::string& text,
+                                                       const eclipse::Eclipse& eclipse) {
+  std::vector<std::pair<Instant, double>> keys;
+  if (text.find(':') == std::string::npos) return keys;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const auto colon = part.rfind(':');
+    const auto seconds =
+        colon == std::string::npos ? std::nullopt : algebra::number_in(part.substr(colon + 1));
+    if (!seconds)
+      throw algebra::Error(fmt::format(
+          "exposure time = {}, allowed keys as P1:0.001,U2:4: a moment and seconds", text));
+    algebra::require_within("exposure time [s]", *seconds, 1e-6, 1e6);
+    keys.emplace_back(moment_from(part.substr(0, colon), eclipse), *seconds);
+  }
+  for (std::size_t i = 1; i < keys.size(); ++i)
+    if (almanac::seconds_between(keys[i - 1].first, keys[i].first) <= 0)
+      throw algebra::Error(fmt::format("exposure time = {}, allowed keys in order of time", text));
+  return keys;
+}
+
+uses::Mounting mounting_of(const FilmOptions& options, bool observed) {
+  if (options.mount != uses::Mount::fixed && !options.aim.empty())
+    throw algebra::Error(
+        fmt::format("mount = {}, allowed fixed with --aim", word_for(options.mount)));
+  if (options.mount == uses::Mount::fixed && !observed)
+    throw algebra::Error("mount = fixed, allowed with --at alone");
+  uses::Mounting mounting{.mount = options.mount};
+  if (!options.aim.empty()) mounting.aim = aim_from(options.aim);
+  return mounting;
+}
+
+uses::FilmFiles files_of(const FilmOptions& options, const uses::Products& products) {
+  const uses::FilmFiles files{.contact_sheet = options.contact_sheet,
+                              .movie = options.movie,
+                              .composite = options.composite,
+                              .curves = {options.curves.begin(), options.curves.end()}};
+  require_sound(files, uses::shard_from(options.shard));
+  require_product(products.pictures, options.contact_sheet, "--contact-sheet", "pictures");
+  require_product(products.frames, options.composite, "--composite", "frames");
+  require_product(products.pictures, options.movie, "--movie", "pictures");
+  return files;
+}
+
+}  // namespace coppermoon::verbs

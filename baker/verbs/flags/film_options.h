@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "uses/film/film_files.h"
+#include "uses/film/film_setup.h"
+#include "uses/film/film_times.h"
+#include "verbs/flags/flags.h"
+
+namespace coppermoon::verbs {
+
+/// What flags say of a film, but for its Moon, its view and its pictures.
+struct FilmOptions {
+  std::string eclipse = {}, from = "P1", to = "P4";
+  std::optional<std::size_t> frames = {};
+  double fps = 24;
+  std::optional<double> time_scale = {};
+  std::string make = "pictures", range = {}, shard = "1/1";
+  uses::Mount mount = uses::Mount::tracking;
+  std::string aim = {};
+  std::optional<double> bracket_ev = {};
+  std::string contact_sheet = {}, movie = {}, composite = {};
+  std::vector<std::string> curves = {};
+};
+
+/// When its frames are, what is made of them, which of them, the mount; files of the whole film.
+void add_film_options(CLI::App& verb, FilmOptions& options);
+
+/// A moment as "2018-07-27T18:24:00Z", or from a contact on: "U2", "P1-10min", "greatest+90s".
+///
+/// Throws  Error  when it is none such, or the eclipse has no such contact
+almanac::Instant moment_from(const std::string& text, const eclipse::Eclipse& eclipse);
+
+/// The eclipse is the one named, or else the one nearest to a moment that is.
+///
+/// Throws  Error  when a moment is none, or no eclipse is meant
+uses::FilmTimes times_of(const FilmOptions& options);
+
+/// "light" alone, or "textures", "scenes" (with their textures), "frames", "pictures", with commas
+/// between.
+///
+/// Throws  Error  when one of them is none
+uses::Products products_from(const std::string& text);
+
+/// Exposure times [s] at moments, as "P1:0.001,U2:4": none where the text is no such list.
+///
+/// Throws  Error  when a moment or a time is none, or the moments are not in order
+std::vector<std::pair<almanac::Instant, double>> time_keys_from(const std::string& text,
+                                                                const eclipse::Eclipse& eclipse);
+
+/// How the camera is held.
+///
+/// Given   observed  there is an observer
+/// Throws  Error     for a fixed mount without one, an aim without a fixed mount or that is none
+uses::Mounting mounting_of(const FilmOptions& options, bool observed);
+
+/// Files of the whole film.
+///
+/// Throws  Error  as require_sound of them; when what they are made of is not made
+uses::FilmFiles files_of(const FilmOptions& options, const uses::Products& products);
+
+}  // namespace coppermoon::verbs

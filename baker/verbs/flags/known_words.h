@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "verbs/flags/flags.h"
+
+namespace coppermoon::verbs {
+
+/// Names of a verb's flags, without their dashes.
+std::vector<std::string> long_flags(const CLI::App& verb);
+
+/// The names, without their dashes, of the flags that a function adds to a verb.
+std::vector<std::string> flags_added_by(const std::function<void(CLI::App&)>& add);
+
+bool holds(const std::vector<std::string>& words, std::string_view word);
+
+/// The word of those known that takes the fewest letters to insert, drop or change (Levenshtein).
+///
+/// Given  known  one or more
+std::string nearest(std::string_view word, const std::vector<std::string>& known);
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/flags/moon_options.h"
+
+#include "almanac/instant.h"
+
+namespace coppermoon::verbs {
+
+void add_map_options(CLI::App& verb, uses::MoonRequest& request) {
+  using enum surface::Photometry;
+  add_flag(verb, "--albedo-map", request.albedo_map,
+           "any image 2:1, longitude 0 in the middle; auto; built-in")
+      .reads_file();
+  add_choice<surface::Photometry>(
+      verb, "--photometry", request.photometry,
+      {{"lommel-seeliger-rolo", lommel_seeliger_rolo}, {"yapo-cutler", yapo_cutler}},
+      "lommel-seeliger-rolo: as telescopes measured, with the opposition surge; "
+      "yapo-cutler: the paper's, the same at every phase");
+  add_flag(verb, "--albedo-exponent", request.albedo_exponent,
+           "power of the map's values, which undoes a tone curve, 0.1 to 10; without: 0.5 for "
+           "Stellarium's map, 1 for any other");
+}
+
+void add_width_option(CLI::App& verb, uses::MoonRequest& request) {
+  add_flag(verb, "--texture-width", request.texture_width,
+           "in texels, even, 4 to 32768; without: 4096, for a frame what it can show")
+      .not_negative();
+}
+
+void add_moon_options(CLI::App& verb, MoonOptions& options) {
+  add_flag(verb, "instant,--instant", options.instant,
+           "ISO 8601 UTC, as 2008-02-21T03:08:26Z; or an .exr, .tx or .png that coppermoon "
+           "made, to make it again")
+      .required();
+  add_map_options(verb, options.request);
+  add_width_option(verb, options.request);
+  add_switch(verb, "--unshadowed", options.request.unshadowed,
+             "light the Moon as if the Earth were away");
+  add_light_options(verb, options.light);
+  add_photon_file_options(verb, options.light);
+}
+
+void add_film_moon_options(CLI::App& verb, MoonOptions& options) {
+  add_map_options(verb, options.request);
+  add_width_option(verb, options.request);
+  add_light_options(verb, options.light);
+}
+
+uses::MoonRequest moon_request(const MoonOptions& options) {
+  auto request = options.request;
+  request.light = light_request(options.light);
+  if (options.light.plan.quality == "draft") request.texels_per_pixel = 0.5;
+  return request;
+}
+
+almanac::SkyState eclipsed_sky(const MoonOptions& options) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc(options.instant));
+  if (!options.request.unshadowed)
+    uses::require_eclipse(sky.when, " (--unshadowed goes on without one)");
+  return sky;
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "uses/picture/moon.h"
+#include "verbs/flags/flags.h"
+#include "verbs/flags/light_options.h"
+
+namespace coppermoon::verbs {
+
+/// What flags say of a Moon; `moon_request` is what they mean.
+struct MoonOptions {
+  std::string instant;
+  uses::MoonRequest request;
+  LightOptions light;
+};
+
+/// Map, photometry and albedo exponent.
+void add_map_options(CLI::App& verb, uses::MoonRequest& request);
+
+/// --texture-width.
+void add_width_option(CLI::App& verb, uses::MoonRequest& request);
+
+/// All of a Moon of one moment: the instant, the map, the texture's width, its light, and whether it is
+/// unshadowed.
+void add_moon_options(CLI::App& verb, MoonOptions& options);
+
+/// All of a Moon whose moments are told otherwise, a film's: without photons' files.
+void add_film_moon_options(CLI::App& verb, MoonOptions& options);
+
+/// With its light; half as many texels for a pixel of a draft.
+///
+/// Throws  Error  as light_request
+uses::MoonRequest moon_request(const MoonOptions& options);
+
+/// The sky of its instant. Unless the Moon is unshadowed, an eclipse is under way.
+///
+/// Throws  Error  when the text is no instant, or no eclipse is under way
+almanac::SkyState eclipsed_sky(const MoonOptions& options);
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "verbs/flags/flags.h"
+
+namespace coppermoon::verbs {
+
+/// What --help calls the values of flags that name files; by these names the rules below know them.
+inline constexpr const char *read_file = "FILE", *written_file = "NEW-FILE",
+                            *written_folder = "FOLDER";
+
+/// Whether a flag says where results go. Only the command line does; no recipe may.
+bool says_where_results_go(const CLI::Option& flag);
+
+/// Refuses a command line by which one file would be lost to another, before any work is done.
+///
+/// Throws  algebra::Error  when a file that is written is also one that is read (the same file by any
+///                         name or link), two that are written are one, or one that is read stands in
+///                         a folder that is written; the recipe may stand there. When one that is
+///                         read is no regular file
+void require_files_apart(const CLI::App& verb);
+
+}  // namespace coppermoon::verbs

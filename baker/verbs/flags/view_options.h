@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "almanac/observer.h"
+#include "uses/picture/view.h"
+#include "verbs/flags/flags.h"
+
+namespace coppermoon::verbs {
+
+/// A place on Earth as written on the command line: "LAT,LON" or "LAT,LON,ELEVATION" in degrees and
+/// metres.
+///
+/// Throws Error when the text is no such place
+almanac::Observer observer_from(const std::string& text);
+
+/// "ALTITUDE,AZIMUTH" in degrees, from the horizon up, and from north through east.
+///
+/// Throws Error when the text is no such place
+povray_scenes::HorizonPlace aim_from(const std::string& text);
+
+/// The observer and the air above.
+void add_observer_options(CLI::App& verb, uses::ViewRequest& request);
+
+/// The observer, the air above, and the frame: its field, its size, which way is up.
+void add_view_options(CLI::App& verb, uses::ViewRequest& request);
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/recipes/recipe_file.h"
+
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <sstream>
+
+#include "algebra/error.h"
+#include "files/whole_file.h"
+#include "texture/read_image.h"
+#include "texture/write_glb.h"
+#include "texture/write_usda.h"
+#include "verbs/flags/air_options.h"
+#include "verbs/flags/known_words.h"
+#include "verbs/flags/named_files.h"
+#include "verbs/reports/one_line.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+std::string as_text(const toml::node& value, const std::string& where) {
+  std::ostringstream text;
+  if (const auto* word = value.as_string()) {
+    if (word->get().find('\0') != std::string::npos)
+      throw algebra::Error(fmt::format("{}: holds a zero byte, allowed is text without", where));
+    return word->get();
+  }
+  if (const auto* integer = value.as_integer())
+    text << integer->get();
+  else if (const auto* number = value.as_floating_point())
+    text << fmt::format("{}", number->get());
+  else if (const auto* truth = value.as_boolean())
+    text << (truth->get() ? "true" : "false");
+  else if (const auto* when = value.as_date_time())
+    text << when->get();
+  else if (const auto* list = value.as_array()) {
+    for (const auto& item : *list) text << (text.tellp() > 0 ? "," : "") << as_text(item, where);
+  } else {
+    throw algebra::Error(
+        fmt::format("{}: allowed are texts, numbers, dates, true, false and lists", where));
+  }
+  return text.str();
+}
+
+constexpr std::size_t most_bytes = 1 << 20;
+
+std::string recipe_text(const std::string& path) {
+  if (!holds_recipe(path)) return files::beginning_of(path, most_bytes + 1);
+  const auto ending = std::filesystem::path(path).extension();
+  const auto text = ending == ".glb"    ? texture::recipe_in_glb(path)
+                    : ending == ".usda" ? texture::recipe_in_usda(path)
+                                        : texture::read_attribute(path, "coppermoon:recipe");
+  if (!text) throw algebra::Error(fmt::format("{}: has no recipe in its header", path));
+  return *text;
+}
+
+/// Bytes between TOML's quotes, quotes included: of one line, or three quotes and several lines.
+std::size_t quoted_length(std::string_view text) {
+  const char quote = text.front();
+  const std::string three(3, quote);
+  const std::string mark = text.starts_with(three) ? three : three.substr(2);
+  std::size_t end = mark.size();
+  while (end < text.size() && !text.substr(end).starts_with(mark))
+    end += quote == '"' && text[end] == '\\' ? 2 : 1;
+  end += mark.size();
+  while (mark == three && end < text.size() && text[end] == quote) ++end;
+  return std::min(end, text.size());
+}
+
+/// Bytes that are read as one: a quoted text, a comment, or one character.
+std::size_t token_length(std::string_view text) {
+  if (text.front() == '"' || text.front() == '\'') return quoted_length(text);
+  return text.front() == '#' ? std::min(text.find('\n'), text.size()) : 1;
+}
+
+/// A name `a.b.c` makes a table in a table in a table, and toml++ goes through them by recursion: one
+/// of many parts would be the end of the stack.
+void require_short_names(const std::string& path, std::string_view text) {
+  constexpr std::ptrdiff_t most_parts = 16;
+  constexpr std::string_view of_names =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_\"' \t.";
+  std::ptrdiff_t dots = 0, line = 1;
+  for (std::size_t length = 0; !text.empty(); text.remove_prefix(length)) {
+    length = token_length(text);
+    const auto token = text.substr(0, length);
+    line += std::ranges::count(token, '\n');
+    if (of_names.find(token.front()) == std::string_view::npos) dots = 0;
+    if (token == "." && ++dots >= most_parts)
+      throw algebra::Error(fmt::format("{}:{}: a name of more than {} parts, allowed up to {}",
+                                       path, line, most_parts, most_parts));
+  }
+}
+
+toml::table parsed(const std::string& path) {
+  const auto text = recipe_text(path);
+  if (text.size() > most_bytes)
+    throw algebra::Error(
+        fmt::format("{}: a recipe of more than {} bytes, allowed up to that", path, most_bytes));
+  require_short_names(path, text);
+  try {
+    return toml::parse(text, path);
+  } catch (const toml::parse_error& error) {
+    throw algebra::Error(
+        fmt::format("{}:{}: {}", path, error.source().begin.line, error.description()));
+  }
+}
+
+/// A recipe that is read for a verb.
+struct Reading {
+  const CLI::App& verb;
+  const std::string& path;
+  /// A recipe that another verb wrote into a file may know more than this one asks for.
+  bool lenient = holds_recipe(path);
+
+  bool heeds(const std::vector<std::string>& keys, const std::string& flag) const {
+    return holds(keys, flag) && !holds(no_part_of_recipes(), flag);
+  }
+  std::string where(const toml::node& value) const {
+    return fmt::format("{}:{}: ", path, value.source().begin.line);
+  }
+};
+
+/// One flag as a recipe tells it.
+struct Told {
+  std::string flag;
+  const toml::node* value;
+  std::string table = {};  ///< "[atmosphere]"; empty: above all tables
+};
+
+/// What a table of a recipe may hold.
+struct Table {
+  std::string name;
+  std::vector<std::string> keys;
+};
+
+/// Flags whose names are tables of a recipe too: what stands with them in the help stands in the
+/// table, and they themselves are called model there.
+constexpr std::array tables{"atmosphere", "camera"};
+
+Table table_of(const CLI::App& verb, const std::string& name) {
+  const auto* model = verb.get_option("--" + name);
+  Table table{"[" + name + "]", {"model"}};
+  for (const auto* option : verb.get_options())
+    if (option != model && option->get_group() == model->get_group())
+      table.keys.push_back(option->get_lnames().front());
+  return table;
+}
+
+bool is_table(const Told& told) {
+  return told.value->is_table() && std::ranges::find(tables, told.flag) != tables.end();
+}
+
+void require_key(const Reading& reading, const Table& table, const Told& told) {
+  if (holds(table.keys, told.flag)) return;
+  const bool elsewhere = holds(long_flags(reading.verb), told.flag);
+  throw WrongUsage(fmt::format("{}{}: {} has no such key; {}", reading.where(*told.value),
+                               one_line(told.flag), table.name,
+                               elsewhere ? "it belongs above all tables"
+                                         : "the nearest is " + nearest(told.flag, table.keys)));
+}
+
+/// A recipe may be a stranger's.
+void require_no_output(const Reading& reading, const Told& told) {
+  const auto* flag = reading.verb.get_option_no_throw("--" + told.flag);
+  if (flag != nullptr && says_where_results_go(*flag))
+    throw WrongUsage(fmt::format("{}{}: where files go is said on the command line alone",
+                                 reading.where(*told.value), told.flag));
+}
+
+/// The table's keys as they stand.
+std::vector<Told> told_in(const Reading& reading, const toml::table& entries, const Table& table) {
+  std::vector<Told> all;
+  for (const auto& [key, value] : entries) {
+    const Told told{std::string(key.str()), &value};
+    if (reading.lenient && !reading.heeds(table.keys, told.flag)) continue;
+    require_key(reading, table, told);
+    require_no_output(reading, told);
+    all.push_back(told);
+  }
+  return all;
+}
+
+void require_once(const Reading& reading, const std::vector<Told>& all) {
+  for (auto told = all.begin(); told != all.end(); ++told)
+    if (std::any_of(all.begin(), told, [&](const Told& t) { return t.flag == told->flag; }))
+      throw algebra::Error(fmt::format("{}{}: given twice, above all tables and in {}",
+                                       reading.where(*told->value), told->flag, told->table));
+}
+
+/// The flags that a recipe names, those in tables behind the others.
+std::vector<Told> told_by(const Reading& reading, const toml::table& recipe) {
+  std::vector<Told> all, in_tables;
+  for (const auto& told :
+       told_in(reading, recipe, {reading.verb.get_name(), long_flags(reading.verb)})) {
+    if (!is_table(told)) {
+      all.push_back(told);
+      continue;
+    }
+    const auto table = table_of(reading.verb, told.flag);
+    for (const auto& inner : told_in(reading, *told.value->as_table(), table))
+      in_tables.push_back(
+          {inner.flag == "model" ? told.flag : inner.flag, inner.value, table.name});
+  }
+  all.insert(all.end(), in_tables.begin(), in_tables.end());
+  require_once(reading, all);
+  return all;
+}
+
+/// A number or a word, as it may stand between the commas of a region.
+std::string part_of_region(const Reading& reading, const Told& told) {
+  const auto where = reading.where(*told.value) + told.flag;
+  const auto text = as_text(*told.value, where);
+  if (text.empty() || text.find(',') != std::string::npos)
+    throw algebra::Error(fmt::format("{} = '{}', allowed is a number or a word", where, text));
+  return told.flag + "=" + text;
+}
+
+/// A region's table as its flag spells it: "cloud-cover=1,from-latitude=-90,to-latitude=0".
+std::string region_text(const Reading& reading, const toml::table& region) {
+  RegionReader reader;
+  const Table table{"a region", long_flags(reader.app())};
+  std::vector<std::string> parts;
+  for (const auto& [key, value] : region) {
+    const Told told{std::string(key.str()), &value};
+    require_key(reading, table, told);
+    parts.push_back(part_of_region(reading, told));
+  }
+  const auto text = fmt::format("{}", fmt::join(parts, ","));
+  try {
+    reader.read(text);
+  } catch (const algebra::Error& error) {
+    throw algebra::Error(reading.where(region) + error.what());
+  }
+  return text;
+}
+
+/// The one value of a flag, or each of a flag that may be given again.
+std::vector<const toml::node*> values_of(const CLI::Option& option, const toml::node& value) {
+  if (!value.is_array() || option.get_items_expected_max() < 2) return {&value};
+  std::vector<const toml::node*> values;
+  for (const auto& item : *value.as_array()) values.push_back(&item);
+  return values;
+}
+
+/// `on` and `off` may be written true and false.
+std::string spelt(const CLI::Option& option, const toml::node& value, const std::string& text) {
+  const bool flag = option.get_items_expected_max() == 0;
+  if (!value.is_boolean() || flag) return text;
+  return text == "true" ? "on" : "off";
+}
+
+/// `--key=value`, as often as the flag is told.
+std::vector<std::string> flags_of(const Reading& reading, const Told& told) {
+  const auto& option = *reading.verb.get_option("--" + told.flag);
+  std::vector<std::string> flags;
+  for (const auto* value : values_of(option, *told.value)) {
+    const std::string where = reading.where(*value) + told.flag;
+    const bool region = told.flag == "region" && value->is_table();
+    const std::string text = region ? region_text(reading, *value->as_table())
+                                    : spelt(option, *value, as_text(*value, where));
+    if (text.empty()) throw algebra::Error(where + ": is empty; leave it out instead");
+    flags.push_back(fmt::format("--{}={}", told.flag, text));
+  }
+  return flags;
+}
+
+bool names(const std::vector<std::string>& arguments, const std::string& flag) {
+  return std::any_of(arguments.begin(), arguments.end(), [&](const auto& argument) {
+    return argument.substr(0, argument.find('=')) == "--" + flag;
+  });
+}
+
+}  // namespace
+
+bool holds_recipe(const std::filesystem::path& path) {
+  const auto ending = path.extension();
+  return ending == ".exr" || ending == ".tx" || ending == ".png" || ending == ".glb" ||
+         ending == ".usda";
+}
+
+std::vector<std::string> no_part_of_recipes() {
+  return {"help",  "recipe",     "json",          "replace",    "output",    "threads",
+          "frame", "plot",       "shard",         "keep",       "add",       "range",
+          "make",  "movie",      "contact-sheet", "curve",      "composite", "lookup",
+          "raw",   "photograph", "photos",        "photographs"};
+}
+
+std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path,
+                                         const std::vector<std::string>& mine) {
+  const Reading reading{verb, path};
+  const auto recipe = parsed(path);
+  std::vector<std::string> flags;
+  for (const auto& told : told_by(reading, recipe))
+    for (auto& flag : flags_of(reading, told))
+      if (!names(mine, told.flag)) flags.push_back(std::move(flag));
+  return flags;
+}
+
+}  // namespace coppermoon::verbs

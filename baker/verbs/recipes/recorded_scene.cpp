@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/recipes/recorded_scene.h"
+
+#include <memory>
+
+#include "verbs/flags/plan_options.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/reports/progress_bar.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+constexpr const char* recipe_attribute = "coppermoon:recipe";
+
+}  // namespace
+
+uses::LitScene lit_scene(const CLI::App& verb, const MoonOptions& moon,
+                         const uses::ViewRequest& view, texture::Extent extent) {
+  const auto recipe = recipe_of(verb);
+  const auto request = moon_request(moon);
+  const auto sky = eclipsed_sky(moon);
+  const auto bake_bar = std::make_shared<ProgressBar>("bake");  // lives as long as rows are baked
+  auto scene = [&] {
+    ProgressBar bar("light");
+    const auto bake = bake_bar->progress();
+    return uses::lit_scene(request, view, sky,
+                           {extent, bar.progress(),
+                            bake ? algebra::Progress([bake_bar, bake](double part) { bake(part); })
+                                 : algebra::Progress()});
+  }();
+  const auto sized = with_width(recipe, *scene.moon.request.texture_width);
+  scene.texture.attributes[recipe_attribute] =
+      made_recipe(sized, request.unshadowed, scene.moon.light->plan);
+  return scene;
+}
+
+Report report_of(const std::string& file, const uses::LitScene& scene, double seconds) {
+  const auto& light = *scene.moon.light;
+  return {{file},
+          std::get<std::string>(scene.texture.attributes.at(recipe_attribute)),
+          seconds,
+          light.error_found,
+          light.plan};
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "uses/picture/lit_scene.h"
+#include "verbs/flags/flags.h"
+#include "verbs/flags/moon_options.h"
+#include "verbs/reports/report.h"
+
+namespace coppermoon::verbs {
+
+/// A scene as flags ask for it, with its recipe in the texture's header; progress bars show its light and
+/// its bake.
+///
+/// Throws  Error  as moon_request, eclipsed_sky, uses::lit_scene
+uses::LitScene lit_scene(const CLI::App& verb, const MoonOptions& moon,
+                         const uses::ViewRequest& view, texture::Extent extent);
+
+/// What there is to say of a file made from a scene.
+Report report_of(const std::string& file, const uses::LitScene& scene, double seconds);
+
+}  // namespace coppermoon::verbs

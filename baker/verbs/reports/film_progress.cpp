@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/reports/film_progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "almanac/instant.h"
+#include "verbs/reports/one_line.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+using nlohmann::ordered_json;
+
+void say(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+void say(const ordered_json& event) { say(event.dump()); }
+
+/// "1/125 s", "2.5 s".
+std::string shutter(double time_s) {
+  return time_s < 0.4 ? fmt::format("1/{:.3g} s", 1 / time_s) : fmt::format("{:.2g} s", time_s);
+}
+
+std::string span_of(double seconds) {
+  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+}  // namespace
+
+FilmProgress::FilmProgress(const uses::Film& film, std::size_t frames, bool json)
+    : film_(film),
+      frames_(frames),
+      json_(json),
+      on_terminal_(isatty(STDERR_FILENO) != 0),
+      start_(std::chrono::steady_clock::now()) {}
+
+FilmProgress::~FilmProgress() {
+  if (on_terminal_) fmt::print(stderr, "\r\033[K");
+}
+
+double FilmProgress::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void FilmProgress::light(bool kept, double seconds) const {
+  if (json_)
+    say({{"event", "light"},
+         {"kept", kept},
+         {"seconds", seconds},
+         {"error", film_.light->error_found}});
+  else if (!on_terminal_)
+    say(fmt::format("light: {}, error {:.2g}", kept ? "kept" : fmt::format("{:.1f} s", seconds),
+                    film_.light->error_found));
+}
+
+void FilmProgress::kept(std::size_t frame) { tell({frame, std::nullopt}, true); }
+
+void FilmProgress::made(const uses::MadeFrame& frame) {
+  ++made_;
+  tell(frame, false);
+}
+
+void FilmProgress::tell(const uses::MadeFrame& frame, bool kept) {
+  ++done_;
+  const auto instant = almanac::utc_text(film_.moments.frames[frame.frame - 1]);
+  if (json_) {
+    ordered_json event{{"event", "frame"}, {"frame", frame.frame}, {"instant", instant},
+                       {"kept", kept},     {"done", done_},        {"of", frames_}};
+    if (frame.time_s) event["exposure_time_s"] = *frame.time_s;
+    for (const auto& path : film_.files(frame.frame)) event["files"].push_back(path.string());
+    say(event);
+  } else if (on_terminal_) {
+    draw(frame.frame);
+  } else {
+    say(fmt::format("frame {} ({} of {}): {}{}", frame.frame, done_, frames_, instant,
+                    kept           ? ", kept"
+                    : frame.time_s ? ", " + shutter(*frame.time_s)
+                                   : ""));
+  }
+}
+
+void FilmProgress::draw(std::size_t frame) {
+  constexpr std::size_t width = 30;
+  const double rate = static_cast<double>(made_) / std::max(1e-3, seconds());
+  fmt::print(stderr, "\rframe {:<6} [{:<{}}] {} of {}", frame,
+             std::string(width * done_ / frames_, '='), width, done_, frames_);
+  if (made_ > 0)
+    fmt::print(stderr, ", {:.2g} a second, {} left\033[K", rate,
+               span_of(static_cast<double>(frames_ - done_) / rate));
+  std::fflush(stderr);
+}
+
+void FilmProgress::file(const std::filesystem::path& path) {
+  if (json_)
+    say({{"event", "file"}, {"file", path.string()}});
+  else
+    say((on_terminal_ ? "\r\033[K" : "") + one_line(path.string()));
+}
+
+void FilmProgress::done() const {
+  if (json_)
+    say({{"event", "done"}, {"made", made_}, {"kept", done_ - made_}, {"seconds", seconds()}});
+  else
+    say(fmt::format("{}{}: {} frames made, {} kept, {:.1f} s", on_terminal_ ? "\r\033[K" : "",
+                    one_line(film_.folder.string()), made_, done_ - made_, seconds()));
+}
+
+}  // namespace coppermoon::verbs

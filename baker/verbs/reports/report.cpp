@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/reports/report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <sstream>
+
+#include "verbs/reports/one_line.h"
+
+namespace coppermoon::verbs {
+
+nlohmann::ordered_json as_json(const std::string& recipe) {
+  std::ostringstream text;
+  text << toml::json_formatter(toml::parse(recipe));
+  return nlohmann::ordered_json::parse(text.str());
+}
+
+nlohmann::ordered_json as_json(const plan::Plan& plan) {
+  nlohmann::ordered_json all{{"left_out", nlohmann::ordered_json::array()},
+                             {"predicted", {{"seconds", plan.seconds}, {"error", plan.error}}}};
+  for (const auto& [term, size] : plan.left_out)
+    all["left_out"].push_back({{"term", term}, {"size", size}});
+  for (const auto& [method, seconds, error] : plan.methods)
+    all["methods"].push_back({{"method", name(method)}, {"seconds", seconds}, {"error", error}});
+  if (!plan.relaxed.empty()) all["gave_way"] = plan.relaxed;
+  return all;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void report(const Report& made, bool json) {
+  if (!json) {
+    std::vector<std::string> names;
+    for (const auto& file : made.files) names.push_back(one_line(file));
+    fmt::print("{}: {:.1f} s, error {:.2g}\n", fmt::join(names, ", "), made.seconds,
+               made.relative_error);
+    if (!made.plan.relaxed.empty())
+      fmt::print(stderr, "coppermoon: the tolerance was not to be had: error {:.2g} % predicted\n",
+                 100 * made.plan.error);
+    return;
+  }
+  nlohmann::ordered_json all;
+  if (made.files.size() == 1)
+    all["file"] = made.files.front();
+  else
+    all["files"] = made.files;
+  all["chosen"] = as_json(made.recipe);
+  all.update(as_json(made.plan));
+  all["reached"] = {{"seconds", made.seconds}, {"error", made.relative_error}};
+  fmt::print("{}\n", all.dump(2));
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/reports/tradeoff_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace coppermoon::verbs {
+namespace {
+
+using uses::Measured, uses::Trial;
+
+struct Column {
+  std::string_view name;
+  double Trial::*setting;
+};
+
+constexpr std::array<Column, 7> setting_columns{{{"photons", &Trial::photons},
+                                                 {"step_km", &Trial::step_km},
+                                                 {"precision_bits", &Trial::precision_bits},
+                                                 {"wavelengths", &Trial::wavelengths},
+                                                 {"rays", &Trial::rays},
+                                                 {"replicas", &Trial::replicas},
+                                                 {"texture_width", &Trial::texture_width}}};
+
+struct Figure {
+  std::string_view name;
+  double value;
+};
+
+std::array<Figure, 7> figures_of(const Measured& one) {
+  return {{{"seconds", one.seconds},
+           {"umbra_rms", one.errors.umbra.rms},
+           {"umbra_worst", one.errors.umbra.worst},
+           {"penumbra_rms", one.errors.penumbra.rms},
+           {"penumbra_worst", one.errors.penumbra.worst},
+           {"delta_e_mean", one.errors.picture.mean},
+           {"delta_e_99", one.errors.picture.percentile_99}}};
+}
+
+/// 1e6 as that, 0.3 as that.
+std::string number(double value) {
+  if (value < 1e4) return fmt::format("{:g}", value);
+  const double power = std::floor(std::log10(value));
+  return fmt::format("{:.3g}e{:g}", value / std::pow(10, power), power);
+}
+
+/// All settings that the solver has, but for the one that is varied.
+std::string settings_of(const Measured& one) {
+  std::string text;
+  for (const auto& [column, setting] : setting_columns) {
+    std::string name(column);
+    std::ranges::replace(name, '_', ' ');
+    const double value = one.trial.*setting;
+    const bool usual = setting == &Trial::precision_bits && value == 64;
+    if (value == 0 || usual || name.starts_with(one.varied)) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, number(value));
+  }
+  return text;
+}
+
+std::string percent(double part) {
+  return part < 1 ? fmt::format("{:.3g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
+}
+
+/// A sweep's rows, as long as they stand together.
+std::span<const Measured> first_sweep(std::span<const Measured> all) {
+  const auto end = std::ranges::find_if(all, [&](const Measured& one) {
+    return one.varied != all[0].varied || one.trial.solver != all[0].trial.solver;
+  });
+  return all.first(static_cast<std::size_t>(end - all.begin()));
+}
+
+constexpr std::string_view colour_of(std::string_view solver) {
+  if (solver == uses::quadrature_solver) return "#0072b2";
+  if (solver == uses::table_solver) return "#d55e00";
+  if (solver == uses::marching_solver) return "#009e73";
+  return "#6a3d9a";
+}
+
+/// gnuplot's filled symbol; the open one is the number before it.
+int symbol_of(std::string_view varied) {
+  constexpr std::array<std::string_view, 6> filled{"rays",     "photons", "wavelengths",
+                                                   "replicas", "step",    "precision"};
+  return 5 + 2 * static_cast<int>(std::ranges::find(filled, varied) - filled.begin());
+}
+
+bool is_the_papers(const Trial& trial) {
+  return trial.solver == uses::step_by_step_solver && trial.photons == 1e7 && trial.step_km == 1 &&
+         trial.wavelengths == 200 && trial.replicas == 100;
+}
+
+using Which = bool (*)(const Measured&);
+
+/// Some of the points as a block of gnuplot's; an empty text when there is none.
+std::string block(std::string_view name, std::span<const Measured> all, Which which) {
+  std::string points;
+  for (const auto& one : all)
+    if (which(one) && one.seconds > 0 && one.errors.umbra.rms > 0)
+      points +=
+          fmt::format("{:.4g} {:.4g} {}\n", one.seconds, one.errors.umbra.rms, number(one.value));
+  return points.empty() ? "" : fmt::format("${} << EOD\n{}EOD\n", name, points);
+}
+
+/// What is drawn, and the data that it needs.
+struct Drawing {
+  std::string blocks, plots;
+
+  void add(std::string_view name, std::span<const Measured> all, Which which,
+           const std::string& style) {
+    const auto data = block(name, all, which);
+    if (data.empty()) return;
+    blocks += data;
+    plots += fmt::format("{}${} {}", plots.empty() ? "plot " : ", \\\n  ", name, style);
+  }
+};
+
+/// Far enough on the plot for both to be named.
+bool apart(const Measured& one, const Measured& other) {
+  const auto differ = [](double a, double b) { return std::max(a, b) > 4 * std::min(a, b); };
+  return differ(one.seconds, other.seconds) || differ(one.errors.umbra.rms, other.errors.umbra.rms);
+}
+
+void draw_sweep(Drawing& drawing, std::span<const Measured> sweep, std::size_t index) {
+  const auto& one = sweep[0];
+  const std::string name = fmt::format("sweep{}", index);
+  const auto colour = colour_of(one.trial.solver);
+  const int symbol = symbol_of(one.varied);
+  drawing.add(
+      name, sweep, [](const Measured&) { return true; },
+      fmt::format("using 1:2 with lines lc rgb '{}' notitle", colour));
+  drawing.add(
+      name + "made", sweep, [](const Measured& of) { return !of.extrapolated; },
+      fmt::format("using 1:2 with points pt {} lc rgb '{}' title '{}: {}'", symbol, colour,
+                  one.trial.solver, one.varied));
+  drawing.add(
+      name + "not", sweep, [](const Measured& of) { return of.extrapolated; },
+      fmt::format("using 1:2 with points pt {} lc rgb '{}' notitle", symbol - 1, colour));
+  if (!apart(sweep.front(), sweep.back())) return;
+  const std::array ends{sweep.front(), sweep.back()};
+  drawing.add(
+      name + "ends", ends, [](const Measured&) { return true; },
+      fmt::format("using 1:2:3 with labels offset 0,0.8 font ',9' tc rgb '{}' notitle", colour));
+}
+
+}  // namespace
+
+std::string as_csv(std::span<const Measured> all) {
+  std::string text = "solver,varied,value";
+  for (const auto& column : setting_columns) text += fmt::format(",{}", column.name);
+  for (const auto& figure : figures_of({})) text += fmt::format(",{}", figure.name);
+  text += ",extrapolated\n";
+  for (const auto& one : all) {
+    text += fmt::format("{},{},{:g}", one.trial.solver, one.varied, one.value);
+    for (const auto& column : setting_columns) {
+      const double value = one.trial.*column.setting;
+      text += value == 0 ? "," : fmt::format(",{:g}", value);
+    }
+    for (const auto& figure : figures_of(one)) text += fmt::format(",{:.4g}", figure.value);
+    text += one.extrapolated ? ",yes\n" : ",no\n";
+  }
+  return text;
+}
+
+std::string as_markdown(std::span<const Measured> all) {
+  std::string text =
+      "| solver | varied | value | settings | seconds | umbra, RMS | worst | penumbra, RMS | worst "
+      "| "
+      "ΔE mean | 99 % | |\n"
+      "| --- | --- | ---: | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n";
+  for (const auto& one : all)
+    text +=
+        fmt::format("| {} | {} | {} | {} | {:.3g} | {} | {} | {} | {} | {:.3g} | {:.3g} | {} |\n",
+                    one.trial.solver, one.varied, number(one.value), settings_of(one), one.seconds,
+                    percent(one.errors.umbra.rms), percent(one.errors.umbra.worst),
+                    percent(one.errors.penumbra.rms), percent(one.errors.penumbra.worst),
+                    one.errors.picture.mean, one.errors.picture.percentile_99,
+                    one.extrapolated ? "extrapolated" : "");
+  return text;
+}
+
+nlohmann::ordered_json as_json(std::span<const Measured> all) {
+  auto rows = nlohmann::ordered_json::array();
+  for (const auto& one : all) {
+    nlohmann::ordered_json row{
+        {"solver", one.trial.solver}, {"varied", one.varied}, {"value", one.value}};
+    for (const auto& [name, setting] : setting_columns)
+      row[std::string(name)] = one.trial.*setting == 0 ? nlohmann::ordered_json(nullptr)
+                                                       : nlohmann::ordered_json(one.trial.*setting);
+    for (const auto& [name, value] : figures_of(one)) row[std::string(name)] = value;
+    row["extrapolated"] = one.extrapolated;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::string as_plot(std::span<const Measured> all) {
+  Drawing drawing;
+  for (std::size_t index = 0; !all.empty(); ++index) {
+    const auto sweep = first_sweep(all);
+    if (sweep[0].varied != uses::texture_sweep) draw_sweep(drawing, sweep, index);
+    if (sweep[0].varied == "photons")
+      drawing.add(
+          "paper", sweep, [](const Measured& one) { return is_the_papers(one.trial); },
+          "using 1:2 with points pt 3 ps 2 lc rgb 'black' title 'Yapo and Cutler (2009)'");
+    all = all.subspan(sweep.size());
+  }
+  return "set logscale xy\nset format xy '10^{%L}'\nset grid lt 1 lc rgb '#dddddd'\n"
+         "set key outside right top Left reverse\nset pointsize 0.9\nset xlabel 'seconds'\n"
+         "set ylabel 'relative error of irradiance in the umbra, RMS'\n"
+         "set offsets graph 0.02, graph 0.02, graph 0.05, 0\n" +
+         drawing.blocks + drawing.plots +
+         ", \\\n  keyentry with points pt 6 lc rgb 'black' title 'open: extrapolated'\n";
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "uses/film/film_folder.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+#include "algebra/error.h"
+#include "texture/write_image.h"
+
+namespace coppermoon::uses {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A film of three pictures, whose files are of it when their name has no x.
+class FolderOfAFilm : public testing::Test {
+ protected:
+  FolderOfAFilm() {
+    auto name = (fs::temp_directory_path() / "coppermoon-XXXXXX").string();
+    film_.folder = ::mkdtemp(name.data());
+    film_.products.pictures = true;
+    film_.moments.frames.resize(3);
+    film_.record.made_alike = [this](const fs::path& file) { return file != foreign_; };
+    film_.record.foreign_contents = [this](const fs::path& file) {
+      return file == foreign_ ? "stars" : "";
+    };
+    film_.record.way_out = ", or sleep";
+  }
+  ~FolderOfAFilm() override { fs::remove_all(film_.folder); }
+
+  /// Writes a picture as that of a frame.
+  static void write(const fs::path& picture, int frame) {
+    texture::Image image(2, 2, {"R", "G", "B"});
+    texture::write_png(picture, image, 8, {{"coppermoon:frame", std::to_string(frame)}});
+  }
+
+  Film film_;
+  fs::path foreign_;
+};
+
+TEST_F(FolderOfAFilm, HoldsAFrameThatIsWholeAndItsOwn) {
+  write(film_.picture(1), 1);
+  write(film_.picture(2), 1);
+  EXPECT_TRUE(is_made(film_, 1));
+  EXPECT_FALSE(is_made(film_, 2)) << "its header has another number";
+  EXPECT_FALSE(is_made(film_, 3)) << "it is not there";
+  fs::resize_file(film_.picture(1), fs::file_size(film_.picture(1)) - 20);
+  EXPECT_FALSE(is_made(film_, 1)) << "it is cut off";
+}
+
+TEST_F(FolderOfAFilm, IsOneFilms) {
+  write(film_.picture(1), 1);
+  EXPECT_NO_THROW(require_own(film_, false));
+  foreign_ = film_.picture(1);
+  EXPECT_FALSE(is_made(film_, 1));
+  try {
+    require_own(film_, false);
+    ADD_FAILURE() << "was not refused";
+  } catch (const algebra::Error& error) {
+    EXPECT_EQ(error.what(), film_.folder.string() +
+                                ": holds stars (frame.0001.png), allowed another folder, or sleep");
+  }
+}
+
+TEST_F(FolderOfAFilm, LosesFramesOfAnotherThatItHasNoNumberFor) {
+  foreign_ = film_.folder / "frame.0004.png";
+  write(film_.picture(1), 1);
+  write(foreign_, 4);
+  require_own(film_, true);
+  EXPECT_FALSE(fs::exists(foreign_));
+  EXPECT_TRUE(fs::exists(film_.picture(1)));
+}
+
+TEST_F(FolderOfAFilm, WithoutARecordHoldsNothingOfIt) {
+  write(film_.picture(1), 1);
+  film_.record = {};
+  EXPECT_FALSE(is_made(film_, 1));
+  EXPECT_THROW(require_own(film_, false), algebra::Error);
+}
+
+}  // namespace
+}  // namespace coppermoon::uses

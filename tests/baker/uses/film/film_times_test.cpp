@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "uses/film/film_times.h"
+
+#include <string>
+
+#include "algebra/error.h"
+#include "support/within.h"
+
+namespace coppermoon::uses {
+namespace {
+
+using almanac::instant_from_utc;
+using almanac::seconds_between;
+
+/// U.S. Naval Observatory and EclipseWise: U1 18:24:27, U2 19:30:15, U3 21:13:12, U4 22:19:00 UT1.
+const eclipse::Eclipse& july_2018() {
+  static const auto eclipse =
+      eclipse::nearest_eclipse(instant_from_utc("2018-07-27"), eclipse::ShadowConvention::danjon);
+  return eclipse;
+}
+
+FilmTimes times(const char* from, const char* to) {
+  return {.eclipse = july_2018(), .from = instant_from_utc(from), .to = instant_from_utc(to)};
+}
+
+FilmTimes an_hour() { return times("2018-07-27T19:00Z", "2018-07-27T20:00Z"); }
+
+std::string message_of(const FilmTimes& times) {
+  try {
+    moments_of(times);
+  } catch (const algebra::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FilmTimes, AreEvenFromTheFirstMomentToTheLast) {
+  auto all = an_hour();
+  all.frames = 3;
+  const auto moments = moments_of(all);
+  ASSERT_EQ(moments.frames.size(), 3U);
+  EXPECT_WITHIN(seconds_between(all.from, moments.frames[0]), 0, 1e-4, "s: rounding of a day");
+  EXPECT_WITHIN(seconds_between(all.from, moments.frames[1]), 1800, 1e-4, "s: rounding of a day");
+  EXPECT_WITHIN(seconds_between(all.to, moments.frames[2]), 0, 1e-4, "s: rounding of a day");
+  EXPECT_EQ(almanac::utc_text(moments.eclipse.greatest), almanac::utc_text(july_2018().greatest));
+}
+
+TEST(FilmTimes, OfATimeScaleAreFramesOfTheFilm) {
+  // an hour of the eclipse, 600 s of it to a second of the film: 6 s of film
+  auto all = an_hour();
+  all.fps = 25, all.time_scale = 600;
+  const auto moments = moments_of(all);
+  ASSERT_EQ(moments.frames.size(), 6U * 25 + 1);
+  EXPECT_WITHIN(seconds_between(moments.frames[0], moments.frames[1]), 24, 1e-4,
+                "s: rounding of a day");
+}
+
+TEST(FilmTimes, AreOf240FramesUnlessSaidOtherwise) {
+  EXPECT_EQ(moments_of(an_hour()).frames.size(), 240U);
+}
+
+TEST(FilmTimes, OneFrameIsTheFirst) {
+  auto all = an_hour();
+  all.frames = 1;
+  const auto moments = moments_of(all);
+  ASSERT_EQ(moments.frames.size(), 1U);
+  EXPECT_EQ(almanac::utc_text(moments.frames[0]), "2018-07-27T19:00:00Z");
+}
+
+TEST(FilmTimes, ThatCannotBeAreSaid) {
+  const auto refused = [](auto change) {
+    auto times = an_hour();
+    change(times);
+    return message_of(times);
+  };
+  EXPECT_EQ(message_of(times("2018-07-27T20:00Z", "2018-07-27T19:00Z")),
+            "from 2018-07-27T20:00:00Z to 2018-07-27T19:00:00Z are -3600 s, allowed 0 to 86400");
+  EXPECT_NE(message_of(times("2018-07-27", "2018-08-27")), "") << "a month";
+  EXPECT_EQ(refused([](auto& t) { t.frames = 0; }), "frames = 0, allowed 1 to 1e+06");
+  EXPECT_EQ(refused([](auto& t) { t.frames = 9, t.time_scale = 60; }),
+            "frames = 9 and time-scale = 60, allowed one of the two");
+  EXPECT_EQ(refused([](auto& t) { t.time_scale = 0; }), "time scale = 0, allowed 0.001 to 1e+06");
+  EXPECT_EQ(refused([](auto& t) { t.fps = 0; }), "fps = 0, allowed 1 to 1000");
+}
+
+TEST(Contacts, OfATotalEclipseAreSevenInOrder) {
+  const auto all = contacts_of(july_2018());
+  ASSERT_EQ(all.size(), 7U);
+  for (std::size_t i = 1; i < all.size(); ++i)
+    EXPECT_GT(seconds_between(all[i - 1].second, all[i].second), 0) << all[i].first;
+}
+
+TEST(NamesOfEclipses, SayTheirKindAndDay) {
+  EXPECT_EQ(name_of(july_2018()), "Total eclipse of the Moon, 2018-07-27");
+}
+
+}  // namespace
+}  // namespace coppermoon::uses

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "uses/study/fit_light.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "almanac/instant.h"
+#include "colour/working_space.h"
+#include "support/within.h"
+#include "uses/light/spectral_bands.h"
+
+namespace coppermoon::uses {
+namespace {
+
+/// Five places of the Moon's near side in the shadow, a bin each, and one of both ends.
+std::vector<LitPlace> five_places(const almanac::SkyState& sky) {
+  std::vector<LitPlace> all;
+  const auto axis = eclipse::shadow_axis(sky);
+  const auto towards = glm::normalize(-sky.moon_m);
+  const auto across = glm::normalize(glm::cross(towards, glm::dvec3(0.2, 0.3, 1)));
+  for (int i = -2; i <= 2; ++i) {
+    const double x = 0.42 * i;
+    const auto at = sky.moon_m + 1.7374e6 * (std::sqrt(1 - x * x) * towards + x * across);
+    all.push_back(
+        {eclipse::place_in_shadow(axis, at), 1. + i * 0.1, static_cast<std::size_t>(i + 2)});
+  }
+  all.push_back({all.front().place, 0.5, 5});
+  all.push_back({all[4].place, 1.5, 5});
+  return all;
+}
+
+TEST(FittedLight, IsThatOfTheSameAirFullyComputed) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:40:00Z"));
+  const auto weights =
+      moonlight_weights(colour::channel_weights(colour::WorkingSpace::ciexyz_d65, band_edges_nm()));
+  const auto places = five_places(sky);
+  LightRequest request;
+  const FittedLight fitted(request, sky, weights, places, 6);
+  request.wish = {.tolerance = 0.001};
+  for (const auto& [dust, cover, ozone] : std::array<std::array<double, 3>, 4>{
+           {{1e-6, 0.3, 300}, {4.3e-6, 0.75, 180}, {1.2e-5, 0.1, 430}, {2.5e-7, 0.95, 250}}}) {
+    request.air.column.dust_extinction_per_m = dust;
+    request.air.column.cloud_cover = cover;
+    request.air.column.ozone_du = ozone;
+    const auto exact = light_on_the_moon(request, sky).in_channels(weights);
+    const auto found = fitted.at(dust, cover, ozone);
+    std::array<double, 3> values{}, ends{};
+    for (std::size_t b = 0; b < 5; ++b) {
+      exact.read(places[b].place, values);
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_WITHIN(found(b, k), values[k], (k < 2 ? 0.004 : 0.008) * values[k], "Accuracy")
+            << dust << " " << cover << " " << ozone << ", bin " << b << ", channel " << k;
+        if (b == 0) ends[k] += 0.25 * values[k];
+        if (b == 4) ends[k] += 0.75 * values[k];
+      }
+    }
+    EXPECT_WITHIN_RELATIVE(found(5, 1), ends[1], 0.004, "Accuracy");
+  }
+}
+
+}  // namespace
+}  // namespace coppermoon::uses

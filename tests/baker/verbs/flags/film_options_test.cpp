@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/flags/film_options.h"
+
+#include <string>
+
+#include "algebra/error.h"
+#include "support/within.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+using almanac::instant_from_utc;
+using almanac::seconds_between;
+
+/// U.S. Naval Observatory and EclipseWise: U1 18:24:27, U2 19:30:15, U3 21:13:12, U4 22:19:00 UT1.
+constexpr const char* july_2018 = "2018-07-27";
+
+uses::Moments moments_of(const FilmOptions& options) { return uses::moments_of(times_of(options)); }
+
+std::string message_of(const auto& refused) {
+  try {
+    refused();
+  } catch (const algebra::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string message_of(const FilmOptions& options) {
+  return message_of([&] { moments_of(options); });
+}
+
+TEST(FilmOptions, GoFromContactToContact) {
+  const auto moments = moments_of({.eclipse = july_2018, .from = "U1", .to = "U4", .frames = 3});
+  ASSERT_EQ(moments.frames.size(), 3U);
+  EXPECT_WITHIN(seconds_between(instant_from_utc("2018-07-27T18:24:27Z"), moments.frames[0]), 0, 12,
+                "s: what the contacts' published times are met by, at worst");
+  EXPECT_WITHIN(seconds_between(instant_from_utc("2018-07-27T22:19:00Z"), moments.frames[2]), 0, 12,
+                "s: the same");
+  EXPECT_WITHIN(seconds_between(moments.frames[0], moments.frames[1]),
+                seconds_between(moments.frames[1], moments.frames[2]), 1e-4,
+                "s: rounding of a day");
+}
+
+TEST(FilmOptions, CountFromAContact) {
+  const auto from = moments_of({.eclipse = july_2018, .from = "U2", .to = "U3", .frames = 2}),
+             early = moments_of(
+                 {.eclipse = july_2018, .from = "U2-10min", .to = "U3+1.5h", .frames = 2});
+  EXPECT_WITHIN(seconds_between(early.frames[0], from.frames[0]), 600, 1e-4,
+                "s: rounding of a day");
+  EXPECT_WITHIN(seconds_between(from.frames[1], early.frames[1]), 5400, 1e-4,
+                "s: rounding of a day");
+}
+
+TEST(FilmOptions, BetweenInstantsAreOfTheNearestEclipse) {
+  const auto moments = moments_of({.from = "2018-07-27T19:00Z", .to = "U2"});
+  EXPECT_EQ(almanac::utc_text(moments.eclipse.greatest).substr(0, 10), july_2018);
+}
+
+TEST(FilmOptions, OneFrameIsTheFirst) {
+  const auto moments = moments_of({.eclipse = july_2018, .from = "greatest", .frames = 1});
+  ASSERT_EQ(moments.frames.size(), 1U);
+  EXPECT_EQ(almanac::utc_text(moments.frames[0]).substr(0, 16), "2018-07-27T20:21");
+}
+
+TEST(FilmOptions, ThatCannotBeAreSaid) {
+  EXPECT_EQ(message_of({.from = "P1", .to = "P4"}),
+            "from P1 to P4 of which eclipse? Name a day near it, as 2018-07-27");
+  EXPECT_EQ(message_of({.eclipse = "2025-04-15"}).substr(0, 81),
+            "no lunar eclipse within 15 days of 2025-04-15; the nearest is greatest at 2025-03")
+      << "the full Moon before had one";
+  EXPECT_EQ(message_of({.eclipse = "2019-07-16", .from = "U2"}),
+            "moment = U2, allowed an instant or one of P1, U1, greatest, U4, P4 of the eclipse of "
+            "2019-07-16, as P1-10min")
+      << "a partial eclipse";
+  for (const char* text : {"U9", "U2-", "U2-10", "U2+10days", "", "2018-13-01", "U2-10min-5s"})
+    EXPECT_NE(message_of({.eclipse = july_2018, .from = text}), "") << text;
+  EXPECT_NE(message_of({.eclipse = "tomorrow"}), "");
+  EXPECT_NE(message_of({.eclipse = july_2018, .from = "U3", .to = "U2"}), "") << "backwards";
+  EXPECT_NE(message_of({.from = "2018-07-27", .to = "2018-08-27"}), "") << "a month";
+  EXPECT_NE(message_of({.eclipse = july_2018, .frames = 0}), "");
+  EXPECT_NE(message_of({.eclipse = july_2018, .frames = 9, .time_scale = 60}), "") << "both";
+  EXPECT_NE(message_of({.eclipse = july_2018, .fps = 0}), "");
+}
+
+TEST(FilmOptions, OfAMountSayWhatTheyLack) {
+  const FilmOptions fixed{.mount = uses::Mount::fixed}, aimed{.aim = "30,120"},
+      both{.mount = uses::Mount::fixed, .aim = "30,120"};
+  EXPECT_EQ(message_of([&] { mounting_of(fixed, false); }),
+            "mount = fixed, allowed with --at alone");
+  EXPECT_EQ(message_of([&] { mounting_of(aimed, true); }),
+            "mount = tracking, allowed fixed with --aim");
+  EXPECT_FALSE(mounting_of(fixed, true).aim);
+  const auto mounting = mounting_of(both, true);
+  ASSERT_TRUE(mounting.aim);
+  EXPECT_WITHIN(algebra::in_degrees(mounting.aim->azimuth), 120, 1e-12, "degrees: rounding");
+}
+
+TEST(ExposureKeys, AreMomentsAndSecondsInOrder) {
+  const auto eclipse = times_of({.eclipse = july_2018}).eclipse;
+  EXPECT_TRUE(time_keys_from("follow", eclipse).empty());
+  const auto keys = time_keys_from("U1:0.01,2018-07-27T19:30:00Z:2", eclipse);
+  ASSERT_EQ(keys.size(), 2U);
+  EXPECT_EQ(keys[0].second, 0.01);
+  EXPECT_EQ(almanac::utc_text(keys[1].first), "2018-07-27T19:30:00Z");
+  EXPECT_EQ(message_of([&] { time_keys_from("U1:0.01,U1:2", eclipse); }),
+            "exposure time = U1:0.01,U1:2, allowed keys in order of time");
+  EXPECT_EQ(message_of([&] { time_keys_from("U1:0.01,U2", eclipse); }),
+            "exposure time = U1:0.01,U2, allowed keys as P1:0.001,U2:4: a moment and seconds");
+}
+
+TEST(FilesOfAFilm, SayWhatTheyAreMadeOf) {
+  EXPECT_EQ(message_of([] { files_of({.movie = "a.mp4"}, {.textures = true}); }),
+            "--movie is made of pictures, allowed with pictures among --make");
+  EXPECT_EQ(message_of([] { files_of({.movie = "a.avi"}, {.textures = true}); }),
+            "a.avi: a movie ends in .mp4");
+  EXPECT_EQ(files_of({.composite = "a.png"}, {.frames = true}).composite, "a.png");
+}
+
+TEST(Products, AreReadWithCommasBetween) {
+  const auto products = products_from("scenes,pictures");
+  EXPECT_TRUE(products.scenes && products.textures && products.pictures);
+  EXPECT_FALSE(products.frames || products.light_alone());
+  EXPECT_TRUE(products_from("light").light_alone());
+  EXPECT_THROW(products_from("films"), algebra::Error);
+}
+
+}  // namespace
+}  // namespace coppermoon::verbs

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/flags/plan_options.h"
+
+#include <CLI/CLI.hpp>
+#include <cstring>
+#include <sstream>
+
+#include "algebra/error.h"
+#include "support/within.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+template <typename Value>
+PlanOptions with(Value PlanOptions::*option, const Value& value) {
+  PlanOptions options;
+  options.*option = value;
+  return options;
+}
+
+using Text = std::optional<std::string>;
+using Count = std::optional<int>;
+using Share = std::optional<double>;
+
+PlanOptions toleranced(const char* text) { return with(&PlanOptions::tolerance, Text(text)); }
+PlanOptions budgeted(const char* text) { return with(&PlanOptions::budget, Text(text)); }
+
+template <typename Function>
+std::string error_of(const Function& function) {
+  try {
+    function();
+  } catch (const algebra::Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+constexpr const char* rounding = "a decimal times a hundredth or a thousandth";
+
+TEST(WishOf, ReadsATolerancePerHundred) {
+  EXPECT_WITHIN(*wish_of(toleranced("1%")).tolerance, 0.01, 1e-17, rounding);
+  EXPECT_WITHIN(*wish_of(toleranced("0.05%")).tolerance, 5e-4, 1e-18, rounding);
+  EXPECT_WITHIN(*wish_of(toleranced("1e-1%")).tolerance, 1e-3, 1e-18, rounding);
+  EXPECT_WITHIN(*wish_of(toleranced("0.01%")).tolerance, 1e-4, 0, "the finest");
+}
+
+TEST(WishOf, RefusesATolerancePerHundredOutOfRange) {
+  for (const char* text : {"60%", "0.009%", "-1%"})
+    EXPECT_EQ(
+        error_of([&] { wish_of(toleranced(text)); }),
+        "tolerance [%] = " + std::string(text, std::strlen(text) - 1) + ", allowed 0.01 to 50");
+}
+
+TEST(WishOf, RefusesAToleranceWithAQualityThatSaysAnother) {
+  for (const char* quality : {"draft", "reference", "paper"}) {
+    auto options = toleranced("0.1%");
+    options.quality = quality;
+    EXPECT_EQ(error_of([&] { wish_of(options); }),
+              "tolerance = 0.1%, allowed with quality standard, not " + std::string(quality));
+  }
+}
+
+TEST(WishOf, ReadsABudgetInSecondsUnlessItSaysOtherwise) {
+  for (const char* text : {"500ms", "0.5s", "0.5", "5e-1", "0.5e3ms"})
+    EXPECT_WITHIN(*wish_of(budgeted(text)).budget_s, 0.5, 1e-15, rounding) << text;
+  EXPECT_WITHIN(*wish_of(budgeted("2min")).budget_s, 120, 1e-12, rounding);
+}
+
+TEST(WishOf, RefusesOtherWordsInOneLineThatNamesThem) {
+  for (const char* text : {"", "%", "fine", "0.1", "1 percent", "1%%", "one%", "1s"}) {
+    const auto error = error_of([&] { wish_of(toleranced(text)); });
+    EXPECT_EQ(error, "tolerance = " + std::string(text) + ", allowed a percentage as 0.1%");
+  }
+  for (const char* text : {"", "s", "soon", "2h", "1%", "2 s s", "ms"}) {
+    const auto error = error_of([&] { wish_of(budgeted(text)); });
+    EXPECT_EQ(error, "budget = " + std::string(text) + ", allowed a time as 500ms, 2s or 1min");
+  }
+}
+
+TEST(WishOf, IsTheQualitysUnlessToleranceOrBudgetAreGiven) {
+  const auto tolerance = [](const char* quality) {
+    return *wish_of(with(&PlanOptions::quality, std::string(quality))).tolerance;
+  };
+  EXPECT_EQ(tolerance("draft"), 0.05);
+  EXPECT_EQ(tolerance("standard"), 0.01);
+  EXPECT_EQ(tolerance("reference"), 5e-4);
+  EXPECT_FALSE(wish_of(toleranced("1%")).budget_s);
+  EXPECT_FALSE(wish_of(budgeted("2s")).tolerance) << "the best that time allows, not standard";
+}
+
+TEST(ByHand, IsWhatTheFlagsSay) {
+  const auto none = by_hand({});
+  EXPECT_FALSE(none.bands || none.rays || none.sun_terms || none.planes || none.place_error ||
+               none.terms || none.method || none.photons);
+  PlanOptions options;
+  options.bands = 40, options.rays = 500, options.sun_terms = 3, options.planes = 5;
+  options.place_error = 1e-3;
+  const auto hand = by_hand(options);
+  EXPECT_EQ(hand.bands, 40);
+  EXPECT_EQ(hand.rays, 500);
+  EXPECT_EQ(hand.sun_terms, 3);
+  EXPECT_EQ(hand.planes, 5);
+  EXPECT_EQ(hand.place_error, 1e-3);
+}
+
+TEST(ByHand, RefusesKnobsOutsideTheirRanges) {
+  struct {
+    Count PlanOptions::*knob;
+    int least, most;
+  } const counts[]{{&PlanOptions::bands, 1, 400},
+                   {&PlanOptions::rays, 2, 10'000'000},
+                   {&PlanOptions::sun_terms, 1, 6},
+                   {&PlanOptions::planes, 1, 9}};
+  for (const auto& [knob, least, most] : counts) {
+    for (const int allowed : {least, most}) EXPECT_NO_THROW(by_hand(with(knob, Count(allowed))));
+    for (const int outside : {least - 1, most + 1})
+      EXPECT_THROW(by_hand(with(knob, Count(outside))), algebra::Error) << outside;
+  }
+  for (const double outside : {9e-6, 1.1, -1.})
+    EXPECT_THROW(by_hand(with(&PlanOptions::place_error, Share(outside))), algebra::Error);
+  const auto error = error_of([] { by_hand(with(&PlanOptions::bands, Count(401))); });
+  for (const char* part : {"bands", "401", "400"})
+    EXPECT_NE(error.find(part), std::string::npos) << error;
+}
+
+plan::Work without(const std::string& words) {
+  return *by_hand(with(&PlanOptions::leave_out, Text(words))).terms;
+}
+
+TEST(LeaveOut, SwitchesOffWhatItNamesAndNothingElse) {
+  const auto some = without("ellipsoid,scattered-light");
+  EXPECT_TRUE(some.refracted && some.regions);
+  EXPECT_FALSE(some.ellipsoid || some.scattered_light);
+  EXPECT_FALSE(without("refracted-light").refracted);
+  EXPECT_FALSE(without("regions").regions);
+}
+
+TEST(LeaveOut, OfNoneKeepsAllTermsWhateverTheirSize) {
+  const auto all = without("none");
+  EXPECT_TRUE(all.refracted && all.ellipsoid && all.regions && all.scattered_light);
+}
+
+TEST(LeaveOut, RefusesOtherWordsAndSaysWhichThereAre) {
+  for (const char* words : {"elipsoid", "ellipsoid,moon", "ellipsoid, regions", "none,regions"})
+    EXPECT_EQ(error_of([&] { without(words); }),
+              "leave-out = " + std::string(words) +
+                  ", allowed none or refracted-light, ellipsoid, regions, scattered-light, with "
+                  "commas between");
+}
+
+/// What a recipe's lines above all tables say, read as flags again.
+PlanOptions read_again(const std::string& recipe) {
+  CLI::App app;
+  PlanOptions options;
+  add_plan_options(app, options);
+  app.allow_config_extras(true);
+  std::istringstream lines(recipe.substr(0, recipe.find("\n[")));
+  app.parse_from_stream(lines);
+  return options;
+}
+
+const plan::Work planned{.regions = false,
+                         .scattered_light = true,
+                         .bands = 40,
+                         .rays = 300,
+                         .sun_terms = 2,
+                         .planes = 3,
+                         .place_error = 3e-4};
+
+const std::string asked =
+    "instant = '2008-02-21'\ntolerance = '1%'\nbudget = '2s'\nbands = 7\nphotons = 5\n"
+    "quality = 'draft'\n\n[atmosphere]\nmodel = 'clear'\n\n[[atmosphere.region]]\n"
+    "from-latitude = -90\nto-latitude = 0\n";
+
+TEST(WithWork, ComesBackAsTheSameWork) {
+  const auto hand = by_hand(read_again(with_work(asked, planned)));
+  EXPECT_EQ(hand.bands, planned.bands);
+  EXPECT_EQ(hand.rays, planned.rays);
+  EXPECT_EQ(hand.sun_terms, planned.sun_terms);
+  EXPECT_EQ(hand.planes, planned.planes);
+  EXPECT_EQ(hand.place_error, planned.place_error);
+  for (const auto term : {&plan::Work::refracted, &plan::Work::ellipsoid, &plan::Work::regions,
+                          &plan::Work::scattered_light})
+    EXPECT_EQ((*hand.terms).*term, planned.*term);
+}
+
+TEST(WithWork, TakesThePlaceOfWhatWasAskedFor) {
+  const auto recipe = with_work(asked, planned);
+  for (const char* gone : {"tolerance", "budget", "bands = 7", "photons"})
+    EXPECT_EQ(recipe.find(gone), std::string::npos) << gone;
+  for (const char* kept : {"instant = '2008-02-21'\n", "quality = 'draft'\n"})
+    EXPECT_NE(recipe.find(kept), std::string::npos) << kept;
+}
+
+TEST(WithWork, LeavesTablesBehindAllKeys) {
+  const auto recipe = with_work(asked, planned);
+  const auto tables = asked.substr(asked.find("\n[atmosphere]"));
+  EXPECT_TRUE(recipe.ends_with(tables)) << recipe;
+  EXPECT_EQ(recipe.find('['), recipe.size() - tables.size() + 1);
+}
+
+TEST(WithWork, DoneTwiceIsDoneOnce) {
+  const auto once = with_work(asked, planned);
+  EXPECT_EQ(with_work(once, planned), once);
+}
+
+TEST(WithWork, SaysHowManyPhotonsWhereThereAreAny) {
+  auto work = planned;
+  EXPECT_NE(with_work(asked, work).find("solver = \"quadrature\"\n"), std::string::npos);
+  work.method = plan::Method::table, work.photons = 2048;
+  const auto recipe = with_work(asked, work);
+  EXPECT_NE(recipe.find("solver = \"photons\"\nphotons = 2048\n"), std::string::npos) << recipe;
+}
+
+}  // namespace
+}  // namespace coppermoon::verbs

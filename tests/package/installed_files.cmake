@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: MIT
+cmake_minimum_required(VERSION 3.25)
+# Fails when a file that goes with the program is not installed as it stands in the source, or a header is that nobody
+# should see.
+#   cmake -DROOT=<source folder> -DSHARE=<its data> -DDOC=<its documents> -DINCLUDE=<its headers> -P installed_files.cmake
+function(check_same file installed)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${ROOT}/${file} ${installed} RESULT_VARIABLE differs)
+  if(differs)
+    message(FATAL_ERROR "${installed}: is not ${file}")
+  endif()
+endfunction()
+
+foreach(name LICENSE README.md CHANGELOG.md)
+  check_same(${name} ${DOC}/${name})
+endforeach()
+check_same(povray_scenes/coppermoon.inc ${SHARE}/coppermoon.inc)
+check_same(colour/config.ocio ${SHARE}/config.ocio)
+check_same(examples/blender/eclipse.py ${SHARE}/eclipse.py)
+foreach(recipe first_eclipse telescope volcanic_south)
+  check_same(examples/${recipe}.toml ${SHARE}/recipes/${recipe}.toml)
+endforeach()
+
+file(GLOB_RECURSE headers ${INCLUDE}/*)
+list(LENGTH headers count)
+if(count LESS 50 OR NOT EXISTS ${INCLUDE}/coppermoon/eclipse/contacts.h OR EXISTS ${INCLUDE}/coppermoon/eclipse/lunation.h)
+  message(FATAL_ERROR "${INCLUDE}: ${count} headers; contacts.h is public, lunation.h is not")
+endif()
+foreach(header ${headers})
+  if(NOT header MATCHES "^${INCLUDE}/coppermoon/(uses/)?[^/]+/[^/]+\\.h$")
+    message(FATAL_ERROR "${header}: stands outside the folders of components")
+  endif()
+  file(STRINGS ${header} wrong REGEX "include[ \t]*\"" )
+  list(FILTER wrong EXCLUDE REGEX "\"coppermoon/")
+  if(wrong)
+    message(FATAL_ERROR "${header}: ${wrong}")
+  endif()
+endforeach()
+message(STATUS "${count} headers")
