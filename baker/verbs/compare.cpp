@@ -22,6 +22,7 @@
 #include "uses/study/comparison.h"
 #include "uses/study/comparison_sheet.h"
 #include "verbs/command_line.h"
+#include "verbs/flags/camera_options.h"
 #include "verbs/flags/coding_option.h"
 #include "verbs/flags/moon_options.h"
 #include "verbs/flags/view_options.h"
@@ -46,6 +47,7 @@ struct Options {
 struct StillFlags {
   MoonOptions moon;
   uses::ViewRequest view;
+  uses::CameraRequest camera;  ///< whose focal length and sensor the view has
 };
 
 StillFlags flags_told_by(const std::string& file) {
@@ -54,6 +56,7 @@ StillFlags flags_told_by(const std::string& file) {
   still.option_defaults()->always_capture_default();
   add_moon_options(still, flags.moon);
   add_view_options(still, flags.view);
+  add_camera_options(still, flags.camera);
   auto words = flags_of_recipe(still, file, {});
   std::ranges::reverse(words);  // as CLI11 takes them
   try {
@@ -71,7 +74,8 @@ uses::FramePlaces places_told_by(const std::string& file) {
     throw algebra::Error(fmt::format("{}: allowed is an .exr made by coppermoon", file));
   const auto flags = flags_told_by(file);
   const auto sky = almanac::sky_at(almanac::instant_from_utc(flags.moon.instant));
-  return uses::frame_places(sky, uses::view_for_frame(flags.view, sky).view.camera);
+  const auto view = uses::seen_through(flags.camera, flags.view);
+  return uses::frame_places(sky, uses::view_for_frame(view, sky).view.camera);
 }
 
 void require_rec709(const std::string& render) {
