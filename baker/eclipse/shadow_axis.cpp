@@ -28,4 +28,11 @@ ShadowPlace place_in_shadow(const ShadowAxis& axis, const glm::dvec3& position_m
           algebra::radians(angle < 0 ? angle + 2 * std::numbers::pi : angle), algebra::metres(p.z)};
 }
 
+ShadowPlace place_of_ground(const ShadowAxis& axis, const almanac::SkyState& sky,
+                            const glm::dvec3& ground) {
+  return place_in_shadow(axis,
+                         sky.moon_m + glm::transpose(sky.selenographic_from_gcrs) *
+                                          (algebra::in_metres(almanac::lunar_radius) * ground));
+}
+
 }  // namespace coppermoon::eclipse

@@ -38,4 +38,10 @@ struct ShadowPlace {
 /// Given  position_m  geocentric, GCRS axes [m]
 ShadowPlace place_in_shadow(const ShadowAxis& axis, const glm::dvec3& position_m);
 
+/// Place of the Moon's ground in the shadow.
+///
+/// Given  ground  unit vector, Moon-fixed axes
+ShadowPlace place_of_ground(const ShadowAxis& axis, const almanac::SkyState& sky,
+                            const glm::dvec3& ground);
+
 }  // namespace coppermoon::eclipse

@@ -9,6 +9,7 @@
 #include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/recipes/recorded_scene.h"
+#include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -26,7 +27,8 @@ void run(const CLI::App& verb, const Options& options) {
     throw algebra::Error(fmt::format("{}: is no directory", folder.string()));
   if (!std::filesystem::is_directory(folder)) files::require_place_for(folder);
   const auto start = std::chrono::steady_clock::now();
-  const auto scene = lit_scene(verb, options.moon, options.view, texture::Extent::whole);
+  ProgressBar bar("bake");
+  const auto scene = lit_scene(verb, options.moon, options.view, {.progress = bar.progress()});
   write_lit_scene(folder, scene);
   report(report_of(options.output, scene, seconds_since(start)), options.json);
 }

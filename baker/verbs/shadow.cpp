@@ -115,7 +115,10 @@ void make_lookup(const Options& options, uses::StripShadow shadow, const uses::L
                  const std::string& recipe) {
   if (!options.moon_distance_km)
     shadow.arrangement.depths_m[0] -= algebra::in_metres(almanac::lunar_radius) / 2;
-  const auto facts = uses::write_shadow_strip(options.lookup, shadow, light, recipe);
+  const auto facts = [&] {
+    ProgressBar bar("light");
+    return uses::write_shadow_strip(options.lookup, shadow, light, recipe, bar.progress());
+  }();
   if (options.json)
     fmt::print("{}\n", facts.dump(2));
   else
@@ -132,7 +135,7 @@ void run(const CLI::App& verb, const Options& options) {
   const auto air = uses::atmosphere_of(light.air, cut.sun_declination);
   const auto arrangement = uses::arrangement_of(light, cut.sun_distance_m, {cut.depth_m});
   if (!options.lookup.empty())
-    return make_lookup(options, {air, arrangement, cut.sky}, light, recipe_of(verb));
+    return make_lookup(options, {{air, arrangement}, cut.sky}, light, recipe_of(verb));
   const auto result = [&] {
     ProgressBar bar("light");
     return uses::shadow_profile(light, {air, arrangement}, places_of(options), bar.progress());

@@ -43,7 +43,9 @@ void run(const CLI::App& verb, Options options) {
   options.develop.focal_length_mm = options.view.focal_length_mm;
   require_sound(options);
   const auto start = std::chrono::steady_clock::now();
-  const auto scene = lit_scene(verb, options.moon, options.view, texture::Extent::seen_from_earth);
+  ProgressBar bake_bar("bake");
+  const auto scene = lit_scene(verb, options.moon, options.view,
+                               {texture::Extent::seen_from_earth, bake_bar.progress()});
   const auto made = report_of(options.output, scene, seconds_since(start));
   const auto frame = [&] {
     ProgressBar bar("render");

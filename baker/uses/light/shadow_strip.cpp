@@ -34,7 +34,8 @@ struct Strip {
 };
 
 shadow::RefractedLight light_of(const StripShadow& shadow, const LightRequest& request,
-                                const std::vector<double>& waves) {
+                                const std::vector<double>& waves,
+                                const algebra::Progress& progress) {
   constexpr double spacing_m = 25e3;
   constexpr std::size_t around = 96;
   const auto& arrangement = shadow.arrangement;
@@ -42,14 +43,15 @@ shadow::RefractedLight light_of(const StripShadow& shadow, const LightRequest& r
       shadow::refracted_reach_m(arrangement, shadow.air, arrangement.depths_m[0]);
   std::vector<double> distances_m;
   for (double d = 0; d < reach_m + spacing_m; d += spacing_m) distances_m.push_back(d);
-  return refracted_light(request, shadow.air, arrangement, {waves, distances_m, around});
+  return refracted_light(request, shadow.air, arrangement, {waves, distances_m, around}, progress);
 }
 
-Strip strip_of(const StripShadow& shadow, const LightRequest& request) {
+Strip strip_of(const StripShadow& shadow, const LightRequest& request,
+               const algebra::Progress& progress) {
   const int bands = request.by_hand.bands.value_or(100);
   const auto waves = wavelengths_nm(bands);
   const double depth_m = shadow.arrangement.depths_m[0];
-  const auto refracted = light_of(shadow, request, waves);
+  const auto refracted = light_of(shadow, request, waves, progress);
   const shadow::DirectLight direct(shadow.air, shadow.arrangement, waves);
   const auto weights = moonlight_weights(colour::channel_weights(picture_space, band_edges_nm()));
   shadow::Lookup lookup(refracted, direct, at_wavelengths(weights, bands));
@@ -164,12 +166,13 @@ void require_ours(const fs::path& beside, const fs::path& strip) {
 }  // namespace
 
 ordered_json write_shadow_strip(const std::filesystem::path& file, const StripShadow& shadow,
-                                const LightRequest& request, const std::string& recipe) {
+                                const LightRequest& request, const std::string& recipe,
+                                const algebra::Progress& progress) {
   require_kind(file, shadow.air);
   files::require_place_for(file);
   const auto beside = fs::path(file).replace_extension(".json");
   require_ours(beside, file);
-  const auto strip = strip_of(shadow, request);
+  const auto strip = strip_of(shadow, request, progress);
   const auto facts = facts_of(file, strip, shadow, recipe);
   if (file.extension() == ".cube")
     files::write_whole(file, as_cube(strip));

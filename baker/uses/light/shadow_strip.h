@@ -7,14 +7,12 @@
 #include <string>
 
 #include "almanac/sky.h"
-#include "uses/light/moonlight.h"
+#include "uses/light/shadow_profile.h"
 
 namespace coppermoon::uses {
 
 /// The shadow that a strip holds.
-struct StripShadow {
-  atmosphere::Atmosphere air;
-  shadow::Arrangement arrangement;       ///< one plane
+struct StripShadow : ShadowCut {
   std::optional<almanac::SkyState> sky;  ///< where the Moon stands in it
 };
 
@@ -36,6 +34,7 @@ struct StripShadow {
 ///                     be written
 nlohmann::ordered_json write_shadow_strip(const std::filesystem::path& file,
                                           const StripShadow& shadow, const LightRequest& request,
-                                          const std::string& recipe);
+                                          const std::string& recipe,
+                                          const algebra::Progress& progress = {});
 
 }  // namespace coppermoon::uses

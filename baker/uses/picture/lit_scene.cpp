@@ -53,7 +53,7 @@ LitScene lit_scene(const MoonRequest& request, const ViewRequest& view,
   auto moon = lit_moon(fitted(request, seen.camera), sky, baking.light);
   moon.observer = seen.observer;
   moon.sightline = seen.sightline;
-  auto texture = baked(moon, {}, {baking.extent, baking.bake});
+  auto texture = baked(moon, {}, baking.texture);
   return {std::move(moon), seen, std::move(texture)};
 }
 

@@ -31,10 +31,10 @@ FrameView view_for_frame(const ViewRequest& request, const almanac::SkyState& sk
 /// disc has pixels: π times the disc's diameter, times its `texels_per_pixel`.
 MoonRequest fitted(MoonRequest moon, const povray_scenes::Camera& camera);
 
-/// How a scene's texture is made.
+/// How a scene's texture is made, and who is told how far its light has come.
 struct SceneBaking {
-  texture::Extent extent = texture::Extent::whole;
-  algebra::Progress light = {}, bake = {};  ///< told how far each has come
+  Baking texture = {};
+  algebra::Progress light = {};
 };
 
 /// The view, and the Moon ready to be baked: all of a scene but its files.

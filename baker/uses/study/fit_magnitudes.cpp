@@ -15,12 +15,12 @@
 
 #include "algebra/error.h"
 #include "algebra/number.h"
+#include "eclipse/shadow_axis.h"
 #include "files/whole_file.h"
 #include "surface/albedo_map.h"
 #include "texture/bake.h"
 #include "uses/light/photometer.h"
 #include "uses/light/photometric_bands.h"
-#include "uses/study/ground_in_shadow.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -118,7 +118,7 @@ std::vector<LitPlace> places_of(const MoonRequest& moon, const almanac::SkyState
       const auto ground = almanac::selenographic_direction(texel);
       const double seen = glm::dot(ground, glm::normalize(earth - ground)) *
                           std::cos(algebra::in_radians(texel.latitude)) * lit(r, c, 0);
-      if (seen > 0) places.push_back({place_of_ground(axis, sky, ground), seen, 0});
+      if (seen > 0) places.push_back({eclipse::place_of_ground(axis, sky, ground), seen, 0});
     }
   return places;
 }

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "algebra/error.h"
+#include "eclipse/shadow_axis.h"
 #include "povray_scenes/sight.h"
 #include "surface/albedo_map.h"
 #include "texture/bake.h"
@@ -15,7 +16,6 @@
 #include "uses/picture/lit_scene.h"
 #include "uses/picture/pixels.h"
 #include "uses/study/comparison.h"
-#include "uses/study/ground_in_shadow.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -70,7 +70,7 @@ std::vector<Ground> grounds_of(const povray_scenes::Camera& camera, const almana
       if (!ground) continue;
       grounds.push_back({r * side_px + c, almanac::selenographic_point(*ground),
                          glm::dot(*ground, glm::normalize(sight.position - *ground)),
-                         place_of_ground(axis, sky, *ground)});
+                         eclipse::place_of_ground(axis, sky, *ground)});
     }
   return grounds;
 }

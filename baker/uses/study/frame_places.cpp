@@ -3,8 +3,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "uses/study/ground_in_shadow.h"
-
 namespace coppermoon::uses {
 
 FramePlaces frame_places(const almanac::SkyState& sky, const povray_scenes::Camera& camera) {
@@ -17,7 +15,8 @@ std::optional<double> axis_distance_km(const FramePlaces& places, const glm::dve
   if (!ground ||
       glm::dot(*ground, glm::normalize(places.sight.position - *ground)) < least_emission_cosine)
     return std::nullopt;
-  return algebra::in_kilometres(place_of_ground(places.axis, places.sky, *ground).axis_distance);
+  return algebra::in_kilometres(
+      eclipse::place_of_ground(places.axis, places.sky, *ground).axis_distance);
 }
 
 }  // namespace coppermoon::uses

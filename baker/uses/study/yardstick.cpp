@@ -14,12 +14,12 @@
 #include "colour/cie_observer.h"
 #include "colour/difference.h"
 #include "colour/working_space.h"
-#include "eclipse/shadow_axis.h"
 #include "photons/solar_disc.h"
 #include "shadow/by_quadrature.h"
 #include "shadow/lookup.h"
 #include "surface/albedo_map.h"
 #include "texture/bake.h"
+#include "uses/light/shadow_profile.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/development.h"
 #include "uses/picture/pixels.h"
@@ -148,11 +148,8 @@ colour::Lab lab_of(const texture::Image& picture, std::size_t row, std::size_t c
 }  // namespace
 
 MeasuredScene measured_scene(const MoonRequest& moon, const almanac::SkyState& sky) {
-  const auto axis = eclipse::shadow_axis(sky);
-  const double depth_m = algebra::in_metres(eclipse::place_in_shadow(axis, sky.moon_m).depth);
-  return {sky, atmosphere_of(moon.light.air, axis.sun_declination),
-          arrangement_of(moon.light, algebra::in_metres(axis.sun_distance), {depth_m}),
-          normal_albedo(moon), moon.photometry};
+  const auto [air, arrangement] = shadow_at_the_moon(moon.light, sky);
+  return {sky, air, arrangement, normal_albedo(moon), moon.photometry};
 }
 
 Yardstick::Yardstick(MeasuredScene scene, const ReferenceSettings& settings,

@@ -20,7 +20,7 @@ struct LightOptions {
   std::function<std::string()> key;  ///< what photons belong to, once the command line is read
 };
 
-/// All but what photons are shared by.
+/// All flags of light but those that share photons among runs.
 void add_light_options(CLI::App& verb, LightOptions& options);
 
 /// --shard K/N, --keep FILE, --add FILE.

@@ -29,12 +29,12 @@ void add_moon_options(CLI::App& verb, MoonOptions& options);
 /// All of a Moon whose moments are told otherwise, a film's: without photons' files.
 void add_film_moon_options(CLI::App& verb, MoonOptions& options);
 
-/// With its light; half as many texels for a pixel of a draft.
+/// The request that flags make, with its light. A draft has half as many texels for each pixel.
 ///
 /// Throws  Error  as light_request
 uses::MoonRequest moon_request(const MoonOptions& options);
 
-/// The sky of its instant. Unless the Moon is unshadowed, an eclipse is under way.
+/// The sky of the Moon's instant, at which an eclipse is under way unless the Moon is unshadowed.
 ///
 /// Throws  Error  when the text is no instant, or no eclipse is under way
 almanac::SkyState eclipsed_sky(const MoonOptions& options);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/recipes/recorded_scene.h"
 
-#include <memory>
-
 #include "verbs/flags/plan_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/progress_bar.h"
@@ -15,18 +13,13 @@ constexpr const char* recipe_attribute = "coppermoon:recipe";
 }  // namespace
 
 uses::LitScene lit_scene(const CLI::App& verb, const MoonOptions& moon,
-                         const uses::ViewRequest& view, texture::Extent extent) {
+                         const uses::ViewRequest& view, const uses::Baking& baking) {
   const auto recipe = recipe_of(verb);
   const auto request = moon_request(moon);
   const auto sky = eclipsed_sky(moon);
-  const auto bake_bar = std::make_shared<ProgressBar>("bake");  // lives as long as rows are baked
   auto scene = [&] {
     ProgressBar bar("light");
-    const auto bake = bake_bar->progress();
-    return uses::lit_scene(request, view, sky,
-                           {extent, bar.progress(),
-                            bake ? algebra::Progress([bake_bar, bake](double part) { bake(part); })
-                                 : algebra::Progress()});
+    return uses::lit_scene(request, view, sky, {baking, bar.progress()});
   }();
   const auto sized = with_width(recipe, *scene.moon.request.texture_width);
   scene.texture.attributes[recipe_attribute] =

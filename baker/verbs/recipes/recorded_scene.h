@@ -10,12 +10,12 @@
 
 namespace coppermoon::verbs {
 
-/// A scene as flags ask for it, with its recipe in the texture's header; progress bars show its light and
-/// its bake.
+/// A scene as flags ask for it, with its recipe in the texture's header; a progress bar shows its light.
 ///
+/// Given   baking  told how far its texture is baked, once its file is written
 /// Throws  Error  as moon_request, eclipsed_sky, uses::lit_scene
 uses::LitScene lit_scene(const CLI::App& verb, const MoonOptions& moon,
-                         const uses::ViewRequest& view, texture::Extent extent);
+                         const uses::ViewRequest& view, const uses::Baking& baking);
 
 /// What there is to say of a file made from a scene.
 Report report_of(const std::string& file, const uses::LitScene& scene, double seconds);

@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: MIT
 coppermoon_tests(baker/uses/study LINKS coppermoon::study
-  QUICK ground_in_shadow
   HEAVY fit_magnitudes fit_posterior
   SLOW fit_light)
