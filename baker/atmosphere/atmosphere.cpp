@@ -46,6 +46,24 @@ double density_alone(Density density, double altitude_m) {
                                          : density_ratio_us_1976(altitude_m);
 }
 
+bool holds(const Region& region, double position_angle_rad) {
+  const double from = algebra::in_radians(region.from), width = algebra::in_radians(region.to) - from;
+  return width >= 2 * std::numbers::pi || turned(position_angle_rad - from) < turned(width);
+}
+
+/// Of one column, or of belts.
+std::size_t columns_of(const Belts& belts) { return std::max<std::size_t>(1, belts.size()); }
+
+void require_valid(const Belts& belts) {
+  double before = 0;
+  for (const auto& belt : belts) {
+    algebra::require_within("belt's angle from north [radians]", belt.from_north_rad, before,
+                            std::numbers::pi);
+    before = belt.from_north_rad;
+    require_valid(belt.column);
+  }
+}
+
 }  // namespace
 
 double top_m(const Column& column) {
@@ -76,30 +94,44 @@ std::vector<Region> between_latitudes(algebra::Angle south, algebra::Angle north
 }
 
 double Atmosphere::top_m() const {
-  double top = atmosphere::top_m(column);
-  for (const auto& region : regions) top = std::max(top, atmosphere::top_m(region.column));
+  double top = 0;
+  for (const auto* one : columns()) top = std::max(top, atmosphere::top_m(*one));
   return top;
 }
 
 std::vector<const Column*> Atmosphere::columns() const {
-  std::vector<const Column*> all{&column};
-  for (const auto& region : regions) all.push_back(&region.column);
+  std::vector<const Column*> all;
+  const auto add = [&](const Column& one, const Belts& many) {
+    if (many.empty()) all.push_back(&one);
+    for (const auto& belt : many) all.push_back(&belt.column);
+  };
+  add(column, belts);
+  for (const auto& region : regions) add(region.column, region.belts);
   return all;
 }
 
-std::size_t Atmosphere::column_index(double position_angle_rad) const {
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    const double from = algebra::in_radians(regions[r].from),
-                 width = algebra::in_radians(regions[r].to) - from;
-    const bool whole = width >= 2 * std::numbers::pi;
-    if (whole || turned(position_angle_rad - from) < turned(width)) return r + 1;
-  }
+std::size_t Atmosphere::region_index(double position_angle_rad) const {
+  for (std::size_t r = 0; r < regions.size(); ++r)
+    if (holds(regions[r], position_angle_rad)) return r + 1;
   return 0;
 }
 
-const Column& Atmosphere::column_at(double position_angle_rad) const {
-  const std::size_t index = column_index(position_angle_rad);
-  return index == 0 ? column : regions[index - 1].column;
+std::array<Atmosphere::Share, 2> Atmosphere::shares_at(double position_angle_rad) const {
+  const std::size_t region = region_index(position_angle_rad);
+  std::size_t first = region == 0 ? 0 : columns_of(belts);
+  for (std::size_t r = 0; r + 1 < region; ++r) first += columns_of(regions[r].belts);
+  const Belts* here = region == 0 ? &belts : &regions[region - 1].belts;
+  if (here->empty()) return {{{first, 1}, {first, 0}}};
+  const double from_north = std::abs(std::remainder(position_angle_rad, 2 * std::numbers::pi));
+  const auto south = std::ranges::upper_bound(*here, from_north, {}, &Belt::from_north_rad);
+  const auto i = static_cast<std::size_t>(south - here->begin());
+  if (i == 0 || i == here->size()) {
+    const std::size_t end = first + (i == 0 ? 0 : i - 1);
+    return {{{end, 1}, {end, 0}}};
+  }
+  const double low = (*here)[i - 1].from_north_rad, high = (*here)[i].from_north_rad,
+               along = (from_north - low) / (high - low);
+  return {{{first + i - 1, 1 - along}, {first + i, along}}};
 }
 
 void require_valid(const Atmosphere& atmosphere) {
@@ -110,7 +142,11 @@ void require_valid(const Atmosphere& atmosphere) {
   algebra::require_within("Sun's declination [radians]", earth.sun_declination_rad,
                           -std::numbers::pi / 2, std::numbers::pi / 2);
   require_valid(atmosphere.column);
-  for (const auto& region : atmosphere.regions) require_valid(region.column);
+  require_valid(atmosphere.belts);
+  for (const auto& region : atmosphere.regions) {
+    require_valid(region.column);
+    require_valid(region.belts);
+  }
 }
 
 Optics sea_level_optics(algebra::Wavelength wavelength, const Molecules& molecules) {

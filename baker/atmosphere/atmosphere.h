@@ -37,12 +37,23 @@ struct Column {
 /// Altitude where a column's air ends [m]: 0, 42 000 or 86 000.
 double top_m(const Column& column);
 
+/// A column of air at one distance from north along the limb, alike to the east and to the west.
+struct Belt {
+  double from_north_rad;  ///< 0 to π
+  Column column{};
+};
+
+/// Belts from north to south. Between two the light is a mean of the light that either would pass,
+/// straight in the position angle; beyond the first and the last it is that of these.
+using Belts = std::vector<Belt>;
+
 /// A part of the limb with air of its own: from one position angle through east to the other.
 /// The position angle is measured at the Earth, about the shadow axis, from celestial north through
 /// east.
 struct Region {
   algebra::Angle from, to;
   Column column{};
+  Belts belts{};  ///< instead of the column, where there are any
 };
 
 /// The parts of the limb between two latitudes (south to north): two regions, east and west, as
@@ -62,24 +73,37 @@ struct Molecules {
   KingFactor king_factor = KingFactor::fixed;
 };
 
-/// The Earth and its air, alike all around but for its regions (the first that holds a position
-/// angle counts). As it stands: the paper's sphere and air, without ozone and dust.
+/// The Earth and its air, by position angle: that of the first region that holds it, else the air of no
+/// region. As it stands: the paper's sphere and air, without ozone and dust.
 struct Atmosphere {
   Figure earth{};
   Molecules molecules{};
-  Column column{};
+  Column column{};  ///< of no region
+  Belts belts{};    ///< of no region; instead of the column, where there are any
   std::vector<Region> regions{};
 
-  /// Alike all around: a sphere without regions.
-  bool symmetric() const { return regions.empty() && earth.sphere(); }
+  /// A column and its part of the light that passes the limb somewhere.
+  struct Share {
+    std::size_t column;  ///< index in `columns`
+    double share;
+  };
+
+  /// One column all around.
+  bool one_column() const { return regions.empty() && belts.empty(); }
+  /// Whether the air of some place is a mean of two columns.
+  bool belted() const { return columns().size() > 1 + regions.size(); }
+  /// Alike all around: a sphere with one column.
+  bool symmetric() const { return one_column() && earth.sphere(); }
   /// Altitude where the last of its air ends.
   double top_m() const;
   double top_radius_m() const { return earth.equatorial_radius_m + top_m(); }
-  /// All its columns: the one outside all regions, then each region's.
+  /// All its columns: those of no region, then each region's; of belts, each belt's.
   std::vector<const Column*> columns() const;
-  /// Index in `columns` of the one at a position angle.
-  std::size_t column_index(double position_angle_rad) const;
-  const Column& column_at(double position_angle_rad) const;
+  /// The region that a position angle is in, counted from 1; 0 where in none.
+  std::size_t region_index(double position_angle_rad) const;
+  /// The two columns whose light a place of the limb passes; shares add to 1, the second is 0 where
+  /// there are no belts.
+  std::array<Share, 2> shares_at(double position_angle_rad) const;
 };
 
 /// Throws Error when a term is outside its range: names it, its unit and what is allowed.

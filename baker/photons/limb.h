@@ -10,9 +10,9 @@
 
 namespace coppermoon::photons {
 
-/// The whole limb in parts, each with a table of rays: one part for every column of air, on an
-/// ellipsoid two, at the equator and at the pole. A place between these is a mean of both parts,
-/// the pole's with a weight of cos² of the position angle.
+/// The whole limb in parts, each with a table of rays: one part for every belt, where the limb is there;
+/// for every other column of air one part, on an ellipsoid two, at the equator and at the pole. A place
+/// between these is a mean of both parts, the pole's with a weight of cos² of the position angle.
 class WholeLimb {
  public:
   struct Part {
@@ -32,26 +32,12 @@ class WholeLimb {
 
   const std::vector<Part>& parts() const { return parts_; }
 
-  /// The parts that make up the limb at a position angle; their shares add to 1, the second is 0 on
-  /// a sphere.
+  /// The parts that make up the limb at a position angle; their shares add to 1, the second is 0 where
+  /// one part does.
   ///
   /// Accuracy  on an ellipsoid the pole's share is taken as cos² of the position angle: 0.3 % of the
   ///           difference between pole and equator
-  std::array<Share, 2> at(double position_angle_rad) const {
-    return at(column_at(position_angle_rad), std::cos(position_angle_rad));
-  }
-
-  /// The same for a column of air, by the cosine of the position angle.
-  std::array<Share, 2> at(std::size_t column, double cos_position_angle) const {
-    if (atmosphere_.earth.sphere()) return {{{column, 1}, {column, 0}}};
-    const double pole = cos_position_angle * cos_position_angle;
-    return {{{2 * column, 1 - pole}, {2 * column + 1, pole}}};
-  }
-
-  /// The column of air at a position angle: 0 for that of no region, then region by region.
-  std::size_t column_at(double position_angle_rad) const {
-    return atmosphere_.column_index(position_angle_rad);
-  }
+  std::array<Share, 2> at(double position_angle_rad) const;
 
   /// Position angles where one column of air ends and another begins.
   const std::vector<double>& borders_rad() const { return borders_rad_; }
@@ -61,6 +47,7 @@ class WholeLimb {
 
   atmosphere::Atmosphere atmosphere_;
   std::vector<Part> parts_;
+  std::vector<std::size_t> first_part_;  ///< of each column
   std::vector<double> borders_rad_;
 };
 

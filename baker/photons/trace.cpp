@@ -14,10 +14,23 @@ using atmosphere::Atmosphere;
 using atmosphere::Column;
 using atmosphere::Optics;
 
-const Column& column_over(const Atmosphere& atmosphere, const glm::dvec3& at_m) {
-  if (atmosphere.regions.empty()) return atmosphere.column;
-  return atmosphere.column_at(std::atan2(at_m.x, at_m.y));
-}
+/// All columns of the air; of two belts a photon is in one, by chance.
+class Overhead {
+ public:
+  Overhead(const Atmosphere& atmosphere, double chance)
+      : atmosphere_(atmosphere), columns_(atmosphere.columns()), chance_(chance) {}
+
+  const Column& operator()(const glm::dvec3& at_m) const {
+    if (columns_.size() == 1) return *columns_.front();
+    const auto [one, other] = atmosphere_.shares_at(std::atan2(at_m.x, at_m.y));
+    return *columns_[chance_ < one.share ? one.column : other.column];
+  }
+
+ private:
+  const Atmosphere& atmosphere_;
+  std::vector<const Column*> columns_;
+  double chance_;
+};
 
 /// The air a ray is in.
 struct Standing {
@@ -56,9 +69,8 @@ void require_valid(const Stepping& stepping, const Atmosphere& atmosphere, const
   algebra::require_within("step of the gradient [m]", stepping.gradient_step_m, 1e-3, 1e4);
   const auto& earth = atmosphere.earth;
   const double radius_m = std::max(earth.equatorial_radius_m, earth.polar_radius_m);
-  atmosphere::require_no_trap(atmosphere.column, radius_m, optics.refractivity);
-  for (const auto& region : atmosphere.regions)
-    atmosphere::require_no_trap(region.column, radius_m, optics.refractivity);
+  for (const auto* column : atmosphere.columns())
+    atmosphere::require_no_trap(*column, radius_m, optics.refractivity);
 }
 
 }  // namespace
@@ -72,18 +84,19 @@ std::optional<Ray> entered(const Ray& ray, double radius_m) {
 }
 
 std::optional<Traced> trace(const Ray& entering, const Atmosphere& atmosphere, const Optics& optics,
-                            const Stepping& stepping) {
+                            const Stepping& stepping, double chance) {
   require_valid(stepping, atmosphere, optics);
   const double length = stepping.step_m, top = atmosphere.top_m();
   const auto& earth = atmosphere.earth;
   glm::dvec3 at = entering.position_m, direction = entering.direction;
-  Standing standing(column_over(atmosphere, at), optics);
+  const Overhead column_over(atmosphere, chance);
+  Standing standing(column_over(at), optics);
   const Column* at_lowest = standing.column;
   double optical_depth = 0, altitude = altitude_m(earth, at), lowest = altitude;
   int steps = 0;
   for (; altitude <= top || glm::dot(at, direction) < 0; altitude = altitude_m(earth, at)) {
     if (altitude < 0) return std::nullopt;
-    if (const Column& over = column_over(atmosphere, at); &over != standing.column)
+    if (const Column& over = column_over(at); &over != standing.column)
       standing = Standing(over, optics);
     const Column& column = *standing.column;
     if (altitude < lowest) lowest = altitude, at_lowest = &column;

@@ -43,6 +43,7 @@ std::optional<Ray> entered(const Ray& ray, double radius_m);
 /// figures need this order.)
 ///
 /// Given     entering  a ray on the top of the air, going in
+///           chance    0 to 1: which of the two belts that it is between the ray goes through
 /// Returned  the ray that left; nothing when it met the ground, or passed above the air of an
 ///           ellipsoid's pole
 /// Accuracy  at 1 km: bending 0.14 % too little for a ray that grazes at 876 m, 0.11 % at 3791 m;
@@ -51,6 +52,7 @@ std::optional<Ray> entered(const Ray& ray, double radius_m);
 ///                  (atmosphere::critical_refractivity)
 /// Source    Yapo & Cutler (2009), Eq. 1 to 3, 11 and 12, after Seron et al. (2004)
 std::optional<Traced> trace(const Ray& entering, const atmosphere::Atmosphere& atmosphere,
-                            const atmosphere::Optics& optics, const Stepping& stepping);
+                            const atmosphere::Optics& optics, const Stepping& stepping,
+                            double chance = 0);
 
 }  // namespace coppermoon::photons

@@ -108,7 +108,9 @@ class Simulation {
     const auto ray = photons::aimed_at_the_ring(random, arrangement_.sun_distance_m, atmosphere_);
     const auto entering = photons::entered(ray, atmosphere_.top_radius_m());
     if (!entering) return;  // a graze lost to rounding
-    const auto out = photons::trace(*entering, atmosphere_, optics_[wave], settings_.stepping);
+    const double chance = !atmosphere_.belted() ? 0 : random.uniform();
+    const auto out =
+        photons::trace(*entering, atmosphere_, optics_[wave], settings_.stepping, chance);
     if (!out) return;
     const double light =
         emitting_area_m2() * out->transmittance * brightness_at(ray.position_m, wave);

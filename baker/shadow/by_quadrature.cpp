@@ -135,7 +135,7 @@ double between(double pole, double equator, double theta) {
 /// its pole and its equator.
 std::vector<double> angles(const Atmosphere& atmosphere, const QuadratureSettings& settings) {
   if (atmosphere.symmetric()) return {0};
-  if (atmosphere.regions.empty()) return {0, pi / 2};
+  if (atmosphere.one_column()) return {0, pi / 2};
   std::vector<double> all;
   for (std::size_t i = 0; i < std::min(settings.sectors, settings.around); ++i)
     all.push_back(sector_angle((settings.first_sector + i) % settings.around, settings.around));
@@ -273,7 +273,7 @@ class Refinement {
 /// Rings of angles become sectors.
 void fill(std::span<const Ring> rings, const Atmosphere& atmosphere,
           const QuadratureSettings& settings, RefractedLight& light) {
-  const bool ellipse_alone = atmosphere.regions.empty() && !atmosphere.symmetric();
+  const bool ellipse_alone = atmosphere.one_column() && !atmosphere.symmetric();
   const std::size_t waves = light.wavelengths_nm.size();
   const std::size_t a_plane = rings[0].ratio.rows() / light.arrangement.depths_m.size();
   for (std::size_t g = 0; g < light.ratio.size(); ++g) {

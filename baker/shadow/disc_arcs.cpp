@@ -100,17 +100,15 @@ void DiscArcs::add_arc(double r, double middle_rad, double weight, Grid<double>&
   }
   std::sort(ends.begin(), ends.end());
   if (alike) ends.front() = 0;  // both halves at once
-  const double cos_middle = std::cos(middle_rad), sin_middle = std::sin(middle_rad);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     const double middle = (ends[i] + ends[i + 1]) / 2, reach = (ends[i + 1] - ends[i]) / 2;
-    const std::size_t column = limb_.column_at(middle_rad + half * std::sin(middle));
     for (const auto& node : algebra::gauss_legendre(nodes_over(reach))) {
       const double t = middle + reach * node.x, psi = half * std::sin(t);
       const double length = (alike ? 2 : 1) * node.weight * reach * half * std::cos(t) * weight;
-      const double cos_psi = std::cos(psi), sin_psi = std::sin(psi);
+      const double cos_psi = std::cos(psi);
       const double out = (r * r + gamma_ * gamma_ - 2 * r * gamma_ * cos_psi) / (a_ * a_);
       const double mu = std::sqrt(std::max(0., 1 - out));
-      const auto shares = limb_.at(column, cos_middle * cos_psi - sin_middle * sin_psi);
+      const auto shares = limb_.at(middle_rad + psi);
       for (std::size_t k = 0; k < sun_.functions.size(); ++k) {
         const double shed = length * photons::value(sun_.functions[k], mu);
         for (const auto& [part, share] : shares) light(k, part) += share * shed;

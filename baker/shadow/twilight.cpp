@@ -272,8 +272,10 @@ void gather(const Atmosphere& atmosphere, const std::vector<AroundTheRing>& ring
             std::size_t sector, std::size_t angles, double factor, std::span<double> ratio) {
   for (std::size_t a = 0; a < angles; ++a) {
     const double phi = 2 * pi * static_cast<double>(a + sector) / static_cast<double>(angles);
-    const auto& light = rings[atmosphere.column_index(phi)][std::min(a, angles - a)];
-    for (std::size_t w = 0; w < ratio.size(); ++w) ratio[w] += factor * light[w];
+    for (const auto& [column, share] : atmosphere.shares_at(phi)) {
+      const auto& light = rings[column][std::min(a, angles - a)];
+      for (std::size_t w = 0; w < ratio.size(); ++w) ratio[w] += share * factor * light[w];
+    }
   }
 }
 
@@ -295,7 +297,7 @@ RefractedLight twilight(const Atmosphere& atmosphere, const Arrangement& arrange
   require_valid(arrangement);
   const std::size_t planes = arrangement.depths_m.size(), distances = axis_distances_m.size(),
                     waves = wavelengths_nm.size();
-  const std::size_t sectors = atmosphere.regions.empty() ? 1 : sectors_around;
+  const std::size_t sectors = atmosphere.one_column() ? 1 : sectors_around;
   const std::size_t angles = std::max(angles_around, sectors);
   auto light = darkness(arrangement, wavelengths_nm, axis_distances_m, sectors);
   if (atmosphere.top_m() <= 0 || waves == 0) return light;

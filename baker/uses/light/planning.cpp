@@ -186,7 +186,7 @@ std::vector<double> scattered_at(std::span<const double> places_m,
                                  const atmosphere::Atmosphere& air,
                                  const shadow::Arrangement& arrangement) {
   const std::array wavelengths{560.};
-  const std::size_t sectors = air.regions.empty() ? 1 : shadow::sectors_around;
+  const std::size_t sectors = air.one_column() ? 1 : shadow::sectors_around;
   auto light = shadow::darkness(arrangement, wavelengths, places_m, sectors);
   shadow::add_twilight(light, air);
   std::vector<double> most(places_m.size());
@@ -276,7 +276,7 @@ plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose) {
                     .farthest_m = disc.to_m,
                     .limb_darkening = moon.limb_darkening,
                     .ellipsoid = !moon.air.earth.sphere(),
-                    .columns = 1 + moon.air.regions.size(),
+                    .columns = moon.air.columns().size(),
                     .sectors = sectors_of(moon, sectors_of_a_plan).count,
                     .texels = purpose.texels,
                     .map_file = purpose.map_file};
@@ -350,7 +350,7 @@ double error_found(const ShadowedMoon& moon, const plan::Work& work,
     settings.sectors = between;
   }
   settings.around = between;
-  if (!moon.air.regions.empty()) settings.sectors = std::min<std::size_t>(settings.sectors, 3);
+  if (!moon.air.one_column()) settings.sectors = std::min<std::size_t>(settings.sectors, 3);
   settings.place_error = 0;
   auto light = shadow::by_quadrature(moon.air, arrangement, waves, places, settings);
   if (work.scattered_light) shadow::add_twilight(light, moon.air);

@@ -162,7 +162,7 @@ TEST(RequireValid, LooksAtTheEarthItself) {
 TEST(ColumnAt, OfAWholeTurnIsTheRegionEverywhere) {
   Atmosphere dusty;
   dusty.regions.push_back({algebra::degrees(0), algebra::degrees(360), {.ozone_du = 7}});
-  for (const double turn : {0.0, 1.0, 3.2, 6.2}) EXPECT_EQ(dusty.column_at(turn).ozone_du, 7);
+  for (const double turn : {0.0, 1.0, 3.2, 6.2}) EXPECT_EQ(dusty.columns()[dusty.shares_at(turn)[0].column]->ozone_du, 7);
 }
 
 TEST(RequireValid, LooksIntoTheRegions) {
@@ -171,7 +171,8 @@ TEST(RequireValid, LooksIntoTheRegions) {
 }
 
 double ozone_at(const Atmosphere& atmosphere, double position_angle_deg) {
-  return atmosphere.column_at(in_radians(degrees(position_angle_deg))).ozone_du;
+  const auto index = atmosphere.shares_at(in_radians(degrees(position_angle_deg)))[0].column;
+  return atmosphere.columns()[index]->ozone_du;
 }
 
 TEST(ColumnAt, IsTheRegionThatHoldsThePositionAngle) {
