@@ -145,6 +145,11 @@ std::string utc_text(const Instant& instant, int decimals) {
                      decimal_part);
 }
 
+double year_of(const Instant& instant) {
+  constexpr double new_year_2000 = 2451544.5, tropical_year = 365.2422;
+  return 2000 + (instant.tt_day - new_year_2000 + instant.tt_fraction) / tropical_year;
+}
+
 Instant later(const Instant& instant, double seconds) {
   return normalised(instant.tt_day, instant.tt_fraction + seconds / ERFA_DAYSEC);
 }

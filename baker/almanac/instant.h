@@ -43,6 +43,9 @@ double delta_t_s(const Instant& instant);
 /// Whether ΔT at that moment is a prediction: after the end of ERFA's table of leap seconds.
 bool delta_t_is_predicted(const Instant& instant);
 
+/// Years with their fraction, each a tropical one of 365.2422 days: 2000 is 1 January 2000, 0 h.
+double year_of(const Instant& instant);
+
 /// The moment that many seconds later (earlier when negative).
 Instant later(const Instant& instant, double seconds);
 

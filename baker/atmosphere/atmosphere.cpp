@@ -9,14 +9,14 @@
 
 #include "algebra/error.h"
 #include "algebra/quadrature.h"
+#include "atmosphere/cloud.h"
+#include "atmosphere/gases.h"
 #include "atmosphere/ozone.h"
 #include "atmosphere/rayleigh.h"
 #include "atmosphere/refractivity.h"
 
 namespace coppermoon::atmosphere {
 namespace {
-
-constexpr double top_of_us_1976_m = 86e3;
 
 /// Turned by whole circles into [0, 2π).
 double turned(double angle_rad) {
@@ -32,22 +32,48 @@ void require_valid(const Column& column) {
   algebra::require_within("dust top [m]", column.dust_top_m, column.dust_bottom_m,
                           top_of_us_1976_m);
   algebra::require_within("tropospheric optical depth", column.tropospheric_optical_depth, 0, 10);
+  algebra::require_within("tropospheric scale height [m]", column.tropospheric_scale_m, 500, 1e4);
   algebra::require_within("cloud top [km]", column.cloud_top_m / 1e3, 0, 30);
   algebra::require_within("cloud cover", column.cloud_cover, 0, 1);
+  algebra::require_within("cloud's chance [1/m]", column.cloud_per_m, 0, 0.01);
+  algebra::require_within("cirrus", column.cirrus, 0, 100);
+  algebra::require_within("tropopause [km]", column.tropopause_m / 1e3, 5, 20);
+  algebra::require_within("aerosol of the free troposphere [1/m]", column.free_troposphere_per_m, 0,
+                          0.01);
+  if (column.density == Density::seasonal && !column.seasonal_air)
+    throw algebra::Error("density = seasonal, allowed with the air of a latitude and a season");
 }
 
 bool dusty(const Column& column, double altitude_m) {
   return altitude_m >= column.dust_bottom_m && altitude_m < column.dust_top_m;
 }
 
-double density_alone(Density density, double altitude_m) {
-  if (density == Density::none) return 0;
-  return density == Density::yapo_cutler ? density_ratio_yapo_cutler(altitude_m)
-                                         : density_ratio_us_1976(altitude_m);
+double density_alone(const Column& column, double altitude_m) {
+  switch (column.density) {
+    case Density::none:
+      return 0;
+    case Density::yapo_cutler:
+      return density_ratio_yapo_cutler(altitude_m);
+    case Density::us_1976:
+      return density_ratio_us_1976(altitude_m);
+    default:
+      return column.seasonal_air->density_ratio(altitude_m).value;
+  }
+}
+
+/// Where the slope of the density jumps; of the seasonal one, places between which it is well-behaved.
+std::vector<double> density_breaks(const Column& column) {
+  if (column.density == Density::seasonal)
+    return {column.tropopause_m - tropopause_wander_m, column.tropopause_m + tropopause_wander_m,
+            25e3, 40e3, 60e3};
+  const auto density =
+      column.density == Density::yapo_cutler ? density_breaks_m() : density_breaks_us_1976_m();
+  return {density.begin(), density.end()};
 }
 
 bool holds(const Region& region, double position_angle_rad) {
-  const double from = algebra::in_radians(region.from), width = algebra::in_radians(region.to) - from;
+  const double from = algebra::in_radians(region.from),
+               width = algebra::in_radians(region.to) - from;
   return width >= 2 * std::numbers::pi || turned(position_angle_rad - from) < turned(width);
 }
 
@@ -134,6 +160,19 @@ std::array<Atmosphere::Share, 2> Atmosphere::shares_at(double position_angle_rad
   return {{{first + i - 1, 1 - along}, {first + i, along}}};
 }
 
+Atmosphere with_fewer_belts(Atmosphere atmosphere) {
+  constexpr std::size_t third = 3;
+  const auto thin = [](Belts& belts) {
+    Belts fewer;
+    for (std::size_t i = 0; i < belts.size(); ++i)
+      if (i % third == 0 || i + 1 == belts.size()) fewer.push_back(belts[i]);
+    belts = std::move(fewer);
+  };
+  thin(atmosphere.belts);
+  for (auto& region : atmosphere.regions) thin(region.belts);
+  return atmosphere;
+}
+
 void require_valid(const Atmosphere& atmosphere) {
   const auto& earth = atmosphere.earth;
   algebra::require_within("Earth's radius [m]", earth.equatorial_radius_m, 1e6, 1e7);
@@ -160,30 +199,78 @@ Optics sea_level_optics(algebra::Wavelength wavelength, const Molecules& molecul
           algebra::in_nanometres(wavelength)};
 }
 
+bool has(const Column& column, Absorber absorber) {
+  switch (absorber) {
+    case air:
+      return column.rayleigh;
+    case ozone:
+      return column.ozone_du > 0 && column.ozone_path == OzonePath::bent;
+    case dust_layer:
+      return column.dust_extinction_per_m > 0;
+    case troposphere:
+      return column.tropospheric_optical_depth > 0;
+    case stratosphere:
+      return column.stratospheric_layer || column.stratosphere != StratosphericAerosol::none;
+    case cloud:
+      return column.cloud_per_m > 0;
+    case cirrus:
+      return column.cirrus > 0;
+    case free_troposphere:
+      return column.free_troposphere_per_m > 0;
+    case oxygen_pairs:
+      return column.oxygen_pairs && column.density != Density::none;
+    case nitrogen_dioxide:
+      return column.nitrogen_dioxide && column.density != Density::none;
+  }
+  return false;
+}
+
 Amounts profiles(const Column& column, double altitude_m) {
   Amounts amounts{};
-  if (column.rayleigh) amounts[air] = density_alone(column.density, altitude_m);
-  if (column.ozone_du > 0 && column.ozone_path == OzonePath::bent)
-    amounts[ozone] = ozone_profile_per_m(altitude_m);
-  if (column.dust_extinction_per_m > 0) amounts[dust_layer] = dusty(column, altitude_m) ? 1 : 0;
-  if (column.tropospheric_optical_depth > 0)
-    amounts[troposphere] = tropospheric_profile_per_m(altitude_m);
-  if (column.stratosphere != StratosphericAerosol::none)
-    amounts[stratosphere] = stratospheric_extinction_per_m(column.stratosphere, altitude_m);
+  if (has(column, air)) amounts[air] = density_alone(column, altitude_m);
+  if (has(column, ozone))
+    amounts[ozone] = column.ozone_climate ? column.ozone_climate->profile_per_m(altitude_m)
+                                          : ozone_profile_per_m(altitude_m);
+  if (has(column, dust_layer)) amounts[dust_layer] = dusty(column, altitude_m) ? 1 : 0;
+  if (has(column, troposphere))
+    amounts[troposphere] = tropospheric_profile_per_m(column.tropospheric_scale_m, altitude_m);
+  if (has(column, stratosphere))
+    amounts[stratosphere] = column.stratospheric_layer
+                                ? column.stratospheric_layer->extinction_per_m(altitude_m)
+                                : stratospheric_extinction_per_m(column.stratosphere, altitude_m);
+  if (has(column, cloud)) amounts[cloud] = cloud_profile(column.tropopause_m, altitude_m);
+  if (has(column, cirrus))
+    amounts[cirrus] = cirrus_extinction_per_m(column.tropopause_m, altitude_m);
+  if (has(column, free_troposphere))
+    amounts[free_troposphere] = free_troposphere_profile(column.tropopause_m, altitude_m);
+  if (has(column, oxygen_pairs))
+    amounts[oxygen_pairs] = std::pow(density_alone(column, altitude_m), 2);
+  if (has(column, nitrogen_dioxide))
+    amounts[nitrogen_dioxide] = nitrogen_dioxide_per_m3(altitude_m);
   return amounts;
 }
 
 Amounts spectra(const Column& column, const Optics& optics) {
   const auto wavelength = algebra::nanometres(optics.wavelength_nm);
   Amounts amounts{};
-  if (column.rayleigh) amounts[air] = optics.rayleigh_per_m;
-  if (column.ozone_du > 0 && column.ozone_path == OzonePath::bent)
+  if (has(column, air)) amounts[air] = optics.rayleigh_per_m;
+  if (has(column, ozone))
     amounts[ozone] = column.ozone_du * dobson_unit_per_m2 * ozone_cross_section_m2(wavelength);
   amounts[dust_layer] = column.dust_extinction_per_m;
-  if (column.tropospheric_optical_depth > 0)
+  if (has(column, troposphere))
     amounts[troposphere] = column.tropospheric_optical_depth * tropospheric_spectrum(wavelength);
-  if (column.stratosphere != StratosphericAerosol::none)
-    amounts[stratosphere] = stratospheric_spectrum(column.stratosphere, wavelength);
+  if (has(column, stratosphere))
+    amounts[stratosphere] = column.stratospheric_layer
+                                ? column.stratospheric_layer->spectrum(wavelength)
+                                : stratospheric_spectrum(column.stratosphere, wavelength);
+  amounts[cloud] = column.cloud_per_m;
+  amounts[cirrus] = column.cirrus;
+  amounts[free_troposphere] = column.free_troposphere_per_m * tropospheric_spectrum(wavelength);
+  if (has(column, oxygen_pairs))
+    amounts[oxygen_pairs] = sea_level_oxygen_per_m3 * sea_level_oxygen_per_m3 *
+                            oxygen_pair_cross_section_m5(wavelength);
+  if (has(column, nitrogen_dioxide))
+    amounts[nitrogen_dioxide] = nitrogen_dioxide_cross_section_m2(wavelength);
   return amounts;
 }
 
@@ -193,12 +280,13 @@ double product(const Amounts& a, const Amounts& b) {
 
 std::vector<double> breaks_m(const Column& column) {
   if (column.density == Density::none) return {0};
-  const auto density =
-      column.density == Density::yapo_cutler ? density_breaks_m() : density_breaks_us_1976_m();
-  std::vector<double> breaks(density.begin(), density.end());
+  auto breaks = density_breaks(column);
   const double top = top_m(column);
   if (column.dust_extinction_per_m > 0)
     breaks.insert(breaks.end(), {column.dust_bottom_m, column.dust_top_m});
+  if (has(column, cloud) || has(column, cirrus))
+    breaks.insert(breaks.end(), {column.tropopause_m - tropopause_wander_m,
+                                 column.tropopause_m + tropopause_wander_m});
   std::sort(breaks.begin(), breaks.end());
   std::erase_if(breaks, [&](double h) { return h > top - 1; });  // the top itself, to rounding
   breaks.push_back(top);
@@ -207,13 +295,20 @@ std::vector<double> breaks_m(const Column& column) {
 }
 
 ValueAndSlope density_ratio(const Column& column, double altitude_m) {
-  if (column.density == Density::none) return {0, 0};
-  return column.density == Density::yapo_cutler ? density_ratio_and_slope_yapo_cutler(altitude_m)
-                                                : density_ratio_and_slope_us_1976(altitude_m);
+  switch (column.density) {
+    case Density::none:
+      return {0, 0};
+    case Density::yapo_cutler:
+      return density_ratio_and_slope_yapo_cutler(altitude_m);
+    case Density::us_1976:
+      return density_ratio_and_slope_us_1976(altitude_m);
+    default:
+      return column.seasonal_air->density_ratio(altitude_m);
+  }
 }
 
 double refractivity(const Column& column, const Optics& optics, double altitude_m) {
-  return column.refraction ? optics.refractivity * density_alone(column.density, altitude_m) : 0;
+  return column.refraction ? optics.refractivity * density_alone(column, altitude_m) : 0;
 }
 
 double critical_refractivity(const Column& column, double earth_radius_m) {

@@ -3,23 +3,27 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "algebra/quantity.h"
 #include "atmosphere/aerosol.h"
 #include "atmosphere/density.h"
 #include "atmosphere/figure.h"
+#include "atmosphere/ozone.h"
+#include "atmosphere/seasonal_air.h"
 
 namespace coppermoon::atmosphere {
 
 /// How the air thins with altitude, and where it ends: no air at all; US 1976 with the paper's ramp
-/// to 42 km; US 1976 to 86 km.
-enum class Density { none, yapo_cutler, us_1976 };
+/// to 42 km; US 1976 to 86 km; by latitude and season, to 86 km.
+enum class Density { none, yapo_cutler, us_1976, seasonal };
 
 /// Ozone as one filter for all light that passed the limb, or along each ray's own path.
 enum class OzonePath { filter, bent };
 
-/// The air over one part of the limb: what stands in it. Every term can be switched off.
+/// The air over one part of the limb: what stands in it. Every term can be switched off. Tables of a
+/// latitude and a month are shared, and never change.
 struct Column {
   Density density = Density::yapo_cutler;
   bool refraction = true;  ///< off: light goes straight through the air
@@ -29,9 +33,21 @@ struct Column {
   double dust_extinction_per_m = 0;  ///< grey extinction α of the layer, 0 to 0.01 m⁻¹; 0: off
   double dust_bottom_m = 15e3, dust_top_m = 20e3;
   double tropospheric_optical_depth = 0;  ///< of aerosol, vertical, at 550 nm, 0 to 10; 0: off
+  double tropospheric_scale_m = 2e3;      ///< height in which it falls to 1/e, 500 to 10 000 m
   StratosphericAerosol stratosphere = StratosphericAerosol::none;
   double cloud_top_m = 10e3;
   double cloud_cover = 0;  ///< part of the limb where cloud stops all rays below its top; 0: off
+
+  double tropopause_m = 11e3;  ///< 5 to 20 km; of the four terms below
+  double cloud_per_m = 0;      ///< chance to meet cloud, 0 to 0.01 m⁻¹; 0: off
+  double cirrus = 0;           ///< factor on cirrus_extinction_per_m, 0 to 100; 0: off
+  double free_troposphere_per_m =
+      0;  ///< extinction by aerosol at 7 km and 550 nm, 0 to 0.01; 0: off
+  bool oxygen_pairs = false, nitrogen_dioxide = false;  ///< off: they absorb nothing
+  std::shared_ptr<const SeasonalAir> seasonal_air{};    ///< of Density::seasonal
+  std::shared_ptr<const OzoneClimate> ozone_climate{};  ///< without: the profile of US 1976
+  /// instead of `stratosphere`, where there is any
+  std::shared_ptr<const StratosphericLayer> stratospheric_layer{};
 };
 
 /// Altitude where a column's air ends [m]: 0, 42 000 or 86 000.
@@ -106,6 +122,9 @@ struct Atmosphere {
   std::array<Share, 2> shares_at(double position_angle_rad) const;
 };
 
+/// The same air with every third of its belts, the first and the last among them: for a coarse look.
+Atmosphere with_fewer_belts(Atmosphere atmosphere);
+
 /// Throws Error when a term is outside its range: names it, its unit and what is allowed.
 void require_valid(const Atmosphere& atmosphere);
 
@@ -122,13 +141,28 @@ Optics sea_level_optics(algebra::Wavelength wavelength, const Molecules& molecul
 /// Constituents that take light out of a ray. Each has a profile over altitude and a spectrum;
 /// extinction is the sum of their products, optical depth that of spectrum and profile summed along
 /// the path.
-enum Absorber : std::size_t { air, ozone, dust_layer, troposphere, stratosphere };
-inline constexpr std::size_t absorbers = 5;
+enum Absorber : std::size_t {
+  air,
+  ozone,
+  dust_layer,
+  troposphere,
+  stratosphere,
+  cloud,
+  cirrus,
+  free_troposphere,
+  oxygen_pairs,
+  nitrogen_dioxide
+};
+inline constexpr std::size_t absorbers = 10;
 using Amounts = std::array<double, absorbers>;
 
+/// Whether a column has it.
+bool has(const Column& column, Absorber absorber);
+
 /// The profiles at an altitude: air's density ratio; ozone's and the troposphere's aerosol's share
-/// of their vertical column [m⁻¹]; 1 within the dust layer; the stratospheric aerosol's extinction
-/// at 550 nm [m⁻¹].
+/// of their vertical column [m⁻¹]; 1 within the dust layer; the extinction by stratospheric aerosol
+/// at 550 nm, the profile of cloud's chance; extinction by cirrus and by the free troposphere's aerosol at
+/// 550 nm [m⁻¹]; the square of the density ratio, for pairs of oxygen; nitrogen dioxide [m⁻³].
 Amounts profiles(const Column& column, double altitude_m);
 
 /// The spectra: what each amount is multiplied with to make extinction [m⁻¹] or optical depth.

@@ -26,6 +26,9 @@ double density_ratio_us_1976(double altitude_m);
 /// The same with dρ/dh, analytic.
 ValueAndSlope density_ratio_and_slope_us_1976(double altitude_m);
 
+/// Altitude where the standard ends, and all air with it [m].
+inline constexpr double top_of_us_1976_m = 86e3;
+
 /// The altitudes where the slope of that density jumps [m]: the tops of its layers, lowest first,
 /// the last at 86 km, where the density itself ends.
 std::span<const double> density_breaks_us_1976_m();

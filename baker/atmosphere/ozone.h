@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "algebra/interpolation.h"
 #include "algebra/quantity.h"
+#include "atmosphere/seasonal_air.h"
 
 namespace coppermoon::atmosphere {
 
@@ -23,6 +25,30 @@ double ozone_cross_section_m2(algebra::Wavelength wavelength);
 /// Omits     season, latitude and weather: the peak lies at 26 km in the tropics, 18 km at the poles
 /// Source    U.S. Standard Atmosphere 1976, mid-latitude ozone (Krueger & Minzner 1976)
 double ozone_profile_per_m(double altitude_m);
+
+/// The ozone over a latitude in a month.
+///
+/// Source  McPeters, Labow & Logan (2007), J. Geophys. Res. 112, D05308
+class OzoneClimate {
+ public:
+  /// Given     latitude  −90° to 90°; straight between belts of 10°
+  ///           year      with its fraction, which is the season; straight between months
+  ///           air       over that latitude: tells the altitudes of the climatology's pressures
+  /// Accuracy  the climatology's layers of 2 km, a smooth curve in the logarithm between their middles;
+  ///           its whole column exactly
+  /// Omits     years and weather, ±10 % of the column; the ozone holes of single springs
+  OzoneClimate(algebra::Angle latitude, double year, const SeasonalAir& air);
+
+  /// Vertical column [DU]: 250 in the tropics, 150 to 440 elsewhere.
+  double column_du() const { return column_du_; }
+
+  /// Share of that column in a metre of altitude [m⁻¹], 0 to 86 km.
+  double profile_per_m(double altitude_m) const;
+
+ private:
+  double column_du_;
+  algebra::MonotoneCubic log_share_per_m_;
+};
 
 /// One Dobson unit: molecules over a square metre [m⁻²].
 inline constexpr double dobson_unit_per_m2 = 2.6867e20;

@@ -5,13 +5,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
 
 #include "algebra/error.h"
+#include "atmosphere/cloud.h"
+#include "atmosphere/tropopause.h"
 
 namespace coppermoon::atmosphere {
 namespace {
 
-constexpr std::array<std::string_view, 5> names{"paper", "molecular", "clear", "standard", "none"};
+constexpr std::array<std::string_view, 7> names{"paper",   "molecular", "clear", "undated",
+                                                "monthly", "standard",  "none"};
 
 constexpr double us_1976_ozone_du = 345;
 
@@ -20,6 +26,15 @@ void make_usual(Column& column) {
   column.tropospheric_optical_depth = 0.07;
   column.cloud_top_m = 10e3;
   column.cloud_cover = 0.7;
+}
+
+/// What is usual and does not depend on the latitude.
+Column usual_by_chance(Column column) {
+  column.tropospheric_optical_depth = 0.07;
+  column.tropospheric_scale_m = 1.2e3;
+  column.cirrus = 1;
+  column.oxygen_pairs = column.nitrogen_dioxide = true;
+  return column;
 }
 
 struct Eruption {
@@ -37,7 +52,36 @@ constexpr std::array<Eruption, 4> eruptions{{{StratosphericAerosol::extreme, 1e-
 
 std::span<const std::string_view> preset_names() { return names; }
 
-Atmosphere preset(std::string_view name, algebra::Angle sun_declination) {
+std::string_view lasting_name(std::string_view name) {
+  return name == "standard" ? "monthly" : name;
+}
+
+Column climatic(Column column, algebra::Angle latitude, double year) {
+  column.tropopause_m = tropopause_m(latitude, year);
+  column.density = Density::seasonal;
+  column.seasonal_air = std::make_shared<SeasonalAir>(latitude, year);
+  column.ozone_climate = std::make_shared<OzoneClimate>(latitude, year, *column.seasonal_air);
+  column.ozone_du = column.ozone_climate->column_du();
+  column.stratospheric_layer = std::make_shared<StratosphericLayer>(
+      stratospheric_optical_depth(year, latitude), column.tropopause_m);
+  column.free_troposphere_per_m = free_troposphere_per_m(latitude);
+  column.cloud_per_m = cloud_chance_per_m(latitude);
+  return column;
+}
+
+Belts belts_of(const Column& column) {
+  constexpr int intervals = 12;
+  Belts belts;
+  for (int i = 0; i <= intervals; ++i) belts.push_back({std::numbers::pi * i / intervals, column});
+  return belts;
+}
+
+algebra::Angle latitude_on_limb(double from_north_rad, algebra::Angle sun_declination) {
+  return algebra::radians(
+      std::asin(std::cos(from_north_rad) * std::cos(algebra::in_radians(sun_declination))));
+}
+
+Atmosphere preset(std::string_view name, algebra::Angle sun_declination, double year) {
   if (std::ranges::find(names, name) == names.end())
     throw algebra::Error(fmt::format("atmosphere = {}, allowed {}", name, fmt::join(names, ", ")));
   Atmosphere air;
@@ -49,8 +93,11 @@ Atmosphere preset(std::string_view name, algebra::Angle sun_declination) {
   column.density = name == "none" ? Density::none : Density::us_1976;
   column.ozone_path = OzonePath::bent;
   if (name == "molecular" || name == "none") column.ozone_du = 0;
-  if (name != "standard") return air;
-  make_usual(column);
+  if (name == "undated") make_usual(column);
+  if (lasting_name(name) != "monthly") return air;
+  air.belts = belts_of(usual_by_chance(column));
+  for (auto& [from_north, belt] : air.belts)
+    belt = climatic(belt, latitude_on_limb(from_north, sun_declination), year);
   return air;
 }
 

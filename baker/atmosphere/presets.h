@@ -13,14 +13,40 @@ namespace coppermoon::atmosphere {
 ///     paper      sphere; US 1976 to 42 km; CRC dispersion, F = 1.050; 345 DU of ozone as a filter
 ///     molecular  ellipsoid; US 1976 to 86 km; Ciddor's dispersion, Bates's F(λ); nothing else
 ///     clear      molecular, and 345 DU of ozone along the path
-///     standard   clear, and what is usual: background stratosphere, tropospheric aerosol of 0.07,
-///                cloud to 10 km over 70 % of the limb
+///     undated    clear, and what is usual, alike everywhere and always: background stratosphere,
+///                tropospheric aerosol of 0.07, cloud to 10 km over 70 % of the limb
+///     monthly    the air of a month along the limb, in 13 belts: see climatic; with tropospheric aerosol
+///                of 0.07, cloud and cirrus by chance, pairs of oxygen and nitrogen dioxide
+///     standard   monthly
 ///     none       the bare Earth, an ellipsoid
 std::span<const std::string_view> preset_names();
 
+/// The name under which an atmosphere is written down: what "standard" means may change.
+std::string_view lasting_name(std::string_view name);
+
+/// What "standard" meant in files of version 0.1.
+inline constexpr std::string_view standard_of_0_1 = "undated";
+
 /// Given   sun_declination  tips the ellipsoid's pole
+///         year             with its fraction, of "monthly"
 /// Throws  Error            when there is no preset of that name: says which there are
-Atmosphere preset(std::string_view name, algebra::Angle sun_declination);
+Atmosphere preset(std::string_view name, algebra::Angle sun_declination, double year = 2000);
+
+/// A column with all that depends on latitude and month: density, ozone, the stratosphere's aerosol,
+/// the tropopause, the free troposphere's aerosol, cloud by chance.
+///
+/// Given     year  with its fraction
+/// Returned  the column with these replaced
+Column climatic(Column column, algebra::Angle latitude, double year);
+
+/// Thirteen belts of one column, 15° of position angle apart. In the air of a month light is 0.7 % rms off
+/// that of twice as many, 3 % at worst.
+Belts belts_of(const Column& column);
+
+/// The latitude of a belt on the limb.
+///
+///     sin φ = cos θ cos δ
+algebra::Angle latitude_on_limb(double from_north_rad, algebra::Angle sun_declination);
 
 /// A column with the cloud and aerosol that make a totally eclipsed Moon look as Danjon's scale
 /// describes it:

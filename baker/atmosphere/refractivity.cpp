@@ -5,16 +5,20 @@
 
 namespace coppermoon::atmosphere {
 
-double sea_level_refractivity_crc(algebra::Wavelength wavelength) {
+double checked_nm(algebra::Wavelength wavelength) {
   const double nm = algebra::in_nanometres(wavelength);
   algebra::require_within("wavelength [nm]", nm, shortest_nm, longest_nm);
+  return nm;
+}
+
+double sea_level_refractivity_crc(algebra::Wavelength wavelength) {
+  const double nm = checked_nm(wavelength);
   const double s = 1 / (nm * nm);
   return 2.72643e-4 + 1.2288 * s + 3.555e4 * s * s;
 }
 
 double sea_level_refractivity_ciddor_1996(algebra::Wavelength wavelength) {
-  const double nm = algebra::in_nanometres(wavelength);
-  algebra::require_within("wavelength [nm]", nm, shortest_nm, longest_nm);
+  const double nm = checked_nm(wavelength);
   const double s_squared = 1e6 / (nm * nm);
   return 0.05792105 / (238.0185 - s_squared) + 0.00167917 / (57.362 - s_squared);
 }

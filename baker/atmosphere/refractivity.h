@@ -8,6 +8,11 @@ namespace coppermoon::atmosphere {
 /// Shortest and longest wavelength the air is modelled for [nm].
 inline constexpr double shortest_nm = 380, longest_nm = 780;
 
+/// The wavelength [nm].
+///
+/// Throws  Error  when it is outside 380 to 780 nm
+double checked_nm(algebra::Wavelength wavelength);
+
 /// Refractivity n₀ − 1 of air at sea level, 15 °C.
 ///
 ///     n₀ − 1 = 2.72643e-4 + 1.2288/λ² + 3.555e4/λ⁴        λ in nm

@@ -81,6 +81,7 @@ struct Piece {
 struct HalfRay {
   const Air& air;
   LimbPath path;
+  const ProfileTable* table;
   double at_tangent = air.optical_excess(path.tangent_height_m);
 
   /// Closer above the tangent height the difference of two excesses drowns in rounding.
@@ -104,7 +105,7 @@ struct HalfRay {
       const double dh = weight * (u1 - u0) / 2 * 2 * u;
       const double root = std::sqrt(over_b(piece, u * u, density, r) * (n * r + b));
       path.bending_rad -= 2 * b * air.refractivity * density.slope_per_m / (n * root) * dh;
-      const auto profiles = atmosphere::profiles(air.column, h);
+      const auto profiles = table ? (*table)(h) : atmosphere::profiles(air.column, h);
       for (std::size_t k = 0; k < profiles.size(); ++k)
         path.amounts[k] += 2 * profiles[k] * n * r / root * dh;
     }
@@ -118,15 +119,38 @@ struct HalfRay {
   }
 };
 
+constexpr double row_m = 25;
+
 }  // namespace
 
+ProfileTable::ProfileTable(const Column& column) : column_(column) {
+  column_.dust_extinction_per_m = 0;
+  const double top_m = atmosphere::top_m(column);
+  for (double h = 0; h < top_m + row_m; h += row_m)
+    rows_.push_back(atmosphere::profiles(column_, std::min(h, top_m)));
+  column_.dust_extinction_per_m = column.dust_extinction_per_m;
+}
+
+atmosphere::Amounts ProfileTable::operator()(double altitude_m) const {
+  const double place = std::max(0., altitude_m) / row_m;
+  const auto i = std::min(static_cast<std::size_t>(place), rows_.size() - 2);
+  const double along = place - static_cast<double>(i);
+  atmosphere::Amounts amounts;
+  for (std::size_t k = 0; k < amounts.size(); ++k)
+    amounts[k] = rows_[i][k] + along * (rows_[i + 1][k] - rows_[i][k]);
+  if (column_.dust_extinction_per_m > 0)
+    amounts[atmosphere::dust_layer] =
+        altitude_m >= column_.dust_bottom_m && altitude_m < column_.dust_top_m ? 1 : 0;
+  return amounts;
+}
+
 LimbPath limb_path(double tangent_height_m, double earth_radius_m, const Column& column,
-                   double refractivity) {
+                   double refractivity, const ProfileTable* table) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   algebra::require_within("tangent height [m]", tangent_height_m, 0, infinity);
   atmosphere::require_no_trap(column, earth_radius_m, refractivity);
   const Air air{earth_radius_m, column, column.refraction ? refractivity : 0};
-  HalfRay ray{air, {tangent_height_m, air.optical_height(tangent_height_m), 0, {}}};
+  HalfRay ray{air, {tangent_height_m, air.optical_height(tangent_height_m), 0, {}}, table};
   const double top_m = atmosphere::top_m(column);
   if (tangent_height_m >= top_m) return ray.path;
   const auto breaks = pieces_above(tangent_height_m, column, top_m);

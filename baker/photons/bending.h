@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "atmosphere/atmosphere.h"
 
@@ -13,6 +14,20 @@ struct LimbPath {
   double impact_height_m;         ///< b − R, the impact parameter above the ground's
   double bending_rad;             ///< total refraction, towards the Earth
   atmosphere::Amounts amounts{};  ///< each profile summed along the path
+};
+
+/// The profiles of a column every 25 m, dust apart: straight lines between them take a tenth of the time.
+///
+/// Accuracy  1e-5 of the extinction, relative
+class ProfileTable {
+ public:
+  explicit ProfileTable(const atmosphere::Column& column);
+
+  atmosphere::Amounts operator()(double altitude_m) const;
+
+ private:
+  atmosphere::Column column_;
+  std::vector<atmosphere::Amounts> rows_;
 };
 
 /// The exact path of a ray through a column of air that is alike all around.
@@ -27,6 +42,7 @@ struct LimbPath {
 /// Given     tangent_height_m      0 or more; above the top of the air the path is straight
 ///           earth_radius_m        of the ground's curvature along the path
 ///           refractivity          n₀ − 1, at sea level
+///           table                 of the column; without: its profiles themselves
 /// Accuracy  1e-8 relative, of bending, air, dust and the troposphere's aerosol; where profiles have
 ///           knees, of ozone 5e-5, of the stratosphere's aerosol 2e-4 up to high, 1e-3 extreme; of
 ///           all optical depth in standard air 5e-5. In the last micrometre under a break or the top
@@ -36,7 +52,7 @@ struct LimbPath {
 ///                  (atmosphere::critical_refractivity)
 /// Source    Auer & Standish (2000), AJ 119, 2472, for the integrals
 LimbPath limb_path(double tangent_height_m, double earth_radius_m, const atmosphere::Column& column,
-                   double refractivity);
+                   double refractivity, const ProfileTable* table = nullptr);
 
 /// What the air does to a ray of one wavelength that passes the limb.
 struct LimbRay {

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
+
+#include "algebra/quadrature.h"
 
 namespace coppermoon::photons {
 namespace {
@@ -33,7 +36,66 @@ std::vector<Seat> seats_of(const atmosphere::Atmosphere& atmosphere) {
   return seats;
 }
 
+/// Position angles between which every part's share is smooth, increasing from 0 to 2π: the borders
+/// of regions and the middles of belts.
+std::vector<double> kinks(const atmosphere::Atmosphere& atmosphere) {
+  std::vector<double> all{0, circle};
+  const auto add = [&](double angle_rad) {
+    all.push_back(angle_rad - circle * std::floor(angle_rad / circle));
+  };
+  const auto add_belts = [&](const atmosphere::Belts& belts) {
+    for (const auto& belt : belts) {
+      add(belt.from_north_rad);
+      add(-belt.from_north_rad);
+    }
+  };
+  add_belts(atmosphere.belts);
+  for (const auto& region : atmosphere.regions) {
+    add(algebra::in_radians(region.from));
+    add(algebra::in_radians(region.to));
+    add_belts(region.belts);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// Gauss's nodes between two position angles, for what is smooth there times a harmonic.
+std::vector<algebra::QuadratureNode> nodes_between(double from, double to, int highest) {
+  constexpr int count = 16;
+  constexpr double phase = 8;  // of a harmonic, that so many nodes follow to rounding
+  const double pieces = std::ceil((to - from) * (highest + 2) / phase),
+               half = (to - from) / pieces / 2;
+  std::vector<algebra::QuadratureNode> all;
+  for (double piece = 0; piece < pieces; ++piece)
+    for (const auto& node : algebra::gauss_legendre(count))
+      all.push_back({from + half * (2 * piece + 1 + node.x), half * node.weight});
+  return all;
+}
+
+/// Makes 0 what rounding left, and cuts off the harmonics that no part has.
+void drop_negligible(std::vector<WholeLimb::Series>& all) {
+  constexpr double negligible = 1e-12;
+  std::size_t count = 1;
+  for (auto& [cosine, sine] : all)
+    for (auto* row : {&cosine, &sine})
+      for (std::size_t m = 0; m < row->size(); ++m) {
+        double& value = (*row)[m];
+        if (std::abs(value) < negligible)
+          value = 0;
+        else
+          count = std::max(count, m + 1);
+      }
+  for (auto& [cosine, sine] : all) {
+    cosine.resize(count);
+    sine.resize(count);
+  }
+}
+
 }  // namespace
+
+std::size_t parts_of_limb(const atmosphere::Atmosphere& atmosphere) {
+  return seats_of(atmosphere).size();
+}
 
 WholeLimb::WholeLimb(const atmosphere::Atmosphere& atmosphere,
                      std::span<const atmosphere::Optics> optics, int rays)
@@ -49,39 +111,37 @@ WholeLimb::WholeLimb(const atmosphere::Atmosphere& atmosphere,
     parts_[i] = {limb.radius_m, {}, limb.curvature_radius_m, column};
     for (const auto& o : optics) parts_[i].fans.push_back(table.fan(o));
   });
-  find_borders();
 }
 
 std::array<WholeLimb::Share, 2> WholeLimb::at(double position_angle_rad) const {
   const auto [one, other] = atmosphere_.shares_at(position_angle_rad);
   const std::size_t part = first_part_[one.column];
   const bool two_seats =
-      (one.column + 1 < first_part_.size() ? first_part_[one.column + 1] : parts_.size()) - part == 2;
+      (one.column + 1 < first_part_.size() ? first_part_[one.column + 1] : parts_.size()) - part ==
+      2;
   if (!two_seats) return {{{part, one.share}, {first_part_[other.column], other.share}}};
   const double cosine = std::cos(position_angle_rad), pole = cosine * cosine;
   return {{{part, 1 - pole}, {part + 1, pole}}};
 }
 
-void WholeLimb::find_borders() {
-  std::vector<double> ends{0, circle};
-  for (const auto& region : atmosphere_.regions)
-    for (const auto angle : {region.from, region.to})
-      ends.push_back(algebra::in_radians(angle) -
-                     circle * std::floor(algebra::in_radians(angle) / circle));
-  std::sort(ends.begin(), ends.end());
-  struct Stretch {
-    double from_rad;
-    std::size_t region;
-  };
-  std::vector<Stretch> around;
+std::vector<WholeLimb::Series> WholeLimb::series(int highest) const {
+  const auto count = static_cast<std::size_t>(highest) + 1;
+  const std::vector<double> none(count);
+  std::vector<Series> all(parts_.size(), {none, none});
+  const auto ends = kinks(atmosphere_);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-    if (ends[i + 1] - ends[i] > 1e-12)
-      around.push_back(
-          {ends[i], atmosphere_.region_index((ends[i] + ends[i + 1]) / 2)});
-  for (std::size_t i = 0; i < around.size(); ++i) {
-    const auto& before = around[i == 0 ? around.size() - 1 : i - 1];
-    if (before.region != around[i].region) borders_rad_.push_back(around[i].from_rad);
-  }
+    for (const auto& node : nodes_between(ends[i], ends[i + 1], highest)) {
+      const auto turn = std::polar(1., node.x);
+      for (const auto& [part, share] : at(node.x)) {
+        std::complex<double> turned = share * node.weight / std::numbers::pi;
+        for (std::size_t m = 0; share != 0 && m < count; ++m, turned *= turn) {
+          all[part].cosine[m] += (m == 0 ? 0.5 : 1) * turned.real();
+          all[part].sine[m] += turned.imag();
+        }
+      }
+    }
+  drop_negligible(all);
+  return all;
 }
 
 }  // namespace coppermoon::photons

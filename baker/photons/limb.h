@@ -10,6 +10,9 @@
 
 namespace coppermoon::photons {
 
+/// How many parts the limb of some air has (WholeLimb): every belt is one, a column one or two.
+std::size_t parts_of_limb(const atmosphere::Atmosphere& atmosphere);
+
 /// The whole limb in parts, each with a table of rays: one part for every belt, where the limb is there;
 /// for every other column of air one part, on an ellipsoid two, at the equator and at the pole. A place
 /// between these is a mean of both parts, the pole's with a weight of cos² of the position angle.
@@ -25,6 +28,10 @@ class WholeLimb {
     std::size_t part;
     double share;
   };
+  /// Σ cosine[m] cos mψ + sine[m] sin mψ, with ψ the position angle.
+  struct Series {
+    std::vector<double> cosine, sine;
+  };
 
   /// Given  optics  of each wavelength;  rays: of each fan
   WholeLimb(const atmosphere::Atmosphere& atmosphere, std::span<const atmosphere::Optics> optics,
@@ -39,16 +46,17 @@ class WholeLimb {
   ///           difference between pole and equator
   std::array<Share, 2> at(double position_angle_rad) const;
 
-  /// Position angles where one column of air ends and another begins.
-  const std::vector<double>& borders_rad() const { return borders_rad_; }
+  /// Each part's share as a series in the position angle.
+  ///
+  /// Given     highest  harmonic that is asked for, 0 or more
+  /// Returned  by part, all equally long: up to the last harmonic that any of them has
+  /// Accuracy  1e-12; coefficients smaller than that are 0
+  std::vector<Series> series(int highest) const;
 
  private:
-  void find_borders();
-
   atmosphere::Atmosphere atmosphere_;
   std::vector<Part> parts_;
   std::vector<std::size_t> first_part_;  ///< of each column
-  std::vector<double> borders_rad_;
 };
 
 }  // namespace coppermoon::photons

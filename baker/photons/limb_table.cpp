@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "algebra/error.h"
 #include "algebra/interpolation.h"
@@ -123,12 +124,16 @@ class Significance {
 struct Follower {
   const Column& column;
   double earth_radius_m;
+  /// Air of a season has many terms, all smooth.
+  std::optional<ProfileTable> table =
+      column.seasonal_air ? std::optional<ProfileTable>(column) : std::nullopt;
 
   std::vector<Path> at(const HeightRange& piece, int degree, double refractivity) const {
     std::vector<Path> values(static_cast<std::size_t>(degree) + 1);
     tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t j) {
       const double place = chebyshev_place(static_cast<int>(j), degree);
-      values[j] = parts(limb_path(piece.height_m(place), earth_radius_m, column, refractivity));
+      values[j] = parts(limb_path(piece.height_m(place), earth_radius_m, column, refractivity,
+                                  table ? &*table : nullptr));
     });
     return values;
   }

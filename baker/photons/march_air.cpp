@@ -45,12 +45,9 @@ struct Part {
 
 std::vector<std::size_t> others_in(const Column& column) {
   std::vector<std::size_t> others;
-  if (column.ozone_du > 0 && column.ozone_path == atmosphere::OzonePath::bent)
-    others.push_back(atmosphere::ozone);
-  if (column.dust_extinction_per_m > 0) others.push_back(atmosphere::dust_layer);
-  if (column.tropospheric_optical_depth > 0) others.push_back(atmosphere::troposphere);
-  if (column.stratosphere != atmosphere::StratosphericAerosol::none)
-    others.push_back(atmosphere::stratosphere);
+  for (std::size_t k = 0; k < atmosphere::absorbers; ++k)
+    if (k != atmosphere::air && atmosphere::has(column, static_cast<atmosphere::Absorber>(k)))
+      others.push_back(k);
   return others;
 }
 

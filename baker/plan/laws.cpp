@@ -15,8 +15,8 @@ struct Costs {
   double fan_ray = 58e-9;           ///< of one wavelength
   double landed_ray = 160e-9;       ///< of one wavelength on one plane
   double place = 33e-6;             ///< cutting the disc into stretches
-  double place_term = 6e-6;         ///< the arcs of one of the Sun's terms
-  double place_wavelength = 74e-9;  ///< of one term and part of the limb
+  double place_term = 6e-6;         ///< the arcs of one of the Sun's terms and one harmonic
+  double place_wavelength = 74e-9;  ///< of one of these and one part of the limb
   double lookup = 6e-3;
   double trial = 10e-3;  ///< at what terms matter
   double twilight = 40e-3, twilight_wavelength = 1e-3;
@@ -53,14 +53,17 @@ double seconds_of_quadrature(const Work& work, const Scene& scene, double distan
   const Costs cost;
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
   const bool regions = work.regions && scene.columns > 1;
-  const double parts = (regions ? static_cast<double>(scene.columns) : 1) * (ellipsoid ? 2 : 1);
-  const double angles = regions ? static_cast<double>(scene.sectors) : ellipsoid ? 2 : 1;
+  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // of a region one, not two
+  const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
+  // Of regions ninety in the mean, which cost half: they are drawn from the same bins.
+  const double harmonics = regions ? (scene.borders ? 45 : 15) : ellipsoid ? 2 : 1;
   const double waves = 8 * std::ceil(work.bands / 8.), rays = work.rays;
   const double terms = scene.limb_darkening ? work.sun_terms : 1;
-  const double places = distances * angles * work.planes * (1 + rays / 1000);  // finer, more cuts
+  const double places = distances * work.planes * (1 + rays / 1000);  // finer, more cuts
   return cost.ray_followed * parts * (250 + 0.45 * rays) +
          parts * work.bands * rays * (cost.fan_ray + cost.landed_ray * work.planes) +
-         places * (cost.place + terms * (cost.place_term + cost.place_wavelength * parts * waves));
+         places * (cost.place +
+                   terms * harmonics * (cost.place_term + cost.place_wavelength * parts * waves));
 }
 
 /// Seconds that it takes on one core to check the error of light, at thirty places.
@@ -70,9 +73,7 @@ double seconds_of_check(Work work, const Scene& scene) {
   work.sun_terms = 6;
   work.planes = 1;
   work.ellipsoid = work.regions = true;
-  Scene few = scene;
-  few.sectors = std::min<std::size_t>(3, scene.sectors);
-  return seconds_of_quadrature(work, few, 8);
+  return seconds_of_quadrature(work, scene, 8);
 }
 
 /// How much of a scene's parallel work one more core takes off.

@@ -46,8 +46,9 @@ struct ByHand {
 struct Scene {
   double nearest_m = 0, farthest_m = 0;  ///< axis distances of its disc
   bool limb_darkening = true, ellipsoid = true;
-  std::size_t columns = 1;  ///< of air: 1, and one for each region
-  std::size_t sectors = 1;  ///< of position angle that the disc takes in, where there are regions
+  std::size_t columns = 1;  ///< of air: 1; with regions or belts more
+  std::size_t parts = 1;    ///< of the limb that have rays of their own, where there are more columns
+  bool borders = false;     ///< whether one air ends and another begins somewhere, as of regions
   double texels = 0;        ///< that are baked; 0: no texture
   bool map_file = false;    ///< an albedo map is read
 

@@ -14,8 +14,7 @@
 #include "algebra/error.h"
 #include "algebra/interpolation.h"
 #include "photons/limb.h"
-#include "shadow/disc_arcs.h"
-#include "shadow/landed_light.h"
+#include "shadow/landed_plane.h"
 
 namespace coppermoon::shadow {
 namespace {
@@ -28,102 +27,17 @@ double sector_angle(std::size_t sector, std::size_t sectors) {
   return 2 * pi * static_cast<double>(sector) / static_cast<double>(sectors);
 }
 
+/// The highest harmonic of the position angle that the limb's parts are taken to. Measured at 400 to
+/// 700 nm up to 6000 km from the axis, worst and mean: of 13 belts against 192 harmonics, 1e-4 and
+/// 3e-6, every other one dusty 4e-4 and 2e-5; of regions against arcs cut at their borders, aerosol
+/// of a great eruption 6e-3 and 5e-5, dust that leaves a hundredth 2e-2 and 1e-4.
+int highest_harmonic(const Atmosphere& atmosphere) {
+  if (atmosphere.one_column()) return 2;  // an ellipsoid's
+  return atmosphere.regions.empty() ? 48 : 160;
+}
+
 /// Width of the bins that light is gathered in, of distance from the axis: finer as rays are.
 double bin_width_m(int rays) { return std::clamp(1.2e6 / rays, 100., 50e3); }
-
-/// Sums that one term of the Sun's disc draws from one part of the limb.
-struct Draw {
-  std::size_t part, term;
-  std::vector<NodeTerm> nodes;
-};
-
-/// Where light is asked for on a plane, and where it is written, by wavelength.
-struct Place {
-  double gamma_m, theta_rad;
-  std::span<double> ratio;
-};
-
-/// All light on one plane.
-class Plane {
- public:
-  Plane(const photons::WholeLimb& limb, const photons::DiscTerms& sun,
-        const Arrangement& arrangement, double depth_m, double bin_m)
-      : limb_(limb), sun_(sun), bin_m_(bin_m) {
-    const double spread = 1 + depth_m / arrangement.sun_distance_m;
-    a_ = projected_solar_radius_m(arrangement, depth_m);
-    factor_ = spread * spread / (pi * a_ * a_);
-    landed_.reserve(limb.parts().size());
-    for (const auto& part : limb.parts())
-      landed_.emplace_back(part, arrangement.sun_distance_m, depth_m, bin_m_);
-  }
-
-  /// Adds each place's light to its row.
-  void light(std::span<const Place> places) const {
-    std::vector<std::vector<Draw>> all;
-    for (const auto& place : places) all.push_back(draws(place.gamma_m, place.theta_rad));
-    for (std::size_t first = 0; first < sun_.brightness.columns(); first += lanes)
-      for (std::size_t p = 0; p < places.size(); ++p) add_block(all[p], first, places[p].ratio);
-    for (const auto& place : places)
-      for (double& value : place.ratio) value = std::max(value, 0.);  // rounding
-  }
-
- private:
-  void add_block(std::span<const Draw> all, std::size_t first, std::span<double> ratio) const {
-    const std::size_t count = std::min(lanes, ratio.size() - first);
-    for (const auto& [part, term, nodes] : all) {
-      alignas(lanes * sizeof(double)) std::array<double, lanes> sums{};
-      landed_[part].add(nodes, first / lanes, sums);
-      for (std::size_t i = 0; i < count; ++i)
-        ratio[first + i] += factor_ * sun_.brightness(term, first + i) * sums[i];
-    }
-  }
-
-  std::vector<Draw> draws(double gamma, double theta) const {
-    const std::size_t parts = landed_.size();
-    std::vector<Draw> all;
-    for (std::size_t term = 0; term < sun_.functions.size(); ++term)
-      for (std::size_t part = 0; part < parts; ++part) all.push_back({part, term, {}});
-    const DiscArcs arcs(limb_, sun_, gamma / bin_m_, a_ / bin_m_, theta);
-    int first = std::numeric_limits<int>::max(), last = -first;
-    for (const auto& landed : landed_)
-      first = std::min(first, landed.first()), last = std::max(last, landed.last());
-    for (const auto& stretch : arcs.stretches(false, first, last))
-      collect(stretch, stretch.from, stretch.to, false, all);
-    for (const auto& stretch : arcs.stretches(true, -last, -first))
-      collect(stretch, -stretch.to, -stretch.from, true, all);
-    std::erase_if(all, [](const Draw& one) { return one.nodes.empty(); });
-    return all;
-  }
-
-  void collect(const Stretch& stretch, int from, int to, bool mirrored, std::span<Draw> all) const {
-    for (auto& [part, term, nodes] : all) {
-      std::array<double, 3> light;
-      for (std::size_t n = 0; n < 3; ++n)
-        light[n] = stretch.light[mirrored ? 2 - n : n](term, part);
-      if (light == std::array<double, 3>{}) continue;
-      const auto factors = square_through(from, to, light);
-      add(landed_[part], to, factors, 1, nodes);
-      add(landed_[part], from, factors, -1, nodes);
-    }
-  }
-
-  /// One stretch begins where another ends: a node counts once for both.
-  static void add(const LandedLight& landed, int node, const std::array<double, moments>& factors,
-                  double sign, std::vector<NodeTerm>& nodes) {
-    if (node <= landed.first()) return;
-    const int held = std::min(node, landed.last());
-    const auto recent = static_cast<std::ptrdiff_t>(std::min<std::size_t>(nodes.size(), 2));
-    auto here = std::find_if(nodes.end() - recent, nodes.end(),
-                             [&](const NodeTerm& one) { return one.node == held; });
-    if (here == nodes.end()) here = nodes.insert(here, {held, {}});
-    for (std::size_t m = 0; m < moments; ++m) here->factors[m] += sign * factors[m];
-  }
-
-  const photons::WholeLimb& limb_;
-  const photons::DiscTerms& sun_;
-  double bin_m_, a_, factor_;
-  std::vector<LandedLight> landed_;  // by the limb's part
-};
 
 /// Light at all position angles from that towards the pole and the equator: the limb is their mean by
 /// cos², so a disc's arcs of it know no more than cos 2θ.
@@ -151,31 +65,30 @@ struct Ring {
 /// Computes rings.
 class Solver {
  public:
-  Solver(const photons::WholeLimb& limb, const photons::DiscTerms& sun,
-         const Arrangement& arrangement, std::vector<double> angles_rad, int rays)
-      : angles_rad_(std::move(angles_rad)), waves_(sun.brightness.columns()) {
+  Solver(const photons::WholeLimb& limb, const Around& around, const photons::DiscTerms& sun,
+         const Arrangement& arrangement, int rays)
+      : around_(around), waves_(sun.brightness.columns()) {
     planes_.reserve(arrangement.depths_m.size());
     for (const double depth : arrangement.depths_m)
-      planes_.emplace_back(limb, sun, arrangement, depth, bin_width_m(rays));
+      planes_.emplace_back(limb, around, sun, arrangement, depth, bin_width_m(rays));
   }
 
   std::vector<Ring> rings(std::span<const double> gammas_m,
                           const algebra::Progress& progress) const {
+    const std::size_t angles = around_.turns.rows();
     std::vector<Ring> all;
-    for (const double gamma : gammas_m)
-      all.push_back({gamma, {planes_.size() * angles_rad_.size(), waves_}});
-    std::vector<Place> places;  // plane by plane
+    for (const double gamma : gammas_m) all.push_back({gamma, {planes_.size() * angles, waves_}});
+    std::vector<LandedPlane::Place> places;  // plane by plane
     for (std::size_t k = 0; k < planes_.size(); ++k)
       for (auto& ring : all)
-        for (std::size_t i = 0; i < angles_rad_.size(); ++i)
-          places.push_back(
-              {ring.gamma_m, angles_rad_[i], ring.ratio.row(k * angles_rad_.size() + i)});
-    const std::size_t a_plane = all.size() * angles_rad_.size();
+        places.push_back(
+            {ring.gamma_m, ring.ratio.values().subspan(k * angles * waves_, angles * waves_)});
     std::atomic<std::size_t> done = 0;
     for (std::size_t k = 0; k < planes_.size(); ++k)
       tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(0, a_plane, together), [&](const auto& range) {
-            planes_[k].light(std::span(places).subspan(k * a_plane + range.begin(), range.size()));
+          tbb::blocked_range<std::size_t>(k * all.size(), (k + 1) * all.size(), together()),
+          [&](const auto& range) {
+            planes_[k].light(std::span(places).subspan(range.begin(), range.size()));
             if (progress)
               progress(static_cast<double>(done += range.size()) /
                        static_cast<double>(places.size()));
@@ -185,11 +98,11 @@ class Solver {
 
  private:
   /// Places computed together, so that a block's sums stay at hand.
-  static constexpr std::size_t together = 64;
+  std::size_t together() const { return std::max<std::size_t>(1, 64 / around_.harmonics()); }
 
-  std::vector<double> angles_rad_;
+  const Around& around_;
   std::size_t waves_;
-  std::vector<Plane> planes_;
+  std::vector<LandedPlane> planes_;
 };
 
 /// Direct light of a ring, over unshaded sunlight.
@@ -301,7 +214,8 @@ std::vector<Ring> rings_of(const Atmosphere& atmosphere, const Arrangement& arra
   const auto sun =
       photons::disc_terms(wavelengths_nm, arrangement.limb_darkening, settings.sun_terms);
   const photons::WholeLimb limb(atmosphere, optics_of(atmosphere, wavelengths_nm), settings.rays);
-  const Solver solver(limb, sun, arrangement, angles(atmosphere, settings), settings.rays);
+  const Around around(limb, highest_harmonic(atmosphere), angles(atmosphere, settings));
+  const Solver solver(limb, around, sun, arrangement, settings.rays);
   return Refinement(solver, atmosphere, arrangement)
       .rings(axis_distances_m, settings.place_error, progress);
 }

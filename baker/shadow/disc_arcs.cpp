@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "algebra/quadrature.h"
+#include "shadow/weighted_rows.h"
 
 namespace coppermoon::shadow {
 namespace {
@@ -16,13 +18,59 @@ using std::numbers::pi;
 constexpr int nodes_an_edge = 4;
 const double gauss_node = std::sqrt(0.6);  // of the outer two, the third is 0
 
-/// Number of Gauss's nodes for an arc between borders, by its reach either way in the variable of
-/// add_arc; a whole arc reaches π/2.
-int nodes_over(double reach) { return 4 + static_cast<int>(std::ceil(6 * reach / (pi / 2))); }
+/// A node of ∫ over half an arc: sin t, and its weight with cos t, t from 0 to π/2.
+struct ArcNode {
+  double sine, weight;
+};
+
+/// Gauss's nodes, so many in each of some equal parts.
+std::vector<ArcNode> nodes_in_parts(int count, int parts) {
+  std::vector<ArcNode> all;
+  const double reach = pi / 4 / parts;
+  for (int part = 0; part < parts; ++part)
+    for (const auto& node : algebra::gauss_legendre(count)) {
+      const double t = reach * (2 * part + 1 + node.x);
+      all.push_back({std::sin(t), node.weight * reach * std::cos(t)});
+    }
+  return all;
+}
+
+/// The positive ones of Gauss's nodes over the whole arc.
+std::vector<ArcNode> nodes_of_a_whole(int count) {
+  std::vector<ArcNode> all;
+  for (const auto& node : algebra::gauss_legendre(count))
+    if (node.x > 0) {
+      const double t = pi / 2 * node.x;
+      all.push_back({std::sin(t), node.weight * pi / 2 * std::cos(t)});
+    }
+  return all;
+}
+
+/// As many nodes as harmonics up to one ask for over half an arc.
+const std::vector<ArcNode>& arc_nodes(int highest, double half_arc_rad) {
+  static const auto alike = nodes_in_parts(7, 1), twice_around = nodes_of_a_whole(10);
+  if (highest == 0) return alike;
+  if (highest <= 2) return twice_around;
+  constexpr int a_part = 12, parts = 48;
+  constexpr double phase = 9;  // that those of a part follow, beside the disc's brightness
+  static const auto finer = [] {
+    std::vector<std::vector<ArcNode>> all;
+    for (int i = 1; i <= parts; ++i) all.push_back(nodes_in_parts(a_part, i));
+    return all;
+  }();
+  const auto i = static_cast<std::size_t>(highest * half_arc_rad / phase);
+  return finer[std::min(i, finer.size() - 1)];
+}
+
+/// Width of the widest stretches, over which the highest harmonic of an arc turns by a part of a
+/// circle.
+int widest(double a, int highest) {
+  if (highest <= 2) return 48;
+  return static_cast<int>(std::clamp(3 * a / highest, 1., 24.));
+}
 
 /// Ends between two, ever closer towards both.
-void add_graded(int from, int to, std::vector<int>& ends) {
-  constexpr int widest = 48;
+void add_graded(int from, int to, int widest, std::vector<int>& ends) {
   std::vector<int> upper;
   for (int width = 1; from < to; width = std::min(2 * width, widest)) {
     ends.push_back(from);
@@ -49,33 +97,17 @@ std::array<double, 3> square_through(double from, double to, const std::array<do
           square};
 }
 
-DiscArcs::DiscArcs(const photons::WholeLimb& limb, const photons::DiscTerms& sun, double gamma,
-                   double a, double theta_rad)
-    : limb_(limb), sun_(sun), gamma_(gamma), a_(a), theta_rad_(theta_rad), marks_(marks()) {
+DiscArcs::DiscArcs(const photons::DiscTerms& sun, double gamma, double a, int highest)
+    : sun_(sun), gamma_(gamma), a_(a), highest_(highest), edges_{std::abs(gamma - a), gamma + a} {
   std::vector<int> cuts;
-  for (const double mark : marks_)
-    for (const double whole : {std::floor(mark), std::ceil(mark)})
+  for (const double edge : edges_)
+    for (const double whole : {std::floor(edge), std::ceil(edge)})
       cuts.push_back(static_cast<int>(whole));
   if (gamma < a) cuts.push_back(0);  // circles whole inside
   sort_out(cuts);
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) add_graded(cuts[i], cuts[i + 1], ends_);
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+    add_graded(cuts[i], cuts[i + 1], widest(a, highest), ends_);
   sort_out(ends_);
-}
-
-/// The disc's edges, and where its edge crosses the borders of regions, on this side of the axis and
-/// across it.
-std::vector<double> DiscArcs::marks() const {
-  std::vector<double> distances{std::abs(gamma_ - a_), gamma_ + a_};
-  for (const double border : limb_.borders_rad()) {
-    const double along = gamma_ * std::cos(border - theta_rad_),
-                 across = gamma_ * std::sin(border - theta_rad_);
-    const double half_squared = a_ * a_ - across * across;
-    if (half_squared <= 0) continue;
-    for (const double r : {along - std::sqrt(half_squared), along + std::sqrt(half_squared)})
-      distances.push_back(std::abs(r));
-  }
-  std::sort(distances.begin(), distances.end());
-  return distances;
 }
 
 double DiscArcs::half_arc(double r) const {
@@ -83,75 +115,66 @@ double DiscArcs::half_arc(double r) const {
   return std::acos(std::clamp((gamma_ * gamma_ + r * r - a_ * a_) / (2 * gamma_ * r), -1., 1.));
 }
 
-/// ∫ f(μ) dψ along the arc of radius r, μ² = 1 − (r² + γ² − 2 r γ cos ψ)/a², in the variable
-/// asin(ψ/half arc), in which μ is smooth to its ends; from one border of the regions to the next.
-void DiscArcs::add_arc(double r, double middle_rad, double weight, Grid<double>& light) const {
+Grid<double> DiscArcs::darkness() const {
+  return {sun_.functions.size(), static_cast<std::size_t>(highest_) + 1};
+}
+
+/// ∫ f(μ) cos mψ dψ along the arc of radius r, μ² = 1 − (r² + γ² − 2 r γ cos ψ)/a², in the variable
+/// asin(ψ/half arc), in which μ is smooth to its ends; both halves at once. cos mψ by recurrence.
+void DiscArcs::add_arc(double r, double weight, Grid<double>& light) const {
   const double half = half_arc(r);
   if (half == 0) return;
-  const bool alike = limb_.parts().size() == 1;
-  if (alike && sun_.functions.size() == 1 && sun_.functions[0] == photons::DiscFunction{1}) {
+  if (highest_ == 0 && sun_.functions.size() == 1 &&
+      sun_.functions[0] == photons::DiscFunction{1}) {
     light(0, 0) += 2 * half * weight;
     return;
   }
-  std::vector<double> ends{-pi / 2, pi / 2};
-  for (const double border : limb_.borders_rad()) {
-    const double away = std::remainder(border - middle_rad, 2 * pi);
-    if (std::abs(away) < half) ends.push_back(std::asin(away / half));
+  const auto& nodes = arc_nodes(highest_, half);
+  const std::size_t whole = (nodes.size() + nodes_together - 1) / nodes_together * nodes_together;
+  std::vector<double> cosines(whole);
+  Grid<double> shed(sun_.functions.size(), whole);
+  for (std::size_t j = 0; j < nodes.size(); ++j) {
+    cosines[j] = std::cos(half * nodes[j].sine);
+    const double out = (r * r + gamma_ * gamma_ - 2 * r * gamma_ * cosines[j]) / (a_ * a_);
+    const double mu = std::sqrt(std::max(0., 1 - out));
+    for (std::size_t k = 0; k < sun_.functions.size(); ++k)
+      shed(k, j) = 2 * half * weight * nodes[j].weight * photons::value(sun_.functions[k], mu);
   }
-  std::sort(ends.begin(), ends.end());
-  if (alike) ends.front() = 0;  // both halves at once
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const double middle = (ends[i] + ends[i + 1]) / 2, reach = (ends[i + 1] - ends[i]) / 2;
-    for (const auto& node : algebra::gauss_legendre(nodes_over(reach))) {
-      const double t = middle + reach * node.x, psi = half * std::sin(t);
-      const double length = (alike ? 2 : 1) * node.weight * reach * half * std::cos(t) * weight;
-      const double cos_psi = std::cos(psi);
-      const double out = (r * r + gamma_ * gamma_ - 2 * r * gamma_ * cos_psi) / (a_ * a_);
-      const double mu = std::sqrt(std::max(0., 1 - out));
-      const auto shares = limb_.at(middle_rad + psi);
-      for (std::size_t k = 0; k < sun_.functions.size(); ++k) {
-        const double shed = length * photons::value(sun_.functions[k], mu);
-        for (const auto& [part, share] : shares) light(k, part) += share * shed;
-      }
-    }
-  }
+  add_harmonics(cosines, shed, light);
 }
 
-/// From mark to mark, in the root of the distance from the nearer.
-Grid<double> DiscArcs::mean_over(int from, int to, double middle_rad) const {
-  Grid<double> mean(sun_.functions.size(), limb_.parts().size());
+/// From edge to edge, in the root of the distance from the nearer.
+Grid<double> DiscArcs::mean_over(int from, int to) const {
+  auto mean = darkness();
   std::vector<double> ends{static_cast<double>(from), static_cast<double>(to)};
-  for (const double mark : marks_)
-    if (mark > from && mark < to) ends.insert(ends.end() - 1, mark);
+  for (const double edge : edges_)
+    if (edge > from && edge < to) ends.insert(ends.end() - 1, edge);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const bool edge_below = std::ranges::count(marks_, ends[i]) > 0;
+    const bool edge_below = std::ranges::count(edges_, ends[i]) > 0;
     const double length = ends[i + 1] - ends[i];
     for (const auto& node : algebra::gauss_legendre(nodes_an_edge)) {
       const double t = (1 + node.x) / 2, away = length * t * t;
-      add_arc(edge_below ? ends[i] + away : ends[i + 1] - away, middle_rad,
+      add_arc(edge_below ? ends[i] + away : ends[i + 1] - away,
               node.weight * t * length / (to - from), mean);
     }
   }
   return mean;
 }
 
-std::vector<Stretch> DiscArcs::stretches(bool opposite, int from, int to) const {
-  const double middle_rad = opposite ? theta_rad_ + pi : theta_rad_;
+std::vector<Stretch> DiscArcs::stretches(int from, int to) const {
   std::vector<Stretch> all;
   for (std::size_t i = 0; i + 1 < ends_.size(); ++i) {
     const int low = ends_[i], high = ends_[i + 1];
     if (high <= from || low >= to) continue;
     if (high - low == 1) {
-      const auto mean = mean_over(low, high, middle_rad);
+      const auto mean = mean_over(low, high);
       all.push_back({low, high, {mean, mean, mean}});
       continue;
     }
-    Stretch stretch{low, high, {}};
-    for (int n = 0; n < 3; ++n) {
-      auto& light = stretch.light[static_cast<std::size_t>(n)];
-      light = Grid<double>(sun_.functions.size(), limb_.parts().size());
-      add_arc((low + high) / 2. + (n - 1) * gauss_node * (high - low) / 2., middle_rad, 1, light);
-    }
+    Stretch stretch{low, high, {darkness(), darkness(), darkness()}};
+    for (int n = 0; n < 3; ++n)
+      add_arc((low + high) / 2. + (n - 1) * gauss_node * (high - low) / 2., 1,
+              stretch.light[static_cast<std::size_t>(n)]);
     all.push_back(std::move(stretch));
   }
   return all;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "algebra/grid.h"
-#include "photons/limb.h"
 #include "photons/limb_darkening.h"
 
 namespace coppermoon::shadow {
@@ -15,8 +14,8 @@ namespace coppermoon::shadow {
 /// a place sheds along arcs is a square of the distance, through Gauss's three nodes.
 struct Stretch {
   int from, to;
-  /// [node](term of the disc, part of the limb) its light along the arc of the limb [rad], lowest
-  /// distance first
+  /// [node](term of the disc, harmonic m) ∫ f(μ) cos mψ dψ over the arc [rad], ψ from the place's
+  /// position angle, lowest distance first
   std::array<algebra::Grid<double>, 3> light;
 };
 
@@ -28,25 +27,23 @@ std::array<double, 3> square_through(double from, double to, const std::array<do
 /// distance; one bin wide there, and of the mean over it.
 class DiscArcs {
  public:
-  /// Given  gamma, a   of the place and of the disc's radius, in bins
-  ///        theta_rad  position angle of the place
-  DiscArcs(const photons::WholeLimb& limb, const photons::DiscTerms& sun, double gamma, double a,
-           double theta_rad);
+  /// Given  gamma, a  of the place and of the disc's radius, in bins
+  ///        highest   harmonic
+  DiscArcs(const photons::DiscTerms& sun, double gamma, double a, int highest);
 
-  /// Stretches between two distances, in bins: on the place's side of the axis or, with `opposite`,
-  /// on the far side, for light from the limb opposite that crossed the axis.
-  std::vector<Stretch> stretches(bool opposite, int from, int to) const;
+  /// Stretches between two distances, in bins.
+  std::vector<Stretch> stretches(int from, int to) const;
 
  private:
-  std::vector<double> marks() const;
   double half_arc(double r) const;
-  void add_arc(double r, double middle_rad, double weight, algebra::Grid<double>& light) const;
-  algebra::Grid<double> mean_over(int from, int to, double middle_rad) const;
+  algebra::Grid<double> darkness() const;
+  void add_arc(double r, double weight, algebra::Grid<double>& light) const;
+  algebra::Grid<double> mean_over(int from, int to) const;
 
-  const photons::WholeLimb& limb_;
   const photons::DiscTerms& sun_;
-  double gamma_, a_, theta_rad_;
-  std::vector<double> marks_;
+  double gamma_, a_;
+  int highest_;
+  std::array<double, 2> edges_;  ///< of the disc, towards the axis and away
   std::vector<int> ends_;
 };
 

@@ -139,10 +139,10 @@ LandedLight::LandedLight(const photons::WholeLimb::Part& limb, double sun_distan
   });
 }
 
-void LandedLight::add(std::span<const NodeTerm> terms, std::size_t block,
-                      std::span<double, lanes> sums) const {
+void LandedLight::add(std::span<const int> nodes, std::size_t block, double part,
+                      std::span<double> sums) const {
   const std::size_t block_size = static_cast<std::size_t>(last_ - first_ + 1) * row_size;
-  add_weighted_rows(sums_.data() + block * block_size, first_, terms, sums.data());
+  add_rows_at(sums_.data() + block * block_size, first_, last_, nodes, part, sums.data());
 }
 
 }  // namespace coppermoon::shadow

@@ -16,7 +16,7 @@ inline constexpr std::size_t moments = 3;
 /// Wavelengths whose sums stand side by side.
 inline constexpr std::size_t lanes = 8;
 
-/// A node between two bins, and the factor of each moment's sum up to it.
+/// A node between two bins, by its place in a list of nodes, and the factor of each moment's sum up to it.
 struct NodeTerm {
   std::int32_t node;
   std::array<double, moments> factors;
@@ -33,10 +33,11 @@ class LandedLight {
   LandedLight(const photons::WholeLimb::Part& limb, double sun_distance_m, double depth_m,
               double bin_m);
 
-  /// Adds Σ factor sum over the terms to one block's wavelengths.
+  /// Adds a part of one block's sums up to some nodes.
   ///
-  /// Given  terms  with nodes above first() and up to last()
-  void add(std::span<const NodeTerm> terms, std::size_t block, std::span<double, lanes> sums) const;
+  /// Given  nodes  those below first() count as there, above last() as there
+  ///        sums   [place in `nodes`][moment][lane]
+  void add(std::span<const int> nodes, std::size_t block, double part, std::span<double> sums) const;
 
   /// Up to the first node no light lands, up to the last all does.
   int first() const { return first_; }

@@ -40,30 +40,68 @@ double in_channel(std::span<const double> weights, std::span<const double> ratio
 
 /// Up to four places in a row, and what each counts at a point between them.
 struct Cubic {
-  std::size_t first = 0, count = 0;
+  std::ptrdiff_t first = 0;  ///< −1 is the first place beyond the axis
+  std::size_t count = 0;
   std::array<double, 4> share{};
 };
 
 /// The polynomial through the two places on either side; the end values hold outside.
-Cubic cubic_at(std::span<const double> x, double at) {
-  if (at <= x.front()) return {0, 1, {1}};
-  if (at >= x.back()) return {x.size() - 1, 1, {1}};
-  const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
-  Cubic cubic{0, std::min<std::size_t>(4, x.size()), {}};
-  cubic.first = std::min(above - std::min<std::size_t>(2, above), x.size() - cubic.count);
-  algebra::on_polynomial(x.subspan(cubic.first, cubic.count), at,
+///
+/// Given  beyond_axis  places beyond the axis that count, each as far from it as on this side
+Cubic cubic_at(std::span<const double> x, std::size_t beyond_axis, double at) {
+  if (at <= x.front() && beyond_axis == 0) return {0, 1, {1}};
+  if (at >= x.back()) return {static_cast<std::ptrdiff_t>(x.size()) - 1, 1, {1}};
+  const auto size = static_cast<std::ptrdiff_t>(x.size()),
+             lowest = -static_cast<std::ptrdiff_t>(beyond_axis),
+             above = std::upper_bound(x.begin(), x.end(), at) - x.begin(),
+             count = std::min<std::ptrdiff_t>(4, size - lowest);
+  Cubic cubic{
+      std::min(std::max(above - 2, lowest), size - count), static_cast<std::size_t>(count), {}};
+  std::array<double, 4> nodes;
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    const auto place = cubic.first + k;
+    nodes[static_cast<std::size_t>(k)] =
+        place < 0 ? -x[static_cast<std::size_t>(-1 - place)] : x[static_cast<std::size_t>(place)];
+  }
+  algebra::on_polynomial(std::span(nodes).first(cubic.count), at,
                          std::span(cubic.share).first(cubic.count));
   return cubic;
 }
 
-void add_refracted(const algebra::Grid<double>& ratio, const Cubic& at, std::span<double> ratios) {
-  std::array<const double*, 4> row;
-  for (std::size_t i = 0; i < 4; ++i)
-    row[i] = ratio.row(at.first + std::min(i, at.count - 1)).data();
-  const auto [a, b, c, d] = row;
-  const auto [u, v, w, x] = at.share;
-  for (std::size_t k = 0; k < ratios.size(); ++k)
-    ratios[k] += std::max(0., u * a[k] + v * b[k] + w * c[k] + x * d[k]);
+/// The sector on the other side of the axis; the same where none is opposite.
+std::size_t opposite(std::size_t sector, std::size_t sectors) {
+  return sectors % 2 == 0 ? (sector + sectors / 2) % sectors : sector;
+}
+
+using Rows = std::array<std::span<const double>, 4>;
+
+/// The rows of a cubic's places, the last again where there are fewer than four.
+Rows rows_of(const Cubic& cubic, const algebra::Grid<double>& here,
+             const algebra::Grid<double>& across) {
+  Rows rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto place = cubic.first + static_cast<std::ptrdiff_t>(std::min(i, cubic.count - 1));
+    rows[i] = place < 0 ? across.row(static_cast<std::size_t>(-1 - place))
+                        : here.row(static_cast<std::size_t>(place));
+  }
+  return rows;
+}
+
+double on_cubic(const Cubic& cubic, const Rows& rows, std::size_t k) {
+  const auto& share = cubic.share;
+  return share[0] * rows[0][k] + share[1] * rows[1][k] + share[2] * rows[2][k] +
+         share[3] * rows[3][k];
+}
+
+/// Largest noise of light over its value, and largest logarithm of the light of four places over
+/// that of the darkest, with which the cubic is of the logarithm.
+constexpr double known_to = 1. / 3, widest_range = 7;
+
+/// Whether the cubic is of the logarithm; NaNs are not.
+bool in_logarithm(const Rows& logs, std::size_t k) {
+  const auto [low, high] = std::minmax({logs[0][k], logs[1][k], logs[2][k], logs[3][k]});
+  const double sum = logs[0][k] + logs[1][k] + logs[2][k] + logs[3][k];
+  return std::isfinite(sum) && high - low <= widest_range;
 }
 
 std::size_t sector_of(const LookupTable& table, std::size_t row) {
@@ -81,6 +119,7 @@ struct Filling {
   const DirectLight& direct;
   const ChannelWeights& weights;
   LightPart part;
+  BetweenPlaces between{light};
   algebra::Grid<double> direct_weights = direct.in_layers(weights);
 
   /// Given     row  of the table
@@ -95,15 +134,13 @@ struct Filling {
     const double angle =
         2 * std::numbers::pi * static_cast<double>(sector) / static_cast<double>(table.sectors);
     direct.clear_parts(at_m, angle, depth_m, clear);
-    const auto& places = light.axis_distances_m;
     std::ranges::fill(ratios, 0);
-    if (part != LightPart::direct && at_m < last_distance(places))
-      add_refracted(light.ratio[plane * table.sectors + sector], cubic_at(places, at_m), ratios);
+    if (part != LightPart::direct) between.read(plane, sector, at_m, ratios);
     const double of_direct = part == LightPart::refracted ? 0 : 1;
     for (std::size_t c = 0; c < weights.rows(); ++c)
       table.values(row, c) =
           in_channel(weights.row(c), ratios) + of_direct * in_channel(direct_weights.row(c), clear);
-    return at_m >= places.front() && at_m <= places.back();
+    return between.knows(at_m);
   }
 };
 
@@ -157,6 +194,42 @@ double spacing_in_memory(const LookupTable& table) {
 }
 
 }  // namespace
+
+BetweenPlaces::BetweenPlaces(const RefractedLight& light)
+    : light_(light), from_m_(light.axis_distances_m.front()), to_m_(light.axis_distances_m.back()) {
+  if (light.photons == 0) return;
+  const auto& x = light.axis_distances_m;
+  if (x.size() > 1 && x[0] > 0 && 2 * x[0] <= (x[1] - x[0]) * (1 + 1e-9)) {
+    beyond_axis_ = 2;
+    from_m_ = 0;
+  }
+  logs_ = light.ratio;
+  tbb::parallel_for(std::size_t{0}, logs_.size(), [&](std::size_t g) {
+    const auto errors = light.standard_error[g].values();
+    auto values = logs_[g].values();
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = values[i] > 0 && errors[i] <= known_to * values[i] ? std::log(values[i]) : NAN;
+  });
+}
+
+void BetweenPlaces::read(std::size_t plane, std::size_t sector, double at_m,
+                         std::span<double> ratios) const {
+  const auto& places = light_.axis_distances_m;
+  if (at_m > last_distance(places)) {
+    std::ranges::fill(ratios, 0.);
+    return;
+  }
+  const std::size_t here = plane * light_.sectors + sector,
+                    across = plane * light_.sectors + opposite(sector, light_.sectors);
+  const auto cubic = cubic_at(places, beyond_axis_, at_m);
+  const auto rows = rows_of(cubic, light_.ratio[here], light_.ratio[across]);
+  for (std::size_t k = 0; k < ratios.size(); ++k)
+    ratios[k] = std::max(0., on_cubic(cubic, rows, k));
+  if (logs_.empty()) return;
+  const auto logs = rows_of(cubic, logs_[here], logs_[across]);
+  for (std::size_t k = 0; k < ratios.size(); ++k)
+    if (in_logarithm(logs, k)) ratios[k] = std::exp(on_cubic(cubic, logs, k));
+}
 
 Lookup::Lookup(const ChannelWeights& weights, LightPart part) {
   table_.channels = weights.rows();

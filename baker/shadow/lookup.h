@@ -32,14 +32,40 @@ struct LookupRange {
   std::size_t first_sector = 0, sectors = std::numeric_limits<std::size_t>::max();
 };
 
+/// Refracted light between the places where it is known, each wavelength by itself: a cubic through
+/// four of them, none below 0. Of rings of photons, which cannot be put closer where light falls
+/// steeply, the cubic is of the light's logarithm where all four are known to a third or better and
+/// within a factor of a thousand of each other, and goes on beyond the axis in the opposite sector.
+/// Elsewhere the end values hold, the last one half a spacing far, for rings end there, and no light
+/// beyond.
+///
+/// Accuracy  of light that falls by e in two spacings 2e-3, of the logarithm 1e-5
+class BetweenPlaces {
+ public:
+  /// Given  light  that outlives this
+  explicit BetweenPlaces(const RefractedLight& light);
+
+  /// Writes one ratio a wavelength.
+  void read(std::size_t plane, std::size_t sector, double at_m, std::span<double> ratios) const;
+
+  /// Whether light is known here, or between places.
+  bool knows(double at_m) const { return at_m >= from_m_ && at_m <= to_m_; }
+
+ private:
+  const RefractedLight& light_;
+  std::vector<algebra::Grid<double>>
+      logs_;                     ///< [as ratio]; NaN: not known well; empty: no photons'
+  std::size_t beyond_axis_ = 0;  ///< places of the opposite sector that are read
+  double from_m_, to_m_;
+};
+
 /// All light in the shadow, refracted and direct, in a few channels: a table over place that is
 /// read once a texel. Linear in depth, axis distance and position angle; sunlight beyond the
 /// penumbra. Planes are compared along lines from the limb (`sheared`), on which light hardly
 /// changes with depth.
 ///
-/// The table's nodes stand closer than the places where refracted light is known: between those a
-/// cubic through four of them, each wavelength by itself and none below 0. Direct light is computed
-/// at the nodes.
+/// The table's nodes stand closer than the places where refracted light is known (BetweenPlaces).
+/// Direct light is computed at the nodes.
 class Lookup {
  public:
   /// Given     light    refracted light; direct: the sunlight that goes with it
@@ -68,8 +94,9 @@ class Lookup {
   /// Changes every entry in place: what a working space does to colours outside its gamut.
   void transform(const std::function<void(std::span<double>)>& change);
 
-  /// Largest standard error of the first channel over its value between two axis distances; 1 where
-  /// nothing arrived. Only before `transform`, and of the light and the weights it was made from.
+  /// Largest standard error of the first channel over its value between two axis distances, of photons
+  /// with what rings cannot resolve; 1 where nothing arrived. Only before `transform`, and of the
+  /// light and the weights it was made from.
   double worst_relative_error(const RefractedLight& light, const ChannelWeights& weights,
                               double from_m, double to_m) const;
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/photon_sums.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "algebra/error.h"
 
@@ -81,8 +85,153 @@ void become_estimates(std::span<double> sums, std::span<double> squares, double 
   }
 }
 
+/// Largest noise of a ring over its mean with which it counts, and largest logarithm of the light of a
+/// ring over that of the next.
+constexpr double known_well = 1. / 3, steepest = 4;
+
+/// The light of a ring at one wavelength, as photons found it.
+struct RingLight {
+  double log_mean = 0, relative_noise = 0;
+  bool known = false;
+};
+
+RingLight ring_light(double mean, double noise) {
+  if (!(mean > 0 && noise <= known_well * mean)) return {};
+  return {std::log(mean), noise / mean, true};
+}
+
+/// Rings on a line through the axis, of one wavelength: `beyond` of the opposite sector, in order from
+/// the axis outwards those of one sector, and as many that are not known.
+constexpr std::size_t beyond = 2;
+
+void fill_line(const RefractedLight& means, std::size_t grid, std::size_t wave,
+               std::vector<RingLight>& line) {
+  const std::size_t sectors = means.sectors, sector = grid % sectors;
+  const std::size_t across =
+      sectors % 2 == 0 ? grid - sector + (sector + sectors / 2) % sectors : grid;
+  const auto ring = [&](std::size_t g, std::size_t r) {
+    return ring_light(means.ratio[g](r, wave), means.standard_error[g](r, wave));
+  };
+  const std::size_t rings = means.axis_distances_m.size();
+  line.assign(rings + 2 * beyond, {});
+  for (std::size_t k = 0; k < std::min(beyond, rings); ++k) line[beyond - 1 - k] = ring(across, k);
+  for (std::size_t r = 0; r < rings; ++r) line[beyond + r] = ring(grid, r);
+}
+
+/// Whether two rings tell of each other.
+bool linked(const RingLight& a, const RingLight& b) {
+  return a.known && b.known && std::abs(a.log_mean - b.log_mean) <= steepest;
+}
+
+/// Slope and curvature of the logarithm at a ring's middle, a ring's width being 1.
+struct LogShape {
+  double slope = 0, curvature = 0;
+};
+
+LogShape log_shape(std::span<const RingLight> line, std::span<const double> logs, std::size_t i) {
+  const bool inner = linked(line[i - 1], line[i]), outer = linked(line[i], line[i + 1]);
+  const double inward = logs[i] - logs[i - 1], outward = logs[i + 1] - logs[i];
+  if (inner && outer) return {(inward + outward) / 2, outward - inward};
+  if (inner) return {inward, 0};
+  return {outer ? outward : 0, 0};
+}
+
+/// The mean over a ring, by area, over the light at its middle: by three points of Gauss.
+///
+/// Given  steepening  width of the ring over its middle's axis distance
+double mean_over_middle(LogShape shape, double steepening) {
+  const double at = std::sqrt(0.15), rise = std::exp(shape.slope * at),
+               bend = std::exp(shape.curvature * at * at / 2);
+  return 4. / 9 + 5. / 18 * bend * ((1 + steepening * at) * rise + (1 - steepening * at) / rise);
+}
+
+/// Logarithms at the rings' middles, in the order of the line.
+void deconvolve(std::span<const RingLight> line, std::vector<double>& logs) {
+  logs.resize(line.size());
+  for (std::size_t i = 0; i < line.size(); ++i) logs[i] = line[i].log_mean;
+  constexpr int passes = 4;  // each leaves a tenth of the error, a third at the steepest
+  std::vector<double> next = logs;
+  for (int pass = 0; pass < passes; ++pass) {
+    for (std::size_t i = beyond; i + beyond < line.size(); ++i) {
+      const double steepening = 1 / (static_cast<double>(i - beyond) + 0.5);
+      next[i] = line[i].log_mean - std::log(mean_over_middle(log_shape(line, logs, i), steepening));
+    }
+    for (std::size_t k = 0; k < beyond; ++k)  // changed as their images on this side are
+      next[beyond - 1 - k] =
+          line[beyond - 1 - k].log_mean + next[beyond + k] - line[beyond + k].log_mean;
+    logs.swap(next);
+  }
+}
+
+/// The square of the logarithm's fourth difference about a ring, less what noise makes of it on the
+/// average; none where its rings are not linked.
+std::optional<double> fourth_difference_squared(std::span<const RingLight> line, std::size_t i) {
+  constexpr std::array<double, 5> weights{1, -4, 6, -4, 1};
+  double difference = 0, variance = 0;
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    const auto& ring = line[i + k - beyond];
+    if (k > 0 && !linked(line[i + k - beyond - 1], ring)) return std::nullopt;
+    difference += weights[k] * ring.log_mean;
+    variance += std::pow(weights[k] * ring.relative_noise, 2);
+  }
+  return difference * difference - variance;
+}
+
+/// Relative error of the light at a ring's middle, and near it, that is not noise. The rings beside it
+/// count half: differences about a kink change their sign.
+double unresolved(std::span<const RingLight> line, double log_light, std::size_t i) {
+  const auto own = fourth_difference_squared(line, i);
+  if (!own) return std::abs(std::expm1(line[i].log_mean - log_light));
+  double sum = *own;
+  for (const std::size_t k : {i - 1, i + 1})
+    if (k >= beyond && k + beyond < line.size())
+      sum += fourth_difference_squared(line, k).value_or(0) / 2;
+  return 3. / 32 * std::sqrt(std::max(0., sum));
+}
+
+/// Relative noise at a ring's middle, rings taken as independent: ln E ≈ ln M − δ² ln M / 24.
+double noise_at_middle(std::span<const RingLight> line, std::size_t i) {
+  const auto of_next = [&](std::size_t k) {
+    return linked(line[i], line[k]) ? line[k].relative_noise / 24 : 0;
+  };
+  return std::hypot(13. / 12 * line[i].relative_noise, of_next(i - 1), of_next(i + 1));
+}
+
+/// Means over the rings of a sector become light at their middles.
+void become_middles(const RefractedLight& means, std::size_t grid, PhotonLight& light) {
+  std::vector<RingLight> line;
+  std::vector<double> logs;
+  for (std::size_t w = 0; w < means.wavelengths_nm.size(); ++w) {
+    fill_line(means, grid, w, line);
+    deconvolve(line, logs);
+    for (std::size_t r = 0; r < means.axis_distances_m.size(); ++r) {
+      const std::size_t i = r + beyond;
+      if (!line[i].known) continue;
+      const double value = std::exp(logs[i]);
+      light.ratio[grid](r, w) = value;
+      light.noise[grid](r, w) = value * noise_at_middle(line, i);
+      light.standard_error[grid](r, w) =
+          std::hypot(light.noise[grid](r, w), value * unresolved(line, logs[i], i));
+    }
+  }
+}
+
 double weighted(std::span<const double> ratio, std::span<const double> weights) {
   return std::inner_product(weights.begin(), weights.end(), ratio.begin(), 0.);
+}
+
+/// Twice some errors of the weighted light over that light, at worst; see photon_sums.h.
+double worst_error(const RefractedLight& light, const Grids& errors, const StoppingRule& rule) {
+  double worst = 0;
+  for (std::size_t g = 0; g < light.ratio.size(); ++g)
+    for (std::size_t r = 0; r < light.axis_distances_m.size(); ++r) {
+      const double at_m = light.axis_distances_m[r];
+      if (at_m < rule.from_m || at_m > rule.to_m) continue;
+      const double value = weighted(light.ratio[g].row(r), rule.weights),
+                   error = combined_error(light, errors[g].row(r), rule.weights);
+      worst = std::max(worst, value > 0 ? std::min(1., 2 * error / value) : 1);
+    }
+  return worst;
 }
 
 }  // namespace
@@ -129,7 +278,7 @@ PhotonSums merged(PhotonSums a, const PhotonSums& b) {
   return a;
 }
 
-RefractedLight estimated(const PhotonSums& sums) {
+RefractedLight means_over_rings(const PhotonSums& sums) {
   std::vector<double> middles_m;
   for (std::size_t r = 0; r < sums.rings; ++r)
     middles_m.push_back((static_cast<double>(r) + 0.5) * sums.ring_width_m);
@@ -149,17 +298,20 @@ RefractedLight estimated(const PhotonSums& sums) {
   return light;
 }
 
+PhotonLight estimated(const PhotonSums& sums) {
+  const auto means = means_over_rings(sums);
+  PhotonLight light{means, means.standard_error};
+  tbb::parallel_for(std::size_t{0}, means.ratio.size(),
+                    [&](std::size_t grid) { become_middles(means, grid, light); });
+  return light;
+}
+
+double worst_error(const PhotonLight& light, const StoppingRule& rule) {
+  return worst_error(light, light.noise, rule);
+}
+
 double worst_error(const RefractedLight& light, const StoppingRule& rule) {
-  double worst = 0;
-  for (std::size_t g = 0; g < light.ratio.size(); ++g)
-    for (std::size_t r = 0; r < light.axis_distances_m.size(); ++r) {
-      const double at_m = light.axis_distances_m[r];
-      if (at_m < rule.from_m || at_m > rule.to_m) continue;
-      const double value = weighted(light.ratio[g].row(r), rule.weights),
-                   error = combined_error(light, light.standard_error[g].row(r), rule.weights);
-      worst = std::max(worst, value > 0 ? std::min(1., 2 * error / value) : 1);
-    }
-  return worst;
+  return worst_error(light, light.standard_error, rule);
 }
 
 }  // namespace coppermoon::shadow

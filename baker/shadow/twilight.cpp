@@ -149,9 +149,12 @@ Amounts scattering(const Column& column, double cosine) {
   amounts[atmosphere::air] = 0.75 * (1 + cosine * cosine) / (4 * pi);
   amounts[atmosphere::dust_layer] = amounts[atmosphere::stratosphere] = aerosol(0.947, 0.698);
   amounts[atmosphere::troposphere] = aerosol(0.963, 0.651);
-  if (column.stratosphere == StratosphericAerosol::background)
+  amounts[atmosphere::free_troposphere] = amounts[atmosphere::troposphere];
+  const auto stratosphere =
+      column.stratospheric_layer ? column.stratospheric_layer->nearest() : column.stratosphere;
+  if (stratosphere == StratosphericAerosol::background)
     amounts[atmosphere::stratosphere] = aerosol(1, 0.685);
-  if (column.stratosphere == StratosphericAerosol::extreme)
+  if (stratosphere == StratosphericAerosol::extreme)
     amounts[atmosphere::stratosphere] = aerosol(0.855, 0.747);
   return amounts;
 }
@@ -290,10 +293,11 @@ std::vector<double> coarser(const std::vector<double>& list, double step) {
 
 }  // namespace
 
-RefractedLight twilight(const Atmosphere& atmosphere, const Arrangement& arrangement,
+RefractedLight twilight(const Atmosphere& whole, const Arrangement& arrangement,
                         std::span<const double> wavelengths_nm,
                         std::span<const double> axis_distances_m) {
-  require_valid(atmosphere);
+  require_valid(whole);
+  const auto atmosphere = with_fewer_belts(whole);
   require_valid(arrangement);
   const std::size_t planes = arrangement.depths_m.size(), distances = axis_distances_m.size(),
                     waves = wavelengths_nm.size();

@@ -26,7 +26,7 @@ namespace coppermoon::shadow {
 /// Returned  one sector for air without regions, else sectors_around; at 450 nm on the axis 1.6e-7
 ///           in clear air, 3.7e-7 in standard air, 1.0e-6 under a stratosphere full of ash;
 ///           standard_error is 0
-/// Accuracy  1.5 % of this integral
+/// Accuracy  1.5 % of this integral; of belts every third is taken
 /// Omits     multiple scattering, in our estimate some tenths of it in clear air, as much again in
 ///           ash; refraction, 20' of the 57' between sight and sunlight at 12 km; the Sun's width,
 ///           ±16'; the ellipsoid: a sphere of its mean limb, 0.2 %; depolarisation, 1 %; forward

@@ -72,7 +72,7 @@ void print(const Planned& all) {
     fmt::print("            {} plane{} across the Moon's depth, {} between places\n", work.planes,
                work.planes == 1 ? "" : "s", percent(work.place_error));
   fmt::print("Earth       {}, {}{}\n", work.ellipsoid ? "ellipsoid" : "sphere",
-             work.regions ? "air by region" : "air alike all around",
+             work.regions ? "air by latitude and region" : "air alike all around",
              work.scattered_light ? ", scattered light" : "");
   fmt::print("texture     {} x {} texels\n", width, width / 2);
   for (const auto& [term, size] : plan.left_out)

@@ -37,6 +37,9 @@ std::vector<double> required_list(const std::string& text, const char* what) {
 }
 
 /// Where the shadow is cut: how far behind the Earth, under what Sun.
+/// The year where no moment is given: March of a year without eruptions.
+constexpr double an_equinox = 2003.22;
+
 struct Cut {
   double sun_distance_m, depth_m;
   algebra::Angle sun_declination{};  ///< of an equinox, where no moment is given
@@ -132,7 +135,8 @@ void run(const CLI::App& verb, const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   const auto cut = cut_of(options);
   const auto light = light_request(options.light);
-  const auto air = uses::atmosphere_of(light.air, cut.sun_declination);
+  const auto air = cut.sky ? uses::atmosphere_of(light.air, *cut.sky)
+                           : uses::atmosphere_of(light.air, cut.sun_declination, an_equinox);
   const auto arrangement = uses::arrangement_of(light, cut.sun_distance_m, {cut.depth_m});
   if (!options.lookup.empty())
     return make_lookup(options, {{air, arrangement}, cut.sky}, light, recipe_of(verb));

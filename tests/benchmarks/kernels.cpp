@@ -153,7 +153,7 @@ void register_kernels(const char* preset) {
 }  // namespace coppermoon
 
 int main(int argc, char** argv) {
-  for (const char* preset : {"paper", "standard"}) coppermoon::register_kernels(preset);
+  for (const char* preset : {"paper", "undated"}) coppermoon::register_kernels(preset);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

@@ -80,7 +80,7 @@ shadow::Lookup luminous_light() {
   const double depth_m = algebra::in_metres(eclipse::place_in_shadow(axis, sky.moon_m).depth);
   const shadow::Arrangement arrangement{
       algebra::in_metres(axis.sun_distance), {depth_m - moon_radius_m, depth_m}, true};
-  const auto air = atmosphere::preset("standard", axis.sun_declination);
+  const auto air = atmosphere::preset("standard", axis.sun_declination, almanac::year_of(sky.when));
   return {shadow::by_quadrature(air, arrangement, middles_nm, distances_m),
           shadow::DirectLight(air, arrangement, middles_nm), eye};
 }

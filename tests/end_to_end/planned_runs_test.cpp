@@ -122,7 +122,7 @@ std::string described(const Run& run) {
   say("to [km]", column.cloud_top_km);
   say("troposphere", column.tropospheric_optical_depth);
   if (column.stratosphere)
-    text += fmt::format(", stratosphere {}", static_cast<int>(*column.stratosphere));
+    text += fmt::format(", stratosphere {}", static_cast<int>(std::get<atmosphere::StratosphericAerosol>(*column.stratosphere)));
   say("dust", column.dust_extinction_per_m);
   for (const auto& region : air.regions)
     text += fmt::format(", dust {} from {} to {} degrees", *region.column.dust_extinction_per_m,
@@ -135,7 +135,7 @@ uses::ShadowedMoon moon_of(const Run& run, const almanac::SkyState& sky) {
   const double sun_m = algebra::in_metres(axis.sun_distance);
   return {eclipse::place_in_shadow(axis, sky.moon_m), sun_m,
           arrangement_of(run.request, sun_m, {}).limb_darkening,
-          atmosphere_of(run.request.air, axis.sun_declination)};
+          atmosphere_of(run.request.air, sky)};
 }
 
 /// Places of the lit half on a circle of one depth, by increasing axis distance.

@@ -5,6 +5,7 @@
 #include "end_to_end/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
+#include "texture/write_image.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -42,6 +43,32 @@ TEST_F(Recipes, AreTheSameAsTheirFlags) {
         "4.7e-6", "--texture-width", "32", "--rayleigh", "on", "--albedo-map", "built-in", "-o",
         "flags.exr"});
   EXPECT_TRUE(bytes("recipe.exr") == bytes("flags.exr"));
+}
+
+// Files of version 0.1 say "standard" of the air that is called "undated" now.
+TEST_F(Recipes, OfVersion01MeanTheAirTheyWereMadeWith) {
+  const Words small{"--texture-width", "32", "--albedo-map", "built-in"};
+  const auto made = [&](const std::string& air, const std::string& name) {
+    Words words{"bake", "2008-02-21T03:26:05Z", "--atmosphere", air, "-o", name};
+    words.insert(words.end(), small.begin(), small.end());
+    make(words);
+  };
+  made("undated", "undated.exr");
+  made("standard", "standard.exr");
+  EXPECT_NE(recipe_in("standard.exr").find("atmosphere = 'monthly'"), std::string::npos)
+      << "the name that keeps its meaning";
+  EXPECT_FALSE(bytes("undated.exr") == bytes("standard.exr"));
+  auto recipe = recipe_in("undated.exr");
+  recipe.replace(recipe.find("'undated'"), 9, "'standard'");
+  const auto image = texture::read_image(here("undated.exr"));
+  texture::write_exr(here("of_0_1.exr"), image, {{"coppermoon:recipe", recipe}});
+  make({"bake", "of_0_1.exr", "-o", "again.exr"});
+  EXPECT_TRUE(bytes("again.exr") == bytes("undated.exr"));
+  file("today.toml",
+       "instant = 2008-02-21T03:26:05Z\natmosphere = \"standard\"\n"
+       "texture-width = 32\nalbedo-map = \"built-in\"\n");
+  make({"bake", "--recipe", "today.toml", "-o", "today.exr"});
+  EXPECT_TRUE(bytes("today.exr") == bytes("standard.exr"));
 }
 
 TEST_F(Recipes, GiveWayToTheUsersFlags) {

@@ -192,9 +192,12 @@ TEST_F(ShadowStrip, WithoutAirIsTheEclipsedSun) {
 }
 
 TEST_F(ShadowStrip, ACubeIsTheSameRow) {
-  const auto row = strip({"2008-02-21T03:26:05Z", "--earth", "sphere"}).light;
+  const auto row = strip({"2008-02-21T03:26:05Z", "--earth", "sphere", "--atmosphere",
+                          "undated"})
+                       .light;
   expect_done(coppermoon(
-      {"shadow", "2008-02-21T03:26:05Z", "--earth", "sphere", "--lookup", "strip.cube"}));
+      {"shadow", "2008-02-21T03:26:05Z", "--earth", "sphere", "--atmosphere", "undated",
+       "--lookup", "strip.cube"}));
   const double end = json::parse(text_of(here("strip.json")))["end_lunar_radii"];
   for (const double part : {0.25, 0.5, 0.6, 0.75}) {
     const auto in = std::to_string(part * end);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Each term's switch does something, in the direction that physics says, and about as much.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -16,9 +17,13 @@ class Terms : public ProgramTest {
  protected:
   using Ratios = std::vector<std::vector<double>>;  // [place][colour]
 
+  /// In one column of air, but for what a test says.
+  std::string air = "undated";
+
   Ratios shadow(std::vector<std::string> flags) const {
-    flags.insert(flags.begin(), {"shadow", "2008-02-21T03:26:00Z", "--json", "--wavelengths",
-                                 "450,550,600,650", "--axis-distances", "0,2300,4400"});
+    flags.insert(flags.begin(),
+                 {"shadow", "2008-02-21T03:26:00Z", "--json", "--wavelengths", "450,550,600,650",
+                  "--axis-distances", "0,2300,4400", "--atmosphere", air});
     const auto outcome = coppermoon(flags);
     expect_done(outcome);
     return nlohmann::json::parse(outcome.out).at("irradiance_ratio").get<Ratios>();
@@ -38,6 +43,25 @@ class Terms : public ProgramTest {
 void expect_between(double stops, double least, double most) {
   EXPECT_GE(stops, least);
   EXPECT_LE(stops, most);
+}
+
+TEST_F(Terms, OfTheAirOfAMonthAllTakeLight) {
+  air = "standard";
+  const std::vector<std::vector<std::string>> without{
+      {"--cloud-chance", "0"},          {"--cirrus", "0"},
+      {"--free-troposphere", "0"},      {"--tropospheric-aerosol", "0"},
+      {"--stratospheric-aerosol", "0"}, {"--oxygen-pairs", "off"},
+      {"--nitrogen-dioxide", "off"},    {"--ozone-du", "0"}};
+  for (const auto& flags : without) {
+    const auto change = stops(flags);
+    double most = 0;
+    for (const auto& place : change)
+      for (const double one : place) {
+        EXPECT_GT(one, -1e-3) << flags[0] << ": the quadrature's own error, 3e-4, of two shadows";
+        most = std::max(most, one);
+      }
+    EXPECT_GT(most, 0.005) << flags[0] << ": pairs of oxygen, beside their bands, are the least";
+  }
 }
 
 TEST_F(Terms, WithoutLimbDarkeningTheShadowIsBrighterAndBluer) {

@@ -199,7 +199,7 @@ TEST(Light, IsFiniteWhereverSunMoonAndGroundStand) {
   for (const double earth_m : {1e6, 6.378e6, 1e7})
     for (const double sun_au : {0.5, 1., 2.})
       for (const double depth_m : {1.9e8, 3.56e8, 4.07e8, 7.7e8}) {
-        auto air = atmosphere::preset("standard", {});
+        auto air = atmosphere::preset("undated", {});
         air.earth = {earth_m, earth_m, 0};
         expect_light(
             shadow::by_quadrature(air, {sun_au * au_m, {depth_m}}, waves, gammas, {.rays = 40}),
@@ -218,14 +218,14 @@ TEST(Light, IsFiniteWhereverSunMoonAndGroundStand) {
 TEST(Light, OfAirThatIsBlackIsNoneAndNeverNoNumber) {
   const std::vector<double> waves{380, 550, 780}, gammas{0, 2e6, 4e6, 6e6};
   const shadow::ChannelWeights weights(3, 3, 1.);
-  auto black = atmosphere::preset("standard", {});
+  auto black = atmosphere::preset("undated", {});
   black.column.dust_extinction_per_m = 0.01;
   black.column.dust_bottom_m = 0;
   black.column.dust_top_m = 86e3;
   black.column.tropospheric_optical_depth = 10;
   black.column.ozone_du = 1000;
   black.column.stratosphere = atmosphere::StratosphericAerosol::extreme;
-  auto overcast = atmosphere::preset("standard", {});
+  auto overcast = atmosphere::preset("undated", {});
   overcast.column.cloud_cover = 1;
   overcast.column.cloud_top_m = 30e3;
   for (const auto& air : {black, overcast}) {
@@ -284,8 +284,8 @@ TEST(Light, OfRegionsWhoseAirEndsLowerOrIsNoneLosesNothing) {
     const auto light = by_quadrature(mixed, february_2008, green, gammas);
     for (std::size_t s = 0; s < light.sectors; s += 6)
       worst.see_relative(flux_m2(light, s), flux_m2(whole, 0));
-    const auto marched =
-        by_photons(mixed, february_2008, green, photons_of(200'000, Trace::marched, 2e6, 2));
+    const auto marched = means_over_rings(shadow::traced(
+        mixed, february_2008, green, photons_of(200'000, Trace::marched, 2e6, 2)));
     holds(fmt::format("air to 86 km, in the south to {:.0f} km, straight and clear",
                       atmosphere::top_m(region) / 1e3),
           "light of the whole plane, over that of one air", 1e-3, worst, "10 km between places");

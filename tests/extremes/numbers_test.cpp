@@ -27,7 +27,7 @@ constexpr double radius_m = 6.378e6;
 constexpr double green = 2.770936e-4;  // n₀ − 1 at 550 nm
 const atmosphere::Optics green_optics = atmosphere::sea_level_optics(algebra::nanometres(550));
 
-Column full_column() { return atmosphere::preset("standard", {}).column; }
+Column full_column() { return atmosphere::preset("undated", {}).column; }
 
 /// limb_path's integrals by midpoints over √(h − h_t), break by break, crowded above each.
 LimbPath by_midpoints(const Column& column, double tangent_m, double refractivity) {

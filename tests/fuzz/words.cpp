@@ -16,7 +16,7 @@ using namespace coppermoon;
 
 void read_region(const std::string& text) {
   verbs::RegionReader reader;
-  const auto air = uses::atmosphere_of({.regions = {reader.read(text)}}, algebra::degrees(10));
+  const auto air = uses::atmosphere_of({.regions = {reader.read(text)}}, algebra::degrees(10), 2000);
   for (const auto& region : air.regions)
     fuzz::require(std::isfinite(algebra::in_radians(region.from)) &&
                   std::isfinite(algebra::in_radians(region.to)));

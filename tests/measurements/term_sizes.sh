@@ -46,7 +46,7 @@ term() {
 off() { if knows still "$1"; then echo "$1 off"; fi; }
 
 view="--at 42.86,-73.77"
-scene 2008-02-21T03:26:00Z
+scene 2008-02-21T03:26:00Z --atmosphere undated
 term "limb darkening of the Sun" --limb-darkening off
 term "the Earth's oblateness" --earth sphere
 term "air from 42 to 86 km" --density yapo-cutler
@@ -62,20 +62,20 @@ term "refraction" --refraction off
 term "a lunar photometric function" --photometry yapo-cutler
 
 view="--at 42.86,43.3"
-scene 2008-02-21T03:26:00Z
+scene 2008-02-21T03:26:00Z --atmosphere undated
 term "low Moon: the observer's air" --reddening off
 term "low Moon: its aerosol" --observer-aerosol 0
 term "low Moon: its ozone" --observer-ozone-du 0
 term "low Moon: its refraction" --flattening off
 
 view=
-scene 2011-06-15T20:13:00Z $(off --scattered-light) $(off --starlight)
+scene 2011-06-15T20:13:00Z --atmosphere undated $(off --scattered-light) $(off --starlight)
 term "deep eclipse: scattered light" --scattered-light on
 term "deep eclipse: starlight" --starlight on
 
 cat <<'EOF'
 Made by `tests/measurements/term_sizes.sh`: what each term of the physics changes when the flag beside it takes it away (or puts
-it in), all else as in the atmosphere `standard`.
+it in), all else as in the atmosphere `undated`. What the terms of the month's air change: [`eclipse_brightness.md`](../../examples/eclipse_brightness.md).
 
 Light in stops, log₂ of changed over standard, on neutral ground that faces the Sun: luminance (CIE Y) and blue (CIE Z;
 the blue of Rec.709 would be below 0 in much of the umbra), on the shadow's axis, half way (2300 km) and just inside the

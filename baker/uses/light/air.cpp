@@ -4,26 +4,67 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
+#include <mutex>
 
 #include "algebra/error.h"
+#include "almanac/instant.h"
+#include "atmosphere/cloud.h"
 #include "atmosphere/presets.h"
+#include "eclipse/contacts.h"
+#include "eclipse/shadow_axis.h"
+#include "uses/light/danjon_air.h"
 
 namespace coppermoon::uses {
 namespace {
 
 using atmosphere::Column;
+using atmosphere::StratosphericAerosol;
 
-/// Regions at most, five degrees of the limb each: they take two minutes of computing, twice as many six.
+/// Regions at most, five degrees of the limb each.
 constexpr std::size_t most_regions = 72;
 
-Column changed(Column column, const ColumnChange& change) {
+/// Where and when a column of air stands.
+struct Standing {
+  algebra::Angle latitude;
+  double year;
+};
+
+void change_stratosphere(const Stratosphere& asked, const Standing& standing, Column& column) {
+  column.stratosphere = StratosphericAerosol::none;
+  column.stratospheric_layer.reset();
+  if (const auto* by_name = std::get_if<StratosphericAerosol>(&asked)) {
+    column.stratosphere = *by_name;
+    return;
+  }
+  const auto* depth = std::get_if<double>(&asked);
+  column.stratospheric_layer = std::make_shared<atmosphere::StratosphericLayer>(
+      depth ? *depth : atmosphere::stratospheric_optical_depth(standing.year, standing.latitude),
+      column.tropopause_m);
+}
+
+void change_cloud(const ColumnChange& change, const Standing& standing, Column& column) {
+  const bool deck = change.cloud_cover || change.cloud_top_km;
+  column.cloud_cover = change.cloud_cover.value_or(column.cloud_cover);
+  column.cloud_top_m = change.cloud_top_km.value_or(column.cloud_top_m / 1e3) * 1e3;
+  if (deck) column.cloud_per_m = 0;
+  if (change.cloud_chance)
+    column.cloud_per_m = *change.cloud_chance * atmosphere::cloud_chance_per_m(standing.latitude);
+  column.cirrus = change.cirrus.value_or(deck ? 0 : column.cirrus);
+}
+
+Column changed(Column column, const ColumnChange& change, const Standing& standing) {
   if (change.danjon) column = atmosphere::danjon(*change.danjon, column);
   column.ozone_du = change.ozone_du.value_or(column.ozone_du);
   column.tropospheric_optical_depth =
       change.tropospheric_optical_depth.value_or(column.tropospheric_optical_depth);
-  column.stratosphere = change.stratosphere.value_or(column.stratosphere);
-  column.cloud_cover = change.cloud_cover.value_or(column.cloud_cover);
-  column.cloud_top_m = change.cloud_top_km.value_or(column.cloud_top_m / 1e3) * 1e3;
+  column.tropopause_m = change.tropopause_km.value_or(column.tropopause_m / 1e3) * 1e3;
+  if (change.stratosphere) change_stratosphere(*change.stratosphere, standing, column);
+  change_cloud(change, standing, column);
+  if (change.free_troposphere)
+    column.free_troposphere_per_m =
+        *change.free_troposphere * atmosphere::free_troposphere_per_m(standing.latitude);
   column.dust_extinction_per_m =
       change.dust_extinction_per_m.value_or(column.dust_extinction_per_m);
   column.dust_bottom_m = change.dust_bottom_km.value_or(column.dust_bottom_m / 1e3) * 1e3;
@@ -31,28 +72,86 @@ Column changed(Column column, const ColumnChange& change) {
   return column;
 }
 
-std::vector<atmosphere::Region> regions_from(const AirRegion& region,
-                                             const atmosphere::Atmosphere& air,
-                                             algebra::Angle sun_declination) {
-  require_place(region);
-  const auto column = changed(air.column, region.column);
-  if (region.from_latitude)
-    return between_latitudes(algebra::degrees(*region.from_latitude),
-                             algebra::degrees(*region.to_latitude), sun_declination, column);
-  for (const double angle : {*region.from_position_angle, *region.to_position_angle})
-    algebra::require_within("position angle [degrees]", angle, -360, 720);
-  return {{algebra::degrees(*region.from_position_angle),
-           algebra::degrees(*region.to_position_angle), column}};
+/// The moment of the air: how the pole is tipped, and the year.
+struct Moment {
+  algebra::Angle sun_declination;
+  double year;
+
+  Standing at(double from_north_rad) const {
+    return {atmosphere::latitude_on_limb(from_north_rad, sun_declination), year};
+  }
+};
+
+atmosphere::Belts belts_in(const AirRegion& region, atmosphere::Belts belts, const Moment& moment) {
+  for (auto& belt : belts)
+    belt.column = changed(belt.column, region.column, moment.at(belt.from_north_rad));
+  return belts;
 }
 
-void change_molecules(const Air& asked, atmosphere::Atmosphere& air) {
-  air.molecules.dispersion = asked.dispersion.value_or(air.molecules.dispersion);
-  air.molecules.king_factor = asked.king_factor.value_or(air.molecules.king_factor);
-  air.column.ozone_path = asked.ozone_path.value_or(air.column.ozone_path);
-  if (air.column.density != atmosphere::Density::none)
-    air.column.density = asked.density.value_or(air.column.density);
-  air.column.refraction = asked.refraction;
-  air.column.rayleigh = asked.rayleigh;
+std::vector<atmosphere::Region> regions_from(const AirRegion& region,
+                                             const atmosphere::Atmosphere& air,
+                                             const Moment& moment) {
+  require_place(region);
+  const auto column = changed(air.column, region.column, {{}, moment.year});
+  std::vector<atmosphere::Region> regions;
+  if (region.from_latitude) {
+    regions =
+        between_latitudes(algebra::degrees(*region.from_latitude),
+                          algebra::degrees(*region.to_latitude), moment.sun_declination, column);
+  } else {
+    for (const double angle : {*region.from_position_angle, *region.to_position_angle})
+      algebra::require_within("position angle [degrees]", angle, -360, 720);
+    regions = {{algebra::degrees(*region.from_position_angle),
+                algebra::degrees(*region.to_position_angle), column}};
+  }
+  for (auto& one : regions) one.belts = belts_in(region, air.belts, moment);
+  return regions;
+}
+
+void change_profiles(const Air& asked, const Standing& standing, Column& column) {
+  using atmosphere::Density;
+  if (column.density != Density::none) column.density = asked.density.value_or(column.density);
+  const bool of_season =
+      column.density == Density::seasonal || asked.ozone_profile == OzoneProfile::climatology;
+  if (of_season && !column.seasonal_air)
+    column.seasonal_air =
+        std::make_shared<atmosphere::SeasonalAir>(standing.latitude, standing.year);
+  if (asked.ozone_profile == OzoneProfile::us_1976) column.ozone_climate.reset();
+  if (asked.ozone_profile == OzoneProfile::climatology) {
+    column.ozone_climate = std::make_shared<atmosphere::OzoneClimate>(
+        standing.latitude, standing.year, *column.seasonal_air);
+    column.ozone_du = column.ozone_climate->column_du();
+  }
+}
+
+void change_terms(const Air& asked, const Standing& standing, Column& column) {
+  change_profiles(asked, standing, column);
+  column.ozone_path = asked.ozone_path.value_or(column.ozone_path);
+  column.oxygen_pairs = asked.oxygen_pairs.value_or(column.oxygen_pairs);
+  column.nitrogen_dioxide = asked.nitrogen_dioxide.value_or(column.nitrogen_dioxide);
+  column.refraction = asked.refraction;
+  column.rayleigh = asked.rayleigh;
+  column = changed(column, asked.column, standing);
+}
+
+bool depends_on_latitude(const ColumnChange& change) {
+  const auto& stratosphere = change.stratosphere;
+  return change.cloud_chance || change.free_troposphere ||
+         (stratosphere && std::holds_alternative<DatedAerosol>(*stratosphere));
+}
+
+/// Whether a term of it differs from latitude to latitude.
+bool depends_on_latitude(const Air& asked) {
+  return asked.density == atmosphere::Density::seasonal ||
+         asked.ozone_profile == OzoneProfile::climatology || depends_on_latitude(asked.column) ||
+         std::ranges::any_of(asked.regions,
+                             [](const auto& region) { return depends_on_latitude(region.column); });
+}
+
+Air without_danjon(Air asked) {
+  asked.column.danjon.reset();
+  for (auto& region : asked.regions) region.column.danjon.reset();
+  return asked;
 }
 
 }  // namespace
@@ -66,22 +165,108 @@ void require_place(const AirRegion& region) {
       "[degrees]");
 }
 
-atmosphere::Atmosphere atmosphere_of(const Air& asked, algebra::Angle sun_declination) {
-  auto air = atmosphere::preset(asked.atmosphere, sun_declination);
+atmosphere::Atmosphere atmosphere_of(const Air& air_asked, algebra::Angle sun_declination,
+                                     double year) {
+  const Moment moment{sun_declination, year};
+  auto air = atmosphere::preset(air_asked.atmosphere, sun_declination, year);
+  if (air.belts.empty() && air.top_m() > 0 && depends_on_latitude(air_asked))
+    air.belts = atmosphere::belts_of(air.column);
+  const auto asked = air.belts.empty() ? air_asked : without_danjon(air_asked);
   if (asked.earth)
     air.earth = *asked.earth == EarthFigure::sphere
                     ? atmosphere::Figure{}
                     : atmosphere::ellipsoid(algebra::in_radians(sun_declination));
-  change_molecules(asked, air);
-  air.column = changed(air.column, asked.column);
+  air.molecules.dispersion = asked.dispersion.value_or(air.molecules.dispersion);
+  air.molecules.king_factor = asked.king_factor.value_or(air.molecules.king_factor);
+  change_terms(asked, {{}, year}, air.column);
+  for (auto& belt : air.belts) change_terms(asked, moment.at(belt.from_north_rad), belt.column);
   if (asked.regions.size() > most_regions)
     throw algebra::Error(
         fmt::format("regions = {}, allowed up to {}: each has air of its own to compute",
                     asked.regions.size(), most_regions));
   for (const auto& one : asked.regions)
-    for (const auto& region : regions_from(one, air, sun_declination))
-      air.regions.push_back(region);
+    for (const auto& region : regions_from(one, air, moment)) air.regions.push_back(region);
   require_valid(air);
+  return air;
+}
+
+namespace {
+
+Moment moment_of(const almanac::SkyState& sky) {
+  return {eclipse::shadow_axis(sky).sun_declination, almanac::year_of(sky.when)};
+}
+
+/// A step of Danjon's scale for the air of a request, or for one region of it.
+struct Danjon {
+  Air asked;
+  const AirRegion* region;
+  int step;
+
+  double clearness(const almanac::SkyState& night) const {
+    const auto greatest =
+        eclipse::nearest_eclipse(night.when, eclipse::ShadowConvention::danjon).greatest;
+    const auto sky = almanac::sky_at(greatest);
+    const auto moment = moment_of(sky);
+    auto air = atmosphere_of(asked, moment.sun_declination, moment.year);
+    air.regions.clear();
+    if (region) {
+      auto alone = *region;
+      alone.column.danjon.reset();
+      air.belts = belts_in(alone, air.belts, moment);
+    }
+    return danjon_clearness(step, air, sky);
+  }
+};
+
+/// Clearness that was found; the frames of a film ask for the same again and again.
+class Found {
+ public:
+  double clearness(const Danjon& danjon, const almanac::SkyState& sky) {
+    const std::lock_guard guard(lock_);
+    constexpr double a_night_s = 86400;
+    const auto region = danjon.region ? std::optional(*danjon.region) : std::nullopt;
+    for (const auto& one : all_)
+      if (one.step == danjon.step && one.region == region && one.asked == danjon.asked &&
+          std::abs(almanac::seconds_between(one.when, sky.when)) < a_night_s)
+        return one.clearness;
+    constexpr std::size_t most = 64;
+    if (all_.size() == most) all_.erase(all_.begin());
+    all_.push_back({danjon.asked, region, danjon.step, sky.when, danjon.clearness(sky)});
+    return all_.back().clearness;
+  }
+
+ private:
+  struct One {
+    Air asked;
+    std::optional<AirRegion> region;
+    int step;
+    almanac::Instant when;
+    double clearness;
+  };
+  std::mutex lock_;
+  std::vector<One> all_;
+};
+
+atmosphere::Belts cleared_belts(const Danjon& danjon, const almanac::SkyState& sky,
+                                const atmosphere::Belts& belts) {
+  static Found found;
+  return cleared({.belts = belts}, found.clearness(danjon, sky)).belts;
+}
+
+}  // namespace
+
+atmosphere::Atmosphere atmosphere_of(const Air& asked, const almanac::SkyState& sky) {
+  const auto moment = moment_of(sky);
+  auto air = atmosphere_of(asked, moment.sun_declination, moment.year);
+  if (air.belts.empty()) return air;
+  auto next = air.regions.begin();
+  for (const auto& region : asked.regions) {
+    const auto step = region.column.danjon ? region.column.danjon : asked.column.danjon;
+    for (auto parts = regions_from(region, air, moment).size(); parts > 0; --parts, ++next)
+      if (step) next->belts = cleared_belts({asked, &region, *step}, sky, next->belts);
+  }
+  if (asked.column.danjon)
+    air.belts = cleared_belts({asked, nullptr, *asked.column.danjon}, sky, air.belts);
   return air;
 }
 

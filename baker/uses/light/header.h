@@ -10,7 +10,7 @@
 
 namespace coppermoon::uses {
 
-/// The version of coppermoon, as "0.1.0".
+/// The version of coppermoon, as "0.2.0".
 std::string_view version();
 
 /// A moment as OpenEXR's capDate writes it: "2008:02:21 03:08:26", UTC.

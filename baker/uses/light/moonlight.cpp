@@ -139,7 +139,7 @@ ShadowedMoon shadowed_moon(const LightRequest& request, const almanac::SkyState&
   const auto axis = eclipse::shadow_axis(sky);
   return {eclipse::place_in_shadow(axis, sky.moon_m), algebra::in_metres(axis.sun_distance),
           arrangement_of(request, algebra::in_metres(axis.sun_distance), {}).limb_darkening,
-          atmosphere_of(request.air, axis.sun_declination)};
+          atmosphere_of(request.air, sky)};
 }
 
 namespace {

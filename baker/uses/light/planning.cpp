@@ -13,6 +13,7 @@
 #include "almanac/lunar_orientation.h"
 #include "atmosphere/presets.h"
 #include "colour/cie_observer.h"
+#include "photons/limb.h"
 #include "shadow/twilight.h"
 #include "uses/light/spectral_bands.h"
 
@@ -103,14 +104,27 @@ Sectors sectors_of(const ShadowedMoon& moon, std::size_t all) {
   return {(widest.first + widest.count) % all, all - widest.count};
 }
 
+/// The air alike all around: of belts that which stands where the Moon is, from the axis.
+atmosphere::Atmosphere of_one_column(const atmosphere::Atmosphere& air,
+                                     const eclipse::ShadowPlace& moon) {
+  auto one = air;
+  one.regions.clear();
+  if (air.belts.empty()) return one;
+  const auto share = one.shares_at(algebra::in_radians(moon.position_angle))[0];
+  one.column = one.belts[share.column].column;
+  one.belts.clear();
+  return one;
+}
+
 /// Luminance over that of unshadowed sunlight, in every sector of the disc (or one).
 struct CoarseLight {
   std::vector<std::vector<double>> refracted, direct;  ///< [sector][place]
 };
 
 /// A coarse look at the disc's light.
-CoarseLight tried(const ShadowedMoon& moon, const atmosphere::Atmosphere& air,
+CoarseLight tried(const ShadowedMoon& moon, const atmosphere::Atmosphere& whole,
                   std::span<const double> places_m) {
+  const auto air = with_fewer_belts(whole);
   constexpr int bands = 10;
   const auto waves = wavelengths_nm(bands);
   const auto weights = at_wavelengths(luminance_weights(), bands);
@@ -256,7 +270,7 @@ atmosphere::Atmosphere air_for(const plan::Work& work, const ShadowedMoon& moon)
         atmosphere::limb_at(air.earth, algebra::in_radians(moon.centre.position_angle)).radius_m;
     air.earth = {radius, radius, air.earth.sun_declination_rad};
   }
-  if (!work.regions) air.regions.clear();
+  if (!work.regions && !air.one_column()) air = of_one_column(air, moon.centre);
   return air;
 }
 
@@ -277,7 +291,8 @@ plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose) {
                     .limb_darkening = moon.limb_darkening,
                     .ellipsoid = !moon.air.earth.sphere(),
                     .columns = moon.air.columns().size(),
-                    .sectors = sectors_of(moon, sectors_of_a_plan).count,
+                    .parts = photons::parts_of_limb(moon.air),
+                    .borders = !moon.air.regions.empty(),
                     .texels = purpose.texels,
                     .map_file = purpose.map_file};
   const auto places = evenly(disc, places_over(disc, 12));

@@ -143,7 +143,7 @@ RingStrip ring_strip(const LightRequest& request, const almanac::SkyState& sky,
   require_earth_in_sight(lookout);
   const auto axis = eclipse::shadow_axis(sky);
   const auto there = eclipse::place_in_shadow(axis, lookout.position_m);
-  const auto air = atmosphere_of(request.air, axis.sun_declination);
+  const auto air = atmosphere_of(request.air, sky);
   const auto arrangement = arrangement_of(request, algebra::in_metres(axis.sun_distance),
                                           {algebra::in_metres(there.depth)});
   require_umbra(lookout, air, arrangement, there);

@@ -9,6 +9,7 @@
 #include "algebra/error.h"
 #include "algebra/interpolation.h"
 #include "eclipse/shadow_axis.h"
+#include "shadow/lookup.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -31,10 +32,10 @@ std::vector<double> distances_of(const ProfilePlaces& places, const ShadowCut& c
   return distances;
 }
 
-/// A solver's values at other distances: straight lines, nothing beyond the last.
-algebra::Grid<double> at_distances(const shadow::RefractedLight& light,
-                                   const algebra::Grid<double>& values,
-                                   const std::vector<double>& distances_m) {
+/// Standard errors at other distances: straight lines, nothing beyond the last.
+algebra::Grid<double> errors_at(const shadow::RefractedLight& light, std::size_t sector,
+                                const std::vector<double>& distances_m) {
+  const auto& values = light.standard_error[sector];
   algebra::Grid<double> there(distances_m.size(), values.columns());
   std::vector<double> column(values.rows());
   for (std::size_t w = 0; w < values.columns(); ++w) {
@@ -63,7 +64,7 @@ std::vector<double> sector_shares(std::size_t sectors, std::optional<double> pos
 ShadowCut shadow_at_the_moon(const LightRequest& request, const almanac::SkyState& sky) {
   const auto axis = eclipse::shadow_axis(sky);
   const double depth_m = algebra::in_metres(eclipse::place_in_shadow(axis, sky.moon_m).depth);
-  return {atmosphere_of(request.air, axis.sun_declination),
+  return {atmosphere_of(request.air, sky),
           arrangement_of(request, algebra::in_metres(axis.sun_distance), {depth_m})};
 }
 
@@ -79,16 +80,17 @@ ShadowProfile shadow_profile(const LightRequest& request, const ShadowCut& cut,
   profile.ratio = algebra::Grid<double>(distances.size(), profile.wavelengths_nm.size());
   profile.standard_error = profile.ratio;
   const auto shares = sector_shares(light.sectors, places.position_angle_deg);
-  std::vector<double> clear(profile.wavelengths_nm.size());
+  const shadow::BetweenPlaces between(light);
+  std::vector<double> clear(profile.wavelengths_nm.size()), refracted(clear);
   for (std::size_t s = 0; s < shares.size(); ++s) {
     const double angle =
         2 * std::numbers::pi * static_cast<double>(s) / static_cast<double>(shares.size());
-    const auto refracted = at_distances(light, light.ratio[s], distances),
-               error = at_distances(light, light.standard_error[s], distances);
+    const auto error = errors_at(light, s, distances);
     for (std::size_t d = 0; d < distances.size(); ++d) {
       direct.ratios(distances[d], angle, cut.arrangement.depths_m[0], clear);
+      between.read(0, s, distances[d], refracted);
       for (std::size_t w = 0; w < clear.size(); ++w) {
-        profile.ratio(d, w) += shares[s] * (refracted(d, w) + clear[w]);
+        profile.ratio(d, w) += shares[s] * (refracted[w] + clear[w]);
         profile.standard_error(d, w) =
             std::hypot(profile.standard_error(d, w), shares[s] * error(d, w));
       }

@@ -147,8 +147,7 @@ void require_kind(const std::filesystem::path& file, const atmosphere::Atmospher
   if (file.extension() == ".cube" && !air.symmetric())
     throw algebra::Error(
         fmt::format("{}: a .cube has one row, and this shadow differs around its axis; allowed "
-                    "with a spherical "
-                    "Earth and without regions, or .exr",
+                    "with a spherical Earth and one air all around, as undated, or .exr",
                     file.string()));
 }
 

@@ -71,9 +71,18 @@ algebra::Grid<double> in_bins(const Setting& setting, const shadow::Lookup& look
 
 atmosphere::Atmosphere changed(atmosphere::Atmosphere air, double dust, double cover,
                                double ozone) {
-  air.column.dust_extinction_per_m = dust;
-  air.column.cloud_cover = cover;
-  air.column.ozone_du = ozone;
+  const auto change = [&](atmosphere::Column& column, double ozone_du) {
+    column.dust_extinction_per_m = dust;
+    column.cloud_cover = cover;
+    column.cloud_per_m = column.cirrus = 0;
+    column.ozone_du = ozone_du;
+  };
+  change(air.column, ozone);
+  double mean = 0;
+  for (const auto& belt : air.belts)
+    mean += belt.column.ozone_du / static_cast<double>(air.belts.size());
+  for (auto& belt : air.belts)
+    change(belt.column, mean > 0 ? ozone * belt.column.ozone_du / mean : ozone);
   return air;
 }
 

@@ -25,7 +25,8 @@ struct SearchRange {
   double least, most;
 };
 
-/// Ranges of the three unknowns that an eclipse is explained by: dust [1/m], cloud cover, ozone [DU].
+/// Ranges of the three unknowns that an eclipse is explained by: dust [1/m], cover by a deck of cloud (in
+/// place of cloud by chance), ozone [DU] (of belts their mean; they keep their shares).
 constexpr std::array<SearchRange, 3> search_range{{{2e-7, 3e-5}, {0, 1}, {100, 500}}};
 
 /// Light on bins of a Moon, under air of any dust, cloud and ozone.

@@ -208,17 +208,15 @@ void Yardstick::compare_in_rings(const Grid<double>& refracted, const Grid<doubl
   const double half = rings_m[0];
   Errors umbra, penumbra;
   for (std::size_t s = 0; s < refracted.rows(); ++s) {
-    auto expected = over_sector(total_, s, refracted.rows()),
-         beside = over_sector(clear, s, refracted.rows());
-    for (std::size_t d = 0; d < distances_m_.size(); ++d)
-      expected[d] *= distances_m_[d], beside[d] *= distances_m_[d];
+    const auto expected = over_sector(total_, s, refracted.rows()),
+               beside = over_sector(clear, s, refracted.rows());
     for (std::size_t r = 0; r < rings_m.size(); ++r) {
       const double at = rings_m[r];
       if (at + half > distances_m_.back()) break;
-      const auto mean = [&](std::span<const double> values) {
-        return algebra::mean_between(distances_m_, values, at - half, at + half) / at;
+      const auto there = [&](std::span<const double> values) {
+        return algebra::interpolated(distances_m_, values, at);
       };
-      (at < umbra_m ? umbra : penumbra).add(refracted(s, r) + mean(beside), mean(expected), at);
+      (at < umbra_m ? umbra : penumbra).add(refracted(s, r) + there(beside), there(expected), at);
     }
   }
   errors.umbra = umbra.spread();

@@ -62,8 +62,8 @@ struct LightErrors {
 /// The light that others are held to, in one scene.
 ///
 /// Irradiance counts as the eye sees it: Σ over bands of ȳ times sunlight times ratio. Light of the
-/// quadrature is compared place by place; light in rings and sectors with the reference's mean over
-/// each. The picture is the scene's Moon baked in that light, seen from the Earth's centre, and
+/// quadrature is compared place by place; that of photons at the middles of their rings, with the
+/// reference's mean over each sector. The picture is the scene's Moon baked in that light, seen from the Earth's centre, and
 /// developed at the exposure that suits the reference's.
 class Yardstick {
  public:

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <sstream>
 
 #include "algebra/error.h"
+#include "algebra/number.h"
 #include "atmosphere/presets.h"
 
 namespace coppermoon::verbs {
@@ -19,19 +21,45 @@ Flag add_air_flag(CLI::App& app, const std::string& flag, Value& value, const st
   return add_flag(app, flag, value, text).in(air_group);
 }
 
+uses::Stratosphere stratosphere_from(const std::string& text) {
+  static const std::map<std::string, StratosphericAerosol> names{
+      {"none", StratosphericAerosol::none},
+      {"background", StratosphericAerosol::background},
+      {"moderate", StratosphericAerosol::moderate},
+      {"high", StratosphericAerosol::high},
+      {"extreme", StratosphericAerosol::extreme}};
+  if (text == "dated") return uses::DatedAerosol{};
+  if (const auto name = names.find(text); name != names.end()) return name->second;
+  if (const auto depth = algebra::number_in(text)) {
+    algebra::require_within("stratospheric aerosol", *depth, 0, 2);
+    return *depth;
+  }
+  throw WrongUsage(
+      fmt::format("--stratospheric-aerosol: {}, allowed dated, none, background, moderate, high, "
+                  "extreme, or an optical depth of 0 to 2",
+                  text));
+}
+
 /// Layers that a fit takes as they are told.
 void add_layers(CLI::App& app, uses::ColumnChange& column) {
   add_air_flag(app, "--tropospheric-aerosol", column.tropospheric_optical_depth,
                "its vertical optical depth at 550 nm, 0 to 10; 0: none");
-  add_choice<StratosphericAerosol>(
-      app, "--stratospheric-aerosol", column.stratosphere,
-      {{"none", StratosphericAerosol::none},
-       {"background", StratosphericAerosol::background},
-       {"moderate", StratosphericAerosol::moderate},
-       {"high", StratosphericAerosol::high},
-       {"extreme", StratosphericAerosol::extreme}},
-      "none, background, or after an eruption: moderate, high, extreme")
+  add_parsed(
+      app, "--stratospheric-aerosol",
+      [&column](const std::string& text) { column.stratosphere = stratosphere_from(text); },
+      "dated: that of the month, 500 BC to 2025; none, background, or after an eruption: moderate, "
+      "high, extreme; or its vertical optical depth at 550 nm, 0 to 2")
       .in(air_group);
+  add_air_flag(app, "--free-troposphere", column.free_troposphere,
+               "factor on the aerosol between ground and tropopause that satellites see, 0 to 100; "
+               "0: none");
+  add_air_flag(app, "--cloud-chance", column.cloud_chance,
+               "factor on the chance that a ray meets cloud, by height and latitude, 0 to 100; 0: "
+               "none; 1: usual");
+  add_air_flag(app, "--cirrus", column.cirrus,
+               "factor on thin cirrus under the tropopause, 0 to 100; 0: none; 1: usual");
+  add_air_flag(app, "--tropopause-km", column.tropopause_km,
+               "height where cloud ends and the stratosphere begins [km], 5 to 20");
   add_air_flag(app, "--cloud-top-km", column.cloud_top_km, "[km], 0 to 30");
   add_air_flag(app, "--dust-bottom-km", column.dust_bottom_km, "of that layer [km]; 15");
   add_air_flag(app, "--dust-top-km", column.dust_top_km, "of that layer [km]; 20");
@@ -41,8 +69,8 @@ void add_layers(CLI::App& app, uses::ColumnChange& column) {
 void add_sought(CLI::App& app, uses::ColumnChange& column) {
   add_air_flag(
       app, "--danjon", column.danjon,
-      "cloud and aerosol that make an eclipse of that brightness on Danjon's scale, 0 (very dark) "
-      "to 4 (bright)");
+      "air that makes this eclipse so bright on Danjon's scale, 0 (very dark) to 4 (bright); the "
+      "clearest where none makes it so bright; of undated air, cloud and aerosol alike for all");
   add_air_flag(app, "--ozone-du", column.ozone_du,
                "vertical column of ozone [DU], 0 to 1000; 0: none");
   add_air_flag(app, "--cloud-cover", column.cloud_cover,
@@ -54,20 +82,24 @@ void add_sought(CLI::App& app, uses::ColumnChange& column) {
 
 void add_terms(CLI::App& verb, uses::Air& air) {
   using atmosphere::Density, atmosphere::Dispersion, atmosphere::KingFactor, atmosphere::OzonePath,
-      uses::EarthFigure;
+      uses::EarthFigure, uses::OzoneProfile;
   const auto names = atmosphere::preset_names();
   add_air_flag(
       verb, "--atmosphere", air.atmosphere,
-      "standard; clear: its air and ozone alone; molecular: without ozone; paper: as in Yapo & "
-      "Cutler (2009); none: the bare Earth")
+      "standard or monthly: the air of the month along the limb; undated: alike everywhere and "
+      "always, the standard of version 0.1; clear: air and ozone alone; molecular: without ozone; "
+      "paper: as in Yapo & Cutler (2009); none: the bare Earth")
       .one_of({names.begin(), names.end()});
   add_choice<EarthFigure>(verb, "--earth", air.earth,
                           {{"sphere", EarthFigure::sphere}, {"ellipsoid", EarthFigure::ellipsoid}},
                           "sphere or ellipsoid")
       .in(air_group);
-  add_choice<Density>(verb, "--density", air.density,
-                      {{"us-1976", Density::us_1976}, {"yapo-cutler", Density::yapo_cutler}},
-                      "us-1976: to 86 km; yapo-cutler: cut at 42 km")
+  add_choice<Density>(
+      verb, "--density", air.density,
+      {{"seasonal", Density::seasonal},
+       {"us-1976", Density::us_1976},
+       {"yapo-cutler", Density::yapo_cutler}},
+      "seasonal: by latitude and season; us-1976: to 86 km; yapo-cutler: cut at 42 km")
       .in(air_group);
   add_on_off(verb, "--refraction", air.refraction, "on or off").in(air_group);
   add_choice<Dispersion>(verb, "--dispersion", air.dispersion,
@@ -83,6 +115,15 @@ void add_terms(CLI::App& verb, uses::Air& air) {
   add_choice<OzonePath>(verb, "--ozone-path", air.ozone_path,
                         {{"bent", OzonePath::bent}, {"filter", OzonePath::filter}},
                         "bent: along each ray's own path; filter: the same for all")
+      .in(air_group);
+  add_choice<OzoneProfile>(
+      verb, "--ozone-profile", air.ozone_profile,
+      {{"climatology", OzoneProfile::climatology}, {"us-1976", OzoneProfile::us_1976}},
+      "climatology: by latitude and month, its column too; us-1976")
+      .in(air_group);
+  add_on_off(verb, "--oxygen-pairs", air.oxygen_pairs, "absorption by pairs of O2, on or off")
+      .in(air_group);
+  add_on_off(verb, "--nitrogen-dioxide", air.nitrogen_dioxide, "its absorption, on or off")
       .in(air_group);
 }
 
@@ -136,6 +177,8 @@ const uses::AirRegion& RegionReader::read(const std::string& text) {
     app_->parse(flags);  // last first, as CLI11 takes them
     require_place(region_);
   } catch (const CLI::ParseError& error) {
+    throw algebra::Error(fmt::format("region '{}': {}", text, error.what()));
+  } catch (const WrongUsage& error) {
     throw algebra::Error(fmt::format("region '{}': {}", text, error.what()));
   } catch (const algebra::Error& error) {
     throw algebra::Error(fmt::format("region '{}': {}", text, error.what()));

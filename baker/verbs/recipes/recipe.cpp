@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <sstream>
 
+#include "atmosphere/presets.h"
 #include "verbs/flags/air_options.h"
 #include "verbs/flags/known_words.h"
 #include "verbs/flags/named_files.h"
@@ -52,7 +53,9 @@ std::string quoted(const std::string& text) {
 /// An option's value as TOML, numbers spelt alike however the user spelt them; empty when it has
 /// none.
 std::string toml_value(const CLI::Option& option) {
-  const std::string text = option.count() > 0 ? option.results().back() : option.get_default_str();
+  const std::string told = option.count() > 0 ? option.results().back() : option.get_default_str();
+  const std::string text =
+      option.check_lname("atmosphere") ? std::string(atmosphere::lasting_name(told)) : told;
   if (text.empty()) return text;
   const std::string type = option.get_type_name();
   if (type.starts_with("FLOAT"))  // TOML has no -0 that is whole

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "algebra/error.h"
+#include "atmosphere/presets.h"
 #include "files/whole_file.h"
 #include "texture/read_image.h"
 #include "texture/write_glb.h"
@@ -254,7 +255,8 @@ std::string spelt(const CLI::Option& option, const toml::node& value, const std:
   return text == "true" ? "on" : "off";
 }
 
-/// `--key=value`, as often as the flag is told.
+/// `--key=value`, as often as the flag is told. A file says "standard" when version 0.1 made it: since then
+/// files hold atmosphere::lasting_name.
 std::vector<std::string> flags_of(const Reading& reading, const Told& told) {
   const auto& option = *reading.verb.get_option("--" + told.flag);
   std::vector<std::string> flags;
@@ -264,7 +266,8 @@ std::vector<std::string> flags_of(const Reading& reading, const Told& told) {
     const std::string text = region ? region_text(reading, *value->as_table())
                                     : spelt(option, *value, as_text(*value, where));
     if (text.empty()) throw algebra::Error(where + ": is empty; leave it out instead");
-    flags.push_back(fmt::format("--{}={}", told.flag, text));
+    const bool of_0_1 = reading.lenient && told.flag == "atmosphere" && text == "standard";
+    flags.push_back(fmt::format("--{}={}", told.flag, of_0_1 ? atmosphere::standard_of_0_1 : text));
   }
   return flags;
 }

@@ -145,16 +145,73 @@ TEST(StratosphericSpectrum, RefusesWavelengthsOutsideItsRange) {
 
 TEST(TroposphericProfile, IsAShareOfTheColumn) {
   double sum = 0;
-  for (double h = 0.5; h < 100e3; h += 1) sum += tropospheric_profile_per_m(h);
+  for (double h = 0.5; h < 100e3; h += 1) sum += tropospheric_profile_per_m(2e3, h);
   EXPECT_WITHIN(sum, 1.0, 1e-7, "midpoints of 1 m in a scale height of 2000 m: 1/24 of (1/2000)²");
 }
 
 // 23 km of visibility at 3 and 10 km: 0.0346 and 0.00114 per km in spring and summer, 0.0272 and
 // 0.000787 in fall and winter.
 TEST(TroposphericProfile, FallsAsThatOfLowtranDoes) {
-  const double fall = tropospheric_profile_per_m(3e3) / tropospheric_profile_per_m(10e3);
+  const double fall = tropospheric_profile_per_m(2e3, 3e3) / tropospheric_profile_per_m(2e3, 10e3);
   EXPECT_GT(fall, 0.0346 / 0.00114);
   EXPECT_LT(fall, 0.0272 / 0.000787);
+}
+
+// IPCC AR6 and GISS, as published: the months of the eruptions of 1258 (Samalas) and 1991 (Pinatubo), and
+// of the quiet year 2003; 1912 (Katmai) stayed in the north.
+TEST(StratosphericHistory, HasTheMonthsThatArePublished) {
+  const auto at = [](double year, double latitude) {
+    return stratospheric_optical_depth(year, algebra::degrees(latitude));
+  };
+  EXPECT_WITHIN_RELATIVE(at(1258.375, 0), 0.4953, 0.031, "points left out lie on the line to 3 %");
+  EXPECT_WITHIN_RELATIVE((at(1992.04, 90) + at(1992.04, -90)) / 2, 0.12, 0.15,
+                         "early 1992, published to 0.11 to 0.13");
+  EXPECT_WITHIN_RELATIVE(at(2003.37, 0), 0.0049, 0.1, "mean of the year, months differ by 10 %");
+  EXPECT_GT(at(1912.8, 50), 5 * at(1912.8, -50));
+  EXPECT_EQ(at(2150, 0), 0.0067);
+  EXPECT_EQ(at(-3000, 0), 0.00292);
+  EXPECT_THROW(at(2000, 91), algebra::Error);
+}
+
+TEST(StratosphericLayer, HasItsOpticalDepthAboveTheTropopause) {
+  for (const double depth : {0.003, 0.0072, 0.02, 0.1, 0.5})
+    for (const double tropopause : {9e3, 16.4e3}) {
+      const StratosphericLayer layer(depth, tropopause);
+      double sum = 0, above = 0;
+      for (double h = 5; h < 86e3; h += 10) {
+        sum += 10 * layer.extinction_per_m(h);
+        if (h > tropopause - 3e3) above += 10 * layer.extinction_per_m(h);
+      }
+      EXPECT_WITHIN_RELATIVE(sum, depth, 2e-3, "summed in steps of 250 m, here of 10 m") << depth;
+      EXPECT_WITHIN_RELATIVE(above, sum, 1e-12, "it fades out within 3 km under the tropopause");
+    }
+  EXPECT_EQ(StratosphericLayer(0, 11e3).extinction_per_m(20e3), 0);
+  EXPECT_THROW(StratosphericLayer(3, 11e3), algebra::Error);
+}
+
+// LOWTRAN's own optical depths and tropopause give its own profiles.
+TEST(StratosphericLayer, IsLowtransWhereThatIsPrinted) {
+  const StratosphericLayer high(0.0843, 11e3);
+  for (const double h : {12e3, 17e3, 21e3, 30e3, 45e3})
+    EXPECT_WITHIN_RELATIVE(high.extinction_per_m(h),
+                           stratospheric_extinction_per_m(StratosphericAerosol::high, h), 0.03,
+                           "2 % of it lies below 11 km")
+        << h;
+  EXPECT_EQ(high.nearest(), StratosphericAerosol::high);
+  EXPECT_WITHIN(high.spectrum(nanometres(400)),
+                stratospheric_spectrum(StratosphericAerosol::high, nanometres(400)), 1e-12,
+                "rounding");
+}
+
+// Kent et al. (1998): 1e-4 and 7e-4 per km at 1.02 µm; 2.2 times that is 550 nm by Ångström's 1.3:
+// (1020/550)^1.3 = 2.23.
+TEST(FreeTroposphere, HasWhatSageSaw) {
+  EXPECT_WITHIN_RELATIVE(free_troposphere_per_m(algebra::degrees(-70)), 2.23e-7, 0.02,
+                         "2.2 for 2.23");
+  EXPECT_WITHIN_RELATIVE(free_troposphere_per_m(algebra::degrees(70)), 7 * 2.23e-7, 0.02,
+                         "2.2 for 2.23");
+  EXPECT_EQ(free_troposphere_profile(11e3, 7e3), 1);
+  EXPECT_EQ(free_troposphere_profile(11e3, 13e3), 0);
 }
 
 // 1.3 ln 2 = 0.90109, so 780 nm scatters 2^−1.3 of 390 nm.

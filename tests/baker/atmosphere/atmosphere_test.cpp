@@ -85,7 +85,7 @@ TEST(Extinction, IsTheSumOfAllThatStandsThere) {
         300 * dobson_unit_per_m2 * ozone_cross_section_m2(nanometres(650)) *
             ozone_profile_per_m(h) +
         (h > 15e3 && h < 20e3 ? 1e-6 : 0) +
-        0.1 * tropospheric_profile_per_m(h) * tropospheric_spectrum(nanometres(650)) +
+        0.1 * tropospheric_profile_per_m(2e3, h) * tropospheric_spectrum(nanometres(650)) +
         stratospheric_extinction_per_m(StratosphericAerosol::high, h) *
             stratospheric_spectrum(StratosphericAerosol::high, nanometres(650));
     EXPECT_WITHIN_RELATIVE(extinction_per_m(full, red, h), sum, 1e-14, "rounding");
@@ -93,8 +93,8 @@ TEST(Extinction, IsTheSumOfAllThatStandsThere) {
 }
 
 TEST(SeaLevelOptics, OfOtherMoleculesAreThoseOfTheirModels) {
-  const auto other = sea_level_optics(
-      nanometres(450), {.dispersion = Dispersion::ciddor_1996, .king_factor = KingFactor::bates_1984});
+  const auto other = sea_level_optics(nanometres(450), {.dispersion = Dispersion::ciddor_1996,
+                                                        .king_factor = KingFactor::bates_1984});
   EXPECT_WITHIN_RELATIVE(other.refractivity, 28053.336e-8, 1e-7, "Ciddor (1996), 8 digits");
   EXPECT_WITHIN_RELATIVE(other.rayleigh_per_m, 1.0268e-30 * sea_level_number_density_per_m3, 1.5e-3,
                          "Bucholtz (1995), whose refractivity and F are another's");
@@ -119,9 +119,9 @@ double bodhaine(double um) {
 
 TEST(VerticalRayleighOpticalDepth, IsThePublishedOneOfTheWholeAtmosphere) {
   for (const double nm : {400.0, 550.0, 700.0})
-    EXPECT_WITHIN_RELATIVE(
-        vertical_rayleigh_optical_depth(sea_level_optics(nanometres(nm))), bodhaine(nm / 1e3),
-        0.009, "0.1 to 0.8 % less cross-section; 0.2 % is the fall of gravity");
+    EXPECT_WITHIN_RELATIVE(vertical_rayleigh_optical_depth(sea_level_optics(nanometres(nm))),
+                           bodhaine(nm / 1e3), 0.009,
+                           "0.1 to 0.8 % less cross-section; 0.2 % is the fall of gravity");
 }
 
 std::string refused(const Atmosphere& atmosphere) {
@@ -162,7 +162,29 @@ TEST(RequireValid, LooksAtTheEarthItself) {
 TEST(ColumnAt, OfAWholeTurnIsTheRegionEverywhere) {
   Atmosphere dusty;
   dusty.regions.push_back({algebra::degrees(0), algebra::degrees(360), {.ozone_du = 7}});
-  for (const double turn : {0.0, 1.0, 3.2, 6.2}) EXPECT_EQ(dusty.columns()[dusty.shares_at(turn)[0].column]->ozone_du, 7);
+  for (const double turn : {0.0, 1.0, 3.2, 6.2})
+    EXPECT_EQ(dusty.columns()[dusty.shares_at(turn)[0].column]->ozone_du, 7);
+}
+
+TEST(SharesAt, OfBeltsAreStraightFromOneToTheNextAndAlikeToEastAndWest) {
+  Atmosphere air;
+  air.belts = {{0.5, {}}, {1.5, {}}, {2.5, {}}};
+  air.regions = {{algebra::radians(4), algebra::radians(5), {}}};
+  ASSERT_EQ(air.columns().size(), 4U);
+  for (const double sign : {1., -1.}) {
+    const auto [one, other] = air.shares_at(sign * 0.75);
+    EXPECT_EQ(one.column, 0U);
+    EXPECT_EQ(other.column, 1U);
+    EXPECT_WITHIN(one.share, 0.75, 1e-14, "rounding");
+    EXPECT_WITHIN(other.share, 0.25, 1e-14, "rounding");
+  }
+  EXPECT_EQ(air.shares_at(0.2)[0].share, 1);
+  EXPECT_EQ(air.shares_at(3)[0].column, 2U);
+  EXPECT_EQ(air.shares_at(4.5)[0].column, 3U);
+  EXPECT_TRUE(air.belted());
+  EXPECT_FALSE(air.symmetric());
+  EXPECT_EQ(refused({.belts = {{1, {}}, {0.5, {}}}}),
+            "belt's angle from north [radians] = 0.5, allowed 1 to 3.14159");
 }
 
 TEST(RequireValid, LooksIntoTheRegions) {

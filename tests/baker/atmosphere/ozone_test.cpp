@@ -47,6 +47,38 @@ TEST(OzoneCrossSection, RefusesWavelengthsOutsideItsRange) {
   EXPECT_THROW(ozone_cross_section_m2(nanometres(780.01)), algebra::Error);
 }
 
+// McPeters, Labow & Logan (2007): 436 DU over 85° N in March, 149 over 85° S in October.
+TEST(OzoneClimate, HasThePublishedColumns) {
+  const auto column = [](double latitude, double month) {
+    const double year = 2001 + (month - 0.5) / 12;
+    return OzoneClimate(algebra::degrees(latitude), year, {algebra::degrees(latitude), year})
+        .column_du();
+  };
+  EXPECT_WITHIN_RELATIVE(column(85, 3), 436, 0.04,
+                         "theirs are of whole profiles, these of whole km");
+  EXPECT_WITHIN_RELATIVE(column(-85, 10), 149, 0.04, "the same");
+  EXPECT_WITHIN(column(5, 1), 258, 12, "the tropics' 250 to 270");
+  EXPECT_WITHIN(column(85, 3.5), (column(85, 3) + column(85, 4)) / 2, 1e-6, "straight in time");
+  EXPECT_WITHIN(column(0, 12.999), column(0, 1), 0.5, "December runs into January, a day apart");
+}
+
+TEST(OzoneClimate, SpreadsItsColumnOverAltitude) {
+  for (const double latitude : {-80., 0., 60.}) {
+    const SeasonalAir air(algebra::degrees(latitude), 2001.2);
+    const OzoneClimate ozone(algebra::degrees(latitude), 2001.2, air);
+    double sum = 0, peak = 0, peak_m = 0;
+    for (double h = 10; h < 86e3; h += 20) {
+      const double here = ozone.profile_per_m(h);
+      sum += 20 * here;
+      if (here > peak) peak = here, peak_m = h;
+    }
+    EXPECT_WITHIN(sum, 1, 1e-5, "midpoints of 20 m of layers of 2 km");
+    EXPECT_WITHIN(peak_m, latitude == 0 ? 26e3 : 19e3, 3e3,
+                  "high in the tropics, low at the poles");
+    EXPECT_EQ(ozone.profile_per_m(86.1e3), 0);
+  }
+}
+
 // Molecules per m³ of the standard's table 18.
 TEST(OzoneProfile, TimesTheStandardsColumnIsTheStandardsDensity) {
   const double column_per_m2 = 345 * dobson_unit_per_m2;

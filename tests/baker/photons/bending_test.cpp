@@ -279,7 +279,7 @@ void expect_stated_amounts(const Column& column, double of_the_stratosphere) {
 }
 
 TEST(LimbRay, HasAirOzoneAndAerosolToWhatIsStated) {
-  auto column = atmosphere::preset("standard", algebra::degrees(0)).column;
+  auto column = atmosphere::preset("undated", algebra::degrees(0)).column;
   expect_stated_amounts(column, 2e-4);
   column.stratosphere = atmosphere::StratosphericAerosol::moderate;
   expect_stated_amounts(column, 2e-4);

@@ -19,7 +19,7 @@ const std::vector<atmosphere::Optics> optics{
     atmosphere::sea_level_optics(algebra::nanometres(650))};
 
 atmosphere::Atmosphere standard(bool sphere) {
-  auto air = atmosphere::preset("standard", degrees(15));
+  auto air = atmosphere::preset("undated", degrees(15));
   air.molecules = {};
   if (sphere) air.earth = {};
   return air;
@@ -30,7 +30,9 @@ TEST(WholeLimb, OfASphereIsOnePartAllAround) {
   ASSERT_EQ(limb.parts().size(), 1U);
   EXPECT_EQ(limb.at(2)[0].share, 1);
   EXPECT_EQ(limb.at(2)[1].share, 0);
-  EXPECT_TRUE(limb.borders_rad().empty());
+  const auto series = limb.series(5);
+  ASSERT_EQ(series[0].cosine.size(), 1U);
+  EXPECT_WITHIN(series[0].cosine[0], 1, 1e-14, "rounding");
 }
 
 TEST(WholeLimb, OfAnEllipsoidIsPolarByTheCosineSquared) {
@@ -46,18 +48,50 @@ TEST(WholeLimb, OfAnEllipsoidIsPolarByTheCosineSquared) {
   }
 }
 
-TEST(WholeLimb, EndsItsColumnsAtTheBordersOfRegions) {
+TEST(WholeLimb, OfAnEllipsoidIsASeriesOfTwoTerms) {
+  const auto series = WholeLimb(standard(false), optics, 10).series(40);
+  const std::vector<double> equator{0.5, 0, -0.5}, pole{0.5, 0, 0.5};
+  for (std::size_t m = 0; m < 3; ++m) {
+    EXPECT_WITHIN(series.at(0).cosine.at(m), equator[m], 1e-14, "sin² = 1/2 − cos 2ψ/2");
+    EXPECT_WITHIN(series.at(1).cosine.at(m), pole[m], 1e-14, "cos² = 1/2 + cos 2ψ/2");
+  }
+  EXPECT_EQ(series[0].cosine.size(), 3U);
+}
+
+TEST(WholeLimb, ChangesItsColumnsAtTheBordersOfRegions) {
   auto air = standard(true);
   air.regions = {{degrees(350), degrees(20), {}}, {degrees(10), degrees(90), {}}};
   const WholeLimb limb(air, optics, 10);
   const double degree = pi / 180;
-  ASSERT_EQ(limb.borders_rad().size(), 3U);
-  EXPECT_WITHIN(limb.borders_rad()[0], 20 * degree, 1e-14, "the first that holds a place counts");
-  EXPECT_WITHIN(limb.borders_rad()[1], 90 * degree, 1e-14, "closed form");
-  EXPECT_WITHIN(limb.borders_rad()[2], 350 * degree, 1e-14, "closed form");
   EXPECT_EQ(limb.at(0)[0].part, 1U);
   EXPECT_EQ(limb.at(50 * degree)[0].part, 2U);
   EXPECT_EQ(limb.at(180 * degree)[0].part, 0U);
+  const auto series = limb.series(100);
+  const auto expect = [&](std::size_t part, double from, double to) {
+    EXPECT_WITHIN(series[part].cosine[0], (to - from) / (2 * pi), 1e-13, "the mean");
+    for (std::size_t m = 1; m <= 100; ++m) {
+      const auto n = static_cast<double>(m);
+      EXPECT_WITHIN(series[part].cosine[m], (std::sin(n * to) - std::sin(n * from)) / (n * pi),
+                    2e-12, "closed form; below 1e-12 it is 0");
+      EXPECT_WITHIN(series[part].sine[m], (std::cos(n * from) - std::cos(n * to)) / (n * pi), 2e-12,
+                    "closed form; below 1e-12 it is 0");
+    }
+  };
+  expect(1, -10 * degree, 20 * degree);
+  expect(2, 20 * degree, 90 * degree);  // the first region that holds a place counts
+}
+
+TEST(WholeLimb, OfBeltsIsEvenAndStraightBetweenThem) {
+  auto air = standard(false);
+  air.belts = {{0, {}}, {pi / 2, {}}, {pi, {}}};
+  const auto series = WholeLimb(air, optics, 10).series(99);
+  ASSERT_EQ(series.size(), 3U);
+  for (std::size_t m = 1; m < 99; ++m) {
+    const auto n = static_cast<double>(m);
+    EXPECT_WITHIN(series[0].cosine[m], 4 * (1 - std::cos(n * pi / 2)) / (n * n * pi * pi), 2e-12,
+                  "closed form of a triangle; below 1e-12 it is 0");
+    for (const auto& part : series) EXPECT_EQ(part.sine[m], 0);
+  }
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ class Marched : public testing::TestWithParam<Stated> {};
 TEST_P(Marched, IsTheExactRayToWhatIsStated) {
   const auto& [marching, air, others] = GetParam();
   const auto at = heights(500, 40e3, 791);
-  for (const char* preset : {"paper", "standard"}) {
+  for (const char* preset : {"paper", "undated"}) {
     const Column column = column_of(preset);
     const auto errors = worst(followed(column, at, marching).paths, exact(column, at));
     EXPECT_WITHIN(errors.bending, 0., air, "as the header says") << preset;
@@ -108,7 +108,7 @@ TEST_P(Marched, IsTheExactRayToWhatIsStated) {
 
 TEST_P(Marched, HasOzoneAndAerosolToWhatIsStated) {
   const auto& [marching, air, others] = GetParam();
-  const Column column = column_of("standard");
+  const Column column = column_of("undated");
   auto spectra = atmosphere::spectra(column, {green, 1.16e-5, 550});
   spectra[atmosphere::air] = 0;
   const auto at = heights(500, 40e3, 32);
@@ -150,7 +150,7 @@ TEST(Marcher, ConvergesFasterThanTheSquareOfTheStep) {
 }
 
 TEST(Marcher, InSinglePrecisionIsThatInFull) {
-  for (const char* preset : {"paper", "standard"})
+  for (const char* preset : {"paper", "undated"})
     for (const double step_m : {777.75, 1000., 30e3}) {
       const Column column = column_of(preset);
       const auto at = heights(0, 41e3, 500);
@@ -229,7 +229,7 @@ TEST(Marcher, CountsTheStepsItsRaysTake) {
 }
 
 TEST(Marcher, FollowsEachRayAsIfItWereAlone) {
-  const Column column = column_of("standard");
+  const Column column = column_of("undated");
   const std::vector<double> at{70e3, 500, 86e3, 12e3, 0, 40e3, 85.9e3, 11e3, 30e3, 1,
                                2,    3,   4,    5,    6, 7,    8,      9,    10,   11e3};
   for (const auto precision : {Precision::full, Precision::single}) {
@@ -243,7 +243,7 @@ TEST(Marcher, FollowsEachRayAsIfItWereAlone) {
 }
 
 TEST(Marcher, LeavesTheAirWhereverItGrazesAndHoweverLongTheStep) {
-  for (const char* preset : {"paper", "standard"})
+  for (const char* preset : {"paper", "undated"})
     for (const double step_m : {1e3, 30e3, 100e3}) {
       const Column column = column_of(preset);
       const double top_m = atmosphere::top_m(column);
@@ -277,7 +277,7 @@ class OnlyTarget {
 };
 
 TEST(Marcher, IsTheSameOnEverySimdTarget) {
-  const Column column = column_of("standard");
+  const Column column = column_of("undated");
   const auto at = heights(0, 86e3, 37);
   const auto full = followed(column, at, {});
   const auto single = followed(column, at, {1000, Precision::single});

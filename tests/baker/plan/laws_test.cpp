@@ -70,6 +70,8 @@ TEST(PredictedError, CountsOnlyForTheLightThatIsRefracted) {
 
 TEST(PredictedError, HasEachTermThatIsLeftOutByItsSize) {
   const Scene scene{.columns = 3,
+                    .parts = 6,
+                    .borders = true,
                     .without_refracted = 0.7,
                     .without_ellipsoid = 0.05,
                     .without_regions = 0.3,
@@ -146,7 +148,7 @@ TEST(PredictedSeconds, GrowWithTexelsTermsAndColumns) {
   more.texels *= 4;
   EXPECT_GT(predicted_seconds({}, more, {}), predicted_seconds({}, scene, {}));
   more = scene;
-  more.columns = 3;
+  more.columns = 3, more.parts = 6, more.borders = true;
   EXPECT_GT(predicted_seconds({}, more, {}), predicted_seconds({}, scene, {}));
   EXPECT_GT(predicted_seconds({}, scene, {}), predicted_seconds({.ellipsoid = false}, scene, {}));
   EXPECT_GT(predicted_seconds({.ellipsoid = false}, scene, {}),

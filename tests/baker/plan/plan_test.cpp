@@ -73,7 +73,8 @@ TEST(PlanFor, LeavesWhatIsSetByHand) {
 
 TEST(PlanFor, LeavesTheTermsThatAreSetByHand) {
   auto scene = ordinary();
-  scene.columns = 3, scene.without_regions = 0.4, scene.without_scattered = 0.3;
+  scene.columns = 3, scene.parts = 6, scene.borders = true, scene.without_regions = 0.4,
+  scene.without_scattered = 0.3;
   Work out;
   out.ellipsoid = out.regions = false;
   const auto plan = within(1e-3, scene, {.terms = out});
@@ -97,7 +98,7 @@ TEST(PlanFor, LeavesOutWhatIsFarUnderTheToleranceAndNamesItsSize) {
                   {&Scene::without_scattered, &Work::scattered_light, "scattered light"}};
   for (const auto& [size, in, name] : terms) {
     auto scene = ordinary();
-    scene.columns = 3, scene.without_regions = 0.4;
+    scene.columns = 3, scene.parts = 6, scene.borders = true, scene.without_regions = 0.4;
     scene.*size = 1e-5;
     const auto without = within(0.01, scene);
     EXPECT_FALSE(without.work.*in) << name;
@@ -123,7 +124,7 @@ TEST(PlanFor, SendsNoLightThroughTheAirWhereNoneIsSeen) {
 TEST(PlanFor, SendsLightThroughTheAirHoweverMuchItsRegionsMatter) {
   // Without them it is more wrong than no light at all.
   auto scene = ordinary();
-  scene.columns = 3, scene.without_regions = 5;
+  scene.columns = 3, scene.parts = 6, scene.borders = true, scene.without_regions = 5;
   const auto plan = within(0.01, scene);
   EXPECT_TRUE(plan.work.refracted && plan.work.regions);
   EXPECT_LE(plan.error, 0.01);

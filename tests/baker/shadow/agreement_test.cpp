@@ -143,13 +143,16 @@ Cells by_photons_of(const atmosphere::Atmosphere& air, std::span<const double> w
   settings.trace = trace;
   settings.ring_width_m = in.ring_m;
   settings.sectors = in.sectors;
-  return gathered(by_photons(air, arrangement, waves, settings), in);
+  return gathered(means_over_rings(traced(air, arrangement, waves, settings)), in);
 }
 
-/// What a position angle counts in the mean over a sector about 0, of those every 15 degrees:
+/// Position angles that the mean over a sector is taken from.
+constexpr std::size_t angles_around = 96;
+
+/// What a position angle counts in the mean over a sector about 0, of those every 3.75 degrees:
 /// trapezoids, for sectors as wide as several of them.
 double share(int steps_away, std::size_t sectors) {
-  const int half = static_cast<int>(sectors_around / sectors / 2);
+  const int half = static_cast<int>(angles_around / sectors / 2);
   if (std::abs(steps_away) > half) return 0;
   return (std::abs(steps_away) == half ? 0.5 : 1.0) / (2 * half);
 }
@@ -160,7 +163,8 @@ Cells means(const atmosphere::Atmosphere& air, std::span<const double> waves, co
   std::vector<double> distances;
   for (std::size_t i = 0; i < in.rings * inside; ++i)
     distances.push_back((static_cast<double>(i) + 0.5) / inside * in.ring_m);
-  const auto fine = by_quadrature(air, arrangement, waves, distances, {.rays = 1000});
+  const auto fine =
+      by_quadrature(air, arrangement, waves, distances, {.rays = 1000, .around = angles_around});
   Cells cells;
   const int wide = static_cast<int>(fine.sectors / in.sectors);
   for (std::size_t s = 0; s < in.sectors; ++s)
@@ -217,14 +221,14 @@ const auto december = algebra::degrees(-20);
 
 /// Standard air with a layer of dust all around.
 atmosphere::Atmosphere dusty() {
-  auto air = atmosphere::preset("standard", december);
+  auto air = atmosphere::preset("undated", december);
   air.column.dust_extinction_per_m = 2e-6;
   return air;
 }
 
 /// Standard air with much of it over the south.
 atmosphere::Atmosphere dusty_south() {
-  auto air = atmosphere::preset("standard", december);
+  auto air = atmosphere::preset("undated", december);
   auto column = air.column;
   column.dust_extinction_per_m = 4e-6;
   air.regions =
@@ -236,6 +240,11 @@ TEST_P(EveryWay, AgreesInStandardAirWithDust) { EXPECT_TRUE(agrees(dusty(), dust
 
 TEST_P(EveryWay, AgreesWhereTheSouthIsDusty) {
   EXPECT_TRUE(agrees(dusty_south(), dusty_south(), waves));
+}
+
+TEST_P(EveryWay, AgreesInTheAirOfAMonth) {
+  const auto air = atmosphere::preset("standard", december, 2010.97);
+  EXPECT_TRUE(agrees(air, air, waves));
 }
 
 TEST_P(EveryWay, IsSeenToDifferWithoutTheDust) {

@@ -31,7 +31,7 @@ TEST(ByPhotonsThoroughly, AgreeWithTheQuadratureInEveryRing) {
   // a thousand fails.
   constexpr double ring_m = 400e3, lowest = 5.40, highest = 47.50;
   constexpr std::size_t first = 1, rings = 20;
-  const auto light = by_photons({}, february_2008, waves, settings_of(240'000, ring_m));
+  const auto light = in_rings({}, february_2008, waves, settings_of(240'000, ring_m));
   const auto exact = ring_means({}, february_2008, waves, ring_m, first + rings);
   for (std::size_t w = 0; w < waves.size(); ++w) {
     double chi_squared = 0;
@@ -48,7 +48,7 @@ TEST(ByPhotonsThoroughly, CarryTheMeanThatTheQuadratureCarries) {
   // One ring takes all; t-test of the mean, two-sided: 3.29 standard errors, one true run in a
   // thousand fails.
   constexpr double ring_m = 2000e3;
-  const auto light = by_photons({}, february_2008, waves, settings_of(120'000, ring_m));
+  const auto light = in_rings({}, february_2008, waves, settings_of(120'000, ring_m));
   const auto exact = ring_means({}, february_2008, waves, ring_m, light.axis_distances_m.size());
   for (std::size_t w = 0; w < waves.size(); ++w) {
     double flux = 0, expected = 0, variance = 0;
@@ -94,7 +94,7 @@ TEST(ByPhotonsThoroughly, OfSymmetricAirFillAllSectorsAlike) {
   auto settings = settings_of(60'000, 2000e3);
   settings.sectors = 8;
   const std::vector<double> wave{650};
-  const auto light = by_photons({}, february_2008, wave, settings);
+  const auto light = in_rings({}, february_2008, wave, settings);
   for (std::size_t ring : {2U, 3U}) {
     double mean = 0, chi_squared = 0;
     for (std::size_t s = 0; s < 8; ++s) mean += light.ratio[s](ring, 0) / 8;
@@ -118,7 +118,7 @@ TEST(ByPhotons, SeeAnOpaqueRegionOnItsOwnSide) {
   auto settings = settings_of(30'000, 1000e3);
   settings.sectors = 4;
   const std::vector<double> wave{650};
-  const auto light = by_photons(air, february_2008, wave, settings);
+  const auto light = in_rings(air, february_2008, wave, settings);
   constexpr std::size_t outer = 6, east = 1, west = 3;
   EXPECT_LT(light.ratio[east](outer, 0), 1e-40);  // e^−100 and less
   EXPECT_GT(light.ratio[west](outer, 0), 5 * light.standard_error[west](outer, 0));
@@ -127,7 +127,7 @@ TEST(ByPhotons, SeeAnOpaqueRegionOnItsOwnSide) {
 /// Every term at once: an oblate Earth of a northern winter, limb darkening, ozone, aerosol and
 /// cloud, and a plume over the south.
 atmosphere::Atmosphere everything(bool regions) {
-  auto air = atmosphere::preset("standard", algebra::degrees(-20));
+  auto air = atmosphere::preset("undated", algebra::degrees(-20));
   auto plume = air.column;
   plume.stratosphere = atmosphere::StratosphericAerosol::moderate;
   plume.dust_extinction_per_m = 2e-6;
@@ -217,7 +217,7 @@ PhotonSettings by_the_table(std::uint64_t photons, double ring_m) {
 
 TEST(ByPhotons, WithEveryTermAgreeWithTheQuadrature) {
   const auto air = everything(false);
-  const auto photons = by_photons(air, darkened, waves, by_the_table(6'000'000, 500e3));
+  const auto photons = in_rings(air, darkened, waves, by_the_table(6'000'000, 500e3));
   const auto exact = gathered_by_quadrature(air, 500e3, 17);
   expect_agreement(photons, exact, 5860, 1, 15);
 }
@@ -226,7 +226,7 @@ TEST(ByPhotons, WithEveryTermAndARegionAgreeWithTheQuadrature) {
   const auto air = everything(true);
   auto settings = by_the_table(6'000'000, 500e3);
   settings.seed = 2;
-  const auto photons = by_photons(air, darkened, waves, settings);
+  const auto photons = in_rings(air, darkened, waves, settings);
   const auto exact = gathered_by_quadrature(air, 500e3, 17);
   expect_agreement(photons, exact, 5860, 1, 15);
 }
@@ -236,8 +236,8 @@ TEST(ByPhotonsThoroughly, WithEveryTermAndARegionAreTheSameTracedEachAndByTheTab
   auto each = settings_of(30'000, 1000e3), table = by_the_table(1'000'000, 1000e3);
   each.sectors = table.sectors = 4;
   each.seed = 3;
-  expect_agreement(by_photons(air, darkened, waves, each), by_photons(air, darkened, waves, table),
-                   30, 1, 7);
+  expect_agreement(in_rings(air, darkened, waves, each), in_rings(air, darkened, waves, table), 30,
+                   1, 7);
 }
 
 PhotonSettings marched(std::uint64_t photons, double ring_m, std::uint64_t seed) {
@@ -250,7 +250,7 @@ PhotonSettings marched(std::uint64_t photons, double ring_m, std::uint64_t seed)
 TEST(ByPhotonsThoroughly, MarchedThroughEveryTermAgreeWithTheQuadrature) {
   for (const bool regions : {false, true}) {
     const auto air = everything(regions);
-    const auto photons = by_photons(air, darkened, waves, marched(400'000, 500e3, 4));
+    const auto photons = in_rings(air, darkened, waves, marched(400'000, 500e3, 4));
     expect_agreement(photons, gathered_by_quadrature(air, 500e3, 17), 391, 1, 15);
   }
 }
@@ -259,7 +259,7 @@ TEST(ByPhotons, MarchedInSinglePrecisionByTenKilometresAgreeWithTheQuadrature) {
   const auto air = everything(true);
   auto settings = marched(1'000'000, 500e3, 5);
   settings.marching = {10e3, photons::Precision::single};
-  const auto photons = by_photons(air, darkened, waves, settings);
+  const auto photons = in_rings(air, darkened, waves, settings);
   expect_agreement(photons, gathered_by_quadrature(air, 500e3, 17), 977, 1, 15);
 }
 
@@ -268,8 +268,8 @@ TEST(ByPhotonsThoroughly, MarchedThroughThePapersAirAgreeWithTheQuadratureAndThe
   constexpr std::size_t rings = 90;
   auto settings = marched(1'000'000, 50e3, 6), table = by_the_table(1'000'000, 50e3);
   settings.sectors = table.sectors = 1;
-  const auto photons = by_photons({}, february_2008, waves, settings);
-  expect_agreement(photons, by_photons({}, february_2008, waves, table), 977, 0, rings);
+  const auto photons = in_rings({}, february_2008, waves, settings);
+  expect_agreement(photons, in_rings({}, february_2008, waves, table), 977, 0, rings);
   const auto means = ring_means({}, february_2008, waves, 50e3, rings);
   auto exact = photons;
   for (std::size_t r = 0; r < rings; ++r)
@@ -283,7 +283,7 @@ TEST(ByPhotonsThoroughly, MarchedThroughThePapersAirAgreeWithTheQuadratureAndThe
 TEST(ByPhotonsThoroughly, MarchedThroughAirWithoutItsDustAreSeenToDifferFromTheQuadrature) {
   auto lighter = everything(true);
   for (auto& region : lighter.regions) region.column.dust_extinction_per_m = 0;
-  const auto photons = by_photons(lighter, darkened, waves, marched(200'000, 500e3, 4));
+  const auto photons = in_rings(lighter, darkened, waves, marched(200'000, 500e3, 4));
   const auto exact = gathered_by_quadrature(everything(true), 500e3, 17);
   for (std::size_t w = 0; w < waves.size(); ++w) {
     const auto found = apart(photons, exact, w, 1, 15);
@@ -313,7 +313,7 @@ TEST(ByPhotons, OfAirWithoutItsDustAreSeenToDifferFromTheQuadrature) {
   // The check checked: 2e-6 m⁻¹ over 5 km missing from the plume, and the agreement must fail.
   auto lighter = everything(true);
   for (auto& region : lighter.regions) region.column.dust_extinction_per_m = 0;
-  const auto photons = by_photons(lighter, darkened, waves, by_the_table(2'000'000, 500e3));
+  const auto photons = in_rings(lighter, darkened, waves, by_the_table(2'000'000, 500e3));
   const auto exact = gathered_by_quadrature(everything(true), 500e3, 17);
   for (std::size_t w = 0; w < waves.size(); ++w) {
     const auto found = apart(photons, exact, w, 1, 15);
@@ -322,7 +322,7 @@ TEST(ByPhotons, OfAirWithoutItsDustAreSeenToDifferFromTheQuadrature) {
 }
 
 TEST(ByPhotons, OfHalfTheLightAreSeenToDifferFromTheQuadrature) {
-  auto photons = by_photons(everything(false), darkened, waves, by_the_table(200'000, 500e3));
+  auto photons = in_rings(everything(false), darkened, waves, by_the_table(200'000, 500e3));
   for (auto& grid : photons.ratio)
     for (double& value : grid.values()) value /= 2;
   const auto exact = gathered_by_quadrature(everything(false), 500e3, 17);

@@ -27,7 +27,7 @@ double relative_error(Trace trace, Cut rings, std::uint64_t photons, std::uint64
     settings.trace = trace;
     settings.ring_width_m = rings.width_m;
     settings.seed = seed;
-    const auto light = by_photons({}, february_2008, waves, settings);
+    const auto light = in_rings({}, february_2008, waves, settings);
     for (std::size_t r = rings.from; r < rings.to; ++r)
       for (std::size_t w = 0; w < waves.size(); ++w, ++count)
         sum += std::pow(light.ratio[0](r, w) / exact(r, w) - 1, 2);

@@ -36,10 +36,10 @@ double moment_about(double centre, std::size_t moment, double bin_m) {
   std::array<double, moments> factors{1, 0, 0};
   if (moment == 1) factors = {-centre, 1, 0};
   if (moment == 2) factors = {centre * centre, -2 * centre, 1};
-  const std::vector<NodeTerm> all{{landed.last(), factors}};
-  alignas(lanes * sizeof(double)) std::array<double, lanes> sums{};
-  landed.add(all, 0, sums);
-  return sums[0];
+  const std::array nodes{landed.last()};
+  std::array<double, moments * lanes> sums{};
+  landed.add(nodes, 0, 1, sums);
+  return factors[0] * sums[0] + factors[1] * sums[lanes] + factors[2] * sums[2 * lanes];
 }
 
 TEST(LandedLight, HasTheMomentsOfAnEvenSpread) {

@@ -38,8 +38,8 @@ TEST_F(ByTheTable, StandardErrorsAreThoseThatPhotonsMake) {
   constexpr int runs = 30;
   double sum = 0, squares = 0;
   for (int run = 0; run < runs; ++run) {
-    const auto light = by_photons({}, february_2008, waves,
-                                  settings(64 * photons_a_block, 100 + static_cast<unsigned>(run)));
+    const auto light = in_rings({}, february_2008, waves,
+                                settings(64 * photons_a_block, 100 + static_cast<unsigned>(run)));
     double mean = 0;
     for (std::size_t r = 0; r < rings; ++r)
       for (std::size_t w = 0; w < waves.size(); ++w)
@@ -56,7 +56,7 @@ TEST_F(ByTheTable, StandardErrorsAreThoseThatPhotonsMake) {
 
 TEST_F(ByTheTable, MeansOfManyHaveNoBias) {
   // Bonferroni: 270 cells, one true run in a thousand has one of them beyond 4.6 errors.
-  const auto light = by_photons({}, february_2008, waves, settings(4'000'000, 5));
+  const auto light = in_rings({}, february_2008, waves, settings(4'000'000, 5));
   for (std::size_t r = 0; r < rings; ++r)
     for (std::size_t w = 0; w < waves.size(); ++w) {
       EXPECT_WITHIN(light.ratio[0](r, w), exact(r, w), 4.6 * light.standard_error[0](r, w),
@@ -119,7 +119,7 @@ double plain_variance(const algebra::Grid<double>& exact, std::size_t wave, int 
 
 TEST_F(ByTheTable, HaveATenthOfTheVarianceOfPlainPhotonsOrLess) {
   constexpr int photons = 1'000'000;
-  const auto light = by_photons({}, february_2008, waves, settings(photons, 6));
+  const auto light = in_rings({}, february_2008, waves, settings(photons, 6));
   for (std::size_t w = 0; w < waves.size(); ++w) {
     double variance = 0;
     for (std::size_t r = 0; r < rings; ++r)
@@ -131,7 +131,7 @@ TEST_F(ByTheTable, HaveATenthOfTheVarianceOfPlainPhotonsOrLess) {
 TEST_F(ByTheTable, StopAtTheirTolerance) {
   auto few = settings(100'000'000, 7);
   few.enough = StoppingRule{{0.2, 1, 0.1}, 0.05, 0, 4500e3};
-  const auto light = by_photons({}, february_2008, waves, few);
+  const auto light = in_rings({}, february_2008, waves, few);
   EXPECT_LE(worst_error(light, *few.enough), 0.05);
   EXPECT_LT(light.photons, 4'000'000U) << "far fewer than were allowed";
   int outside = 0;
@@ -149,12 +149,12 @@ TEST_F(ByTheTable, StopAtTheirTolerance) {
 TEST_F(ByTheTable, StopAtTheirCapWhereTheToleranceIsOutOfReach) {
   auto capped = settings(50'000, 7);
   capped.enough = StoppingRule{{1, 1, 1}, 1e-4, 0, 4500e3};
-  const auto light = by_photons({}, february_2008, waves, capped);
+  const auto light = in_rings({}, february_2008, waves, capped);
   EXPECT_EQ(light.photons, 49 * photons_a_block) << "50 000 rounded up to whole blocks";
 }
 
 TEST_F(ByTheTable, SayAHundredPercentWhereBlocksAreTooFew) {
-  const auto light = by_photons({}, february_2008, waves, settings(7 * photons_a_block, 7));
+  const auto light = in_rings({}, february_2008, waves, settings(7 * photons_a_block, 7));
   EXPECT_EQ(light.standard_error[0](40, 1), light.ratio[0](40, 1));
   EXPECT_GT(light.ratio[0](40, 1), 0);
 }
@@ -163,7 +163,7 @@ TEST_F(ByTheTable, LandOnEveryPlane) {
   // Planes apart by the Moon's radius; Bonferroni: 120 rings, one true run in a thousand has one
   // beyond 4.5 errors.
   const Arrangement planes{1.479e11, {3.813e8, 3.822e8, 3.83e8}, true};
-  const auto light = by_photons({}, planes, waves, settings(1'000'000, 8));
+  const auto light = in_rings({}, planes, waves, settings(1'000'000, 8));
   for (const std::size_t plane : {0U, 2U}) {
     const auto means = ring_means({}, {1.479e11, {planes.depths_m[plane]}, true}, waves, 50e3, 60);
     for (std::size_t r = 0; r < 60; ++r)

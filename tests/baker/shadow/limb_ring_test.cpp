@@ -71,7 +71,7 @@ class RingFrom : public testing::TestWithParam<Where> {};
 // Radiance over solid angle is irradiance, whichever way it is summed: the quadrature sums arcs of
 // the Sun's disc by where they land.
 TEST_P(RingFrom, GivesTheLightThatTheQuadratureHas) {
-  const auto air = atmosphere::preset("standard", degrees(12));
+  const auto air = atmosphere::preset("undated", degrees(12));
   constexpr std::size_t sector = sectors_around / 8;
   const std::vector<double> there{GetParam().axis_distance_m};
   const auto light = by_quadrature(air, darkened, waves, there, {.rays = 1000});
@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(LimbRing, RingFrom,
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST(LimbRing, IsTheSameAllAroundFromTheAxisOfASphere) {
-  const LimbRing ring(on_a_sphere("standard"), darkened, place(0), waves);
+  const LimbRing ring(on_a_sphere("undated"), darkened, place(0), waves);
   const auto [lowest, highest] = ring.extent();
   std::vector<double> first(waves.size()), other(waves.size());
   double lit = 0;
@@ -108,7 +108,7 @@ TEST(LimbRing, IsTheSameAllAroundFromTheAxisOfASphere) {
 }
 
 TEST(LimbRing, IsBrightestWhereTheSunStandsAndMirroredAboutIt) {
-  const LimbRing ring(on_a_sphere("standard"), darkened, place(1000e3, degrees(70)), waves);
+  const LimbRing ring(on_a_sphere("undated"), darkened, place(1000e3, degrees(70)), waves);
   const auto extent = ring.extent();
   const double lowest = extent.lowest_m, highest = extent.highest_m;
   const auto brightness = [&](double from_sun_deg) {
@@ -195,7 +195,7 @@ TEST(LimbRing, OfTransparentAirHasTheQuadraturesLightInItsArea) {
 
 TEST(LimbRing, ExtentHoldsAllOfItsLight) {
   for (const double gamma : {0., 2000e3, 4400e3}) {
-    const LimbRing ring(atmosphere::preset("standard", degrees(0)), darkened,
+    const LimbRing ring(atmosphere::preset("undated", degrees(0)), darkened,
                         place(gamma, degrees(30)), waves);
     const auto [lowest, highest] = ring.extent();
     std::vector<double> here(waves.size());
@@ -209,7 +209,7 @@ TEST(LimbRing, ExtentHoldsAllOfItsLight) {
 }
 
 TEST(LimbRing, IsDarkerOverADustyHemisphereAlone) {
-  auto air = atmosphere::preset("standard", degrees(0));
+  auto air = atmosphere::preset("undated", degrees(0));
   auto dust = air.column;
   dust.dust_extinction_per_m = 1e-5;
   const LimbRing clean(air, darkened, place(0), waves);
@@ -230,11 +230,11 @@ TEST(LimbRing, IsDarkerOverADustyHemisphereAlone) {
 
 TEST(LimbRing, WithoutAirIsRefused) {
   EXPECT_THROW(LimbRing(on_a_sphere("none"), darkened, place(0), waves), algebra::Error);
-  EXPECT_THROW(LimbRing(on_a_sphere("standard"), {1e9, {}}, place(0), waves), algebra::Error);
+  EXPECT_THROW(LimbRing(on_a_sphere("undated"), {1e9, {}}, place(0), waves), algebra::Error);
 }
 
 TEST(LimbRing, OfAirThatDoesNotBendLightHasNone) {
-  auto air = on_a_sphere("standard");
+  auto air = on_a_sphere("undated");
   air.column.refraction = false;
   const auto [lowest, highest] = LimbRing(air, darkened, place(0), waves).extent();
   EXPECT_EQ(lowest, highest);

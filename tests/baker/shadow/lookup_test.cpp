@@ -167,12 +167,81 @@ RefractedLight light_of(const std::function<double(double)>& ratio, double spaci
   return light;
 }
 
-TEST(Lookup, FollowsACubicBetweenPlaces) {
+TEST(Lookup, FollowsACubicOfTheLogarithmBetweenPlaces) {
+  const auto steep = [](double m) { return 1e-3 * std::exp(std::pow(m / 1e6 - 1.5, 3)); };
+  auto light = light_of(steep, 250e3, 13);
+  light.photons = 1;
+  const Lookup lookup(light, direct({550}), one_channel(1));
+  for (const double at_m : {10e3, 333e3, 1.4567e6, 2.7182e6, 2.99e6})
+    EXPECT_WITHIN_RELATIVE(read(lookup, place(at_m, 3.82e8)), steep(at_m), 1e-4,
+                           "the tolerance of the straight lines between nodes");
+}
+
+TEST(Lookup, FollowsACubicWhereLightIsNotKnownWell) {
   const auto cubic = [](double m) { return 1e-3 * (1 + std::pow(m / 1e6 - 1.5, 3)) + 5e-3; };
-  const Lookup lookup(light_of(cubic, 250e3, 13), direct({550}), one_channel(1));
+  auto light = light_of(cubic, 250e3, 13);
+  light.photons = 1;
+  for (std::size_t i = 0; i < 13; ++i) light.standard_error[0](i, 0) = 0.4 * light.ratio[0](i, 0);
+  const Lookup lookup(light, direct({550}), one_channel(1));
   for (const double at_m : {10e3, 333e3, 1.4567e6, 2.7182e6, 2.99e6})
     EXPECT_WITHIN_RELATIVE(read(lookup, place(at_m, 3.82e8)), cubic(at_m), 1e-4,
                            "the tolerance of the straight lines between nodes");
+}
+
+double read(const BetweenPlaces& light, std::size_t sector, double at_m) {
+  double value = NAN;
+  light.read(0, sector, at_m, {&value, 1});
+  return value;
+}
+
+TEST(BetweenPlaces, FollowsLightThatFallsByEInTwoSpacings) {
+  const auto falling = [](double m) { return 1e-2 * std::exp(-m / 100e3); };
+  auto light = light_of(falling, 50e3, 60);
+  light.photons = 1;
+  const BetweenPlaces known(light);
+  for (double at_m = 0; at_m < 2.95e6; at_m += 7e3)
+    EXPECT_WITHIN_RELATIVE(read(known, 0, at_m), falling(at_m), 1e-12, "a line of the logarithm");
+  for (std::size_t i = 0; i < 60; ++i) light.standard_error[0](i, 0) = 0.4 * light.ratio[0](i, 0);
+  const BetweenPlaces noisy(light);
+  for (double at_m = 50e3; at_m < 2.9e6; at_m += 7e3)
+    EXPECT_WITHIN_RELATIVE(read(noisy, 0, at_m), falling(at_m), 2e-3,
+                           "3/128 (h/L)⁴ = 1.5e-3, and what follows; a hundredth of the noise");
+}
+
+TEST(BetweenPlaces, AreNeverFarAboveTheirNeighbours) {
+  const std::vector<double> values{1, 1e-3, 1, 1, 1e-40, 1, 0, 1, 1};
+  const auto ragged = [&](double m) { return values[static_cast<std::size_t>(m / 50e3 + 0.5)]; };
+  auto light = light_of(ragged, 50e3, values.size());
+  light.photons = 1;
+  const BetweenPlaces between(light);
+  for (double at_m = 0; at_m < 400e3; at_m += 1e3) {
+    EXPECT_GE(read(between, 0, at_m), 0) << at_m;
+    EXPECT_LE(read(between, 0, at_m), 2.4) << "e^(7/8), the cubic's largest overshoot: " << at_m;
+  }
+}
+
+TEST(BetweenPlaces, OfRingsGoOnBeyondTheAxisInTheOppositeSector) {
+  // rings of 200 km, two sectors; a logarithm that is a slope plus a parabola on a line through both
+  RefractedLight light{{1.479e11, {3.82e8}}, {550}, {}, 2, {}, {}};
+  const auto on_line = [](double m) { return 1e-3 * std::exp(m / 1e6 + m * m / 1e12); };
+  light.ratio.assign(2, algebra::Grid<double>(9, 1));
+  light.standard_error.assign(2, algebra::Grid<double>(9, 1));
+  for (std::size_t i = 0; i < 9; ++i) {
+    light.axis_distances_m.push_back((static_cast<double>(i) + 0.5) * 200e3);
+    light.ratio[0](i, 0) = on_line(light.axis_distances_m[i]);
+    light.ratio[1](i, 0) = on_line(-light.axis_distances_m[i]);
+  }
+  EXPECT_WITHIN_RELATIVE(read(BetweenPlaces(light), 0, 0), light.ratio[0](0, 0), 1e-14,
+                         "held before places that are no rings");
+  light.photons = 1;
+  const BetweenPlaces between(light);
+  for (const double at_m : {0., 30e3, 100e3, 170e3, 444e3}) {
+    EXPECT_WITHIN_RELATIVE(read(between, 0, at_m), on_line(at_m), 1e-12, "a cubic's own");
+    EXPECT_WITHIN_RELATIVE(read(between, 1, at_m), on_line(-at_m), 1e-12, "a cubic's own");
+  }
+  EXPECT_WITHIN_RELATIVE(read(between, 0, 1.79e6), light.ratio[0](8, 0), 1e-14,
+                         "held to the ring's end");
+  EXPECT_EQ(read(between, 0, 1.81e6), 0);
 }
 
 TEST(Lookup, KeepsTheToleranceAskedFor) {

@@ -76,7 +76,7 @@ double worst_bending(const Scene& scene, const MarchedRows& rows) {
 constexpr double float_rounding = 3e-7;  // of two sums of three
 
 TEST(MarchedPhotons, AreBentAsTheMarcherStates) {
-  for (const char* preset : {"paper", "standard"}) {
+  for (const char* preset : {"paper", "undated"}) {
     const Scene few(air_of(preset), 3);
     EXPECT_WITHIN(worst_bending(few, rows_of(few, {1000})), 0., 5e-7 + float_rounding,
                   "1 km as march.h says");
@@ -87,7 +87,7 @@ TEST(MarchedPhotons, AreBentAsTheMarcherStates) {
 }
 
 TEST(MarchedPhotons, OfManyWavelengthsAreAsExactAsThreeRefractivitiesMakeThem) {
-  const Scene many(air_of("standard"), 37);
+  const Scene many(air_of("undated"), 37);
   const auto rows = rows_of(many, {1000});
   for (std::size_t i = 0; i < many.aims.size(); ++i)
     for (std::size_t w = 0; w < many.optics.size(); ++w)
@@ -96,7 +96,7 @@ TEST(MarchedPhotons, OfManyWavelengthsAreAsExactAsThreeRefractivitiesMakeThem) {
 }
 
 TEST(MarchedPhotons, InSinglePrecisionAreThoseInFull) {
-  const Scene scene(air_of("standard"), 37);
+  const Scene scene(air_of("undated"), 37);
   const auto full = rows_of(scene, {1000}), single = rows_of(scene, {1000, Precision::single});
   for (std::size_t i = 0; i < scene.aims.size(); ++i)
     for (std::size_t w = 0; w < scene.optics.size(); ++w)
@@ -141,7 +141,7 @@ TEST(MarchedPhotons, LandAndShineAsTheExactRayDoes) {
   support::on_every_target([] {
     expect_the_exact_light("paper", 5e-7, "as the header says");
     expect_the_exact_light("molecular", 5e-7, "as the header says");
-    expect_the_exact_light("standard", 5e-5, "what limb_path states of ozone and aerosol");
+    expect_the_exact_light("undated", 5e-5, "what limb_path states of ozone and aerosol");
   });
 }
 

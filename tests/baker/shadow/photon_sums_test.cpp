@@ -4,9 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <numbers>
 
 #include "algebra/error.h"
+#include "algebra/interpolation.h"
+#include "algebra/quadrature.h"
+#include "algebra/random.h"
 #include "shadow/by_photons.h"
+#include "shadow/by_quadrature.h"
+#include "shadow/lookup.h"
 #include "support/within.h"
 
 namespace coppermoon::shadow {
@@ -90,11 +97,223 @@ TEST(PhotonSums, HaveTheMeanOfTheirBlocksAndTheErrorOfIt) {
   const double light = 8 * 1024 * 1e6 * std::acos(-1.);
   sums.sum = {algebra::Grid<double>(1, 1, light)};
   sums.sum_of_squares = {algebra::Grid<double>(1, 1, light * light)};
-  const auto found = estimated(sums);
+  const auto found = means_over_rings(sums);
   const double spread = 1.001 * 1.001;
   EXPECT_WITHIN_RELATIVE(found.ratio[0](0, 0), spread, 1e-14, "the mean is 1 · 1024 · area");
   EXPECT_WITHIN_RELATIVE(found.standard_error[0](0, 0), spread, 1e-14,
                          "variance (64 − 8)/7 = 8, over 8 blocks: 1");
+}
+
+/// Sums whose means over rings are given, each with a noise that is a part of it.
+PhotonSums sums_of(const std::vector<double>& means, double width_m, double relative_noise) {
+  constexpr double blocks = 101;
+  PhotonSums sums;
+  sums.arrangement = {1e30, {1e8}};
+  sums.wavelengths_nm = {420};
+  sums.ring_width_m = width_m;
+  sums.rings = means.size();
+  sums.done = {{0, 101}};
+  sums.sum = sums.sum_of_squares = {algebra::Grid<double>(means.size(), 1)};
+  for (std::size_t r = 0; r < means.size(); ++r) {
+    const double area_m2 = std::numbers::pi * width_m * width_m * (2 * static_cast<double>(r) + 1),
+                 of_a_block = means[r] * area_m2 * photons_a_block;
+    sums.sum[0](r, 0) = blocks * of_a_block;
+    sums.sum_of_squares[0](r, 0) =
+        blocks * of_a_block * of_a_block * (1 + (blocks - 1) * relative_noise * relative_noise);
+  }
+  return sums;
+}
+
+using Light = std::function<double(double axis_distance_m)>;
+
+/// Its means over rings, by area.
+std::vector<double> means_of(const Light& light, double width_m, std::size_t rings) {
+  std::vector<double> means(rings);
+  for (std::size_t r = 0; r < rings; ++r) {
+    const double middle_m = (static_cast<double>(r) + 0.5) * width_m;
+    for (const auto& [node, weight] : algebra::gauss_legendre(30)) {
+      const double at_m = middle_m + node * width_m / 2;
+      means[r] += weight / 2 * at_m / middle_m * light(at_m);
+    }
+  }
+  return means;
+}
+
+/// Of 20 rings the largest relative error at the middles, and between them as a reader finds it; the
+/// last five left out, for no rings follow.
+struct Worst {
+  double at_middles = 0, between = 0, in_standard_errors = 0;
+};
+
+Worst worst_of(const Light& light, double width_m, double from_m = 0) {
+  constexpr std::size_t rings = 20;
+  const auto found = estimated(sums_of(means_of(light, width_m, rings), width_m, 1e-6));
+  const BetweenPlaces between(found);
+  std::vector<double> errors(found.standard_error[0].values().begin(),
+                             found.standard_error[0].values().end());
+  Worst worst;
+  for (std::size_t r = 0; r < 15; ++r) {
+    const double at_m = found.axis_distances_m[r];
+    if (at_m < from_m) continue;
+    worst.at_middles = std::max(worst.at_middles, std::abs(found.ratio[0](r, 0) / light(at_m) - 1));
+    for (int k = -4; k <= 4; ++k) {
+      const double here_m = at_m + k * width_m / 8;
+      double value = NAN;
+      between.read(0, 0, here_m, {&value, 1});
+      const double off = value - light(here_m);
+      worst.between = std::max(worst.between, std::abs(off / light(here_m)));
+      worst.in_standard_errors =
+          std::max(worst.in_standard_errors,
+                   std::abs(off) / algebra::interpolated(found.axis_distances_m, errors, here_m));
+    }
+  }
+  return worst;
+}
+
+TEST(RingMiddles, HaveTheLightOfAnExponential) {
+  for (const double width_m : {5e3, 50e3, 200e3})
+    for (const double length_m : {100e3, 200e3, 500e3, -300e3, 1000e3}) {
+      const auto light = [=](double m) { return 1e-9 * std::exp(m / length_m); };
+      // the axis is a kink of it
+      const auto worst = worst_of(light, width_m, 4 * width_m);
+      const double tolerance = std::abs(width_m / length_m) <= 0.5 ? 2e-5 : 2e-3;
+      EXPECT_LT(worst.at_middles, tolerance) << width_m << " " << length_m;
+      EXPECT_LT(worst.between, tolerance) << width_m << " " << length_m;
+    }
+}
+
+TEST(RingMiddles, HaveTheLightOfABellAboutTheAxis) {
+  for (const double width_m : {50e3, 200e3}) {
+    const auto bell = [=](double m) { return 1e-9 * std::exp(std::pow(m / (8 * width_m), 2)); };
+    EXPECT_LT(worst_of(bell, width_m).between, 2e-4) << "of a parabola's logarithm";
+  }
+}
+
+TEST(RingMiddles, ErrNoMoreThanTheyTellWhereLightHasAKink) {
+  for (double kink_m = 450e3; kink_m < 550e3; kink_m += 7e3) {
+    const auto light = [=](double m) {
+      return 1e-6 * std::exp((m - kink_m) / (m < kink_m ? 100e3 : 400e3));
+    };
+    const auto worst = worst_of(light, 50e3, 200e3);
+    EXPECT_LT(worst.in_standard_errors, 5) << kink_m;
+    EXPECT_GT(worst.between, 5e-3) << "a test of kinks";
+  }
+}
+
+TEST(RingMiddles, KeepTheLightOfEachRing) {
+  // the mean over each ring of what is read between middles is the photons' own
+  const auto light = [](double m) { return 1e-6 * std::exp(2 * std::cos(m / 300e3)); };
+  const double width_m = 50e3;
+  const auto means = means_of(light, width_m, 40);
+  const auto found = estimated(sums_of(means, width_m, 1e-6));
+  const BetweenPlaces between(found);
+  const auto read = [&](double at_m) {
+    double value = NAN;
+    between.read(0, 0, at_m, {&value, 1});
+    return value;
+  };
+  const auto again = means_of(read, width_m, 40);
+  for (std::size_t r = 0; r < 38; ++r)
+    EXPECT_WITHIN_RELATIVE(again[r], means[r], 2e-4,
+                           "3/640 of the fourth difference, of kinks of the cubics")
+        << r;
+}
+
+TEST(RingMiddles, MakeNoiseGrowByNoMoreThanTheyTell) {
+  // a hundred draws of noise of 5 % on an exponential of 50 km rings
+  constexpr double noise = 0.05;
+  constexpr int draws = 100;
+  const double width_m = 50e3;
+  const auto light = [](double m) { return 1e-6 * std::exp(m / 250e3); };
+  const auto means = means_of(light, width_m, 40);
+  algebra::Random random(1, 0);
+  double found_squares = 0, told_squares = 0, chi_squared = 0, sum = 0;
+  int count = 0;
+  for (int k = 0; k < draws; ++k) {
+    auto drawn = means;
+    for (double& mean : drawn) mean *= 1 + noise * std::sqrt(12.) * (random.uniform() - 0.5);
+    const auto found = estimated(sums_of(drawn, width_m, noise));
+    for (std::size_t r = 3; r < 37; ++r, ++count) {
+      const double exact = light(found.axis_distances_m[r]), off = found.ratio[0](r, 0) / exact - 1;
+      sum += off;
+      found_squares += off * off;
+      told_squares += std::pow(found.noise[0](r, 0) / exact, 2);
+      chi_squared += std::pow(off * exact / found.standard_error[0](r, 0), 2);
+    }
+  }
+  const double found = std::sqrt(found_squares / count), told = std::sqrt(told_squares / count);
+  EXPECT_WITHIN_RELATIVE(found, 1.09 * noise, 0.05, "3400 draws: 1.3 %, four times that");
+  EXPECT_WITHIN_RELATIVE(told, found, 0.05, "the same");
+  EXPECT_WITHIN(sum / count, 0, 4 * noise / std::sqrt(count), "four standard errors: no bias");
+  EXPECT_LT(chi_squared / count, 1.05) << "errors that are told are not too small";
+  EXPECT_GT(chi_squared / count, 0.6) << "nor much too large";
+}
+
+TEST(RingMiddles, KeepWhatIsEmptyOrLostInNoise) {
+  const std::vector<double> means{1e-6, 2e-6, 0, 3e-6, 4e-6, 1e-30, 5e-6, 5e-6, 0, 0, 1e-6};
+  const auto found = estimated(sums_of(means, 50e3, 0.01));
+  for (std::size_t r = 0; r < means.size(); ++r) {
+    EXPECT_GE(found.ratio[0](r, 0), 0.9 * means[r]) << r;
+    EXPECT_LE(found.ratio[0](r, 0), 1.1 * means[r]) << r;
+    EXPECT_GE(found.standard_error[0](r, 0), 0.0099 * means[r]) << r;
+  }
+  EXPECT_EQ(found.ratio[0](2, 0), 0);
+  const auto noisy = sums_of(means, 50e3, 0.4);
+  const auto kept = estimated(noisy);
+  const auto exact = means_over_rings(noisy);
+  for (std::size_t r = 0; r < means.size(); ++r) {
+    EXPECT_EQ(kept.ratio[0](r, 0), exact.ratio[0](r, 0));
+    EXPECT_EQ(kept.standard_error[0](r, 0), exact.standard_error[0](r, 0));
+  }
+}
+
+TEST(RingMiddles, OfRingsTooWideDoNotKeepPhotonsGoing) {
+  const auto kinked = [](double m) { return 1e-6 * std::exp(-std::abs(m - 500e3) / 50e3); };
+  const auto light = estimated(sums_of(means_of(kinked, 50e3, 20), 50e3, 1e-3));
+  const StoppingRule rule{{1}, 0.01, 0, 1e6};
+  EXPECT_LT(worst_error(light, rule), 0.003) << "twice the noise, and a tenth";
+  EXPECT_GT(light.standard_error[0](9, 0), 0.05 * light.ratio[0](9, 0)) << "a test of kinks";
+}
+
+/// How far photons are from the quadrature between 0 and 4500 km, where light is refracted alone, at
+/// 420 nm, of which the paper's air lets least through.
+struct Distance {
+  double rms = 0;     ///< relative
+  double within = 0;  ///< part of places that are within three standard errors
+};
+
+Distance from_quadrature(std::uint64_t photons, double ring_m) {
+  const std::vector<double> violet{420};
+  std::vector<double> places;
+  for (double at_m = 0; at_m < 4.5e6; at_m += 31e3) places.push_back(at_m);
+  const auto exact = by_quadrature({}, february_2008, violet, places, {.rays = 4000});
+  auto settings = settings_of(photons);
+  settings.ring_width_m = ring_m;
+  const auto light = estimated(traced({}, february_2008, violet, settings));
+  const BetweenPlaces between(light);
+  std::vector<double> errors(light.standard_error[0].values().begin(),
+                             light.standard_error[0].values().end());
+  Distance distance;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    double value = NAN;
+    between.read(0, 0, places[i], {&value, 1});
+    const double off = value - exact.ratio[0](i, 0);
+    const double share = 1 / static_cast<double>(places.size());
+    distance.rms += share * std::pow(off / exact.ratio[0](i, 0), 2);
+    if (std::abs(off) <= 3 * algebra::interpolated(light.axis_distances_m, errors, places[i]))
+      distance.within += share;
+  }
+  distance.rms = std::sqrt(distance.rms);
+  return distance;
+}
+
+TEST(RingMiddles, AreTheQuadraturesWithinThreeStandardErrors) {
+  const auto few = from_quadrature(100'000, 50e3), many = from_quadrature(10'000'000, 50e3),
+             wide = from_quadrature(10'000'000, 200e3);
+  EXPECT_GT(few.within, 0.98);
+  EXPECT_GT(many.within, 0.98) << "more where light has kinks that rings do not resolve";
+  EXPECT_GT(wide.within, 0.98);
+  EXPECT_LT(many.rms, 3e-3) << "half of it noise";
 }
 
 TEST(BlockRange, OfPhotonsIsRoundedUp) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "shadow/by_photons.h"
 #include "shadow/by_quadrature.h"
 
 namespace coppermoon::shadow {
@@ -33,6 +34,12 @@ inline algebra::Grid<double> ring_means(const atmosphere::Atmosphere& air,
       means(r, w) = sum / area;
     }
   return means;
+}
+
+/// The photons' own means over rings.
+inline RefractedLight in_rings(const atmosphere::Atmosphere& air, const Arrangement& arrangement,
+                               std::span<const double> waves, const PhotonSettings& settings) {
+  return means_over_rings(traced(air, arrangement, waves, settings));
 }
 
 }  // namespace coppermoon::shadow

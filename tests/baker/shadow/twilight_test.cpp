@@ -127,7 +127,7 @@ double point_by_point(const Atmosphere& air, double axis_distance_m, double nm, 
 }
 
 TEST(Twilight, IsTheSumOverAllPointsOfTheAir) {
-  auto air = atmosphere::preset("standard", algebra::degrees(0));
+  auto air = atmosphere::preset("undated", algebra::degrees(0));
   air.earth = {};
   for (const double nm : {420., 600., 750.})
     for (const double axis_m : {0., 5.5e6})
@@ -157,7 +157,7 @@ TEST(Twilight, IsBlueWhereTheRefractedLightIsRed) {
 }
 
 TEST(Twilight, IsAllTheLightThereIsUnderAsh) {
-  auto air = atmosphere::preset("standard", algebra::degrees(0));
+  auto air = atmosphere::preset("undated", algebra::degrees(0));
   air.column.stratosphere = atmosphere::StratosphericAerosol::extreme;
   const std::vector<double> waves{450, 650}, distances{0};
   const Arrangement arrangement{sun_m, {moon_m}};
@@ -193,7 +193,7 @@ TEST(Twilight, OfNoAirIsNothing) {
 }
 
 TEST(AddTwilight, AgreesWithTheRingAtEveryPlaceAndWavelength) {
-  auto air = atmosphere::preset("standard", algebra::degrees(0));
+  auto air = atmosphere::preset("undated", algebra::degrees(0));
   std::vector<double> distances, waves;
   for (double d = 0; d < 6.4e6; d += 170e3) distances.push_back(d);
   for (double nm = 381; nm < 780; nm += 6) waves.push_back(nm);

@@ -115,7 +115,7 @@ TEST(Umbra, OfClearAirIsTwoPerCentLargerThanItsGeometry) {
 }
 
 TEST(Umbra, OfStandardAirIsAsLarge) {
-  const auto air = on_a_sphere("standard");
+  const auto air = on_a_sphere("undated");
   EXPECT_WITHIN(edge_of_umbra(air) / geometric_umbra_m(air.earth.equatorial_radius_m), 1.020, 0.005,
                 "1.015 to 1.025 hold the timings");
 }
@@ -195,7 +195,7 @@ TEST(Shadow, OfTransparentAirLosesOnlyWhatTheGroundTakes) {
 
 /// Every term at once, and dust over the south.
 atmosphere::Atmosphere dusty_south() {
-  auto air = atmosphere::preset("standard", degrees(10));
+  auto air = atmosphere::preset("undated", degrees(10));
   auto dust = air.column;
   dust.dust_extinction_per_m = 1e-5;
   air.regions = between_latitudes(degrees(-90), degrees(0), degrees(10), dust);
@@ -206,7 +206,7 @@ TEST(Regions, OfDustInTheSouthDarkenTheSouthernUmbraAlone) {
   const std::vector<double> waves{450, 550, 650};
   const std::vector<double> distances{3000e3, 3800e3, 4400e3};
   const auto half = by_quadrature(dusty_south(), mean_distances, waves, distances),
-             clean = by_quadrature(atmosphere::preset("standard", degrees(10)), mean_distances,
+             clean = by_quadrature(atmosphere::preset("undated", degrees(10)), mean_distances,
                                    waves, distances);
   constexpr std::size_t north = 0, south = sectors_around / 2;
   for (std::size_t w = 0; w < waves.size(); ++w) {
@@ -222,7 +222,7 @@ TEST(Regions, OfDustInTheSouthDarkenTheSouthernUmbraAlone) {
 TEST(Regions, ThatCoverEverythingAreNoRegion) {
   const std::vector<double> waves{450, 650};
   const std::vector<double> distances{0, 1000e3, 3000e3, 4500e3, 6000e3};
-  auto air = atmosphere::preset("standard", degrees(10));
+  auto air = atmosphere::preset("undated", degrees(10));
   const auto without = by_quadrature(air, mean_distances, waves, distances);
   air.regions = between_latitudes(degrees(-90), degrees(90), degrees(10), air.column);
   air.column = {};  // of no consequence: the region is everywhere

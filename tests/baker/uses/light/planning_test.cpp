@@ -18,7 +18,7 @@ namespace {
 
 const double radius_m = algebra::in_metres(almanac::lunar_radius);
 
-ShadowedMoon moon_at(const char* utc, std::string_view preset = "standard") {
+ShadowedMoon moon_at(const char* utc, std::string_view preset = "undated") {
   const auto sky = almanac::sky_at(almanac::instant_from_utc(utc));
   const auto axis = eclipse::shadow_axis(sky);
   return {eclipse::place_in_shadow(axis, sky.moon_m), algebra::in_metres(axis.sun_distance), true,

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "atmosphere/seasonal_air.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "algebra/error.h"
+#include "algebra/interpolation.h"
+#include "algebra/quadrature.h"
+#include "algebra/table.h"
+#include "atmosphere/tables.h"
+
+namespace coppermoon::atmosphere {
+namespace {
+
+constexpr double knot_m = 1e3, below_ground_m = 3e3;
+constexpr double gravity_over_gas_constant = 9.80665 * 28.9644e-3 / 8.31432;  // K/m
+constexpr double geopotential_radius = 6356766, sea_level_k = 288.15;
+
+/// 1 in the northern midsummer, 0 in its midwinter.
+double summer(double year) {
+  constexpr double mid_january = 15 / 365.25;
+  return (1 - std::cos(2 * std::numbers::pi * (year - mid_january))) / 2;
+}
+
+/// Temperatures at the model's altitudes.
+std::vector<double> temperatures(const algebra::Table& table, double latitude_deg, double year) {
+  const double south = latitude_deg < 0 ? 0.5 : 0, away = std::abs(latitude_deg);
+  const double warm = summer(year + south), to_45 = std::clamp((away - 15) / 30, 0., 1.),
+               to_60 = std::clamp((away - 45) / 15, 0., 1.);
+  std::vector<double> all;
+  for (std::size_t i = 0; i < table["altitude_km"].size(); ++i) {
+    const auto of_season = [&](const char* winter, const char* in_summer) {
+      return std::lerp(table[winter][i], table[in_summer][i], warm);
+    };
+    const double middle = of_season("midlatitude_winter", "midlatitude_summer"),
+                 high = of_season("subarctic_winter", "subarctic_summer");
+    all.push_back(std::lerp(std::lerp(table["tropical"][i], middle, to_45), high, to_60));
+  }
+  return all;
+}
+
+double gravity_ratio(double altitude_m) {
+  const double ratio = geopotential_radius / (geopotential_radius + altitude_m);
+  return ratio * ratio;
+}
+
+}  // namespace
+
+SeasonalAir::SeasonalAir(algebra::Angle latitude, double year) {
+  static const auto table =
+      algebra::parse_table(tables::seasonal_temperature(), "seasonal_temperature.csv");
+  const double degrees = algebra::in_degrees(latitude);
+  algebra::require_within("latitude [degrees]", degrees, -90, 90);
+  auto altitude_m = table["altitude_km"];
+  for (double& h : altitude_m) h *= 1e3;
+  const auto models = temperatures(table, degrees, year);
+  const algebra::MonotoneCubic temperature(altitude_m, models);
+  const auto fall = [&](double h) {  // of ln p
+    return gravity_over_gas_constant * gravity_ratio(h) / temperature(h);
+  };
+  double log_pressure = 0;
+  for (double h = 0; h > -below_ground_m; h -= knot_m)
+    for (const auto& [x, weight] : algebra::gauss_legendre(4))
+      log_pressure += weight * knot_m / 2 * fall(h - knot_m * (1 + x) / 2);
+  for (double h = -below_ground_m; h <= top_of_us_1976_m; h += knot_m) {
+    constexpr double step_m = 1;
+    const double t = temperature(h),
+                 lapse = (temperature(h + step_m) - temperature(h - step_m)) / (2 * step_m);
+    knots_.push_back({log_pressure - std::log(t / sea_level_k), -fall(h) - lapse / t, t});
+    for (const auto& [x, weight] : algebra::gauss_legendre(4))
+      log_pressure -= weight * knot_m / 2 * fall(h + knot_m * (1 + x) / 2);
+  }
+}
+
+ValueAndSlope SeasonalAir::density_ratio(double altitude_m) const {
+  if (altitude_m > top_of_us_1976_m) return {0, 0};
+  const double place = (altitude_m + below_ground_m) / knot_m;
+  const auto i =
+      static_cast<std::size_t>(std::clamp(place, 0., static_cast<double>(knots_.size()) - 2));
+  const auto &low = knots_[i], &high = knots_[i + 1];
+  const double t = place - static_cast<double>(i), a = low.slope_per_m * knot_m,
+               b = high.slope_per_m * knot_m, rise = high.log_ratio - low.log_ratio;
+  const double second = 3 * rise - 2 * a - b, third = a + b - 2 * rise;
+  const double ratio = std::exp(low.log_ratio + t * (a + t * (second + t * third)));
+  return {ratio, ratio * (a + t * (2 * second + 3 * t * third)) / knot_m};
+}
+
+double SeasonalAir::pressure_ratio(double altitude_m) const {
+  const double place = std::clamp((altitude_m + below_ground_m) / knot_m, 0.,
+                                  static_cast<double>(knots_.size()) - 1.001);
+  const auto i = static_cast<std::size_t>(place);
+  const double temperature =
+      std::lerp(knots_[i].temperature, knots_[i + 1].temperature, place - static_cast<double>(i));
+  return density_ratio(altitude_m).value * temperature / sea_level_k;
+}
+
+double SeasonalAir::altitude_m(double pressure) const {
+  double low = 0, high = top_of_us_1976_m;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = std::midpoint(low, high);
+    (pressure_ratio(middle) > pressure ? low : high) = middle;
+  }
+  return std::midpoint(low, high);
+}
+
+}  // namespace coppermoon::atmosphere

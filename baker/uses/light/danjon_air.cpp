@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "uses/light/danjon_air.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <numbers>
+
+#include "algebra/error.h"
+#include "algebra/quadrature.h"
+#include "almanac/ephemeris.h"
+#include "almanac/lunar_orientation.h"
+#include "eclipse/contacts.h"
+#include "eclipse/shadow_axis.h"
+#include "shadow/by_quadrature.h"
+#include "uses/light/photometer.h"
+#include "uses/light/spectral_bands.h"
+
+namespace coppermoon::uses {
+namespace {
+
+using std::numbers::pi;
+
+constexpr int coarse_bands = 10;
+constexpr std::size_t coarse_sectors = 24;
+
+/// Places of a disc, alike in area.
+struct Place {
+  double axis_distance_m, position_angle_rad;
+};
+
+std::vector<Place> places_over(const eclipse::ShadowPlace& centre, double axis_distance_m) {
+  constexpr int rings = 4, around = 16;
+  const double radius = algebra::in_metres(almanac::lunar_radius),
+               angle = algebra::in_radians(centre.position_angle);
+  const double x = axis_distance_m * std::sin(angle), y = axis_distance_m * std::cos(angle);
+  std::vector<Place> places;
+  for (int r = 0; r < rings; ++r)
+    for (int a = 0; a < around; ++a) {
+      const double away = radius * std::sqrt((r + 0.5) / rings), turn = 2 * pi * a / around;
+      const double px = x + away * std::sin(turn), py = y + away * std::cos(turn);
+      places.push_back({std::hypot(px, py), std::atan2(px, py)});
+    }
+  return places;
+}
+
+/// The nearest eclipse, its Moon inside the umbra.
+class Totality {
+ public:
+  explicit Totality(const almanac::SkyState& near)
+      : sky_(almanac::sky_at(
+            eclipse::nearest_eclipse(near.when, eclipse::ShadowConvention::danjon).greatest)) {
+    const auto axis = eclipse::shadow_axis(sky_);
+    const auto centre = eclipse::place_in_shadow(axis, sky_.moon_m);
+    arrangement_ = {
+        algebra::in_metres(axis.sun_distance), {algebra::in_metres(centre.depth)}, true};
+    dimmer_ = std::pow(glm::length(sky_.moon_m) / mean_distance_m *
+                           algebra::in_metres(axis.sun_distance) / almanac::astronomical_unit_m,
+                       2);
+    const double radius = algebra::in_metres(almanac::lunar_radius);
+    const double umbra_m =
+        shadow::landing_m(atmosphere::earth_equatorial_radius_m, 0, arrangement_.sun_distance_m,
+                          arrangement_.depths_m[0]) -
+        shadow::projected_solar_radius_m(arrangement_, arrangement_.depths_m[0]);
+    const double deep = std::min(algebra::in_metres(centre.axis_distance), umbra_m - radius);
+    places_ = places_over(centre, deep);
+    for (double d = 0; d < deep + radius + spacing_m; d += spacing_m) distances_m_.push_back(d);
+  }
+
+  /// Of the visual band, above the air.
+  double magnitude(const atmosphere::Atmosphere& air) const {
+    const auto waves = wavelengths_nm(coarse_bands);
+    const auto light =
+        shadow::by_quadrature(with_fewer_belts(air), arrangement_, waves, distances_m_,
+                              {.rays = 100, .sun_terms = 2, .around = coarse_sectors});
+    const auto weights = at_wavelengths(photometer().weights, coarse_bands);
+    double all = 0, seen = 0;
+    for (std::size_t w = 0; w < waves.size(); ++w) {
+      all += weights(visual, w);
+      for (const auto& place : places_)
+        seen += weights(visual, w) * at(light, place, w) / static_cast<double>(places_.size());
+    }
+    return full_moon - 2.5 * std::log10(std::max(seen / all, 1e-12) / dimmer_);
+  }
+
+ private:
+  static constexpr double spacing_m = 200e3, mean_distance_m = 3.844e8;
+  static constexpr std::size_t visual = 1;  ///< of the photometer's channels
+  /// Visual magnitude of a full Moon outside the shadow, at mean distances, at a phase of 1.5° (ROLO).
+  static constexpr double full_moon = -12.73;
+
+  double at(const shadow::RefractedLight& light, const Place& place, std::size_t wave) const {
+    const double turn = place.position_angle_rad / (2 * pi) * static_cast<double>(light.sectors);
+    const auto sector =
+        static_cast<std::size_t>(std::lround(turn + 2. * coarse_sectors)) % light.sectors;
+    const double along = place.axis_distance_m / spacing_m;
+    const auto i = std::min(static_cast<std::size_t>(along), distances_m_.size() - 2);
+    const auto& ratio = light.ratio[sector];
+    return std::lerp(ratio(i, wave), ratio(i + 1, wave), along - static_cast<double>(i));
+  }
+
+  almanac::SkyState sky_;
+  shadow::Arrangement arrangement_;
+  std::vector<Place> places_;
+  std::vector<double> distances_m_;
+  double dimmer_ = 1;  ///< by the distances of Sun and Moon
+};
+
+void clear(atmosphere::Column& column, double clearness) {
+  const double left = 1 - std::max(0., clearness);
+  for (double* term : {&column.cloud_per_m, &column.cirrus, &column.tropospheric_optical_depth,
+                       &column.free_troposphere_per_m, &column.cloud_cover})
+    *term *= left;
+  if (!column.stratospheric_layer) return;
+  const double depth = left * column.stratospheric_layer->optical_depth() - std::min(0., clearness);
+  column.stratospheric_layer =
+      std::make_shared<atmosphere::StratosphericLayer>(std::min(depth, 2.), column.tropopause_m);
+}
+
+}  // namespace
+
+atmosphere::Atmosphere cleared(atmosphere::Atmosphere air, double clearness) {
+  for (auto& belt : air.belts) clear(belt.column, clearness);
+  return air;
+}
+
+double danjon_clearness(int l, const atmosphere::Atmosphere& air, const almanac::SkyState& sky) {
+  algebra::require_within("Danjon", l, 0, 4);
+  constexpr int halvings = 10;
+  const double asked = 4.2 - 3. * l + l * l / 4.;
+  const Totality totality(sky);
+  double dark = -2, bright = 1;
+  if (totality.magnitude(air) > asked)
+    dark = 0;
+  else
+    bright = 0;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (dark + bright) / 2;
+    (totality.magnitude(cleared(air, middle)) > asked ? dark : bright) = middle;
+  }
+  return (dark + bright) / 2;
+}
+
+}  // namespace coppermoon::uses
