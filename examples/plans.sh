@@ -23,8 +23,8 @@ scene "Penumbra alone" "The Moon has just touched the penumbra: sunlight that pa
 came through it, so no ray is followed through the air at all." 2009-02-09T12:40:00Z
 scene "Deep in the umbra" "The axis goes through the disc, and so little light is refracted there that what the air \
 scatters into the shadow counts." 2011-06-15T20:13:00Z
-scene "A volcano in the south" "Air that differs by region has more columns to follow light through, and light that \
-differs around the axis." 2018-07-27T20:21:45Z --region from-latitude=-90,to-latitude=0,stratospheric-aerosol=high
+scene "Air alike all around" "Without clouds and seasons there is one column to follow light through, and light that \
+differs around the axis by the Earth's oblateness alone." 2018-07-27T20:21:45Z --atmosphere clear
 scene "A Moon at 3 degrees altitude" "The same eclipse as it rises over London: the frame shows the disc flattened by \
 refraction, which is left out where it is less than a quarter of a pixel; the texture is as large as the frame can show." \
   2018-07-27T20:21:45Z --at 51.5,0 --width 450 --height 300

@@ -46,11 +46,11 @@ constexpr Floats floats;
 
 /// Σ of numbers times rows, at a vector of wavelengths.
 HWY_INLINE Vector combined(const float* numbers, const Grid<float>& rows, std::size_t w) {
-  const std::size_t width = rows.columns();
-  const float* row = rows.values().data() + w;
+  const float* values = rows.values().data();
   auto sum = hn::Zero(floats);
-  for (std::size_t k = 0; k < rows.rows(); ++k, row += width)
-    sum = hn::MulAdd(hn::Set(floats, numbers[k]), hn::LoadU(floats, row), sum);
+  for (std::size_t k = 0; k < rows.rows(); ++k)  // none where nothing absorbs
+    sum = hn::MulAdd(hn::Set(floats, numbers[k]),
+                     hn::LoadU(floats, values + k * rows.columns() + w), sum);
   return sum;
 }
 

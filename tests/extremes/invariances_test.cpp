@@ -260,13 +260,14 @@ TEST(Order, OfRegionsThatDoNotOverlapDoesNotMatter) {
     air.earth = atmosphere::ellipsoid(drawn.between(-0.4, 0.4));
     air.regions = drawn_regions(drawn);
     auto other = air;
-    std::rotate(other.regions.begin(),
-                other.regions.begin() + 1 + static_cast<int>(drawn.below(2)), other.regions.end());
+    std::rotate(other.regions.begin(), other.regions.begin() + 1 + static_cast<int>(drawn.below(2)),
+                other.regions.end());
     worst.see(worst_of(light_of(air), light_of(other), [](std::size_t s) { return s; }));
-    EXPECT_LE(worst.value, 1e-12) << of_case(i);
+    EXPECT_LE(worst.value, 1e-11) << of_case(i);
   }
-  holds("three regions in another order, 20 times", "light, over itself", 1e-12, worst,
-        "rounding of sums in another order");
+  holds("three regions in another order, 20 times", "light, over itself", 1e-11, worst,
+        "rounding of 161 harmonics in another order, whose sum is a hundredth of them where it is "
+        "dark");
 }
 
 TEST(Scaling, AllLengthsByTwoScalesWhatIsComputedOfThemExactly) {
