@@ -13,9 +13,10 @@
 namespace coppermoon::almanac {
 namespace {
 
-struct Calendar {
+struct CivilTime {
   int year = 0, month = 1, day = 1, hour = 0, minute = 0;
   double second = 0;
+  int minutes_east = 0;  ///< of UTC
 };
 
 /// Takes exactly `count` digits off the front of the text.
@@ -41,7 +42,7 @@ bool take_number(std::string_view& text, int count, int& value) {
   return number.has_value();
 }
 
-bool take_date(std::string_view& text, Calendar& c) {
+bool take_date(std::string_view& text, CivilTime& c) {
   const bool before_christ = take(text, '-');
   if (!before_christ) take(text, '+');
   const bool read = take_number(text, 4, c.year) && take(text, '-') &&
@@ -50,7 +51,7 @@ bool take_date(std::string_view& text, Calendar& c) {
   return read;
 }
 
-bool take_second(std::string_view& text, Calendar& c) {
+bool take_second(std::string_view& text, CivilTime& c) {
   int whole = 0;
   if (!take_number(text, 2, whole)) return false;
   c.second = whole;
@@ -62,18 +63,47 @@ bool take_second(std::string_view& text, Calendar& c) {
   return true;
 }
 
-bool take_time(std::string_view& text, Calendar& c) {
+bool take_time(std::string_view& text, CivilTime& c) {
   if (!take_number(text, 2, c.hour) || !take(text, ':') || !take_number(text, 2, c.minute))
     return false;
   return !take(text, ':') || take_second(text, c);
 }
 
-std::optional<Calendar> calendar_of(std::string_view text) {
-  Calendar c;
+/// "+04:00", "-0330" or "+04".
+bool take_offset(std::string_view& text, CivilTime& c) {
+  const int sign = text.starts_with('-') ? -1 : 1;
+  int hours = 0, minutes = 0;
+  if (!take(text, '+') && !take(text, '-')) return false;
+  if (!take_number(text, 2, hours)) return false;
+  if ((take(text, ':') || !text.empty()) && !take_number(text, 2, minutes)) return false;
+  c.minutes_east = sign * (60 * hours + minutes);
+  return hours <= 18 && minutes < 60;
+}
+
+std::optional<CivilTime> civil_time(std::string_view text) {
+  CivilTime c;
   if (!take_date(text, c) || c.year < -1999 || c.year > 3000) return std::nullopt;
-  if (take(text, 'T') && !take_time(text, c)) return std::nullopt;
-  take(text, 'Z');
+  const bool timed = take(text, 'T') || take(text, ' ');
+  if (timed && !take_time(text, c)) return std::nullopt;
+  if (!take(text, 'Z') && timed && !text.empty() && !take_offset(text, c)) return std::nullopt;
   if (!text.empty()) return std::nullopt;
+  return c;
+}
+
+/// The day of the Julian calendar as the Gregorian one has it; none where there is no such day.
+///
+/// Source  Meeus (1998), Astronomical Algorithms, chapter 7: the Julian day of a Julian date
+std::optional<CivilTime> in_gregorian(CivilTime c) {
+  constexpr int days_in[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+  if (c.month < 1 || c.month > 12) return std::nullopt;
+  const bool leap_day = c.month == 2 && c.year % 4 == 0;
+  if (c.day < 1 || c.day > days_in[c.month - 1] + leap_day) return std::nullopt;
+  const int year = c.month > 2 ? c.year : c.year - 1;
+  const int month = c.month > 2 ? c.month : c.month + 12;
+  const double noon_before = std::floor(365.25 * (year + 4716)) +
+                             std::floor(30.6001 * (month + 1)) + c.day - 1524;
+  double fraction = 0;
+  eraJd2cal(noon_before, -0.5, &c.year, &c.month, &c.day, &fraction);
   return c;
 }
 
@@ -111,18 +141,21 @@ Instant from_ut1(double day, double fraction) {
 
 }  // namespace
 
-Instant instant_from_utc(std::string_view text) {
-  const auto c = calendar_of(text);
+Instant instant_from_utc(std::string_view text, Calendar calendar) {
+  auto c = civil_time(text);
+  if (c && calendar == Calendar::julian) c = in_gregorian(*c);
   double day = 0, fraction = 0;
   const int status = !c ? -1
                         : eraDtf2d(name(scale_in(c->year)), c->year, c->month, c->day, c->hour,
                                    c->minute, c->second, &day, &fraction);
   if (status != 0 && status != dubious_year)
     throw algebra::Error(
-        fmt::format("date \"{}\" is no ISO 8601 UTC date of the years -1999 to "
-                    "3000, such as 2008-02-21T03:26:05Z",
+        fmt::format("date \"{}\": allowed is an ISO 8601 date of the years -1999 to 3000, such as "
+                    "2008-02-21T03:26:05Z or 2008-02-21T07:26:05+04:00",
                     text));
-  return scale_in(c->year) == Scale::utc ? from_utc(day, fraction) : from_ut1(day, fraction);
+  const auto there =
+      scale_in(c->year) == Scale::utc ? from_utc(day, fraction) : from_ut1(day, fraction);
+  return c->minutes_east == 0 ? there : later(there, -60. * c->minutes_east);
 }
 
 std::string utc_text(const Instant& instant, int decimals) {

@@ -12,14 +12,19 @@ struct Instant {
   double tt_day = 0, tt_fraction = 0;
 };
 
-/// The moment that an ISO 8601 UTC text names.
+/// The calendar of a date. ISO 8601 is Gregorian throughout; before 15 October 1582 history gives
+/// Julian dates.
+enum class Calendar { gregorian, julian };
+
+/// The moment that an ISO 8601 text names, in UTC unless it ends in an offset.
 ///
-/// Given   text   "2008-02-21T03:08:26Z"; the Z, the seconds and their decimals may be left out,
-///                the time of day too (midnight); years −1999 to 3000, signed as "-0584-05-22".
-///                The calendar is Gregorian throughout, as ISO 8601 has it: before 15 October
-///                1582 history gives Julian dates (Thales' eclipse, this one: −584 May 28)
+/// Given   text      "2008-02-21T03:08:26Z"; the Z, the seconds and their decimals may be left out,
+///                   the time of day too (midnight); a space may stand for the T, an offset to the
+///                   east for the Z ("+04:00", to 18 h). Years −1999 to 3000, signed as "-0584-05-22"
+///         calendar  of the date: Thales' eclipse is "-0584-05-22" in the Gregorian one,
+///                   "-0584-05-28" in the Julian one
 /// Throws  Error  when the text is no such date: names the text and an example
-Instant instant_from_utc(std::string_view text);
+Instant instant_from_utc(std::string_view text, Calendar calendar = Calendar::gregorian);
 
 /// ISO 8601 UTC, rounded to `decimals` decimals of a second (0 to 3): "2008-02-21T03:26:05Z".
 ///

@@ -55,7 +55,7 @@ Pair contact_pair(const Pass& pass, Edge edge, Touch touch) {
   return {contact(-longest_half_s), contact(longest_half_s)};
 }
 
-Contacts contacts_of(const Pass& pass) {
+Contacts contacts_in(const Pass& pass) {
   const auto [P1, P4] = contact_pair(pass, Edge::penumbra, Touch::outside);
   const auto [U1, U4] = contact_pair(pass, Edge::umbra, Touch::outside);
   const auto [U2, U3] = contact_pair(pass, Edge::umbra, Touch::inside);
@@ -85,7 +85,7 @@ std::optional<Eclipse> eclipse_near(const Instant& middle, ShadowConvention conv
   const Sighting sighting = sighting_at(lunation, greatest_s);
   const double penumbral = magnitude(sighting, convention, Edge::penumbra);
   if (penumbral <= 0) return std::nullopt;
-  const Contacts contacts = contacts_of({lunation, convention, greatest_s});
+  const Contacts contacts = contacts_in({lunation, convention, greatest_s});
   return Eclipse{
       almanac::later(middle, greatest_s),           type_of(contacts), signed_gamma(sighting.moon),
       magnitude(sighting, convention, Edge::umbra), penumbral,         contacts};
@@ -149,6 +149,24 @@ Eclipse nearest_eclipse(const Instant& instant, ShadowConvention convention, Lun
     if (const auto eclipse = eclipse_near(middle, convention, theory)) return *eclipse;
   }
   throw algebra::Error(fmt::format("no eclipse within a year of {}", almanac::utc_text(instant)));
+}
+
+std::vector<std::pair<std::string, Instant>> contacts_of(const Eclipse& eclipse) {
+  std::vector<std::pair<std::string, Instant>> all;
+  const auto& contacts = eclipse.contacts;
+  const auto add = [&](const char* name, const std::optional<Instant>& when) {
+    if (when) all.emplace_back(name, *when);
+  };
+  add("P1", contacts.P1), add("U1", contacts.U1), add("U2", contacts.U2);
+  add("greatest", eclipse.greatest);
+  add("U3", contacts.U3), add("U4", contacts.U4), add("P4", contacts.P4);
+  return all;
+}
+
+std::optional<Eclipse> eclipse_of_day(const Instant& midnight, ShadowConvention convention) {
+  constexpr double day_s = 86400;
+  const auto all = eclipses_between(midnight, almanac::later(midnight, day_s), convention);
+  return all.empty() ? std::nullopt : std::optional(all.front());
 }
 
 }  // namespace coppermoon::eclipse

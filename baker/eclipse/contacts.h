@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "almanac/ephemeris.h"
@@ -38,6 +40,12 @@ struct Eclipse {
 std::vector<Eclipse> eclipses_between(
     const almanac::Instant& from, const almanac::Instant& to, ShadowConvention convention,
     almanac::LunarTheory theory = almanac::LunarTheory::elp_2000_82b);
+
+/// Contacts and the greatest phase by their names ("P1" … "greatest" … "P4"), in order of time.
+std::vector<std::pair<std::string, almanac::Instant>> contacts_of(const Eclipse& eclipse);
+
+/// The eclipse whose greatest phase falls on the day of 24 h that begins at a moment, if there is one.
+std::optional<Eclipse> eclipse_of_day(const almanac::Instant& midnight, ShadowConvention convention);
 
 /// The eclipse that is under way, from P1 to P4, if there is one.
 std::optional<Eclipse> eclipse_at(const almanac::Instant& instant, ShadowConvention convention,

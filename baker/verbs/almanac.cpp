@@ -11,7 +11,7 @@
 #include "eclipse/contacts.h"
 #include "eclipse/feature.h"
 #include "verbs/command_line.h"
-#include "verbs/flags/number_list.h"
+#include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 
 namespace coppermoon::verbs {
@@ -41,17 +41,6 @@ eclipse::ShadowConvention convention_from(const std::string& name) {
   return eclipse::ShadowConvention::danjon;
 }
 
-/// A place on the Moon as written on the command line: "LAT,LON".
-almanac::SelenographicPoint feature_from(const std::string& text) {
-  const auto numbers = number_list(text).value_or(std::vector<double>{});
-  if (numbers.size() != 2)
-    throw algebra::Error(fmt::format(
-        "feature = {}, allowed LATITUDE,LONGITUDE in degrees (north, east), as -43.3,-11.4", text));
-  algebra::require_within("feature's latitude [deg]", numbers[0], -90, 90);
-  algebra::require_within("feature's longitude [deg]", numbers[1], -360, 360);
-  return {algebra::degrees(numbers[0]), algebra::degrees(numbers[1])};
-}
-
 /// An eclipse, and when the umbra's edge crosses the feature that was asked for.
 struct Listed {
   eclipse::Eclipse eclipse;
@@ -60,14 +49,14 @@ struct Listed {
 
 using Contact = std::pair<const char*, std::optional<almanac::Instant>>;
 
-std::vector<Contact> contacts_of(const eclipse::Eclipse& e) {
+std::vector<Contact> contact_columns(const eclipse::Eclipse& e) {
   const auto& c = e.contacts;
   return {{"P1", c.P1}, {"U1", c.U1}, {"U2", c.U2}, {"U3", c.U3}, {"U4", c.U4}, {"P4", c.P4}};
 }
 
 nlohmann::ordered_json as_json(const eclipse::Eclipse& e) {
   nlohmann::ordered_json contacts = nlohmann::ordered_json::object();
-  for (const auto& [key, when] : contacts_of(e))
+  for (const auto& [key, when] : contact_columns(e))
     if (when) contacts[key] = almanac::utc_text(*when);
   return {{"greatest", almanac::utc_text(e.greatest)},
           {"type", name(e.type)},
@@ -103,7 +92,7 @@ void print(const Listed& listed) {
   const auto& e = listed.eclipse;
   fmt::print("{:<21}{:<10}{:>8.4f}{:>9.4f}{:>9.4f}", almanac::utc_text(e.greatest), name(e.type),
              e.gamma, e.umbral_magnitude, e.penumbral_magnitude);
-  for (const auto& [key, when] : contacts_of(e)) fmt::print("  {:<8}", time_of_day(when));
+  for (const auto& [key, when] : contact_columns(e)) fmt::print("  {:<8}", time_of_day(when));
   if (const auto& times = listed.feature)
     fmt::print("  {:<10}  {:<11}", time_of_day(times->immersion), time_of_day(times->emersion));
   fmt::print("\n");
@@ -152,8 +141,8 @@ void add_almanac(CLI::App& program) {
            "herald-sinnott")
       .one_of({"danjon", "danjon-oblate", "chauvenet", "herald-sinnott"});
   add_flag(*verb, "--feature", options->feature,
-           "LAT,LON of a place on the Moon [degrees north, east]: adds when the umbra's "
-           "edge (danjon-oblate) crosses it, whether or not it is seen");
+           "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; adds "
+           "when the umbra's edge (danjon-oblate) crosses it, whether or not it is seen");
   add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });

@@ -9,6 +9,7 @@
 #include "uses/light/header.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/known_words.h"
+#include "verbs/flags/moments.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/one_line.h"
 
@@ -25,10 +26,11 @@ void add_words(CLI::App& program) {
     add(program);
 }
 
-void run(CLI::App& program, const std::vector<std::string>& arguments) {
-  for (const auto& argument : arguments)
+void run(CLI::App& program, const std::vector<std::string>& told) {
+  for (const auto& argument : told)
     if (!is_utf8(argument))
       throw WrongUsage(fmt::format("argument '{}', allowed is UTF-8", argument));
+  const auto arguments = with_moments_joined(told);
   auto all = with_recipes(program, arguments);
   if (const auto recipe = recipe_named_in(program, arguments); !recipe.empty())
     all.push_back("--recipe=" + recipe);  // a file like others that are read

@@ -73,7 +73,7 @@ uses::FramePlaces places_told_by(const std::string& file) {
   if (!holds_recipe(file))
     throw algebra::Error(fmt::format("{}: allowed is an .exr made by coppermoon", file));
   const auto flags = flags_told_by(file);
-  const auto sky = almanac::sky_at(almanac::instant_from_utc(flags.moon.instant));
+  const auto sky = almanac::sky_at(instant_of(flags.moon.moment));
   const auto view = uses::seen_through(flags.camera, flags.view);
   return uses::frame_places(sky, uses::view_for_frame(view, sky).view.camera);
 }

@@ -6,36 +6,25 @@
 #include <optional>
 
 #include "algebra/error.h"
-#include "almanac/instant.h"
 #include "files/whole_file.h"
 #include "texture/write_image.h"
 #include "uses/light/ring_strip.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/air_options.h"
-#include "verbs/flags/number_list.h"
+#include "verbs/flags/moments.h"
+#include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 
 namespace coppermoon::verbs {
 namespace {
 
 struct Options {
-  std::string instant, output;
+  MomentOptions moment;
+  std::string output;
   std::optional<almanac::SelenographicPoint> on;
   double scale = 1;
   uses::LightRequest light;  ///< of which only the air is asked for
 };
-
-almanac::SelenographicPoint place_from(const std::string& text) {
-  const auto numbers = number_list(text).value_or(std::vector<double>{});
-  if (numbers.size() != 2)
-    throw algebra::Error(
-        fmt::format("place on the Moon = {}, allowed LATITUDE,LONGITUDE in degrees (north, east), "
-                    "as -43.3,-11.2",
-                    text));
-  algebra::require_within("lunar latitude [deg]", numbers[0], -90, 90);
-  algebra::require_within("lunar longitude [deg]", numbers[1], -360, 360);
-  return {algebra::degrees(numbers[0]), algebra::degrees(numbers[1])};
-}
 
 void require_sound(const Options& options) {
   if (std::filesystem::path(options.output).extension() != ".exr")
@@ -45,7 +34,7 @@ void require_sound(const Options& options) {
 
 void run(const CLI::App& verb, const Options& options) {
   require_sound(options);
-  const auto sky = almanac::sky_at(almanac::instant_from_utc(options.instant));
+  const auto sky = almanac::sky_at(instant_of(options.moment));
   auto strip = uses::ring_strip(options.light, sky, options.on, options.scale);
   strip.attributes["coppermoon:recipe"] = recipe_of(verb);
   texture::write_exr(options.output, strip.light, strip.attributes, {texture::ExrType::floating});
@@ -58,12 +47,11 @@ void add_ring(CLI::App& program) {
   auto* verb = add_verb(program, "ring",
                         "The Earth's ring of sunsets, seen from the eclipsed Moon: a strip, cd/m²");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "instant,--instant", options->instant, "ISO 8601 UTC, as 2008-02-21T03:08:26Z")
-      .required();
+  add_moment_options(*verb, options->moment).required();
   add_parsed(
-      *verb, "--on", [options](const std::string& text) { options->on = place_from(text); },
-      "LAT,LON of a place on the Moon [degrees north, east]; without: where the Earth "
-      "stands in the zenith");
+      *verb, "--on", [options](const std::string& text) { options->on = feature_from(text); },
+      "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; without: "
+      "where the Earth stands in the zenith");
   add_flag(*verb, "-o,--output", options->output,
            "an .exr; columns: position angle on the sky about the Earth's centre, from "
            "north through east; rows: even in the angle from it, which the header has for "

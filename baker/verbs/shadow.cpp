@@ -14,6 +14,7 @@
 #include "uses/light/shadow_strip.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/light_options.h"
+#include "verbs/flags/moments.h"
 #include "verbs/flags/number_list.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/progress_bar.h"
@@ -23,7 +24,8 @@ namespace coppermoon::verbs {
 namespace {
 
 struct Options {
-  std::string instant, plot, lookup, wavelengths = "450,550,650", axis_distances;
+  MomentOptions moment;
+  std::string plot, lookup, wavelengths = "450,550,650", axis_distances;
   LightOptions light;
   std::optional<double> moon_distance_km, sun_distance_km, position_angle_deg;
   bool json = false;
@@ -48,18 +50,18 @@ struct Cut {
 
 Cut cut_of(const Options& options) {
   if (options.moon_distance_km && options.sun_distance_km)
-    if (options.instant.empty())
+    if (options.moment.text.empty())
       return {*options.sun_distance_km * 1e3, *options.moon_distance_km * 1e3};
-  if (options.instant.empty())
+  if (options.moment.text.empty())
     throw WrongUsage("instant, or both --moon-distance-km and --sun-distance-km is required");
-  const auto sky = almanac::sky_at(almanac::instant_from_utc(options.instant));
+  const auto sky = almanac::sky_at(instant_of(options.moment));
   const auto axis = eclipse::shadow_axis(sky);
   const double depth_km = algebra::in_kilometres(eclipse::place_in_shadow(axis, sky.moon_m).depth);
   if (!options.moon_distance_km && depth_km <= 0)
     throw algebra::Error(
         fmt::format("at {} the Moon is on the Sun's side of the Earth; --moon-distance-km says how "
                     "far the shadow is cut",
-                    options.instant));
+                    options.moment.text));
   return {options.sun_distance_km.value_or(algebra::in_kilometres(axis.sun_distance)) * 1e3,
           options.moon_distance_km.value_or(depth_km) * 1e3, axis.sun_declination, sky};
 }
@@ -169,8 +171,7 @@ void add_shadow(CLI::App& program) {
   auto* verb =
       add_verb(program, "shadow", "Irradiance across the shadow, over unobstructed sunlight");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "instant,--instant", options->instant,
-           "ISO 8601 UTC, for the distances of that moment");
+  add_moment_options(*verb, options->moment, "; for the distances and the air of that moment");
   add_flag(*verb, "--wavelengths", options->wavelengths, "[nm], 380 to 780, commas between");
   add_flag(*verb, "--axis-distances", options->axis_distances, "[km], increasing, commas between");
   add_flag(*verb, "--moon-distance-km", options->moon_distance_km,

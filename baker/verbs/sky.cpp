@@ -10,6 +10,7 @@
 #include "almanac/sky.h"
 #include "eclipse/shadow_axis.h"
 #include "verbs/command_line.h"
+#include "verbs/flags/moments.h"
 #include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 
@@ -20,7 +21,8 @@ using algebra::in_degrees;
 using algebra::in_kilometres;
 
 struct Options {
-  std::string instant, at;
+  MomentOptions moment;
+  std::string at;
   bool json = false;
 };
 
@@ -35,7 +37,7 @@ void add_view(nlohmann::ordered_json& all, const std::string& at, const almanac:
 }
 
 nlohmann::ordered_json described(const Options& options) {
-  const auto sky = almanac::sky_at(almanac::instant_from_utc(options.instant));
+  const auto sky = almanac::sky_at(instant_of(options.moment));
   const auto moon = almanac::equatorial_place(sky, sky.moon_m);
   const auto shadow = eclipse::place_in_shadow(eclipse::shadow_axis(sky), sky.moon_m);
   nlohmann::ordered_json all{
@@ -72,9 +74,8 @@ void run(const Options& options) {
 void add_sky(CLI::App& program) {
   auto* verb = add_verb(program, "sky", "Where everything is, and how the Moon is turned");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "instant,--instant", options->instant, "ISO 8601 UTC, as 2008-02-21T03:08:26Z")
-      .required();
-  add_flag(*verb, "--at", options->at, "LAT,LON[,ELEV] of an observer [degrees north, east; m]");
+  add_moment_options(*verb, options->moment).required();
+  add_flag(*verb, "--at", options->at, "place of an observer: a city, as Chicago, or LAT,LON[,ELEV] [degrees north and east, metres]");
   add_switch(*verb, "--json", options->json, "one JSON document on stdout");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });

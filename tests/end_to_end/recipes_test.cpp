@@ -45,6 +45,24 @@ TEST_F(Recipes, AreTheSameAsTheirFlags) {
   EXPECT_TRUE(bytes("recipe.exr") == bytes("flags.exr"));
 }
 
+TEST_F(Recipes, OfOneCommandServeAllOthers) {
+  file("night.toml",
+       "instant = \"2018-07-27 U2+10min\"\nat = \"Nairobi\"\nwidth = 48\nheight = 32\n"
+       "texture-width = 32\nalbedo-map = \"built-in\"\n[camera]\nmodel = \"400mm\"\niso = 800\n"
+       "[atmosphere]\nmodel = \"undated\"\n");
+  for (const Words& words : {Words{"sky"}, Words{"plan"}, Words{"brightness"},
+                             Words{"bake", "-o", "a.exr"}, Words{"scene", "-o", "folder"},
+                             Words{"still", "-o", "a.png"}}) {
+    const auto outcome = coppermoon(words + Words{"--recipe", "night.toml"});
+    EXPECT_EQ(outcome.status, 0) << words[0] << ": " << outcome.err;
+    EXPECT_NE(outcome.err.find("U2+10min is 2018-07-27 19:40:"), std::string::npos) << outcome.err;
+  }
+  // what no command knows is refused by each
+  file("wrong.toml", "instant = 2018-07-27T20:21:45Z\nwidht = 48\n");
+  EXPECT_NE(coppermoon({"sky", "--recipe", "wrong.toml"}).err.find("wrong.toml:2: widht"),
+            std::string::npos);
+}
+
 // Files of version 0.1 say "standard" of the air that is called "undated" now.
 TEST_F(Recipes, OfVersion01MeanTheAirTheyWereMadeWith) {
   const Words small{"--texture-width", "32", "--albedo-map", "built-in"};

@@ -374,7 +374,7 @@ TEST(Instants, ThatAreNoneAreRefused) {
 class InstantsTold : public Untrusted {};
 
 TEST_F(InstantsTold, AreRefusedInOneLine) {
-  const std::string reason = "is no ISO 8601 UTC date of the years -1999 to 3000";
+  const std::string reason = "allowed is an ISO 8601 date of the years -1999 to 3000";
   expect_refused("sky of a date of two lines", coppermoon({"sky", "2008-02-21\n"}), reason);
   expect_refused("sky of a date of 100 kB", coppermoon({"sky", std::string(100'000, '2')}), reason);
 }

@@ -32,18 +32,6 @@ std::size_t count_of(const FilmTimes& times, double seconds) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, Instant>> contacts_of(const eclipse::Eclipse& eclipse) {
-  std::vector<std::pair<std::string, Instant>> all;
-  const auto& contacts = eclipse.contacts;
-  const auto add = [&](const char* name, const std::optional<Instant>& when) {
-    if (when) all.emplace_back(name, *when);
-  };
-  add("P1", contacts.P1), add("U1", contacts.U1), add("U2", contacts.U2);
-  add("greatest", eclipse.greatest);
-  add("U3", contacts.U3), add("U4", contacts.U4), add("P4", contacts.P4);
-  return all;
-}
-
 std::string name_of(const eclipse::Eclipse& eclipse) {
   using enum eclipse::EclipseType;
   const auto day = almanac::utc_text(eclipse.greatest);

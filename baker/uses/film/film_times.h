@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "almanac/instant.h"
@@ -33,9 +32,6 @@ struct Moments {
 /// Throws  Error  when a number is outside its range, the last moment is before the first or more than
 ///                a day after it, or the number of frames and the time scale are both given
 Moments moments_of(const FilmTimes& times);
-
-/// Contacts and the greatest phase, in order of time.
-std::vector<std::pair<std::string, almanac::Instant>> contacts_of(const eclipse::Eclipse& eclipse);
 
 /// "Total eclipse of the Moon, 2018-07-27".
 std::string name_of(const eclipse::Eclipse& eclipse);

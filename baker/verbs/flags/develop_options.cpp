@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "algebra/error.h"
-#include "algebra/number.h"
 #include "verbs/flags/camera_options.h"
+#include "verbs/flags/moments.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -26,10 +26,10 @@ uses::ExposureTime exposure_time_from(const std::string& text) {
   using enum uses::ExposureTime::Rule;
   if (text == "auto") return {automatic};
   if (text == "follow") return {follow};
-  const auto seconds = algebra::number_in(text);
+  const auto seconds = exposure_seconds(text);
   if (!seconds)
     throw algebra::Error(
-        fmt::format("exposure time = {}, allowed auto, follow or 1e-6 to 1e6 s", text));
+        fmt::format("exposure time = {}, allowed auto, follow, or 1e-6 to 1e6 s, as 2 or 1/30", text));
   return {fixed, *seconds};
 }
 

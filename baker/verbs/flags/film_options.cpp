@@ -10,7 +10,7 @@
 
 #include "algebra/error.h"
 #include "algebra/number.h"
-#include "verbs/flags/number_with_unit.h"
+#include "verbs/flags/moments.h"
 #include "verbs/flags/view_options.h"
 
 namespace coppermoon::verbs {
@@ -28,6 +28,7 @@ void add_times(CLI::App& verb, FilmOptions& options) {
   add_flag(verb, "eclipse,--eclipse", options.eclipse,
            "a day near it, as 2018-07-27; or a file that coppermoon made of it, to go on")
       .in(film_group);
+  add_calendar_option(verb, options.calendar);
   const char* moments =
       "an instant, or a contact: P1, U1, U2, greatest, U3, U4, P4, as P1-10min or U2+90s";
   add_flag(verb, "--from", options.from, moments).in(film_group);
@@ -87,32 +88,11 @@ void add_files_of_all(CLI::App& verb, FilmOptions& options) {
       .in(group);
 }
 
-bool begins_with_digit(const std::string& text) {
-  return !text.empty() && text.find_first_of("0123456789") <= (text.front() == '-' ? 1 : 0);
-}
-
 constexpr double half_a_month_s = 15 * 86400.;
 
-/// The contact of "P1-10min", and the seconds from it on.
-struct FromContact {
-  std::string name;
-  std::optional<double> seconds;
-};
-
-FromContact from_contact(const std::string& text) {
-  const auto sign = text.find_first_of("+-");
-  if (sign == std::string::npos) return {text, 0};
-  const auto seconds =
-      number_with_unit(text.substr(sign + 1), {{"min", 60}, {"h", 3600}, {"s", 1}});
-  const double way = text[sign] == '-' ? -1 : 1;
-  const bool near =
-      seconds && std::abs(*seconds) <= half_a_month_s;  // not so where it is no number
-  return {text.substr(0, sign), near ? std::optional(way * *seconds) : std::nullopt};
-}
-
 /// The eclipse nearest to a moment, which is half a month away at most: another Moon's is not meant.
-eclipse::Eclipse eclipse_near(const std::string& text) {
-  const auto moment = almanac::instant_from_utc(text);
+eclipse::Eclipse eclipse_near(const std::string& text, almanac::Calendar calendar) {
+  const auto moment = almanac::instant_from_utc(text, calendar);
   const auto nearest = eclipse::nearest_eclipse(moment, eclipse::ShadowConvention::danjon);
   if (std::abs(almanac::seconds_between(moment, nearest.greatest)) > half_a_month_s)
     throw algebra::Error(
@@ -124,7 +104,7 @@ eclipse::Eclipse eclipse_near(const std::string& text) {
 /// The eclipse that is named, or else nearest to a moment that is.
 eclipse::Eclipse eclipse_of(const FilmOptions& options) {
   for (const auto& text : {options.eclipse, options.from, options.to})
-    if (begins_with_digit(text)) return eclipse_near(text);
+    if (begins_with_digit(text)) return eclipse_near(text, options.calendar);
   if (!options.eclipse.empty()) almanac::instant_from_utc(options.eclipse);  // says what is allowed
   throw algebra::Error(
       fmt::format("from {} to {} of which eclipse? Name a day near it, as 2018-07-27", options.from,
@@ -149,24 +129,11 @@ void add_film_options(CLI::App& verb, FilmOptions& options) {
   add_files_of_all(verb, options);
 }
 
-Instant moment_from(const std::string& text, const eclipse::Eclipse& eclipse) {
-  if (begins_with_digit(text)) return almanac::instant_from_utc(text);
-  const auto [name, seconds] = from_contact(text);
-  std::vector<std::string> names;
-  for (const auto& [contact, when] : uses::contacts_of(eclipse)) {
-    if (contact == name && seconds) return almanac::later(when, *seconds);
-    names.push_back(contact);
-  }
-  throw algebra::Error(fmt::format(
-      "moment = {}, allowed an instant or one of {} of the eclipse of {}, as {}-10min", text,
-      fmt::join(names, ", "), almanac::utc_text(eclipse.greatest).substr(0, 10), names.front()));
-}
-
 uses::FilmTimes times_of(const FilmOptions& options) {
   const auto eclipse = eclipse_of(options);
   return {.eclipse = eclipse,
-          .from = moment_from(options.from, eclipse),
-          .to = moment_from(options.to, eclipse),
+          .from = moment_from(options.from, eclipse, options.calendar),
+          .to = moment_from(options.to, eclipse, options.calendar),
           .frames = options.frames,
           .fps = options.fps,
           .time_scale = options.time_scale};
@@ -198,10 +165,10 @@ std::vector<std::pair<Instant, double>> time_keys_from(const std::string& text,
   for (std::string part; std::getline(parts, part, ',');) {
     const auto colon = part.rfind(':');
     const auto seconds =
-        colon == std::string::npos ? std::nullopt : algebra::number_in(part.substr(colon + 1));
+        colon == std::string::npos ? std::nullopt : exposure_seconds(part.substr(colon + 1));
     if (!seconds)
       throw algebra::Error(fmt::format(
-          "exposure time = {}, allowed keys as P1:0.001,U2:4: a moment and seconds", text));
+          "exposure time = {}, allowed keys as P1:1/1000,U2:4: a moment and seconds", text));
     algebra::require_within("exposure time [s]", *seconds, 1e-6, 1e6);
     keys.emplace_back(moment_from(part.substr(0, colon), eclipse), *seconds);
   }

@@ -17,6 +17,7 @@ namespace coppermoon::verbs {
 /// What flags say of a film, but for its Moon, its view and its pictures.
 struct FilmOptions {
   std::string eclipse = {}, from = "P1", to = "P4";
+  almanac::Calendar calendar = almanac::Calendar::gregorian;
   std::optional<std::size_t> frames = {};
   double fps = 24;
   std::optional<double> time_scale = {};
@@ -30,11 +31,6 @@ struct FilmOptions {
 
 /// When its frames are, what is made of them, which of them, the mount; files of the whole film.
 void add_film_options(CLI::App& verb, FilmOptions& options);
-
-/// A moment as "2018-07-27T18:24:00Z", or from a contact on: "U2", "P1-10min", "greatest+90s".
-///
-/// Throws  Error  when it is none such, or the eclipse has no such contact
-almanac::Instant moment_from(const std::string& text, const eclipse::Eclipse& eclipse);
 
 /// The eclipse is the one named, or else the one nearest to a moment that is.
 ///

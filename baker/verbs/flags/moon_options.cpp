@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/flags/moon_options.h"
 
-#include "almanac/instant.h"
-
 namespace coppermoon::verbs {
 
 void add_map_options(CLI::App& verb, uses::MoonRequest& request) {
@@ -27,9 +25,8 @@ void add_width_option(CLI::App& verb, uses::MoonRequest& request) {
 }
 
 void add_moon_options(CLI::App& verb, MoonOptions& options) {
-  add_flag(verb, "instant,--instant", options.instant,
-           "ISO 8601 UTC, as 2008-02-21T03:08:26Z; or an .exr, .tx or .png that coppermoon "
-           "made, to make it again")
+  add_moment_options(verb, options.moment,
+                     "; or a file that coppermoon made, to make it again")
       .required();
   add_map_options(verb, options.request);
   add_width_option(verb, options.request);
@@ -53,7 +50,7 @@ uses::MoonRequest moon_request(const MoonOptions& options) {
 }
 
 almanac::SkyState eclipsed_sky(const MoonOptions& options) {
-  const auto sky = almanac::sky_at(almanac::instant_from_utc(options.instant));
+  const auto sky = almanac::sky_at(instant_of(options.moment));
   if (!options.request.unshadowed)
     uses::require_eclipse(sky.when, " (--unshadowed goes on without one)");
   return sky;

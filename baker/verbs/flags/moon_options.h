@@ -6,12 +6,13 @@
 #include "uses/picture/moon.h"
 #include "verbs/flags/flags.h"
 #include "verbs/flags/light_options.h"
+#include "verbs/flags/moments.h"
 
 namespace coppermoon::verbs {
 
 /// What flags say of a Moon; `moon_request` is what they mean.
 struct MoonOptions {
-  std::string instant;
+  MomentOptions moment;
   uses::MoonRequest request;
   LightOptions light;
 };

@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
 #include <vector>
 
 #include "algebra/error.h"
+#include "almanac/gazetteer.h"
+#include "verbs/flags/known_words.h"
 #include "verbs/flags/number_list.h"
 
 namespace coppermoon::verbs {
@@ -13,19 +16,63 @@ namespace {
 
 constexpr const char* view_group = "Who looks, and through what";
 
+/// "42.86,-73.77,120" or "42.86N,73.77W": numbers north and east; none for any other text.
+std::vector<double> place_numbers(const std::string& text) {
+  std::string signed_text;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const char sense = part.empty() ? ' ' : part.back();
+    const bool north_south = signed_text.empty();
+    if (north_south ? sense == 'N' || sense == 'S' : sense == 'E' || sense == 'W') {
+      part.pop_back();
+      if (sense == 'S' || sense == 'W') part.insert(0, "-");
+    }
+    signed_text += (signed_text.empty() ? "" : ",") + part;
+  }
+  if (text.ends_with(',')) return {};
+  return number_list(signed_text).value_or(std::vector<double>{});
+}
+
 }  // namespace
 
 almanac::Observer observer_from(const std::string& text) {
-  const auto numbers = number_list(text).value_or(std::vector<double>{});
+  if (!text.empty() && text.find_first_of("0123456789") == std::string::npos) {
+    if (const auto city = almanac::city_named(text)) return city->place;
+    const auto city = text.substr(0, text.find('/'));
+    throw algebra::Error(
+        fmt::format("place = {}: no such city; the nearest name is {}. Allowed is LATITUDE,LONGITUDE "
+                    "too, as 42.86,-73.77",
+                    text, nearest(city, almanac::city_names())));
+  }
+  const auto numbers = place_numbers(text);
   if (numbers.size() < 2 || numbers.size() > 3)
     throw algebra::Error(
         fmt::format("place = {}, allowed LATITUDE,LONGITUDE[,ELEVATION] in degrees (north, east) "
-                    "and metres, as 42.86,-73.77",
+                    "and metres, as 42.86,-73.77 or 42.86N,73.77W, or the name of a city",
                     text));
   const almanac::Observer observer{algebra::degrees(numbers[0]), algebra::degrees(numbers[1]),
                                    algebra::metres(numbers.size() == 3 ? numbers[2] : 0)};
   almanac::require_on_earth(observer);
   return observer;
+}
+
+almanac::SelenographicPoint feature_from(const std::string& text) {
+  if (!text.empty() && text.find_first_of("0123456789") == std::string::npos) {
+    if (const auto feature = almanac::lunar_feature_named(text)) return feature->middle;
+    throw algebra::Error(
+        fmt::format("place on the Moon = {}: no such feature; the nearest name is {}. Allowed is "
+                    "LATITUDE,LONGITUDE too, as -43.3,-11.2",
+                    text, nearest(text, almanac::lunar_feature_names())));
+  }
+  const auto numbers = place_numbers(text);
+  if (numbers.size() != 2)
+    throw algebra::Error(
+        fmt::format("place on the Moon = {}, allowed LATITUDE,LONGITUDE in degrees (north, east), "
+                    "as -43.3,-11.2, or the name of a feature, as Tycho",
+                    text));
+  algebra::require_within("lunar latitude [deg]", numbers[0], -90, 90);
+  algebra::require_within("lunar longitude [deg]", numbers[1], -360, 360);
+  return {algebra::degrees(numbers[0]), algebra::degrees(numbers[1])};
 }
 
 povray_scenes::HorizonPlace aim_from(const std::string& text) {
@@ -42,8 +89,8 @@ void add_observer_options(CLI::App& verb, uses::ViewRequest& request) {
   const std::string group = view_group;
   add_parsed(
       verb, "--at", [&](const std::string& text) { request.observer = observer_from(text); },
-      "LAT,LON[,ELEV] of the observer [degrees north, east; m]; without: from the "
-      "Earth's centre")
+      "place of the observer: a city, as Chicago or Springfield/Illinois, or LAT,LON[,ELEV] "
+      "[degrees north and east, metres]; without: the Earth's centre")
       .in(group);
   add_on_off(verb, "--reddening", request.reddening, "by the observer's air, on or off").in(group);
   add_flag(verb, "--observer-ozone-du", request.observer_ozone_du,

@@ -9,11 +9,16 @@
 
 namespace coppermoon::verbs {
 
-/// A place on Earth as written on the command line: "LAT,LON" or "LAT,LON,ELEVATION" in degrees and
-/// metres.
+/// A place on Earth as written on the command line: a city's name (almanac::city_named), or "LAT,LON" or
+/// "LAT,LON,ELEVATION" in degrees and metres, as "42.86,-73.77" or "42.86N,73.77W".
 ///
-/// Throws Error when the text is no such place
+/// Throws Error when the text is no such place: names the city whose name is nearest
 almanac::Observer observer_from(const std::string& text);
+
+/// A place on the Moon: a feature's name (almanac::lunar_feature_named), or "LAT,LON" in degrees.
+///
+/// Throws Error when the text is no such place: names the feature whose name is nearest
+almanac::SelenographicPoint feature_from(const std::string& text);
 
 /// "ALTITUDE,AZIMUTH" in degrees, from the horizon up, and from north through east.
 ///

@@ -137,6 +137,7 @@ struct Told {
 struct Table {
   std::string name;
   std::vector<std::string> keys;
+  std::string model = {};  ///< the flag whose name it has; empty: what stands above all tables
 };
 
 /// Flags whose names are tables of a recipe too: what stands with them in the help stands in the
@@ -145,11 +146,22 @@ constexpr std::array tables{"atmosphere", "camera"};
 
 Table table_of(const CLI::App& verb, const std::string& name) {
   const auto* model = verb.get_option("--" + name);
-  Table table{"[" + name + "]", {"model"}};
+  Table table{"[" + name + "]", {"model"}, name};
   for (const auto* option : verb.get_options())
     if (option != model && option->get_group() == model->get_group())
       table.keys.push_back(option->get_lnames().front());
   return table;
+}
+
+/// Whether a key is no key of this verb, but one of another's: one recipe serves all of them.
+bool is_anothers(const Reading& reading, const Table& table, const std::string& key) {
+  const auto* program = reading.verb.get_parent();
+  if (program == nullptr || holds(table.keys, key)) return false;
+  return std::ranges::any_of(program->get_subcommands({}), [&](const CLI::App* verb) {
+    if (table.model.empty()) return holds(long_flags(*verb), key);
+    return verb->get_option_no_throw("--" + table.model) != nullptr &&
+           holds(table_of(*verb, table.model).keys, key);
+  });
 }
 
 bool is_table(const Told& told) {
@@ -179,6 +191,7 @@ std::vector<Told> told_in(const Reading& reading, const toml::table& entries, co
   for (const auto& [key, value] : entries) {
     const Told told{std::string(key.str()), &value};
     if (reading.lenient && !reading.heeds(table.keys, told.flag)) continue;
+    if (is_anothers(reading, table, told.flag)) continue;
     require_key(reading, table, told);
     require_no_output(reading, told);
     all.push_back(told);

@@ -19,7 +19,7 @@ bool holds_recipe(const std::filesystem::path& path);
 /// The flags that a recipe names, a TOML file or what a file that coppermoon
 /// made holds. The
 /// table [atmosphere] holds flags of the Earth's air, its own called `model`, and regions as
-/// [[atmosphere.region]].
+/// [[atmosphere.region]]. Keys that another verb knows are passed over: one recipe serves all verbs.
 ///
 /// Given     mine  the user's own arguments; what they name is left out of the recipe's
 /// Returned  "--flag=value", in the order of the alphabet, those in [atmosphere] last

@@ -6,12 +6,6 @@
 #include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
-namespace {
-
-constexpr const char* recipe_attribute = "coppermoon:recipe";
-
-}  // namespace
-
 uses::LitScene lit_scene(const CLI::App& verb, const MoonOptions& moon,
                          const uses::ViewRequest& view, const uses::Baking& baking) {
   const auto recipe = recipe_of(verb);
@@ -22,7 +16,7 @@ uses::LitScene lit_scene(const CLI::App& verb, const MoonOptions& moon,
     return uses::lit_scene(request, view, sky, {baking, bar.progress()});
   }();
   const auto sized = with_width(recipe, *scene.moon.request.texture_width);
-  scene.texture.attributes[recipe_attribute] =
+  scene.texture.attributes["coppermoon:recipe"] =
       made_recipe(sized, request.unshadowed, scene.moon.light->plan);
   return scene;
 }

@@ -224,6 +224,17 @@ TEST(Eclipses, DatesTheWrongWayRoundAreRefused) {
                algebra::Error);
 }
 
+TEST(EclipseOfDay, IsThatWhoseGreatestPhaseFallsOnTheDay) {
+  // of 28 September 2015 in Espenak & Meeus (2006): 02:48 UT; in America it was the 27th
+  const auto day = [](const char* text) {
+    return eclipse_of_day(almanac::instant_from_utc(text), ShadowConvention::danjon);
+  };
+  EXPECT_FALSE(day("2015-09-27"));
+  ASSERT_TRUE(day("2015-09-28"));
+  EXPECT_EQ(almanac::utc_text(day("2015-09-28")->greatest).substr(0, 15), "2015-09-28T02:4");
+  EXPECT_FALSE(day("2015-09-29"));
+}
+
 TEST(EclipseAt, IsThereFromFirstContactToLastOnly) {
   const auto at = [](const char* text) {
     return eclipse_at(instant_from_utc(text), ShadowConvention::danjon, LunarTheory::moon98);

@@ -106,7 +106,7 @@ TEST(ExposureKeys, AreMomentsAndSecondsInOrder) {
   EXPECT_EQ(message_of([&] { time_keys_from("U1:0.01,U1:2", eclipse); }),
             "exposure time = U1:0.01,U1:2, allowed keys in order of time");
   EXPECT_EQ(message_of([&] { time_keys_from("U1:0.01,U2", eclipse); }),
-            "exposure time = U1:0.01,U2, allowed keys as P1:0.001,U2:4: a moment and seconds");
+            "exposure time = U1:0.01,U2, allowed keys as P1:1/1000,U2:4: a moment and seconds");
 }
 
 TEST(FilesOfAFilm, SayWhatTheyAreMadeOf) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "algebra/error.h"
 #include "support/within.h"
 
@@ -20,6 +22,34 @@ TEST(ObserverFrom, ReadsLatitudeLongitudeAndElevation) {
 
 TEST(ObserverFrom, StandsAtSeaLevelUnlessToldOtherwise) {
   EXPECT_EQ(in_metres(observer_from("-33.9,18.4").elevation), 0);
+}
+
+TEST(ObserverFrom, ReadsLettersOfTheCompass) {
+  const auto place = observer_from("41.88N,87.63W,180");
+  EXPECT_WITHIN(in_degrees(place.latitude), 41.88, 1e-12, reason);
+  EXPECT_WITHIN(in_degrees(place.longitude), -87.63, 1e-12, reason);
+  EXPECT_EQ(in_metres(place.elevation), 180);
+  EXPECT_WITHIN(in_degrees(observer_from("33.9S,18.4E").latitude), -33.9, 1e-12, reason);
+  for (const char* text : {"41.88W,87.63N", "41.88N", "-41.88S,1", "N,W", "41.88n,87w"})
+    EXPECT_THROW(observer_from(text), algebra::Error) << text;
+}
+
+TEST(ObserverFrom, KnowsCitiesByName) {
+  EXPECT_EQ(in_metres(observer_from("Chicago").elevation), 180);
+  try {
+    observer_from("Chigaco");
+    FAIL();
+  } catch (const algebra::Error& error) {
+    EXPECT_NE(std::string(error.what()).find("nearest name is Chicago"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(FeatureFrom, KnowsCratersByName) {
+  EXPECT_WITHIN(in_degrees(feature_from("Tycho").latitude), -43.3, 0.1, "degrees: as it is rounded");
+  EXPECT_WITHIN(in_degrees(feature_from("-43.3,-11.4").longitude), -11.4, 1e-12, reason);
+  for (const char* text : {"", "Tyco Brahe", "-91,0", "1,2,3"})
+    EXPECT_THROW(feature_from(text), algebra::Error) << text;
 }
 
 TEST(ObserverFrom, RefusesWhatIsNoPlace) {

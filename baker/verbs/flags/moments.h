@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "almanac/instant.h"
+#include "eclipse/contacts.h"
+#include "verbs/flags/flags.h"
+
+namespace coppermoon::verbs {
+
+/// A moment as flags tell it.
+struct MomentOptions {
+  std::string text;
+  almanac::Calendar calendar = almanac::Calendar::gregorian;
+};
+
+/// The moment, without a name or as --instant, and --calendar.
+///
+/// Given  more  what else may stand in the moment's place, for the help
+Flag add_moment_options(CLI::App& verb, MomentOptions& options, const std::string& more = "");
+
+/// --calendar.
+void add_calendar_option(CLI::App& verb, almanac::Calendar& calendar);
+
+/// The moment that is meant. Of a day alone it is the greatest eclipse of that day (UTC), and the
+/// program says so on stderr; of a day and a contact, as "2018-07-27 U2+10min", that of the day's
+/// eclipse. Both to the full second, which is what is said.
+///
+/// Throws  Error  when the text is no moment; when the day has no eclipse: names the nearest
+almanac::Instant instant_of(const MomentOptions& options);
+
+/// A moment as "2018-07-27T18:24:00Z", or from a contact on: "U2", "P1-10min", "greatest+90s".
+///
+/// Throws  Error  when it is none such, or the eclipse has no such contact
+almanac::Instant moment_from(const std::string& text, const eclipse::Eclipse& eclipse,
+                             almanac::Calendar calendar = almanac::Calendar::gregorian);
+
+/// Whether a text begins as a date does.
+bool begins_with_digit(const std::string& text);
+
+/// A command line in which a day and the contact, or the time of day, behind it are one argument:
+/// "2018-07-27", "U2+10min" become "2018-07-27 U2+10min".
+std::vector<std::string> with_moments_joined(const std::vector<std::string>& arguments);
+
+/// Seconds of an exposure: "4", "0.03" or "1/30"; none when the text is no such number.
+std::optional<double> exposure_seconds(const std::string& text);
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/flags/moments.h"
+
+#include <string>
+
+#include "algebra/error.h"
+#include "support/within.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::string text_of(const MomentOptions& options) {
+  return almanac::utc_text(instant_of(options));
+}
+
+std::string refusal_of(const MomentOptions& options) {
+  try {
+    instant_of(options);
+  } catch (const algebra::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+double seconds_from(const char* published, const MomentOptions& options) {
+  return almanac::seconds_between(almanac::instant_from_utc(published), instant_of(options));
+}
+
+TEST(Moments, OfADayAloneAreItsGreatestEclipse) {
+  // Espenak & Meeus (2006): 2018 Jul 27, greatest at 20:22:54 TD, ΔT 71 s, to the second
+  EXPECT_WITHIN(seconds_from("2018-07-27T20:21:44Z", {"2018-07-27"}), 0, 12,
+                "s: what published contacts are met by, at worst");
+}
+
+TEST(Moments, OfADayAndAContactCountFromIt) {
+  const char* worst = "s: what the contacts' published times are met by, at worst";
+  EXPECT_WITHIN(seconds_from("2018-07-27T19:30:15Z", {"2018-07-27 U2"}), 0, 12, worst);
+  EXPECT_WITHIN(seconds_from("2018-07-27T19:40:15Z", {"2018-07-27 U2+10min"}), 0, 12, worst);
+  EXPECT_WITHIN(seconds_from("2018-07-27T20:20:14Z", {"2018-07-27 greatest-90s"}), 0, 12, worst);
+}
+
+TEST(Moments, AreToTheFullSecondThatIsSaid) {
+  for (const char* text : {"2018-07-27", "2018-07-27 U2"}) {
+    testing::internal::CaptureStderr();
+    const auto when = text_of({text});
+    const auto said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("2018-07-27 " + when.substr(11, 8) + " UTC\n"), std::string::npos) << said;
+    EXPECT_EQ(almanac::seconds_between(almanac::instant_from_utc(when), instant_of({text})), 0);
+  }
+}
+
+TEST(Moments, OfATimeOfDayAreThatTimeAndNothingIsSaid) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(text_of({"2018-07-27 20:22"}), "2018-07-27T20:22:00Z");
+  EXPECT_EQ(text_of({"2018-07-28T00:22:00+04:00"}), "2018-07-27T20:22:00Z");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Moments, OfAJulianDayAreThatDays) {
+  // the Peterborough Chronicle's eclipse of 5 May 1110
+  EXPECT_EQ(text_of({"1110-05-05", almanac::Calendar::julian}).substr(0, 10), "1110-05-12");
+  EXPECT_NE(refusal_of({"1110-05-05"}), "");
+}
+
+TEST(Moments, OfADayWithoutAnEclipseAreRefusedWithTheNearest) {
+  const auto refusal = refusal_of({"2018-07-28"});
+  EXPECT_NE(refusal.find("the nearest is at 2018-07-27T20:2"), std::string::npos) << refusal;
+  EXPECT_NE(refusal_of({"2018-07-27 U5"}).find("allowed"), std::string::npos);
+  // penumbral alone: it has no U1
+  EXPECT_NE(refusal_of({"2020-01-10 U1"}).find("P1, greatest, P4"), std::string::npos);
+}
+
+TEST(Moments, InTwoArgumentsAreJoined) {
+  EXPECT_EQ(with_moments_joined({"still", "2018-07-27", "U2+10min", "-o", "a.png"}),
+            (Words{"still", "2018-07-27 U2+10min", "-o", "a.png"}));
+  EXPECT_EQ(with_moments_joined({"sky", "2018-07-27", "20:22", "--at", "1,2"}),
+            (Words{"sky", "2018-07-27 20:22", "--at", "1,2"}));
+  const Words apart{"still", "2018-07-27", "-o", "U2.png", "U2", "2018-07-27T20:22Z", "20:22"};
+  EXPECT_EQ(with_moments_joined(apart), apart);
+}
+
+TEST(ExposureSeconds, AreNumbersAndFractions) {
+  EXPECT_EQ(exposure_seconds("4"), 4);
+  EXPECT_EQ(exposure_seconds("1/8"), 0.125);
+  EXPECT_EQ(exposure_seconds("0.3/2"), 0.15);
+  for (const char* none : {"1/0", "1/-2", "/2", "1/", "1/2/3", "a/2", ""})
+    EXPECT_FALSE(exposure_seconds(none)) << none;
+}
+
+}  // namespace
+}  // namespace coppermoon::verbs
