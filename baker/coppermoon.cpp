@@ -15,6 +15,8 @@
 #include <string_view>
 
 #include "verbs/command_line.h"
+#include "verbs/flags/help.h"
+#include "verbs/flags/plain_error.h"
 #include "verbs/reports/one_line.h"
 
 namespace {
@@ -34,7 +36,7 @@ void add_threads(CLI::App& program, std::unique_ptr<tbb::global_control>& contro
                     tbb::global_control::max_allowed_parallelism,
                     static_cast<std::size_t>(threads));
             },
-            "0: as many as there are processors")
+            "number of threads; 0: one for each processor")
         ->check(CLI::Range(0, 512));
 }
 
@@ -62,12 +64,16 @@ int run(CLI::App& program, int count, char** words) {
   try {
     verbs::run(program, {words + std::min(count, 1), words + count});
     return 0;
-  } catch (const CLI::CallForHelp& call) {
-    return program.exit(call);
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", verbs::help_called_for(program, false));
+    return 0;
+  } catch (const CLI::CallForAllHelp&) {
+    fmt::print("{}", verbs::help_called_for(program, true));
+    return 0;
   } catch (const CLI::CallForVersion& call) {
     return program.exit(call);
   } catch (const CLI::ParseError& error) {
-    say(error.what());
+    say(verbs::plain_error(error.what()));
     return wrong_usage;
   } catch (const verbs::WrongUsage& error) {
     say(error.what());

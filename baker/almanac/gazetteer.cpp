@@ -34,7 +34,8 @@ const Rows& features() {
 double number(const std::string& cell) { return algebra::number_in(cell).value(); }
 
 City city_in(const std::vector<std::string>& row) {
-  return {row[0], row[1],
+  return {row[0],
+          row[1],
           {algebra::degrees(number(row[2])), algebra::degrees(number(row[3])),
            algebra::metres(number(row[4]))},
           row[5]};

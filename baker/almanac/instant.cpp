@@ -100,8 +100,8 @@ std::optional<CivilTime> in_gregorian(CivilTime c) {
   if (c.day < 1 || c.day > days_in[c.month - 1] + leap_day) return std::nullopt;
   const int year = c.month > 2 ? c.year : c.year - 1;
   const int month = c.month > 2 ? c.month : c.month + 12;
-  const double noon_before = std::floor(365.25 * (year + 4716)) +
-                             std::floor(30.6001 * (month + 1)) + c.day - 1524;
+  const double noon_before =
+      std::floor(365.25 * (year + 4716)) + std::floor(30.6001 * (month + 1)) + c.day - 1524;
   double fraction = 0;
   eraJd2cal(noon_before, -0.5, &c.year, &c.month, &c.day, &fraction);
   return c;

@@ -45,7 +45,8 @@ std::vector<Eclipse> eclipses_between(
 std::vector<std::pair<std::string, almanac::Instant>> contacts_of(const Eclipse& eclipse);
 
 /// The eclipse whose greatest phase falls on the day of 24 h that begins at a moment, if there is one.
-std::optional<Eclipse> eclipse_of_day(const almanac::Instant& midnight, ShadowConvention convention);
+std::optional<Eclipse> eclipse_of_day(const almanac::Instant& midnight,
+                                      ShadowConvention convention);
 
 /// The eclipse that is under way, from P1 to P4, if there is one.
 std::optional<Eclipse> eclipse_at(const almanac::Instant& instant, ShadowConvention convention,

@@ -132,7 +132,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_almanac(CLI::App& program) {
-  auto* verb = add_verb(program, "almanac", "Eclipses: type, gamma, magnitudes, contacts");
+  auto* verb = add_verb(program, "almanac", "lists eclipses: type, gamma, magnitudes, contacts");
   const auto options = std::make_shared<Options>();
   add_flag(*verb, "--from", options->from, "ISO 8601 UTC, as 2008-01-01").required();
   add_flag(*verb, "--to", options->to, "ISO 8601 UTC").required();
@@ -140,10 +140,11 @@ void add_almanac(CLI::App& program) {
            "how the air enlarges the shadow: danjon, danjon-oblate, chauvenet or "
            "herald-sinnott")
       .one_of({"danjon", "danjon-oblate", "chauvenet", "herald-sinnott"});
-  add_flag(*verb, "--feature", options->feature,
-           "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; adds "
-           "when the umbra's edge (danjon-oblate) crosses it, whether or not it is seen");
-  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
+  add_flag(
+      *verb, "--feature", options->feature,
+      "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; adds "
+      "when the umbra's edge (danjon-oblate) crosses it, whether or not it is seen");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

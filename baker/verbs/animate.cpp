@@ -122,10 +122,9 @@ void run(const CLI::App& verb, const Options& options) {
 }  // namespace
 
 void add_animate(CLI::App& program) {
-  auto* verb =
-      add_verb(program, "animate",
-               "An eclipse frame by frame: textures, scenes, frames, pictures; goes on where it "
-               "was stopped");
+  auto* verb = add_verb(program, "animate",
+                        "makes a film of an eclipse: textures, scenes, frames, pictures; goes on "
+                        "where it was stopped");
   const auto options = std::make_shared<Options>();
   add_film_moon_options(*verb, options->moon);
   add_film_options(*verb, options->film);
@@ -134,12 +133,13 @@ void add_animate(CLI::App& program) {
   add_time_option(*verb, options->time);
   add_picture_options(*verb, options->development);
   add_camera_options(*verb, options->development.camera);
-  add_flag(*verb, "-o,--output", options->output, "the folder").writes_folder().required();
-  add_switch(
-      *verb, "--replace", options->replace,
-      "files of another film in the folder are made anew; linear frames that differ by their "
-      "exposure alone are kept, and developed again");
-  add_switch(*verb, "--json", options->json, "an event a line on stdout, as JSON");
+  add_flag(*verb, "-o,--output", options->output, "folder for what is made")
+      .writes_folder()
+      .required();
+  add_switch(*verb, "--replace", options->replace,
+             "makes files of another film in the folder anew; linear frames that differ only in "
+             "exposure are kept and developed again");
+  add_switch(*verb, "--json", options->json, "prints one JSON event per line");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

@@ -159,20 +159,21 @@ void run(const CLI::App& verb, const Options& options) {
 }  // namespace
 
 void add_bake(CLI::App& program) {
-  auto* verb = add_verb(program, "bake", "The lunar texture: plate carrée, scene-linear, cd/m²");
+  auto* verb = add_verb(program, "bake",
+                        "bakes the lit texture of the Moon: plate carrée, scene-linear, cd/m²");
   const auto options = std::make_shared<Options>();
   options->develop.bits = 16;
   add_moon_options(*verb, options->moon);
-  add_flag(*verb, "-o,--output", options->outputs,
-           "the texture: .exr; .tx, tiled and mip-mapped; .png, developed; .glb, that on a "
-           "sphere; .usda, a sphere with the .exr beside it. May be given again: one "
-           "simulation serves all")
+  add_flag(
+      *verb, "-o,--output", options->outputs,
+      "texture: .exr; .tx (tiled and mip-mapped); .png (developed); .glb (developed, on a sphere); "
+      ".usda (a sphere, with the .exr beside it). May be given again: one simulation serves all")
       .writes_file()
       .required()
       .kept_each_time();
   add_texture_options(*verb, options->texture);
   add_develop_options(*verb, options->develop);
-  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

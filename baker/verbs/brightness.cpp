@@ -57,10 +57,10 @@ void run(const Options& options) {
 
 void add_brightness(CLI::App& program) {
   auto* verb = add_verb(program, "brightness",
-                        "Magnitudes and mean luminance of the whole disc, above the air");
+                        "computes magnitudes and mean luminance of the whole Moon, above the air");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
-  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

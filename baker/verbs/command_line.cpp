@@ -24,6 +24,12 @@ void add_words(CLI::App& program) {
        {add_almanac, add_sky, add_plan, add_shadow, add_brightness, add_bake, add_ring, add_scene,
         add_still, add_animate, add_develop, add_merge, add_compare, add_fit, add_tradeoff})
     add(program);
+  program.set_help_flag("-h,--help", "lists the commands");
+  program.set_help_all_flag("--help-all", "lists the commands");
+  for (auto* verb : program.get_subcommands({})) {
+    verb->set_help_flag("-h,--help", "explains the command, with its common options");
+    verb->set_help_all_flag("--help-all", "explains the command, with all its options");
+  }
 }
 
 void run(CLI::App& program, const std::vector<std::string>& told) {

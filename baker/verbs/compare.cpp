@@ -229,30 +229,33 @@ void run(const Options& options) {
 
 void add_compare(CLI::App& program) {
   auto* verb = add_verb(program, "compare",
-                        "A photograph beside a rendered frame: registered, exposed, measured");
+                        "lays a photograph beside a rendered frame and measures how they differ");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "photo,--photo", options->photo, "any image; integers are sRGB, floats linear")
+  add_flag(*verb, "photo,--photo", options->photo,
+           "photograph: any image; whole numbers are read as sRGB, floats as linear")
       .reads_file()
       .required();
   add_flag(*verb, "render,--render", options->render,
-           "scene-linear [cd/m²], .exr: what still --frame wrote")
+           "rendered frame, .exr [cd/m²], as still --frame writes it")
       .reads_file()
       .required();
   add_flag(*verb, "-o,--output", options->output,
-           "photograph, render and difference side by side, .png")
+           "sheet, .png: photograph, render and difference side by side")
       .writes_file();
   add_flag(*verb, "--exposure", options->exposure,
-           "exif: as the photograph's header says, ISO 12232; fit: what suits it best; "
-           "without: exif where it is there")
+           "exposure of the photograph: exif (as its header says) or fit (what suits best); exif "
+           "where there is a header, unless given")
       .one_of({"exif", "fit"});
-  add_flag(*verb, "--bins", options->bins, "steps of distance from the shadow's axis, 1 to 1000");
-  add_coding_option(*verb, options->coding,
-                    "of the photograph: as-file-says, srgb or linear, which a TIFF never says");
+  add_flag(*verb, "--bins", options->bins,
+           "number of steps of distance from the shadow's axis, 1 to 1000");
+  add_coding_option(
+      *verb, options->coding,
+      "coding of the photograph's numbers: as-file-says, srgb or linear (a TIFF never says which)");
   add_flag(*verb, "--recipe-in", options->recipe_in,
-           "the .exr whose recipe tells what the render shows, as a scene's texture does; "
-           "without: the render itself")
+           ".exr whose recipe tells what the render shows, as a scene's texture does; the render "
+           "itself unless given")
       .reads_file();
-  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

@@ -12,6 +12,7 @@
 #include "verbs/flags/camera_options.h"
 #include "verbs/flags/develop_options.h"
 #include "verbs/recipes/recipe.h"
+#include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
@@ -58,26 +59,28 @@ void run(const Options& options) {
   if (options.json)
     fmt::print("{}\n", all.dump(2));
   else
-    fmt::print("{}: {:.3g} s, f/{:g}, ISO {:g}\n", one_line(options.output), exposure.time_s,
-               exposure.f_number, exposure.iso);
+    fmt::print("{}: exposed for {}, f/{:g}, ISO {:g}\n", one_line(options.output),
+               exposure_in_words(exposure.time_s), exposure.f_number, exposure.iso);
 }
 
 }  // namespace
 
 void add_develop(CLI::App& program) {
   auto* verb =
-      add_verb(program, "develop", "Exposure and view: a scene-linear frame becomes a picture");
+      add_verb(program, "develop",
+               "develops a scene-linear frame: exposure, camera and view make a picture of it");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "frame,--frame", options->frame, "scene-linear [cd/m²], .exr")
+  add_flag(*verb, "frame,--frame", options->frame, "frame, scene-linear, .exr [cd/m²]")
       .reads_file()
       .required();
-  add_flag(*verb, "-o,--output", options->output, "the picture, .png").writes_file().required();
+  add_flag(*verb, "-o,--output", options->output, "picture, .png").writes_file().required();
   add_flag(*verb, "--space", options->space,
-           "lin_rec709, acescg or lin_ciexyzd65_scene; without: as the file's header or name says");
+           "colour space of the frame: lin_rec709, acescg or lin_ciexyzd65_scene; what the header "
+           "or the name says, unless given");
   add_develop_options(*verb, options->develop);
   add_camera_options(*verb, options->develop.camera);
   add_camera_file_options(*verb, options->develop.camera);
-  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

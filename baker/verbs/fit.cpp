@@ -191,28 +191,31 @@ void add_photograph_options(CLI::App& verb, Options& options) {
   const auto add = [&](const char* flag, auto& value, const char* text) {
     return add_flag(verb, flag, value, text).in(group);
   };
-  add("--instants", options.instants, "UTC, one for all or one for each, with commas between");
-  add("--times", options.times, "exposure times [s], the same; without: the header's");
-  add("--isos", options.isos, "ISO speeds, the same; without: the header's");
-  add("--f-number", options.f_number, "without: the header's");
+  add("--instants", options.instants,
+      "moments of the photographs in UTC, one for all or one for each, with commas between");
+  add("--times", options.times,
+      "exposure times [s], one for all or one for each; the header's unless given");
+  add("--isos", options.isos, "ISO speeds, one for all or one for each; the header's unless given");
+  add("--f-number", options.f_number, "focal length over aperture; the header's unless given");
   add("--camera", options.request.camera,
-      "whose saturation is meant; without: as ISO 12232 has it");
-  add("--exposure-error", options.request.exposure_error, "standard, of its logarithm");
+      "camera whose saturation is meant; ISO 12232 unless given");
+  add("--exposure-error", options.request.exposure_error,
+      "standard error of the exposures' logarithm");
   add("--white-balance-error", options.request.white_balance_error,
-      "standard, of red and blue over green");
-  add_coding_option(verb, options.coding, "as-file-says, srgb or linear").in(group);
+      "standard error of red and blue over green");
+  add_coding_option(verb, options.coding, "coding of the photographs' numbers").in(group);
 }
 
 }  // namespace
 
 void add_fit(CLI::App& program) {
-  auto* verb =
-      add_verb(program, "fit",
-               "The dust, cloud and ozone that photographs or magnitudes of an eclipse tell of");
+  auto* verb = add_verb(
+      program, "fit",
+      "finds the dust, cloud and ozone that explain photographs or magnitudes of an eclipse");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "photos,--photos", options->photos, "any images of eclipsed Moons").reads_file();
+  add_flag(*verb, "photos,--photos", options->photos, "photographs of eclipsed Moons").reads_file();
   add_flag(*verb, "--magnitudes", options->magnitudes,
-           "a list of the whole Moon's, .csv: instant,band,magnitude,error")
+           "magnitudes of the whole Moon, .csv: instant,band,magnitude,error")
       .reads_file();
   add_photograph_options(*verb, *options);
   auto& moon = options->request.moon;
@@ -221,8 +224,8 @@ void add_fit(CLI::App& program) {
   add_sunlight_options(*verb, moon.light);
   add_observer_options(*verb, options->request.view);
   add_switch(*verb, "--despite-misfit", options->despite_misfit,
-             "answer although no air explains what was seen: a warning, no error");
-  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
+             "answers although no air explains what was seen, with a warning");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

@@ -54,17 +54,17 @@ void run(const Options& options) {
 }  // namespace
 
 void add_merge(CLI::App& program) {
-  auto* verb = add_verb(program, "merge",
-                        "A bracketed set of photographs becomes one of the scene's luminance");
+  auto* verb =
+      add_verb(program, "merge", "merges bracketed photographs into one of the scene's luminance");
   const auto options = std::make_shared<Options>();
   add_flag(*verb, "photographs,--photographs", options->photographs,
-           "of one scene, as --photograph writes them, .exr")
+           "photographs of one scene, .exr, as --photograph writes them")
       .reads_file()
       .required();
   add_flag(*verb, "-o,--output", options->output, "scene-linear [cd/m2], .exr")
       .writes_file()
       .required();
-  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

@@ -10,6 +10,7 @@
 #include "verbs/flags/moon_options.h"
 #include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
+#include "verbs/reports/in_words.h"
 #include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
@@ -55,8 +56,6 @@ Planned planned(const Options& options, bool picture) {
   return result;
 }
 
-std::string percent(double size) { return fmt::format("{:.2g} %", 100 * size); }
-
 void print(const Planned& all) {
   const auto& [plan, width, picture_left_out] = all;
   const auto& work = plan.work;
@@ -70,20 +69,20 @@ void print(const Planned& all) {
                work.bands);
   if (work.refracted)
     fmt::print("            {} plane{} across the Moon's depth, {} between places\n", work.planes,
-               work.planes == 1 ? "" : "s", percent(work.place_error));
+               work.planes == 1 ? "" : "s", in_percent(work.place_error));
   fmt::print("Earth       {}, {}{}\n", work.ellipsoid ? "ellipsoid" : "sphere",
              work.regions ? "air by latitude and region" : "air alike all around",
              work.scattered_light ? ", scattered light" : "");
   fmt::print("texture     {} x {} texels\n", width, width / 2);
   for (const auto& [term, size] : plan.left_out)
-    fmt::print("left out    {}: {} of luminance at most\n", term, percent(size));
+    fmt::print("left out    {}: {} of luminance at most\n", term, in_percent(size));
   for (const auto& text : picture_left_out) fmt::print("left out    {}\n", text);
-  fmt::print("predicted   {:.2g} s, error {}\n", plan.seconds, percent(plan.error));
+  fmt::print("predicted   {}, {}\n", duration(plan.seconds), within(plan.error));
   for (std::size_t i = 1; i < plan.methods.size(); ++i)
-    fmt::print("or          {:.2g} s by {}, error {}\n", plan.methods[i].seconds,
-               name(plan.methods[i].method), percent(plan.methods[i].error));
+    fmt::print("or          {} by {}, {}\n", duration(plan.methods[i].seconds),
+               name(plan.methods[i].method), within(plan.methods[i].error));
   if (!plan.relaxed.empty())
-    fmt::print("gave way    {}: error {} predicted\n", plan.relaxed, percent(plan.error));
+    fmt::print("not reached {}: {} is predicted\n", plan.relaxed, in_percent(plan.error));
 }
 
 void run(const CLI::App& verb, const Options& options) {
@@ -102,11 +101,13 @@ void run(const CLI::App& verb, const Options& options) {
 }  // namespace
 
 void add_plan(CLI::App& program) {
-  auto* verb = add_verb(program, "plan", "What a texture or a picture requires and will cost");
+  auto* verb =
+      add_verb(program, "plan",
+               "says what a texture or a picture requires, and what it will cost, before any work");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   add_view_options(*verb, options->view);
-  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

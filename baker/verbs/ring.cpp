@@ -44,22 +44,24 @@ void run(const CLI::App& verb, const Options& options) {
 }  // namespace
 
 void add_ring(CLI::App& program) {
-  auto* verb = add_verb(program, "ring",
-                        "The Earth's ring of sunsets, seen from the eclipsed Moon: a strip, cd/m²");
+  auto* verb =
+      add_verb(program, "ring",
+               "makes the Earth's ring of sunsets as the eclipsed Moon sees it: a strip, cd/m²");
   const auto options = std::make_shared<Options>();
   add_moment_options(*verb, options->moment).required();
   add_parsed(
       *verb, "--on", [options](const std::string& text) { options->on = feature_from(text); },
-      "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; without: "
+      "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; "
+      "without: "
       "where the Earth stands in the zenith");
   add_flag(*verb, "-o,--output", options->output,
-           "an .exr; columns: position angle on the sky about the Earth's centre, from "
-           "north through east; rows: even in the angle from it, which the header has for "
-           "the outer edge, on top, and the inner")
+           "strip, .exr. Columns: position angle about the Earth's centre, from north through "
+           "east. Rows: even in the angle from the centre, the outer edge on top; the header holds "
+           "the angles of both edges")
       .writes_file()
       .required();
   add_flag(*verb, "--scale", options->scale,
-           "what cd/m² are multiplied with, 1e-9 to 1e9; POV-Ray reads no more than 65504");
+           "factor on luminance [cd/m²], 1e-9 to 1e9; POV-Ray reads no more than 65504");
   add_air_options(*verb, options->light.air);
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });

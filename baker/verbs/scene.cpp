@@ -36,15 +36,15 @@ void run(const CLI::App& verb, const Options& options) {
 }  // namespace
 
 void add_scene(CLI::App& program) {
-  auto* verb =
-      add_verb(program, "scene", "A POV-Ray scene in a folder of its own, ready to render");
+  auto* verb = add_verb(program, "scene",
+                        "writes a POV-Ray scene with its texture into a folder, ready to render");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   add_view_options(*verb, options->view);
   add_flag(*verb, "-o,--output", options->output, "the folder; `povray eclipse.ini` in it renders")
       .writes_folder()
       .required();
-  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

@@ -168,26 +168,29 @@ void run(const CLI::App& verb, const Options& options) {
 }  // namespace
 
 void add_shadow(CLI::App& program) {
-  auto* verb =
-      add_verb(program, "shadow", "Irradiance across the shadow, over unobstructed sunlight");
+  auto* verb = add_verb(program, "shadow",
+                        "computes irradiance across the shadow, over unobstructed sunlight");
   const auto options = std::make_shared<Options>();
   add_moment_options(*verb, options->moment, "; for the distances and the air of that moment");
-  add_flag(*verb, "--wavelengths", options->wavelengths, "[nm], 380 to 780, commas between");
-  add_flag(*verb, "--axis-distances", options->axis_distances, "[km], increasing, commas between");
+  add_flag(*verb, "--wavelengths", options->wavelengths,
+           "wavelengths [nm], 380 to 780, with commas between");
+  add_flag(*verb, "--axis-distances", options->axis_distances,
+           "distances from the shadow's axis [km], increasing, with commas between");
   add_flag(*verb, "--moon-distance-km", options->moon_distance_km,
-           "from the Earth's centre, along the shadow axis");
-  add_flag(*verb, "--sun-distance-km", options->sun_distance_km, "from the Earth's centre");
+           "distance of the Moon from the Earth's centre along the shadow's axis [km]");
+  add_flag(*verb, "--sun-distance-km", options->sun_distance_km,
+           "distance of the Sun from the Earth's centre [km]");
   add_flag(*verb, "--position-angle", options->position_angle_deg,
-           "about the axis, from celestial north through east [degrees]; without: the mean "
-           "of all")
+           "position angle about the axis, from celestial north through east [degrees]; the mean "
+           "over all angles unless given")
       .within(0, 360);
   add_flag(*verb, "--plot", options->plot, "a .png that gnuplot draws").writes_file();
   add_flag(*verb, "--lookup", options->lookup,
-           "a strip for shaders instead, .exr or .cube, and a .json beside it: light of "
-           "linear Rec.709 over sunlight, by distance from the axis and position angle")
+           "strip for shaders, .exr or .cube, with a .json beside it: light over sunlight in "
+           "linear Rec.709, by distance from the axis and position angle")
       .writes_file()
       .excludes("--plot");
-  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_light_options(*verb, options->light);
   add_photon_file_options(*verb, options->light);
   add_recipe_option(*verb);

@@ -72,11 +72,14 @@ void run(const Options& options) {
 }  // namespace
 
 void add_sky(CLI::App& program) {
-  auto* verb = add_verb(program, "sky", "Where everything is, and how the Moon is turned");
+  auto* verb =
+      add_verb(program, "sky", "says where Sun, Moon and shadow are, and how the Moon is turned");
   const auto options = std::make_shared<Options>();
   add_moment_options(*verb, options->moment).required();
-  add_flag(*verb, "--at", options->at, "place of an observer: a city, as Chicago, or LAT,LON[,ELEV] [degrees north and east, metres]");
-  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
+  add_flag(*verb, "--at", options->at,
+           "place of an observer: a city, as Chicago, or LAT,LON[,ELEV] [degrees north and east, "
+           "metres]");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

@@ -71,17 +71,19 @@ void run(const CLI::App& verb, Options options) {
 }  // namespace
 
 void add_still(CLI::App& program) {
-  auto* verb = add_verb(program, "still", "Bake, scene, POV-Ray and develop: a picture");
+  auto* verb =
+      add_verb(program, "still",
+               "makes a picture: bakes, builds the scene, renders it with POV-Ray, develops it");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   add_view_options(*verb, options->view);
   add_develop_options(*verb, options->develop);
   add_camera_options(*verb, options->develop.camera);
   add_camera_file_options(*verb, options->develop.camera);
-  add_flag(*verb, "-o,--output", options->output, "the picture, .png").writes_file().required();
-  add_flag(*verb, "--frame", options->frame, "also the scene-linear frame [cd/m²], .exr")
+  add_flag(*verb, "-o,--output", options->output, "picture, .png").writes_file().required();
+  add_flag(*verb, "--frame", options->frame, "writes the scene-linear frame too: .exr [cd/m²]")
       .writes_file();
-  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

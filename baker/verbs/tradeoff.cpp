@@ -119,26 +119,27 @@ void run(const Options& options) {
 }  // namespace
 
 void add_tradeoff(CLI::App& program) {
-  auto* verb = add_verb(program, "tradeoff",
-                        "Speed against accuracy, measured for every method and setting");
+  auto* verb =
+      add_verb(program, "tradeoff", "measures speed against accuracy for every method and setting");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "instant,--instant", options->instant, "ISO 8601 UTC; the scene that is lit");
+  add_flag(*verb, "instant,--instant", options->instant, "moment in UTC of the scene that is lit");
   add_flag(*verb, "-o,--output", options->output,
-           "folder of tradeoff.csv, tradeoff.md and tradeoff.svg")
+           "folder for tradeoff.csv, tradeoff.md and tradeoff.svg")
       .writes_folder()
       .required();
-  add_flag(*verb, "--only", options->only, "one solver's sweeps; may be given again")
+  add_flag(*verb, "--only", options->only, "method to measure alone. May be given again")
       .one_of(uses::solver_names())
       .one_value_each_time();
   add_flag(*verb, "--longest", options->limits.longest_s,
-           "of one run [s]; a row that would take longer is extrapolated");
+           "longest time of one run [s]; a row that would take longer is extrapolated");
   add_flag(*verb, "--repeat", options->limits.repeat,
-           "runs of which the least time counts; those under a second: three or more");
-  add_switch(*verb, "--quick", options->quick, "few values, small ones: seconds");
+           "number of runs; the shortest counts. Runs under a second are made three times or more");
+  add_switch(*verb, "--quick", options->quick, "measures few and small settings: seconds");
   add_flag(*verb, "--albedo-map", options->moon.albedo_map,
-           "any image 2:1, longitude 0 in the middle; auto; built-in")
+           "albedo map: an image of 2:1 with longitude 0 in the middle; auto: Stellarium's where "
+           "it is installed, else built-in")
       .reads_file();
-  add_switch(*verb, "--json", options->json, "one JSON document on stdout");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_air_options(*verb, options->moon.light.air);
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });

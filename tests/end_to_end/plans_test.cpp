@@ -69,7 +69,7 @@ TEST_F(Plans, ThatAreNotToBeHadSaySo) {
   EXPECT_EQ(plan["gave_way"], "tolerance");
   EXPECT_FALSE(this->plan({deep[0]}).contains("gave_way"));
   const auto text = coppermoon({"plan", deep[0], "--tolerance", "0.01%"});
-  EXPECT_NE(text.out.find("gave way    tolerance: error 0.0"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("not reached tolerance: 0.0"), std::string::npos) << text.out;
 }
 
 TEST_F(Plans, OfAToleranceAndAQualityThatSaysAnotherAreRefused) {

@@ -43,87 +43,91 @@ uses::Stratosphere stratosphere_from(const std::string& text) {
 /// Layers that a fit takes as they are told.
 void add_layers(CLI::App& app, uses::ColumnChange& column) {
   add_air_flag(app, "--tropospheric-aerosol", column.tropospheric_optical_depth,
-               "its vertical optical depth at 550 nm, 0 to 10; 0: none");
+               "vertical optical depth of the aerosol near the ground at 550 nm, 0 to 10");
   add_parsed(
       app, "--stratospheric-aerosol",
       [&column](const std::string& text) { column.stratosphere = stratosphere_from(text); },
-      "dated: that of the month, 500 BC to 2025; none, background, or after an eruption: moderate, "
-      "high, extreme; or its vertical optical depth at 550 nm, 0 to 2")
+      "aerosol of the stratosphere: dated (of that month, 500 BC to 2025), none, background, or "
+      "moderate, high, extreme (after an eruption); or its vertical optical depth at 550 nm, 0 to "
+      "2")
       .in(air_group);
   add_air_flag(app, "--free-troposphere", column.free_troposphere,
-               "factor on the aerosol between ground and tropopause that satellites see, 0 to 100; "
-               "0: none");
+               "factor on the aerosol that satellites see between ground and tropopause, 0 to 100");
   add_air_flag(app, "--cloud-chance", column.cloud_chance,
-               "factor on the chance that a ray meets cloud, by height and latitude, 0 to 100; 0: "
-               "none; 1: usual");
+               "factor on the chance that a ray meets cloud, 0 (no cloud) to 100; the chance "
+               "depends on height and latitude");
   add_air_flag(app, "--cirrus", column.cirrus,
-               "factor on thin cirrus under the tropopause, 0 to 100; 0: none; 1: usual");
+               "factor on the thin cirrus below the tropopause, 0 (none) to 100");
   add_air_flag(app, "--tropopause-km", column.tropopause_km,
-               "height where cloud ends and the stratosphere begins [km], 5 to 20");
-  add_air_flag(app, "--cloud-top-km", column.cloud_top_km, "[km], 0 to 30");
-  add_air_flag(app, "--dust-bottom-km", column.dust_bottom_km, "of that layer [km]; 15");
-  add_air_flag(app, "--dust-top-km", column.dust_top_km, "of that layer [km]; 20");
+               "height of the tropopause [km], 5 to 20: cloud ends there");
+  add_air_flag(app, "--cloud-top-km", column.cloud_top_km,
+               "height of the cloud deck that --cloud-cover lays [km], 0 to 30");
+  add_air_flag(app, "--dust-bottom-km", column.dust_bottom_km,
+               "lower edge of the dust layer [km]; 15 unless given");
+  add_air_flag(app, "--dust-top-km", column.dust_top_km,
+               "upper edge of the dust layer [km]; 20 unless given");
 }
 
 /// What a fit seeks, and Danjon's scale, which says all of it.
 void add_sought(CLI::App& app, uses::ColumnChange& column) {
   add_air_flag(
       app, "--danjon", column.danjon,
-      "air that makes this eclipse so bright on Danjon's scale, 0 (very dark) to 4 (bright); the "
-      "clearest where none makes it so bright; of undated air, cloud and aerosol alike for all");
-  add_air_flag(app, "--ozone-du", column.ozone_du,
-               "vertical column of ozone [DU], 0 to 1000; 0: none");
+      "brightness of this eclipse on Danjon's scale, 0 (very dark) to 4 (bright): cloud and "
+      "aerosol are scaled until the eclipse has it. Where no air does, the clearest air is taken");
+  add_air_flag(app, "--ozone-du", column.ozone_du, "vertical column of ozone [DU], 0 to 1000");
   add_air_flag(app, "--cloud-cover", column.cloud_cover,
-               "part of the limb where cloud stops the light, 0 to 1; 0: none");
-  add_air_flag(
-      app, "--dust-extinction", column.dust_extinction_per_m,
-      "of a grey layer of dust [1/m]; 1e-6 slight, 4.7e-6 usual, 1e-4 a dark eclipse; 0: none");
+               "share of the Earth's limb where a deck of cloud stops the light, 0 to 1; replaces "
+               "the chance of cloud");
+  add_air_flag(app, "--dust-extinction", column.dust_extinction_per_m,
+               "extinction of a grey layer of dust [1/m]: 1e-6 is slight, 4.7e-6 usual, 1e-4 makes "
+               "a dark eclipse");
 }
 
 void add_terms(CLI::App& verb, uses::Air& air) {
   using atmosphere::Density, atmosphere::Dispersion, atmosphere::KingFactor, atmosphere::OzonePath,
       uses::EarthFigure, uses::OzoneProfile;
   const auto names = atmosphere::preset_names();
-  add_air_flag(
-      verb, "--atmosphere", air.atmosphere,
-      "standard or monthly: the air of the month along the limb; undated: alike everywhere and "
-      "always, the standard of version 0.1; clear: air and ozone alone; molecular: without ozone; "
-      "paper: as in Yapo & Cutler (2009); none: the bare Earth")
+  add_air_flag(verb, "--atmosphere", air.atmosphere,
+               "air of the Earth. standard (also monthly): that of the eclipse's month, by "
+               "latitude; undated: the same everywhere and always; clear: air and ozone only; "
+               "molecular: air only; paper: as in Yapo & Cutler (2009); none: the bare Earth")
       .one_of({names.begin(), names.end()});
   add_choice<EarthFigure>(verb, "--earth", air.earth,
                           {{"sphere", EarthFigure::sphere}, {"ellipsoid", EarthFigure::ellipsoid}},
-                          "sphere or ellipsoid")
+                          "figure of the Earth")
       .in(air_group);
-  add_choice<Density>(
-      verb, "--density", air.density,
-      {{"seasonal", Density::seasonal},
-       {"us-1976", Density::us_1976},
-       {"yapo-cutler", Density::yapo_cutler}},
-      "seasonal: by latitude and season; us-1976: to 86 km; yapo-cutler: cut at 42 km")
+  add_choice<Density>(verb, "--density", air.density,
+                      {{"seasonal", Density::seasonal},
+                       {"us-1976", Density::us_1976},
+                       {"yapo-cutler", Density::yapo_cutler}},
+                      "density of the air: seasonal (by latitude and season), us-1976 (to 86 km) "
+                      "or yapo-cutler (cut at 42 km)")
       .in(air_group);
-  add_on_off(verb, "--refraction", air.refraction, "on or off").in(air_group);
+  add_on_off(verb, "--refraction", air.refraction, "bending of light in the Earth's air")
+      .in(air_group);
   add_choice<Dispersion>(verb, "--dispersion", air.dispersion,
                          {{"ciddor", Dispersion::ciddor_1996}, {"crc", Dispersion::crc}},
-                         "of refraction: ciddor or crc")
+                         "formula of the refractive index by wavelength")
       .in(air_group);
-  add_on_off(verb, "--rayleigh", air.rayleigh, "Rayleigh scattering out of the ray, on or off")
+  add_on_off(verb, "--rayleigh", air.rayleigh, "Rayleigh scattering out of the ray").in(air_group);
+  add_choice<KingFactor>(
+      verb, "--king-factor", air.king_factor,
+      {{"bates", KingFactor::bates_1984}, {"fixed", KingFactor::fixed}},
+      "King factor of Rayleigh scattering: bates (by wavelength) or fixed (1.05)")
       .in(air_group);
-  add_choice<KingFactor>(verb, "--king-factor", air.king_factor,
-                         {{"bates", KingFactor::bates_1984}, {"fixed", KingFactor::fixed}},
-                         "of Rayleigh scattering: bates: by wavelength; fixed: 1.05")
-      .in(air_group);
-  add_choice<OzonePath>(verb, "--ozone-path", air.ozone_path,
-                        {{"bent", OzonePath::bent}, {"filter", OzonePath::filter}},
-                        "bent: along each ray's own path; filter: the same for all")
+  add_choice<OzonePath>(
+      verb, "--ozone-path", air.ozone_path,
+      {{"bent", OzonePath::bent}, {"filter", OzonePath::filter}},
+      "ozone that a ray meets: bent (along its own path) or filter (the same for all rays)")
       .in(air_group);
   add_choice<OzoneProfile>(
       verb, "--ozone-profile", air.ozone_profile,
       {{"climatology", OzoneProfile::climatology}, {"us-1976", OzoneProfile::us_1976}},
-      "climatology: by latitude and month, its column too; us-1976")
+      "height profile of ozone: climatology (by latitude and month) or us-1976")
       .in(air_group);
-  add_on_off(verb, "--oxygen-pairs", air.oxygen_pairs, "absorption by pairs of O2, on or off")
+  add_on_off(verb, "--oxygen-pairs", air.oxygen_pairs, "absorption by pairs of oxygen molecules")
       .in(air_group);
-  add_on_off(verb, "--nitrogen-dioxide", air.nitrogen_dioxide, "its absorption, on or off")
+  add_on_off(verb, "--nitrogen-dioxide", air.nitrogen_dioxide, "absorption by nitrogen dioxide")
       .in(air_group);
 }
 
@@ -135,9 +139,9 @@ void add_regions(CLI::App& verb, uses::Air& air) {
              air.regions.clear();
              for (const auto& text : texts) air.regions.push_back(reader.read(text));
            },
-           "a part of the limb with air of its own, as "
-           "from-latitude=-90,to-latitude=0,dust-extinction=1e-5 (or from-position-angle, "
-           "to-position-angle); may be given again, the first that holds a place counts"))
+           "part of the Earth's limb with air of its own, as "
+           "from-latitude=-90,to-latitude=0,dust-extinction=1e-5; or between from-position-angle "
+           "and to-position-angle. May be given again: the first region that holds a place counts"))
       .in(air_group)
       .one_value_each_time();
 }

@@ -11,8 +11,9 @@ namespace coppermoon::verbs {
 namespace {
 
 constexpr const char* time_help =
-    "exposure time [s]; auto: the brightest are not lost; follow: as the shadow deepens, without a "
-    "step";
+    "exposure time [s], as 2 or 1/30; auto: the brightest hundredth of the lit disc comes to 0.8 "
+    "of saturation; follow: "
+    "the same for each frame of a film, changing without a step";
 
 std::string text_of(const uses::ExposureTime& time) {
   using enum uses::ExposureTime::Rule;
@@ -28,8 +29,8 @@ uses::ExposureTime exposure_time_from(const std::string& text) {
   if (text == "follow") return {follow};
   const auto seconds = exposure_seconds(text);
   if (!seconds)
-    throw algebra::Error(
-        fmt::format("exposure time = {}, allowed auto, follow, or 1e-6 to 1e6 s, as 2 or 1/30", text));
+    throw algebra::Error(fmt::format(
+        "exposure time = {}, allowed auto, follow, or 1e-6 to 1e6 s, as 2 or 1/30", text));
   return {fixed, *seconds};
 }
 
@@ -40,16 +41,17 @@ void add_time_option(CLI::App& verb, std::string& time) {
 void add_picture_options(CLI::App& verb, uses::Development& development) {
   const std::string group = camera_group;
   add_flag(verb, "--f-number", development.f_number,
-           "focal length over aperture; 12.1, or the camera's")
+           "focal length over aperture; 12.1 unless the camera says another")
       .in(group);
-  add_flag(verb, "--iso", development.iso, "ISO 12232 saturation-based speed").in(group);
-  add_flag(verb, "--view", development.view, "of the OpenColorIO configuration").in(group);
-  add_flag(verb, "--display", development.display, "of the OpenColorIO configuration").in(group);
+  add_flag(verb, "--iso", development.iso, "ISO speed (ISO 12232, saturation-based)").in(group);
+  add_flag(verb, "--view", development.view, "view of the OpenColorIO configuration").in(group);
+  add_flag(verb, "--display", development.display, "display of the OpenColorIO configuration")
+      .in(group);
   add_flag(verb, "--config", development.config,
-           "an OpenColorIO configuration instead of the built-in one")
+           "OpenColorIO configuration in place of the built-in one")
       .reads_file()
       .in(group);
-  add_flag(verb, "--bits", development.bits, "of the picture, 8 or 16")
+  add_flag(verb, "--bits", development.bits, "bits of a number of the picture")
       .one_of({"8", "16"})
       .in(group);
 }

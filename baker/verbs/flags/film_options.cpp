@@ -26,64 +26,66 @@ const std::vector<std::pair<std::string, uses::Mount>> mounts{{"tracking", uses:
 
 void add_times(CLI::App& verb, FilmOptions& options) {
   add_flag(verb, "eclipse,--eclipse", options.eclipse,
-           "a day near it, as 2018-07-27; or a file that coppermoon made of it, to go on")
+           "day of the eclipse, as 2018-07-27; or a file of a film, to go on with it")
       .in(film_group);
   add_calendar_option(verb, options.calendar);
   const char* moments =
-      "an instant, or a contact: P1, U1, U2, greatest, U3, U4, P4, as P1-10min or U2+90s";
+      "moment in UTC, or a contact: P1, U1, U2, greatest, U3, U4, P4, as P1-10min or U2+90s";
   add_flag(verb, "--from", options.from, moments).in(film_group);
   add_flag(verb, "--to", options.to, moments).in(film_group);
-  add_flag(verb, "--frames", options.frames,
-           "1 to 1000000, the first at the one moment, the last "
-           "at the other; without: 240")
+  add_flag(
+      verb, "--frames", options.frames,
+      "number of frames, 1 to 1000000, evenly from the first moment to the last; 240 unless given")
       .not_negative()
       .in(film_group);
-  add_flag(verb, "--fps", options.fps, "frames in a second of the film, 1 to 1000").in(film_group);
+  add_flag(verb, "--fps", options.fps, "frames per second of the film, 1 to 1000").in(film_group);
   add_flag(verb, "--time-scale", options.time_scale,
-           "seconds of the eclipse in a second of the film, instead of --frames")
+           "seconds of the eclipse per second of the film, in place of --frames")
       .in(film_group);
 }
 
 void add_making(CLI::App& verb, FilmOptions& options) {
   add_flag(verb, "--make", options.make,
-           "textures, scenes (with their textures), frames (scene-linear) and pictures, "
-           "with commas between; or light: what they all need, alone")
+           "what to make, with commas between: textures, scenes (with their textures), frames "
+           "(scene-linear), pictures; or light alone, which they all need")
       .in(film_group);
-  add_flag(verb, "--range", options.range, "of all frames, as 1-240, 1-240x2 or 7,9,20-30")
+  add_flag(verb, "--range", options.range, "frames to make, as 1-240, 1-240x2 or 7,9,20-30")
       .in(film_group);
   add_flag(verb, "--shard", options.shard,
-           "K/N: every N-th frame of these from the K-th on; of light: of its photons")
+           "share of the work, K/N: every N-th frame from the K-th on; with --make light, that "
+           "part of the photons")
       .in(film_group);
   add_choice<uses::Mount>(verb, "--mount", options.mount, mounts,
-                          "tracking: the Moon in the middle; horizon: and the zenith up; fixed: on "
-                          "a tripod, the zenith up")
+                          "mount of the camera: tracking (the Moon stays in the middle), horizon "
+                          "(the same, zenith up) or fixed (on a tripod, zenith up)")
       .in(film_group);
   add_flag(verb, "--aim", options.aim,
-           "ALTITUDE,AZIMUTH of a fixed mount [degrees, as seen; from north through east]; "
-           "without: where the Moon is half way")
+           "ALTITUDE,AZIMUTH that a fixed mount points at [degrees, azimuth from north through "
+           "east]; where the Moon is half way, unless given")
       .in(film_group);
   add_flag(verb, "--bracket", options.bracket_ev,
-           "pictures so many stops under and over as well, 0.01 to 10")
+           "stops: pictures so much under and over are made too, 0.01 to 10")
       .in(film_group);
 }
 
 void add_files_of_all(CLI::App& verb, FilmOptions& options) {
   const std::string group = "Of the whole film";
-  add_flag(verb, "--contact-sheet", options.contact_sheet,
-           "a .png of some 40 pictures and those at the contacts, with their times")
+  add_flag(
+      verb, "--contact-sheet", options.contact_sheet,
+      "contact sheet, .png: some 40 pictures, those at the contacts among them, with their times")
       .writes_file()
       .in(group);
   add_flag(verb, "--curve", options.curves,
-           "V magnitude and mean luminance of the disc over time, above the air: a .csv, or a "
-           ".svg or .png that gnuplot draws; may be given more than once")
+           "light curve, .csv, .svg or .png: V magnitude and mean luminance of the disc above the "
+           "air. May be given again")
       .writes_file()
       .kept_each_time()
       .in(group);
-  add_flag(verb, "--movie", options.movie, "an .mp4 of the pictures, by ffmpeg")
+  add_flag(verb, "--movie", options.movie, "movie of the pictures, .mp4, made by ffmpeg")
       .writes_file()
       .in(group);
   add_flag(verb, "--composite", options.composite,
-           "a .png of all frames on one picture, each with its own exposure")
+           "picture of all frames together, .png, each with its own exposure")
       .writes_file()
       .in(group);
 }

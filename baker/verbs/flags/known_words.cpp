@@ -23,6 +23,99 @@ std::size_t letters_apart(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+struct Meaning {
+  std::string_view elsewhere, here;
+};
+
+/// What other programs call our flags.
+constexpr Meaning flags_elsewhere[] = {
+    {"fov", "field"},
+    {"field-of-view", "field"},
+    {"zoom", "field"},
+    {"exposure", "time"},
+    {"exposure-time", "time"},
+    {"shutter", "time"},
+    {"shutter-speed", "time"},
+    {"out", "output"},
+    {"outfile", "output"},
+    {"output-file", "output"},
+    {"output-dir", "output"},
+    {"location", "at"},
+    {"place", "at"},
+    {"city", "at"},
+    {"observer", "at"},
+    {"where", "at"},
+    {"date", "instant"},
+    {"when", "instant"},
+    {"datetime", "instant"},
+    {"size", "width"},
+    {"resolution", "width"},
+    {"lens", "camera"},
+    {"iso-speed", "iso"},
+    {"aperture-number", "f-number"},
+    {"fstop", "f-number"},
+    {"f-stop", "f-number"},
+    {"texture-size", "texture-width"},
+    {"map", "albedo-map"},
+    {"albedo", "albedo-map"},
+    {"colorspace", "space"},
+    {"colourspace", "space"},
+    {"colour-space", "space"},
+    {"color-space", "space"},
+    {"accuracy", "tolerance"},
+    {"precision", "tolerance"},
+    {"error", "tolerance"},
+    {"samples", "photons"},
+    {"rays", "photons"},
+    {"air", "atmosphere"},
+    {"config", "recipe"},
+    {"preset", "recipe"},
+    {"jobs", "threads"},
+    {"cores", "threads"},
+    {"framerate", "fps"},
+    {"frame-rate", "fps"},
+    {"video", "movie"},
+    {"start", "from"},
+    {"end", "to"},
+    {"crater", "feature"},
+    {"tripod", "mount"},
+    {"force", "replace"},
+    {"overwrite", "replace"},
+    {"clouds", "cloud-cover"},
+    {"cloud", "cloud-cover"},
+    {"dust", "dust-extinction"},
+    {"ozone", "ozone-du"},
+    {"aerosol", "stratospheric-aerosol"},
+};
+
+/// What other programs call our verbs.
+constexpr Meaning verbs_elsewhere[] = {
+    {"render", "still"},         {"picture", "still"},
+    {"image", "still"},          {"photo", "still"},
+    {"film", "animate"},         {"movie", "animate"},
+    {"animation", "animate"},    {"video", "animate"},
+    {"texture", "bake"},         {"info", "sky"},
+    {"ephemeris", "sky"},        {"where", "sky"},
+    {"eclipses", "almanac"},     {"list", "almanac"},
+    {"find", "almanac"},         {"calendar", "almanac"},
+    {"magnitude", "brightness"}, {"profile", "shadow"},
+    {"umbra", "shadow"},         {"pov", "scene"},
+    {"povray", "scene"},         {"hdr", "merge"},
+    {"estimate", "plan"},        {"benchmark", "tradeoff"},
+};
+
+template <std::size_t count>
+std::string suggested(std::string_view word, const Meaning (&meanings)[count],
+                      const std::vector<std::string>& known, const char* dashes) {
+  for (const auto& [elsewhere, here] : meanings)
+    if (word == elsewhere && holds(known, here))
+      return "; did you mean " + std::string(dashes) + std::string(here) + "?";
+  const auto like = nearest(word, known);
+  const auto apart = letters_apart(word.substr(0, 100), like);
+  const bool alike = apart <= 2 && 3 * apart <= like.size() + 1;
+  return alike ? "; did you mean " + std::string(dashes) + like + "?" : "";
+}
+
 }  // namespace
 
 std::vector<std::string> long_flags(const CLI::App& verb) {
@@ -47,6 +140,14 @@ std::string nearest(std::string_view word, const std::vector<std::string>& known
   return *std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
     return letters_apart(word, a) < letters_apart(word, b);
   });
+}
+
+std::string flag_suggested_for(std::string_view flag, const std::vector<std::string>& known) {
+  return suggested(flag, flags_elsewhere, known, "--");
+}
+
+std::string verb_suggested_for(std::string_view verb, const std::vector<std::string>& known) {
+  return suggested(verb, verbs_elsewhere, known, "");
 }
 
 }  // namespace coppermoon::verbs

@@ -23,4 +23,11 @@ bool holds(const std::vector<std::string>& words, std::string_view word);
 /// Given  known  one or more
 std::string nearest(std::string_view word, const std::vector<std::string>& known);
 
+/// "; did you mean --field?": a flag that means what an unknown one does elsewhere, or is spelt almost
+/// alike. Empty where there is none.
+std::string flag_suggested_for(std::string_view flag, const std::vector<std::string>& known);
+
+/// The same for a verb: "; did you mean still?".
+std::string verb_suggested_for(std::string_view verb, const std::vector<std::string>& known);
+
 }  // namespace coppermoon::verbs

@@ -25,31 +25,32 @@ void add_solver_options(CLI::App& verb, uses::LightRequest& request) {
                      {{"auto", Solver::automatic},
                       {"quadrature", Solver::quadrature},
                       {"photons", Solver::photons}},
-                     "quadrature: without noise; photons: the paper's simulation; auto: the "
-                     "quicker, or photons where --photons says how many")
+                     "method: quadrature (without noise), photons (the paper's simulation), or "
+                     "auto (the quicker; photons where --photons is given)")
       .in(group);
   add_choice<Trace>(
       verb, "--trace", request.trace,
       {{"each", Trace::step_by_step}, {"marched", Trace::marched}, {"table", Trace::table}},
-      "of photons; each: step by step, as in the paper; marched: step by step, all wavelengths "
-      "together; table: by a table of the limb's rays")
+      "tracing of photons: table (by a table of the limb's rays), marched (step by step, all "
+      "wavelengths together) or each (step by step, each alone, as in the paper)")
       .in(group);
   add_flag(verb, "--photons", request.photons,
-           "how many, 1 to 1e12, rounded up to blocks of 1024; 1e6 take minutes with "
-           "--trace each, seconds marched, a second by the table; without: until the "
-           "tolerance is reached")
+           "number of photons, 1 to 1e12; as many as the tolerance needs, unless given. 1e6 take a "
+           "second by the table, some seconds marched, minutes with --trace each")
       .in(group);
-  add_flag(verb, "--seed", request.seed, "of the photons").not_negative().in(group);
-  add_flag(verb, "--step-km", request.step_km, "of a photon's path, traced each or marched")
+  add_flag(verb, "--seed", request.seed, "seed of the photons").not_negative().in(group);
+  add_flag(verb, "--step-km", request.step_km,
+           "step of a photon's path [km], with --trace each or marched")
       .in(group);
-  add_choice<Precision>(
-      verb, "--precision", request.precision,
-      {{"single", Precision::single}, {"full", Precision::full}},
-      "of photons that are marched; single: 7 digits, in two thirds of the time; full: 16")
+  add_choice<Precision>(verb, "--precision", request.precision,
+                        {{"single", Precision::single}, {"full", Precision::full}},
+                        "precision of photons that are marched: single (7 digits, in two thirds of "
+                        "the time) or full (16 digits)")
       .in(group);
-  add_flag(verb, "--ring-km", request.ring_km, "width of the rings that gather photons").in(group);
+  add_flag(verb, "--ring-km", request.ring_km, "width of the rings that gather photons [km]")
+      .in(group);
   add_flag(verb, "--smoothing-km", request.smoothing_km,
-           "standard deviation of the Gaussian that smooths photons; 0: none")
+           "standard deviation of the Gaussian that smooths photons [km]; 0: no smoothing")
       .in(group);
 }
 
@@ -73,16 +74,16 @@ std::string key_of(const CLI::App& verb) {
 
 void add_sunlight_options(CLI::App& verb, uses::LightRequest& request) {
   add_on_off(verb, "--limb-darkening", request.limb_darkening,
-             "of the Sun, by wavelength, on or off; with --atmosphere paper it is off")
+             "limb darkening of the Sun; off with --atmosphere paper")
       .in(air_group);
-  add_choice<ScatteredLight>(verb, "--scattered-light", request.scattered_light,
-                             {{"auto", ScatteredLight::automatic},
-                              {"on", ScatteredLight::on},
-                              {"off", ScatteredLight::off}},
-                             "sunlight that the air scatters into the shadow, on, off, or where it "
-                             "counts: auto")
+  add_choice<ScatteredLight>(
+      verb, "--scattered-light", request.scattered_light,
+      {{"auto", ScatteredLight::automatic},
+       {"on", ScatteredLight::on},
+       {"off", ScatteredLight::off}},
+      "sunlight that the air scatters into the shadow; auto: where it counts")
       .in(air_group);
-  add_on_off(verb, "--starlight", request.starlight, "the stars' light on the Moon, on or off")
+  add_on_off(verb, "--starlight", request.starlight, "light of the stars on the Moon")
       .in(air_group);
 }
 
@@ -99,16 +100,16 @@ void add_photon_file_options(CLI::App& verb, LightOptions& options) {
   auto& files = options.request.photon_files;
   add_parsed(
       verb, "--shard", [&files](const std::string& text) { files.shard = uses::shard_from(text); },
-      "K/N: traces the K-th of N parts of the photons")
+      "share of the photons, K/N: traces the K-th of N parts")
       .in(group);
   add_parsed(
       verb, "--keep", [&files](const std::string& text) { files.keep = text; },
-      "a file that the photons' sums are written to, JSON")
+      "file for the photons' sums, JSON, to which other runs can add")
       .writes_file()
       .in(group);
   add_files(verb, "--add", files.add,
-            "a file that --keep wrote, of the same scene: its photons count and are not "
-            "traced again; may be given again")
+            "file that --keep wrote for the same scene: its photons count and are not traced "
+            "again. May be given again")
       .reads_file()
       .kept_each_time()
       .in(group);

@@ -6,32 +6,33 @@ namespace coppermoon::verbs {
 void add_map_options(CLI::App& verb, uses::MoonRequest& request) {
   using enum surface::Photometry;
   add_flag(verb, "--albedo-map", request.albedo_map,
-           "any image 2:1, longitude 0 in the middle; auto; built-in")
+           "albedo map: an image of 2:1 with longitude 0 in the middle; auto: Stellarium's where "
+           "it is installed, else built-in")
       .reads_file();
   add_choice<surface::Photometry>(
       verb, "--photometry", request.photometry,
       {{"lommel-seeliger-rolo", lommel_seeliger_rolo}, {"yapo-cutler", yapo_cutler}},
-      "lommel-seeliger-rolo: as telescopes measured, with the opposition surge; "
-      "yapo-cutler: the paper's, the same at every phase");
+      "photometric function of the ground: lommel-seeliger-rolo (as telescopes measured, with the "
+      "opposition surge) or yapo-cutler (the paper's, the same at every phase)");
   add_flag(verb, "--albedo-exponent", request.albedo_exponent,
-           "power of the map's values, which undoes a tone curve, 0.1 to 10; without: 0.5 for "
-           "Stellarium's map, 1 for any other");
+           "exponent that undoes a tone curve of the map, 0.1 to 10; 0.5 for Stellarium's map, 1 "
+           "for any other, unless given");
 }
 
 void add_width_option(CLI::App& verb, uses::MoonRequest& request) {
   add_flag(verb, "--texture-width", request.texture_width,
-           "in texels, even, 4 to 32768; without: 4096, for a frame what it can show")
+           "width of the texture [texels], even, 4 to 32768; 4096 unless given, for a frame as "
+           "many as it can show")
       .not_negative();
 }
 
 void add_moon_options(CLI::App& verb, MoonOptions& options) {
-  add_moment_options(verb, options.moment,
-                     "; or a file that coppermoon made, to make it again")
+  add_moment_options(verb, options.moment, "; or a file that coppermoon made, to make it again")
       .required();
   add_map_options(verb, options.request);
   add_width_option(verb, options.request);
   add_switch(verb, "--unshadowed", options.request.unshadowed,
-             "light the Moon as if the Earth were away");
+             "lights the Moon as if the Earth were away");
   add_light_options(verb, options.light);
   add_photon_file_options(verb, options.light);
 }

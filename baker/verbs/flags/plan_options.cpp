@@ -77,20 +77,23 @@ void add_plan_options(CLI::App& verb, PlanOptions& options) {
     return add_flag(verb, flag, value, text).in(planning_group);
   };
   add("--quality", options.quality,
-      "draft: 5 % of luminance; standard: 1 %; reference: 0.05 %; paper: the photons of Yapo & "
-      "Cutler (2009), 1e7 of them, step by step")
+      "error of luminance: draft (5 %), standard (1 %) or reference (0.05 %); paper: 1e7 photons "
+      "step by step, as Yapo & Cutler (2009)")
       .one_of({"draft", "standard", "reference", "paper"});
   add("--tolerance", options.tolerance,
-      "of luminance anywhere on the disc, 0.01% to 50%; not with a --quality but standard");
-  add("--budget", options.budget, "the best that can be done in a time, as 500ms, 2s or 1min");
-  add("--bands", options.bands, "wavelengths that light is computed at, 1 to 400");
+      "largest error of luminance on the disc, 0.01% to 50%, in place of --quality");
+  add("--budget", options.budget,
+      "time for the light, as 500ms, 2s or 1min: the most exact that it allows is made");
+  add("--bands", options.bands, "number of wavelengths that light is computed at, 1 to 400");
   add("--rays", options.rays,
-      "from the ground to the top of the air, of the quadrature and of the table, 2 to 1e7");
-  add("--sun-terms", options.sun_terms, "of the limb-darkened Sun, 1 to 6: 6 is exact");
-  add("--planes", options.planes, "across the Moon's depth, 1 to 9");
+      "number of rays between the ground and the top of the air, for quadrature and table, 2 to "
+      "1e7");
+  add("--sun-terms", options.sun_terms,
+      "number of terms of the Sun's limb darkening, 1 to 6; 6 is exact");
+  add("--planes", options.planes, "number of planes across the Moon's depth, 1 to 9");
   add("--place-error", options.place_error,
-      "of light between the places where it is computed, 1e-5 to 1");
-  add("--leave-out", options.leave_out, term_names());
+      "error of light between the places where it is computed, 1e-5 to 1");
+  add("--leave-out", options.leave_out, "terms to leave out, with commas between: " + term_names());
 }
 
 plan::Wish wish_of(const PlanOptions& options) {

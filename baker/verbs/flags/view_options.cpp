@@ -39,10 +39,10 @@ almanac::Observer observer_from(const std::string& text) {
   if (!text.empty() && text.find_first_of("0123456789") == std::string::npos) {
     if (const auto city = almanac::city_named(text)) return city->place;
     const auto city = text.substr(0, text.find('/'));
-    throw algebra::Error(
-        fmt::format("place = {}: no such city; the nearest name is {}. Allowed is LATITUDE,LONGITUDE "
-                    "too, as 42.86,-73.77",
-                    text, nearest(city, almanac::city_names())));
+    throw algebra::Error(fmt::format(
+        "place = {}: no such city; the nearest name is {}. Allowed is LATITUDE,LONGITUDE "
+        "too, as 42.86,-73.77",
+        text, nearest(city, almanac::city_names())));
   }
   const auto numbers = place_numbers(text);
   if (numbers.size() < 2 || numbers.size() > 3)
@@ -90,11 +90,12 @@ void add_observer_options(CLI::App& verb, uses::ViewRequest& request) {
   add_parsed(
       verb, "--at", [&](const std::string& text) { request.observer = observer_from(text); },
       "place of the observer: a city, as Chicago or Springfield/Illinois, or LAT,LON[,ELEV] "
-      "[degrees north and east, metres]; without: the Earth's centre")
+      "[degrees north and east, metres]; the Earth's centre unless given")
       .in(group);
-  add_on_off(verb, "--reddening", request.reddening, "by the observer's air, on or off").in(group);
+  add_on_off(verb, "--reddening", request.reddening, "reddening and dimming by the observer's air")
+      .in(group);
   add_flag(verb, "--observer-ozone-du", request.observer_ozone_du,
-           "ozone above the observer [DU], 0 to 1000")
+           "vertical column of ozone above the observer [DU], 0 to 1000")
       .in(group);
   add_flag(verb, "--observer-aerosol", request.observer_aerosol,
            "vertical optical depth of the aerosol above the observer at 550 nm, 0 to 10")
@@ -106,23 +107,26 @@ void add_view_options(CLI::App& verb, uses::ViewRequest& request) {
   const std::string group = view_group;
   add_observer_options(verb, request);
   add_on_off(verb, "--flattening", request.flattening,
-             "of the disc by refraction in the observer's air, on or off")
+             "flattening of a low Moon by refraction in the observer's air")
       .in(group);
   add_flag(verb, "--focal-length", request.focal_length_mm,
-           "of the telescope or lens [mm]; 1540, or the camera's")
+           "focal length of the telescope or lens [mm]; 1540 unless the camera says another")
       .in(group);
-  add_flag(verb, "--sensor-width", request.sensor_width_mm, "[mm]; 22.7, or the camera's")
+  add_flag(verb, "--sensor-width", request.sensor_width_mm,
+           "width of the sensor [mm]; 22.7 unless the camera says another")
       .in(group);
   add_flag(verb, "--field", request.field_deg,
-           "angle across the frame [degrees], instead of these two")
+           "angle across the frame [degrees], in place of focal length and sensor width")
       .in(group);
-  add_flag(verb, "--width", request.width, "of the frame [pixels]").not_negative().in(group);
-  add_flag(verb, "--height", request.height, "of the frame [pixels]").not_negative().in(group);
+  add_flag(verb, "--width", request.width, "width of the frame [pixels]").not_negative().in(group);
+  add_flag(verb, "--height", request.height, "height of the frame [pixels]")
+      .not_negative()
+      .in(group);
   add_choice<Up>(verb, "--up", request.up,
                  {{"celestial-north", Up::celestial_north},
                   {"zenith", Up::zenith},
                   {"moon-north", Up::moon_north}},
-                 "celestial-north, zenith or moon-north")
+                 "direction that is up in the frame")
       .in(group);
 }
 

@@ -28,8 +28,10 @@ std::vector<std::string> words_of(const CLI::App& program) {
 const CLI::App& verb_named(const CLI::App& program, const std::string& name) {
   for (const auto* verb : program.get_subcommands({}))
     if (verb->get_name() == name) return *verb;
+  const auto suggestion = verb_suggested_for(name, words_of(program));
   throw WrongUsage(
-      fmt::format("{}: no such word; the nearest is {}", name, nearest(name, words_of(program))));
+      fmt::format("{}: unknown command{}", name,
+                  suggestion.empty() ? "; `coppermoon --help` lists the commands" : suggestion));
 }
 
 bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7F'; }
@@ -115,10 +117,22 @@ void require_no_output(const CLI::App& verb, const std::string& argument) {
   std::vector<std::string> flags;
   for (const auto* option : verb.get_options())
     if (says_where_results_go(*option)) flags.push_back("--" + option->get_lnames().front());
-  throw WrongUsage(fmt::format("-o: {} has no such flag; {}", verb.get_name(),
+  throw WrongUsage(fmt::format("-o: unknown option of {}; {}", verb.get_name(),
                                flags.empty()
                                    ? "it prints its results"
                                    : fmt::format("files are named by {}", fmt::join(flags, ", "))));
+}
+
+/// What is said of a flag that there is not.
+std::string way_out_for(const std::string& flag, const CLI::App& verb,
+                        const std::vector<std::string>& known) {
+  if (flag == "verbose" || flag == "progress")
+    return "; progress is shown wherever the output is a terminal";
+  if (flag == "quiet") return "; 2>/dev/null hides what is said beside the results";
+  const auto suggestion = flag_suggested_for(flag, known);
+  return suggestion.empty()
+             ? fmt::format("; `coppermoon {} --help-all` lists them", verb.get_name())
+             : suggestion;
 }
 
 void require_flags(const CLI::App& verb, const std::vector<std::string>& arguments) {
@@ -128,10 +142,10 @@ void require_flags(const CLI::App& verb, const std::vector<std::string>& argumen
     if (!argument.starts_with("--") || argument.size() == 2) continue;
     const auto flag = argument.substr(2, argument.find('=') - 2);
     if (!holds(known, flag))
-      throw WrongUsage(fmt::format("--{}: {} has no such flag; the nearest is --{}", flag,
-                                   verb.get_name(), nearest(flag, known)));
+      throw WrongUsage(fmt::format("--{}: unknown option of {}{}", flag, verb.get_name(),
+                                   way_out_for(flag, verb, known)));
     if (argument.size() == flag.size() + 3)  // else the next word would be taken
-      throw WrongUsage(fmt::format("--{}: no value behind the =", flag));
+      throw WrongUsage(fmt::format("--{}: a value is missing behind the =", flag));
   }
 }
 
@@ -227,7 +241,7 @@ std::vector<std::string> with_recipes(const CLI::App& program,
                                       const std::vector<std::string>& arguments) {
   const auto word = word_in(arguments);
   if (word == arguments.end() && arguments.empty())
-    throw WrongUsage(fmt::format("a word is required: {}; --help explains them",
+    throw WrongUsage(fmt::format("a command is required: {}; `coppermoon --help` explains them",
                                  fmt::join(words_of(program), ", ")));
   if (word == arguments.end()) return arguments;
   const CLI::App& verb = verb_named(program, *word);
@@ -294,7 +308,7 @@ std::string with_width(const std::string& recipe, std::size_t width) {
 void add_recipe_option(CLI::App& verb) {
   Flag(*verb.add_option_function<std::string>(
            "--recipe", [](const std::string&) {},
-           "TOML file of flags without their dashes, or an .exr, .tx or .png made by coppermoon"))
+           "recipe: a TOML file of options without their dashes, or a file that coppermoon made"))
       .reads_file();
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "almanac/instant.h"
+#include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
@@ -21,17 +22,6 @@ void say(const std::string& line) {
 }
 
 void say(const ordered_json& event) { say(event.dump()); }
-
-/// "1/125 s", "2.5 s".
-std::string shutter(double time_s) {
-  return time_s < 0.4 ? fmt::format("1/{:.3g} s", 1 / time_s) : fmt::format("{:.2g} s", time_s);
-}
-
-std::string span_of(double seconds) {
-  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-  return fmt::format("{:.1f} h", seconds / 3600);
-}
 
 }  // namespace
 
@@ -57,8 +47,8 @@ void FilmProgress::light(bool kept, double seconds) const {
          {"seconds", seconds},
          {"error", film_.light->error_found}});
   else if (!on_terminal_)
-    say(fmt::format("light: {}, error {:.2g}", kept ? "kept" : fmt::format("{:.1f} s", seconds),
-                    film_.light->error_found));
+    say(fmt::format("light: {}, {}", kept ? "kept" : "made in " + duration(seconds),
+                    within(film_.light->error_found)));
 }
 
 void FilmProgress::kept(std::size_t frame) { tell({frame, std::nullopt}, true); }
@@ -82,7 +72,7 @@ void FilmProgress::tell(const uses::MadeFrame& frame, bool kept) {
   } else {
     say(fmt::format("frame {} ({} of {}): {}{}", frame.frame, done_, frames_, instant,
                     kept           ? ", kept"
-                    : frame.time_s ? ", " + shutter(*frame.time_s)
+                    : frame.time_s ? ", " + exposure_in_words(*frame.time_s)
                                    : ""));
   }
 }
@@ -94,7 +84,7 @@ void FilmProgress::draw(std::size_t frame) {
              std::string(width * done_ / frames_, '='), width, done_, frames_);
   if (made_ > 0)
     fmt::print(stderr, ", {:.2g} a second, {} left\033[K", rate,
-               span_of(static_cast<double>(frames_ - done_) / rate));
+               duration(static_cast<double>(frames_ - done_) / rate));
   std::fflush(stderr);
 }
 
@@ -109,8 +99,8 @@ void FilmProgress::done() const {
   if (json_)
     say({{"event", "done"}, {"made", made_}, {"kept", done_ - made_}, {"seconds", seconds()}});
   else
-    say(fmt::format("{}{}: {} frames made, {} kept, {:.1f} s", on_terminal_ ? "\r\033[K" : "",
-                    one_line(film_.folder.string()), made_, done_ - made_, seconds()));
+    say(fmt::format("{}{}: {} frames made, {} kept, in {}", on_terminal_ ? "\r\033[K" : "",
+                    one_line(film_.folder.string()), made_, done_ - made_, duration(seconds())));
 }
 
 }  // namespace coppermoon::verbs

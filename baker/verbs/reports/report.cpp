@@ -7,6 +7,7 @@
 
 #include <sstream>
 
+#include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
@@ -36,11 +37,11 @@ void report(const Report& made, bool json) {
   if (!json) {
     std::vector<std::string> names;
     for (const auto& file : made.files) names.push_back(one_line(file));
-    fmt::print("{}: {:.1f} s, error {:.2g}\n", fmt::join(names, ", "), made.seconds,
-               made.relative_error);
+    fmt::print("{}: made in {}, {}\n", fmt::join(names, ", "), duration(made.seconds),
+               within(made.relative_error));
     if (!made.plan.relaxed.empty())
-      fmt::print(stderr, "coppermoon: the tolerance was not to be had: error {:.2g} % predicted\n",
-                 100 * made.plan.error);
+      fmt::print(stderr, "coppermoon: the tolerance cannot be reached: {} is predicted\n",
+                 in_percent(made.plan.error));
     return;
   }
   nlohmann::ordered_json all;

@@ -87,9 +87,10 @@ TEST(Instant, RoundingCarriesThroughToTheYear) {
 }
 
 TEST(Instant, ATextThatIsNoDateIsNamedWithAnExample) {
-  EXPECT_EQ(message_for("next Tuesday"),
-            "date \"next Tuesday\": allowed is an ISO 8601 date of the years -1999 to 3000, such as "
-            "2008-02-21T03:26:05Z or 2008-02-21T07:26:05+04:00");
+  EXPECT_EQ(
+      message_for("next Tuesday"),
+      "date \"next Tuesday\": allowed is an ISO 8601 date of the years -1999 to 3000, such as "
+      "2008-02-21T03:26:05Z or 2008-02-21T07:26:05+04:00");
 }
 
 TEST(Instant, DatesThatDoNotExistAreRefused) {

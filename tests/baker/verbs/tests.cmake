@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
-coppermoon_tests(baker/verbs/flags LINKS coppermoon::verbs HEAVY film_options light_options moments plan_options view_options)
+coppermoon_tests(baker/verbs/flags LINKS coppermoon::verbs HEAVY film_options help light_options moments plan_options view_options)
 coppermoon_tests(baker/verbs/recipes LINKS coppermoon::verbs HEAVY recipe)
-coppermoon_tests(baker/verbs/reports LINKS coppermoon::verbs HEAVY one_line)
+coppermoon_tests(baker/verbs/reports LINKS coppermoon::verbs HEAVY in_words one_line)

@@ -11,9 +11,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-std::string text_of(const MomentOptions& options) {
-  return almanac::utc_text(instant_of(options));
-}
+std::string text_of(const MomentOptions& options) { return almanac::utc_text(instant_of(options)); }
 
 std::string refusal_of(const MomentOptions& options) {
   try {

@@ -46,7 +46,8 @@ TEST(ObserverFrom, KnowsCitiesByName) {
 }
 
 TEST(FeatureFrom, KnowsCratersByName) {
-  EXPECT_WITHIN(in_degrees(feature_from("Tycho").latitude), -43.3, 0.1, "degrees: as it is rounded");
+  EXPECT_WITHIN(in_degrees(feature_from("Tycho").latitude), -43.3, 0.1,
+                "degrees: as it is rounded");
   EXPECT_WITHIN(in_degrees(feature_from("-43.3,-11.4").longitude), -11.4, 1e-12, reason);
   for (const char* text : {"", "Tyco Brahe", "-91,0", "1,2,3"})
     EXPECT_THROW(feature_from(text), algebra::Error) << text;

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/flags/guide.h"
+
+namespace coppermoon::verbs {
+
+const std::vector<GuideGroup>& guides() {
+  static const std::vector<GuideGroup> groups{
+      {"Pictures and textures",
+       {{"still",
+         {"at", "output", "field", "width", "height", "time", "camera", "danjon", "quality",
+          "frame"},
+         {"coppermoon still 2018-07-27 --at Nairobi -o moon.png",
+          "coppermoon still 2018-07-27 U2+10min --at Nairobi --camera 400mm --time 2 -o moon.png"}},
+        {"bake",
+         {"output", "texture-width", "space", "albedo-map", "atmosphere", "danjon", "quality",
+          "passes", "spectral"},
+         {"coppermoon bake 2018-07-27 -o moon_acescg.exr",
+          "coppermoon bake 2018-07-27 U1+26min --danjon 2 -o moon.exr -o moon.glb"}},
+        {"scene",
+         {"at", "output", "field", "width", "height", "texture-width", "danjon", "quality"},
+         {"coppermoon scene 2018-07-27 --at Nairobi -o eclipse",
+          "coppermoon scene 2018-07-27 --at Nairobi --field 2 --up zenith -o eclipse"}},
+        {"develop",
+         {"output", "time", "iso", "f-number", "camera", "view", "bits"},
+         {"coppermoon develop frame.exr --time 2 --iso 800 -o moon.png",
+          "coppermoon develop frame.exr --view Filmic --bits 16 -o moon.png"}},
+        {"ring",
+         {"output", "on", "atmosphere", "danjon", "scale"},
+         {"coppermoon ring 2018-07-27 -o ring.exr",
+          "coppermoon ring 2018-07-27 --on Tycho --danjon 1 -o ring.exr"}}}},
+      {"Films",
+       {{"animate",
+         {"at", "output", "from", "to", "frames", "make", "field", "width", "height", "movie"},
+         {"coppermoon animate 2018-07-27 --at Nairobi --frames 240 -o film --movie eclipse.mp4",
+          "coppermoon animate 2018-07-27 --from U2-10min --to U3+10min --make frames -o film"}}}},
+      {"Eclipses and their light",
+       {{"almanac",
+         {"from", "to", "feature", "shadow-convention", "json"},
+         {"coppermoon almanac --from 2026-01-01 --to 2030-01-01",
+          "coppermoon almanac --from 2026-01-01 --to 2030-01-01 --feature Tycho"}},
+        {"sky",
+         {"at", "json"},
+         {"coppermoon sky 2018-07-27 --at Nairobi", "coppermoon sky 2018-07-27T20:21:45Z --json"}},
+        {"brightness",
+         {"danjon", "atmosphere", "quality", "json"},
+         {"coppermoon brightness 2018-07-27",
+          "coppermoon brightness 2018-07-27 U2+10min --danjon 1"}},
+        {"shadow",
+         {"axis-distances", "wavelengths", "position-angle", "plot", "lookup", "atmosphere",
+          "danjon", "json"},
+         {"coppermoon shadow 2018-07-27 --axis-distances 0,1000,2000,3000,4000",
+          "coppermoon shadow 2018-07-27 --lookup shadow.exr"}},
+        {"plan",
+         {"at", "width", "height", "texture-width", "quality", "tolerance", "budget", "json"},
+         {"coppermoon plan 2018-07-27",
+          "coppermoon plan 2018-07-27 --at Nairobi --tolerance 0.2%"}}}},
+      {"Photographs",
+       {{"compare",
+         {"output", "exposure", "coding", "recipe-in", "bins", "json"},
+         {"coppermoon compare photo.jpg frame.exr -o sheet.png",
+          "coppermoon compare photo.jpg frame.exr --exposure fit --json"}},
+        {"fit",
+         {"instants", "at", "magnitudes", "times", "isos", "f-number", "exposure-error", "json"},
+         {"coppermoon fit photo.jpg --instants 2018-07-27T20:40:00Z --at Nairobi",
+          "coppermoon fit --magnitudes night.csv --json"}},
+        {"merge",
+         {"output"},
+         {"coppermoon merge a.exr b.exr c.exr -o merged.exr",
+          "coppermoon merge short.exr long.exr -o merged.exr"}}}},
+      {"Measurements",
+       {{"tradeoff",
+         {"output", "quick", "only", "longest", "repeat", "json"},
+         {"coppermoon tradeoff --quick -o measured",
+          "coppermoon tradeoff --only quadrature -o measured"}}}}};
+  return groups;
+}
+
+const Guide& guide_to(std::string_view verb) {
+  static const Guide none;
+  for (const auto& group : guides())
+    for (const auto& guide : group.guides)
+      if (guide.verb == verb) return guide;
+  return none;
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/reports/in_words.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+namespace coppermoon::verbs {
+namespace {
+
+/// To two digits, without an exponent: "1200", "0.31".
+std::string two_digits(double number) {
+  const double rounded = std::stod(fmt::format("{:.1e}", number));
+  return std::abs(rounded) >= 10 ? fmt::format("{:.0f}", rounded) : fmt::format("{}", rounded);
+}
+
+}  // namespace
+
+std::string in_percent(double share) { return two_digits(100 * share) + " %"; }
+
+std::string within(double relative_error) {
+  if (!(relative_error < 1)) return "in places wrong by more than the light itself";
+  return "within " + (relative_error < 1e-5 ? "0.001 %" : in_percent(relative_error));
+}
+
+std::string duration(double seconds) {
+  constexpr double minute = 60, hour = 3600, day = 24 * hour, year = 365.25 * day;
+  if (seconds < 90) return two_digits(seconds) + " s";
+  if (seconds < 90 * minute) return two_digits(seconds / minute) + " min";
+  if (seconds < 48 * hour) return two_digits(seconds / hour) + " h";
+  if (seconds < year) return two_digits(seconds / day) + " days";
+  return two_digits(seconds / year) + " years";
+}
+
+std::string exposure_in_words(double seconds) {
+  if (seconds < 0.4 && seconds > 0) return "1/" + two_digits(1 / seconds) + " s";
+  return two_digits(seconds) + " s";
+}
+
+}  // namespace coppermoon::verbs

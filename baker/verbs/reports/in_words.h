@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace coppermoon::verbs {
+
+/// An error over the value: "within 0.3 %". Above 1 it is "wrong by more than the light itself".
+std::string within(double relative_error);
+
+/// A share in percent, to two digits: "0.3 %".
+std::string in_percent(double share);
+
+/// How long something takes, in the unit that people would use: "1.2 s", "14 min", "3 h", "1.3 years".
+std::string duration(double seconds);
+
+/// An exposure time as cameras show it: "1/3200 s", "0.5 s", "4 s".
+std::string exposure_in_words(double seconds);
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/reports/in_words.h"
+
+#include <gtest/gtest.h>
+
+namespace coppermoon::verbs {
+namespace {
+
+TEST(InWords, ErrorsAreInPercent) {
+  EXPECT_EQ(within(0.0029), "within 0.29 %");
+  EXPECT_EQ(within(0.003), "within 0.3 %");
+  EXPECT_EQ(within(5.6e-7), "within 0.001 %");
+  EXPECT_EQ(within(0.25), "within 25 %");
+  EXPECT_EQ(within(210), "in places wrong by more than the light itself");
+}
+
+TEST(InWords, DurationsAreInTheUnitThatPeopleWouldUse) {
+  EXPECT_EQ(duration(0.014), "0.014 s");
+  EXPECT_EQ(duration(1.23), "1.2 s");
+  EXPECT_EQ(duration(42), "42 s");
+  EXPECT_EQ(duration(840), "14 min");
+  EXPECT_EQ(duration(3 * 3600.), "3 h");
+  EXPECT_EQ(duration(4.2e5), "4.9 days");
+  EXPECT_EQ(duration(4.2e7), "1.3 years");
+  EXPECT_EQ(duration(4.2e10), "1300 years");
+}
+
+TEST(InWords, ExposuresAreAsCamerasShowThem) {
+  EXPECT_EQ(exposure_in_words(1 / 3250.), "1/3200 s");
+  EXPECT_EQ(exposure_in_words(1 / 3.), "1/3 s");
+  EXPECT_EQ(exposure_in_words(0.5), "0.5 s");
+  EXPECT_EQ(exposure_in_words(4), "4 s");
+  EXPECT_EQ(exposure_in_words(100), "100 s");
+  EXPECT_EQ(exposure_in_words(0), "0 s");
+}
+
+}  // namespace
+}  // namespace coppermoon::verbs
