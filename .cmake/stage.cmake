@@ -63,12 +63,14 @@ function(coppermoon_tables name root out)
   set(sources)
   foreach(table ${ARGN})
     get_filename_component(stem ${table} NAME_WE)
+    set(file ${root}/data/${table})  # or beside data, as ../NAME
+    cmake_path(NORMAL_PATH file)
     string(APPEND declarations "std::string_view ${stem}();\n")
     set(source ${dir}/${stem}.cpp)
     add_custom_command(OUTPUT ${source}
-      COMMAND ${CMAKE_COMMAND} -DIN=${root}/data/${table} -DOUT=${source} -DSPACE=coppermoon::${name}::tables
+      COMMAND ${CMAKE_COMMAND} -DIN=${file} -DOUT=${source} -DSPACE=coppermoon::${name}::tables
               -DSTEM=${stem} -P ${PROJECT_SOURCE_DIR}/.cmake/embed.cmake
-      DEPENDS ${root}/data/${table} ${PROJECT_SOURCE_DIR}/.cmake/embed.cmake VERBATIM)
+      DEPENDS ${file} ${PROJECT_SOURCE_DIR}/.cmake/embed.cmake VERBATIM)
     list(APPEND sources ${source})
   endforeach()
   file(CONFIGURE OUTPUT ${dir}/tables.h CONTENT "${declarations}}\n" @ONLY)

@@ -25,21 +25,6 @@ namespace verbs = coppermoon::verbs;
 
 constexpr int could_not = 1, wrong_usage = 2;
 
-/// Threads of all that follows; 0: as many as there are processors.
-void add_threads(CLI::App& program, std::unique_ptr<tbb::global_control>& control) {
-  for (auto* verb : program.get_subcommands({}))
-    verb->add_option_function<int>(
-            "--threads",
-            [&control](int threads) {
-              if (threads > 0)
-                control = std::make_unique<tbb::global_control>(
-                    tbb::global_control::max_allowed_parallelism,
-                    static_cast<std::size_t>(threads));
-            },
-            "number of threads; 0: one for each processor")
-        ->check(CLI::Range(0, 512));
-}
-
 /// An error, whoever wrote it.
 void say(std::string_view error) {
   std::fputs(fmt::format("coppermoon: {}\n", verbs::one_line(error)).c_str(), stderr);
@@ -96,7 +81,7 @@ int main(int count, char** words) {
   CLI::App program{"coppermoon bakes eclipsed Moons", "coppermoon"};
   std::unique_ptr<tbb::global_control> threads;
   verbs::add_words(program);
-  add_threads(program, threads);
+  verbs::add_threads(program, threads);
   const int status = run(program, count, words);
   const bool all_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (all_written || status != 0) return status;

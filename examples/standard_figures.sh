@@ -4,7 +4,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 "$here/build.sh"
-still() { "$here/../build/release/coppermoon" still "$@"; }
+still() { "$here/../build/release/coppermoon" still --focal-length 1540 --sensor-width 22.7 "$@"; }
 clifton_park="--at 42.86,-73.77"
 set -- --width 750 --height 500 "$@"
 still 2008-02-21T02:57:00Z $clifton_park --f-number 12 --iso 800 --time 2 -o standard_2008_rim.png "$@"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -10,6 +12,7 @@
 #include "almanac/instant.h"
 #include "eclipse/contacts.h"
 #include "eclipse/feature.h"
+#include "uses/picture/view.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
@@ -18,7 +21,7 @@ namespace coppermoon::verbs {
 namespace {
 
 struct Options {
-  std::string from, to, convention = "danjon";
+  std::string from, to, at, convention = "danjon";
   std::optional<std::string> feature;
   bool json = false;
 };
@@ -45,6 +48,7 @@ eclipse::ShadowConvention convention_from(const std::string& name) {
 struct Listed {
   eclipse::Eclipse eclipse;
   std::optional<eclipse::FeatureTimes> feature;
+  std::optional<std::string> seen;  ///< its contacts with the Moon above the horizon
 };
 
 using Contact = std::pair<const char*, std::optional<almanac::Instant>>;
@@ -81,10 +85,31 @@ std::string time_of_day(const std::optional<almanac::Instant>& when) {
   return text.substr(text.find('T') + 1, 8);
 }
 
-void print_heading(bool feature) {
+/// "all", "none", or the contacts at which the Moon is above a place's horizon: "P1 to U2".
+std::string seen_from(const almanac::Observer& place, const eclipse::Eclipse& e) {
+  std::vector<std::string> seen;
+  const auto contacts = contacts_of(e);
+  for (const auto& [name, when] : contacts)
+    if (uses::moon_is_up({.observer = place}, almanac::sky_at(when))) seen.push_back(name);
+  if (seen.empty()) return "none";
+  if (seen.size() == contacts.size()) return "all";
+  return seen.size() == 1 ? seen.front() : seen.front() + " to " + seen.back();
+}
+
+/// The day that the clock shows, and ten years later.
+std::string today(int years_later) {
+  const auto now = std::chrono::year_month_day(
+      std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(now.year()) + years_later,
+                     static_cast<unsigned>(now.month()),
+                     std::min(28U, static_cast<unsigned>(now.day())));
+}
+
+void print_heading(bool feature, bool seen) {
   fmt::print("{:<21}{:<10}{:>8}{:>9}{:>9}", "greatest (UTC)", "type", "gamma", "umbral", "penumb.");
   for (const char* key : {"P1", "U1", "U2", "U3", "U4", "P4"}) fmt::print("  {:<8}", key);
   if (feature) fmt::print("  {:<10}  {:<11}", "feature in", "feature out");
+  if (seen) fmt::print("  seen");
   fmt::print("\n");
 }
 
@@ -95,18 +120,21 @@ void print(const Listed& listed) {
   for (const auto& [key, when] : contact_columns(e)) fmt::print("  {:<8}", time_of_day(when));
   if (const auto& times = listed.feature)
     fmt::print("  {:<10}  {:<11}", time_of_day(times->immersion), time_of_day(times->emersion));
+  if (listed.seen) fmt::print("  {}", *listed.seen);
   fmt::print("\n");
 }
 
 std::vector<Listed> listed(const Options& options,
                            const std::optional<almanac::SelenographicPoint>& place) {
-  const auto from = almanac::instant_from_utc(options.from),
-             to = almanac::instant_from_utc(options.to);
+  const auto from = almanac::instant_from_utc(options.from.empty() ? today(0) : options.from),
+             to = almanac::instant_from_utc(options.to.empty() ? today(10) : options.to);
   if (almanac::seconds_between(from, to) < 0)
-    throw algebra::Error(fmt::format("--to = {}, allowed {} or later", options.to, options.from));
+    throw algebra::Error(fmt::format("--to = {}, allowed {} or later", options.to,
+                                     options.from.empty() ? today(0) : options.from));
   std::vector<Listed> list;
   for (const auto& e : eclipse::eclipses_between(from, to, convention_from(options.convention))) {
-    Listed& last = list.emplace_back(Listed{e, {}});
+    Listed& last = list.emplace_back(Listed{e, {}, {}});
+    if (!options.at.empty()) last.seen = seen_from(observer_from(options.at), e);
     if (place) last.feature = eclipse::feature_times(e, *place);
   }
   return list;
@@ -117,13 +145,14 @@ void run(const Options& options) {
   if (options.feature) place = feature_from(*options.feature);
   const auto list = listed(options, place);
   if (!options.json) {
-    print_heading(place.has_value());
+    print_heading(place.has_value(), !options.at.empty());
     for (const auto& each : list) print(each);
     return;
   }
   auto all = nlohmann::ordered_json::array();
   for (const auto& each : list) {
     all.push_back(as_json(each.eclipse));
+    if (each.seen) all.back()["seen"] = *each.seen;
     if (place) all.back()["feature"] = as_json(*place, *each.feature);
   }
   fmt::print("{}\n", all.dump(2));
@@ -134,8 +163,12 @@ void run(const Options& options) {
 void add_almanac(CLI::App& program) {
   auto* verb = add_verb(program, "almanac", "lists eclipses: type, gamma, magnitudes, contacts");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "--from", options->from, "ISO 8601 UTC, as 2008-01-01").required();
-  add_flag(*verb, "--to", options->to, "ISO 8601 UTC").required();
+  add_flag(*verb, "--from", options->from, "first day, as 2026-01-01; today unless given");
+  add_flag(*verb, "--to", options->to, "last day; ten years from today unless given");
+  add_flag(
+      *verb, "--at", options->at,
+      "place of an observer: a city, as Honolulu, or LAT,LON [degrees north and east]; adds at "
+      "which contacts the Moon is above the horizon");
   add_flag(*verb, "--shadow-convention", options->convention,
            "how the air enlarges the shadow: danjon, danjon-oblate, chauvenet or "
            "herald-sinnott")

@@ -48,7 +48,7 @@ uses::Film film_of(const Options& options) {
   film.products = products_from(options.film.make);
   film.content = options.content;
   if (film.products.framed() && (film.content.passes || film.content.spectral_nm))
-    throw algebra::Error("passes and spectra: allowed with --make textures alone");
+    throw algebra::Error("passes and spectra need --make textures alone");
   film.fps = options.film.fps;
   film.moments = moments_of(times_of(options.film));
   film.moon = moon_request(options.moon);

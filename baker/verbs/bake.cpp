@@ -10,10 +10,12 @@
 #include "texture/write_image.h"
 #include "texture/write_usda.h"
 #include "uses/picture/baked_moon.h"
+#include "uses/picture/view.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/develop_options.h"
 #include "verbs/flags/moon_options.h"
 #include "verbs/flags/texture_options.h"
+#include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/progress_bar.h"
 #include "verbs/reports/report.h"
@@ -24,6 +26,7 @@ namespace {
 struct Options {
   MoonOptions moon;
   uses::TextureContent texture;
+  uses::ViewRequest view;  ///< of which only the observer and the air above are asked for
   uses::Development develop;
   std::vector<std::string> outputs;
   bool json = false;
@@ -85,7 +88,7 @@ void require_sound(const Options& options, const std::vector<Output>& outputs) {
   }
   require_sound(options.texture);
   if (!exr && (options.texture.passes || options.texture.spectral_nm))
-    throw algebra::Error("passes and spectra: allowed with an output that ends in .exr");
+    throw algebra::Error("passes and spectra need an output that ends in .exr");
 }
 
 /// All of a texture at once.
@@ -138,10 +141,13 @@ void run(const CLI::App& verb, const Options& options) {
   require_sound(options, outputs);
   const auto request = moon_request(options.moon);
   const auto sky = eclipsed_sky(options.moon);
-  const auto moon = [&] {
+  const auto seen = view_of(options.view, sky);
+  auto moon = [&] {
     ProgressBar bar("light");
     return uses::lit_moon(request, sky, bar.progress());
   }();
+  moon.observer = seen.observer;
+  moon.sightline = seen.sightline;
   const auto& light = *moon.light;
   const auto recipe = made_recipe(recipe_of(verb), request.unshadowed, light.plan);
   Report made{options.outputs, {}, 0, light.error_found, light.plan};
@@ -171,6 +177,7 @@ void add_bake(CLI::App& program) {
       .writes_file()
       .required()
       .kept_each_time();
+  add_observer_options(*verb, options->view);
   add_texture_options(*verb, options->texture);
   add_develop_options(*verb, options->develop);
   add_switch(*verb, "--json", options->json, "prints one JSON document");

@@ -10,6 +10,7 @@
 #include "uses/light/photometric_bands.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moon_options.h"
+#include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/progress_bar.h"
 
@@ -18,24 +19,50 @@ namespace {
 
 struct Options {
   MoonOptions moon;
+  uses::ViewRequest view;  ///< of which only the observer and the air above are asked for
   bool json = false;
 };
+
+/// By the names of the bands.
+nlohmann::ordered_json by_band(const std::vector<double>& numbers) {
+  const auto bands = uses::photometric_bands();
+  nlohmann::ordered_json all;
+  for (std::size_t k = 0; k < bands.size(); ++k) all[bands[k].name] = numbers[k];
+  return all;
+}
+
+nlohmann::ordered_json as_json(const uses::BrightnessSeen& seen, const Options& options) {
+  const auto& lost = seen.extinction_mag;
+  return {{"at", uses::place_text(*options.view.observer)},
+          {"altitude_deg", algebra::in_degrees(seen.moon.altitude)},
+          {"azimuth_deg", algebra::in_degrees(seen.moon.azimuth)},
+          {"magnitudes", by_band(seen.disc.magnitudes)},
+          {"extinction_mag", by_band(lost)},
+          {"reddening_b_v", lost[0] - lost[1]},
+          {"mean_luminance_cd_m2", seen.disc.mean_luminance_cd_m2}};
+}
 
 nlohmann::ordered_json described(const Options& options) {
   const auto request = moon_request(options.moon);
   const auto sky = eclipsed_sky(options.moon);
   ProgressBar bar("light");
-  const auto brightness = uses::brightness_of(request, sky, bar.progress());
-  const auto bands = uses::photometric_bands();
-  nlohmann::ordered_json magnitudes;
-  for (std::size_t k = 0; k < bands.size(); ++k)
-    magnitudes[bands[k].name] = brightness.disc.magnitudes[k];
+  const auto brightness = uses::brightness_of(request, sky, options.view, bar.progress());
   nlohmann::ordered_json all{{"instant", almanac::utc_text(sky.when)},
-                             {"magnitudes", magnitudes},
+                             {"magnitudes", by_band(brightness.disc.magnitudes)},
                              {"mean_luminance_cd_m2", brightness.disc.mean_luminance_cd_m2},
                              {"danjon", nullptr}};
   if (brightness.danjon) all["danjon"] = *brightness.danjon;
+  if (brightness.seen) all["seen"] = as_json(*brightness.seen, options);
   return all;
+}
+
+void print_seen(const nlohmann::ordered_json& seen) {
+  fmt::print("\nas seen from {}, {:.1f} degrees above the horizon\n", seen["at"].get<std::string>(),
+             seen["altitude_deg"].get<double>());
+  for (const auto& [band, magnitude] : seen["magnitudes"].items())
+    fmt::print("{}               {:8.2f} mag, dimmed by {:.2f}\n", band, magnitude.get<double>(),
+               seen["extinction_mag"][band].get<double>());
+  fmt::print("mean luminance  {:8.3g} cd/m²\n", seen["mean_luminance_cd_m2"].get<double>());
 }
 
 void run(const Options& options) {
@@ -51,15 +78,18 @@ void run(const Options& options) {
     fmt::print("Danjon                 - (not in totality)\n");
   else
     fmt::print("Danjon          {:8.1f}\n", all["danjon"].get<double>());
+  if (all.contains("seen")) print_seen(all["seen"]);
 }
 
 }  // namespace
 
 void add_brightness(CLI::App& program) {
   auto* verb = add_verb(program, "brightness",
-                        "computes magnitudes and mean luminance of the whole Moon, above the air");
+                        "computes magnitudes and mean luminance of the whole Moon, above the air "
+                        "and seen from a place");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
+  add_observer_options(*verb, options->view);
   add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });

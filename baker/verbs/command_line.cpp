@@ -20,9 +20,9 @@ void add_words(CLI::App& program) {
       CLI::MultiOptionPolicy::TakeLast);
   program.require_subcommand(1);
   program.set_version_flag("--version", fmt::format("coppermoon {}", uses::version()));
-  for (const auto add :
-       {add_almanac, add_sky, add_plan, add_shadow, add_brightness, add_bake, add_ring, add_scene,
-        add_still, add_animate, add_develop, add_merge, add_compare, add_fit, add_tradeoff})
+  for (const auto add : {add_almanac, add_night, add_sky, add_plan, add_shadow, add_brightness,
+                         add_bake, add_ring, add_scene, add_still, add_animate, add_develop,
+                         add_merge, add_compare, add_fit, add_tradeoff})
     add(program);
   program.set_help_flag("-h,--help", "lists the commands");
   program.set_help_all_flag("--help-all", "lists the commands");
@@ -30,6 +30,20 @@ void add_words(CLI::App& program) {
     verb->set_help_flag("-h,--help", "explains the command, with its common options");
     verb->set_help_all_flag("--help-all", "explains the command, with all its options");
   }
+}
+
+void add_threads(CLI::App& program, std::unique_ptr<tbb::global_control>& control) {
+  for (auto* verb : program.get_subcommands({}))
+    verb->add_option_function<int>(
+            "--threads",
+            [&control](int threads) {
+              if (threads > 0)
+                control = std::make_unique<tbb::global_control>(
+                    tbb::global_control::max_allowed_parallelism,
+                    static_cast<std::size_t>(threads));
+            },
+            "number of threads; 0: one for each processor")
+        ->check(CLI::Range(0, 512));
 }
 
 void run(CLI::App& program, const std::vector<std::string>& told) {

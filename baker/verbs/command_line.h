@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <tbb/global_control.h>
+
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +15,7 @@ namespace coppermoon::verbs {
 /// What it does throws algebra::Error when it cannot, WrongUsage when the usage is wrong.
 void add_almanac(CLI::App& program);
 void add_sky(CLI::App& program);
+void add_night(CLI::App& program);
 void add_plan(CLI::App& program);
 void add_shadow(CLI::App& program);
 void add_brightness(CLI::App& program);
@@ -28,6 +32,11 @@ void add_tradeoff(CLI::App& program);
 
 /// All words of the command line, each with its flags.
 void add_words(CLI::App& program);
+
+/// --threads of every command, once all are added.
+///
+/// Given  control  holds the number of threads of all that follows; none: one for each processor
+void add_threads(CLI::App& program, std::unique_ptr<tbb::global_control>& control);
 
 /// Reads a command line, recipes put in, and does what it says.
 ///

@@ -19,6 +19,7 @@
 #include "texture/write_image.h"
 #include "uses/picture/lit_scene.h"
 #include "uses/picture/photo_file.h"
+#include "uses/picture/pixels.h"
 #include "uses/study/comparison.h"
 #include "uses/study/comparison_sheet.h"
 #include "verbs/command_line.h"
@@ -78,16 +79,18 @@ uses::FramePlaces places_told_by(const std::string& file) {
   return uses::frame_places(sky, uses::view_for_frame(view, sky).view.camera);
 }
 
-void require_rec709(const std::string& render) {
-  const auto space = texture::read_attribute(render, "coppermoon:colour_space");
-  if (space && *space != colour::name(colour::WorkingSpace::linear_rec709))
-    throw algebra::Error(fmt::format("{}: colour space = {}, allowed {}", render, *space,
-                                     colour::name(colour::WorkingSpace::linear_rec709)));
+/// In linear Rec.709, whatever space the header says.
+texture::Image light_of(const std::string& render) {
+  const auto told = texture::read_attribute(render, "coppermoon:colour_space");
+  const auto space = told ? colour::working_space(*told) : uses::picture_space;
+  const auto light = space == colour::WorkingSpace::ciexyz_d65
+                         ? texture::read_channels(render, {"X", "Y", "Z"})
+                         : texture::read_light(render, texture::Coding::linear);
+  return space == uses::picture_space ? light : uses::in_space(light, space, uses::picture_space);
 }
 
 texture::Image read_render(const Options& options, const uses::FramePlaces& places) {
-  require_rec709(options.render);
-  auto render = texture::read_light(options.render, texture::Coding::linear);
+  auto render = light_of(options.render);
   if (render.width != places.camera.width || render.height != places.camera.height)
     throw algebra::Error(fmt::format("{}: {} x {} pixels, allowed {} x {}, as its recipe says",
                                      options.render, render.width, render.height,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -18,18 +19,21 @@
 namespace coppermoon::verbs {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct Options {
   uses::Development develop;
-  std::string frame, output, space;
+  std::vector<std::string> frames;
+  std::string output, space;
   bool json = false;
 };
 
-/// The space the file's header or name says; else linear Rec.709.
-colour::WorkingSpace space_of(const Options& options) {
+/// The space that --space, the file's header or its name says; else linear Rec.709.
+colour::WorkingSpace space_of(const Options& options, const std::string& frame) {
   if (!options.space.empty()) return colour::working_space(options.space);
-  if (const auto told = texture::read_attribute(options.frame, "coppermoon:colour_space"))
+  if (const auto told = texture::read_attribute(frame, "coppermoon:colour_space"))
     return colour::working_space(*told);
-  const auto stem = std::filesystem::path(options.frame).stem().string();
+  const auto stem = fs::path(frame).stem().string();
   return colour::space_in_name(stem).value_or(colour::WorkingSpace::linear_rec709);
 }
 
@@ -39,28 +43,106 @@ texture::Image read_frame(const std::string& frame, colour::WorkingSpace space) 
   return texture::read_channels(frame, {"R", "G", "B"});
 }
 
-void run(const Options& options) {
-  require_sound(options.develop, options.output);
+/// A frame, and the picture that it becomes.
+struct Job {
+  std::string frame;
+  fs::path picture;
+  colour::WorkingSpace space;
+};
+
+/// One picture as it is named; in a folder, each by its frame's name.
+std::vector<Job> jobs_of(const Options& options) {
+  std::vector<Job> jobs;
+  const bool folder = options.frames.size() > 1 || !fs::path(options.output).has_filename() ||
+                      fs::is_directory(options.output);
+  for (const auto& frame : options.frames) {
+    fs::path picture = options.output;
+    if (folder) picture = picture / (fs::path(frame).stem().string() + ".png");
+    for (const auto& other : jobs)
+      if (other.picture == picture)
+        throw algebra::Error(
+            fmt::format("{}: {} and {} would become one picture, allowed frames "
+                        "of different names",
+                        picture.string(), other.frame, frame));
+    jobs.push_back({frame, picture, space_of(options, frame)});
+  }
+  if (folder && fs::path(options.output).extension() == ".png" && !fs::exists(options.output))
+    throw algebra::Error(fmt::format("{}: {} frames are developed into a folder, allowed its name",
+                                     options.output, jobs.size()));
+  return jobs;
+}
+
+/// The folder that pictures go into, which may have to be made.
+void require_place(const Options& options, const std::vector<Job>& jobs) {
+  const fs::path output = options.output;
   const auto& camera = options.develop.camera;
-  for (const auto& file : {std::filesystem::path(options.output), camera.raw, camera.photograph})
+  if (jobs.size() > 1 && !(camera.raw.empty() && camera.photograph.empty()))
+    throw algebra::Error(fmt::format(
+        "{} frames: a raw file or a photograph can be written for one frame alone", jobs.size()));
+  if (jobs.front().picture == output) {
+    files::require_place_for(output);
+  } else if (!fs::is_directory(output)) {
+    if (fs::exists(output)) throw algebra::Error(output.string() + ": is no directory");
+    const auto plain = output.has_filename() ? output : output.parent_path();
+    files::require_place_for(plain);
+    fs::create_directory(plain);
+  }
+  for (const auto& file : {camera.raw, camera.photograph})
     if (!file.empty()) files::require_place_for(file);
-  const auto space = space_of(options);
-  const auto frame = read_frame(options.frame, space);
-  const auto exposure = exposure_for(options.develop, frame, space);
-  const auto seen = uses::seen_by(std::filesystem::path(options.frame));
+  for (const auto& job : jobs) {
+    std::error_code none;
+    if (fs::equivalent(job.picture, job.frame, none))
+      throw algebra::Error(fmt::format("{}: the picture would overwrite the frame, allowed another",
+                                       job.picture.string()));
+  }
+}
+
+/// That of all frames together.
+colour::Exposure exposure_of(const Options& options, const std::vector<Job>& jobs) {
+  if (jobs.size() == 1) {
+    const auto& job = jobs.front();
+    return exposure_for(options.develop, read_frame(job.frame, job.space), job.space);
+  }
+  uses::SharedExposure shared(options.develop);
+  if (options.develop.time.rule != uses::ExposureTime::Rule::fixed)
+    for (const auto& job : jobs) shared.add(read_frame(job.frame, job.space), job.space);
+  return shared.exposure();
+}
+
+void develop(const Options& options, const Job& job, const colour::Exposure& exposure,
+             std::size_t number) {
+  const auto frame = read_frame(job.frame, job.space);
+  const auto seen = uses::seen_by(fs::path(job.frame));
   const auto picture = taken(options.develop, exposure,
-                             {frame, space, seen, 0, uses::scene_attributes(options.frame)});
-  write_developed(options.develop, exposure, {picture, space}, options.output);
-  const nlohmann::ordered_json all{{"file", options.output},
-                                   {"colour_space", colour::name(space)},
-                                   {"time_s", exposure.time_s},
-                                   {"f_number", exposure.f_number},
-                                   {"iso", exposure.iso}};
-  if (options.json)
-    fmt::print("{}\n", all.dump(2));
+                             {frame, job.space, seen, number, uses::scene_attributes(job.frame)});
+  write_developed(options.develop, exposure, {picture, job.space}, job.picture);
+}
+
+nlohmann::ordered_json as_json(const std::vector<Job>& jobs, const colour::Exposure& exposure) {
+  nlohmann::ordered_json all;
+  if (jobs.size() == 1)
+    all["file"] = jobs.front().picture.string();
   else
-    fmt::print("{}: exposed for {}, f/{:g}, ISO {:g}\n", one_line(options.output),
-               exposure_in_words(exposure.time_s), exposure.f_number, exposure.iso);
+    for (const auto& job : jobs) all["files"].push_back(job.picture.string());
+  all["colour_space"] = colour::name(jobs.front().space);
+  all["time_s"] = exposure.time_s;
+  all["f_number"] = exposure.f_number;
+  all["iso"] = exposure.iso;
+  return all;
+}
+
+void run(const Options& options) {
+  const auto jobs = jobs_of(options);
+  for (const auto& job : jobs) require_sound(options.develop, job.picture);
+  require_place(options, jobs);
+  const auto exposure = exposure_of(options, jobs);
+  for (std::size_t j = 0; j < jobs.size(); ++j) {
+    develop(options, jobs[j], exposure, j);
+    if (!options.json)
+      fmt::print("{}: exposed for {}, f/{:g}, ISO {:g}\n", one_line(jobs[j].picture.string()),
+                 exposure_in_words(exposure.time_s), exposure.f_number, exposure.iso);
+  }
+  if (options.json) fmt::print("{}\n", as_json(jobs, exposure).dump(2));
 }
 
 }  // namespace
@@ -70,10 +152,13 @@ void add_develop(CLI::App& program) {
       add_verb(program, "develop",
                "develops a scene-linear frame: exposure, camera and view make a picture of it");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "frame,--frame", options->frame, "frame, scene-linear, .exr [cd/m²]")
+  add_flag(*verb, "frame,--frame", options->frames,
+           "frame, scene-linear, .exr [cd/m²]; several frames share one exposure")
       .reads_file()
       .required();
-  add_flag(*verb, "-o,--output", options->output, "picture, .png").writes_file().required();
+  add_flag(*verb, "-o,--output", options->output, "picture, .png; for several frames a folder")
+      .writes_file()
+      .required();
   add_flag(*verb, "--space", options->space,
            "colour space of the frame: lin_rec709, acescg or lin_ciexyzd65_scene; what the header "
            "or the name says, unless given");

@@ -153,9 +153,10 @@ void print_table(const Told& told, const uses::FitReport& found) {
 
 void require_sound(const Options& options) {
   if (!options.photos.empty() && options.instants.empty())
-    throw algebra::Error("photographs: allowed with --instants, when they were taken (UTC)");
+    throw algebra::Error(
+        "--instants is missing: photographs need the moments when they were taken (UTC)");
   if (options.photos.empty() && options.magnitudes.empty())
-    throw algebra::Error("nothing to explain, allowed photographs or --magnitudes");
+    throw algebra::Error("photographs or --magnitudes are missing: there is nothing to explain");
 }
 
 /// In one line.

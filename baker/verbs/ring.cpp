@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "algebra/error.h"
@@ -24,6 +25,7 @@ struct Options {
   std::optional<almanac::SelenographicPoint> on;
   double scale = 1;
   uses::LightRequest light;  ///< of which only the air is asked for
+  bool json = false;
 };
 
 void require_sound(const Options& options) {
@@ -32,12 +34,20 @@ void require_sound(const Options& options) {
   files::require_place_for(options.output);
 }
 
+void print_json(const Options& options, const almanac::SkyState& sky,
+                const uses::RingStrip& strip) {
+  nlohmann::ordered_json all{{"file", options.output}, {"instant", almanac::utc_text(sky.when)}};
+  for (const auto& [name, value] : strip.figures) all[name] = value;
+  fmt::print("{}\n", all.dump(2));
+}
+
 void run(const CLI::App& verb, const Options& options) {
   require_sound(options);
   const auto sky = almanac::sky_at(instant_of(options.moment));
   auto strip = uses::ring_strip(options.light, sky, options.on, options.scale);
   strip.attributes["coppermoon:recipe"] = recipe_of(verb);
   texture::write_exr(options.output, strip.light, strip.attributes, {texture::ExrType::floating});
+  if (options.json) return print_json(options, sky, strip);
   for (const auto& [name, value] : strip.figures) fmt::print("{:<30}{:.6f}\n", name, value);
 }
 
@@ -52,8 +62,7 @@ void add_ring(CLI::App& program) {
   add_parsed(
       *verb, "--on", [options](const std::string& text) { options->on = feature_from(text); },
       "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; "
-      "without: "
-      "where the Earth stands in the zenith");
+      "where the Earth is in the zenith, unless given");
   add_flag(*verb, "-o,--output", options->output,
            "strip, .exr. Columns: position angle about the Earth's centre, from north through "
            "east. Rows: even in the angle from the centre, the outer edge on top; the header holds "
@@ -62,6 +71,7 @@ void add_ring(CLI::App& program) {
       .required();
   add_flag(*verb, "--scale", options->scale,
            "factor on luminance [cd/m²], 1e-9 to 1e9; POV-Ray reads no more than 65504");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_air_options(*verb, options->light.air);
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });

@@ -30,6 +30,7 @@ void run(const CLI::App& verb, const Options& options) {
   ProgressBar bar("bake");
   const auto scene = lit_scene(verb, options.moon, options.view, {.progress = bar.progress()});
   write_lit_scene(folder, scene);
+  write_moon_include(folder, scene);
   report(report_of(options.output, scene, seconds_since(start)), options.json);
 }
 
@@ -41,7 +42,9 @@ void add_scene(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   add_view_options(*verb, options->view);
-  add_flag(*verb, "-o,--output", options->output, "the folder; `povray eclipse.ini` in it renders")
+  add_flag(*verb, "-o,--output", options->output,
+           "folder for texture and scene, which `povray eclipse.ini` in it renders, and for "
+           "moon.inc, the Moon for scenes of your own")
       .writes_folder()
       .required();
   add_switch(*verb, "--json", options->json, "prints one JSON document");

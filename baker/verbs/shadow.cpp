@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,7 +12,7 @@
 #include "almanac/instant.h"
 #include "eclipse/shadow_axis.h"
 #include "files/whole_file.h"
-#include "uses/film/gnuplot.h"
+#include "uses/film/shadow_plot.h"
 #include "uses/light/shadow_profile.h"
 #include "uses/light/shadow_strip.h"
 #include "verbs/command_line.h"
@@ -17,6 +20,7 @@
 #include "verbs/flags/moments.h"
 #include "verbs/flags/number_list.h"
 #include "verbs/recipes/recipe.h"
+#include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
 #include "verbs/reports/report.h"
 
@@ -25,7 +29,8 @@ namespace {
 
 struct Options {
   MomentOptions moment;
-  std::string plot, lookup, wavelengths = "450,550,650", axis_distances;
+  std::string lookup, wavelengths = "450,550,650", axis_distances;
+  std::vector<std::string> outputs;
   LightOptions light;
   std::optional<double> moon_distance_km, sun_distance_km, position_angle_deg;
   bool json = false;
@@ -53,7 +58,7 @@ Cut cut_of(const Options& options) {
     if (options.moment.text.empty())
       return {*options.sun_distance_km * 1e3, *options.moon_distance_km * 1e3};
   if (options.moment.text.empty())
-    throw WrongUsage("instant, or both --moon-distance-km and --sun-distance-km is required");
+    throw WrongUsage("a moment is missing, or both --moon-distance-km and --sun-distance-km");
   const auto sky = almanac::sky_at(instant_of(options.moment));
   const auto axis = eclipse::shadow_axis(sky);
   const double depth_km = algebra::in_kilometres(eclipse::place_in_shadow(axis, sky.moon_m).depth);
@@ -101,18 +106,46 @@ std::string as_csv(const uses::ShadowProfile& result) {
   return text;
 }
 
-std::string plot_script(const uses::ShadowProfile& result) {
-  const std::string table = as_csv(result);
-  std::string script = fmt::format(
-      "set logscale y\n"
-      "set format y '10^{{%L}}'\nset grid\nset key bottom right\n"
-      "set xlabel 'distance from the shadow axis [km]'\nset ylabel 'irradiance over sunlight'\n"
-      "$data << EOD\n{}EOD\nset datafile separator ','\nplot",
-      table.substr(table.find('\n') + 1));
-  for (std::size_t w = 0; w < result.wavelengths_nm.size(); ++w)
-    script += fmt::format("{} $data using 1:{} with lines linewidth 2 title '{:g} nm'",
-                          w == 0 ? "" : ",", 2 * w + 2, result.wavelengths_nm[w]);
-  return script + "\n";
+nlohmann::ordered_json as_json(const uses::ShadowProfile& result, const uses::LightRequest& light,
+                               const shadow::Arrangement& arrangement) {
+  return {{"moon_distance_km", arrangement.depths_m[0] / 1e3},
+          {"sun_distance_km", arrangement.sun_distance_m / 1e3},
+          {"solver", light.solver == uses::Solver::photons ? "photons" : "quadrature"},
+          {"wavelengths_nm", result.wavelengths_nm},
+          {"axis_distance_km", in_kilometres(result.axis_distances_m)},
+          {"irradiance_ratio", rows_of(result.ratio)},
+          {"standard_error", rows_of(result.standard_error)}};
+}
+
+constexpr std::array endings{".csv", ".json", ".png", ".svg", ".pdf"};
+
+void require_sound(const Options& options) {
+  for (const std::filesystem::path file : options.outputs) {
+    if (std::ranges::find(endings, file.extension()) == endings.end())
+      throw algebra::Error(fmt::format("{}: a profile of the shadow ends in {}", file.string(),
+                                       fmt::join(endings, ", ")));
+    files::require_place_for(file);
+  }
+}
+
+/// When, how far away, and through what air.
+std::string title_of(const Cut& cut, const uses::LightRequest& light) {
+  const auto distance = fmt::format("{:.0f} km from the Earth", cut.depth_m / 1e3);
+  const auto air = fmt::format("{} air", light.air.atmosphere);
+  if (!cut.sky) return fmt::format("The Earth's shadow {}, {}", distance, air);
+  auto when = almanac::utc_text(cut.sky->when).substr(0, 19);
+  std::ranges::replace(when, 'T', ' ');
+  return fmt::format("The Earth's shadow on {} UTC, {}, {}", when, distance, air);
+}
+
+void write(const std::filesystem::path& file, const uses::ShadowProfile& result,
+           const nlohmann::ordered_json& document, const uses::ShadowMarks& marks) {
+  if (file.extension() == ".csv")
+    files::write_whole(file, as_csv(result));
+  else if (file.extension() == ".json")
+    files::write_whole(file, document.dump(2) + "\n");
+  else
+    uses::write_shadow_plot(file, result, marks);
 }
 
 /// Where no distance is given, the plane stands in the middle of the ground that is lit.
@@ -132,37 +165,38 @@ void make_lookup(const Options& options, uses::StripShadow shadow, const uses::L
                facts["step_km"].get<double>(), facts["end_km"].get<double>());
 }
 
-void run(const CLI::App& verb, const Options& options) {
-  if (!options.plot.empty()) files::require_place_for(options.plot);
+void make_profile(const Options& options, const Cut& cut, const uses::ShadowCut& shadow,
+                  const uses::LightRequest& light) {
   const auto start = std::chrono::steady_clock::now();
+  const auto result = [&] {
+    ProgressBar bar("light");
+    return uses::shadow_profile(light, shadow, places_of(options), bar.progress());
+  }();
+  auto document = as_json(result, light, shadow.arrangement);
+  const auto marks = uses::marks_of(shadow.arrangement, cut.sky, title_of(cut, light));
+  for (const auto& file : options.outputs) write(file, result, document, marks);
+  if (options.json) {
+    if (!options.outputs.empty()) document["files"] = options.outputs;
+    document["seconds"] = seconds_since(start);
+    return fmt::print("{}\n", document.dump(2));
+  }
+  if (options.outputs.empty()) return fmt::print("{}", as_csv(result));
+  for (const auto& file : options.outputs)
+    fmt::print("{}: {} distances to {:g} km, {} wavelengths\n", one_line(file),
+               result.axis_distances_m.size(), result.axis_distances_m.back() / 1e3,
+               result.wavelengths_nm.size());
+}
+
+void run(const CLI::App& verb, const Options& options) {
+  require_sound(options);
   const auto cut = cut_of(options);
   const auto light = light_request(options.light);
   const auto air = cut.sky ? uses::atmosphere_of(light.air, *cut.sky)
                            : uses::atmosphere_of(light.air, cut.sun_declination, an_equinox);
-  const auto arrangement = uses::arrangement_of(light, cut.sun_distance_m, {cut.depth_m});
+  const uses::ShadowCut shadow{air, uses::arrangement_of(light, cut.sun_distance_m, {cut.depth_m})};
   if (!options.lookup.empty())
-    return make_lookup(options, {{air, arrangement}, cut.sky}, light, recipe_of(verb));
-  const auto result = [&] {
-    ProgressBar bar("light");
-    return uses::shadow_profile(light, {air, arrangement}, places_of(options), bar.progress());
-  }();
-  const double seconds = seconds_since(start);
-  if (!options.plot.empty())
-    uses::write_plot(options.plot, "pngcairo size 1000,640", plot_script(result));
-  if (!options.json) {
-    fmt::print("{}", as_csv(result));
-    return;
-  }
-  const nlohmann::ordered_json all{
-      {"moon_distance_km", arrangement.depths_m[0] / 1e3},
-      {"sun_distance_km", arrangement.sun_distance_m / 1e3},
-      {"solver", light.solver == uses::Solver::photons ? "photons" : "quadrature"},
-      {"seconds", seconds},
-      {"wavelengths_nm", result.wavelengths_nm},
-      {"axis_distance_km", in_kilometres(result.axis_distances_m)},
-      {"irradiance_ratio", rows_of(result.ratio)},
-      {"standard_error", rows_of(result.standard_error)}};
-  fmt::print("{}\n", all.dump(2));
+    return make_lookup(options, {shadow, cut.sky}, light, recipe_of(verb));
+  make_profile(options, cut, shadow, light);
 }
 
 }  // namespace
@@ -184,12 +218,16 @@ void add_shadow(CLI::App& program) {
            "position angle about the axis, from celestial north through east [degrees]; the mean "
            "over all angles unless given")
       .within(0, 360);
-  add_flag(*verb, "--plot", options->plot, "a .png that gnuplot draws").writes_file();
+  add_flag(*verb, "-o,--output", options->outputs,
+           "file in place of stdout: numbers as .csv or .json, a plot as .png, .svg or .pdf. May "
+           "be given again")
+      .writes_file()
+      .kept_each_time();
   add_flag(*verb, "--lookup", options->lookup,
            "strip for shaders, .exr or .cube, with a .json beside it: light over sunlight in "
            "linear Rec.709, by distance from the axis and position angle")
       .writes_file()
-      .excludes("--plot");
+      .excludes("--output");
   add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_light_options(*verb, options->light);
   add_photon_file_options(*verb, options->light);

@@ -6,12 +6,12 @@
 
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
-#include "texture/write_image.h"
 #include "uses/light/header.h"
 #include "uses/light/spectral_bands.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/camera_options.h"
 #include "verbs/flags/develop_options.h"
+#include "verbs/flags/texture_options.h"
 #include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/recipes/recorded_scene.h"
@@ -25,6 +25,7 @@ struct Options {
   uses::ViewRequest view;
   uses::Development develop;
   std::string output, frame;
+  colour::WorkingSpace space = uses::picture_space;
   bool json = false;
 };
 
@@ -53,7 +54,7 @@ void run(const CLI::App& verb, Options options) {
   }();
   const auto exposure = exposure_for(options.develop, frame, uses::picture_space);
   const auto header = uses::frame_header(scene, exposure);
-  if (!options.frame.empty()) texture::write_exr(options.frame, frame, header);
+  if (!options.frame.empty()) uses::write_frame(options.frame, frame, header, options.space);
   const auto seen = uses::seen_by(scene.view, scene.moon.sky);
   const auto picture = taken(options.develop, exposure,
                              {frame, uses::picture_space, seen, 0, scene.texture.attributes});
@@ -83,6 +84,7 @@ void add_still(CLI::App& program) {
   add_flag(*verb, "-o,--output", options->output, "picture, .png").writes_file().required();
   add_flag(*verb, "--frame", options->frame, "writes the scene-linear frame too: .exr [cd/m²]")
       .writes_file();
+  add_frame_space_option(*verb, options->space);
   add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });

@@ -260,9 +260,9 @@ TEST_F(Animate, RefusesWhatItCannotMake) {
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(outcome.err.find(from), std::string::npos) << outcome.err;
   }
-  expect_refused(film({"--mount", "fixed"}), "mount = fixed, allowed with --at alone");
+  expect_refused(film({"--mount", "fixed"}), "mount = fixed: needs --at");
   expect_refused(film({"--at", "-21,55", "--aim", "30,20"}),
-                 "mount = tracking, allowed fixed with --aim");
+                 "mount = tracking: --aim needs a fixed one");
   expect_refused({"animate", "2018-07-27", "-o", "no/such/film"}, "no/such: no such directory");
   expect_refused(film({"--at", "40,-100"}),
                  "the Moon is below the horizon of 40,-100 in all frames");

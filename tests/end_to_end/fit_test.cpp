@@ -123,9 +123,10 @@ TEST_F(FitThoroughly, SaysThatNoAirExplainsWhatNoneDoes) {
 
 TEST_F(FitThoroughly, RefusesWhatItCannotExplain) {
   EXPECT_EQ(refusal_of({}),
-            "coppermoon: nothing to explain, allowed photographs or --magnitudes\n");
+            "coppermoon: photographs or --magnitudes are missing: there is nothing to explain\n");
   EXPECT_EQ(refusal_of({"a.png"}),
-            "coppermoon: photographs: allowed with --instants, when they were taken (UTC)\n");
+            "coppermoon: --instants is missing: photographs need the moments when they were taken "
+            "(UTC)\n");
   EXPECT_EQ(refusal_of({"a.png", "b.png", "c.png", "--instants", "2018-07-27T20:40:00Z,x"}),
             "coppermoon: 2 instants, allowed one for all or 3, one for each photograph\n");
   EXPECT_EQ(refusal_of({"--magnitudes", "no.csv"}), "coppermoon: no.csv: cannot be read\n");

@@ -125,7 +125,6 @@ TEST_F(LostFiles, AreNamedByNoRecipe) {
                                     {"keep", bake({"-o", "mine.exr"})},
                                     {"frame", {"still", eclipse_of_2008, "-o", "mine.png"}},
                                     {"raw", {"still", eclipse_of_2008, "-o", "mine.png"}},
-                                    {"plot", {"shadow", eclipse_of_2008}},
                                     {"curve", {"animate", "2018-07-27", "-o", "film"}}}) {
     file("theirs.toml", fmt::format("{} = \"v/victim\"\n", key));
     auto words = verb;

@@ -43,7 +43,7 @@ TEST_F(PersonalSettings, OfPovrayDoNotCount) {
 TEST_F(PersonalSettings, OfGnuplotDoNotCount) {
   const auto plot = [](const char* output) {
     return Words{"shadow",           "2008-02-21T03:26:05Z", "--tolerance", "20%",
-                 "--axis-distances", "0,3000,6000",          "--plot",      output};
+                 "--axis-distances", "0,3000,6000",          "-o",          output};
   };
   expect_done(coppermoon(plot("alone.png")));
   std::filesystem::create_directory(here("home"));

@@ -46,22 +46,20 @@ TEST_F(Refusals, WholeNumbersThatAreNoneOrTooLargeAreNamed) {
     expect_refused({"bake", eclipsed, flag, value, "-o", "a.exr"}, wrong_usage, why);
   };
   bake("--seed", "18446744073709551616",
-       "--seed: 18446744073709551616, allowed 0 to 18446744073709551615");
-  bake("--seed", "-1", "--seed: -1, allowed whole numbers, 0 or more");
-  bake("--danjon", "1.5", "--danjon: 1.5, allowed whole numbers");
-  bake("--danjon", "3000000000", "--danjon: 3000000000, allowed -2147483648 to 2147483647");
+       "--seed = 18446744073709551616, allowed 0 to 18446744073709551615");
+  bake("--seed", "-1", "--seed = -1, allowed whole numbers, 0 or more");
+  bake("--danjon", "1.5", "--danjon = 1.5, allowed whole numbers");
+  bake("--danjon", "3000000000", "--danjon = 3000000000, allowed -2147483648 to 2147483647");
 }
 
 TEST_F(Refusals, AnOutputThatAWordDoesNotHaveIsAnsweredWithThoseItHas) {
-  expect_refused({"shadow", eclipsed, "-o", "u.csv"}, wrong_usage,
-                 "-o: shadow has no such flag; files are named by --plot, --lookup, --keep");
   expect_refused({"sky", eclipsed, "-o", "u.csv"}, wrong_usage,
-                 "-o: sky has no such flag; it prints its results");
+                 "-o: unknown option of sky; it prints its results");
 }
 
 TEST_F(Refusals, AFlagWithNothingBehindItsSignTakesNotTheNextWord) {
   expect_refused({"animate", "2018-07-27", "--range=", "-o", "film"}, wrong_usage,
-                 "--range: no value behind the =");
+                 "--range: a value is missing behind the =");
 }
 
 TEST_F(Refusals, MoreRegionsThanCanBeComputedAreRefusedAtOnce) {

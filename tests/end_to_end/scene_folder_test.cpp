@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A scene is whole: it renders with POV-Ray alone, wherever it is moved.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
 #include "end_to_end/program.h"
 #include "texture/read_image.h"
 
@@ -17,8 +21,12 @@ class SceneFolder : public ProgramTest {
 
 TEST_F(SceneFolder, HoldsSceneSettingsAndTexture) {
   write_scene();
-  const std::set<std::string> expected{"here/scene", "here/scene/eclipse.ini",
-                                       "here/scene/eclipse.pov", "here/scene/moon_lin_rec709.exr"};
+  const std::set<std::string> expected{"here/scene",
+                                       "here/scene/coppermoon.inc",
+                                       "here/scene/eclipse.ini",
+                                       "here/scene/eclipse.pov",
+                                       "here/scene/moon.inc",
+                                       "here/scene/moon_lin_rec709.exr"};
   std::set<std::string> found = listing();
   EXPECT_EQ(found, expected);
 }
@@ -34,6 +42,56 @@ TEST_F(SceneFolder, RendersWithPovrayAloneWhereverItIsMoved) {
   EXPECT_GT(frame(12, 16, 0), frame(12, 16, 2)) << "an eclipsed Moon is red";
   EXPECT_GT(frame(12, 16, 0), 0.01F);
   EXPECT_EQ(frame(0, 0, 0), 0.F);
+}
+
+/// The numbers behind a name in moon.inc.
+std::vector<double> declared(const std::string& text, const std::string& name) {
+  auto from = text.find("#declare " + name + " =");
+  std::vector<double> numbers;
+  for (from = text.find_first_of("-0123456789", from); text[from] != '\n' && text[from] != '/';
+       from = text.find_first_of("-0123456789/\n", from)) {
+    std::size_t length = 0;
+    numbers.push_back(std::stod(text.substr(from), &length));
+    from += length;
+  }
+  return numbers;
+}
+
+TEST_F(SceneFolder, MoonIncHasTheMoonAndItsLightForAnotherScene) {
+  write_scene();
+  const auto include = text_of(here("scene/moon.inc"));
+  const auto sky = nlohmann::json::parse(
+      coppermoon({"sky", "2008-02-21T03:26:05Z", "--at", "42.86,-73.77", "--json"}).out);
+  EXPECT_NEAR(declared(include, "Moon_Azimuth")[0], sky["azimuth_deg"], 1e-5) << "as it is printed";
+  EXPECT_NEAR(declared(include, "Moon_Parallactic_Angle")[0], sky["parallactic_angle_deg"], 1e-5);
+  // illuminance is mean luminance times the disc's solid angle: both are sums over texels
+  const auto seen = nlohmann::json::parse(
+      coppermoon({"brightness", "2008-02-21T03:26:05Z", "--at", "42.86,-73.77", "--rays", "50",
+                  "--albedo-map", "built-in", "--json"})
+          .out)["seen"];
+  const auto lux = declared(include, "Moon_Illuminance");
+  ASSERT_EQ(lux.size(), 3U);
+  const double radius = declared(include, "Moon_Diameter")[0] / 2 * std::numbers::pi / 180,
+               expected =
+                   seen["mean_luminance_cd_m2"].get<double>() * std::numbers::pi * radius * radius,
+               found = 0.2126 * lux[0] + 0.7152 * lux[1] + 0.0722 * lux[2];
+  EXPECT_NEAR(found / expected, 1, 0.01) << "360 and 720 texels around, half a percent each";
+  EXPECT_GT(lux[0], lux[2]) << "an eclipsed Moon's light is red";
+}
+
+TEST_F(SceneFolder, OfTheTutorialsLakeRenders) {
+  expect_done(coppermoon({"scene", "2018-07-27T21:39:00Z", "--at", "52.9,-3.9", "--rays", "50",
+                          "--albedo-map", "built-in", "--texture-width", "256", "-o", "scene"}));
+  std::filesystem::copy(COPPERMOON_TEST_DATA "/../examples/gallery/lake.pov", here("scene"));
+  const auto outcome = run({"povray", "lake.pov", "+W96", "+H54", "+FE", "+A0.0", "-J", "-D"},
+                           {.folder = here("scene")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto frame = texture::read_image(here("scene/lake.exr"));
+  // the Moon stands 8.5 degrees over the middle of a picture 38 degrees wide: at 0.11 of its height
+  const float moon = frame(6, 48, 0), sky = frame(6, 10, 0), wall = frame(53, 10, 0);
+  EXPECT_GT(moon, 100 * sky);
+  EXPECT_GT(sky, 0.F);
+  EXPECT_GT(wall, 0.F) << "water mirrors the sky";
 }
 
 TEST_F(SceneFolder, IsWrittenOverAnOldOne) {

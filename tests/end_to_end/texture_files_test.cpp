@@ -103,7 +103,7 @@ TEST_F(TextureFiles, RefuseWhatTheyCannotHold) {
   expect_refused({"bake", instant, "--spectral", "nan", "-o", "moon.exr"},
                  "spectral band [nm] = nan, allowed 1 to 100");
   expect_refused({"bake", instant, "--passes", "-o", "moon.tx"},
-                 "passes and spectra: allowed with an output that ends in .exr");
+                 "passes and spectra need an output that ends in .exr");
   expect_refused({"bake", instant, "-o", "moon.exr", "-o", "moon.tiff"},
                  "moon.tiff: a texture ends in .exr, .tx, .png, .glb, .usda");
   expect_refused(
@@ -115,7 +115,7 @@ TEST_F(TextureFiles, RefuseWhatTheyCannotHold) {
   expect_refused({"animate", "2018-07-27", "--make", "scenes", "--space", "acescg", "-o", "film"},
                  "space = acescg, allowed lin_rec709 with scenes, frames or pictures");
   expect_refused({"animate", "2018-07-27", "--passes", "-o", "film"},
-                 "passes and spectra: allowed with --make textures alone");
+                 "passes and spectra need --make textures alone");
 }
 
 TEST_F(TextureFiles, PassesMakeUpTheWhole) {

@@ -173,11 +173,11 @@ TEST_F(Plots, AreDrawnIntoTheNameToTheLetter) {
   for (const auto& name : names) {
     const auto before = listing();
     const auto outcome = inside({"shadow", eclipse_of_2008, "--rays", "20", "--axis-distances",
-                                 "0,1000", "--wavelengths", "550", "--plot=" + name + ".png"});
+                                 "0,1000", "--wavelengths", "550", "--output=" + name + ".png"});
     expect_made(name, outcome, before, {name + ".png"});
     EXPECT_TRUE(text_of(named(name + ".png")).starts_with("\x89PNG")) << name;
   }
-  say("shadow --plot", "the one picture of that name: gnuplot hears no name");
+  say("shadow -o", "the one picture of that name: gnuplot hears no name");
 }
 
 /// What `scene` and `still` take to be quick.

@@ -2,7 +2,8 @@
 cmake_minimum_required(VERSION 3.25)
 # Fails when a file that goes with the program is not installed as it stands in the source, or a header is that nobody
 # should see.
-#   cmake -DROOT=<source folder> -DSHARE=<its data> -DDOC=<its documents> -DINCLUDE=<its headers> -P installed_files.cmake
+#   cmake -DROOT=<source folder> -DSHARE=<its data> -DDOC=<its documents> -DINCLUDE=<its headers>
+#         -DMANUALS=<its manual pages> -DDATA=<folder of all data> -P installed_files.cmake
 function(check_same file installed)
   execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${ROOT}/${file} ${installed} RESULT_VARIABLE differs)
   if(differs)
@@ -18,6 +19,14 @@ check_same(colour/config.ocio ${SHARE}/config.ocio)
 check_same(examples/blender/eclipse.py ${SHARE}/eclipse.py)
 foreach(recipe first_eclipse telescope volcanic_south)
   check_same(examples/${recipe}.toml ${SHARE}/recipes/${recipe}.toml)
+endforeach()
+
+foreach(file ${MANUALS}/man1/coppermoon.1 ${MANUALS}/man1/coppermoon-still.1
+             ${DATA}/bash-completion/completions/coppermoon ${DATA}/zsh/site-functions/_coppermoon
+             ${DATA}/fish/vendor_completions.d/coppermoon.fish)
+  if(NOT EXISTS ${file})
+    message(FATAL_ERROR "${file}: is not installed")
+  endif()
 endforeach()
 
 file(GLOB_RECURSE headers ${INCLUDE}/*)

@@ -21,7 +21,7 @@ void require_content(const Film& film) {
     throw algebra::Error(fmt::format(
         "space = {}, allowed lin_rec709 with scenes, frames or pictures", colour::name(space)));
   if (film.content.passes || film.content.spectral_nm)
-    throw algebra::Error("passes and spectra: allowed where textures alone are made");
+    throw algebra::Error("passes and spectra need a film of textures alone");
 }
 
 void require_exposure(const Film& film) {
@@ -39,10 +39,10 @@ void require_folder(const Film& film) {
 
 void mount(Film& film, const Mounting& mounting) {
   if (mounting.aim && mounting.mount != Mount::fixed)
-    throw algebra::Error("an aim: allowed with a fixed mount alone");
+    throw algebra::Error("an aim needs a fixed mount");
   if (mounting.mount == Mount::horizon) film.view.up = povray_scenes::Up::zenith;
   if (mounting.mount != Mount::fixed) return;
-  if (!film.view.observer) throw algebra::Error("a fixed mount: allowed with an observer alone");
+  if (!film.view.observer) throw algebra::Error("a fixed mount needs an observer");
   const auto half_way = (film.moments.frames.size() + 1) / 2;
   film.view.aim =
       mounting.aim ? *mounting.aim : apparent_place(*film.view.observer, film.sky(half_way));

@@ -13,8 +13,8 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Calls `add(row, column, solid angle)` for every texel that the Earth's centre sees.
-void for_each_seen(std::size_t rows, const almanac::SkyState& sky,
+/// Calls `add(row, column, solid angle)` for every texel that is seen from a place.
+void for_each_seen(std::size_t rows, const almanac::SkyState& sky, const glm::dvec3& from_m,
                    const std::function<void(std::size_t, std::size_t, double)>& add) {
   const glm::dmat3 gcrs_from_selenographic = glm::transpose(sky.selenographic_from_gcrs);
   const double radius = algebra::in_metres(almanac::lunar_radius);
@@ -24,7 +24,7 @@ void for_each_seen(std::size_t rows, const almanac::SkyState& sky,
       const auto at = surface::texel_centre(r, c, rows);
       const double latitude = algebra::in_radians(at.latitude);
       const glm::dvec3 normal = gcrs_from_selenographic * almanac::selenographic_direction(at);
-      const glm::dvec3 place = sky.moon_m + radius * normal;
+      const glm::dvec3 place = sky.moon_m - from_m + radius * normal;
       const double distance = glm::length(place),
                    cos_emission = -glm::dot(normal, place) / distance;
       const double area =
@@ -35,18 +35,19 @@ void for_each_seen(std::size_t rows, const almanac::SkyState& sky,
 
 }  // namespace
 
-std::vector<double> irradiance_of_disc(const texture::Image& texture,
-                                       const almanac::SkyState& sky) {
+std::vector<double> irradiance_of_disc(const texture::Image& texture, const almanac::SkyState& sky,
+                                       const glm::dvec3& from_m) {
   std::vector<double> sums(texture.channels.size());
-  for_each_seen(texture.height, sky, [&](std::size_t r, std::size_t c, double solid_angle) {
+  for_each_seen(texture.height, sky, from_m, [&](std::size_t r, std::size_t c, double solid_angle) {
     for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += solid_angle * texture(r, c, k);
   });
   return sums;
 }
 
-double solid_angle_of_disc(std::size_t rows, const almanac::SkyState& sky) {
+double solid_angle_of_disc(std::size_t rows, const almanac::SkyState& sky,
+                           const glm::dvec3& from_m) {
   double sum = 0;
-  for_each_seen(rows, sky,
+  for_each_seen(rows, sky, from_m,
                 [&](std::size_t, std::size_t, double solid_angle) { sum += solid_angle; });
   return sum;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "almanac/sky.h"
@@ -8,16 +9,19 @@
 
 namespace coppermoon::uses {
 
-/// How bright the whole Moon is in a band, as from the Earth's centre:
+/// How bright the whole Moon is in a band:
 ///
-///     E = Σ L cos e ΔA / d²        e: emission angle, d: texel to the Earth's centre
+///     E = Σ L cos e ΔA / d²        e: emission angle, d: texel to the place
 ///
 /// Given     texture  plate carrée, any channels of radiance or luminance
+///           from_m   the place it is seen from, geocentric, GCRS axes; the Earth's centre
 /// Returned  [channel]  irradiance or illuminance on a surface that faces the Moon
-std::vector<double> irradiance_of_disc(const texture::Image& texture, const almanac::SkyState& sky);
+std::vector<double> irradiance_of_disc(const texture::Image& texture, const almanac::SkyState& sky,
+                                       const glm::dvec3& from_m = {0, 0, 0});
 
-/// Solid angle of the Moon from the Earth's centre [sr], summed over the same texels.
-double solid_angle_of_disc(std::size_t rows, const almanac::SkyState& sky);
+/// Solid angle of the Moon from there [sr], summed over the same texels.
+double solid_angle_of_disc(std::size_t rows, const almanac::SkyState& sky,
+                           const glm::dvec3& from_m = {0, 0, 0});
 
 /// The Danjon scale that goes with a totally eclipsed Moon's visual magnitude.
 ///

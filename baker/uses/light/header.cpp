@@ -16,14 +16,19 @@ std::string capture_date(const almanac::Instant& instant) {
 }
 
 texture::Attributes scene_linear_header(colour::WorkingSpace space, const almanac::Instant& when) {
+  texture::Attributes header{{"whiteLuminance", 1.F},
+                             {"capDate", capture_date(when)},
+                             {"utcOffset", 0.F},
+                             {"coppermoon:version", std::string(version())},
+                             {"coppermoon:unit", std::string("cd/m^2")}};
+  say_space(header, space);
+  return header;
+}
+
+void say_space(texture::Attributes& header, colour::WorkingSpace space) {
   const auto xy = colour::chromaticities(space);
-  return {{"chromaticities", std::vector<float>(xy.begin(), xy.end())},
-          {"whiteLuminance", 1.F},
-          {"capDate", capture_date(when)},
-          {"utcOffset", 0.F},
-          {"coppermoon:version", std::string(version())},
-          {"coppermoon:colour_space", std::string(colour::name(space))},
-          {"coppermoon:unit", std::string("cd/m^2")}};
+  header["chromaticities"] = std::vector<float>(xy.begin(), xy.end());
+  header["coppermoon:colour_space"] = std::string(colour::name(space));
 }
 
 }  // namespace coppermoon::uses

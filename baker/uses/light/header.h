@@ -19,4 +19,7 @@ std::string capture_date(const almanac::Instant& instant);
 /// What the header of a scene-linear image in cd/m² says: its space, its moment, and who made it.
 texture::Attributes scene_linear_header(colour::WorkingSpace space, const almanac::Instant& when);
 
+/// Has a header of a scene-linear image say another space.
+void say_space(texture::Attributes& header, colour::WorkingSpace space);
+
 }  // namespace coppermoon::uses

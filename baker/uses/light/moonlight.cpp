@@ -40,7 +40,7 @@ void require_sound(const LightRequest& request) {
   photon_settings(request);
   require_knobs(request.by_hand);
   if (request.solver != Solver::photons && request.photon_files.asked_for())
-    throw algebra::Error("parts, kept and added photons: allowed with the solver photons");
+    throw algebra::Error("parts of photons, kept and added ones need the solver photons");
   algebra::require_within("smoothing [km]", request.smoothing_km, 0, 2000);
 }
 

@@ -35,18 +35,18 @@ std::vector<double> sunlight_in(const algebra::Grid<double>& response) {
 
 }  // namespace
 
-Photometer photometer() {
+Photometer photometer(const std::optional<atmosphere::Sightline>& sightline) {
   const auto response = responses();
-  Photometer photometer{{}, moonlight_weights(response), sunlight_in(response)};
+  Photometer photometer{{}, moonlight_weights(response, sightline), sunlight_in(response)};
   for (const auto& band : photometric_bands()) photometer.channels.push_back(band.name);
   photometer.channels.emplace_back("Y");
   return photometer;
 }
 
 DiscBrightness measured(const Photometer& photometer, const texture::Image& texture,
-                        const almanac::SkyState& sky) {
-  const auto moon = irradiance_of_disc(texture, sky);
-  DiscBrightness disc{{}, moon.back() / solid_angle_of_disc(texture.height, sky)};
+                        const almanac::SkyState& sky, const glm::dvec3& from_m) {
+  const auto moon = irradiance_of_disc(texture, sky, from_m);
+  DiscBrightness disc{{}, moon.back() / solid_angle_of_disc(texture.height, sky, from_m)};
   const auto bands = photometric_bands();
   for (std::size_t k = 0; k < bands.size(); ++k)
     disc.magnitudes.push_back(bands[k].solar_magnitude -

@@ -16,21 +16,51 @@ bool in_totality(const almanac::Instant& when) {
          almanac::seconds_between(when, *eclipse->contacts.U3) >= 0;
 }
 
+constexpr std::size_t rows = 360;
+
+/// A Moon's light and ground, to be seen in any channels.
+struct Measurable {
+  const MoonRequest& moon;
+  const almanac::SkyState& sky;
+  Moonlight light;
+  algebra::Grid<float> albedo;
+
+  texture::Image in(const Photometer& meter) const {
+    return texture::bake({albedo, sky, light.in_channels(meter.weights)}, meter.channels, rows,
+                         moon.photometry);
+  }
+};
+
+BrightnessSeen seen_of(const Measurable& moon, const texture::Image& above,
+                       const almanac::Observer& observer,
+                       const std::optional<atmosphere::Sightline>& sightline) {
+  const auto from_m = almanac::view_from(observer, moon.sky).position_m;
+  const auto meter = photometer(sightline);
+  BrightnessSeen seen{apparent_place(observer, moon.sky),
+                      measured(meter, sightline ? moon.in(meter) : above, moon.sky, from_m),
+                      {}};
+  const auto undimmed = measured(meter, above, moon.sky, from_m);
+  for (std::size_t k = 0; k < undimmed.magnitudes.size(); ++k)
+    seen.extinction_mag.push_back(seen.disc.magnitudes[k] - undimmed.magnitudes[k]);
+  return seen;
+}
+
 }  // namespace
 
 MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& sky,
-                             const algebra::Progress& progress) {
-  constexpr std::size_t rows = 360;
+                             const ViewRequest& view, const algebra::Progress& progress) {
+  const auto from = view_of(view, sky);
+  const Measurable measurable{moon, sky,
+                              moon.unshadowed ? unshadowed_light(moon.light, sky)
+                                              : light_on_the_moon(moon.light, sky, {}, progress),
+                              normal_albedo(moon)};
   const auto meter = photometer();
-  const auto light = (moon.unshadowed ? unshadowed_light(moon.light, sky)
-                                      : light_on_the_moon(moon.light, sky, {}, progress))
-                         .in_channels(meter.weights);
-  const auto texture =
-      texture::bake({normal_albedo(moon), sky, light}, meter.channels, rows, moon.photometry);
+  const auto texture = measurable.in(meter);
   MoonBrightness brightness{measured(meter, texture, sky), {}};
   constexpr std::size_t V = 1;  // of the photometer's bands
   if (!moon.unshadowed && in_totality(sky.when))
     brightness.danjon = danjon_estimate(brightness.disc.magnitudes[V]);
+  if (from.observer) brightness.seen = seen_of(measurable, texture, *from.observer, from.sightline);
   return brightness;
 }
 

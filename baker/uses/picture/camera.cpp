@@ -65,7 +65,7 @@ std::optional<colour::Camera> camera_of(const CameraRequest& request,
   if (request.model.empty()) {
     if (any_given(request))
       throw algebra::Error(
-          fmt::format("a camera's aperture, sensor, noise, sky or files: allowed with a camera: {}",
+          fmt::format("aperture, sensor, noise, sky and files of a camera need a camera: {}",
                       fmt::join(colour::camera_names(), ", ")));
     return std::nullopt;
   }

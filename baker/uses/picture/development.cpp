@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <span>
 
 #include "algebra/error.h"
@@ -34,13 +36,39 @@ double bright_luminance(std::vector<double> lit) {
   return *bright;
 }
 
+/// A luminance's leading bits, which are in its order; and the middle of all that share them.
+constexpr unsigned dropped_bits = 12;
+
+std::size_t step_of(double luminance) {
+  return std::bit_cast<std::uint32_t>(static_cast<float>(luminance)) >> dropped_bits;
+}
+
+double middle_of(std::size_t step) {
+  const auto half = std::uint32_t{1} << (dropped_bits - 1);
+  return std::bit_cast<float>((static_cast<std::uint32_t>(step) << dropped_bits) | half);
+}
+
 /// The cube of their cube roots' mean: as the shadow creeps over the disc it leaves sunlight's for the
 /// shadow's without a step.
-double cubic_mean(std::span<const double> lit) {
+double cubic_mean(double roots, std::size_t count) {
+  const double mean = roots / static_cast<double>(count);
+  return mean * mean * mean;
+}
+
+double cube_roots(std::span<const double> lit) {
   double roots = 0;
   for (const double y : lit) roots += std::cbrt(y);
-  const double mean = roots / static_cast<double>(lit.size());
-  return mean * mean * mean;
+  return roots;
+}
+
+/// That brings a frame's bright luminance, or the cubic mean where it is followed, to where it should be.
+colour::Exposure exposed_for(const Development& development, colour::Exposure exposure,
+                             double luminance) {
+  constexpr double brightest = 0.8, followed = 0.25;
+  const bool automatic = development.time.rule == ExposureTime::Rule::automatic;
+  const double scaled = (automatic ? brightest : followed) / luminance;
+  exposure.time_s = std::clamp(scaled / scale_of(development, exposure), 1e-6, 1e5);
+  return exposure;
 }
 
 std::optional<colour::Camera> camera_of(const Development& development) {
@@ -72,17 +100,41 @@ void write_files(const CameraRequest& camera, const colour::Photograph& photogra
 
 colour::Exposure exposure_for(const Development& development, const texture::Image& frame,
                               colour::WorkingSpace space) {
-  constexpr double brightest = 0.8, followed = 0.25;
-  colour::Exposure exposure{1, f_number_of(development), development.iso};
-  if (development.time.rule == ExposureTime::Rule::fixed) {
-    exposure.time_s = development.time.seconds;
-  } else if (const auto lit = luminances(frame, space); !lit.empty()) {
-    const double scaled = development.time.rule == ExposureTime::Rule::automatic
-                              ? brightest / bright_luminance(lit)
-                              : followed / cubic_mean(lit);
-    exposure.time_s = std::clamp(scaled / scale_of(development, exposure), 1e-6, 1e5);
-  }
-  return exposure;
+  const colour::Exposure one{1, f_number_of(development), development.iso};
+  if (development.time.rule == ExposureTime::Rule::fixed)
+    return {development.time.seconds, one.f_number, one.iso};
+  const auto lit = luminances(frame, space);
+  if (lit.empty()) return one;
+  return exposed_for(development, one,
+                     development.time.rule == ExposureTime::Rule::automatic
+                         ? bright_luminance(lit)
+                         : cubic_mean(cube_roots(lit), lit.size()));
+}
+
+SharedExposure::SharedExposure(const Development& development) : development_(development) {
+  if (development.time.rule == ExposureTime::Rule::automatic)
+    counts_.resize(std::size_t{1} << (32 - dropped_bits));
+}
+
+void SharedExposure::add(const texture::Image& frame, colour::WorkingSpace space) {
+  if (development_.time.rule == ExposureTime::Rule::fixed) return;
+  const auto lit = luminances(frame, space);
+  lit_ += lit.size();
+  if (counts_.empty())
+    cube_roots_ += cube_roots(lit);
+  else
+    for (const double y : lit) ++counts_[step_of(y)];
+}
+
+colour::Exposure SharedExposure::exposure() const {
+  const colour::Exposure one{1, f_number_of(development_), development_.iso};
+  if (development_.time.rule == ExposureTime::Rule::fixed)
+    return {development_.time.seconds, one.f_number, one.iso};
+  if (lit_ == 0) return one;
+  if (counts_.empty()) return exposed_for(development_, one, cubic_mean(cube_roots_, lit_));
+  std::size_t step = 0;
+  for (std::size_t below = counts_[0]; below <= lit_ * 99 / 100;) below += counts_[++step];
+  return exposed_for(development_, one, middle_of(step));
 }
 
 double scale_of(const Development& development, const colour::Exposure& exposure) {

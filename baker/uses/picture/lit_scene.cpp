@@ -9,7 +9,10 @@
 #include <numbers>
 
 #include "files/folder_lock.h"
+#include "files/whole_file.h"
+#include "povray_scenes/moon_include.h"
 #include "povray_scenes/scene.h"
+#include "uses/light/disc_brightness.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -55,6 +58,29 @@ LitScene lit_scene(const MoonRequest& request, const ViewRequest& view,
   moon.sightline = seen.sightline;
   auto texture = baked(moon, {}, baking.texture);
   return {std::move(moon), seen, std::move(texture)};
+}
+
+void write_moon_include(const std::filesystem::path& folder, const LitScene& scene) {
+  if (!scene.view.observer) return;
+  constexpr std::size_t rows = 360;
+  auto small = scene.moon;
+  small.request.texture_width = 2 * rows;
+  const auto texture = baked(small, {}, {texture::Extent::seen_from_earth, {}});
+  const auto& part = texture.parts.front();
+  texture::Image image(part.layout.width, part.layout.height, part.layout.channels);
+  part.rows(0, image.values);
+  const auto& sky = scene.moon.sky;
+  const auto view = almanac::view_from(*scene.view.observer, sky);
+  const auto lux = irradiance_of_disc(image, sky, view.position_m);
+  const povray_scenes::MoonInSky moon{
+      .texture = texture_file,
+      .title = almanac::utc_text(sky.when) + " from " + place_text(*scene.view.observer),
+      .view = view,
+      .axis_position_angle = sky.axis_position_angle,
+      .place = apparent_place(*scene.view.observer, sky),
+      .illuminance_lux = {lux[0], lux[1], lux[2]}};
+  files::write_whole(folder / "moon.inc", povray_scenes::moon_include(moon));
+  files::write_whole(folder / "coppermoon.inc", std::string(povray_scenes::coppermoon_inc()));
 }
 
 void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,

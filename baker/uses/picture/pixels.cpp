@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/pixels.h"
 
+#include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
+
 #include "algebra/error.h"
 
 namespace coppermoon::uses {
@@ -27,6 +30,21 @@ colour::Image pixels_of(const texture::Image& image) {
     for (std::size_t c = 0; c < image.width; ++c)
       pixels(r, c) = {image(r, c, 0), image(r, c, 1), image(r, c, 2)};
   return pixels;
+}
+
+texture::Image in_space(const texture::Image& image, colour::WorkingSpace from,
+                        colour::WorkingSpace to) {
+  const auto change = colour::channels_from_xyz(to) * glm::inverse(colour::channels_from_xyz(from));
+  auto pixels = pixels_of(image);
+  if (from != to)
+    for (auto& pixel : pixels.values()) {
+      const auto colour = change * glm::dvec3(pixel[0], pixel[1], pixel[2]);
+      for (int c = 0; c < 3; ++c)
+        pixel[static_cast<std::size_t>(c)] = static_cast<float>(colour[c]);
+    }
+  auto changed = image_of(pixels);
+  if (to == colour::WorkingSpace::ciexyz_d65) changed.channels = {"X", "Y", "Z"};
+  return changed;
 }
 
 algebra::Grid<float> channel_of(const texture::Image& image, std::size_t channel) {

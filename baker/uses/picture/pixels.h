@@ -14,6 +14,12 @@ namespace coppermoon::uses {
 /// Throws  Error  when there are fewer
 colour::Image pixels_of(const texture::Image& image);
 
+/// A scene-linear image's colours in another working space, luminance kept: channels R, G, B, or X, Y, Z.
+///
+/// Throws  Error  when it has fewer than three channels
+texture::Image in_space(const texture::Image& image, colour::WorkingSpace from,
+                        colour::WorkingSpace to);
+
 /// One channel alone.
 algebra::Grid<float> channel_of(const texture::Image& image, std::size_t channel);
 

@@ -4,6 +4,9 @@
 #include "files/temporary_folder.h"
 #include "povray_scenes/render.h"
 #include "texture/read_image.h"
+#include "texture/write_image.h"
+#include "uses/light/header.h"
+#include "uses/picture/pixels.h"
 
 namespace coppermoon::uses {
 
@@ -18,6 +21,13 @@ texture::Attributes frame_header(const LitScene& scene, const colour::Exposure& 
   add_exposure(attributes, exposure);
   add_seen(attributes, seen_by(scene.view, scene.moon.sky));
   return attributes;
+}
+
+void write_frame(const std::filesystem::path& file, const texture::Image& frame,
+                 texture::Attributes header, colour::WorkingSpace space) {
+  if (space == picture_space) return texture::write_exr(file, frame, header);
+  say_space(header, space);
+  texture::write_exr(file, in_space(frame, picture_space, space), header);
 }
 
 }  // namespace coppermoon::uses

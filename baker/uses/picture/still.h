@@ -15,4 +15,10 @@ texture::Image rendered(const LitScene& scene, const algebra::Progress& progress
 /// A frame's header: the texture's, and the exposure and what a camera has to know of it.
 texture::Attributes frame_header(const LitScene& scene, const colour::Exposure& exposure);
 
+/// Writes a frame in a working space, which its header says.
+///
+/// Given  frame  linear Rec.709, with its header
+void write_frame(const std::filesystem::path& file, const texture::Image& frame,
+                 texture::Attributes header, colour::WorkingSpace space);
+
 }  // namespace coppermoon::uses

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "algebra/error.h"
 #include "atmosphere/astronomical_refraction.h"
@@ -28,6 +30,22 @@ void require_up(const almanac::ObserverView& seen, const almanac::Observer& obse
 double flattening_of(const almanac::ObserverView& seen) {
   const double sine = almanac::lunar_radius / seen.moon_distance;
   return atmosphere::refracted_flattening(seen.altitude, algebra::radians(2 * std::asin(sine)));
+}
+
+/// Across the frame: what is told, or else so that the shorter side takes in the largest Moon there is,
+/// 0.57 degrees from where it stands in the zenith at its nearest, with some margin.
+algebra::Angle field_of(const ViewRequest& request) {
+  if (request.field_deg) return algebra::degrees(*request.field_deg);
+  if (request.focal_length_mm || request.sensor_width_mm)
+    return povray_scenes::field_of_view(
+        algebra::metres(request.focal_length_mm.value_or(paper_focal_length_mm) / 1e3),
+        algebra::metres(request.sensor_width_mm.value_or(paper_sensor_width_mm) / 1e3));
+  constexpr double shorter_rad = 0.6 * std::numbers::pi / 180;
+  const auto side = [](std::size_t pixels) {  // one that is out of range is refused later
+    return std::clamp(static_cast<double>(pixels), 1., 65535.);
+  };
+  const double across = side(request.width) / std::min(side(request.width), side(request.height));
+  return algebra::radians(2 * std::atan(across * std::tan(shorter_rad / 2)));
 }
 
 atmosphere::ObserverAir air_over(const almanac::Observer& observer, const ViewRequest& request) {
@@ -59,12 +77,7 @@ bool moon_is_up(const ViewRequest& request, const almanac::SkyState& sky) {
 }
 
 View view_of(const ViewRequest& request, const almanac::SkyState& sky) {
-  const auto field = request.field_deg
-                         ? algebra::degrees(*request.field_deg)
-                         : povray_scenes::field_of_view(
-                               algebra::metres(request.focal_length_mm.value_or(1540) / 1e3),
-                               algebra::metres(request.sensor_width_mm.value_or(22.7) / 1e3));
-  const povray_scenes::Picture picture{field, request.width, request.height};
+  const povray_scenes::Picture picture{field_of(request), request.width, request.height};
   if (!request.observer) return {povray_scenes::camera_at(sky, request.up, picture), {}, {}};
   const auto& observer = *request.observer;
   const auto seen = almanac::view_from(observer, sky);

@@ -10,10 +10,15 @@
 
 namespace coppermoon::uses {
 
+/// The camera of Yapo & Cutler (2009).
+inline constexpr double paper_focal_length_mm = 1540, paper_sensor_width_mm = 22.7;
+
 /// From where, and through what, the Moon is seen.
 struct ViewRequest {
   std::optional<almanac::Observer> observer{};  ///< without: from the Earth's centre, without air
-  std::optional<double> focal_length_mm{}, sensor_width_mm{};  ///< without: 1540 mm, 22.7 mm
+  /// Of a lens; without one of them: that of the paper. Without both: the whole Moon, with some margin,
+  /// wherever it is, on a frame of any shape: the shorter side takes in 0.6 degrees.
+  std::optional<double> focal_length_mm{}, sensor_width_mm{};
   std::optional<double> field_deg{};        ///< angle across the frame, instead of these two
   std::size_t width = 1500, height = 1000;  ///< of the frame [pixels]
   povray_scenes::Up up = povray_scenes::Up::celestial_north;

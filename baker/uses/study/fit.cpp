@@ -89,7 +89,7 @@ void require_sound(const FitRequest& request) {
   algebra::require_within("white balance error", request.white_balance_error, 1e-3, 10);
   if (!request.camera.empty()) colour::camera_named(request.camera);
   if (request.photographs.empty() && request.magnitudes.empty())
-    throw algebra::Error("nothing to explain, allowed photographs or magnitudes");
+    throw algebra::Error("photographs and magnitudes are missing: one of the two is needed");
 }
 
 }  // namespace

@@ -183,9 +183,9 @@ std::vector<std::pair<Instant, double>> time_keys_from(const std::string& text,
 uses::Mounting mounting_of(const FilmOptions& options, bool observed) {
   if (options.mount != uses::Mount::fixed && !options.aim.empty())
     throw algebra::Error(
-        fmt::format("mount = {}, allowed fixed with --aim", word_for(options.mount)));
+        fmt::format("mount = {}: --aim needs a fixed one", word_for(options.mount)));
   if (options.mount == uses::Mount::fixed && !observed)
-    throw algebra::Error("mount = fixed, allowed with --at alone");
+    throw algebra::Error("mount = fixed: needs --at");
   uses::Mounting mounting{.mount = options.mount};
   if (!options.aim.empty()) mounting.aim = aim_from(options.aim);
   return mounting;

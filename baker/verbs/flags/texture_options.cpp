@@ -3,6 +3,13 @@
 
 namespace coppermoon::verbs {
 
+void add_frame_space_option(CLI::App& verb, colour::WorkingSpace& space) {
+  add_parsed(
+      verb, "--space", [&space](const std::string& name) { space = colour::working_space(name); },
+      "colour space of the scene-linear frame: lin_rec709, acescg or lin_ciexyzd65_scene",
+      std::string(colour::name(space)));
+}
+
 void add_texture_options(CLI::App& verb, uses::TextureContent& content) {
   const std::string group = "The texture";
   add_parsed(

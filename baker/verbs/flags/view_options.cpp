@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <sstream>
 #include <vector>
 
 #include "algebra/error.h"
+#include "algebra/number.h"
 #include "almanac/gazetteer.h"
 #include "verbs/flags/known_words.h"
 #include "verbs/flags/number_list.h"
@@ -15,6 +17,17 @@ namespace coppermoon::verbs {
 namespace {
 
 constexpr const char* view_group = "Who looks, and through what";
+constexpr const char* whole_moon = "moon";
+
+/// Nothing for the whole Moon, or what a lens shows.
+std::optional<double> field_from(const std::string& text) {
+  if (text == whole_moon) return std::nullopt;
+  const auto degrees = algebra::number_in(text);
+  if (!degrees)
+    throw algebra::Error(
+        fmt::format("field of view [degrees] = {}, allowed moon or 1e-8 to 179.9", text));
+  return degrees;
+}
 
 /// "42.86,-73.77,120" or "42.86N,73.77W": numbers north and east; none for any other text.
 std::vector<double> place_numbers(const std::string& text) {
@@ -110,13 +123,18 @@ void add_view_options(CLI::App& verb, uses::ViewRequest& request) {
              "flattening of a low Moon by refraction in the observer's air")
       .in(group);
   add_flag(verb, "--focal-length", request.focal_length_mm,
-           "focal length of the telescope or lens [mm]; 1540 unless the camera says another")
+           "focal length of the telescope or lens [mm]; without camera, lens or --field the frame "
+           "holds the whole Moon")
       .in(group);
   add_flag(verb, "--sensor-width", request.sensor_width_mm,
            "width of the sensor [mm]; 22.7 unless the camera says another")
       .in(group);
-  add_flag(verb, "--field", request.field_deg,
-           "angle across the frame [degrees], in place of focal length and sensor width")
+  add_parsed(
+      verb, "--field", [&](const std::string& text) { request.field_deg = field_from(text); },
+      "angle across the frame [degrees], in place of a lens; moon: the whole Moon with some "
+      "margin, "
+      "or what the lens shows",
+      whole_moon)
       .in(group);
   add_flag(verb, "--width", request.width, "width of the frame [pixels]").not_negative().in(group);
   add_flag(verb, "--height", request.height, "height of the frame [pixels]")

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <sstream>
 
+#include "algebra/number.h"
 #include "atmosphere/presets.h"
 #include "verbs/flags/air_options.h"
 #include "verbs/flags/known_words.h"
@@ -63,6 +64,8 @@ std::string toml_value(const CLI::Option& option) {
   if (type.starts_with("FLOAT"))  // TOML has no -0 that is whole
     return fmt::format("{}", option.as<double>() + 0.);
   if (type.starts_with("INT")) return fmt::format("{}", option.as<std::int64_t>());
+  if (const auto number = algebra::number_in(text); number && option.check_lname("field"))
+    return fmt::format("{}", *number + 0.);  // a number, or "moon"
   if (!type.starts_with("UINT")) return quoted(text);
   const auto value = option.as<std::uint64_t>();  // TOML's own integers end at 2^63
   return value >> 63 ? quoted(text) : fmt::format("{}", value);

@@ -16,6 +16,7 @@
 #include "texture/read_image.h"
 #include "texture/write_glb.h"
 #include "texture/write_usda.h"
+#include "uses/picture/view.h"
 #include "verbs/flags/air_options.h"
 #include "verbs/flags/known_words.h"
 #include "verbs/flags/named_files.h"
@@ -291,6 +292,19 @@ bool names(const std::vector<std::string>& arguments, const std::string& flag) {
   });
 }
 
+/// A file of version 0.1 that holds a frame and says nothing of its field: it was that of the paper's lens.
+/// Since then files say `field`.
+std::vector<std::string> lens_of_0_1(const Reading& reading, const std::vector<Told>& recipe,
+                                     const std::vector<std::string>& mine) {
+  const auto told = [&](const std::string& flag) {
+    return names(mine, flag) || std::ranges::find(recipe, flag, &Told::flag) != recipe.end();
+  };
+  const std::array lens{"field", "focal-length", "sensor-width", "camera"};
+  if (!reading.lenient || !told("up") || std::ranges::any_of(lens, told)) return {};
+  return {fmt::format("--focal-length={}", uses::paper_focal_length_mm),
+          fmt::format("--sensor-width={}", uses::paper_sensor_width_mm)};
+}
+
 }  // namespace
 
 bool holds_recipe(const std::filesystem::path& path) {
@@ -300,18 +314,19 @@ bool holds_recipe(const std::filesystem::path& path) {
 }
 
 std::vector<std::string> no_part_of_recipes() {
-  return {"help",    "help-all", "recipe",     "json",          "replace",    "output",
-          "threads", "frame",    "plot",       "shard",         "keep",       "add",
-          "range",   "make",     "movie",      "contact-sheet", "curve",      "composite",
-          "lookup",  "raw",      "photograph", "photos",        "photographs"};
+  return {"help",    "help-all",   "recipe",        "json",       "replace",   "output",
+          "threads", "frame",      "shard",         "keep",       "add",       "range",
+          "make",    "movie",      "contact-sheet", "curve",      "composite", "lookup",
+          "raw",     "photograph", "photos",        "photographs"};
 }
 
 std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path,
                                          const std::vector<std::string>& mine) {
   const Reading reading{verb, path};
   const auto recipe = parsed(path);
-  std::vector<std::string> flags;
-  for (const auto& told : told_by(reading, recipe))
+  const auto all = told_by(reading, recipe);
+  auto flags = lens_of_0_1(reading, all, mine);
+  for (const auto& told : all)
     for (auto& flag : flags_of(reading, told))
       if (!names(mine, told.flag)) flags.push_back(std::move(flag));
   return flags;

@@ -24,7 +24,7 @@ uses::LitScene lit_scene(const CLI::App& verb, const MoonOptions& moon,
 Report report_of(const std::string& file, const uses::LitScene& scene, double seconds) {
   const auto& light = *scene.moon.light;
   return {{file},
-          std::get<std::string>(scene.texture.attributes.at(recipe_attribute)),
+          std::get<std::string>(scene.texture.attributes.at("coppermoon:recipe")),
           seconds,
           light.error_found,
           light.plan};

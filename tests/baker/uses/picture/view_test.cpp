@@ -66,10 +66,29 @@ TEST(ViewOf, ShowsAMoonThatOnlyRefractionLiftsOverTheHorizon) {
 TEST(ViewOf, TakesTheFieldFromLensAndSensorUnlessTold) {
   const auto sky = mid_eclipse();
   const double paper_deg = 2 * std::atan(22.7 / 1540 / 2) * 180 / std::numbers::pi;
-  EXPECT_WITHIN(in_degrees(view_of({}, sky).camera.horizontal_field), paper_deg, 1e-12, reason);
+  const ViewRequest lens{.focal_length_mm = 1540};
+  EXPECT_WITHIN(in_degrees(view_of(lens, sky).camera.horizontal_field), paper_deg, 1e-12, reason);
   ViewRequest told;
   told.field_deg = 2;
   EXPECT_WITHIN(in_degrees(view_of(told, sky).camera.horizontal_field), 2, 1e-12, reason);
+}
+
+TEST(ViewOf, HoldsTheWholeMoonWithoutALensOnAFrameOfAnyShape) {
+  // The nearest full Moon of the century, 1912-01-04, is 356 375 km from the Earth's centre, and an Earth's
+  // radius less from where it stands in the zenith: 2 asin(1737.4 / 350 000) = 0.569 degrees.
+  constexpr double largest_deg = 0.569;
+  for (const auto& [width, height] : {std::pair{1500, 1000}, {400, 900}, {64, 64}, {1920, 800}}) {
+    ViewRequest request;
+    request.width = static_cast<std::size_t>(width);
+    request.height = static_cast<std::size_t>(height);
+    const auto camera = view_of(request, mid_eclipse()).camera;
+    const double per_degree = 180 / std::numbers::pi,
+                 tangent = std::tan(algebra::in_radians(camera.horizontal_field) / 2),
+                 vertical = 2 * std::atan(tangent * height / width) * per_degree;
+    const double shorter = std::min(in_degrees(camera.horizontal_field), vertical);
+    EXPECT_GT(shorter, 1.04 * largest_deg) << "some margin";
+    EXPECT_LT(shorter, 1.3 * 0.49) << "the farthest Moon still fills three quarters";
+  }
 }
 
 TEST(ViewOf, SaysHowFarBelowTheHorizonTheMoonIs) {

@@ -86,10 +86,9 @@ TEST(FilmOptions, ThatCannotBeAreSaid) {
 TEST(FilmOptions, OfAMountSayWhatTheyLack) {
   const FilmOptions fixed{.mount = uses::Mount::fixed}, aimed{.aim = "30,120"},
       both{.mount = uses::Mount::fixed, .aim = "30,120"};
-  EXPECT_EQ(message_of([&] { mounting_of(fixed, false); }),
-            "mount = fixed, allowed with --at alone");
+  EXPECT_EQ(message_of([&] { mounting_of(fixed, false); }), "mount = fixed: needs --at");
   EXPECT_EQ(message_of([&] { mounting_of(aimed, true); }),
-            "mount = tracking, allowed fixed with --aim");
+            "mount = tracking: --aim needs a fixed one");
   EXPECT_FALSE(mounting_of(fixed, true).aim);
   const auto mounting = mounting_of(both, true);
   ASSERT_TRUE(mounting.aim);

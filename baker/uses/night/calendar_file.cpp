@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "uses/night/calendar_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "uses/film/film_times.h"
+
+namespace coppermoon::uses {
+namespace {
+
+/// "20180727T202145Z".
+std::string stamp(const almanac::Instant& when) {
+  std::string digits;
+  for (const char c : almanac::utc_text(when))
+    if (c != '-' && c != ':') digits += c;
+  return digits;
+}
+
+/// A line of RFC 5545, folded after 75 bytes, no letter of UTF-8 cut.
+std::string line(const std::string& text) {
+  std::string folded;
+  std::size_t in_line = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t letter = 1;
+    while (i + letter < text.size() && (text[i + letter] & 0xC0) == 0x80) ++letter;
+    if (in_line + letter > 75) {
+      folded += "\r\n ";
+      in_line = 1;
+    }
+    folded += text.substr(i, letter);
+    in_line += letter;
+    i += letter;
+  }
+  return folded + "\r\n";
+}
+
+/// A text as a value: RFC 5545, 3.3.11.
+std::string escaped(const std::string& text) {
+  std::string value;
+  for (const char c : text) {
+    if (c == ',' || c == ';' || c == '\\') value += '\\';
+    value += c == '\n' ? std::string("\\n") : std::string(1, c);
+  }
+  return value;
+}
+
+std::string event(const std::string& id, const almanac::Instant& from, const almanac::Instant& to,
+                  const std::string& title, const std::string& text, const std::string& place) {
+  return line("BEGIN:VEVENT") + line(fmt::format("UID:{}@coppermoon", id)) +
+         line("DTSTAMP:" + stamp(from)) + line("DTSTART:" + stamp(from)) +
+         line("DTEND:" + stamp(to)) + line("SUMMARY:" + escaped(title)) +
+         line("DESCRIPTION:" + escaped(text)) + line("LOCATION:" + escaped(place)) +
+         line("END:VEVENT");
+}
+
+const char* meaning(const std::string& name) {
+  if (name == "P1") return "the Moon enters the penumbra";
+  if (name == "U1") return "the partial phase begins";
+  if (name == "U2") return "totality begins";
+  if (name == "greatest") return "greatest eclipse";
+  if (name == "U3") return "totality ends";
+  if (name == "U4") return "the partial phase ends";
+  return "the Moon leaves the penumbra";
+}
+
+}  // namespace
+
+std::string as_calendar(const Circumstances& night, const std::string& place_name) {
+  const auto& contacts = night.eclipse.contacts;
+  const auto day = almanac::utc_text(night.eclipse.greatest).substr(0, 10);
+  std::string text = line("BEGIN:VCALENDAR") + line("VERSION:2.0") +
+                     line("PRODID:-//coppermoon//night//EN") + line("CALSCALE:GREGORIAN");
+  text += event(day + "-eclipse", *contacts.P1, *contacts.P4, name_of(night.eclipse),
+                what_is_seen(night), place_name);
+  for (const auto& moment : night.moments) {
+    if (!moment.up || moment.name.starts_with("moon")) continue;
+    const auto where = fmt::format("The Moon is {:.0f} degrees high, in azimuth {:.0f}.",
+                                   algebra::in_degrees(moment.moon.altitude),
+                                   algebra::in_degrees(moment.moon.azimuth));
+    text += event(day + "-" + moment.name, moment.when, moment.when,
+                  fmt::format("{}: {}", moment.name, meaning(moment.name)), where, place_name);
+  }
+  return text + line("END:VCALENDAR");
+}
+
+}  // namespace coppermoon::uses

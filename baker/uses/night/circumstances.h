@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "almanac/observer.h"
+#include "eclipse/contacts.h"
+#include "povray_scenes/camera.h"
+
+namespace coppermoon::uses {
+
+/// A moment of a night, and the Moon then.
+struct NightMoment {
+  std::string name;  ///< "P1" … "greatest" … "P4", "moonrise", "moonset"
+  almanac::Instant when;
+  povray_scenes::HorizonPlace moon;  ///< its centre as it is seen, refraction counted
+  bool up;                           ///< some of its disc is above the horizon
+};
+
+/// An eclipse as a place sees it.
+struct Circumstances {
+  eclipse::Eclipse eclipse;
+  almanac::Observer place;
+  std::vector<NightMoment> moments;  ///< in order of time
+};
+
+/// Contacts, and the Moonrise and Moonset of that night, which are up to 13 hours from the greatest phase.
+///
+/// The Moon rises and sets when its upper limb stands in a sea-level horizon under a refraction of 34′,
+/// as almanacs have it; parallax is counted.
+///
+/// Accuracy  0.1 s of rise and set, of the Moon's place; weather changes refraction, and the time by a
+///           minute or more
+/// Throws    Error  as require_on_earth
+Circumstances circumstances(const eclipse::Eclipse& eclipse, const almanac::Observer& place);
+
+/// What is seen of the eclipse, in one sentence: "All of the eclipse is seen.", "The Moon rises 12 min
+/// after U1; all of totality is seen.", "Nothing of the eclipse is seen: the Moon is below the horizon."
+std::string what_is_seen(const Circumstances& night);
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "almanac/instant.h"
+
+namespace coppermoon::uses {
+
+/// A moment on the clocks of a place.
+struct LocalTime {
+  std::string date;          ///< "2018-07-27"
+  std::string time;          ///< "23:21:45"
+  std::string abbreviation;  ///< of the zone then: "EAT", or "+03" where it has no name
+};
+
+/// A moment by the clocks of a time zone, rounded to the second.
+///
+/// Given   zone   a name of the IANA's data, as "Africa/Nairobi"
+/// Throws  Error  when the system's zoneinfo has no such zone; before 1 January of the year 1
+LocalTime local_time(const almanac::Instant& when, const std::string& zone);
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "verbs/flags/flags.h"
+
+namespace coppermoon::verbs {
+
+/// Scripts by which a shell completes commands, options, options' words and files.
+std::string bash_completion(const CLI::App& program);
+std::string zsh_completion(const CLI::App& program);
+std::string fish_completion(const CLI::App& program);
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "verbs/flags/flags.h"
+
+namespace coppermoon::verbs {
+
+/// The manual page of one command, section 1, as roff with the macros of man(7): all that --help-all
+/// lists.
+std::string manual_page(const CLI::App& verb);
+
+/// The manual page of the program: its commands, exit status and files.
+std::string program_manual_page(const CLI::App& program);
+
+}  // namespace coppermoon::verbs

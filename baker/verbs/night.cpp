@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "algebra/error.h"
+#include "almanac/gazetteer.h"
+#include "files/whole_file.h"
+#include "uses/film/film_times.h"
+#include "uses/night/calendar_file.h"
+#include "uses/night/local_time.h"
+#include "uses/night/night_light.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/camera_options.h"
+#include "verbs/flags/develop_options.h"
+#include "verbs/flags/film_options.h"
+#include "verbs/flags/moments.h"
+#include "verbs/flags/moon_options.h"
+#include "verbs/flags/view_options.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/reports/in_words.h"
+#include "verbs/reports/one_line.h"
+#include "verbs/reports/progress_bar.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  FilmOptions film;  ///< of which only the eclipse and the calendar are asked for
+  MoonOptions moon;
+  uses::ViewRequest view;
+  uses::Development develop;
+  std::string place;
+  std::vector<std::string> outputs;
+  bool danjon = true, json = false, csv = false;
+};
+
+/// All that is told of a night.
+struct Night {
+  uses::Circumstances circumstances;
+  uses::NightLights lights;
+  almanac::City city;  ///< whose clocks are shown
+  bool own_clocks;     ///< the place is that city
+};
+
+constexpr const char* winds[] = {"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
+                                 "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
+
+std::string wind(algebra::Angle azimuth) {
+  const double sixteenths = algebra::in_degrees(azimuth) / 22.5;
+  return winds[static_cast<std::size_t>(sixteenths + 16.5) % 16];
+}
+
+std::string clock_of(const Night& night, const almanac::Instant& when) {
+  const auto local = uses::local_time(when, night.city.time_zone);
+  return local.date + " " + local.time + " " + local.abbreviation;
+}
+
+const uses::NightLight* light_of(const Night& night, const std::string& name) {
+  const auto found = std::ranges::find(night.lights.moments, name, &uses::NightLight::name);
+  return found == night.lights.moments.end() ? nullptr : &*found;
+}
+
+/// As cameras mark it.
+std::string exposure_text(const std::optional<double>& seconds) {
+  if (!seconds) return "-";
+  const double time = uses::camera_time_s(*seconds);
+  if (time < 0.29) return fmt::format("1/{:.0f} s", 1 / time);
+  return time > 30 ? duration(time) : fmt::format("{:g} s", time);
+}
+
+void print_moments(const Night& night) {
+  fmt::print("{:<10}{:<10}{:<26}{:>9}{:>10}{:>6}{:>8}{:>12}{:>7}\n", "", "UTC", "local time",
+             "altitude", "azimuth", "", "V", "cd/m²", "stars");
+  for (const auto& moment : night.circumstances.moments) {
+    fmt::print("{:<10}{:<10}{:<26}{:>8.1f}°{:>9.1f}° {:<5}", moment.name,
+               almanac::utc_text(moment.when).substr(11, 8), clock_of(night, moment.when),
+               algebra::in_degrees(moment.moon.altitude), algebra::in_degrees(moment.moon.azimuth),
+               wind(moment.moon.azimuth));
+    const auto* light = light_of(night, moment.name);
+    if (light != nullptr && moment.up)
+      fmt::print("{:>8.2f}{:>11.3g}{:>7}", light->V_magnitude, light->mean_luminance_cd_m2,
+                 light->faintest_star > 0 ? fmt::format("{:.1f}", light->faintest_star) : "-");
+    else if (light != nullptr)
+      fmt::print("   not seen");
+    fmt::print("\n");
+  }
+}
+
+void print_exposures(const Night& night) {
+  fmt::print("\nExposure times at f/{:g}, ISO {:g}:\n{:<34}{:>12}{:>22}\n", night.lights.f_number,
+             night.lights.iso, "", "lit part", "part in the umbra");
+  for (const auto& exposure : night.lights.exposures)
+    fmt::print("{:<34}{:>12}{:>22}\n", exposure.phase, exposure_text(exposure.lit_s),
+               exposure_text(exposure.shadow_s));
+}
+
+void print(const Night& night) {
+  const auto& place = night.circumstances.place;
+  fmt::print("{}\n{}: {}\n", uses::name_of(night.circumstances.eclipse),
+             night.own_clocks ? night.city.name : uses::place_text(place),
+             what_is_seen(night.circumstances));
+  if (!night.own_clocks)
+    fmt::print("Local times are those of {} ({}), the nearest city that is known.\n",
+               night.city.name, night.city.time_zone);
+  fmt::print("\n");
+  print_moments(night);
+  print_exposures(night);
+}
+
+nlohmann::ordered_json or_null(const std::optional<double>& number) {
+  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json();
+}
+
+nlohmann::ordered_json as_json(const Night& night) {
+  const auto& place = night.circumstances.place;
+  nlohmann::ordered_json all{{"eclipse", uses::name_of(night.circumstances.eclipse)},
+                             {"at", uses::place_text(place)},
+                             {"time_zone", night.city.time_zone},
+                             {"seen", what_is_seen(night.circumstances)},
+                             {"f_number", night.lights.f_number},
+                             {"iso", night.lights.iso},
+                             {"moments", nlohmann::ordered_json::array()},
+                             {"exposures", nlohmann::ordered_json::array()}};
+  for (const auto& moment : night.circumstances.moments) {
+    const auto local = uses::local_time(moment.when, night.city.time_zone);
+    nlohmann::ordered_json row{{"name", moment.name},
+                               {"utc", almanac::utc_text(moment.when)},
+                               {"local", local.date + "T" + local.time},
+                               {"zone", local.abbreviation},
+                               {"altitude_deg", algebra::in_degrees(moment.moon.altitude)},
+                               {"azimuth_deg", algebra::in_degrees(moment.moon.azimuth)},
+                               {"up", moment.up}};
+    if (const auto* light = light_of(night, moment.name)) {
+      row["V_magnitude"] = light->V_magnitude;
+      row["mean_luminance_cd_m2"] = light->mean_luminance_cd_m2;
+      row["faintest_star"] = light->faintest_star;
+    }
+    all["moments"].push_back(row);
+  }
+  for (const auto& exposure : night.lights.exposures)
+    all["exposures"].push_back({{"phase", exposure.phase},
+                                {"utc", almanac::utc_text(exposure.when)},
+                                {"lit_s", or_null(exposure.lit_s)},
+                                {"umbra_s", or_null(exposure.shadow_s)}});
+  return all;
+}
+
+std::string as_csv(const Night& night) {
+  std::string text =
+      "moment,utc,local,zone,altitude_deg,azimuth_deg,up,V_magnitude,mean_luminance_cd_m2,"
+      "faintest_star\n";
+  for (const auto& row : as_json(night)["moments"]) {
+    text += fmt::format("{},{},{},{},{:.3f},{:.3f},{}", row["name"].get<std::string>(),
+                        row["utc"].get<std::string>(), row["local"].get<std::string>(),
+                        row["zone"].get<std::string>(), row["altitude_deg"].get<double>(),
+                        row["azimuth_deg"].get<double>(), row["up"].get<bool>() ? "yes" : "no");
+    text += row.contains("V_magnitude")
+                ? fmt::format(",{:.3f},{:.6g},{:.2f}\n", row["V_magnitude"].get<double>(),
+                              row["mean_luminance_cd_m2"].get<double>(),
+                              row["faintest_star"].get<double>())
+                : ",,,\n";
+  }
+  return text;
+}
+
+void require_sound(const Options& options) {
+  if (!options.view.observer) throw WrongUsage("--at: missing; a place is needed, as Honolulu");
+  for (const fs::path file : options.outputs) {
+    const auto ending = file.extension();
+    if (ending != ".ics" && ending != ".csv" && ending != ".json")
+      throw algebra::Error(fmt::format("{}: a night ends in .ics, .csv or .json", file.string()));
+    files::require_place_for(file);
+  }
+}
+
+void write(const Night& night, const fs::path& file) {
+  const auto place =
+      night.own_clocks ? night.city.name : uses::place_text(night.circumstances.place);
+  if (file.extension() == ".ics")
+    files::write_whole(file, as_calendar(night.circumstances, place));
+  else if (file.extension() == ".csv")
+    files::write_whole(file, as_csv(night));
+  else
+    files::write_whole(file, as_json(night).dump(2) + "\n");
+  fmt::print("{}\n", one_line(file.string()));
+}
+
+Night night_of(const Options& options) {
+  const auto eclipse = times_of(options.film).eclipse;
+  const auto named = almanac::city_named(options.place);
+  Night night{uses::circumstances(eclipse, *options.view.observer),
+              {},
+              named ? *named : almanac::nearest_city(*options.view.observer),
+              named.has_value()};
+  ProgressBar bar("light");
+  auto development = options.develop;
+  development.focal_length_mm = seen_through(development.camera, options.view).focal_length_mm;
+  night.lights = night_lights(night.circumstances, moon_request(options.moon), options.view,
+                              development, options.danjon, bar.progress());
+  return night;
+}
+
+void run(const Options& options) {
+  require_sound(options);
+  const auto night = night_of(options);
+  for (const auto& file : options.outputs) write(night, file);
+  if (options.json)
+    fmt::print("{}\n", as_json(night).dump(2));
+  else if (options.csv)
+    fmt::print("{}", as_csv(night));
+  else if (options.outputs.empty())
+    print(night);
+}
+
+}  // namespace
+
+void add_night(CLI::App& program) {
+  auto* verb = add_verb(program, "night",
+                        "plans a night under an eclipse for one place: when and where the Moon "
+                        "stands, how bright it is, how to expose it");
+  const auto options = std::make_shared<Options>();
+  options->moon.light.plan.quality = "draft";
+  add_flag(*verb, "eclipse,--eclipse", options->film.eclipse, "day of the eclipse, as 2026-03-03")
+      .required();
+  add_calendar_option(*verb, options->film.calendar);
+  add_parsed(
+      *verb, "--at",
+      [options](const std::string& text) {
+        options->view.observer = observer_from(text);
+        options->place = text;
+      },
+      "place of the observer: a city, as Honolulu, or LAT,LON[,ELEV] [degrees north and east, "
+      "metres]");
+  add_flag(*verb, "-o,--output", options->outputs,
+           "file: .ics for a calendar, .csv or .json. May be given again")
+      .writes_file()
+      .kept_each_time();
+  add_on_off(*verb, "--danjon-spread", options->danjon,
+             "exposures of the middle of totality for Danjon's scale 0 to 4 too");
+  add_switch(*verb, "--csv", options->csv, "prints the moments as CSV");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_map_options(*verb, options->moon.request);
+  add_light_options(*verb, options->moon.light);
+  add_picture_options(*verb, options->develop);
+  add_camera_options(*verb, options->develop.camera);
+  add_recipe_option(*verb);
+  on_run(*verb, [options] { run(*options); });
+}
+
+}  // namespace coppermoon::verbs

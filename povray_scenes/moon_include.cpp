@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "povray_scenes/moon_include.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "algebra/error.h"
+#include "povray_scenes/tables.h"
+
+namespace coppermoon::povray_scenes {
+namespace {
+
+void require_plain(const std::string& text) {
+  if (text.find_first_of("\"\\\n") != std::string::npos)
+    throw algebra::Error(fmt::format("{}: allowed without quotes and lines for POV-Ray", text));
+}
+
+}  // namespace
+
+std::string moon_include(const MoonInSky& moon) {
+  require_plain(moon.texture);
+  require_plain(moon.title);
+  const auto degrees = [](algebra::Angle angle) { return algebra::in_degrees(angle); };
+  const double diameter =
+      2 * degrees(algebra::radians(std::asin(almanac::lunar_radius / moon.view.moon_distance)));
+  const auto& lux = moon.illuminance_lux;
+  return fmt::format(
+      R"(// The eclipsed Moon of {}, made by coppermoon: for POV-Ray scenes of your own.
+//
+//   #version 3.7;
+//   global_settings {{ assumed_gamma 1.0 }}
+//   #include "moon.inc"
+//   camera {{ location 0 look_at Coppermoon_Direction(Moon_Altitude, Moon_Azimuth) angle 30 }}
+//   object {{ Eclipsed_Moon(1, 1e6) }}
+//   Eclipsed_Moonlight(1)
+//
+// y is up, z north, x east. Luminance is in cd/m2: render to OpenEXR and develop it with `coppermoon develop`.
+#include "coppermoon.inc"
+
+#declare Moon_Altitude = {:.6f};           // [degrees] as it is seen
+#declare Moon_Azimuth = {:.6f};            // [degrees] from north through east
+#declare Moon_Diameter = {:.6f};           // [degrees]
+#declare Moon_Latitude = {:.6f};           // [degrees] of the middle of the disc
+#declare Moon_Longitude = {:.6f};          // [degrees] of the same, east positive
+#declare Moon_Axis_Angle = {:.6f};         // [degrees] of the Moon's north pole, from celestial north through east
+#declare Moon_Parallactic_Angle = {:.6f};  // [degrees] of the zenith
+#declare Moon_Illuminance = rgb <{:.6g}, {:.6g}, {:.6g}>;  // [lux] linear Rec.709, on what faces the Moon
+
+// The Moon in the sky of the origin; translate it by your camera's place.
+//   Enlarged  how many times as large as it was; 1: as it was
+//   Distance  of its centre, in your scene's units; larger than the scene
+#macro Eclipsed_Moon(Enlarged, Distance)
+  object {{
+    Coppermoon_Moon("{}", 1)
+    Coppermoon_In_Sky(Moon_Latitude, Moon_Longitude, Moon_Axis_Angle, Moon_Parallactic_Angle,
+                      Moon_Altitude, Moon_Azimuth, Enlarged*Moon_Diameter, Distance)
+  }}
+#end
+
+// The Moon's light on the scene: a white wall that faces it gets the luminance of illuminance over pi.
+//   Factor  how many times as bright as it was; 1: as it was
+#macro Eclipsed_Moonlight(Factor)
+  light_source {{
+    1e6*Coppermoon_Direction(Moon_Altitude, Moon_Azimuth) Factor*Moon_Illuminance/pi
+    parallel point_at <0, 0, 0>
+  }}
+#end
+)",
+      moon.title, degrees(moon.place.altitude), degrees(moon.place.azimuth), diameter,
+      degrees(moon.view.sub_observer.latitude), degrees(moon.view.sub_observer.longitude),
+      degrees(moon.axis_position_angle), degrees(moon.view.parallactic_angle), lux[0], lux[1],
+      lux[2], moon.texture);
+}
+
+std::string_view coppermoon_inc() { return tables::coppermoon(); }
+
+}  // namespace coppermoon::povray_scenes

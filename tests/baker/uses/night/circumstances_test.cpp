@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "uses/night/circumstances.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algebra/error.h"
+#include "almanac/gazetteer.h"
+#include "support/within.h"
+#include "uses/night/calendar_file.h"
+#include "uses/night/local_time.h"
+
+namespace coppermoon::uses {
+namespace {
+
+eclipse::Eclipse eclipse_of(const char* day) {
+  return *eclipse::eclipse_of_day(almanac::instant_from_utc(day),
+                                  eclipse::ShadowConvention::danjon);
+}
+
+Circumstances at(const char* day, const char* city) {
+  return circumstances(eclipse_of(day), almanac::city_named(city)->place);
+}
+
+const NightMoment& moment(const Circumstances& night, const char* name) {
+  return *std::ranges::find(night.moments, name, &NightMoment::name);
+}
+
+/// A clock time, its city's.
+std::string clock_at(const char* day, const char* city, const char* name) {
+  const auto night = at(day, city);
+  const auto local = local_time(moment(night, name).when, almanac::city_named(city)->time_zone);
+  return local.date + " " + local.time + " " + local.abbreviation;
+}
+
+double minutes_from(const char* day, const char* city, const char* name, const char* utc) {
+  const auto night = at(day, city);
+  return almanac::seconds_between(almanac::instant_from_utc(utc), moment(night, name).when) / 60;
+}
+
+TEST(Circumstances, AreOnTheClocksOfTheirCities) {
+  // Espenak's published times of the contacts in UT (U2 of 2018: 19:30:15, of 2022-05-16: 3:29:03, U1 of
+  // 2026-03-03: 9:50:00), by the time zones of each country in that month
+  EXPECT_EQ(clock_at("2018-07-27", "Nairobi", "U2").substr(0, 16), "2018-07-27 22:30");
+  EXPECT_EQ(clock_at("2018-07-27", "Kolkata", "U2").substr(0, 16), "2018-07-28 01:00");
+  EXPECT_EQ(clock_at("2018-07-27", "Kolkata", "U2").substr(20), "IST");
+  EXPECT_EQ(clock_at("2022-05-16", "Chicago", "U2").substr(0, 16), "2022-05-15 22:29");
+  EXPECT_EQ(clock_at("2022-05-16", "Chicago", "U2").substr(20), "CDT");
+  EXPECT_EQ(clock_at("2026-03-03", "Honolulu", "U1").substr(0, 16), "2026-03-02 23:50");
+}
+
+TEST(Circumstances, TheMoonRisesAndSetsByAlmanacs) {
+  // By the U.S. Naval Observatory's definition, as newspapers printed it: London, 27 July 2018, Moonrise
+  // 20:49 BST; New York, 8 November 2022, Moonset 6:41 EST, and 31 January 2018, 7:06 EST
+  const char* reason = "minutes: the size of a city, and rounding to one";
+  EXPECT_WITHIN(minutes_from("2018-07-27", "London", "moonrise", "2018-07-27T19:49Z"), 0, 2,
+                reason);
+  EXPECT_WITHIN(minutes_from("2022-11-08", "New York", "moonset", "2022-11-08T11:41Z"), 0, 2,
+                reason);
+  EXPECT_WITHIN(minutes_from("2018-01-31", "New York", "moonset", "2018-01-31T12:06Z"), 0, 2,
+                reason);
+}
+
+TEST(Circumstances, TheLimbStandsInTheHorizonAtRise) {
+  const auto night = at("2018-07-27", "London");
+  const auto& rise = moment(night, "moonrise");
+  const auto view = almanac::view_from(night.place, almanac::sky_at(rise.when));
+  const double limb_deg = algebra::in_degrees(view.altitude) +
+                          std::asin(almanac::lunar_radius / view.moon_distance) * 57.29578;
+  EXPECT_WITHIN(limb_deg, -34. / 60, 1e-4, "degrees: 0.02 s of the Moon's way");
+  EXPECT_FALSE(moment(night, "U1").up);
+  EXPECT_TRUE(moment(night, "greatest").up);
+}
+
+TEST(Circumstances, AreSummedUpInASentence) {
+  EXPECT_EQ(what_is_seen(at("2018-07-27", "Nairobi")), "All of the eclipse is seen.");
+  EXPECT_EQ(what_is_seen(at("2018-07-27", "Chicago")),
+            "Nothing of the eclipse is seen: the Moon is below the horizon.");
+  EXPECT_EQ(what_is_seen(at("2018-07-27", "London")),
+            "The Moon rises 19 min after U2; some of totality is seen.");
+}
+
+TEST(LocalTime, KnowsSummerTimeAndTheDateLine) {
+  const auto local = [](const char* utc, const char* zone) {
+    const auto time = local_time(almanac::instant_from_utc(utc), zone);
+    return time.date + " " + time.time + " " + time.abbreviation;
+  };
+  EXPECT_EQ(local("2018-03-25T00:59:59Z", "Europe/London"), "2018-03-25 00:59:59 GMT");
+  EXPECT_EQ(local("2018-03-25T01:00:00Z", "Europe/London"), "2018-03-25 02:00:00 BST");
+  EXPECT_EQ(local("2018-07-27T20:21:45Z", "Asia/Kolkata"), "2018-07-28 01:51:45 IST");
+  EXPECT_EQ(local("2011-12-31T09:00:00Z", "Pacific/Apia"), "2011-12-31 23:00:00 +14");
+  EXPECT_THROW(local("2018-07-27", "Moon/Tycho"), algebra::Error);
+  EXPECT_THROW(local("-0584-05-22", "Europe/London"), algebra::Error);
+}
+
+TEST(CalendarFile, IsOfLinesThatCalendarsRead) {
+  const auto night = at("2018-07-27", "London");
+  const auto text = as_calendar(night, "London, England");
+  std::size_t begun = 0, ended = 0;
+  for (std::size_t from = 0; from < text.size();) {
+    const auto end = text.find("\r\n", from);
+    ASSERT_NE(end, std::string::npos) << "RFC 5545: lines end in CRLF";
+    const auto line = text.substr(from, end - from);
+    EXPECT_LE(line.size(), 75U) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+    begun += line == "BEGIN:VEVENT";
+    ended += line == "END:VEVENT";
+    from = end + 2;
+  }
+  EXPECT_EQ(begun, ended);
+  EXPECT_EQ(begun, 5U) << "the eclipse; greatest, U3, U4 and P4, which are seen from there";
+  EXPECT_NE(text.find("DTSTART:20180727T202145Z"), std::string::npos);
+  EXPECT_NE(text.find("LOCATION:London\\, England"), std::string::npos);
+  EXPECT_EQ(text, as_calendar(night, "London, England"));
+}
+
+}  // namespace
+}  // namespace coppermoon::uses

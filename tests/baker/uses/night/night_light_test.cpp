@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "uses/night/night_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "almanac/gazetteer.h"
+#include "support/within.h"
+
+namespace coppermoon::uses {
+namespace {
+
+const NightLights& of_july_2018() {
+  static const auto lights = [] {
+    const auto eclipse = *eclipse::eclipse_of_day(almanac::instant_from_utc("2018-07-27"),
+                                                  eclipse::ShadowConvention::danjon);
+    const auto place = almanac::city_named("Nairobi")->place;
+    MoonRequest moon{.albedo_map = "built-in"};
+    moon.light.wish.tolerance = 0.05;
+    return night_lights(circumstances(eclipse, place), moon, {.observer = place}, {}, true);
+  }();
+  return lights;
+}
+
+/// Exposure over what it needs: time times speed over the square of the f-number.
+double exposure_of(const char* phase) {
+  const auto& lights = of_july_2018();
+  const auto found = std::ranges::find(lights.exposures, phase, &PhaseExposure::phase);
+  return *found->lit_s * lights.iso / (lights.f_number * lights.f_number);
+}
+
+double guided(double seconds, double f_number, double iso) {
+  return seconds * iso / (f_number * f_number);
+}
+
+TEST(NightLight, ExposuresAreThoseOfPublishedGuides) {
+  // eclipsechasers.com, "Photographing a lunar eclipse", ISO 100: full Moon 1/250 f/11, penumbra 1/60
+  // f/11, second contact 1 s f/2.8, totality 2 s f/2. J. Cali, "Lunar eclipse photography", ISO 400
+  // f/5.6: first contact and half immersed, sunlit side, 1/250
+  const char* reason = "stops: the two guides differ by 4 of the full Moon";
+  const auto stops = [](const char* phase, double guide) {
+    return std::log2(exposure_of(phase) / guide);
+  };
+  EXPECT_WITHIN(stops("full Moon, before P1", guided(1 / 250., 11, 100)), 0, 3, reason);
+  EXPECT_WITHIN(stops("full Moon, before P1", guided(1 / 250., 5.6, 400)), 0, 3, reason);
+  EXPECT_WITHIN(stops("penumbral, just before U1", guided(1 / 60., 11, 100)), 0, 3, reason);
+  EXPECT_WITHIN(stops("partial, half", guided(1 / 250., 5.6, 400)), 0, 3, reason);
+  EXPECT_WITHIN(stops("totality, just after U2", guided(1, 2.8, 100)), 0, 3, reason);
+  EXPECT_WITHIN(stops("middle of totality, L = 3", guided(2, 2, 100)), 0, 3, reason);
+}
+
+TEST(NightLight, DarkerEclipsesAreExposedLonger) {
+  // Espenak, "How to photograph a lunar eclipse": two stops for each step of Danjon's scale; Vital's
+  // magnitudes, which are ours, are 1 to 2.5 mag apart
+  double last = exposure_of("middle of totality, L = 3");
+  for (const char* phase :
+       {"middle of totality, L = 2", "middle of totality, L = 1", "middle of totality, L = 0"}) {
+    const double now = exposure_of(phase);
+    EXPECT_GT(std::log2(now / last), 0.5) << phase;
+    EXPECT_LT(std::log2(now / last), 5) << phase;
+    last = now;
+  }
+}
+
+TEST(NightLight, TheMoonIsBrightestOutsideTheShadow) {
+  const auto& moments = of_july_2018().moments;
+  ASSERT_EQ(moments.size(), 7U);
+  EXPECT_WITHIN(moments.front().V_magnitude, -12.6, 0.2,
+                "mag: a full Moon near apogee, Allen's -12.73 at mean distance");
+  for (const auto& moment : moments) {
+    EXPECT_GE(moment.V_magnitude, moments.front().V_magnitude - 0.05) << moment.name;
+    EXPECT_GT(moment.faintest_star, 2) << moment.name;
+    EXPECT_LT(moment.faintest_star, 7) << moment.name;
+  }
+  EXPECT_GT(moments[3].faintest_star, moments.front().faintest_star + 1.5) << "stars come out";
+}
+
+TEST(CameraTime, IsTheNearestThatACameraHas) {
+  EXPECT_EQ(camera_time_s(1 / 260.), 1 / 250.);
+  EXPECT_EQ(camera_time_s(0.0078), 1 / 125.);
+  EXPECT_EQ(camera_time_s(3), 3.2);
+  EXPECT_EQ(camera_time_s(31), 30);
+  EXPECT_EQ(camera_time_s(100), 100);
+  EXPECT_EQ(camera_time_s(1e-9), 1 / 8000.);
+}
+
+}  // namespace
+}  // namespace coppermoon::uses

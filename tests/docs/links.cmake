@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: MIT
+cmake_minimum_required(VERSION 3.25)
+# Each link of a page to another file of the project leads to a file, and to a heading where it names one.
+#   cmake -DROOT=<source folder> -P links.cmake
+file(GLOB pages ${ROOT}/*.md ${ROOT}/docs/*.md ${ROOT}/examples/*.md ${ROOT}/examples/*/*.md ${ROOT}/baker/*.md
+     ${ROOT}/baker/*/*.md ${ROOT}/baker/*/*/*.md ${ROOT}/colour/*.md ${ROOT}/povray_scenes/*.md ${ROOT}/tests/*.md
+     ${ROOT}/tests/*/*.md)
+set(looked_at 0)
+foreach(page ${pages})
+  file(READ ${page} text)
+  string(REGEX REPLACE "```[^`]*```" "" text "${text}")  # code
+  string(REPLACE "](" "@(" text "${text}")
+  string(REGEX REPLACE "[][;]" " " text "${text}")  # what CMake's own lists are made of
+  string(REGEX MATCHALL "@\\([^) ]+\\)" links "${text}")
+  cmake_path(GET page PARENT_PATH folder)
+  foreach(link ${links})
+    string(REGEX REPLACE "^@\\((.*)\\)$" "\\1" link "${link}")
+    if(link MATCHES "^[a-z]+:")
+      continue()
+    endif()
+    math(EXPR looked_at "${looked_at} + 1")
+    string(REGEX REPLACE "#.*" "" target "${link}")
+    set(file ${folder}/${target})
+    if(target STREQUAL "")
+      set(file ${page})
+    endif()
+    if(NOT EXISTS ${file})
+      message(SEND_ERROR "${page}: ${link} leads nowhere")
+    elseif(link MATCHES "#(.+)")
+      string(REPLACE "-" "[^a-z0-9\n]+" heading "${CMAKE_MATCH_1}")
+      file(READ ${file} there)
+      string(TOLOWER "${there}" there)
+      if(NOT "\n${there}" MATCHES "\n#+ ${heading}[^a-z0-9\n]*\n")
+        message(SEND_ERROR "${page}: ${link} names no heading of ${target}")
+      endif()
+    endif()
+  endforeach()
+endforeach()
+if(looked_at LESS 50)
+  message(SEND_ERROR "${looked_at} links found, expected more than 50")
+endif()
+message("${looked_at} links")

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Nights under an eclipse, as `night` plans them and `almanac` lists them.
+#include <nlohmann/json.hpp>
+
+#include "end_to_end/program.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+class Night : public ProgramTest {
+ protected:
+  static Words night(const Words& more) {
+    return Words{"night",        "2018-07-27", "--atmosphere",    "undated",
+                 "--albedo-map", "built-in",   "--danjon-spread", "off"} +
+           more;
+  }
+};
+
+TEST_F(Night, IsToldInATableADocumentAndFiles) {
+  const auto table = coppermoon(night({"--at", "London"}));
+  expect_done(table);
+  EXPECT_NE(table.out.find("Total eclipse of the Moon, 2018-07-27\nLondon: The Moon rises"),
+            std::string::npos)
+      << table.out;
+  EXPECT_NE(table.out.find("Exposure times at f/12.1, ISO 800"), std::string::npos);
+  const auto files = coppermoon(night({"--at", "51.5,-0.1", "--f-number", "8", "--json", "-o",
+                                       "a.ics", "-o", "a.csv", "-o", "a.json"}));
+  expect_done(files);
+  EXPECT_TRUE(text_of(here("a.ics")).starts_with("BEGIN:VCALENDAR\r\n"));
+  EXPECT_TRUE(text_of(here("a.csv")).starts_with("moment,utc,local,"));
+  const auto document = nlohmann::json::parse(text_of(here("a.json")));
+  EXPECT_EQ(document["time_zone"], "Europe/London") << "of the nearest city";
+  EXPECT_EQ(document["f_number"], 8);
+  ASSERT_EQ(document["moments"].size(), 9U) << "seven contacts, Moonrise and Moonset";
+  for (const auto& moment : document["moments"])
+    EXPECT_EQ(moment["up"].get<bool>(), moment["utc"] >= "2018-07-27T19:49") << moment;
+}
+
+TEST_F(Night, OfNoPlaceOrOfAnotherFileIsRefused) {
+  EXPECT_EQ(coppermoon({"night", "2018-07-27"}).err,
+            "coppermoon: --at: missing; a place is needed, as Honolulu\n");
+  EXPECT_EQ(coppermoon({"night", "2018-07-27", "--at", "London", "-o", "a.pdf"}).err,
+            "coppermoon: a.pdf: a night ends in .ics, .csv or .json\n");
+  EXPECT_EQ(listing(), std::set<std::string>{});
+}
+
+TEST_F(Night, OfTheAlmanacSaysWhichContactsAreSeen) {
+  const auto seen = [&](const char* place) {
+    const auto list = coppermoon(
+        {"almanac", "--from", "2018-07-01", "--to", "2018-08-01", "--at", place, "--json"});
+    expect_done(list);
+    return nlohmann::json::parse(list.out)[0]["seen"].get<std::string>();
+  };
+  // the Moon stood over Madagascar; it rose over London 19 min into totality; America saw nothing
+  EXPECT_EQ(seen("Nairobi"), "all");
+  EXPECT_EQ(seen("London"), "greatest to P4");
+  EXPECT_EQ(seen("Chicago"), "none");
+  EXPECT_EQ(coppermoon({"almanac"}).status, 0) << "from today, for ten years";
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end
