@@ -14,10 +14,12 @@
 #include "uses/night/calendar_file.h"
 #include "uses/night/local_time.h"
 #include "uses/night/night_light.h"
+#include "uses/night/visibility_map.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/camera_options.h"
 #include "verbs/flags/develop_options.h"
 #include "verbs/flags/film_options.h"
+#include "verbs/flags/known_words.h"
 #include "verbs/flags/moments.h"
 #include "verbs/flags/moon_options.h"
 #include "verbs/flags/view_options.h"
@@ -174,8 +176,9 @@ void require_sound(const Options& options) {
   if (!options.view.observer) throw WrongUsage("--at: missing; a place is needed, as Honolulu");
   for (const fs::path file : options.outputs) {
     const auto ending = file.extension();
-    if (ending != ".ics" && ending != ".csv" && ending != ".json")
-      throw algebra::Error(fmt::format("{}: a night ends in .ics, .csv or .json", file.string()));
+    if (!holds({".ics", ".csv", ".json", ".png", ".svg", ".pdf"}, ending.string()))
+      throw algebra::Error(fmt::format(
+          "{}: a night ends in .ics, .csv or .json, its map in .png, .svg or .pdf", file.string()));
     files::require_place_for(file);
   }
 }
@@ -187,8 +190,10 @@ void write(const Night& night, const fs::path& file) {
     files::write_whole(file, as_calendar(night.circumstances, place));
   else if (file.extension() == ".csv")
     files::write_whole(file, as_csv(night));
-  else
+  else if (file.extension() == ".json")
     files::write_whole(file, as_json(night).dump(2) + "\n");
+  else
+    uses::write_visibility_map(file, night.circumstances.eclipse, night.circumstances.place);
   fmt::print("{}\n", one_line(file.string()));
 }
 
@@ -239,7 +244,8 @@ void add_night(CLI::App& program) {
       "place of the observer: a city, as Honolulu, or LAT,LON[,ELEV] [degrees north and east, "
       "metres]");
   add_flag(*verb, "-o,--output", options->outputs,
-           "file: .ics for a calendar, .csv or .json. May be given again")
+           "file: .ics for a calendar, .csv, .json, or a map of where the eclipse is seen, .png, "
+           ".svg or .pdf. May be given again")
       .writes_file()
       .kept_each_time();
   add_on_off(*verb, "--danjon-spread", options->danjon,

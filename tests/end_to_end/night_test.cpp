@@ -39,8 +39,9 @@ TEST_F(Night, IsToldInATableADocumentAndFiles) {
 TEST_F(Night, OfNoPlaceOrOfAnotherFileIsRefused) {
   EXPECT_EQ(coppermoon({"night", "2018-07-27"}).err,
             "coppermoon: --at: missing; a place is needed, as Honolulu\n");
-  EXPECT_EQ(coppermoon({"night", "2018-07-27", "--at", "London", "-o", "a.pdf"}).err,
-            "coppermoon: a.pdf: a night ends in .ics, .csv or .json\n");
+  EXPECT_EQ(
+      coppermoon({"night", "2018-07-27", "--at", "London", "-o", "a.gif"}).err,
+      "coppermoon: a.gif: a night ends in .ics, .csv or .json, its map in .png, .svg or .pdf\n");
   EXPECT_EQ(listing(), std::set<std::string>{});
 }
 

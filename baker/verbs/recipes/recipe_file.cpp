@@ -314,10 +314,10 @@ bool holds_recipe(const std::filesystem::path& path) {
 }
 
 std::vector<std::string> no_part_of_recipes() {
-  return {"help",    "help-all",   "recipe",        "json",       "replace",   "output",
-          "threads", "frame",      "shard",         "keep",       "add",       "range",
-          "make",    "movie",      "contact-sheet", "curve",      "composite", "lookup",
-          "raw",     "photograph", "photos",        "photographs"};
+  return {"help",   "csv",     "help-all",   "recipe",        "json",       "replace",
+          "output", "threads", "frame",      "shard",         "keep",       "add",
+          "range",  "make",    "movie",      "contact-sheet", "curve",      "composite",
+          "lookup", "raw",     "photograph", "photos",        "photographs"};
 }
 
 std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path,

@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -12,6 +14,7 @@
 #include "verbs/flags/guide.h"
 #include "verbs/flags/known_words.h"
 #include "verbs/flags/plain_error.h"
+#include "verbs/recipes/recipe_file.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -89,6 +92,25 @@ TEST(Help, LinesEndBeforeThePageDoes) {
             << line;
       }
   }
+}
+
+TEST(Pages, OfRecipesHaveEachKeyWithWhatItIs) {
+  std::ifstream file(COPPERMOON_TEST_DATA "/../docs/recipes.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  Program program;
+  std::set<std::string> keys;
+  for (const auto* verb : program.verbs())
+    for (const auto& flag : flag_texts(*verb)) {
+      if (holds(no_part_of_recipes(), flag.name)) continue;
+      keys.insert(flag.name);
+    }
+  for (const auto& key : keys)
+    EXPECT_NE(page.find("| `" + key + "` |"), std::string::npos) << key << " is missing";
+  std::istringstream lines(page);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("| `")) {
+      EXPECT_TRUE(keys.contains(line.substr(3, line.find('`', 3) - 3))) << line;
+    }
 }
 
 TEST(Suggestions, AreWhatIsMeantOrAlmostSpelt) {

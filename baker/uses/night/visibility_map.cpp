@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "uses/night/visibility_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "algebra/error.h"
+#include "almanac/lunar_orientation.h"
+#include "night/tables.h"
+#include "uses/film/film_times.h"
+#include "uses/film/gnuplot.h"
+
+namespace coppermoon::uses {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// The place that has the Moon in its zenith, and how far from it the Moon is seen [rad].
+struct UnderMoon {
+  double latitude, longitude, reach;
+};
+
+UnderMoon under_moon(const almanac::Instant& when) {
+  const auto sky = almanac::sky_at(when);
+  const auto zenith = [&](double latitude_deg, double longitude_deg) {
+    return almanac::view_from({algebra::degrees(latitude_deg), algebra::degrees(longitude_deg), {}},
+                              sky)
+        .zenith;
+  };
+  const auto moon = glm::normalize(sky.moon_m);
+  const double x = glm::dot(moon, zenith(0, 0)), y = glm::dot(moon, zenith(0, 90)),
+               z = glm::dot(moon, zenith(90, 0)), distance_m = glm::length(sky.moon_m);
+  constexpr double earth_radius_m = 6.371e6, refraction = 34. / 60 * degree;
+  const double parallax = std::asin(earth_radius_m / distance_m),
+               semidiameter = std::asin(algebra::in_metres(almanac::lunar_radius) / distance_m);
+  return {std::asin(z), std::atan2(y, x),
+          std::numbers::pi / 2 - parallax + refraction + semidiameter};
+}
+
+/// Cosine of the angle from the place under the Moon.
+double nearness(const UnderMoon& moon, double latitude, double longitude) {
+  return std::sin(latitude) * std::sin(moon.latitude) +
+         std::cos(latitude) * std::cos(moon.latitude) * std::cos(longitude - moon.longitude);
+}
+
+/// A curve in gnuplot's text, cut where it leaves the map at one side.
+std::string curve_text(const std::vector<std::pair<double, double>>& points) {
+  std::string text;
+  double last = points.front().second;
+  for (const auto& [latitude, longitude] : points) {
+    if (std::abs(longitude - last) > 180) text += "\n";
+    text += fmt::format("{:.3f},{:.3f}\n", longitude, latitude);
+    last = longitude;
+  }
+  return text;
+}
+
+/// 0: nothing of the eclipse is seen there, 1: some of its contacts, 2: all.
+std::string shade_text(const std::vector<UnderMoon>& moons) {
+  std::string text;
+  for (int latitude = -89; latitude <= 89; latitude += 2) {
+    for (int longitude = -179; longitude <= 179; longitude += 2) {
+      const auto seen = std::ranges::count_if(moons, [&](const UnderMoon& moon) {
+        return nearness(moon, latitude * degree, longitude * degree) > std::cos(moon.reach);
+      });
+      const int shade = seen == 0 ? 0 : static_cast<std::size_t>(seen) == moons.size() ? 2 : 1;
+      text += fmt::format("{},{},{}\n", longitude, latitude, shade);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+const char* map_terminal(const std::filesystem::path& picture) {
+  const auto ending = picture.extension();
+  if (ending == ".png") return "pngcairo size 1200,680 font 'sans,12'";
+  if (ending == ".svg") return "svg size 1200,680 background rgb 'white' font 'sans-serif,13'";
+  if (ending == ".pdf") return "pdfcairo size 27cm,15.3cm font 'Sans,12'";
+  throw algebra::Error(fmt::format("{}: a map ends in .png, .svg or .pdf", picture.string()));
+}
+
+std::string map_script(const eclipse::Eclipse& eclipse,
+                       const std::optional<almanac::Observer>& place) {
+  constexpr const char* colours[] = {"#9c9c9c", "#c88a3a", "#b0432b", "#701f1f",
+                                     "#b0432b", "#c88a3a", "#9c9c9c"};
+  std::string data, plots, labels;
+  std::vector<UnderMoon> moons;
+  const auto contacts = contacts_of(eclipse);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto& [name, when] = contacts[i];
+    moons.push_back(under_moon(when));
+    const auto circle = horizon_circle(when, 361);
+    data += fmt::format("$c{} << EOD\n{}EOD\n", i, curve_text(circle));
+    plots += fmt::format(", $c{} using 1:2 with lines lw 2 lc rgb '{}' title '{} {}'", i,
+                         colours[contacts.size() == 7 ? i : (i * 6) / (contacts.size() - 1)], name,
+                         almanac::utc_text(when).substr(11, 5));
+  }
+  if (place)
+    labels =
+        fmt::format("set object circle at {:.3f},{:.3f} size 1.2 fc rgb '#d02020' fs solid front\n",
+                    algebra::in_degrees(place->longitude), algebra::in_degrees(place->latitude));
+  return fmt::format(R"~(set datafile separator ','
+$land << EOD
+{}EOD
+$shade << EOD
+{}EOD
+{}set title "{}\nwhite: all of it is seen; grey: nothing; between: a part. Curves: the Moon in the horizon (UTC)" font ',14'
+set xrange [-180:180]
+set yrange [-90:90]
+set size ratio 0.5
+set xtics 30 format '%g°'
+set ytics 30 format '%g°'
+set key outside right top
+set palette defined (0 '#c9ced6', 1 '#eceae4', 2 '#ffffff')
+set cbrange [0:2]
+unset colorbox
+{}plot $shade using 1:2:3 with image notitle, $land using 1:2 with lines lw 1 lc rgb '#7d8894' notitle{}
+)~",
+                     night::tables::coastlines(), shade_text(moons), data, name_of(eclipse), labels,
+                     plots);
+}
+
+}  // namespace
+
+std::vector<std::pair<double, double>> horizon_circle(const almanac::Instant& when,
+                                                      std::size_t points) {
+  const auto moon = under_moon(when);
+  std::vector<std::pair<double, double>> circle;
+  for (std::size_t i = 0; i < points; ++i) {
+    const double bearing =
+        2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(points - 1);
+    const double sine = std::sin(moon.latitude) * std::cos(moon.reach) +
+                        std::cos(moon.latitude) * std::sin(moon.reach) * std::cos(bearing);
+    const double latitude = std::asin(std::clamp(sine, -1., 1.));
+    const double longitude =
+        moon.longitude +
+        std::atan2(std::sin(bearing) * std::sin(moon.reach) * std::cos(moon.latitude),
+                   std::cos(moon.reach) - std::sin(moon.latitude) * sine);
+    circle.emplace_back(latitude / degree, std::remainder(longitude / degree, 360));
+  }
+  return circle;
+}
+
+void write_visibility_map(const std::filesystem::path& picture, const eclipse::Eclipse& eclipse,
+                          const std::optional<almanac::Observer>& place) {
+  const auto terminal = map_terminal(picture);
+  write_plot(picture, terminal, map_script(eclipse, place));
+}
+
+}  // namespace coppermoon::uses
