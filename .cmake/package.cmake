@@ -66,3 +66,4 @@ install(FILES povray_scenes/coppermoon.inc colour/config.ocio examples/blender/e
         DESTINATION ${CMAKE_INSTALL_DATADIR}/coppermoon)
 install(FILES ${recipes} DESTINATION ${CMAKE_INSTALL_DATADIR}/coppermoon/recipes)
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -57,7 +57,8 @@ void write_mipmapped(const std::filesystem::path& path, const Layout& layout, co
                      const Attributes& attributes, ExrType type = ExrType::half);
 
 /// Writes a display-referred image (sRGB-coded, 0 to 1, grey or RGB) to a PNG file, whole or not at
-/// all.
+/// all. Numbers of 8 bits are dithered, so that a slow gradient shows no steps: noise of half a step, the
+/// same for each place in each picture; what is a whole number of steps stays as it is.
 ///
 /// Given   bits        8 or 16
 ///         attributes  written as text

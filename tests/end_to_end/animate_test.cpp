@@ -175,7 +175,7 @@ TEST_F(Animate, GivesTheSameBytesInShardsAndAtOnce) {
   EXPECT_EQ(kept(words + Words{"--range", "1-7x2"}), 4U);
 }
 
-TEST_F(AnimateThoroughly, GoesOnFromAnyOfItsFrames) {
+TEST_F(Animate, GoesOnFromAnyOfItsFrames) {
   expect_done(coppermoon(film({"--frames", "3", "--make", "frames"})));
   EXPECT_EQ(kept({"animate", "film/frame_lin_rec709.0002.exr", "--make", "frames", "-o", "film"}),
             3U);

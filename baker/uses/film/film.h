@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "plan/plan.h"
 #include "texture/image.h"
 #include "uses/film/film_times.h"
 #include "uses/picture/baked_moon.h"
@@ -47,6 +48,9 @@ struct FilmRecord {
   std::function<std::string(const std::filesystem::path& file)> foreign_contents = {};
   /// What two light keys differ in, for who asked for the second, in words.
   std::function<std::string(const std::string& there, const std::string& asked)> differences = {};
+  /// A light key with the work that was planned, in place of what it was planned from: what a frame's
+  /// header says.
+  std::function<std::string(const std::string& light_key, const plan::Work& work)> planned_key = {};
   std::string way_out;  ///< ends a refusal of another film's files, behind "allowed another folder"
 };
 

@@ -51,8 +51,14 @@ LightRequest with_shards(LightRequest request, const std::filesystem::path& fold
   return request;
 }
 
-void require_key(const Film& film, const std::string& there, const std::string& asked) {
-  if (there == asked) return;
+/// Whether a folder's light is what is asked for, by a film's command or by a frame's header.
+bool same_light(const FilmRecord& record, const KeptLight& known, const std::string& asked) {
+  if (known.key == asked) return true;
+  return record.planned_key &&
+         record.differences(record.planned_key(known.key, known.light.plan.work), asked).empty();
+}
+
+void refuse_key(const Film& film, const std::string& there, const std::string& asked) {
   const auto& differences = film.record.differences;
   throw algebra::Error(
       fmt::format("{}: holds the light of a film made with {} ({}), allowed another folder{}",
@@ -69,8 +75,9 @@ FilmLight film_light(const Film& film, bool replace, const algebra::Progress& pr
   const auto key = key_of(film);
   const files::FolderLock alone(film.folder);
   if (auto known = read_light(file)) {
-    if (!replace) require_key(film, known->key, key);
-    if (known->key == key && complete(request, moon, known->light))
+    const bool same = same_light(film.record, *known, key);
+    if (!same && !replace) refuse_key(film, known->key, key);
+    if (same && complete(request, moon, known->light))
       return {std::move(known->light), true};
   }
   auto light =

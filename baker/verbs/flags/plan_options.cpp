@@ -93,7 +93,7 @@ void add_plan_options(CLI::App& verb, PlanOptions& options) {
   add("--planes", options.planes, "number of planes across the Moon's depth, 1 to 9");
   add("--place-error", options.place_error,
       "error of light between the places where it is computed, 1e-5 to 1");
-  add("--leave-out", options.leave_out, "terms to leave out, with commas between: " + term_names());
+  add("--leave-out", options.leave_out, "terms to leave out: " + term_names());
 }
 
 plan::Wish wish_of(const PlanOptions& options) {
@@ -131,11 +131,11 @@ std::string with_work(const std::string& recipe, const plan::Work& work) {
   for (const auto& term : terms)
     if (!(work.*term.in)) out.push_back(term.name);
   std::string text = fmt::format(
-      "bands = {}\nrays = {}\nsun-terms = {}\nplanes = {}\nplace-error = {}\nleave-out = \"{}\"\n",
+      "bands = {}\nrays = {}\nsun-terms = {}\nplanes = {}\nplace-error = {}\nleave-out = '{}'\n",
       work.bands, work.rays, work.sun_terms, work.planes, work.place_error,
       out.empty() ? "none" : fmt::format("{}", fmt::join(out, ",")));
   const bool photons = work.method != plan::Method::quadrature;
-  text += fmt::format("solver = \"{}\"\n", photons ? "photons" : "quadrature");
+  text += fmt::format("solver = '{}'\n", photons ? "photons" : "quadrature");
   if (photons) text += fmt::format("photons = {}\n", work.photons);
   return text + without_work(recipe);
 }

@@ -34,7 +34,7 @@ plan::ByHand by_hand(const PlanOptions& options);
 plan::Work everything_but(const std::string& list);
 
 /// A recipe in which the work that was planned stands knob by knob, in the place of what was asked
-/// for: the same Moon on any machine. The quality stays: it may say more.
+/// for: the same Moon on any machine. The quality stays: it may say more. Quoted as recipe_of quotes.
 std::string with_work(const std::string& recipe, const plan::Work& work);
 
 /// The recipe of what was made: with the work that was planned, unless the Moon is unshadowed.

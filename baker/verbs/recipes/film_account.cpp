@@ -181,6 +181,7 @@ uses::FilmRecord record_of(const FilmAccount& account) {
     return foreign_contents(file, asked);
   };
   record.differences = differences;
+  record.planned_key = with_work;
   record.way_out = ", or --replace";
   return record;
 }

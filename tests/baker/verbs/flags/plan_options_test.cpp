@@ -206,10 +206,10 @@ TEST(WithWork, DoneTwiceIsDoneOnce) {
 
 TEST(WithWork, SaysHowManyPhotonsWhereThereAreAny) {
   auto work = planned;
-  EXPECT_NE(with_work(asked, work).find("solver = \"quadrature\"\n"), std::string::npos);
+  EXPECT_NE(with_work(asked, work).find("solver = 'quadrature'\n"), std::string::npos);
   work.method = plan::Method::table, work.photons = 2048;
   const auto recipe = with_work(asked, work);
-  EXPECT_NE(recipe.find("solver = \"photons\"\nphotons = 2048\n"), std::string::npos) << recipe;
+  EXPECT_NE(recipe.find("solver = 'photons'\nphotons = 2048\n"), std::string::npos) << recipe;
 }
 
 }  // namespace
