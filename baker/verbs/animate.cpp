@@ -94,7 +94,7 @@ void run(const CLI::App& verb, const Options& options) {
   set_up(film, mounting_of(options.film, film.view.observer.has_value()), frames);
   FilmAccount account{.recipe = with_width(recipe_of(verb), *film.moon.texture_width),
                       .map_contents = map_contents(film.moon),
-                      .view_contents = fingerprint(film.development, uses::picture_space)};
+                      .view_contents = fingerprint(film.development, space_of(film.content))};
   film.record = record_of(account);
   if (std::filesystem::exists(film.folder)) require_own(film, options.replace);
   const auto files = files_of(options.film, film.products);

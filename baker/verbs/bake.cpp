@@ -102,12 +102,12 @@ void write_picture(const uses::Development& develop, const Output& output,
                    const uses::BakedMoon& moon) {
   const auto image = image_of(moon.parts.front());
   const auto space = space_of(output.content);
-  const auto exposure = exposure_for(develop, image, space);
+  const auto exposures = exposures_for(develop, image, space);
   if (output.ends_in(".png"))
-    return write_developed(develop, exposure, {image, space, {}, 0, moon.attributes}, output.path);
+    return write_picture(develop, exposures, {image, space}, moon.attributes, output.path);
   auto extras = moon.attributes;
-  uses::add_exposure(extras, exposure);
-  texture::write_glb(output.path, developed(develop, exposure, image, space), extras);
+  uses::add_exposure(extras, exposures);
+  texture::write_glb(output.path, developed(develop, exposures, {image, space}), extras);
 }
 
 /// The recipe of one file alone: with its own space, and without passes where it has none.

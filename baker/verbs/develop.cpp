@@ -98,27 +98,28 @@ void require_place(const Options& options, const std::vector<Job>& jobs) {
 }
 
 /// That of all frames together.
-colour::Exposure exposure_of(const Options& options, const std::vector<Job>& jobs) {
+uses::Exposures exposures_of(const Options& options, const std::vector<Job>& jobs) {
   if (jobs.size() == 1) {
     const auto& job = jobs.front();
-    return exposure_for(options.develop, read_frame(job.frame, job.space), job.space);
+    return exposures_for(options.develop, read_frame(job.frame, job.space), job.space);
   }
   uses::SharedExposure shared(options.develop);
   if (options.develop.time.rule != uses::ExposureTime::Rule::fixed)
     for (const auto& job : jobs) shared.add(read_frame(job.frame, job.space), job.space);
-  return shared.exposure();
+  return shared.exposures();
 }
 
-void develop(const Options& options, const Job& job, const colour::Exposure& exposure,
+void develop(const Options& options, const Job& job, const uses::Exposures& exposures,
              std::size_t number) {
   const auto frame = read_frame(job.frame, job.space);
   const auto seen = uses::seen_by(fs::path(job.frame));
-  const auto picture = taken(options.develop, exposure,
-                             {frame, job.space, seen, number, uses::scene_attributes(job.frame)});
-  write_developed(options.develop, exposure, {picture, job.space}, job.picture);
+  write_picture(options.develop, exposures,
+                {frame, job.space, seen, number, uses::scene_attributes(job.frame)}, {},
+                job.picture);
 }
 
-nlohmann::ordered_json as_json(const std::vector<Job>& jobs, const colour::Exposure& exposure) {
+nlohmann::ordered_json as_json(const std::vector<Job>& jobs, const uses::Exposures& exposures) {
+  const auto& [exposure, longer_s] = exposures;
   nlohmann::ordered_json all;
   if (jobs.size() == 1)
     all["file"] = jobs.front().picture.string();
@@ -126,6 +127,7 @@ nlohmann::ordered_json as_json(const std::vector<Job>& jobs, const colour::Expos
     for (const auto& job : jobs) all["files"].push_back(job.picture.string());
   all["colour_space"] = colour::name(jobs.front().space);
   all["time_s"] = exposure.time_s;
+  if (longer_s) all["longer_time_s"] = *longer_s;
   all["f_number"] = exposure.f_number;
   all["iso"] = exposure.iso;
   return all;
@@ -135,14 +137,14 @@ void run(const Options& options) {
   const auto jobs = jobs_of(options);
   for (const auto& job : jobs) require_sound(options.develop, job.picture);
   require_place(options, jobs);
-  const auto exposure = exposure_of(options, jobs);
+  const auto exposures = exposures_of(options, jobs);
   for (std::size_t j = 0; j < jobs.size(); ++j) {
-    develop(options, jobs[j], exposure, j);
+    develop(options, jobs[j], exposures, j);
     if (!options.json)
       fmt::print("{}: exposed for {}, f/{:g}, ISO {:g}\n", one_line(jobs[j].picture.string()),
-                 exposure_in_words(exposure.time_s), exposure.f_number, exposure.iso);
+                 exposure_in_words(exposures), exposures.shorter.f_number, exposures.shorter.iso);
   }
-  if (options.json) fmt::print("{}\n", as_json(jobs, exposure).dump(2));
+  if (options.json) fmt::print("{}\n", as_json(jobs, exposures).dump(2));
 }
 
 }  // namespace

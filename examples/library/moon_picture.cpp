@@ -16,7 +16,7 @@ int main() {
   const auto frame = uses::rendered(scene);
   const uses::Development development;
   const auto space = colour::WorkingSpace::linear_rec709;
-  const auto exposure = uses::exposure_for(development, frame, space);
-  uses::write_developed(development, exposure, {frame, space}, "moon.png");
+  const auto exposures = uses::exposures_for(development, frame, space);
+  uses::write_picture(development, exposures, {frame, space}, {}, "moon.png");
   std::printf("moon.png, exposed for %.2g s\n", exposure.time_s);
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <numeric>
 #include <sstream>
 
 #include "end_to_end/luminance.h"
@@ -130,6 +131,45 @@ TEST_F(AnimateThoroughly, ExposesWithoutAStep) {
         "stops: a tenth is hardly seen, and second contact changes it by 8 in 20 minutes");
 }
 
+/// Second contact takes three stops of a composite's shorter exposure in five minutes: its pictures
+/// change evenly all the same.
+TEST_F(AnimateThoroughly, LaysTwoExposuresInOnePictureWithoutAStep) {
+  expect_done(coppermoon(film({"--frames", "40", "--from", "U2-10min", "--to", "U2+10min", "--time",
+                               "composite", "--make", "pictures"})));
+  std::vector<double> means;
+  for (int frame = 1; frame <= 40; ++frame) {
+    const auto picture = texture::read_image(here(fmt::format("film/frame.{:04}.png", frame)));
+    means.push_back(std::accumulate(picture.values.begin(), picture.values.end(), 0.) /
+                    static_cast<double>(picture.values.size()));
+  }
+  for (std::size_t i = 1; i < means.size(); ++i)
+    EXPECT_WITHIN(means[i], means[i - 1], 0.01,
+                  "of white, coded: less than a change that is seen at once, 2.5 steps of 8 bits");
+}
+
+TEST_F(Animate, LaysTwoExposuresInOnePicture) {
+  const auto outcome = coppermoon(film({"--frames", "2", "--from", "U1", "--to", "U2-20min",
+                                        "--range", "2", "--time", "composite", "--json"}));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto picture = here("film/frame.0002.png");
+  const auto told = [&](const char* name) {
+    return std::stod(texture::read_attribute(picture, name).value_or("0"));
+  };
+  EXPECT_GT(told("coppermoon:longer_exposure_s") / told("expTime"), 30) << "five stops and more";
+  EXPECT_NE(outcome.out.find("\"longer_exposure_time_s\":"), std::string::npos);
+  const auto image = texture::read_image(picture);
+  const auto clipped = std::ranges::count_if(image.values, [](float v) { return v > 0.999F; });
+  const auto seen = std::ranges::count_if(image.values, [](float v) { return v > 0.1F; });
+  EXPECT_EQ(clipped, 0);
+  expect_done(coppermoon(film({"--frames", "2", "--from", "U1", "--to", "U2-20min", "--range", "2",
+                               "--time", "auto", "--replace"})));
+  const auto once = texture::read_image(picture);
+  EXPECT_GT(seen, 1.3 * static_cast<double>(std::ranges::count_if(
+                            once.values, [](float v) { return v > 0.1F; })))
+      << "the shadow is seen too";
+  EXPECT_FALSE(texture::read_attribute(picture, "coppermoon:longer_exposure_s"));
+}
+
 TEST_F(Animate, TakesExposuresFromKeys) {
   const auto outcome = coppermoon(
       film({"--frames", "3", "--from", "U1", "--to", "U2", "--time", "U1:0.01,U2:1", "--json"}));
@@ -140,6 +180,32 @@ TEST_F(Animate, TakesExposuresFromKeys) {
     ASSERT_TRUE(text);
     EXPECT_WITHIN(std::stod(*text) / time, 1, 1e-3, "half way in time is half way in stops");
   }
+}
+
+TEST_F(Animate, MakesFramesInTheSpaceAskedFor) {
+  const Words made{"--frames", "1", "--from", "U2", "--make", "frames,pictures", "--bits", "16"};
+  expect_done(coppermoon(film(made)));
+  const auto rec709 = texture::read_image(here("film/frame_lin_rec709.0001.exr")),
+             picture = texture::read_image(here("film/frame.0001.png"));
+  fs::remove_all(here("film"));
+  expect_done(coppermoon(film(made + Words{"--space", "acescg"})));
+  const auto file = here("film/frame_acescg.0001.exr");
+  EXPECT_EQ(texture::read_attribute(file, "coppermoon:colour_space").value_or(""), "acescg");
+  const auto acescg = texture::read_image(file),
+             again = texture::read_image(here("film/frame.0001.png"));
+  ASSERT_EQ(acescg.values.size(), rec709.values.size());
+  double reds[2] = {}, blues[2] = {};
+  for (std::size_t i = 0; i < rec709.values.size(); i += 3) {
+    reds[0] += rec709.values[i], blues[0] += rec709.values[i + 2];
+    reds[1] += acescg.values[i], blues[1] += acescg.values[i + 2];
+  }
+  EXPECT_LT(reds[1] / blues[1], 0.9 * reds[0] / blues[0]) << "its red is redder";
+  for (std::size_t i = 0; i < picture.values.size(); ++i)
+    EXPECT_WITHIN(again.values[i], picture.values[i], 2e-3,
+                  "frames of half precision, where the curve is steep");
+  expect_done(coppermoon({"animate", "film/frame_acescg.0001.exr", "--make", "frames,pictures",
+                          "--time", "2", "-o", "film", "--replace"}));
+  EXPECT_EQ(texture::read_image(file).values, acescg.values) << "developed again from what is kept";
 }
 
 TEST_F(Animate, BracketsByStops) {

@@ -114,7 +114,7 @@ TEST_F(FilmPictures, AsAMovieKeepTheirLight) {
 }
 
 TEST_F(FilmPictures, AsACompositeAreTheSumOfTheirExposures) {
-  expect_done(coppermoon(film({"--range", "2,4", "--composite", "all.png"})));
+  expect_done(coppermoon(film({"--range", "2,4", "--composite", "all.png", "--bits", "16"})));
   std::vector<double> sum(25 * 33 * 3);
   for (const char* name : {"film/frame_lin_rec709.0002.exr", "film/frame_lin_rec709.0004.exr"}) {
     const auto number = [&](const char* attribute) {
@@ -130,8 +130,8 @@ TEST_F(FilmPictures, AsACompositeAreTheSumOfTheirExposures) {
   ASSERT_EQ(composite.values.size(), sum.size());
   EXPECT_GT(*std::ranges::max_element(sum), 0.3);
   for (std::size_t i = 0; i < sum.size(); ++i)
-    EXPECT_WITHIN(composite.values[i], std::min(1., coded(sum[i])), 0.6 / 255,
-                  "half a step of 8 bits, and the exposure's six digits");
+    EXPECT_WITHIN(composite.values[i], std::min(1., coded(sum[i])), 1. / 65535,
+                  "half a step of 16 bits, and as much for the curve and the exposure in float");
 }
 
 TEST_F(FilmPictures, LeaveNoMovieThatFailed) {

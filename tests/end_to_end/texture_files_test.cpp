@@ -113,7 +113,10 @@ TEST_F(TextureFiles, RefuseWhatTheyCannotHold) {
   expect_refused({"bake", instant, "--texture-width", "8194", "-o", "moon.glb"},
                  "moon.glb: texture width [texels] = 8194, allowed to 8192");
   expect_refused({"animate", "2018-07-27", "--make", "scenes", "--space", "acescg", "-o", "film"},
-                 "space = acescg, allowed lin_rec709 with scenes, frames or pictures");
+                 "space = acescg, allowed lin_rec709 with scenes");
+  expect_refused(
+      {"animate", "2018-07-27", "--make", "textures,frames", "--space", "acescg", "-o", "film"},
+      "space = acescg, allowed lin_rec709 with textures beside frames");
   expect_refused({"animate", "2018-07-27", "--passes", "-o", "film"},
                  "passes and spectra need --make textures alone");
 }

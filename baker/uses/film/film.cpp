@@ -20,7 +20,8 @@ std::filesystem::path Film::texture(std::size_t frame) const {
 }
 
 std::filesystem::path Film::linear_frame(std::size_t frame) const {
-  return folder / numbered_file("frame_lin_rec709", frame, moments.frames.size());
+  const auto space = colour::name(space_of(content));
+  return folder / numbered_file(fmt::format("frame_{}", space), frame, moments.frames.size());
 }
 
 std::filesystem::path Film::picture(std::size_t frame, const char* stem) const {

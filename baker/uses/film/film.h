@@ -73,7 +73,7 @@ struct Film {
 
   almanac::SkyState sky(std::size_t frame) const;
 
-  /// In the folder: "moon_lin_rec709.0007.exr" (the space it is in), "frame_lin_rec709.0007.exr",
+  /// In the folder: "moon_lin_rec709.0007.exr" and "frame_lin_rec709.0007.exr" (the space they are in),
   /// "frame.0007.png", "frame_under.0007.png".
   std::filesystem::path texture(std::size_t frame) const;
   std::filesystem::path linear_frame(std::size_t frame) const;

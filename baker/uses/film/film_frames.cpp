@@ -19,8 +19,10 @@
 #include "texture/read_image.h"
 #include "texture/write_image.h"
 #include "uses/film/film_folder.h"
+#include "uses/light/header.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/lit_scene.h"
+#include "uses/picture/pixels.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -34,7 +36,9 @@ BakedMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& vi
   const LitMoon lit{
       film.moon,     sky,           film.albedo, film.light, range_at(*film.light, sky),
       view.observer, view.sightline};
-  auto moon = baked(lit, film.content, {extent});
+  auto content = film.content;
+  if (film.products.framed()) content.space = picture_space;  // that POV-Ray renders
+  auto moon = baked(lit, content, {extent});
   for (const auto& [name, value] : film.record.frame_header) moon.attributes[name] = value;
   moon.attributes["coppermoon:frame"] = fmt::format("{}", frame);
   moon.attributes["framesPerSecond"] = static_cast<float>(film.fps);
@@ -59,12 +63,12 @@ double keyed_time_s(const Film& film, const almanac::Instant& when) {
   return before * std::pow(above->second / before, share);
 }
 
-colour::Exposure exposure_of(const Film& film, std::size_t frame, const texture::Image& image) {
+Exposures exposures_of(const Film& film, std::size_t frame, const texture::Image& image) {
   auto development = film.development;
   if (!film.time_keys.empty())
     development.time = {ExposureTime::Rule::fixed,
                         keyed_time_s(film, film.moments.frames[frame - 1])};
-  return exposure_for(development, image, picture_space);
+  return exposures_for(development, image, space_of(film.content));
 }
 
 /// A frame on its way to its files.
@@ -75,17 +79,16 @@ struct Rendered {
 };
 
 void write_pictures(const Film& film, const Rendered& rendered, const texture::Image& image,
-                    const colour::Exposure& exposure) {
+                    const Exposures& exposures) {
   const auto frame = rendered.frame;
   auto attributes = film.record.frame_header;
   attributes["coppermoon:frame"] = fmt::format("{}", frame);
   const auto write = [&](const std::filesystem::path& path, double stops) {
-    auto exposed = exposure;
-    exposed.time_s *= std::exp2(stops);
-    const auto picture =
-        taken(film.development, exposed, {image, picture_space, rendered.seen, frame});
-    write_developed(film.development, exposed, {picture, picture_space, {}, frame, attributes},
-                    path);
+    auto exposed = exposures;
+    exposed.shorter.time_s *= std::exp2(stops);
+    if (exposed.longer_s) *exposed.longer_s *= std::exp2(stops);
+    write_picture(film.development, exposed, {image, space_of(film.content), rendered.seen, frame},
+                  attributes, path);
   };
   write(film.picture(frame), 0);
   if (!film.bracket_ev) return;
@@ -93,16 +96,18 @@ void write_pictures(const Film& film, const Rendered& rendered, const texture::I
   write(film.picture(frame, "frame_over"), *film.bracket_ev);
 }
 
-MadeFrame finished(const Film& film, const Rendered& rendered, const std::filesystem::path& file) {
-  const auto image = texture::read_image(file);
-  const auto exposure = exposure_of(film, rendered.frame, image);
+/// Given  image  in the film's space
+MadeFrame finished(const Film& film, const Rendered& rendered, const texture::Image& image) {
+  const auto exposures = exposures_of(film, rendered.frame, image);
   auto attributes = rendered.attributes;
-  add_exposure(attributes, exposure);
+  add_exposure(attributes, exposures);
   add_seen(attributes, rendered.seen);
+  if (const auto space = space_of(film.content); space != picture_space)
+    say_space(attributes, space);
   if (film.products.frames)
     texture::write_exr(film.linear_frame(rendered.frame), image, attributes);
-  if (film.products.pictures) write_pictures(film, rendered, image, exposure);
-  return {rendered.frame, exposure.time_s};
+  if (film.products.pictures) write_pictures(film, rendered, image, exposures);
+  return {rendered.frame, exposures};
 }
 
 using Told = std::function<void(const MadeFrame&)>;
@@ -130,9 +135,14 @@ void render(const Film& film, Frames frames, int threads, const Told& told) {
     batch.push_back({frame, moon.attributes, seen_by(view, sky)});
   }
   write_sequence(folder.path(), sequence);
+  const auto in_film_space = [&](const std::filesystem::path& rendered) {
+    auto image = texture::read_image(rendered);
+    const auto space = space_of(film.content);
+    return space == picture_space ? image : in_space(image, picture_space, space);
+  };
   povray_scenes::render_sequence(folder.path(), 1, frames.size(),
                                  [&](std::size_t number, const std::filesystem::path& rendered) {
-                                   told(finished(film, batch[number - 1], rendered));
+                                   told(finished(film, batch[number - 1], in_film_space(rendered)));
                                    std::filesystem::remove(rendered);
                                    std::filesystem::remove(texture_file(number));
                                  },
@@ -146,7 +156,8 @@ void expose(const Film& film, std::size_t frame, const Told& told) {
   const auto moon = moon_of(film, sky, view, frame);
   if (film.products.textures && !is_own(film, film.texture(frame), frame))
     write_texture(film, frame, moon);
-  told(finished(film, {frame, moon.attributes, seen_by(view, sky)}, film.linear_frame(frame)));
+  told(finished(film, {frame, moon.attributes, seen_by(view, sky)},
+                texture::read_image(film.linear_frame(frame))));
 }
 
 void bake(const Film& film, std::size_t frame, const Told& told) {

@@ -10,10 +10,10 @@
 
 namespace coppermoon::uses {
 
-/// A frame that was made: its number, and the exposure time of its picture [s], where it has one.
+/// A frame that was made: its number, and how its picture was exposed, where it has one.
 struct MadeFrame {
   std::size_t frame;
-  std::optional<double> time_s;
+  std::optional<Exposures> exposures;
 };
 
 /// Makes frames, some at a time, as memory and processors allow.

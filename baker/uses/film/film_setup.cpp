@@ -8,18 +8,21 @@
 #include "algebra/error.h"
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
+#include "uses/light/spectral_bands.h"
 #include "uses/picture/lit_scene.h"
 
 namespace coppermoon::uses {
 namespace {
 
-/// POV-Ray reads textures of its own colours, and of nothing else.
+/// POV-Ray reads textures of its own colours, and of nothing else; frames are changed afterwards.
 void require_content(const Film& film) {
   require_sound(film.content);
   if (!film.products.framed()) return;
-  if (const auto space = space_of(film.content); space != colour::WorkingSpace::linear_rec709)
-    throw algebra::Error(fmt::format(
-        "space = {}, allowed lin_rec709 with scenes, frames or pictures", colour::name(space)));
+  const auto& products = film.products;
+  if (const auto space = space_of(film.content);
+      space != picture_space && (products.scenes || products.textures))
+    throw algebra::Error(fmt::format("space = {}, allowed lin_rec709 with {}", colour::name(space),
+                                     products.scenes ? "scenes" : "textures beside frames"));
   if (film.content.passes || film.content.spectral_nm)
     throw algebra::Error("passes and spectra need a film of textures alone");
 }

@@ -90,7 +90,8 @@ class Exposer {
       : view_(view), development_(development) {
     development_.time = {ExposureTime::Rule::fixed, 1};
     const texture::Image nothing(1, 1, {"R", "G", "B"});
-    const auto second = exposure_for(development_, nothing, colour::WorkingSpace::linear_rec709);
+    const auto second =
+        exposures_for(development_, nothing, colour::WorkingSpace::linear_rec709).shorter;
     per_second_ = scale_of(development_, second);
     f_number_ = second.f_number;
   }

@@ -46,7 +46,7 @@ struct NightLights {
 /// Given   moon  its light as exact as exposures need: some percent will do
 ///         view  of which the observer and the air above are asked for
 ///         development  f-number, speed and camera
-/// Throws  Error  as light_on_the_way, normal_albedo, exposure_for
+/// Throws  Error  as light_on_the_way, normal_albedo, exposures_for
 NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
                          const ViewRequest& view, const Development& development, bool danjon,
                          const algebra::Progress& progress = {});

@@ -48,29 +48,6 @@ double middle_of(std::size_t step) {
   return std::bit_cast<float>((static_cast<std::uint32_t>(step) << dropped_bits) | half);
 }
 
-/// The cube of their cube roots' mean: as the shadow creeps over the disc it leaves sunlight's for the
-/// shadow's without a step.
-double cubic_mean(double roots, std::size_t count) {
-  const double mean = roots / static_cast<double>(count);
-  return mean * mean * mean;
-}
-
-double cube_roots(std::span<const double> lit) {
-  double roots = 0;
-  for (const double y : lit) roots += std::cbrt(y);
-  return roots;
-}
-
-/// That brings a frame's bright luminance, or the cubic mean where it is followed, to where it should be.
-colour::Exposure exposed_for(const Development& development, colour::Exposure exposure,
-                             double luminance) {
-  constexpr double brightest = 0.8, followed = 0.25;
-  const bool automatic = development.time.rule == ExposureTime::Rule::automatic;
-  const double scaled = (automatic ? brightest : followed) / luminance;
-  exposure.time_s = std::clamp(scaled / scale_of(development, exposure), 1e-6, 1e5);
-  return exposure;
-}
-
 std::optional<colour::Camera> camera_of(const Development& development) {
   return camera_of(development.camera, development.f_number, development.focal_length_mm);
 }
@@ -81,6 +58,54 @@ double f_number_of(const Development& development) {
                 : development.f_number.value_or(12.1);
 }
 
+LitSums sums_of(std::span<const double> lit) {
+  LitSums sums;
+  for (const double y : lit) sums.add(y);
+  return sums;
+}
+
+/// The cube of their cube roots' mean: as the shadow creeps over the disc it leaves sunlight's for the
+/// shadow's without a step.
+double cubic_mean(const LitSums& sums) {
+  const double mean = sums.cube_roots / static_cast<double>(sums.count);
+  return mean * mean * mean;
+}
+
+/// Near the luminance of what is bright, however little of the disc that is.
+double bright_mean(const LitSums& sums) { return sums.fourth_powers / sums.cubes; }
+
+/// Near the luminance of what is dark, as soon as a tenth of the disc is: the harmonic mean.
+double dark_mean(const LitSums& sums) { return static_cast<double>(sums.count) / sums.inverses; }
+
+/// Camera settings for one second.
+colour::Exposure one_second(const Development& development) {
+  return {1, f_number_of(development), development.iso};
+}
+
+/// Time that brings a luminance to a level of saturation.
+double time_for(const Development& development, double luminance, double level) {
+  const double scaled = level / luminance;
+  return std::clamp(scaled / scale_of(development, one_second(development)), 1e-6, 1e5);
+}
+
+Exposures exposed_for(const Development& development, double time_s) {
+  auto exposure = one_second(development);
+  exposure.time_s = time_s;
+  return {exposure};
+}
+
+/// Levels of saturation that luminances come to.
+constexpr double brightest_level = 0.8, followed_level = 0.25, bright_level = 0.5, dark_level = 0.4;
+
+/// By a rule of sums.
+Exposures exposed_for(const Development& development, const LitSums& sums) {
+  if (development.time.rule == ExposureTime::Rule::follow)
+    return exposed_for(development, time_for(development, cubic_mean(sums), followed_level));
+  auto all = exposed_for(development, time_for(development, bright_mean(sums), bright_level));
+  all.longer_s = std::max(all.shorter.time_s, time_for(development, dark_mean(sums), dark_level));
+  return all;
+}
+
 void require_ending(const std::filesystem::path& file, const char* what, const char* ending) {
   if (!file.empty() && file.extension() != ending)
     throw algebra::Error(fmt::format("{}: {} ends in {}", file.string(), what, ending));
@@ -88,7 +113,7 @@ void require_ending(const std::filesystem::path& file, const char* what, const c
 
 void write_files(const CameraRequest& camera, const colour::Photograph& photograph,
                  const colour::Exposure& exposure, texture::Attributes attributes) {
-  add_exposure(attributes, exposure);
+  add_exposure(attributes, {exposure});
   if (!camera.raw.empty()) texture::write_tiff(camera.raw, image_of(photograph.raw), attributes);
   attributes["coppermoon:saturation_cd_m2"] = static_cast<float>(photograph.saturation_cd_m2);
   if (!camera.photograph.empty())
@@ -96,19 +121,73 @@ void write_files(const CameraRequest& camera, const colour::Photograph& photogra
                        attributes, {.type = texture::ExrType::floating, .allow_negative = true});
 }
 
+/// What the camera sees of a frame, by the same unit; the frame itself without a camera.
+texture::Image taken(const Development& development, const colour::Exposure& exposure,
+                     const Frame& frame) {
+  const auto camera = camera_of(development);
+  if (!camera) return frame.light;
+  const auto photograph = photographed(development.camera, *camera, frame, exposure);
+  write_files(development.camera, photograph, exposure, frame.attributes);
+  return image_of(photograph.scene_linear);
+}
+
+/// (1 - exp(-x)) / x
+double rounded_off(double x) { return std::abs(x) < 1e-9 ? 1 : -std::expm1(-x) / x; }
+
+/// Two exposures of a frame in one, in units of saturation.
+texture::Image composite(const Development& development, const Exposures& exposures,
+                         const Frame& frame) {
+  constexpr double share = 0.3;  // of white, for the longer exposure
+  constexpr auto other_noise = std::uint64_t{1} << 63;
+  auto longer = exposures.shorter;
+  longer.time_s = *exposures.longer_s;
+  auto again = frame;
+  again.number ^= other_noise;
+  auto all = pixels_of(taken(development, exposures.shorter, frame));
+  const auto shadow = pixels_of(taken(development, longer, again));
+  const double scale = scale_of(development, exposures.shorter),
+               longer_scale = scale_of(development, longer);
+  for (std::size_t i = 0; i < all.values().size(); ++i) {
+    const auto& dark = shadow.values()[i];
+    const double x = longer_scale * colour::luminance(
+                                        frame.space, std::array<double, 3>{dark[0], dark[1], dark[2]});
+    const double dark_share = share * longer_scale * rounded_off(std::max(0., x));
+    for (std::size_t c = 0; c < 3; ++c) {
+      float& value = all.values()[i][c];
+      value = static_cast<float>((1 - share) * scale * value + dark_share * dark[c]);
+    }
+  }
+  return image_of(all);
+}
+
 }  // namespace
 
-colour::Exposure exposure_for(const Development& development, const texture::Image& frame,
-                              colour::WorkingSpace space) {
-  const colour::Exposure one{1, f_number_of(development), development.iso};
+void LitSums::add(double luminance_cd_m2) {
+  const double cube = luminance_cd_m2 * luminance_cd_m2 * luminance_cd_m2;
+  ++count;
+  inverses += 1 / luminance_cd_m2;
+  cube_roots += std::cbrt(luminance_cd_m2);
+  cubes += cube;
+  fourth_powers += cube * luminance_cd_m2;
+}
+
+void LitSums::add(const LitSums& more) {
+  count += more.count;
+  inverses += more.inverses;
+  cube_roots += more.cube_roots;
+  cubes += more.cubes;
+  fourth_powers += more.fourth_powers;
+}
+
+Exposures exposures_for(const Development& development, const texture::Image& frame,
+                        colour::WorkingSpace space) {
   if (development.time.rule == ExposureTime::Rule::fixed)
-    return {development.time.seconds, one.f_number, one.iso};
+    return exposed_for(development, development.time.seconds);
   const auto lit = luminances(frame, space);
-  if (lit.empty()) return one;
-  return exposed_for(development, one,
-                     development.time.rule == ExposureTime::Rule::automatic
-                         ? bright_luminance(lit)
-                         : cubic_mean(cube_roots(lit), lit.size()));
+  if (lit.empty()) return {one_second(development)};
+  if (development.time.rule != ExposureTime::Rule::automatic)
+    return exposed_for(development, sums_of(lit));
+  return exposed_for(development, time_for(development, bright_luminance(lit), brightest_level));
 }
 
 SharedExposure::SharedExposure(const Development& development) : development_(development) {
@@ -119,22 +198,19 @@ SharedExposure::SharedExposure(const Development& development) : development_(de
 void SharedExposure::add(const texture::Image& frame, colour::WorkingSpace space) {
   if (development_.time.rule == ExposureTime::Rule::fixed) return;
   const auto lit = luminances(frame, space);
-  lit_ += lit.size();
-  if (counts_.empty())
-    cube_roots_ += cube_roots(lit);
-  else
+  sums_.add(sums_of(lit));
+  if (!counts_.empty())
     for (const double y : lit) ++counts_[step_of(y)];
 }
 
-colour::Exposure SharedExposure::exposure() const {
-  const colour::Exposure one{1, f_number_of(development_), development_.iso};
+Exposures SharedExposure::exposures() const {
   if (development_.time.rule == ExposureTime::Rule::fixed)
-    return {development_.time.seconds, one.f_number, one.iso};
-  if (lit_ == 0) return one;
-  if (counts_.empty()) return exposed_for(development_, one, cubic_mean(cube_roots_, lit_));
+    return exposed_for(development_, development_.time.seconds);
+  if (sums_.count == 0) return {one_second(development_)};
+  if (counts_.empty()) return exposed_for(development_, sums_);
   std::size_t step = 0;
-  for (std::size_t below = counts_[0]; below <= lit_ * 99 / 100;) below += counts_[++step];
-  return exposed_for(development_, one, middle_of(step));
+  for (std::size_t below = counts_[0]; below <= sums_.count * 99 / 100;) below += counts_[++step];
+  return exposed_for(development_, time_for(development_, middle_of(step), brightest_level));
 }
 
 double scale_of(const Development& development, const colour::Exposure& exposure) {
@@ -143,19 +219,12 @@ double scale_of(const Development& development, const colour::Exposure& exposure
                 : colour::exposure_scale(exposure);
 }
 
-texture::Image taken(const Development& development, const colour::Exposure& exposure,
-                     const Frame& frame) {
-  const auto camera = camera_of(development);
-  if (!camera) return frame.light;
-  const auto photograph = photographed(development.camera, *camera, frame, exposure);
-  write_files(development.camera, photograph, exposure, frame.attributes);
-  return image_of(photograph.scene_linear);
-}
-
-void add_exposure(texture::Attributes& attributes, const colour::Exposure& exposure) {
+void add_exposure(texture::Attributes& attributes, const Exposures& exposures) {
+  const auto& [exposure, longer_s] = exposures;
   attributes["expTime"] = static_cast<float>(exposure.time_s);
   attributes["aperture"] = static_cast<float>(exposure.f_number);
   attributes["isoSpeed"] = static_cast<float>(exposure.iso);
+  if (longer_s) attributes["coppermoon:longer_exposure_s"] = static_cast<float>(*longer_s);
 }
 
 void require_sound(const Development& development, const std::filesystem::path& picture) {
@@ -163,6 +232,10 @@ void require_sound(const Development& development, const std::filesystem::path& 
     throw algebra::Error(fmt::format("{}: a picture ends in .png", picture.string()));
   require_ending(development.camera.raw, "a raw file", ".tif");
   require_ending(development.camera.photograph, "a photograph", ".exr");
+  if (development.time.rule == ExposureTime::Rule::composite &&
+      !(development.camera.raw.empty() && development.camera.photograph.empty()))
+    throw algebra::Error(
+        "a raw file or a photograph holds one exposure, allowed other times than composite");
   colour::exposure_scale({development.time.seconds, f_number_of(development), development.iso});
   if (const auto camera = camera_of(development)) colour::gain_at(*camera, development.iso);
   const auto views = colour::views(development.display, development.config);
@@ -184,17 +257,19 @@ texture::Image shown(const Development& development, double scale, const texture
   return image;
 }
 
-texture::Image developed(const Development& development, const colour::Exposure& exposure,
-                         const texture::Image& frame, colour::WorkingSpace space) {
-  return shown(development, scale_of(development, exposure), frame, space);
+texture::Image developed(const Development& development, const Exposures& exposures,
+                         const Frame& frame) {
+  const auto& [exposure, longer_s] = exposures;
+  if (longer_s) return shown(development, 1, composite(development, exposures, frame), frame.space);
+  return shown(development, scale_of(development, exposure), taken(development, exposure, frame),
+               frame.space);
 }
 
-void write_developed(const Development& development, const colour::Exposure& exposure,
-                     const Frame& frame, const std::filesystem::path& picture) {
-  const auto image = developed(development, exposure, frame.light, frame.space);
-  auto attributes = frame.attributes;
+void write_picture(const Development& development, const Exposures& exposures, const Frame& frame,
+                   texture::Attributes attributes, const std::filesystem::path& picture) {
+  const auto image = developed(development, exposures, frame);
   attributes["coppermoon:view"] = development.display + ", " + development.view;
-  add_exposure(attributes, exposure);
+  add_exposure(attributes, exposures);
   texture::write_png(picture, image, development.bits, attributes);
 }
 

@@ -18,6 +18,7 @@ struct ExposureTime {
   enum class Rule {
     automatic,  ///< the brightest hundredth of what is lit comes to 0.8 of saturation
     follow,     ///< the cube of the mean cube root of luminance comes to 0.25: without a step
+    composite,  ///< two exposures in one picture: one of what is bright, one of the shadow
     fixed
   };
   Rule rule = Rule::automatic;
@@ -36,27 +37,41 @@ struct Development {
   std::optional<double> focal_length_mm{};  ///< given for the view; without: the camera's
 };
 
+/// How the camera was set for a picture; for a composite the longer exposure's time too.
+struct Exposures {
+  colour::Exposure shorter;
+  std::optional<double> longer_s = {};  ///< not less than the shorter one's
+};
+
 /// The camera's settings, the time by its rule; 1 s when nothing is lit.
 ///
 /// Throws Error when a setting is outside its range, or the frame has fewer than three channels
-colour::Exposure exposure_for(const Development& development, const texture::Image& frame,
-                              colour::WorkingSpace space);
+Exposures exposures_for(const Development& development, const texture::Image& frame,
+                        colour::WorkingSpace space);
 
-/// One exposure for a set of frames, by the same rule as if they were one: told of each, it keeps counts
-/// alone.
+/// Sums over luminances Y of what is lit [cd/m²], that exposure times follow from.
+struct LitSums {
+  std::size_t count = 0;
+  double inverses = 0, cube_roots = 0, cubes = 0, fourth_powers = 0;
+
+  void add(double luminance_cd_m2);
+  void add(const LitSums& more);
+};
+
+/// Exposures that a set of frames shares, by the same rule as if they were one: told of each, it keeps
+/// counts and sums alone.
 ///
 /// Accuracy  automatic times to 1/2000: luminances are counted in steps of 2^-11
 class SharedExposure {
  public:
   explicit SharedExposure(const Development& development);
   void add(const texture::Image& frame, colour::WorkingSpace space);
-  colour::Exposure exposure() const;
+  Exposures exposures() const;
 
  private:
   Development development_;
   std::vector<std::size_t> counts_;  ///< of luminances above 0, by their leading bits
-  std::size_t lit_ = 0;
-  double cube_roots_ = 0;
+  LitSums sums_;
 };
 
 /// Fingerprint of what the view and its display make of colours, whatever their configuration is called.
@@ -65,13 +80,8 @@ std::string fingerprint(const Development& development, colour::WorkingSpace spa
 /// What a luminance of 1 cd/m² becomes where white is 1, at those settings.
 double scale_of(const Development& development, const colour::Exposure& exposure);
 
-/// What the camera sees of a scene-linear frame, by the same unit; the frame itself without one. The
-/// camera's own files are written, where any are asked for.
-texture::Image taken(const Development& development, const colour::Exposure& exposure,
-                     const Frame& frame);
-
-/// The camera's settings under OpenEXR's standard names.
-void add_exposure(texture::Attributes& attributes, const colour::Exposure& exposure);
+/// The camera's settings under OpenEXR's standard names; `coppermoon:longer_exposure_s` of a composite.
+void add_exposure(texture::Attributes& attributes, const Exposures& exposures);
 
 /// Throws Error when the development cannot be made whatever the frame holds: a setting outside its
 /// range, a picture that does not end in .png, a view there is not
@@ -81,12 +91,19 @@ void require_sound(const Development& development, const std::filesystem::path& 
 texture::Image shown(const Development& development, double scale, const texture::Image& frame,
                      colour::WorkingSpace space);
 
-/// A scene-linear frame [cd/m²] as the display shows it: channels R, G, B, 0 to 1.
-texture::Image developed(const Development& development, const colour::Exposure& exposure,
-                         const texture::Image& frame, colour::WorkingSpace space);
+/// A scene-linear frame [cd/m²] as the display shows it: channels R, G, B, 0 to 1. With a camera, what
+/// the camera sees of it; its own files are written, where any are asked for.
+///
+/// A composite lays the longer exposure under the shorter one. Where x is a luminance in units of
+/// saturation, it becomes 0.7 x_shorter + 0.3 (1 - exp(-x_longer)), and a colour keeps its ratios: what
+/// is brighter comes out brighter.
+texture::Image developed(const Development& development, const Exposures& exposures,
+                         const Frame& frame);
 
 /// Develops a scene-linear frame and writes the picture.
-void write_developed(const Development& development, const colour::Exposure& exposure,
-                     const Frame& frame, const std::filesystem::path& picture);
+///
+/// Given  attributes  for the picture's header; those of the frame are for the camera's files
+void write_picture(const Development& development, const Exposures& exposures, const Frame& frame,
+                   texture::Attributes attributes, const std::filesystem::path& picture);
 
 }  // namespace coppermoon::uses

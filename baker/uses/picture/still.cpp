@@ -16,9 +16,9 @@ texture::Image rendered(const LitScene& scene, const algebra::Progress& progress
   return texture::read_image(povray_scenes::render(folder.path(), {}, progress));
 }
 
-texture::Attributes frame_header(const LitScene& scene, const colour::Exposure& exposure) {
+texture::Attributes frame_header(const LitScene& scene, const Exposures& exposures) {
   auto attributes = scene.texture.attributes;
-  add_exposure(attributes, exposure);
+  add_exposure(attributes, exposures);
   add_seen(attributes, seen_by(scene.view, scene.moon.sky));
   return attributes;
 }

@@ -13,7 +13,7 @@ namespace coppermoon::uses {
 texture::Image rendered(const LitScene& scene, const algebra::Progress& progress = {});
 
 /// A frame's header: the texture's, and the exposure and what a camera has to know of it.
-texture::Attributes frame_header(const LitScene& scene, const colour::Exposure& exposure);
+texture::Attributes frame_header(const LitScene& scene, const Exposures& exposures);
 
 /// Writes a frame in a working space, which its header says.
 ///

@@ -12,13 +12,14 @@ namespace {
 
 constexpr const char* time_help =
     "exposure time [s], as 2 or 1/30; auto: the brightest hundredth of the lit disc comes to 0.8 "
-    "of saturation; follow: "
-    "the same for each frame of a film, changing without a step";
+    "of saturation; follow: the mean of the lit disc, without a step in a film; composite: a short "
+    "one for what is bright and a long one for the shadow, in one picture";
 
 std::string text_of(const uses::ExposureTime& time) {
   using enum uses::ExposureTime::Rule;
   if (time.rule == automatic) return "auto";
-  return time.rule == follow ? "follow" : fmt::format("{}", time.seconds);
+  if (time.rule == follow) return "follow";
+  return time.rule == composite ? "composite" : fmt::format("{}", time.seconds);
 }
 
 }  // namespace
@@ -27,10 +28,11 @@ uses::ExposureTime exposure_time_from(const std::string& text) {
   using enum uses::ExposureTime::Rule;
   if (text == "auto") return {automatic};
   if (text == "follow") return {follow};
+  if (text == "composite") return {composite};
   const auto seconds = exposure_seconds(text);
   if (!seconds)
     throw algebra::Error(fmt::format(
-        "exposure time = {}, allowed auto, follow, or 1e-6 to 1e6 s, as 2 or 1/30", text));
+        "exposure time = {}, allowed auto, follow, composite, or 1e-6 to 1e6 s, as 2 or 1/30", text));
   return {fixed, *seconds};
 }
 

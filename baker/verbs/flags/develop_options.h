@@ -8,7 +8,7 @@
 
 namespace coppermoon::verbs {
 
-/// "auto", "follow" or seconds.
+/// "auto", "follow", "composite" or seconds.
 ///
 /// Throws  Error  when the text is none of them
 uses::ExposureTime exposure_time_from(const std::string& text);

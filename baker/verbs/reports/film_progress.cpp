@@ -64,7 +64,10 @@ void FilmProgress::tell(const uses::MadeFrame& frame, bool kept) {
   if (json_) {
     ordered_json event{{"event", "frame"}, {"frame", frame.frame}, {"instant", instant},
                        {"kept", kept},     {"done", done_},        {"of", frames_}};
-    if (frame.time_s) event["exposure_time_s"] = *frame.time_s;
+    if (frame.exposures) {
+      event["exposure_time_s"] = frame.exposures->shorter.time_s;
+      if (frame.exposures->longer_s) event["longer_exposure_time_s"] = *frame.exposures->longer_s;
+    }
     for (const auto& path : film_.files(frame.frame)) event["files"].push_back(path.string());
     say(event);
   } else if (on_terminal_) {
@@ -72,7 +75,7 @@ void FilmProgress::tell(const uses::MadeFrame& frame, bool kept) {
   } else {
     say(fmt::format("frame {} ({} of {}): {}{}", frame.frame, done_, frames_, instant,
                     kept           ? ", kept"
-                    : frame.time_s ? ", " + exposure_in_words(*frame.time_s)
+                    : frame.exposures ? ", " + exposure_in_words(*frame.exposures)
                                    : ""));
   }
 }

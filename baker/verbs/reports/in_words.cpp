@@ -38,4 +38,9 @@ std::string exposure_in_words(double seconds) {
   return two_digits(seconds) + " s";
 }
 
+std::string exposure_in_words(const uses::Exposures& exposures) {
+  const auto shorter = exposure_in_words(exposures.shorter.time_s);
+  return exposures.longer_s ? shorter + " and " + exposure_in_words(*exposures.longer_s) : shorter;
+}
+
 }  // namespace coppermoon::verbs

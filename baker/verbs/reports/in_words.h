@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "uses/picture/development.h"
+
 namespace coppermoon::verbs {
 
 /// An error over the value: "within 0.3 %". Above 1 it is "wrong by more than the light itself".
@@ -16,5 +18,8 @@ std::string duration(double seconds);
 
 /// An exposure time as cameras show it: "1/3200 s", "0.5 s", "4 s".
 std::string exposure_in_words(double seconds);
+
+/// The same for a picture; of a composite "1/500 s and 4 s".
+std::string exposure_in_words(const uses::Exposures& exposures);
 
 }  // namespace coppermoon::verbs

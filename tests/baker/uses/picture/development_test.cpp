@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "uses/picture/development.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "algebra/error.h"
+#include "support/within.h"
+
+namespace coppermoon::uses {
+namespace {
+
+constexpr auto space = colour::WorkingSpace::linear_rec709;
+
+texture::Image image_of(const std::vector<std::array<float, 3>>& colours) {
+  texture::Image image(colours.size(), 1, {"R", "G", "B"});
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) image.values[3 * i + c] = colours[i][c];
+  return image;
+}
+
+/// Grey lit ground of a partial eclipse, in two tones, and copper shadow for a share of the disc.
+texture::Image partial_eclipse(std::size_t lit, std::size_t shadow) {
+  std::vector<std::array<float, 3>> colours;
+  for (std::size_t i = 0; i < lit; ++i) {
+    const float grey = i % 2 == 0 ? 2000.F : 4000.F;
+    colours.push_back({grey, grey, grey});
+  }
+  for (std::size_t i = 0; i < shadow; ++i) colours.push_back({0.04F, 0.01F, 0.003F});
+  return image_of(colours);
+}
+
+Development two_exposures() {
+  Development development;
+  development.time.rule = ExposureTime::Rule::composite;
+  return development;
+}
+
+texture::Image picture_of(const Development& development, const texture::Image& frame) {
+  return developed(development, exposures_for(development, frame, space), {frame, space});
+}
+
+/// IEC 61966-2-1, backwards.
+double linear(float coded) {
+  return coded <= 0.04045F ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
+}
+
+TEST(Composite, ShowsGroundInSunlightAndInShadow) {
+  for (const std::size_t shadow : {20U, 50U, 90U}) {
+    const auto frame = partial_eclipse(100 - shadow, shadow);
+    const auto picture = picture_of(two_exposures(), frame);
+    EXPECT_GT(linear(picture.values[3]), 0.6);
+    EXPECT_LT(picture.values[3], 0.98F) << "not clipped";
+    EXPECT_GT(picture.values[3] - picture.values[0], 0.1F) << "seas stay darker than highlands";
+    const float* dark = &picture.values[3 * 99];
+    EXPECT_GT(dark[0], 0.2F) << "of 1, coded: well seen";
+    EXPECT_LT(dark[0], picture.values[0]);
+    EXPECT_WITHIN_RELATIVE(linear(dark[0]) / linear(dark[1]), 4., 2e-3,
+                           "the curve in float, where it is steep: the shadow keeps its colour");
+    const auto once = picture_of({}, frame);
+    EXPECT_LT(once.values[3 * 99], 1.F / 255) << "auto leaves the shadow black";
+  }
+}
+
+TEST(Composite, ShowsWhatIsBrighterBrighter) {
+  std::vector<std::array<float, 3>> ramp;
+  for (double y = 1e-5; y < 1e4; y *= 1.02)
+    ramp.push_back({static_cast<float>(y), static_cast<float>(y), static_cast<float>(y)});
+  const auto frame = image_of(ramp);
+  const auto exposures = exposures_for(two_exposures(), frame, space);
+  ASSERT_GT(*exposures.longer_s / exposures.shorter.time_s, 1e3);
+  const auto picture = developed(two_exposures(), exposures, {frame, space});
+  for (std::size_t i = 1; i < ramp.size(); ++i) {
+    const float before = picture.values[3 * (i - 1)], after = picture.values[3 * i];
+    EXPECT_GE(after, before) << i;
+    EXPECT_LT(after - before, 0.012F) << "a step of 2 % in light is no edge; alone it is 0.009";
+  }
+  EXPECT_LT(picture.values[0], 0.1F);
+  EXPECT_GT(picture.values.back(), 0.85F);
+}
+
+TEST(Composite, IsOneExposureWhereAllIsAlike) {
+  const auto frame = image_of(std::vector<std::array<float, 3>>(100, {3000, 3000, 3000}));
+  const auto exposures = exposures_for(two_exposures(), frame, space);
+  EXPECT_EQ(exposures.shorter.time_s, *exposures.longer_s);
+  const double value = linear(developed(two_exposures(), exposures, {frame, space}).values[0]);
+  EXPECT_WITHIN(value, 0.7 * 0.5 + 0.3 * (1 - std::exp(-0.5)), 1e-4,
+                "float pixels: level of the shorter exposure in both");
+}
+
+TEST(Composite, OfASetIsTheSameForAll) {
+  const auto early = partial_eclipse(80, 20), late = partial_eclipse(20, 80);
+  SharedExposure one(two_exposures()), both(two_exposures());
+  one.add(early, space);
+  const auto alone = exposures_for(two_exposures(), early, space);
+  EXPECT_DOUBLE_EQ(one.exposures().shorter.time_s, alone.shorter.time_s);
+  EXPECT_DOUBLE_EQ(*one.exposures().longer_s, *alone.longer_s);
+  both.add(early, space);
+  both.add(late, space);
+  const auto half = exposures_for(two_exposures(), partial_eclipse(100, 100), space);
+  EXPECT_WITHIN_RELATIVE(both.exposures().shorter.time_s, half.shorter.time_s, 1e-12,
+                         "sums in another order");
+  EXPECT_WITHIN_RELATIVE(*both.exposures().longer_s, *half.longer_s, 1e-12,
+                         "sums in another order");
+}
+
+TEST(Composite, LastsASecondWhenNothingIsLit) {
+  const auto exposures = exposures_for(two_exposures(), texture::Image(4, 4, {"R", "G", "B"}), space);
+  EXPECT_EQ(exposures.shorter.time_s, 1);
+  EXPECT_FALSE(exposures.longer_s);
+}
+
+TEST(Composite, WritesBothTimes) {
+  texture::Attributes header;
+  add_exposure(header, {{0.002, 8, 400}, 4});
+  EXPECT_EQ(header.at("expTime"), texture::Attribute(0.002F));
+  EXPECT_EQ(header.at("coppermoon:longer_exposure_s"), texture::Attribute(4.F));
+}
+
+TEST(Composite, IsNoRawFile) {
+  auto development = two_exposures();
+  development.camera.model = "400mm";
+  EXPECT_NO_THROW(require_sound(development, "moon.png"));
+  development.camera.raw = "moon.tif";
+  EXPECT_THROW(require_sound(development, "moon.png"), algebra::Error);
+}
+
+}  // namespace
+}  // namespace coppermoon::uses
