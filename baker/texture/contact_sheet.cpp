@@ -21,7 +21,7 @@ using OIIO::ImageBufAlgo::TextAlignX;
 using Colour = std::array<float, 3>;
 
 constexpr Colour bright{1.F, 0.8F, 0.45F}, dim{0.6F, 0.6F, 0.6F}, white{0.9F, 0.9F, 0.9F};
-constexpr int title_size = 22, label_size = 15;
+constexpr int title_size = 22, least_title_size = 9, label_size = 15;
 
 /// The same values, as OpenImageIO handles them.
 OIIO::ImageBuf shared(Image& image) {
@@ -52,6 +52,18 @@ void write_line(Image& sheet, const std::filesystem::path& font, const Line& lin
       OIIO::ImageBufAlgo::render_text(buffer, static_cast<int>(line.x), static_cast<int>(line.y),
                                       line.text, line.size, font.string(), line.colour, line.held),
       buffer);
+}
+
+/// Size at which a title fits between a sheet's sides, as far as it can be read.
+int fitting_size(const Image& sheet, const ContactSheet& of) {
+  const auto room = static_cast<int>(sheet.width - 2 * SheetGrid::gap);
+  int size = title_size;
+  const auto fits = [&] {
+    const auto box = OIIO::ImageBufAlgo::text_size(of.title, size, of.font.string());
+    return !box.defined() || box.width() <= room;
+  };
+  while (size > least_title_size && !fits()) --size;
+  return size;
 }
 
 /// A picture's light, made smaller.
@@ -123,9 +135,9 @@ Image drawn(const ContactSheet& of) {
     put(sheet, thumbnail(std::move(picture), grid), grid.left(i), grid.top(i));
     label(sheet, of, grid, i);
   }
-  write_line(
-      sheet, of.font,
-      {of.title, SheetGrid::gap, SheetGrid::title_baseline, TextAlignX::Left, title_size, white});
+  write_line(sheet, of.font,
+             {of.title, SheetGrid::gap, SheetGrid::title_baseline, TextAlignX::Left,
+              fitting_size(sheet, of), white});
   for (float& value : sheet.values) value = std::clamp(value, 0.F, 1.F);
   return sheet;
 }

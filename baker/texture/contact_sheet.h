@@ -51,7 +51,7 @@ SheetGrid sheet_grid(std::size_t pictures, std::size_t columns, std::size_t widt
 std::filesystem::path sheet_font();
 
 /// Draws it on black, one picture in memory at a time. Pictures get the width of SheetGrid, light
-/// averaged, all in the shape of the first.
+/// averaged, all in the shape of the first; a title that is too long for the sheet is smaller.
 ///
 /// Returned  sRGB-coded, 0 to 1: R, G, B
 /// Throws    Error  as read_image; when there is no picture, a picture has not three channels, or

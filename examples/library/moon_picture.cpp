@@ -18,5 +18,5 @@ int main() {
   const auto space = colour::WorkingSpace::linear_rec709;
   const auto exposures = uses::exposures_for(development, frame, space);
   uses::write_picture(development, exposures, {frame, space}, {}, "moon.png");
-  std::printf("moon.png, exposed for %.2g s\n", exposure.time_s);
+  std::printf("moon.png, exposed for %.2g s\n", exposures.shorter.time_s);
 }

@@ -164,8 +164,8 @@ TEST_F(Animate, LaysTwoExposuresInOnePicture) {
   expect_done(coppermoon(film({"--frames", "2", "--from", "U1", "--to", "U2-20min", "--range", "2",
                                "--time", "auto", "--replace"})));
   const auto once = texture::read_image(picture);
-  EXPECT_GT(seen, 1.3 * static_cast<double>(std::ranges::count_if(
-                            once.values, [](float v) { return v > 0.1F; })))
+  EXPECT_GT(seen, 1.3 * static_cast<double>(
+                            std::ranges::count_if(once.values, [](float v) { return v > 0.1F; })))
       << "the shadow is seen too";
   EXPECT_FALSE(texture::read_attribute(picture, "coppermoon:longer_exposure_s"));
 }

@@ -46,7 +46,8 @@ void write_composite(const fs::path& path, const Film& film,
   const auto& development = film.development;
   auto header = film.record.film_header;
   header["coppermoon:view"] = development.display + ", " + development.view;
-  texture::write_png(path, shown(development, 1, exposed, space_of(film.content)), development.bits, header);
+  texture::write_png(path, shown(development, 1, exposed, space_of(film.content)), development.bits,
+                     header);
 }
 
 }  // namespace coppermoon::uses

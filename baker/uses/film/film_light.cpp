@@ -77,8 +77,7 @@ FilmLight film_light(const Film& film, bool replace, const algebra::Progress& pr
   if (auto known = read_light(file)) {
     const bool same = same_light(film.record, *known, key);
     if (!same && !replace) refuse_key(film, known->key, key);
-    if (same && complete(request, moon, known->light))
-      return {std::move(known->light), true};
+    if (same && complete(request, moon, known->light)) return {std::move(known->light), true};
   }
   auto light =
       light_on_the_way(with_shards(request, film.folder), moon, purpose_of(film), progress);

@@ -149,8 +149,8 @@ texture::Image composite(const Development& development, const Exposures& exposu
                longer_scale = scale_of(development, longer);
   for (std::size_t i = 0; i < all.values().size(); ++i) {
     const auto& dark = shadow.values()[i];
-    const double x = longer_scale * colour::luminance(
-                                        frame.space, std::array<double, 3>{dark[0], dark[1], dark[2]});
+    const double x = longer_scale * colour::luminance(frame.space, std::array<double, 3>{
+                                                                       dark[0], dark[1], dark[2]});
     const double dark_share = share * longer_scale * rounded_off(std::max(0., x));
     for (std::size_t c = 0; c < 3; ++c) {
       float& value = all.values()[i][c];
@@ -235,7 +235,8 @@ void require_sound(const Development& development, const std::filesystem::path& 
   if (development.time.rule == ExposureTime::Rule::composite &&
       !(development.camera.raw.empty() && development.camera.photograph.empty()))
     throw algebra::Error(
-        "a raw file or a photograph holds one exposure, allowed other times than composite");
+        "exposure time = composite, allowed one exposure for a raw file or a photograph: auto, "
+        "follow or seconds");
   colour::exposure_scale({development.time.seconds, f_number_of(development), development.iso});
   if (const auto camera = camera_of(development)) colour::gain_at(*camera, development.iso);
   const auto views = colour::views(development.display, development.config);

@@ -241,9 +241,8 @@ PictureErrors Yardstick::picture_errors(const texture::Image& reference,
   const auto one = seen_from_earth(reference, scene_.sky, pixels);
   const auto exposures = exposures_for(camera, one, picture_space);
   const auto before = developed(camera, exposures, {one, picture_space}),
-             after =
-                 developed(camera, exposures,
-                           {seen_from_earth(other, scene_.sky, pixels), picture_space});
+             after = developed(camera, exposures,
+                               {seen_from_earth(other, scene_.sky, pixels), picture_space});
   std::vector<double> sizes;
   for (std::size_t r = 0; r < pixels; ++r)
     for (std::size_t c = 0; c < pixels; ++c)

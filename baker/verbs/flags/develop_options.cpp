@@ -32,7 +32,8 @@ uses::ExposureTime exposure_time_from(const std::string& text) {
   const auto seconds = exposure_seconds(text);
   if (!seconds)
     throw algebra::Error(fmt::format(
-        "exposure time = {}, allowed auto, follow, composite, or 1e-6 to 1e6 s, as 2 or 1/30", text));
+        "exposure time = {}, allowed auto, follow, composite, or 1e-6 to 1e6 s, as 2 or 1/30",
+        text));
   return {fixed, *seconds};
 }
 

@@ -74,9 +74,9 @@ void FilmProgress::tell(const uses::MadeFrame& frame, bool kept) {
     draw(frame.frame);
   } else {
     say(fmt::format("frame {} ({} of {}): {}{}", frame.frame, done_, frames_, instant,
-                    kept           ? ", kept"
+                    kept              ? ", kept"
                     : frame.exposures ? ", " + exposure_in_words(*frame.exposures)
-                                   : ""));
+                                      : ""));
   }
 }
 

@@ -67,6 +67,15 @@ TEST_F(ContactSheetOf, FinePatternsAveragesLightNotItsCode) {
                 "the filter's weights are even to single precision");
 }
 
+TEST_F(ContactSheetOf, ALongTitleFitsBetweenItsSides) {
+  const std::string title = "Total eclipse of the Moon, 2018-07-27, seen from -1.28,36.82,1684";
+  const auto image = drawn({title, {grey(0), grey(0.01F)}, 2, sheet_font()});
+  const std::size_t side = SheetGrid::gap;
+  EXPECT_EQ(brightest(image, 0, image.width - side, SheetGrid::title_height, side), 0);
+  EXPECT_GT(brightest(image, 0, image.width - 4 * side, SheetGrid::title_height, 3 * side), 0.5F)
+      << "its end is there";
+}
+
 TEST_F(ContactSheetOf, MarkedPicturesHasBrighterWords) {
   const auto image =
       drawn({"Title", {grey(0, false, "U1+3min"), grey(0.01F, true, "U2")}, 2, sheet_font()});

@@ -106,7 +106,8 @@ TEST(Composite, OfASetIsTheSameForAll) {
 }
 
 TEST(Composite, LastsASecondWhenNothingIsLit) {
-  const auto exposures = exposures_for(two_exposures(), texture::Image(4, 4, {"R", "G", "B"}), space);
+  const auto exposures =
+      exposures_for(two_exposures(), texture::Image(4, 4, {"R", "G", "B"}), space);
   EXPECT_EQ(exposures.shorter.time_s, 1);
   EXPECT_FALSE(exposures.longer_s);
 }
