@@ -54,8 +54,10 @@ void write_line(Image& sheet, const std::filesystem::path& font, const Line& lin
       buffer);
 }
 
-/// Size at which a title fits between a sheet's sides, as far as it can be read.
+/// Size at which a title fits between a sheet's sides, as far as it can be read. OpenImageIO measures no
+/// empty text.
 int fitting_size(const Image& sheet, const ContactSheet& of) {
+  if (of.title.empty()) return title_size;
   const auto room = static_cast<int>(sheet.width - 2 * SheetGrid::gap);
   int size = title_size;
   const auto fits = [&] {
