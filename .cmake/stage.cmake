@@ -2,9 +2,9 @@
 # coppermoon_stage(NAME [IN FOLDER] HEADERS … SOURCES … APART … ALONE … TABLES … NEEDS earlier stages … USES libraries … PRIVATELY libraries …)
 # makes folder NAME a static library with the alias coppermoon::NAME, and a component of the package, which installs
 # HEADERS: they are included as NAME/…, or as FOLDER/NAME/… with IN FOLDER. TABLES are CSV (or other text) files under
-# data/, compiled in: NAME/tables.h declares `std::string_view <file name without ending>()`. ALONE are sources that are
-# never compiled together with others (CMAKE_UNITY_BUILD): Highway compiles each once for every kind of vector. APART are
-# compiled together, but not with SOURCES: a program that calls none of them has none of them. Without SOURCES it is a
+# data/, or made in the build, and compiled in: NAME/tables.h declares `std::string_view <file name without ending>()`.
+# ALONE are sources that are never compiled together with others (CMAKE_UNITY_BUILD): Highway compiles each once for every
+# kind of vector. APART are compiled together, but not with SOURCES: a program that calls none of them has none of them. Without SOURCES it is a
 # name for all that it needs.
 function(coppermoon_stage name)
   cmake_parse_arguments(STAGE "" "ROOT;IN" "HEADERS;SOURCES;APART;ALONE;TABLES;NEEDS;USES;PRIVATELY" ${ARGN})
@@ -63,8 +63,7 @@ function(coppermoon_tables name root out)
   set(sources)
   foreach(table ${ARGN})
     get_filename_component(stem ${table} NAME_WE)
-    set(file ${root}/data/${table})  # or beside data, as ../NAME
-    cmake_path(NORMAL_PATH file)
+    cmake_path(ABSOLUTE_PATH table BASE_DIRECTORY ${root}/data NORMALIZE OUTPUT_VARIABLE file)  # or beside data, as ../NAME
     string(APPEND declarations "std::string_view ${stem}();\n")
     set(source ${dir}/${stem}.cpp)
     add_custom_command(OUTPUT ${source}

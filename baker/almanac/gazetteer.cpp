@@ -41,6 +41,12 @@ City city_in(const std::vector<std::string>& row) {
           row[5]};
 }
 
+LunarFeature feature_in(const std::vector<std::string>& row) {
+  return {row[0],
+          {algebra::degrees(number(row[1])), algebra::degrees(number(row[2]))},
+          algebra::kilometres(number(row[3]))};
+}
+
 bool holds_words(const std::string& name, const std::string& words) {
   return (" " + name + " ").find(" " + words + " ") != std::string::npos;
 }
@@ -111,10 +117,20 @@ City nearest_city(const Observer& place) {
 
 std::optional<LunarFeature> lunar_feature_named(std::string_view name) {
   const auto* row = row_named(features(), name);
-  if (row == nullptr) return std::nullopt;
-  return LunarFeature{(*row)[0],
-                      {algebra::degrees(number((*row)[1])), algebra::degrees(number((*row)[2]))},
-                      algebra::kilometres(number((*row)[3]))};
+  return row != nullptr ? std::optional(feature_in(*row)) : std::nullopt;
+}
+
+std::vector<City> largest_cities(std::size_t count) {
+  std::vector<City> largest;
+  for (std::size_t i = 0; i < std::min(count, cities().size()); ++i)
+    largest.push_back(city_in(cities()[i]));
+  return largest;
+}
+
+std::vector<LunarFeature> lunar_features() {
+  std::vector<LunarFeature> all;
+  for (const auto& row : features()) all.push_back(feature_in(row));
+  return all;
 }
 
 std::vector<std::string> city_names() { return names_in(cities()); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,6 +41,12 @@ City nearest_city(const Observer& place);
 ///
 /// Source  Gazetteer of Planetary Nomenclature, IAU and USGS (data/lunar_features.csv), to 0.01°
 std::optional<LunarFeature> lunar_feature_named(std::string_view name);
+
+/// The most populous cities, largest first; all that are known where fewer are.
+std::vector<City> largest_cities(std::size_t count);
+
+/// All features of the Moon, by name.
+std::vector<LunarFeature> lunar_features();
 
 /// All names, for whoever looks for one that is like another.
 std::vector<std::string> city_names();

@@ -16,6 +16,7 @@ namespace coppermoon::verbs {
 void add_almanac(CLI::App& program);
 void add_sky(CLI::App& program);
 void add_night(CLI::App& program);
+void add_explore(CLI::App& program);
 void add_plan(CLI::App& program);
 void add_shadow(CLI::App& program);
 void add_brightness(CLI::App& program);

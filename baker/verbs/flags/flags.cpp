@@ -182,6 +182,16 @@ bool is_given(const CLI::App& verb, const std::string& flag) {
   return option != nullptr && option->count() > 0;
 }
 
+std::vector<std::string> words_given(const CLI::App& verb, const std::vector<std::string>& flags) {
+  std::vector<std::string> words;
+  for (const auto& flag : flags) {
+    const auto* option = verb.get_option_no_throw("--" + flag);
+    if (option == nullptr) continue;
+    for (const auto& value : option->results()) words.insert(words.end(), {"--" + flag, value});
+  }
+  return words;
+}
+
 std::string heading_of(const CLI::App& verb, const std::string& flag) {
   const auto* option = verb.get_option_no_throw(flag);
   return option != nullptr ? option->get_group() : "";

@@ -118,6 +118,9 @@ void on_run(CLI::App& verb, std::function<void()> run);
 /// Whether the command line, or a recipe, gives a flag of that name.
 bool is_given(const CLI::App& verb, const std::string& flag);
 
+/// Those of some flags (without dashes) that are given, as a command line has them: "--flag", "value".
+std::vector<std::string> words_given(const CLI::App& verb, const std::vector<std::string>& flags);
+
 /// The heading that a flag stands under, empty when the verb has no such flag.
 std::string heading_of(const CLI::App& verb, const std::string& flag);
 

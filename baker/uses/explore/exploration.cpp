@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+#include "uses/explore/exploration.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "algebra/error.h"
+#include "almanac/gazetteer.h"
+#include "colour/display.h"
+#include "colour/exposure.h"
+#include "eclipse/shadow_axis.h"
+#include "photons/limb_darkening.h"
+#include "photons/solar_disc.h"
+#include "texture/bake.h"
+#include "uses/explore/limb_rays.h"
+#include "uses/explore/motion.h"
+#include "uses/film/film_times.h"
+#include "uses/light/danjon_air.h"
+#include "uses/light/header.h"
+#include "uses/light/photometer.h"
+#include "uses/light/photometric_bands.h"
+#include "uses/light/spectral_bands.h"
+
+namespace coppermoon::uses {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Wavelengths that light is summed at, and terms of the Sun's disc.
+constexpr int bands = 40, sun_terms = 3;
+
+/// Before the first contact and after the last [s].
+constexpr double margin_s = 600;
+
+constexpr std::size_t map_rows = 1024;
+/// Longitudes that are seen from some place on the Earth [degrees].
+constexpr double seen_longitude = 99;
+
+constexpr std::size_t cities = 1500;
+constexpr double least_feature_km = 60;
+
+std::vector<std::string> views_shown() {
+  auto views = colour::views();
+  std::erase_if(views, [](const auto& view) { return view == "Raw" || view == "Log"; });
+  return views;
+}
+
+std::vector<double> numbers_of(const algebra::Grid<double>& grid) {
+  return {grid.values().begin(), grid.values().end()};
+}
+
+/// Milliseconds from 1970 on, as a script's Date has them: the days of UTC are taken as 86 400 s.
+double unix_ms(const almanac::Instant& when) {
+  static const auto epoch = almanac::instant_from_utc("2000-01-01T00:00:00Z");
+  constexpr double leap_seconds_since_2000 = 5;  // at most: the page shows times to the second
+  const auto text = almanac::utc_text(when, 3);
+  const auto midnight = almanac::instant_from_utc(text.substr(0, text.find('T')));
+  const double days =
+      std::round((almanac::seconds_between(epoch, midnight) - leap_seconds_since_2000 / 2) / 86400);
+  return 946684800e3 + days * 86400e3 + almanac::seconds_between(midnight, when) * 1e3;
+}
+
+/// The albedo of the ground that is seen, coded so that equal steps are equal ratios.
+ordered_json add_map(PageArrays& arrays, const MoonRequest& request) {
+  const auto albedo = normal_albedo(request);
+  const auto rows = texture::albedo_rows(albedo, map_rows);
+  constexpr std::size_t columns = 2 * map_rows;
+  std::vector<float> map(columns * map_rows);
+  rows(0, map);
+  const auto first = static_cast<std::size_t>((180 - seen_longitude) / 360 * columns);
+  const std::size_t width = columns - 2 * first;
+  constexpr float darkest = 0.005F;
+  std::vector<float> seen;
+  for (std::size_t r = 0; r < map_rows; ++r)
+    for (std::size_t c = 0; c < width; ++c)
+      seen.push_back(std::max(darkest, map[r * columns + first + c]));
+  const auto [least, most] = std::ranges::minmax(seen);
+  const double low = std::log(least), range = std::max(1e-6, std::log(most) - low);
+  std::vector<std::uint8_t> coded;
+  for (const float value : seen)
+    coded.push_back(static_cast<std::uint8_t>(std::lround(255 * (std::log(value) - low) / range)));
+  arrays.add("map", {map_rows, width}, coded);
+  return {{"logLow", low},
+          {"logRange", range},
+          {"firstLongitude", -180 + 360. * static_cast<double>(first) / columns},
+          {"longitudes", 360. * static_cast<double>(width) / columns}};
+}
+
+/// The Sun's disc and what the channels, red, green, blue and V, make of its light.
+ordered_json add_sunlight(PageArrays& arrays, bool limb_darkening,
+                          const std::vector<double>& wavelengths) {
+  const auto terms = photons::disc_terms(wavelengths, limb_darkening, sun_terms);
+  std::vector<double> functions;
+  for (const auto& function : terms.functions)
+    functions.insert(functions.end(), function.begin(), function.end());
+  arrays.add("sun.terms", {terms.functions.size(), 6}, functions);
+  arrays.add("sun.brightness", {terms.functions.size(), wavelengths.size()},
+             numbers_of(terms.brightness));
+  const auto layers = photons::disc_layers(wavelengths, limb_darkening);
+  arrays.add("sun.layers", {layers.radius.size()}, layers.radius);
+  arrays.add("sun.layerBrightness", {layers.radius.size(), wavelengths.size()},
+             numbers_of(layers.brightness));
+  const auto colours = at_wavelengths(
+      moonlight_weights(colour::channel_weights(picture_space, band_edges_nm())), bands);
+  const auto meter = photometer();
+  const auto magnitudes = at_wavelengths(meter.weights, bands);
+  constexpr std::size_t V = 1;  // of the photometer's channels
+  auto weights = numbers_of(colours);
+  weights.insert(weights.end(), magnitudes.row(V).begin(), magnitudes.row(V).end());
+  arrays.add("weights", {4, wavelengths.size()}, weights);
+  return {{"radiusKm", photons::solar_radius_m / 1e3},
+          {"auKm", almanac::astronomical_unit_m / 1e3},
+          {"V", photometric_bands()[V].solar_magnitude},
+          {"VAt1au", meter.sunlight[V]}};
+}
+
+/// A view of the display sRGB as a table: log2(1 + 2^10 x) / 17 of each channel, 0 to 1, in even steps.
+constexpr int table_size = 33;
+constexpr double table_gain = 1024, table_stops = 17;
+
+void add_view(PageArrays& arrays, const std::string& view) {
+  const auto level = [](int i) {
+    return static_cast<float>(
+        (std::exp2(table_stops * i / (table_size - 1.)) - 1) / table_gain);
+  };
+  colour::Image colours(table_size * table_size, table_size);
+  for (int b = 0; b < table_size; ++b)
+    for (int g = 0; g < table_size; ++g)
+      for (int r = 0; r < table_size; ++r)
+        colours(static_cast<std::size_t>(b * table_size + g), static_cast<std::size_t>(r)) = {
+            level(r), level(g), level(b)};
+  std::vector<std::uint8_t> bytes;
+  for (const auto& row = colour::developed(colours, picture_space, {1, view});
+       const auto& pixel : row.values())
+    for (const float channel : pixel)
+      bytes.push_back(static_cast<std::uint8_t>(std::lround(255 * std::clamp(channel, 0.F, 1.F))));
+  arrays.add("view." + view, {table_size, table_size, table_size, 3}, bytes);
+}
+
+ordered_json photometry_of(surface::Photometry photometry) {
+  const auto law = surface::cosine_law(photometry);
+  constexpr int steps = 60;
+  constexpr double most_degrees = 6;
+  ordered_json phase;
+  for (int i = 0; i <= steps; ++i)
+    phase.push_back(surface::phase_factor(photometry, algebra::degrees(most_degrees * i / steps)));
+  return {{"scale", law.scale},
+          {"incidence", law.incidence},
+          {"emission", law.emission},
+          {"constant", law.constant},
+          {"phaseDegrees", most_degrees},
+          {"phase", phase}};
+}
+
+void add_names(PageArrays& arrays) {
+  std::string text;
+  for (const auto& city : almanac::largest_cities(cities))
+    text += fmt::format("{}\t{}\t{:.2f}\t{:.2f}\t{}\n", city.name, city.region,
+                        algebra::in_degrees(city.place.latitude),
+                        algebra::in_degrees(city.place.longitude), city.time_zone);
+  arrays.add("cities", text);
+  text.clear();
+  for (const auto& feature : almanac::lunar_features())
+    if (algebra::in_kilometres(feature.diameter) >= least_feature_km)
+      text += fmt::format("{}\t{:.2f}\t{:.2f}\t{:.0f}\n", feature.name,
+                          algebra::in_degrees(feature.middle.latitude),
+                          algebra::in_degrees(feature.middle.longitude),
+                          algebra::in_kilometres(feature.diameter));
+  arrays.add("features", text);
+}
+
+/// The contacts' names and moments.
+ordered_json moments_of(const eclipse::Eclipse& eclipse) {
+  ordered_json all;
+  for (const auto& [name, when] : eclipse::contacts_of(eclipse))
+    all.push_back({{"name", name}, {"ms", unix_ms(when)}});
+  return all;
+}
+
+/// The clearness of each step of Danjon's scale; none of air that is not in belts.
+ordered_json danjon_steps(const atmosphere::Atmosphere& air, const almanac::SkyState& sky) {
+  ordered_json steps = ordered_json::array();
+  for (int l = 0; l <= 4 && !air.belts.empty(); ++l) steps.push_back(danjon_clearness(l, air, sky));
+  return steps;
+}
+
+ordered_json place_of(const ExploreRequest& request) {
+  if (!request.observer) return {};
+  return {{"name", request.place},
+          {"latitude", algebra::in_degrees(request.observer->latitude)},
+          {"longitude", algebra::in_degrees(request.observer->longitude)},
+          {"elevationKm", algebra::in_kilometres(request.observer->elevation)},
+          {"timeZone", request.time_zone}};
+}
+
+}  // namespace
+
+Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest& request,
+                           const algebra::Progress& progress) {
+  Exploration made{name_of(eclipse), {}, {}};
+  const auto told = [&](double part) {
+    if (progress) progress(part);
+  };
+  const auto sky = almanac::sky_at(eclipse.greatest);
+  const auto moments = eclipse::contacts_of(eclipse);
+  const auto from = almanac::later(moments.front().second, -margin_s),
+             to = almanac::later(moments.back().second, margin_s);
+  const auto& light = request.moon.light;
+  const auto air = atmosphere_of(light.air, sky);
+  const auto axis = eclipse::shadow_axis(sky);
+  const auto arrangement =
+      arrangement_of(light, algebra::in_metres(axis.sun_distance),
+                     {algebra::in_metres(eclipse::place_in_shadow(axis, sky.moon_m).depth)});
+  const auto wavelengths = wavelengths_nm(bands);
+  PageArrays map, scattered;
+  ordered_json limb, albedo, motion, danjon;
+  auto& arrays = made.arrays;
+  tbb::parallel_invoke([&] { albedo = add_map(map, request.moon); },
+                       [&] { motion = motion_between(from, to); },
+                       [&] { danjon = danjon_steps(air, sky); },
+                       [&] { add_scattered_light(scattered, air, arrangement, wavelengths); },
+                       [&] { limb = add_limb_rays(arrays, air, wavelengths); });
+  told(0.8);
+  arrays.append(map);
+  arrays.append(scattered);
+  const auto sun = add_sunlight(arrays, arrangement.limb_darkening, wavelengths);
+  const auto views = views_shown();
+  for (const auto& view : views)
+    if (view != "Un-tone-mapped") add_view(arrays, view);
+  add_names(arrays);
+  made.facts = {
+      {"title", made.title},
+      {"version", version()},
+      {"greatest", almanac::utc_text(eclipse.greatest)},
+      {"umbralMagnitude", eclipse.umbral_magnitude},
+      {"penumbralMagnitude", eclipse.penumbral_magnitude},
+      {"fromMs", unix_ms(from)},
+      {"contacts", moments_of(eclipse)},
+      {"motion", motion},
+      {"moonRadiusKm", algebra::in_kilometres(almanac::lunar_radius)},
+      {"earth",
+       {{"equatorialKm", air.earth.equatorial_radius_m / 1e3},
+        {"polarKm", air.earth.polar_radius_m / 1e3},
+        {"opaqueKm", atmosphere::earth_equatorial_radius_m / 1e3},
+        {"sunDeclination", air.earth.sun_declination_rad}}},
+      {"wavelengths", wavelengths},
+      {"limb", limb},
+      {"sun", sun},
+      {"map", albedo},
+      {"photometry", photometry_of(request.moon.photometry)},
+      {"danjon", danjon},
+      {"dated", !air.belts.empty()},
+      {"haze", air.columns()[0]->tropospheric_optical_depth},
+      {"exposureScale", colour::exposure_scale({1, 1, 100})},
+      {"views", views},
+      {"viewTable", {{"size", table_size}, {"gain", table_gain}, {"stops", table_stops}}},
+      {"place", place_of(request)},
+      {"options", request.options}};
+  told(1);
+  return made;
+}
+
+}  // namespace coppermoon::uses

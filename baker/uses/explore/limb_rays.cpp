@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include "uses/explore/limb_rays.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "atmosphere/ozone.h"
+#include "photons/bending.h"
+#include "photons/limb.h"
+#include "shadow/twilight.h"
+
+namespace coppermoon::uses {
+namespace {
+
+using atmosphere::Column;
+using nlohmann::ordered_json;
+
+/// As in atmosphere::Absorber.
+constexpr std::array<const char*, atmosphere::absorbers> names{
+    "air",   "ozone",  "dust",           "troposphere", "stratosphere",
+    "cloud", "cirrus", "freeTroposphere", "oxygenPairs", "nitrogenDioxide"};
+
+constexpr int refractivities = 3;
+
+/// Harmonics of the position angle: of belts, light with these differs from that with all by 0.2 % at
+/// most; of regions borders are rounded over some ten degrees.
+constexpr int most_harmonics = 24;
+
+std::vector<double> tangent_heights_m(const atmosphere::Atmosphere& air) {
+  std::vector<double> heights;
+  for (const auto& [to, step] :
+       {std::pair{30e3, 200.}, {60e3, 500.}, {86e3, 2e3}})
+    for (double h = heights.empty() ? 0 : heights.back() + step; h <= to && h <= air.top_m();
+         h += step)
+      heights.push_back(h);
+  for (const auto* column : air.columns()) {  // and where terms begin and end
+    if (column->dust_extinction_per_m > 0)
+      heights.insert(heights.end(), {column->dust_bottom_m, column->dust_top_m});
+    if (column->cloud_cover > 0) heights.push_back(column->cloud_top_m);
+  }
+  heights.push_back(air.top_m());
+  std::sort(heights.begin(), heights.end());
+  const auto same = [](double a, double b) { return b - a < 1; };
+  heights.erase(std::unique(heights.begin(), heights.end(), same), heights.end());
+  return heights;
+}
+
+/// Of ozone as a filter: its optical depth stands along every path.
+bool ozone_filters(const Column& column) {
+  return column.ozone_du > 0 && column.ozone_path == atmosphere::OzonePath::filter;
+}
+
+void set_aerosol(Column& column, double depth) {
+  column.stratosphere = atmosphere::StratosphericAerosol::none;
+  column.stratospheric_layer =
+      std::make_shared<atmosphere::StratosphericLayer>(depth, column.tropopause_m);
+}
+
+/// The rays of one part.
+struct PartRays {
+  std::vector<double> bending, excess_km, amounts, spectra, aerosol;
+};
+
+/// Everything that rays are followed with.
+struct Follower {
+  std::vector<double> heights_m, nodes;
+  std::vector<atmosphere::Optics> optics;
+
+  photons::LimbPath path(const Column& column, const photons::ProfileTable* table,
+                         double curvature_radius_m, double height_m, double refractivity) const {
+    return photons::limb_path(height_m, curvature_radius_m, column, refractivity, table);
+  }
+
+  PartRays rays(const photons::WholeLimb::Part& part) const {
+    PartRays rays;
+    const auto& column = part.column;
+    const photons::ProfileTable table(column);
+    for (const double node : nodes)
+      for (const double height : heights_m) {
+        auto path = this->path(column, &table, part.curvature_radius_m, height, node);
+        if (ozone_filters(column)) path.amounts[atmosphere::ozone] = 1;
+        rays.bending.push_back(path.bending_rad);
+        rays.amounts.insert(rays.amounts.end(), path.amounts.begin(), path.amounts.end());
+      }
+    for (const double height : heights_m)
+      rays.excess_km.push_back(
+          photons::optical_excess_m(column, part.curvature_radius_m, height).value / 1e3);
+    add_spectra(column, rays);
+    add_aerosol(part, rays);
+    return rays;
+  }
+
+  void add_spectra(const Column& column, PartRays& rays) const {
+    for (const auto& o : optics) {
+      auto spectra = atmosphere::spectra(column, o);
+      if (ozone_filters(column))
+        spectra[atmosphere::ozone] = -std::log(atmosphere::ozone_filter_yapo_cutler(
+            algebra::nanometres(o.wavelength_nm), column.ozone_du));
+      rays.spectra.insert(rays.spectra.end(), spectra.begin(), spectra.end());
+    }
+  }
+
+  /// By the middle refractivity.
+  void add_aerosol(const photons::WholeLimb::Part& part, PartRays& rays) const {
+    for (const double depth : aerosol_steps) {
+      Column hazy = part.column;
+      set_aerosol(hazy, depth);
+      const photons::ProfileTable table(hazy);
+      for (const double height : heights_m)
+        rays.aerosol.push_back(
+            path(hazy, &table, part.curvature_radius_m, height, nodes[nodes.size() / 2])
+                .amounts[atmosphere::stratosphere]);
+    }
+  }
+};
+
+double stratospheric_depth(const Column& column) {
+  if (column.stratospheric_layer) return column.stratospheric_layer->optical_depth();
+  constexpr std::array depths{0., 0.008, 0.028, 0.086, 0.262};  // of StratosphericAerosol
+  return depths[static_cast<std::size_t>(column.stratosphere)];
+}
+
+ordered_json facts_of(const photons::WholeLimb::Part& part) {
+  const auto& column = part.column;
+  return {{"radiusKm", part.radius_m / 1e3},
+          {"ozoneDu", column.ozone_du},
+          {"aerosolDepth", stratospheric_depth(column)},
+          {"cloudTopKm", column.cloud_top_m / 1e3},
+          {"cloudCover", column.cloud_cover}};
+}
+
+void append(std::vector<double>& all, const std::vector<double>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+void add_series(PageArrays& arrays, const photons::WholeLimb& limb) {
+  std::vector<double> numbers;
+  const auto series = limb.series(most_harmonics);
+  for (const auto& part : series) {
+    append(numbers, part.cosine);
+    append(numbers, part.sine);
+  }
+  arrays.add("limb.series", {series.size(), 2, series[0].cosine.size()}, numbers);
+}
+
+void add_spectra_of_aerosol(PageArrays& arrays, std::span<const double> wavelengths_nm) {
+  constexpr double any_tropopause_m = 11e3;
+  std::vector<double> numbers;
+  for (const double depth : aerosol_steps) {
+    const atmosphere::StratosphericLayer layer(depth, any_tropopause_m);
+    for (const double nm : wavelengths_nm)
+      numbers.push_back(layer.spectrum(algebra::nanometres(nm)));
+  }
+  arrays.add("limb.aerosolSpectra", {std::size(aerosol_steps), wavelengths_nm.size()}, numbers);
+}
+
+/// The same air with as much aerosol everywhere.
+atmosphere::Atmosphere with_aerosol(atmosphere::Atmosphere air, double depth) {
+  const auto set = [&](Column& column, atmosphere::Belts& belts) {
+    set_aerosol(column, depth);
+    for (auto& belt : belts) set_aerosol(belt.column, depth);
+  };
+  set(air.column, air.belts);
+  for (auto& region : air.regions) set(region.column, region.belts);
+  return air;
+}
+
+}  // namespace
+
+ordered_json add_limb_rays(PageArrays& arrays, const atmosphere::Atmosphere& atmosphere,
+                           std::span<const double> wavelengths_nm) {
+  Follower follower{tangent_heights_m(atmosphere), {}, shadow::optics_of(atmosphere, wavelengths_nm)};
+  // a part's place on the limb is asked for here, and no fan of rays
+  const photons::WholeLimb limb(atmosphere, std::span(follower.optics).first(1), 2);
+  const auto& first = limb.parts()[0].column;
+  follower.nodes = photons::refractivity_nodes(first, follower.optics, refractivities);
+  std::vector<double> blends;
+  for (const auto& o : follower.optics)
+    append(blends, photons::blend(first, o, follower.nodes).shares);
+  const std::size_t bent = follower.nodes.size();
+  follower.nodes.push_back(0);
+  const std::size_t parts = limb.parts().size(), rays = follower.heights_m.size(),
+                    waves = wavelengths_nm.size();
+  std::vector<PartRays> all(parts);
+  tbb::parallel_for(std::size_t{0}, parts,
+                    [&](std::size_t p) { all[p] = follower.rays(limb.parts()[p]); });
+  PartRays together;
+  ordered_json facts{{"absorbers", names},
+                     {"aerosolSteps", aerosol_steps},
+                     {"topKm", atmosphere.top_m() / 1e3},
+                     {"refractivities", ordered_json::array()},
+                     {"parts", ordered_json::array()}};
+  for (std::size_t p = 0; p < parts; ++p) {
+    append(together.bending, all[p].bending);
+    append(together.excess_km, all[p].excess_km);
+    append(together.amounts, all[p].amounts);
+    append(together.spectra, all[p].spectra);
+    append(together.aerosol, all[p].aerosol);
+    facts["parts"].push_back(facts_of(limb.parts()[p]));
+  }
+  for (const auto& o : follower.optics) facts["refractivities"].push_back(o.refractivity);
+  std::vector<double> heights_km;
+  for (const double h : follower.heights_m) heights_km.push_back(h / 1e3);
+  arrays.add("limb.heights", {rays}, heights_km);
+  arrays.add("limb.bending", {parts, bent + 1, rays}, together.bending);
+  arrays.add("limb.excess", {parts, rays}, together.excess_km);
+  arrays.add("limb.amounts", {parts, bent + 1, rays, names.size()}, together.amounts);
+  arrays.add("limb.spectra", {parts, waves, names.size()}, together.spectra);
+  arrays.add("limb.aerosol", {parts, std::size(aerosol_steps), rays}, together.aerosol);
+  arrays.add("limb.blend", {waves, bent}, blends);
+  add_series(arrays, limb);
+  add_spectra_of_aerosol(arrays, wavelengths_nm);
+  return facts;
+}
+
+void add_scattered_light(PageArrays& arrays, const atmosphere::Atmosphere& atmosphere,
+                         const shadow::Arrangement& arrangement,
+                         std::span<const double> wavelengths_nm) {
+  constexpr double step_m = 1000e3;
+  std::vector<double> distances;
+  const double end = shadow::refracted_reach_m(arrangement, atmosphere, arrangement.depths_m[0]);
+  for (double d = 0; d < end + step_m; d += step_m) distances.push_back(d);
+  std::vector<atmosphere::Atmosphere> airs{atmosphere, with_aerosol(atmosphere, 0)};
+  for (const double depth : aerosol_steps) airs.push_back(with_aerosol(atmosphere, depth));
+  std::vector<algebra::Grid<double>> all(airs.size());
+  tbb::parallel_for(std::size_t{0}, airs.size(), [&](std::size_t i) {
+    all[i] =
+        shadow::mean_ratio(shadow::twilight(airs[i], arrangement, wavelengths_nm, distances));
+  });
+  std::vector<double> numbers;
+  for (const auto& light : all)
+    numbers.insert(numbers.end(), light.values().begin(), light.values().end());
+  arrays.add("scattered", {airs.size(), distances.size(), wavelengths_nm.size()}, numbers);
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "explore/tables.h"
+#include "uses/explore/exploration.h"
+#include "uses/film/film_times.h"
+
+namespace coppermoon::uses {
+namespace {
+
+/// A text that ends no script before its time.
+std::string within_script(std::string text) {
+  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3)
+    text.replace(at, 2, "<\\/");
+  return text;
+}
+
+std::string within_html(const std::string& text) {
+  std::string safe;
+  for (const char letter : text) {
+    if (letter == '&') safe += "&amp;";
+    else if (letter == '<') safe += "&lt;";
+    else if (letter == '>') safe += "&gt;";
+    else safe += letter;
+  }
+  return safe;
+}
+
+std::string fragment_of(const Exploration& exploration) {
+  auto facts = exploration.facts;
+  facts["arrays"] = exploration.arrays.index();
+  return fmt::format(
+      "<div class=\"coppermoon\" style=\"height: 100%\">\n"
+      "<div class=\"shown\" style=\"height: 100%\"></div>\n"
+      "<script type=\"application/json\" class=\"facts\">{}</script>\n"
+      "<script type=\"text/plain\" class=\"arrays\">{}</script>\n"
+      "<script>{}</script>\n"
+      "</div>\n",
+      within_script(facts.dump()), exploration.arrays.text(), explore::tables::page());
+}
+
+std::string whole_page(const std::string& title, const std::string& style,
+                       const std::string& body) {
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
+      within_html(title), style, body);
+}
+
+const char* kind_of(eclipse::EclipseType type) {
+  using enum eclipse::EclipseType;
+  return type == total ? "total" : type == partial ? "partial" : "penumbral";
+}
+
+}  // namespace
+
+std::string page_of(const Exploration& exploration, PageExtent extent) {
+  const auto fragment = fragment_of(exploration);
+  if (extent == PageExtent::fragment) return fragment;
+  return whole_page(exploration.title, "html, body { height: 100%; margin: 0; background: #000; }",
+                    fragment);
+}
+
+std::string calendar_page(const std::vector<eclipse::Eclipse>& eclipses,
+                          const std::vector<std::string>& pages) {
+  std::string rows;
+  for (std::size_t i = 0; i < eclipses.size(); ++i) {
+    const auto when = almanac::utc_text(eclipses[i].greatest);
+    rows += fmt::format(
+        "<tr><td><a href=\"{}\">{}</a></td><td>{}</td><td>{}</td><td>{:.2f}</td></tr>\n", pages[i],
+        when.substr(0, when.find('T')), when.substr(when.find('T') + 1, 5),
+        kind_of(eclipses[i].type), eclipses[i].umbral_magnitude);
+  }
+  return whole_page(
+      "Eclipses of the Moon",
+      "body { background: #0c0c0c; color: #ddd; font: 16px/1.5 system-ui, sans-serif; margin: 2rem; } "
+      "a { color: #ffb070; } th, td { text-align: left; padding: .2rem 1.5rem .2rem 0; }",
+      "<h1>Eclipses of the Moon</h1>\n<table>\n<tr><th>day</th><th>greatest, UTC</th><th>kind</th>"
+      "<th>umbral magnitude</th></tr>\n" +
+          rows + "</table>\n");
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// The Moon, lit pixel by pixel: in the shadow's frame [km]. Compiled twice: for the screen, and with RAW for
+// numbers, luminance and V's radiance as their bits.
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp sampler3D;
+
+uniform vec3 centre;         // the Moon's
+uniform float sunDistance;
+uniform float moonRadius;
+uniform mat3 moonFromShadow; // to Moon-fixed axes
+uniform float earthRadius;
+uniform float au;
+
+uniform sampler2D light;     // log2, [plane × sector][node]
+uniform int nodes, sectors;
+uniform vec3 ends, stretches;  // of nodes: axis distances, and how many in each
+uniform vec2 depths;         // of the planes
+uniform float middleDepth;
+
+uniform sampler2D map;       // albedo's logarithm
+uniform vec2 mapLogs;        // the lowest, and the range
+uniform vec2 mapLongitudes;  // the first, and how many [rad]
+
+uniform vec4 law;            // of the cosines: scale, incidence, emission, constant
+uniform float phases[61];
+uniform float phaseStep;     // [rad]
+uniform bool shadowed;
+
+uniform float moonDistance;  // of the observer
+uniform vec3 forward, right, up;
+uniform vec2 middle;         // of the picture, in lunar radii from the disc's middle
+uniform float pixel;         // in lunar radii
+uniform vec2 size;           // of the picture [pixels]
+
+#ifdef RAW
+uniform sampler2D places;    // of ground, Moon-fixed; where they are asked for
+uniform bool atPlaces;
+#endif
+
+const float pi = 3.14159265358979;
+
+float sheared(float d, float deeper) {
+  return d + (d - 6390.0) * (deeper - 1.0) * min(1.0, d / 1500.0);
+}
+
+// The place among the nodes of an axis distance.
+float nodeAt(float d) {
+  if (d < ends.x) return d / ends.x * stretches.x;
+  if (d < ends.y) return stretches.x + (d - ends.x) / (ends.y - ends.x) * stretches.y;
+  return stretches.x + stretches.y + (d - ends.y) / (ends.z - ends.y) * stretches.z;
+}
+
+vec4 atNode(int row, float node) {
+  int low = clamp(int(floor(node)), 0, nodes - 2);
+  float part = clamp(node - float(low), 0.0, 1.0);
+  return mix(texelFetch(light, ivec2(low, row), 0), texelFetch(light, ivec2(low + 1, row), 0), part);
+}
+
+// What a white ground that faces the Sun at 1 au makes of the light at a place in the shadow.
+vec4 lightAt(vec3 place) {
+  if (!shadowed) return exp2(texelFetch(light, ivec2(nodes - 1, 0), 0));
+  float node = nodeAt(sheared(length(place.xy), middleDepth / place.z));
+  float turn = atan(place.x, place.y) / (2.0 * pi);
+  float sector = fract(turn + 1.0) * float(sectors);
+  int low = min(int(floor(sector)), sectors - 1);
+  float around = sector - float(low);
+  float deeper = clamp((place.z - depths.x) / (depths.y - depths.x), 0.0, 1.0);
+  int next = sectors + 1;
+  vec4 nearer = mix(atNode(low, node), atNode(low + 1, node), around);
+  vec4 farther = mix(atNode(next + low, node), atNode(next + low + 1, node), around);
+  return exp2(mix(nearer, farther, deeper));
+}
+
+float phaseFactor(vec3 toSun, vec3 toEarth) {
+  float sine = length(cross(toSun, toEarth)) / (length(toSun) * length(toEarth));
+  float phase = max(asin(min(sine, 1.0)), asin(earthRadius / length(toEarth)));
+  float place = min(phase / phaseStep, 59.999);
+  int low = int(place);
+  return mix(phases[low], phases[low + 1], place - float(low));
+}
+
+float albedoAt(vec3 ground) {
+  vec3 fixedGround = moonFromShadow * ground;
+  float longitude = atan(fixedGround.y, fixedGround.x), latitude = asin(clamp(fixedGround.z, -1.0, 1.0));
+  vec2 at = vec2((longitude - mapLongitudes.x) / mapLongitudes.y, 0.5 - latitude / pi);
+#ifdef RAW
+  if (atPlaces) return exp(mapLogs.x + mapLogs.y * textureLod(map, at, 0.0).r);  // they are no neighbours
+#endif
+  return exp(mapLogs.x + mapLogs.y * texture(map, at).r);
+}
+
+// Luminance [cd/m²] as red, green and blue, and V's radiance, of ground (a unit vector).
+vec4 radianceOf(vec3 ground) {
+  vec3 place = centre + moonRadius * ground;
+  vec3 toSun = vec3(0.0, 0.0, -sunDistance) - place;
+  float incidence = dot(ground, toSun) / length(toSun);
+  if (incidence <= 0.0) return vec4(0.0);
+  float emission = max(0.0, dot(ground, -place) / length(place));
+  float reflected = law.x * incidence / (law.y * incidence + law.z * emission + law.w);
+  float nearer = au / length(toSun);
+  return albedoAt(ground) * reflected * phaseFactor(toSun, -place) * nearer * nearer * lightAt(place);
+}
+
+// The ground that a place of the picture shows, and how far inside the limb that is [lunar radii].
+vec3 groundAt(vec2 at, out float inside) {
+  float reach = length(at), away = moonRadius / moonDistance * reach;
+  float cosine = inversesqrt(1.0 + away * away), sine = away * cosine;
+  float nearest = moonDistance * sine;
+  inside = 1.0 - nearest / moonRadius;
+  vec3 outward = reach > 0.0 ? (at.x * right + at.y * up) / reach : right;
+  vec3 sight = cosine * forward + sine * outward, across = cosine * outward - sine * forward;
+  nearest = min(nearest, moonRadius);  // beside the Moon: its limb
+  float halfChord = sqrt(max(0.0, moonRadius * moonRadius - nearest * nearest));
+  return (nearest * across - halfChord * sight) / moonRadius;
+}
+
+#ifdef RAW
+out uvec4 bits;
+void main() {
+  vec4 value = vec4(0.0);
+  if (atPlaces) {
+    value = radianceOf(transpose(moonFromShadow) * texelFetch(places, ivec2(gl_FragCoord.xy), 0).xyz);
+  } else {
+    float inside;
+    vec3 ground = groundAt(middle + (gl_FragCoord.xy - 0.5 * size) * pixel, inside);
+    if (inside > 0.0) value = radianceOf(ground);
+  }
+  bits = floatBitsToUint(value);
+}
+#else
+uniform float exposure;      // 1 where the sensor is saturated, per cd/m²
+uniform int look;            // 0: display sRGB, 1: a table, 2: stops
+uniform sampler3D view;
+uniform vec2 viewCode;       // gain, stops
+uniform float viewSize;
+uniform float fullMoon;      // luminance of a full Moon [cd/m²]
+out vec4 colour;
+
+vec3 srgb(vec3 linear) {
+  vec3 x = clamp(linear, 0.0, 1.0);
+  return mix(1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, 12.92 * x, lessThanEqual(x, vec3(0.0031308)));
+}
+
+vec3 viewed(vec3 linear) {
+  vec3 code = clamp(log2(1.0 + viewCode.x * max(linear, 0.0)) / viewCode.y, 0.0, 1.0);
+  return texture(view, (code * (viewSize - 1.0) + 0.5) / viewSize).rgb;
+}
+
+// Stops below a full Moon: a colour for every two, darker in the lower of them.
+vec3 stops(vec3 linear) {
+  float below = log2(fullMoon / max(dot(linear, vec3(0.2126, 0.7152, 0.0722)), 1e-12));
+  vec3 steps[10] = vec3[10](vec3(1.0), vec3(1.0, 0.95, 0.5), vec3(1.0, 0.75, 0.2), vec3(0.95, 0.45, 0.15),
+    vec3(0.8, 0.2, 0.25), vec3(0.6, 0.2, 0.55), vec3(0.35, 0.3, 0.75), vec3(0.2, 0.5, 0.75),
+    vec3(0.15, 0.55, 0.5), vec3(0.2, 0.25, 0.25));
+  int step = clamp(int(floor(below / 2.0)), 0, 9);
+  return steps[step] * (fract(below / 2.0) < 0.5 ? 1.0 : 0.85);
+}
+
+float noise(vec2 at) { return fract(52.9829189 * fract(dot(at, vec2(0.06711056, 0.00583715)))) - 0.5; }
+
+void main() {
+  float inside;
+  vec3 ground = groundAt(middle + (gl_FragCoord.xy - 0.5 * size) * pixel, inside);
+  float cover = clamp(inside / pixel + 0.5, 0.0, 1.0);
+  if (cover <= 0.0) { colour = vec4(0.0, 0.0, 0.0, 1.0); return; }
+  vec3 seen = max(radianceOf(ground).rgb, 0.0);
+  vec3 shown = look == 2 ? stops(seen) * cover
+    : look == 1 ? viewed(seen * exposure * cover) : srgb(seen * exposure * cover);
+  colour = vec4(shown + noise(gl_FragCoord.xy) / 255.0, 1.0);
+}
+#endif

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+// One eclipse on one page: the state, and everything that shows it.
+
+import {rowsOf} from './arrays.js';
+import {drawCurve, drawRing, drawSpectrum} from './charts.js';
+import {brightness, followedTime, scaleOfOneSecond} from './measure.js';
+import {groundAt, groundOf, Motion, pictureOf, placeInShadow, selenographic, viewFrom} from './motion.js';
+import {drawOver} from './over.js';
+import {Panel, Places} from './panel.js';
+import {Picture} from './picture.js';
+import {Shadow} from './shadow.js';
+import {commandOf, linkOf, stateOf} from './state.js';
+import {direction, degree, unit} from './vectors.js';
+import {exposureTime, localTime, meanings, number, placeText, utc} from './words.js';
+
+const curveMoments = 72;
+const playedRate = 600;  // seconds of the eclipse in one
+
+export class Page {
+  constructor(root, facts, arrays) {
+    Object.assign(this, {root, facts, arrays});
+    this.find = (name) => root.querySelector(`.${name}`);
+    this.state = stateOf(location.hash.slice(1), facts);
+    this.motion = new Motion(facts);
+    this.features = rowsOf(arrays.features.data).map(([name, latitude, longitude, km]) => (
+      {name, latitude: Number(latitude), longitude: Number(longitude), km: Number(km)}));
+    const greatest = this.motion.at(facts.contacts.find(({name}) => name === 'greatest').ms);
+    this.shadow = new Shadow(facts, arrays, greatest.sunDistance, this.motion.depths());
+    this.picture = new Picture(this.find('moon'), facts, arrays);
+    this.panel = new Panel(root, facts, new Places(arrays.cities.data), this.state, (what) => this.changed(what));
+    this.find('eclipse').querySelector('h1').textContent = facts.title;
+    this.setAir();
+    const unshadowed = brightness(this.picture, facts, greatest, false);
+    this.fullMoon = unshadowed.luminance;
+    this.listen();
+    this.marks();
+    this.draw();
+  }
+
+  /** What was changed is shown; drawings that take longer wait until nothing is. */
+  changed(what) {
+    if (what === 'air') this.airIsOld = true;
+    this.redraw();
+  }
+
+  redraw() {
+    if (this.waiting) return;
+    this.waiting = requestAnimationFrame(() => { this.waiting = 0; this.draw(); });
+  }
+
+  setAir() {
+    this.shadow.setAir(this.state.air);
+    this.picture.setLight(this.shadow.table(), this.shadow);
+    this.airIsOld = false;
+    this.curve = null;
+  }
+
+  /** The frame: the whole Moon with a margin at zoom 1. */
+  frame() {
+    const {canvas} = this.picture, ratio = Math.min(2, window.devicePixelRatio || 1);
+    const width = Math.max(1, Math.round(canvas.clientWidth * ratio));
+    const height = Math.max(1, Math.round(canvas.clientHeight * ratio));
+    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
+    const pixel = 2.3 / this.state.zoom / Math.min(width, height);
+    return {middle: this.state.middle, pixel, width, height, ratio};
+  }
+
+  /** The sky, the view and the frame of the moment that is shown. */
+  scene() {
+    const sky = this.motion.at(this.state.ms);
+    return {sky, view: viewFrom(sky, this.state.place, this.state.up), frame: this.frame()};
+  }
+
+  draw() {
+    if (this.picture.gl.isContextLost()) return;
+    if (this.airIsOld) this.setAir();
+    const {state, facts, picture} = this, scene = this.scene(), {sky, view, frame} = scene;
+    this.seconds = state.exposure.rule === 'fixed' ? state.exposure.time
+      : followedTime(picture, facts, sky, view, state.exposure);
+    const exposure = this.seconds * scaleOfOneSecond(facts, state.exposure);
+    picture.draw(sky, view, frame, {exposure, view: state.look, stops: state.look === 'stops', fullMoon: this.fullMoon});
+    drawOver(this.find('over'), {...scene, facts, circle: state.circle, marked: this.marked});
+    this.say(scene);
+    clearTimeout(this.later);
+    this.later = setTimeout(() => this.drawBeside(), 120);
+    if (this.curve) drawCurve(this.find('curve'), this.curve, facts, state.ms);
+  }
+
+  /** Words about what is shown. */
+  say({sky, view}) {
+    const {state, facts} = this, {place} = state;
+    const local = localTime(state.ms, place?.timeZone);
+    this.find('when').textContent = `${utc(state.ms).replace('T', ' ').replace('Z', ' UTC')} · ${local}`;
+    this.find('where').textContent = place
+      ? `${place.name || placeText(place)}: altitude ${view.altitude.toFixed(1)}°, azimuth ${view.azimuth.toFixed(0)}°`
+      : 'from the Earth’s centre';
+    this.find('note').textContent = place && view.altitude < -0.3 ? 'The Moon is below the horizon there.' : '';
+    const whole = brightness(this.picture, facts, sky);
+    this.find('whole').textContent = `V ${whole.V.toFixed(2)} · mean ${number(whole.luminance)} cd/m² · ` +
+      `${exposureTime(this.seconds)} at f/${state.exposure.fNumber}, ISO ${state.exposure.iso}`;
+    this.find('whole').title = meanings.V;
+    this.find('moment').value = state.ms;
+    this.find('moment').setAttribute('aria-valuetext', utc(state.ms));
+    this.find('command').textContent = commandOf(state, facts, this.seconds);
+  }
+
+  /** What takes a tenth of a second: the curve, the place that is marked, the link. */
+  drawBeside() {
+    const {facts, motion, picture} = this;
+    if (picture.gl.isContextLost()) return;
+    this.curve ??= Array.from({length: curveMoments}, (_, i) => {
+      const ms = motion.fromMs + (motion.toMs - motion.fromMs) * i / (curveMoments - 1);
+      return {ms, ...brightness(picture, facts, motion.at(ms))};
+    });
+    drawCurve(this.find('curve'), this.curve, facts, this.state.ms);
+    this.drawPlace();
+    if (!this.playing) history.replaceState(null, '', `#${linkOf(this.state, facts)}`);
+  }
+
+  /** Light at the place that is marked: its ring of sunsets and its spectrum. */
+  drawPlace() {
+    if (!this.marked || !this.find('place-in-shadow').open) return;
+    const sky = this.motion.at(this.state.ms);
+    const place = placeInShadow(sky, this.facts.moonRadiusKm, groundOf(sky, this.marked));
+    drawSpectrum(this.find('spectrum'), this.facts.wavelengths, this.shadow.spectrum(place));
+    drawRing(this.find('ring'), this.shadow.ring(place, 180), [...this.shadow.rays.heights]);
+  }
+
+  /** The ground under a place of the screen: its selenographic place; nothing beside the Moon. */
+  under(event) {
+    const {sky, view, frame} = this.scene(), box = this.picture.canvas.getBoundingClientRect();
+    const x = (event.clientX - box.left) * frame.ratio - frame.width / 2;
+    const y = frame.height / 2 - (event.clientY - box.top) * frame.ratio;
+    const ground = groundAt(view, this.facts.moonRadiusKm, frame.middle[0] + x * frame.pixel, frame.middle[1] + y * frame.pixel);
+    return ground && selenographic(sky, ground);
+  }
+
+  point(event) {
+    this.marked = this.under(event);
+    this.find('readout').textContent = this.marked ? this.told(this.marked) : '';
+    clearTimeout(this.placeLater);
+    this.placeLater = setTimeout(() => this.drawPlace(), 60);
+  }
+
+  /** What is there: the place's name, its luminance, how it is lit. */
+  told(at) {
+    const [luminance] = this.luminanceAt([at]);
+    const near = this.features.filter((f) => distance(at, f) < f.km / 2 / (this.facts.moonRadiusKm * degree))
+      .sort((a, b) => a.km - b.km)[0];
+    const below = Math.log2(this.fullMoon / Math.max(luminance, 1e-12));
+    return `${near ? `${near.name}\n` : ''}${placeText(at)}\n${number(luminance)} cd/m²\n` +
+      `${below.toFixed(1)} stops below a full Moon`;
+  }
+
+  /** Luminance [cd/m²] at selenographic places [degrees], at the moment that is shown. */
+  luminanceAt(places) {
+    return this.radianceAt(places).map(([r, g, b]) => 0.2126390059 * r + 0.7151686788 * g + 0.0721923154 * b);
+  }
+
+  /** Red, green, blue [cd/m²] and V's radiance there. */
+  radianceAt(places) {
+    const {sky, view} = this.scene();
+    const numbers = this.picture.readAt(sky, view, places.map(({longitude, latitude}) =>
+      direction(longitude * degree, latitude * degree)));
+    return places.map((_, i) => [...numbers.subarray(4 * i, 4 * i + 4)]);
+  }
+
+  /** Pixel of the canvas where a selenographic place is seen; nothing behind the limb. */
+  pixelOf(at) {
+    const {sky, view, frame} = this.scene();
+    const place = pictureOf(view, this.facts.moonRadiusKm, unit(groundOf(sky, at)));
+    return place && [frame.width / 2 + (place[0] - frame.middle[0]) / frame.pixel,
+      frame.height / 2 - (place[1] - frame.middle[1]) / frame.pixel];
+  }
+
+  /** Changes the state as controls do, and draws at once. */
+  set(change) {
+    Object.assign(this.state, change);
+    if (change.air) this.airIsOld = true;
+    this.panel.show();
+    this.draw();
+  }
+
+  move(ms) {
+    this.state.ms = Math.min(Math.max(ms, this.motion.fromMs), this.motion.toMs);
+    this.redraw();
+  }
+
+  play(on = !this.playing) {
+    this.playing = on;
+    const button = this.find('play');
+    button.textContent = on ? 'Stop' : 'Play';
+    button.setAttribute('aria-pressed', String(on));
+    if (!on) return this.redraw();
+    if (this.state.ms >= this.motion.toMs - 1e3) this.state.ms = this.motion.fromMs;
+    const calm = matchMedia('(prefers-reduced-motion: reduce)').matches;
+    let before = performance.now();
+    const step = (now) => {
+      if (!this.playing) return;
+      if (!calm || now - before > 1000) {
+        this.move(this.state.ms + Math.min(now - before, 1000) * playedRate);
+        before = now;
+      }
+      if (this.state.ms >= this.motion.toMs) return this.play(false);
+      requestAnimationFrame(step);
+    };
+    requestAnimationFrame(step);
+  }
+
+  /** The contacts over the slider of time. */
+  marks() {
+    const {contacts} = this.facts, {fromMs, toMs} = this.motion;
+    const marks = contacts.map(({name, ms}) => {
+      const button = Object.assign(document.createElement('button'), {
+        textContent: name === 'greatest' ? 'greatest' : name, title: `${meanings[name]} ${utc(ms)}`});
+      button.style.left = `${100 * (ms - fromMs) / (toMs - fromMs)}%`;
+      button.addEventListener('click', () => this.move(ms));
+      return button;
+    });
+    this.find('marks').replaceChildren(...marks);
+  }
+
+  listen() {
+    const moment = this.find('moment'), canvas = this.picture.canvas;
+    Object.assign(moment, {min: this.motion.fromMs, max: this.motion.toMs});
+    moment.addEventListener('input', () => this.move(Number(moment.value)));
+    this.find('play').addEventListener('click', () => this.play());
+    this.find('back').addEventListener('click', () => this.move(this.state.ms - 6e5));
+    this.find('on').addEventListener('click', () => this.move(this.state.ms + 6e5));
+    this.find('copy').addEventListener('click', () => navigator.clipboard?.writeText(this.find('command').textContent));
+    this.find('link').addEventListener('click', () => navigator.clipboard?.writeText(
+      `${location.href.split('#')[0]}#${linkOf(this.state, this.facts)}`));
+    this.find('place-in-shadow').addEventListener('toggle', () => this.drawPlace());
+    this.root.addEventListener('keydown', (event) => this.key(event));
+    this.pointers(canvas);
+    canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
+    canvas.addEventListener('webglcontextrestored', () => { this.picture.build(); this.draw(); });
+    new ResizeObserver(() => this.redraw()).observe(canvas);
+    window.addEventListener('hashchange', () => {
+      Object.assign(this.state, stateOf(location.hash.slice(1), this.facts));
+      this.changed('air');
+      this.panel.show();
+    });
+  }
+
+  pointers(canvas) {
+    let held = null;
+    canvas.addEventListener('pointerdown', (event) => {
+      held = [event.clientX, event.clientY, ...this.state.middle];
+      canvas.setPointerCapture(event.pointerId);
+      this.point(event);
+    });
+    canvas.addEventListener('pointermove', (event) => {
+      if (!held || this.state.zoom === 1) return this.point(event);
+      const {pixel, ratio} = this.frame();
+      this.state.middle = [held[2] - (event.clientX - held[0]) * ratio * pixel, held[3] + (event.clientY - held[1]) * ratio * pixel];
+      this.redraw();
+    });
+    for (const name of ['pointerup', 'pointercancel']) canvas.addEventListener(name, () => { held = null; });
+    canvas.addEventListener('wheel', (event) => {
+      event.preventDefault();
+      this.state.zoom = Math.min(32, Math.max(1, this.state.zoom * Math.exp(-event.deltaY / 400)));
+      if (this.state.zoom === 1) this.state.middle = [0, 0];
+      this.redraw();
+    }, {passive: false});
+  }
+
+  key(event) {
+    const target = event.composedPath()[0];
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (target.matches('input, select, textarea, pre') || (target.matches('button, summary') && event.key === ' ')) return;
+    const {state} = this, step = event.shiftKey ? 6e5 : 6e4;
+    const brighter = (stops) => {
+      Object.assign(state.exposure, {rule: 'fixed', time: Math.min(1e5, Math.max(1e-6, this.seconds * 2 ** stops))});
+      this.panel.show();
+    };
+    const keys = {
+      ' ': () => this.play(),
+      ArrowLeft: () => this.move(state.ms - step),
+      ArrowRight: () => this.move(state.ms + step),
+      Home: () => this.move(this.facts.contacts[0].ms),
+      End: () => this.move(this.facts.contacts.at(-1).ms),
+      '+': () => brighter(0.5), '-': () => brighter(-0.5),
+      f: () => { state.exposure.rule = 'follow'; this.panel.show(); },
+      0: () => Object.assign(state, {zoom: 1, middle: [0, 0]}),
+    };
+    const act = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (!act) return;
+    event.preventDefault();
+    act();
+    this.redraw();
+  }
+}
+
+/** The angle between two selenographic places [degrees]. */
+function distance(a, b) {
+  const [p, q] = [a, b].map(({longitude, latitude}) => direction(longitude * degree, latitude * degree));
+  return Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) / degree;
+}

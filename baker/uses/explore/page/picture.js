@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// The Moon on a canvas, through WebGL 2: no extension is needed.
+
+import shader from './moon.glsl';
+import {transposed} from './vectors.js';
+
+const corners = `#version 300 es
+void main() { gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0); }`;
+
+const widest = 1024;  // row of the texture that places stand in
+
+function compiled(gl, kind, text) {
+  const part = gl.createShader(kind);
+  gl.shaderSource(part, text);
+  gl.compileShader(part);
+  if (!gl.getShaderParameter(part, gl.COMPILE_STATUS) && !gl.isContextLost())
+    throw new Error(gl.getShaderInfoLog(part));
+  return part;
+}
+
+/** A program, and where its uniforms are. */
+function programOf(gl, define) {
+  const program = gl.createProgram();
+  gl.attachShader(program, compiled(gl, gl.VERTEX_SHADER, corners));
+  gl.attachShader(program, compiled(gl, gl.FRAGMENT_SHADER, `#version 300 es\n${define}\n${shader}`));
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost())
+    throw new Error(gl.getProgramInfoLog(program));
+  const places = {};
+  return {program, at: (name) => (places[name] ??= gl.getUniformLocation(program, name))};
+}
+
+export class Picture {
+  constructor(canvas, facts, arrays) {
+    this.canvas = canvas;
+    this.facts = facts;
+    this.arrays = arrays;
+    this.gl = canvas.getContext('webgl2', {alpha: false, antialias: false, preserveDrawingBuffer: true});
+    if (!this.gl) throw new Error('This browser has no WebGL 2, which the picture needs.');
+    this.build();
+  }
+
+  /** All that the graphics card holds; again where the context was lost. */
+  build() {
+    const {gl, facts, arrays} = this;
+    this.screen = programOf(gl, '');
+    this.raw = programOf(gl, '#define RAW');
+    const {shape, data} = arrays.map;
+    this.map = this.texture(gl.TEXTURE_2D, gl.LINEAR_MIPMAP_LINEAR);
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R8, shape[1], shape[0], 0, gl.RED, gl.UNSIGNED_BYTE, data);
+    gl.generateMipmap(gl.TEXTURE_2D);
+    this.views = {};
+    for (const name of facts.views) {
+      if (!arrays[`view.${name}`]) continue;
+      const n = facts.viewTable.size;
+      this.views[name] = this.texture(gl.TEXTURE_3D, gl.LINEAR);
+      gl.texImage3D(gl.TEXTURE_3D, 0, gl.RGB8, n, n, n, 0, gl.RGB, gl.UNSIGNED_BYTE, arrays[`view.${name}`].data);
+    }
+    this.noView = this.texture(gl.TEXTURE_3D, gl.NEAREST);
+    gl.texImage3D(gl.TEXTURE_3D, 0, gl.RGB8, 1, 1, 1, 0, gl.RGB, gl.UNSIGNED_BYTE, new Uint8Array(3));
+    this.light = this.texture(gl.TEXTURE_2D, gl.NEAREST);
+    this.places = this.texture(gl.TEXTURE_2D, gl.NEAREST);
+    this.frame = gl.createFramebuffer();
+    if (this.table) this.setLight(this.table, this.shadow);
+  }
+
+  texture(kind, filter) {
+    const {gl} = this, texture = gl.createTexture();
+    gl.bindTexture(kind, texture);
+    gl.texParameteri(kind, gl.TEXTURE_MIN_FILTER, filter);
+    gl.texParameteri(kind, gl.TEXTURE_MAG_FILTER, filter === gl.NEAREST ? filter : gl.LINEAR);
+    for (const side of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T, gl.TEXTURE_WRAP_R])
+      gl.texParameteri(kind, side, gl.CLAMP_TO_EDGE);
+    return texture;
+  }
+
+  /** The light that the Moon is lit by: Shadow.table. */
+  setLight(table, shadow) {
+    const {gl} = this;
+    this.table = table;
+    this.shadow = shadow;
+    gl.bindTexture(gl.TEXTURE_2D, this.light);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, table.nodes, table.rows, 0, gl.RGBA, gl.FLOAT, table.values);
+  }
+
+  /** What both programs are told. */
+  tell({program, at}, sky, view, frame, shadowed) {
+    const {gl, facts, table, shadow} = this, {map, photometry} = facts;
+    gl.useProgram(program);
+    gl.uniform3fv(at('centre'), sky.centre);
+    gl.uniform1f(at('sunDistance'), sky.sunDistance);
+    gl.uniform1f(at('moonRadius'), facts.moonRadiusKm);
+    gl.uniformMatrix3fv(at('moonFromShadow'), false, transposed(sky.moonFrame));
+    gl.uniform1f(at('earthRadius'), facts.earth.opaqueKm);
+    gl.uniform1f(at('au'), facts.sun.auKm);
+    gl.uniform1i(at('nodes'), table.nodes);
+    gl.uniform1i(at('sectors'), table.sectors);
+    gl.uniform3fv(at('ends'), shadow.ends);
+    gl.uniform3fv(at('stretches'), table.stretches);
+    gl.uniform2fv(at('depths'), shadow.depths);
+    gl.uniform1f(at('middleDepth'), shadow.middleDepth);
+    gl.uniform2f(at('mapLogs'), map.logLow, map.logRange);
+    gl.uniform2f(at('mapLongitudes'), map.firstLongitude * Math.PI / 180, map.longitudes * Math.PI / 180);
+    gl.uniform4f(at('law'), photometry.scale, photometry.incidence, photometry.emission, photometry.constant);
+    gl.uniform1fv(at('phases'), photometry.phase);
+    gl.uniform1f(at('phaseStep'), photometry.phaseDegrees * Math.PI / 180 / (photometry.phase.length - 1));
+    gl.uniform1i(at('shadowed'), shadowed ? 1 : 0);
+    gl.uniform1f(at('moonDistance'), view.distance);
+    for (const axis of ['forward', 'right', 'up']) gl.uniform3fv(at(axis), view[axis]);
+    gl.uniform2fv(at('middle'), frame.middle);
+    gl.uniform1f(at('pixel'), frame.pixel);
+    gl.uniform2f(at('size'), frame.width, frame.height);
+    [this.light, this.map].forEach((texture, i) => {
+      gl.activeTexture(gl.TEXTURE0 + i);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+    });
+    gl.uniform1i(at('light'), 0);
+    gl.uniform1i(at('map'), 1);
+  }
+
+  /**
+   * Draws the Moon.
+   *
+   * Given  frame  middle [lunar radii], pixel [lunar radii], width, height [pixels]
+   *        look   {exposure, view} or {stops: true}
+   */
+  draw(sky, view, frame, look) {
+    const {gl, facts} = this, {at} = this.screen;
+    this.tell(this.screen, sky, view, frame, true);
+    const table = this.views[look.view];
+    gl.activeTexture(gl.TEXTURE2);
+    gl.bindTexture(gl.TEXTURE_3D, table ?? this.noView);
+    gl.uniform1i(at('view'), 2);
+    gl.uniform1i(at('look'), look.stops ? 2 : table ? 1 : 0);
+    gl.uniform1f(at('exposure'), look.exposure);
+    gl.uniform2f(at('viewCode'), facts.viewTable.gain, facts.viewTable.stops);
+    gl.uniform1f(at('viewSize'), facts.viewTable.size);
+    gl.uniform1f(at('fullMoon'), look.fullMoon ?? 1);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, frame.width, frame.height);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  /** Numbers of a picture, or of `places`: [pixel × 4], luminance as red, green, blue, and V's radiance. */
+  read(sky, view, frame, {shadowed = true, places = null} = {}) {
+    const {gl} = this, {at} = this.raw, {width, height} = frame;
+    this.tell(this.raw, sky, view, frame, shadowed);
+    gl.activeTexture(gl.TEXTURE3);
+    gl.bindTexture(gl.TEXTURE_2D, this.places);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, places ? width : 1, places ? height : 1, 0, gl.RGBA, gl.FLOAT,
+      places ?? new Float32Array(4));
+    gl.uniform1i(at('places'), 3);
+    gl.uniform1i(at('atPlaces'), places ? 1 : 0);
+    const target = gl.createRenderbuffer();
+    gl.bindRenderbuffer(gl.RENDERBUFFER, target);
+    gl.renderbufferStorage(gl.RENDERBUFFER, gl.RGBA32UI, width, height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.frame);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, target);
+    gl.viewport(0, 0, width, height);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    const bits = new Uint32Array(width * height * 4);
+    gl.readPixels(0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, bits);
+    gl.deleteRenderbuffer(target);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    return new Float32Array(bits.buffer);
+  }
+
+  /** The same at places of the Moon, unit vectors in Moon-fixed axes. */
+  readAt(sky, view, directions) {
+    const width = Math.min(directions.length, widest), height = Math.ceil(directions.length / widest);
+    const places = new Float32Array(4 * width * height);
+    directions.forEach((d, i) => places.set(d, 4 * i));
+    return this.read(sky, view, {middle: [0, 0], pixel: 1, width, height}, {places});
+  }
+}

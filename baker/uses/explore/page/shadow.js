@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: MIT
+// Light in the Earth's shadow, summed up from rays of the limb as shadow::by_quadrature does (its equation
+// stands there): by distance from the axis, position angle and depth.
+
+import {aerosolDepth, cloudCover, LimbRays} from './air.js';
+
+const stretches = [150, 110, 80];  // nodes of three: within the umbra, where direct light begins, beyond
+const nodes = stretches[0] + stretches[1] + stretches[2] + 1, sectors = 48;
+// Bins of the distance from the axis where light from the Sun's centre lands; the narrow ones begin where rays
+// land that pass the limb some 25 km high: direct light begins with theirs.
+const wideKm = 30, narrowKm = 5, highRaysKm = 360;
+const channels = 4;  // red, green, blue, V
+const limbKm = 6390, oneLimbKm = 1500;  // as shadow::limb_m and one_limb_m
+
+/** Where a line from the limb that crosses a plane at one axis distance crosses a deeper one. */
+export const sheared = (distance, deeper) =>
+  distance + (distance - limbKm) * (deeper - 1) * Math.min(1, distance / oneLimbKm);
+
+function landing(impact, bending, sunDistance, depth) {
+  const slope = Math.tan(Math.asin(impact / sunDistance) - bending);
+  return impact * Math.sqrt(1 + slope * slope) + depth * slope;
+}
+
+/** Area common to two circles. */
+function lensArea(apart, r, s) {
+  if (apart >= r + s) return 0;
+  if (apart <= Math.abs(r - s)) return Math.PI * Math.min(r, s) ** 2;
+  const within = (x) => Math.min(1, Math.max(-1, x));
+  const segment = (c) => Math.acos(c) - c * Math.sqrt(1 - c * c);
+  return r * r * segment(within((apart * apart + r * r - s * s) / (2 * apart * r))) +
+    s * s * segment(within((apart * apart + s * s - r * r) / (2 * apart * s)));
+}
+
+const gauss = [
+  [-0.9602898564975363, 0.1012285362903763], [-0.7966664774136267, 0.2223810344533745],
+  [-0.5255324099163290, 0.3137066458778873], [-0.1834346424956498, 0.3626837833783620],
+  [0.1834346424956498, 0.3626837833783620], [0.5255324099163290, 0.3137066458778873],
+  [0.7966664774136267, 0.2223810344533745], [0.9602898564975363, 0.1012285362903763]];
+
+/** One plane behind the Earth: what arcs of the Sun's disc about each place draw from the limb. */
+class Plane {
+  constructor(shadow, depth) {
+    this.shadow = shadow;
+    this.depth = depth;
+    this.sunRadius = shadow.facts.sun.radiusKm * depth / shadow.sunDistance;
+    this.factor = (1 + depth / shadow.sunDistance) ** 2 / (Math.PI * this.sunRadius ** 2);
+    const straight = landing(shadow.facts.earth.equatorialKm, 0, shadow.sunDistance, depth);
+    const top = landing(shadow.facts.earth.equatorialKm + shadow.facts.limb.topKm, 0, shadow.sunDistance, depth);
+    this.wide = Math.floor((straight - highRaysKm) / wideKm);  // how many are
+    this.bins = this.wide + Math.ceil((top + narrowKm - this.wide * wideKm) / narrowKm);
+    this.clear = null;  // direct light, once it is asked for
+  }
+
+  /** Where a bin begins [km], and the bin of a distance. */
+  edge(bin) { return bin < this.wide ? bin * wideKm : this.wide * wideKm + (bin - this.wide) * narrowKm; }
+  binOf(distance) {
+    const beyond = distance - this.wide * wideKm;
+    return Math.floor((beyond < 0 ? distance / wideKm : this.wide + beyond / narrowKm) + 1e-9);
+  }
+
+  at(node) { return sheared(this.shadow.distanceOf(node), this.depth / this.shadow.middleDepth); }
+
+  /** ∫ f(μ) cos mψ dψ over the arc of radius r, added to arcs[term × harmonics + m]. */
+  addArc(gamma, r, weight, arcs) {
+    const a = this.sunRadius, {terms, harmonics} = this.shadow;
+    if (Math.abs(r - gamma) >= a) return;
+    const half = r + gamma <= a ? Math.PI
+      : Math.acos(Math.max(-1, Math.min(1, (gamma * gamma + r * r - a * a) / (2 * gamma * r))));
+    const pieces = Math.max(1, Math.ceil(half * harmonics / 9));
+    for (let piece = 0; piece < pieces; ++piece)
+      for (const [x, w] of gauss) {
+        const t = Math.PI / 2 * (piece + (1 + x) / 2) / pieces;
+        const psi = half * Math.sin(t), cosine = Math.cos(psi);
+        const out = (r * r + gamma * gamma - 2 * r * gamma * cosine) / (a * a);
+        const mu = Math.sqrt(Math.max(0, 1 - out));
+        const share = weight * half * w * Math.PI / 2 / pieces * Math.cos(t);  // both halves at once
+        for (let k = 0; k < terms.length; ++k) {
+          const shed = share * terms[k].reduceRight((value, c) => value * mu + c, 0);
+          let before = cosine, now = 1;
+          for (let m = 0; m < harmonics; ++m) {
+            arcs[k * harmonics + m] += shed * now;
+            [before, now] = [now, 2 * cosine * now - before];
+          }
+        }
+      }
+  }
+
+  /** The arcs of one place: {first bin, last bin, values[bin][term × harmonics + m]}. */
+  arcs(gamma) {
+    const first = Math.min(this.bins, this.binOf(Math.max(0, gamma - this.sunRadius)));
+    const last = Math.min(this.bins, this.binOf(gamma + this.sunRadius) + 1);
+    const size = this.shadow.terms.length * this.shadow.harmonics;
+    const values = new Float32Array((last - first) * size);
+    const one = new Float64Array(size);
+    for (let bin = first; bin < last; ++bin) {
+      one.fill(0);
+      const from = this.edge(bin), width = this.edge(bin + 1) - from;
+      for (const place of [0.2113248654, 0.7886751346]) this.addArc(gamma, from + place * width, 0.5, one);
+      values.set(one, (bin - first) * size);
+    }
+    return {first, last, values};
+  }
+
+  /** All places' arcs. */
+  allArcs() {
+    this.kept ??= Array.from({length: nodes}, (_, i) => this.arcs(this.at(i)));
+    return this.kept;
+  }
+
+  /** ∫ T b db of one part and wavelength by where it lands: [bin], beyond the axis in the second half. */
+  landed(paths, through, cover, topKm) {
+    const landed = new Float64Array(2 * this.bins);
+    const {bending, impact} = paths;
+    const heights = this.shadow.rays.heights;
+    let from = landing(impact[0], bending[0], this.shadow.sunDistance, this.depth);
+    for (let j = 0; j + 1 < impact.length; ++j) {
+      const to = landing(impact[j + 1], bending[j + 1], this.shadow.sunDistance, this.depth);
+      const a = through[j] * impact[j], b = through[j + 1] * impact[j + 1];
+      const mean = a > 0 && b > 0 && Math.abs(a / b - 1) > 1e-4 ? (a - b) / Math.log(a / b) : (a + b) / 2;
+      const clear = heights[j + 1] <= topKm + 1e-6 ? 1 - cover : 1;
+      this.spread(landed, from, to, mean * clear * (impact[j + 1] - impact[j]));
+      from = to;
+    }
+    return landed;
+  }
+
+  /** Spreads light evenly between two signed distances. */
+  spread(landed, from, to, light) {
+    const low = Math.min(from, to), high = Math.max(from, to, low + 1e-6), each = light / (high - low);
+    if (high > 0) this.spreadOn(landed, 0, Math.max(0, low), high, each);
+    if (low < 0) this.spreadOn(landed, this.bins, Math.max(0, -high), -low, each);
+  }
+
+  /** The same on one side of the axis: light for each kilometre. */
+  spreadOn(landed, offset, low, high, each) {
+    for (let bin = this.binOf(low), from = low; bin < this.bins && from < high; ++bin) {
+      const next = Math.min(high, this.edge(bin + 1));
+      landed[offset + bin] += each * (next - from);
+      from = next;
+    }
+  }
+
+  /** What the Earth and its air leave clear of each layer of the Sun's disc, over the disc's area. */
+  clearParts(gamma, angle) {
+    const {facts, layers} = this.shadow;
+    const {equatorialKm, polarKm, sunDeclination} = facts.earth;
+    const tipped = Math.hypot(equatorialKm * Math.sin(sunDeclination), polarKm * Math.cos(sunDeclination));
+    const radius = 1 / Math.hypot(Math.sin(angle) / equatorialKm, Math.cos(angle) / tipped);
+    const earth = landing(radius + facts.limb.topKm, 0, this.shadow.sunDistance, this.depth);
+    const sun = this.sunRadius;
+    return layers.map((layer) =>
+      Math.max(0, layer * layer - lensArea(gamma, sun * layer, earth) / (Math.PI * sun * sun)));
+  }
+
+  /** Direct light: [sector][node][channel]. */
+  direct() {
+    if (this.clear) return this.clear;
+    const {layerWeights} = this.shadow;
+    this.clear = new Float64Array(sectors * nodes * channels);
+    for (let s = 0; s < sectors; ++s)
+      for (let i = 0; i < nodes; ++i) {
+        const parts = this.clearParts(this.at(i), 2 * Math.PI * s / sectors);
+        if (parts[0] < 1e-12) continue;
+        for (let c = 0; c < channels; ++c)
+          for (let l = 0; l < parts.length; ++l)
+            this.clear[(s * nodes + i) * channels + c] += layerWeights[c][l] * parts[l];
+      }
+    return this.clear;
+  }
+}
+
+export class Shadow {
+  /** Given  sunDistance [km];  depths: of the planes, nearest first [km] */
+  constructor(facts, arrays, sunDistance, depths) {
+    this.facts = facts;
+    this.rays = new LimbRays(facts, arrays);
+    this.sunDistance = sunDistance;
+    this.depths = depths;
+    this.middleDepth = (depths[0] + depths[1]) / 2;
+    this.waves = facts.wavelengths.length;
+    const table = (name, width) => Array.from(
+      {length: arrays[name].data.length / width}, (_, i) => arrays[name].data.subarray(i * width, (i + 1) * width));
+    this.terms = table('sun.terms', 6);
+    this.termBrightness = table('sun.brightness', this.waves);
+    this.layers = [...arrays['sun.layers'].data];
+    this.layerBrightness = table('sun.layerBrightness', this.waves);
+    this.weights = table('weights', this.waves);
+    this.sunlight = this.weights.map((row) => row.reduce((a, b) => a + b, 0));
+    this.layerWeights = this.weights.map((row) =>
+      this.layerBrightness.map((layer) => row.reduce((total, w, i) => total + w * layer[i], 0)));
+    const {shape, data} = arrays['limb.series'];
+    this.scattered = arrays.scattered;
+    this.harmonics = shape[2];
+    this.series = table('limb.series', this.harmonics);  // cosines and sines of each part in turn
+    this.turning = data.some((value, i) => value !== 0 && Math.floor(i / this.harmonics) % 2 === 1);
+    const top = facts.earth.equatorialKm + facts.limb.topKm;
+    this.endKm = landing(top, 0, sunDistance, depths[1]) + facts.sun.radiusKm * depths[1] / sunDistance;
+    const begins = landing(top, 0, sunDistance, this.middleDepth) -
+      facts.sun.radiusKm * this.middleDepth / sunDistance;  // direct light
+    this.ends = [begins - 160, begins + 440, this.endKm];  // of the stretches, by distance from the axis
+    this.planes = depths.map((depth) => new Plane(this, depth));
+  }
+
+  /** Axis distance of a node [km]. */
+  distanceOf(node) {
+    let from = 0, left = node;
+    for (let s = 0; s < 3; ++s) {
+      if (left <= stretches[s] || s === 2) return from + (this.ends[s] - from) * left / stretches[s];
+      [from, left] = [this.ends[s], left - stretches[s]];
+    }
+    return from;
+  }
+
+  /** What lands on each plane in that air: [plane][part][wavelength][bin]. */
+  setAir(air) {
+    this.air = air;
+    this.landed = this.planes.map(() => []);
+    for (let p = 0; p < this.rays.parts.length; ++p)
+      for (let w = 0; w < this.waves; ++w) {
+        const {paths, amounts} = this.followed(air, p, w);
+        const through = this.rays.transmittance(air, p, w, amounts);
+        const part = this.rays.parts[p];
+        this.planes.forEach((plane, k) =>
+          (this.landed[k][p] ??= []).push(plane.landed(paths, through, cloudCover(air, part), part.cloudTopKm)));
+      }
+  }
+
+  /** Paths hardly change: only with refraction. */
+  followed(air, part, wave) {
+    if (this.pathsAre !== air.refraction) [this.pathsAre, this.paths] = [air.refraction, []];
+    return this.paths[part * this.waves + wave] ??= {
+      paths: this.rays.paths(air, part, wave), amounts: this.rays.amountsOf(air, part, wave)};
+  }
+
+  /**
+   * What the limb sheds in some weights of wavelengths, as a series in the position angle, by term of the
+   * Sun's disc: [harmonic, cosine before sine][bin][term × weights], both sides of the axis put together.
+   */
+  shed(k, weights) {
+    const {bins} = this.planes[k], {harmonics, terms} = this;
+    const width = terms.length * weights.length;
+    const sides = this.turning ? 2 : 1;
+    const shed = Array.from({length: harmonics * sides}, () => new Float32Array(bins * width));
+    this.landed[k].forEach((byWave, p) => {
+      const inWeights = new Float64Array(2 * bins * width);
+      byWave.forEach((landed, w) => {
+        const factor = new Float64Array(width);
+        for (let t = 0; t < terms.length; ++t)
+          for (let c = 0; c < weights.length; ++c)
+            factor[t * weights.length + c] = this.termBrightness[t][w] * weights[c][w];
+        for (let b = 0; b < 2 * bins; ++b) {
+          if (landed[b] === 0) continue;
+          for (let i = 0; i < width; ++i) inWeights[b * width + i] += landed[b] * factor[i];
+        }
+      });
+      for (let side = 0; side < sides; ++side)
+        for (let m = 0; m < harmonics; ++m) {
+          const share = this.series[2 * p + side][m];
+          if (share === 0) continue;
+          const across = m % 2 === 0 ? share : -share;  // light that crosses the axis turns by half a circle
+          const to = shed[side * harmonics + m], half = bins * width;
+          for (let i = 0; i < half; ++i) to[i] += share * inWeights[i] + across * inWeights[half + i];
+        }
+    });
+    return shed;
+  }
+
+  /** Light of one place as a series: [harmonic, cosine before sine][weight]. */
+  gathered(k, arcs, shed, count) {
+    const {first, last, values} = arcs, {harmonics, terms} = this;
+    const size = terms.length * harmonics, width = terms.length * count;
+    const series = new Float64Array(shed.length * count);
+    for (let h = 0; h < shed.length; ++h) {
+      const m = h % harmonics, from = shed[h];
+      for (let t = 0; t < terms.length; ++t)
+        for (let bin = first; bin < last; ++bin) {
+          const arc = values[(bin - first) * size + t * harmonics + m];
+          const at = bin * width + t * count;
+          for (let c = 0; c < count; ++c) series[h * count + c] += arc * from[at + c];
+        }
+    }
+    for (let i = 0; i < series.length; ++i) series[i] *= this.planes[k].factor;
+    return series;
+  }
+
+  /** The sum of a series at a position angle. */
+  summed(series, angle, count) {
+    const sums = new Float64Array(count);
+    for (let h = 0; h * count < series.length; ++h) {
+      const m = h % this.harmonics;
+      const turn = h < this.harmonics ? Math.cos(m * angle) : Math.sin(m * angle);
+      for (let c = 0; c < count; ++c) sums[c] += turn * series[h * count + c];
+    }
+    return sums;
+  }
+
+  /**
+   * The table that the picture is lit by: logarithms to base 2 of what a white ground that faces the Sun
+   * at 1 au makes of the light.
+   *
+   * Returned {values: [plane][sector, the first again at the end][node][channel], nodes, rows}
+   */
+  table() {
+    const values = new Float32Array(this.planes.length * (sectors + 1) * nodes * channels);
+    this.planes.forEach((plane, k) => {
+      const shed = this.shed(k, this.weights), direct = plane.direct();
+      plane.allArcs().forEach((arcs, i) => {
+        const scattered = this.inChannels(this.scatteredAt(this.distanceOf(i)));
+        const series = this.gathered(k, arcs, shed, channels);
+        for (let s = 0; s < sectors; ++s) {
+          const light = this.summed(series, 2 * Math.PI * s / sectors, channels);
+          for (let c = 0; c < channels; ++c) light[c] += scattered[c] + direct[(s * nodes + i) * channels + c];
+          this.store(light, values, ((k * (sectors + 1) + s) * nodes + i) * channels);
+        }
+      });
+      const row = nodes * channels, start = k * (sectors + 1) * row;
+      values.copyWithin(start + sectors * row, start, start + row);
+    });
+    return {values, nodes, stretches, rows: this.planes.length * (sectors + 1), sectors};
+  }
+
+  inChannels(light) {
+    return this.weights.map((row) => row.reduce((total, weight, w) => total + weight * light[w], 0));
+  }
+
+  store(light, values, at) {
+    intoGamut(light);
+    for (let c = 0; c < channels; ++c)
+      values[at + c] = Math.log2(Math.max(light[c], 1e-12 * this.sunlight[c]));
+  }
+
+  /**
+   * Light that the air scatters into the shadow, over sunlight, by wavelength: between amounts of the
+   * stratosphere's aerosol in the logarithm. Other changes of the air do not change it, but for a switch
+   * that leaves nothing to scatter.
+   */
+  scatteredAt(distance) {
+    const [amounts, distances, waves] = this.scattered.shape, {data} = this.scattered;
+    const light = new Float64Array(waves);
+    if (!this.air.scattering) return light;
+    const parts = this.rays.parts;
+    const mean = (of) => parts.reduce((total, part) => total + of(part), 0) / parts.length;
+    const depth = mean((part) => aerosolDepth(this.air, part));
+    const steps = this.facts.limb.aerosolSteps;
+    let low = 0, high = 0, part = 0;  // as it was
+    if (depth !== mean((one) => one.aerosolDepth)) {
+      const s = steps.findLastIndex((step) => step <= depth);
+      [low, high] = [s + 2, Math.min(s + 3, amounts - 1)];
+      part = s < 0 ? depth / steps[0] : s + 1 < steps.length ? Math.log(depth / steps[s]) / Math.log(steps[s + 1] / steps[s]) : 0;
+      if (s < 0) low = 1;
+    }
+    const place = Math.min(distance / 1000, distances - 1.001), d = Math.floor(place), along = place - d;
+    const value = (a, w) => {
+      const at = (a * distances + d) * waves + w;
+      return data[at] + along * (data[at + waves] - data[at]);
+    };
+    for (let w = 0; w < waves; ++w) light[w] = value(low, w) + part * (value(high, w) - value(low, w));
+    return light;
+  }
+
+  /** Light over sunlight by wavelength, at a place in the shadow (motion.placeInShadow). */
+  spectrum(place) {
+    const k = Math.abs(place.depth - this.depths[0]) < Math.abs(place.depth - this.depths[1]) ? 0 : 1;
+    const plane = this.planes[k];
+    const gamma = sheared(place.axisDistance, plane.depth / place.depth);
+    const each = Array.from({length: this.waves}, (_, w) =>
+      Float64Array.from({length: this.waves}, (_, i) => (i === w ? 1 : 0)));
+    const series = this.gathered(k, plane.arcs(gamma), this.shed(k, each), this.waves);
+    const light = this.summed(series, place.angle, this.waves);
+    this.scatteredAt(place.axisDistance).forEach((ratio, w) => { light[w] += ratio; });
+    plane.clearParts(gamma, place.angle).forEach((clear, l) => {
+      for (let w = 0; w < this.waves; ++w) light[w] += clear * this.layerBrightness[l][w];
+    });
+    return light.map((ratio) => Math.max(0, ratio));
+  }
+
+  /**
+   * The Earth's ring of sunsets as a place in the shadow sees it: luminance of the Sun's image, over that
+   * of the Sun's disc, in red, green and blue.
+   *
+   * Given    angles  how many position angles
+   * Returned [angle][ray × 3], rays from the ground up
+   */
+  ring(place, angles) {
+    const {rays} = this.rays, x = place.axisDistance * Math.sin(place.angle), y = place.axisDistance * Math.cos(place.angle);
+    const radius = this.facts.sun.radiusKm * place.depth / this.sunDistance;
+    const seen = this.rays.parts.map((part, p) => Array.from({length: this.waves}, (_, w) => {
+      const {paths, amounts} = this.followed(this.air, p, w);
+      const through = this.rays.transmittance(this.air, p, w, amounts);
+      const lands = paths.bending.map((bending, j) => landing(paths.impact[j], bending, this.sunDistance, place.depth));
+      return {through, lands, cover: cloudCover(this.air, part), topKm: part.cloudTopKm};
+    }));
+    return Array.from({length: angles}, (_, i) => {
+      const psi = 2 * Math.PI * i / angles, light = new Float64Array(rays * 3);
+      const shares = this.rays.parts.map((_, p) => this.share(p, psi));
+      seen.forEach((byWave, p) => {
+        if (Math.abs(shares[p]) < 0.01) return;
+        byWave.forEach(({through, lands, cover, topKm}, w) => {
+          for (let j = 0; j < rays; ++j) {
+            const out = ((x - lands[j] * Math.sin(psi)) ** 2 + (y - lands[j] * Math.cos(psi)) ** 2) / radius ** 2;
+            if (out > 1) continue;
+            const clear = this.rays.heights[j] <= topKm ? 1 - cover : 1;
+            const mu = Math.sqrt(1 - out);
+            let bright = 0;
+            this.terms.forEach((term, t) => {
+              bright += this.termBrightness[t][w] * term.reduceRight((value, c) => value * mu + c, 0);
+            });
+            for (let c = 0; c < 3; ++c)
+              light[3 * j + c] += shares[p] * clear * through[j] * bright * this.weights[c][w] / this.sunlight[1];
+          }
+        });
+      });
+      return light;
+    });
+  }
+
+  share(part, psi) {
+    return this.summed(Float64Array.from(
+      [...this.series[2 * part], ...(this.turning ? this.series[2 * part + 1] : [])]), psi, 1)[0];
+  }
+}
+
+/** Moves a colour of linear Rec.709 with a channel below 0 towards the grey of its luminance, as
+ * colour::into_gamut. Light of no luminance is black. */
+export function intoGamut(light) {
+  const least = Math.min(light[0], light[1], light[2]);
+  if (least >= 0) return;
+  const grey = 0.2126390059 * light[0] + 0.7151686788 * light[1] + 0.0721923154 * light[2];
+  const share = grey > 0 ? -least / (grey - least) : 1;
+  for (let c = 0; c < 3; ++c) light[c] = grey > 0 ? Math.max(0, light[c] + share * (grey - light[c])) : 0;
+}

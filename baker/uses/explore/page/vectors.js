@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Vectors of three numbers, and matrices of nine, column by column.
+
+export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+export const scaled = (a, k) => [a[0] * k, a[1] * k, a[2] * k];
+export const sum = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+export const difference = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+export const length = (a) => Math.sqrt(dot(a, a));
+export const unit = (a) => scaled(a, 1 / length(a));
+export const cross = (a, b) => [
+  a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+
+export const times = (m, v) =>
+  [0, 1, 2].map((row) => m[row] * v[0] + m[3 + row] * v[1] + m[6 + row] * v[2]);
+
+export const transposed = (m) => [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]];
+
+/** The unit vector towards a longitude and a latitude [rad]. */
+export const direction = (longitude, latitude) => [
+  Math.cos(latitude) * Math.cos(longitude), Math.cos(latitude) * Math.sin(longitude),
+  Math.sin(latitude)];
+
+export const degree = Math.PI / 180;

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "algebra/error.h"
+#include "almanac/gazetteer.h"
+#include "files/whole_file.h"
+#include "uses/explore/exploration.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/air_options.h"
+#include "verbs/flags/film_options.h"
+#include "verbs/flags/known_words.h"
+#include "verbs/flags/moments.h"
+#include "verbs/flags/moon_options.h"
+#include "verbs/flags/view_options.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/reports/one_line.h"
+#include "verbs/reports/progress_bar.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  FilmOptions film;  ///< of which only the eclipse and the calendar are asked for
+  std::string from, to, output;
+  uses::ExploreRequest request;
+  bool embed = false;
+};
+
+void require_sound(const Options& options) {
+  const bool many = !options.from.empty() || !options.to.empty();
+  if (many == !options.film.eclipse.empty())
+    throw WrongUsage("allowed is the day of an eclipse, as 2018-07-27, or --from and --to");
+  if (many && (options.from.empty() || options.to.empty()))
+    throw WrongUsage("--from and --to: one is missing");
+  if (many && options.embed) throw WrongUsage("--embed: goes with one eclipse");
+  const fs::path file = options.output;
+  if (!many && file.extension() != ".html")
+    throw algebra::Error(fmt::format("{}: a page ends in .html", one_line(options.output)));
+  if (!many) files::require_place_for(file);
+}
+
+/// A word as a shell takes it.
+std::string quoted(const std::string& word) {
+  const bool plain = word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                            "0123456789.,:+-/_=") == std::string::npos;
+  if (plain) return word;
+  std::string text = "'";
+  for (const char letter : word) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return text + "'";
+}
+
+/// What of the command line other commands take too, for those that the page shows.
+std::string options_shown(const CLI::App& verb) {
+  auto flags = flags_added_by([](CLI::App& app) {
+    static uses::LightRequest light;
+    static uses::MoonRequest moon;
+    add_air_options(app, light.air);
+    add_map_options(app, moon);
+  });
+  std::vector<std::string> words;
+  for (const auto& word : words_given(verb, flags)) words.push_back(quoted(word));
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+void write_page(const eclipse::Eclipse& eclipse, const uses::ExploreRequest& request,
+                uses::PageExtent extent, const fs::path& file) {
+  const auto exploration = [&] {
+    ProgressBar bar("page");
+    return uses::exploration_of(eclipse, request, bar.progress());
+  }();
+  const auto page = uses::page_of(exploration, extent);
+  files::write_whole(file, page);
+  fmt::print("{}: {}, {:.1f} MB\n", one_line(file.string()), exploration.title,
+             static_cast<double>(page.size()) / 1e6);
+}
+
+std::string page_name(const eclipse::Eclipse& eclipse) {
+  const auto when = almanac::utc_text(eclipse.greatest);
+  return when.substr(0, when.find('T')) + ".html";
+}
+
+void write_calendar(const Options& options) {
+  const auto from = almanac::instant_from_utc(options.from, options.film.calendar),
+             to = almanac::instant_from_utc(options.to, options.film.calendar);
+  const auto eclipses =
+      eclipse::eclipses_between(from, to, eclipse::ShadowConvention::danjon);
+  if (eclipses.empty())
+    throw algebra::Error(fmt::format("from {} to {}: no eclipse of the Moon", options.from, options.to));
+  const fs::path folder = options.output;
+  fs::create_directories(folder);
+  std::vector<std::string> pages;
+  for (const auto& eclipse : eclipses) {
+    pages.push_back(page_name(eclipse));
+    write_page(eclipse, options.request, uses::PageExtent::whole, folder / pages.back());
+  }
+  files::write_whole(folder / "index.html", uses::calendar_page(eclipses, pages));
+  fmt::print("{}: {} eclipses\n", one_line((folder / "index.html").string()), eclipses.size());
+}
+
+void run(const CLI::App& verb, Options options) {
+  require_sound(options);
+  auto& request = options.request;
+  request.options = options_shown(verb);
+  if (request.observer) {
+    const auto named = almanac::city_named(request.place);
+    request.time_zone = (named ? *named : almanac::nearest_city(*request.observer)).time_zone;
+    request.place = named ? named->name : "";
+  }
+  if (!options.from.empty()) return write_calendar(options);
+  write_page(times_of(options.film).eclipse, request,
+             options.embed ? uses::PageExtent::fragment : uses::PageExtent::whole, options.output);
+}
+
+}  // namespace
+
+void add_explore(CLI::App& program) {
+  auto* verb = add_verb(program, "explore",
+                        "makes an eclipse a page for any browser, in which time, place, exposure "
+                        "and air are changed by hand");
+  const auto options = std::make_shared<Options>();
+  add_flag(*verb, "eclipse,--eclipse", options->film.eclipse, "day of the eclipse, as 2018-07-27");
+  add_calendar_option(*verb, options->film.calendar);
+  add_flag(*verb, "--from", options->from,
+           "first day of a calendar: a page for every eclipse, in a folder");
+  add_flag(*verb, "--to", options->to, "last day of the calendar");
+  add_parsed(
+      *verb, "--at",
+      [options](const std::string& text) {
+        options->request.observer = observer_from(text);
+        options->request.place = text;
+      },
+      "place of the observer when the page opens: a city, as Nairobi, or LAT,LON[,ELEV] [degrees "
+      "north and east, metres]; the Earth's centre unless given");
+  add_flag(*verb, "-o,--output", options->output,
+           "page, .html; with --from and --to a folder of them, with a list in index.html")
+      .writes_file()
+      .required();
+  add_switch(*verb, "--embed", options->embed, "writes the part of a page that stands in your own");
+  add_map_options(*verb, options->request.moon);
+  add_air_options(*verb, options->request.moon.light.air);
+  add_recipe_option(*verb);
+  on_run(*verb, [verb, options] { run(*verb, *options); });
+}
+
+}  // namespace coppermoon::verbs
