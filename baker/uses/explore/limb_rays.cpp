@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "algebra/interpolation.h"
 #include "atmosphere/ozone.h"
 #include "photons/bending.h"
 #include "photons/limb.h"
@@ -223,20 +224,23 @@ ordered_json add_limb_rays(PageArrays& arrays, const atmosphere::Atmosphere& atm
 void add_scattered_light(PageArrays& arrays, const atmosphere::Atmosphere& atmosphere,
                          const shadow::Arrangement& arrangement,
                          std::span<const double> wavelengths_nm) {
-  constexpr double step_m = 1000e3;
-  std::vector<double> distances;
+  constexpr double step_m = 2000e3;
+  std::vector<double> distances, waves;
+  for (std::size_t w = 0; w < wavelengths_nm.size(); w += 2) waves.push_back(wavelengths_nm[w]);
+  if (wavelengths_nm.size() % 2 == 0) waves.push_back(wavelengths_nm.back());
   const double end = shadow::refracted_reach_m(arrangement, atmosphere, arrangement.depths_m[0]);
   for (double d = 0; d < end + step_m; d += step_m) distances.push_back(d);
   std::vector<atmosphere::Atmosphere> airs{atmosphere, with_aerosol(atmosphere, 0)};
   for (const double depth : aerosol_steps) airs.push_back(with_aerosol(atmosphere, depth));
   std::vector<algebra::Grid<double>> all(airs.size());
   tbb::parallel_for(std::size_t{0}, airs.size(), [&](std::size_t i) {
-    all[i] =
-        shadow::mean_ratio(shadow::twilight(airs[i], arrangement, wavelengths_nm, distances));
+    all[i] = shadow::mean_ratio(shadow::twilight(airs[i], arrangement, waves, distances));
   });
   std::vector<double> numbers;
   for (const auto& light : all)
-    numbers.insert(numbers.end(), light.values().begin(), light.values().end());
+    for (std::size_t d = 0; d < light.rows(); ++d)
+      for (const double nm : wavelengths_nm)
+        numbers.push_back(algebra::interpolated(waves, light.row(d), nm));
   arrays.add("scattered", {airs.size(), distances.size(), wavelengths_nm.size()}, numbers);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Drawings beside the Moon: the curve of its brightness, the spectrum of its light, the Earth's ring of sunsets.
 
+import {signed} from './words.js';
+
 /** A canvas cleared and scaled to the screen's own pixels. */
 function begun(canvas) {
   const ratio = Math.min(2, window.devicePixelRatio || 1);
@@ -33,7 +35,7 @@ export function drawCurve(canvas, curve, facts, nowMs) {
   const step = faintest - brightest > 8 ? 4 : 2;
   for (let V = -12; V < faintest; V += step) {
     line(pen, [[0, y(V)], [width, y(V)]]);
-    pen.fillText(`V ${V}`, 4, y(V) - 3);
+    pen.fillText(`V ${signed(V, 0)}`, 4, y(V) + 12);
   }
   pen.strokeStyle = '#e8c070';
   pen.lineWidth = 2;
@@ -104,4 +106,8 @@ export function drawRing(canvas, ring, heights) {
       for (let c = 0; c < 3; ++c) image.data[at + c] = code(Math.max(0, rays[3 * j + c]) / white);
     }
   pen.putImageData(image, 0, 0);
+  pen.strokeStyle = '#444';
+  pen.beginPath();
+  pen.arc(size / 2, size / 2, inner * size / 2, 0, 2 * Math.PI);
+  pen.stroke();
 }

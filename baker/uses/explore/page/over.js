@@ -49,7 +49,8 @@ function drawNorth(pen, {sky, view, frame}) {
   const pole = times(sky.equatorFrame, [0, 0, 1]);
   const north = [dot(pole, view.right), dot(pole, view.up)], size = Math.hypot(...north) || 1;
   const [x, y] = [north[0] / size, north[1] / size], reach = 16 * frame.ratio;
-  const from = [frame.width - 34 * frame.ratio, 34 * frame.ratio];
+  const narrow = frame.width < 640 * frame.ratio;  // the title is above there
+  const from = narrow ? [40 * frame.ratio, frame.height - 34 * frame.ratio] : [frame.width - 34 * frame.ratio, 40 * frame.ratio];
   pen.strokeStyle = pen.fillStyle = '#888';
   pen.textAlign = 'center';
   pen.textBaseline = 'middle';

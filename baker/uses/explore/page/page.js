@@ -11,7 +11,7 @@ import {Picture} from './picture.js';
 import {Shadow} from './shadow.js';
 import {commandOf, linkOf, stateOf} from './state.js';
 import {direction, degree, unit} from './vectors.js';
-import {exposureTime, localTime, meanings, number, placeText, utc} from './words.js';
+import {exposureTime, localTime, meanings, number, placeText, signed, utc} from './words.js';
 
 const curveMoments = 72;
 const playedRate = 600;  // seconds of the eclipse in one
@@ -92,11 +92,11 @@ export class Page {
     const local = localTime(state.ms, place?.timeZone);
     this.find('when').textContent = `${utc(state.ms).replace('T', ' ').replace('Z', ' UTC')} · ${local}`;
     this.find('where').textContent = place
-      ? `${place.name || placeText(place)}: altitude ${view.altitude.toFixed(1)}°, azimuth ${view.azimuth.toFixed(0)}°`
+      ? `${place.name || placeText(place)}: altitude ${signed(view.altitude, 1)}°, azimuth ${view.azimuth.toFixed(0)}°`
       : 'from the Earth’s centre';
     this.find('note').textContent = place && view.altitude < -0.3 ? 'The Moon is below the horizon there.' : '';
     const whole = brightness(this.picture, facts, sky);
-    this.find('whole').textContent = `V ${whole.V.toFixed(2)} · mean ${number(whole.luminance)} cd/m² · ` +
+    this.find('whole').textContent = `V ${signed(whole.V, 2)} · mean ${number(whole.luminance)} cd/m² · ` +
       `${exposureTime(this.seconds)} at f/${state.exposure.fNumber}, ISO ${state.exposure.iso}`;
     this.find('whole').title = meanings.V;
     this.find('moment').value = state.ms;

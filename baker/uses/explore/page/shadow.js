@@ -331,31 +331,33 @@ export class Shadow {
 
   /**
    * Light that the air scatters into the shadow, over sunlight, by wavelength: between amounts of the
-   * stratosphere's aerosol in the logarithm. Other changes of the air do not change it, but for a switch
-   * that leaves nothing to scatter.
+   * stratosphere's aerosol in logarithms. Other changes of the air do not change it, but for the switch that
+   * leaves nothing to scatter. Air of Danjon's scale stands for all that was seen, scattered light included.
    */
   scatteredAt(distance) {
-    const [amounts, distances, waves] = this.scattered.shape, {data} = this.scattered;
-    const light = new Float64Array(waves);
-    if (!this.air.scattering) return light;
-    const parts = this.rays.parts;
-    const mean = (of) => parts.reduce((total, part) => total + of(part), 0) / parts.length;
-    const depth = mean((part) => aerosolDepth(this.air, part));
-    const steps = this.facts.limb.aerosolSteps;
-    let low = 0, high = 0, part = 0;  // as it was
-    if (depth !== mean((one) => one.aerosolDepth)) {
-      const s = steps.findLastIndex((step) => step <= depth);
-      [low, high] = [s + 2, Math.min(s + 3, amounts - 1)];
-      part = s < 0 ? depth / steps[0] : s + 1 < steps.length ? Math.log(depth / steps[s]) / Math.log(steps[s + 1] / steps[s]) : 0;
-      if (s < 0) low = 1;
-    }
-    const place = Math.min(distance / 1000, distances - 1.001), d = Math.floor(place), along = place - d;
-    const value = (a, w) => {
-      const at = (a * distances + d) * waves + w;
+    const [, distances, waves] = this.scattered.shape, {data} = this.scattered;
+    if (!this.air.scattering || this.air.clearness !== 0) return new Float64Array(waves);
+    const [low, high, part] = this.scatteringAmounts();
+    const place = Math.min(distance / 2000, distances - 1.001), d = Math.floor(place), along = place - d;
+    const value = (amount, w) => {
+      const at = (amount * distances + d) * waves + w;
       return data[at] + along * (data[at + waves] - data[at]);
     };
-    for (let w = 0; w < waves; ++w) light[w] = value(low, w) + part * (value(high, w) - value(low, w));
-    return light;
+    return Float64Array.from({length: waves}, (_, w) => {
+      const a = value(low, w), b = value(high, w);
+      return a > 0 && b > 0 ? a * (b / a) ** part : a;
+    });
+  }
+
+  /** Between which amounts of the aerosol it is, and how far. */
+  scatteringAmounts() {
+    const {parts} = this.rays, mean = (of) => parts.reduce((total, part) => total + of(part), 0) / parts.length;
+    const depth = mean((part) => aerosolDepth(this.air, part));
+    if (depth === mean((part) => part.aerosolDepth)) return [0, 0, 0];
+    const steps = this.facts.limb.aerosolSteps, step = steps.findLastIndex((one) => one <= depth);
+    if (step < 0) return [1, 2, depth / steps[0]];
+    if (step + 1 === steps.length) return [step + 2, step + 2, 0];
+    return [step + 2, step + 3, Math.log(depth / steps[step]) / Math.log(steps[step + 1] / steps[step])];
   }
 
   /** Light over sunlight by wavelength, at a place in the shadow (motion.placeInShadow). */

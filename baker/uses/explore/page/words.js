@@ -32,9 +32,14 @@ export function exposureTime(seconds) {
   return `1/${Number((1 / seconds).toPrecision(2))} s`;
 }
 
+const wholeSeconds = (ms) => Math.round(ms / 1e3) * 1e3;
+
 export function utc(ms) {
-  return `${new Date(Math.round(ms / 1e3) * 1e3).toISOString().slice(0, 19)}Z`;
+  return `${new Date(wholeSeconds(ms)).toISOString().slice(0, 19)}Z`;
 }
+
+/** −2.71, with a minus sign. */
+export const signed = (value, decimals) => value.toFixed(decimals).replace('-', '−');
 
 /** Clock time in a time zone; in the browser's own where none is given. */
 export function localTime(ms, timeZone) {
@@ -42,7 +47,7 @@ export function localTime(ms, timeZone) {
     month: 'short', day: 'numeric', hour: '2-digit', minute: '2-digit', second: '2-digit',
     hourCycle: 'h23', timeZoneName: 'short',
   };
-  return new Intl.DateTimeFormat('en-GB', timeZone ? {...options, timeZone} : options).format(ms);
+  return new Intl.DateTimeFormat('en-GB', timeZone ? {...options, timeZone} : options).format(wholeSeconds(ms));
 }
 
 /** 12.3° N or S, E or W. */

@@ -1,0 +1,471 @@
+// SPDX-License-Identifier: MIT
+// Pages of eclipses in a real browser, held against what the program itself computes.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <glm/geometric.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "almanac/gazetteer.h"
+#include "almanac/observer.h"
+#include "colour/difference.h"
+#include "colour/display.h"
+#include "end_to_end/program.h"
+#include "povray_scenes/camera.h"
+#include "support/within.h"
+#include "texture/read_image.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t texture_rows = 1024;  // of a page's map
+
+/// A texel, and the place of its middle.
+struct Place {
+  std::size_t row, column;
+  double latitude() const { return 90 - (static_cast<double>(row) + 0.5) * 180 / texture_rows; }
+  double longitude() const {
+    return -180 + (static_cast<double>(column) + 0.5) * 360 / (2 * texture_rows);
+  }
+};
+
+/// Places on the near side, evenly over the sphere.
+std::vector<Place> places(std::size_t count) {
+  std::mt19937 random(20180727);
+  std::uniform_real_distribution<double> height(-0.99, 0.99), longitude(-80, 80);
+  std::vector<Place> all;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double latitude = std::asin(height(random)) * 180 / std::acos(-1.);
+    all.push_back({static_cast<std::size_t>((90 - latitude) / 180 * texture_rows),
+                   static_cast<std::size_t>((longitude(random) + 180) / 360 * 2 * texture_rows)});
+  }
+  return all;
+}
+
+json as_json(const std::vector<Place>& places) {
+  json all;
+  for (const auto& place : places)
+    all.push_back({{"latitude", place.latitude()}, {"longitude", place.longitude()}});
+  return all;
+}
+
+double luminance(double red, double green, double blue) {
+  return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+}
+
+class Explore : public ProgramTest {
+ protected:
+  /// Makes a page; one second of a test in three.
+  void make(const std::string& day, const Words& more = {}, const std::string& file = "a.html") {
+    expect_done(coppermoon(Words{"explore", day, "-o", file} + more));
+  }
+
+  /// What a script returns that runs beside a page, once that is ready; `page` is the Page. A problem of
+  /// the page's or the script's fails.
+  json in_browser(const std::string& script, const std::string& size = "1280,800",
+                  const std::string& name = "a.html") const {
+    const auto page = text_of(here(name));
+    file("probe.html",
+         "<script>window.problems = [];\n"
+         "window.onerror = (text) => problems.push(String(text));\n"
+         "window.onunhandledrejection = (event) => problems.push(String(event.reason));\n"
+         "console.error = console.warn = (...texts) => problems.push(texts.join(' '));</script>" +
+             page +
+             "<script>(async () => {\n"
+             "const all = [...document.querySelectorAll('.coppermoon')];\n"
+             "let answer;\n"
+             "try {\n"
+             "  const pages = await Promise.all(all.map((one) => one.ready)), page = pages[0];\n"
+             "  answer = await (async () => {" +
+             script +
+             "})();\n"
+             "} catch (problem) { problems.push(String(problem.stack)); }\n"
+             "const said = document.createElement('pre');\n"
+             "said.id = 'said';\n"
+             "said.textContent = btoa(unescape(encodeURIComponent(JSON.stringify({answer, problems}))));\n"
+             "document.body.append(said);\n"
+             "})();</script>");
+    const auto outcome = run({"chromium-headless-shell", "--no-sandbox", "--disable-gpu-sandbox",
+                              "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+                              "--disable-background-networking", "--disable-component-update",
+                              "--no-first-run", "--user-data-dir=" + here("../tmp/browser").string(),
+                              "--window-size=" + size, "--virtual-time-budget=120000", "--dump-dom",
+                              "file://" + here("probe.html").string()});
+    const auto said = answer_in(outcome.out);
+    EXPECT_EQ(said["problems"], json::array());
+    return said["answer"];
+  }
+
+  texture::Image baked(const std::string& when, const Words& more = {}) const {
+    const auto outcome = coppermoon(
+        Words{"bake", when, "--texture-width", "2048", "--tolerance", "0.2%", "-o", "b.exr"} + more);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return texture::read_image(here("b.exr"));
+  }
+
+ private:
+  static json answer_in(const std::string& dom) {
+    const std::string before = "<pre id=\"said\">";
+    const auto from = dom.find(before);
+    if (from == std::string::npos) {
+      ADD_FAILURE() << "the browser said nothing: is chromium-headless-shell installed?";
+      return {{"problems", json::array()}, {"answer", {}}};
+    }
+    const auto coded = dom.substr(from + before.size(), dom.find('<', from + 1) - from - before.size());
+    const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    unsigned bits = 0, count = 0;
+    for (const char letter : coded) {
+      if (letter == '=') break;
+      bits = bits << 6 | static_cast<unsigned>(letters.find(letter));
+      if ((count += 6) >= 8) text += static_cast<char>(bits >> (count -= 8));
+    }
+    return json::parse(text);
+  }
+};
+
+/// The page's light over the texture's, less 1: the mean square's root, and the worst.
+struct Error {
+  double rms = 0, worst = 0;
+};
+
+Error error_of(const json& radiances, const std::vector<Place>& places,
+               const texture::Image& texture) {
+  Error error;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto at = [&](std::size_t c) { return texture(places[i].row, places[i].column, c); };
+    const double there = luminance(at(0), at(1), at(2));
+    if (there <= 0) continue;
+    const auto& rgb = radiances[i];
+    const double off = luminance(rgb[0], rgb[1], rgb[2]) / there - 1;
+    error.rms += off * off;
+    error.worst = std::max(error.worst, std::abs(off));
+    ++count;
+  }
+  EXPECT_GT(count, places.size() * 9 / 10) << "on the near side";
+  error.rms = std::sqrt(error.rms / static_cast<double>(count));
+  return error;
+}
+
+using Moments = std::map<std::string, std::vector<std::string>>;
+
+/// What is done to the air, and how far the page's light may be off.
+using Changes = std::vector<std::pair<std::string, double>>;
+
+class ExploreLight : public Explore {
+ protected:
+  void expect_light_of_bakes(const Moments& moments) {
+    const auto where = places(1000);
+    for (const auto& [day, times] : moments) {
+      make(day);
+      const auto all = in_browser(fmt::format(
+          "page.set({{place: null}});\nreturn {}.map((when) => {{ page.set({{ms: Date.parse(when)}});\n"
+          "  return page.radianceAt({}); }});",
+          json(times).dump(), as_json(where).dump()));
+      for (std::size_t i = 0; i < times.size(); ++i) {
+        const auto error = error_of(all[i], where, baked(times[i]));
+        EXPECT_LT(error.worst, 0.011)
+            << times[i] << ": albedo in 255 steps, 0.5 %; light, 0.5 %; halves, 0.05 %";
+        EXPECT_LT(error.rms, 0.004) << times[i];
+      }
+    }
+  }
+
+  /// The command that the page shows makes the same Moon.
+  void expect_airs_of_commands(const Changes& changes) {
+    const auto where = places(500);
+    make("2018-07-27");
+    std::string script =
+        "const was = {...page.state.air}, all = [];\npage.set({place: null});\n"
+        "const where = " + as_json(where).dump() + ";\n";
+    for (const auto& change : changes)
+      script += "page.set({air: {...was, ..." + change.first +
+                "}});\nall.push({light: page.radianceAt(where), command: page.find('command').textContent});\n";
+    const auto all = in_browser(script + "return all;");
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      // "coppermoon still WHEN --time … --iso … --f-number … AIR -o moon.png"
+      std::istringstream command(all[i]["command"].get<std::string>());
+      Words words;
+      for (std::string word; command >> word;) words.push_back(word);
+      const auto air = std::find(words.begin(), words.end(), "--f-number") + 2;
+      const auto error =
+          error_of(all[i]["light"], where, baked(words[2], Words(air, words.end() - 2)));
+      EXPECT_LT(error.worst, changes[i].second) << changes[i].first << ": " << command.str();
+      EXPECT_GT(words.end() - air, 3) << changes[i].first << " is in the command";
+    }
+  }
+};
+
+class ExploreLightThoroughly : public ExploreLight {};
+
+/// In the deepest umbra, at the umbra's edge after an eruption, and in a partial eclipse.
+TEST_F(ExploreLight, IsThatOfBakedTextures) {
+  expect_light_of_bakes({{"2018-07-27", {"2018-07-27T20:21:45Z"}},
+                         {"2022-05-16", {"2022-05-16T03:29:07Z"}},
+                         {"2008-08-16", {"2008-08-16T21:10:07Z"}}});
+}
+
+TEST_F(ExploreLightThoroughly, IsThatOfBakedTexturesAtAllPhases) {
+  expect_light_of_bakes({{"2018-07-27", {"2018-07-27T17:54:28Z", "2018-07-27T19:27:17Z"}},
+                         {"2022-05-16", {"2022-05-16T02:57:56Z", "2022-05-16T04:11:32Z"}},
+                         {"2008-08-16", {"2008-08-16T18:40:00Z", "2008-08-16T19:36:05Z"}}});
+}
+
+TEST_F(ExploreLight, IsThatOfTheCommandThatThePageShows) {
+  expect_airs_of_commands(
+      {{"{cloud: 0.4, haze: 2}", 0.02}, {"{dust: 0.05}", 0.03}, {"{refraction: false}", 0.025}});
+}
+
+/// Of each change the error that docs/explore.md states.
+TEST_F(ExploreLightThoroughly, IsThatOfTheCommandThatThePageShowsInAnyAir) {
+  expect_airs_of_commands({{"{cloud: 0}", 0.02},
+                           {"{clouds: false, aerosol: false}", 0.02},
+                           {"{dust: 0.2}", 0.055},
+                           {"{ozone: false}", 0.02},
+                           {"{ozoneDu: 450}", 0.025},
+                           {"{scattering: false}", 0.02},
+                           {"{clearness: page.facts.danjon[0]}", 0.03},
+                           {"{clearness: page.facts.danjon[1]}", 0.03}});
+}
+
+TEST_F(Explore, PicturesAreDevelopedAsByTheProgram) {
+  make("2018-07-27");
+  const auto where = places(300);
+  const auto all = in_browser(
+      "page.set({place: null, ms: Date.parse('2018-07-27T19:05:00Z')});\nconst where = " +
+      as_json(where).dump() +
+      ";\nconst gl = page.picture.gl, frame = page.frame(), box = page.picture.canvas.getBoundingClientRect();\n"
+      "const pixels = where.map((at) => page.pixelOf(at)).filter(Boolean).map((xy) => xy.map(Math.floor))\n"
+      "  .map(([x, y]) => ({x, y, at: page.under({clientX: box.left + (x + 0.5) / frame.ratio, clientY: box.top + (y + 0.5) / frame.ratio})}))\n"
+      "  .filter(({at}) => at);\n"
+      "const light = page.radianceAt(pixels.map(({at}) => at));\n"
+      "return page.facts.views.map((look) => {\n"
+      "  page.set({look, exposure: {rule: 'fixed', time: 0.5, iso: 800, fNumber: 12.1}});\n"
+      "  const bytes = new Uint8Array(4 * frame.width * frame.height);\n"
+      "  gl.readPixels(0, 0, frame.width, frame.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);\n"
+      "  return pixels.map(({x, y}, i) => { const at = 4 * ((frame.height - 1 - y) * frame.width + x);\n"
+      "    return {look, shown: [...bytes.slice(at, at + 3)], light: light[i]}; }); });");
+  const double scale = 0.8333333 * 0.5 * 8 / (12.1 * 12.1);  // colour::exposure_scale
+  for (const auto& view : all) {
+    ASSERT_GT(view.size(), 250U);
+    double sum = 0;
+    std::string look;
+    for (const auto& pixel : view) {
+      look = pixel["look"];
+      colour::Image one(1, 1);
+      for (std::size_t c = 0; c < 3; ++c) one(0, 0)[c] = pixel["light"][c].get<float>();
+      auto expected = colour::developed(one, colour::WorkingSpace::linear_rec709, {scale, look})(0, 0);
+      colour::Rgb shown;
+      for (std::size_t c = 0; c < 3; ++c) {
+        shown[c] = pixel["shown"][c].get<float>() / 255;
+        expected[c] = std::clamp(expected[c], 0.F, 1.F);
+      }
+      sum += colour::delta_e_2000(colour::lab_from_srgb(shown), colour::lab_from_srgb(expected));
+    }
+    EXPECT_LT(sum / static_cast<double>(view.size()), 1)
+        << look << ": in the mean less than is seen side by side";
+  }
+}
+
+TEST_F(Explore, PlacesAreSeenWhereTheCameraSeesThem) {
+  make("2018-07-27", {"--at", "Nairobi"});
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:40:00Z"));
+  const auto nairobi = almanac::city_named("Nairobi")->place;
+  const auto view = almanac::view_from({nairobi.latitude, nairobi.longitude, {}}, sky);
+  const std::vector<std::string> names{"Tycho", "Mare Crisium", "Plato"};
+  json where;
+  for (const auto& name : names) {
+    const auto at = almanac::lunar_feature_named(name)->middle;
+    where.push_back({{"latitude", algebra::in_degrees(at.latitude)},
+                     {"longitude", algebra::in_degrees(at.longitude)}});
+  }
+  const auto all = in_browser(
+      "page.state.place.elevationKm = 0;\n"
+      "return ['north', 'zenith', 'moon'].map((up) => {\n"
+      "  page.set({ms: Date.parse('2018-07-27T20:40:00Z'), up});\n"
+      "  const {frame, view} = page.scene();\n"
+      "  return {frame, view, seen: " + where.dump() + ".map((at) => page.pixelOf(at))};\n"
+      "});");
+  std::size_t way = 0;
+  for (const auto up : {povray_scenes::Up::celestial_north, povray_scenes::Up::zenith,
+                        povray_scenes::Up::moon_north}) {
+    const auto& said = all[way++];
+    const auto& frame = said["frame"];
+    const auto width = frame["width"].get<std::size_t>(), height = frame["height"].get<std::size_t>();
+    // the picture's half width in lunar radii at the Moon's distance is the tangent of half the field
+    const double half = frame["pixel"].get<double>() * static_cast<double>(width) / 2 *
+                        algebra::in_metres(almanac::lunar_radius) /
+                        algebra::in_metres(view.moon_distance);
+    const auto camera = povray_scenes::camera_at(
+        sky, view, up, {algebra::radians(2 * std::atan(half)), width, height});
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const auto pixel = povray_scenes::pixel_of(camera, almanac::lunar_feature_named(names[i])->middle);
+      ASSERT_TRUE(pixel);
+      EXPECT_WITHIN(said["seen"][i][0].get<double>(), pixel->x, 1, names[i] + " within a pixel");
+      EXPECT_WITHIN(said["seen"][i][1].get<double>(), pixel->y, 1, names[i] + " within a pixel");
+    }
+    EXPECT_WITHIN(said["view"]["azimuth"].get<double>(), algebra::in_degrees(view.azimuth), 0.02,
+                  "refraction does not turn it; the vertical of WGS 84");
+    EXPECT_WITHIN(said["view"]["altitude"].get<double>(), algebra::in_degrees(view.altitude), 0.02,
+                  "refraction at 64 degrees is 0.008");
+  }
+}
+
+TEST_F(Explore, MagnitudesAreThoseOfBrightness) {
+  make("2022-05-16");
+  for (const std::string when : {"2022-05-16T03:00:00Z", "2022-05-16T04:11:32Z"}) {
+    const auto outcome = coppermoon({"brightness", when, "--json"});
+    const double V = json::parse(outcome.out)["magnitudes"]["V"];
+    const auto said = in_browser(fmt::format(
+        "page.set({{ms: Date.parse('{}')}}); return page.find('whole').textContent;", when));
+    // "V −0.83 · mean …"
+    auto text = said.get<std::string>().substr(2);
+    if (const std::string minus = "−"; text.starts_with(minus)) text = "-" + text.substr(minus.size());
+    EXPECT_WITHIN(std::stod(text), V, 0.02, "96 pixels across the disc; two decimals; light to 0.5 %");
+  }
+}
+
+TEST_F(Explore, EachControlChangesWhatItSaysAndNothingElse) {
+  make("2018-07-27", {"--at", "Nairobi"});
+  const auto said = in_browser(
+      "const fields = () => Object.fromEntries(Object.entries(page.state).map(([name, value]) => [name, JSON.stringify(value)]));\n"
+      "const first = fields(), changed = {};\n"
+      "const note = (name) => { changed[name] = Object.keys(first).filter((key) => fields()[key] !== first[key]);\n"
+      "  Object.entries(first).forEach(([key, value]) => { page.state[key] = JSON.parse(value); }); page.panel.show(); };\n"
+      "for (const part of ['who', 'exposure', 'air', 'why']) {\n"
+      "  const count = page.find(part).querySelectorAll('input, select').length;\n"
+      "  for (let i = 0; i < count; ++i) {\n"
+      "    const control = page.find(part).querySelectorAll('input, select')[i];\n"
+      "    const label = control.closest('label').textContent.slice(0, 12);\n"
+      "    if (control.type === 'checkbox') control.click();\n"
+      "    else { control.value = control.tagName === 'SELECT' ? [...control.options].find((o) => !o.selected).value\n"
+      "        : control.type === 'range' ? 0.4 : 'Chicago';\n"
+      "      control.dispatchEvent(new Event('input')); control.dispatchEvent(new Event('change')); }\n"
+      "    note(`${part} ${i} ${label}`);\n"
+      "  }\n"
+      "}\n"
+      "return changed;");
+  EXPECT_GE(said.size(), 16U);
+  for (const auto& [control, fields] : said.items()) {
+    ASSERT_EQ(fields.size(), 1U) << control << " changes " << fields;
+    const std::string field = fields[0];
+    if (control.starts_with("air") || control.starts_with("why")) {
+      EXPECT_EQ(field, "air") << control;
+    }
+    if (control.starts_with("who 0")) {
+      EXPECT_EQ(field, "place") << control;
+    }
+    if (control.starts_with("exposure 0")) {
+      EXPECT_EQ(field, "exposure") << control;
+    }
+  }
+}
+
+TEST_F(Explore, LinksKeysAndALostContextBringBackWhatWasSeen) {
+  make("2018-07-27", {"--at", "Nairobi"});
+  const auto said = in_browser(
+      "page.set({ms: Date.parse('2018-07-27T19:05:00Z'), up: 'zenith', look: 'Filmic', circle: true,\n"
+      "  exposure: {rule: 'fixed', time: 0.25, iso: 400, fNumber: 5.6}, air: {...page.state.air, cloud: 0.5, ozone: false}});\n"
+      "page.drawBeside();\n"
+      "const until = async (done) => { for (let i = 0; i < 4000 && !done(); ++i) await new Promise(requestAnimationFrame); };\n"
+      "const before = JSON.stringify(page.state), hash = location.hash;\n"
+      "const picture = () => page.picture.canvas.toDataURL();\n"
+      "const seen = picture();\n"
+      "history.replaceState(null, '', '#');\n"
+      "page.set({ms: Date.parse('2018-07-27T20:05:00Z'), circle: false, look: 'Un-tone-mapped', up: 'north'});\n"
+      "const other = picture() !== seen;\n"
+      "location.hash = hash;\n"
+      "await until(() => picture() === seen);\n"
+      "const again = JSON.stringify(page.state), restored = picture() === seen;\n"
+      "const key = (name, shiftKey = false) => page.find('moon').dispatchEvent(\n"
+      "  new KeyboardEvent('keydown', {key: name, shiftKey, bubbles: true, composed: true}));\n"
+      "key('ArrowRight');\n"
+      "key('ArrowRight', true);\n"
+      "const moved = page.state.ms - Date.parse('2018-07-27T19:05:00Z');\n"
+      "page.set({ms: Date.parse('2018-07-27T19:05:00Z')});\n"
+      "const lose = page.picture.gl.getExtension('WEBGL_lose_context');\n"
+      "lose.loseContext();\n"
+      "await until(() => page.picture.gl.isContextLost());\n"
+      "const lost = page.picture.gl.isContextLost();\n"
+      "await until(() => { try { lose.restoreContext(); } catch {} return !page.picture.gl.isContextLost(); });\n"
+      "await until(() => picture() === seen);\n"
+      "return {before, again, other, restored, moved, lost, back: picture() === seen};");
+  EXPECT_EQ(said["before"], said["again"]) << "a link keeps all settings";
+  EXPECT_TRUE(said["other"].get<bool>());
+  EXPECT_TRUE(said["restored"].get<bool>());
+  EXPECT_EQ(said["moved"], 11 * 60000);
+  EXPECT_TRUE(said["lost"].get<bool>());
+  EXPECT_TRUE(said["back"].get<bool>()) << "after a lost context the picture is the same";
+}
+
+TEST_F(Explore, AMoonBelowTheHorizonIsSaidAndALocalTimeIsThePlaces) {
+  make("2018-07-27", {"--at", "Nairobi"});
+  const auto said = in_browser(
+      "const nairobi = page.find('when').textContent, up = page.find('note').textContent;\n"
+      "page.set({place: page.panel.places.named('Chicago')});\n"
+      "return {nairobi, up, below: page.find('note').textContent, chicago: page.find('when').textContent,\n"
+      "  pair: page.panel.places.named('-1.3, 36.8').timeZone, none: page.panel.places.named('Nowhere at all')};");
+  EXPECT_NE(said["nairobi"].get<std::string>().find("23:21:45 GMT+3"), std::string::npos);
+  EXPECT_EQ(said["up"], "");
+  EXPECT_EQ(said["below"], "The Moon is below the horizon there.");
+  EXPECT_NE(said["chicago"].get<std::string>().find("15:21:45 GMT-5"), std::string::npos);
+  EXPECT_EQ(said["pair"], "Africa/Nairobi");
+  EXPECT_TRUE(said["none"].is_null());
+}
+
+TEST_F(Explore, PagesAreOneFileAndNeedNoNetwork) {
+  make("2018-07-27");
+  const auto page = text_of(here("a.html"));
+  EXPECT_LT(page.size(), 4e6);
+  for (const char* fetched : {"http://", "https://", "src=", "@import", "import("})
+    EXPECT_EQ(page.find(fetched), std::string::npos) << fetched;
+  EXPECT_EQ(listing(), std::set<std::string>{"here/a.html"});
+  const auto width = in_browser("return document.documentElement.scrollWidth;", "500,900");
+  EXPECT_LE(width.get<int>(), 500) << "on a phone nothing stands beside the screen";
+}
+
+TEST_F(Explore, FragmentsStandBesideEachOther) {
+  make("2018-07-27", {"--embed"}, "one.html");
+  make("2025-03-14", {"--embed", "--atmosphere", "undated"}, "other.html");
+  EXPECT_EQ(text_of(here("one.html")).find("<html"), std::string::npos);
+  file("a.html", "<body><style>canvas { border: 9px solid red; }</style>" + text_of(here("one.html")) +
+                     text_of(here("other.html")));
+  const auto said = in_browser(
+      "return pages.map((one) => [one.find('eclipse').querySelector('h1').textContent, one.facts.options,\n"
+      "  getComputedStyle(one.find('moon')).borderTopWidth]);");
+  EXPECT_EQ(said[0], json({"Total eclipse of the Moon, 2018-07-27", "", "0px"}));
+  EXPECT_EQ(said[1],
+            json({"Total eclipse of the Moon, 2025-03-14", "--atmosphere undated", "0px"}));
+}
+
+TEST_F(Explore, ACalendarListsItsPages) {
+  const auto outcome =
+      coppermoon({"explore", "--from", "2025-01-01", "--to", "2025-12-31", "-o", "year"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(listing(), (std::set<std::string>{"here/year", "here/year/index.html",
+                                              "here/year/2025-03-14.html",
+                                              "here/year/2025-09-07.html"}));
+  const auto index = text_of(here("year/index.html"));
+  EXPECT_NE(index.find("<a href=\"2025-03-14.html\">2025-03-14</a></td><td>06:58</td><td>total"),
+            std::string::npos)
+      << index;
+}
+
+TEST_F(Explore, WhatIsNoPageIsRefused) {
+  EXPECT_EQ(coppermoon({"explore", "2018-07-27", "-o", "a.png"}).err,
+            "coppermoon: a.png: a page ends in .html\n");
+  EXPECT_EQ(coppermoon({"explore", "-o", "a.html"}).status, 2);
+  EXPECT_EQ(coppermoon({"explore", "2018-07-27", "--from", "2020-01-01", "-o", "a.html"}).status, 2);
+  EXPECT_EQ(coppermoon({"explore", "--from", "2020-01-01", "-o", "a"}).status, 2);
+  EXPECT_EQ(coppermoon({"explore", "--from", "2020-01-20", "--to", "2020-01-30", "-o", "a"}).err,
+            "coppermoon: from 2020-01-20 to 2020-01-30: no eclipse of the Moon\n");
+  EXPECT_EQ(listing(), std::set<std::string>{});
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end
