@@ -67,7 +67,7 @@ inline texture::Attributes header(const Look& look) {
 class BlenderTest : public end_to_end::ProgramTest {
  protected:
   static std::string project(const std::string& path) {
-    return std::string(COPPERMOON_TEST_DATA) + "/../" + path;
+    return std::string(COPPERMOON_TEST_DATA "/../") + path;
   }
 
   end_to_end::Outcome eclipse_py(const std::vector<std::string>& words) const {

@@ -76,7 +76,7 @@ TEST_F(Tools, MaketxMakesTheSameMipmaps) {
 }
 
 TEST_F(Tools, OciocheckPassesTheConfiguration) {
-  const auto config = std::string(COPPERMOON_TEST_DATA) + "/../colour/config.ocio";
+  const std::string config = COPPERMOON_TEST_DATA "/../colour/config.ocio";
   EXPECT_NE(said({"ociocheck", "--iconfig", config}).find("passed"), std::string::npos);
 }
 

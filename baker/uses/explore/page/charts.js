@@ -84,8 +84,7 @@ function whiteOf(ring) {
 }
 
 /**
- * The Earth from the Moon: its black disc, and around it the air, forty kilometres drawn ten times as thick
- * as they are.
+ * The Earth from the Moon: its black disc, and around it forty kilometres of air, drawn eighty times as thick.
  *
  * Given  ring  Shadow.ring;  heights  of its rays [km]
  */
