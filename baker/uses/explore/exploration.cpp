@@ -255,6 +255,7 @@ Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest
       {"map", albedo},
       {"photometry", photometry_of(request.moon.photometry)},
       {"danjon", danjon},
+      {"scatters", scattered_light_of(light) != ScatteredLight::off},
       {"dated", !air.belts.empty()},
       {"haze", air.columns()[0]->tropospheric_optical_depth},
       {"exposureScale", colour::exposure_scale({1, 1, 100})},

@@ -96,6 +96,12 @@ shadow::RefractedLight photons_of(const LightRequest& request, const Rig& rig,
 
 }  // namespace
 
+ScatteredLight scattered_light_of(const LightRequest& request) {
+  const bool counted = request.air.column.danjon.has_value();
+  const bool automatic = request.scattered_light == ScatteredLight::automatic;
+  return counted && automatic ? ScatteredLight::off : request.scattered_light;
+}
+
 void require_eclipse(const almanac::Instant& when, const std::string& way_out) {
   const auto convention = eclipse::ShadowConvention::danjon;
   if (eclipse::eclipse_at(when, convention)) return;
@@ -171,13 +177,6 @@ plan::Method method_of(shadow::Trace trace) {
     default:
       return plan::Method::table;
   }
-}
-
-/// Air of Danjon's scale stands for all that was seen of such eclipses, scattered light included.
-ScatteredLight scattered_light_of(const LightRequest& request) {
-  const bool counted = request.air.column.danjon.has_value();
-  const bool automatic = request.scattered_light == ScatteredLight::automatic;
-  return counted && automatic ? ScatteredLight::off : request.scattered_light;
 }
 
 plan::Plan plan_of(const LightRequest& request, const ShadowedMoon& moon, const Purpose& purpose) {

@@ -57,6 +57,10 @@ struct LightRequest {
   PhotonFiles photon_files{};
 };
 
+/// Whether scattered light is computed: air of Danjon's scale stands for all that was seen of such eclipses,
+/// scattered light included, so with it "automatic" is off.
+ScatteredLight scattered_light_of(const LightRequest& request);
+
 /// The Sun's disc, uniform or not, over planes behind the Earth.
 shadow::Arrangement arrangement_of(const LightRequest& request, double sun_distance_m,
                                    std::vector<double> depths_m);

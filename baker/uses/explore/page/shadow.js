@@ -336,7 +336,7 @@ export class Shadow {
    */
   scatteredAt(distance) {
     const [, distances, waves] = this.scattered.shape, {data} = this.scattered;
-    if (!this.air.scattering || this.air.clearness !== 0) return new Float64Array(waves);
+    if (!this.facts.scatters || !this.air.scattering || this.air.clearness !== 0) return new Float64Array(waves);
     const [low, high, part] = this.scatteringAmounts();
     const place = Math.min(distance / 2000, distances - 1.001), d = Math.floor(place), along = place - d;
     const value = (amount, w) => {
