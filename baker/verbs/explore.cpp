@@ -47,11 +47,13 @@ void require_sound(const Options& options) {
 
 /// A word as a shell takes it.
 std::string quoted(const std::string& word) {
-  const bool plain = word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                            "0123456789.,:+-/_=") == std::string::npos;
+  const bool plain = word.find_first_not_of(
+                         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                         "0123456789.,:+-/_=") == std::string::npos;
   if (plain) return word;
   std::string text = "'";
-  for (const char letter : word) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  for (const char letter : word)
+    text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
   return text + "'";
 }
 
@@ -88,10 +90,10 @@ std::string page_name(const eclipse::Eclipse& eclipse) {
 void write_calendar(const Options& options) {
   const auto from = almanac::instant_from_utc(options.from, options.film.calendar),
              to = almanac::instant_from_utc(options.to, options.film.calendar);
-  const auto eclipses =
-      eclipse::eclipses_between(from, to, eclipse::ShadowConvention::danjon);
+  const auto eclipses = eclipse::eclipses_between(from, to, eclipse::ShadowConvention::danjon);
   if (eclipses.empty())
-    throw algebra::Error(fmt::format("from {} to {}: no eclipse of the Moon", options.from, options.to));
+    throw algebra::Error(
+        fmt::format("from {} to {}: no eclipse of the Moon", options.from, options.to));
   const fs::path folder = options.output;
   fs::create_directories(folder);
   std::vector<std::string> pages;

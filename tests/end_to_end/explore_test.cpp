@@ -86,15 +86,16 @@ class Explore : public ProgramTest {
              "} catch (problem) { problems.push(String(problem.stack)); }\n"
              "const said = document.createElement('pre');\n"
              "said.id = 'said';\n"
-             "said.textContent = btoa(unescape(encodeURIComponent(JSON.stringify({answer, problems}))));\n"
+             "said.textContent = btoa(unescape(encodeURIComponent(JSON.stringify({answer, "
+             "problems}))));\n"
              "document.body.append(said);\n"
              "})();</script>");
-    const auto outcome = run({"chromium-headless-shell", "--no-sandbox", "--disable-gpu-sandbox",
-                              "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-                              "--disable-background-networking", "--disable-component-update",
-                              "--no-first-run", "--user-data-dir=" + here("../tmp/browser").string(),
-                              "--window-size=" + size, "--virtual-time-budget=120000", "--dump-dom",
-                              "file://" + here("probe.html").string()});
+    const auto outcome = run(
+        {"chromium-headless-shell", "--no-sandbox", "--disable-gpu-sandbox",
+         "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+         "--disable-background-networking", "--disable-component-update", "--no-first-run",
+         "--user-data-dir=" + here("../tmp/browser").string(), "--window-size=" + size,
+         "--virtual-time-budget=120000", "--dump-dom", "file://" + here("probe.html").string()});
     const auto said = answer_in(outcome.out);
     EXPECT_EQ(said["problems"], json::array());
     return said["answer"];
@@ -102,7 +103,8 @@ class Explore : public ProgramTest {
 
   texture::Image baked(const std::string& when, const Words& more = {}) const {
     const auto outcome = coppermoon(
-        Words{"bake", when, "--texture-width", "2048", "--tolerance", "0.2%", "-o", "b.exr"} + more);
+        Words{"bake", when, "--texture-width", "2048", "--tolerance", "0.2%", "-o", "b.exr"} +
+        more);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return texture::read_image(here("b.exr"));
   }
@@ -115,7 +117,8 @@ class Explore : public ProgramTest {
       ADD_FAILURE() << "the browser said nothing: is chromium-headless-shell installed?";
       return {{"problems", json::array()}, {"answer", {}}};
     }
-    const auto coded = dom.substr(from + before.size(), dom.find('<', from + 1) - from - before.size());
+    const auto coded =
+        dom.substr(from + before.size(), dom.find('<', from + 1) - from - before.size());
     const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
     unsigned bits = 0, count = 0;
@@ -163,10 +166,11 @@ class ExploreLight : public Explore {
     const auto where = places(1000);
     for (const auto& [day, times] : moments) {
       make(day);
-      const auto all = in_browser(fmt::format(
-          "page.set({{place: null}});\nreturn {}.map((when) => {{ page.set({{ms: Date.parse(when)}});\n"
-          "  return page.radianceAt({}); }});",
-          json(times).dump(), as_json(where).dump()));
+      const auto all =
+          in_browser(fmt::format("page.set({{place: null}});\nreturn {}.map((when) => {{ "
+                                 "page.set({{ms: Date.parse(when)}});\n"
+                                 "  return page.radianceAt({}); }});",
+                                 json(times).dump(), as_json(where).dump()));
       for (std::size_t i = 0; i < times.size(); ++i) {
         const auto error = error_of(all[i], where, baked(times[i]));
         EXPECT_LT(error.worst, 0.011)
@@ -182,10 +186,12 @@ class ExploreLight : public Explore {
     make("2018-07-27");
     std::string script =
         "const was = {...page.state.air}, all = [];\npage.set({place: null});\n"
-        "const where = " + as_json(where).dump() + ";\n";
+        "const where = " +
+        as_json(where).dump() + ";\n";
     for (const auto& change : changes)
       script += "page.set({air: {...was, ..." + change.first +
-                "}});\nall.push({light: page.radianceAt(where), command: page.find('command').textContent});\n";
+                "}});\nall.push({light: page.radianceAt(where), command: "
+                "page.find('command').textContent});\n";
     const auto all = in_browser(script + "return all;");
     for (std::size_t i = 0; i < changes.size(); ++i) {
       // "coppermoon still WHEN --time … --iso … --f-number … AIR -o moon.png"
@@ -239,16 +245,20 @@ TEST_F(Explore, PicturesAreDevelopedAsByTheProgram) {
   const auto all = in_browser(
       "page.set({place: null, ms: Date.parse('2018-07-27T19:05:00Z')});\nconst where = " +
       as_json(where).dump() +
-      ";\nconst gl = page.picture.gl, frame = page.frame(), box = page.picture.canvas.getBoundingClientRect();\n"
-      "const pixels = where.map((at) => page.pixelOf(at)).filter(Boolean).map((xy) => xy.map(Math.floor))\n"
-      "  .map(([x, y]) => ({x, y, at: page.under({clientX: box.left + (x + 0.5) / frame.ratio, clientY: box.top + (y + 0.5) / frame.ratio})}))\n"
+      ";\nconst gl = page.picture.gl, frame = page.frame(), box = "
+      "page.picture.canvas.getBoundingClientRect();\n"
+      "const pixels = where.map((at) => page.pixelOf(at)).filter(Boolean).map((xy) => "
+      "xy.map(Math.floor))\n"
+      "  .map(([x, y]) => ({x, y, at: page.under({clientX: box.left + (x + 0.5) / frame.ratio, "
+      "clientY: box.top + (y + 0.5) / frame.ratio})}))\n"
       "  .filter(({at}) => at);\n"
       "const light = page.radianceAt(pixels.map(({at}) => at));\n"
       "return page.facts.views.map((look) => {\n"
       "  page.set({look, exposure: {rule: 'fixed', time: 0.5, iso: 800, fNumber: 12.1}});\n"
       "  const bytes = new Uint8Array(4 * frame.width * frame.height);\n"
       "  gl.readPixels(0, 0, frame.width, frame.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);\n"
-      "  return pixels.map(({x, y}, i) => { const at = 4 * ((frame.height - 1 - y) * frame.width + x);\n"
+      "  return pixels.map(({x, y}, i) => { const at = 4 * ((frame.height - 1 - y) * frame.width + "
+      "x);\n"
       "    return {look, shown: [...bytes.slice(at, at + 3)], light: light[i]}; }); });");
   const double scale = 0.8333333 * 0.5 * 8 / (12.1 * 12.1);  // colour::exposure_scale
   for (const auto& view : all) {
@@ -259,7 +269,8 @@ TEST_F(Explore, PicturesAreDevelopedAsByTheProgram) {
       look = pixel["look"];
       colour::Image one(1, 1);
       for (std::size_t c = 0; c < 3; ++c) one(0, 0)[c] = pixel["light"][c].get<float>();
-      auto expected = colour::developed(one, colour::WorkingSpace::linear_rec709, {scale, look})(0, 0);
+      auto expected =
+          colour::developed(one, colour::WorkingSpace::linear_rec709, {scale, look})(0, 0);
       colour::Rgb shown;
       for (std::size_t c = 0; c < 3; ++c) {
         shown[c] = pixel["shown"][c].get<float>() / 255;
@@ -289,14 +300,17 @@ TEST_F(Explore, PlacesAreSeenWhereTheCameraSeesThem) {
       "return ['north', 'zenith', 'moon'].map((up) => {\n"
       "  page.set({ms: Date.parse('2018-07-27T20:40:00Z'), up});\n"
       "  const {frame, view} = page.scene();\n"
-      "  return {frame, view, seen: " + where.dump() + ".map((at) => page.pixelOf(at))};\n"
+      "  return {frame, view, seen: " +
+      where.dump() +
+      ".map((at) => page.pixelOf(at))};\n"
       "});");
   std::size_t way = 0;
   for (const auto up : {povray_scenes::Up::celestial_north, povray_scenes::Up::zenith,
                         povray_scenes::Up::moon_north}) {
     const auto& said = all[way++];
     const auto& frame = said["frame"];
-    const auto width = frame["width"].get<std::size_t>(), height = frame["height"].get<std::size_t>();
+    const auto width = frame["width"].get<std::size_t>(),
+               height = frame["height"].get<std::size_t>();
     // the picture's half width in lunar radii at the Moon's distance is the tangent of half the field
     const double half = frame["pixel"].get<double>() * static_cast<double>(width) / 2 *
                         algebra::in_metres(almanac::lunar_radius) /
@@ -304,7 +318,8 @@ TEST_F(Explore, PlacesAreSeenWhereTheCameraSeesThem) {
     const auto camera = povray_scenes::camera_at(
         sky, view, up, {algebra::radians(2 * std::atan(half)), width, height});
     for (std::size_t i = 0; i < names.size(); ++i) {
-      const auto pixel = povray_scenes::pixel_of(camera, almanac::lunar_feature_named(names[i])->middle);
+      const auto pixel =
+          povray_scenes::pixel_of(camera, almanac::lunar_feature_named(names[i])->middle);
       ASSERT_TRUE(pixel);
       EXPECT_WITHIN(said["seen"][i][0].get<double>(), pixel->x, 1, names[i] + " within a pixel");
       EXPECT_WITHIN(said["seen"][i][1].get<double>(), pixel->y, 1, names[i] + " within a pixel");
@@ -325,27 +340,34 @@ TEST_F(Explore, MagnitudesAreThoseOfBrightness) {
         "page.set({{ms: Date.parse('{}')}}); return page.find('whole').textContent;", when));
     // "V −0.83 · mean …"
     auto text = said.get<std::string>().substr(2);
-    if (const std::string minus = "−"; text.starts_with(minus)) text = "-" + text.substr(minus.size());
-    EXPECT_WITHIN(std::stod(text), V, 0.02, "96 pixels across the disc; two decimals; light to 0.5 %");
+    if (const std::string minus = "−"; text.starts_with(minus))
+      text = "-" + text.substr(minus.size());
+    EXPECT_WITHIN(std::stod(text), V, 0.02,
+                  "96 pixels across the disc; two decimals; light to 0.5 %");
   }
 }
 
 TEST_F(Explore, EachControlChangesWhatItSaysAndNothingElse) {
   make("2018-07-27", {"--at", "Nairobi"});
   const auto said = in_browser(
-      "const fields = () => Object.fromEntries(Object.entries(page.state).map(([name, value]) => [name, JSON.stringify(value)]));\n"
+      "const fields = () => Object.fromEntries(Object.entries(page.state).map(([name, value]) => "
+      "[name, JSON.stringify(value)]));\n"
       "const first = fields(), changed = {};\n"
-      "const note = (name) => { changed[name] = Object.keys(first).filter((key) => fields()[key] !== first[key]);\n"
-      "  Object.entries(first).forEach(([key, value]) => { page.state[key] = JSON.parse(value); }); page.panel.show(); };\n"
+      "const note = (name) => { changed[name] = Object.keys(first).filter((key) => fields()[key] "
+      "!== first[key]);\n"
+      "  Object.entries(first).forEach(([key, value]) => { page.state[key] = JSON.parse(value); "
+      "}); page.panel.show(); };\n"
       "for (const part of ['who', 'exposure', 'air', 'why']) {\n"
       "  const count = page.find(part).querySelectorAll('input, select').length;\n"
       "  for (let i = 0; i < count; ++i) {\n"
       "    const control = page.find(part).querySelectorAll('input, select')[i];\n"
       "    const label = control.closest('label').textContent.slice(0, 12);\n"
       "    if (control.type === 'checkbox') control.click();\n"
-      "    else { control.value = control.tagName === 'SELECT' ? [...control.options].find((o) => !o.selected).value\n"
+      "    else { control.value = control.tagName === 'SELECT' ? [...control.options].find((o) => "
+      "!o.selected).value\n"
       "        : control.type === 'range' ? 0.4 : 'Chicago';\n"
-      "      control.dispatchEvent(new Event('input')); control.dispatchEvent(new Event('change')); }\n"
+      "      control.dispatchEvent(new Event('input')); control.dispatchEvent(new "
+      "Event('change')); }\n"
       "    note(`${part} ${i} ${label}`);\n"
       "  }\n"
       "}\n"
@@ -369,15 +391,19 @@ TEST_F(Explore, EachControlChangesWhatItSaysAndNothingElse) {
 TEST_F(Explore, LinksKeysAndALostContextBringBackWhatWasSeen) {
   make("2018-07-27", {"--at", "Nairobi"});
   const auto said = in_browser(
-      "page.set({ms: Date.parse('2018-07-27T19:05:00Z'), up: 'zenith', look: 'Filmic', circle: true,\n"
-      "  exposure: {rule: 'fixed', time: 0.25, iso: 400, fNumber: 5.6}, air: {...page.state.air, cloud: 0.5, ozone: false}});\n"
+      "page.set({ms: Date.parse('2018-07-27T19:05:00Z'), up: 'zenith', look: 'Filmic', circle: "
+      "true,\n"
+      "  exposure: {rule: 'fixed', time: 0.25, iso: 400, fNumber: 5.6}, air: {...page.state.air, "
+      "cloud: 0.5, ozone: false}});\n"
       "page.drawBeside();\n"
-      "const until = async (done) => { for (let i = 0; i < 4000 && !done(); ++i) await new Promise(requestAnimationFrame); };\n"
+      "const until = async (done) => { for (let i = 0; i < 4000 && !done(); ++i) await new "
+      "Promise(requestAnimationFrame); };\n"
       "const before = JSON.stringify(page.state), hash = location.hash;\n"
       "const picture = () => page.picture.canvas.toDataURL();\n"
       "const seen = picture();\n"
       "history.replaceState(null, '', '#');\n"
-      "page.set({ms: Date.parse('2018-07-27T20:05:00Z'), circle: false, look: 'Un-tone-mapped', up: 'north'});\n"
+      "page.set({ms: Date.parse('2018-07-27T20:05:00Z'), circle: false, look: 'Un-tone-mapped', "
+      "up: 'north'});\n"
       "const other = picture() !== seen;\n"
       "location.hash = hash;\n"
       "await until(() => picture() === seen);\n"
@@ -392,7 +418,8 @@ TEST_F(Explore, LinksKeysAndALostContextBringBackWhatWasSeen) {
       "lose.loseContext();\n"
       "await until(() => page.picture.gl.isContextLost());\n"
       "const lost = page.picture.gl.isContextLost();\n"
-      "await until(() => { try { lose.restoreContext(); } catch {} return !page.picture.gl.isContextLost(); });\n"
+      "await until(() => { try { lose.restoreContext(); } catch {} return "
+      "!page.picture.gl.isContextLost(); });\n"
       "await until(() => picture() === seen);\n"
       "return {before, again, other, restored, moved, lost, back: picture() === seen};");
   EXPECT_EQ(said["before"], said["again"]) << "a link keeps all settings";
@@ -408,8 +435,10 @@ TEST_F(Explore, AMoonBelowTheHorizonIsSaidAndALocalTimeIsThePlaces) {
   const auto said = in_browser(
       "const nairobi = page.find('when').textContent, up = page.find('note').textContent;\n"
       "page.set({place: page.panel.places.named('Chicago')});\n"
-      "return {nairobi, up, below: page.find('note').textContent, chicago: page.find('when').textContent,\n"
-      "  pair: page.panel.places.named('-1.3, 36.8').timeZone, none: page.panel.places.named('Nowhere at all')};");
+      "return {nairobi, up, below: page.find('note').textContent, chicago: "
+      "page.find('when').textContent,\n"
+      "  pair: page.panel.places.named('-1.3, 36.8').timeZone, none: "
+      "page.panel.places.named('Nowhere at all')};");
   EXPECT_NE(said["nairobi"].get<std::string>().find("23:21:45 GMT+3"), std::string::npos);
   EXPECT_EQ(said["up"], "");
   EXPECT_EQ(said["below"], "The Moon is below the horizon there.");
@@ -433,10 +462,11 @@ TEST_F(Explore, FragmentsStandBesideEachOther) {
   make("2018-07-27", {"--embed"}, "one.html");
   make("2025-03-14", {"--embed", "--atmosphere", "undated"}, "other.html");
   EXPECT_EQ(text_of(here("one.html")).find("<html"), std::string::npos);
-  file("a.html", "<body><style>canvas { border: 9px solid red; }</style>" + text_of(here("one.html")) +
-                     text_of(here("other.html")));
+  file("a.html", "<body><style>canvas { border: 9px solid red; }</style>" +
+                     text_of(here("one.html")) + text_of(here("other.html")));
   const auto said = in_browser(
-      "return pages.map((one) => [one.find('eclipse').querySelector('h1').textContent, one.facts.options,\n"
+      "return pages.map((one) => [one.find('eclipse').querySelector('h1').textContent, "
+      "one.facts.options,\n"
       "  getComputedStyle(one.find('moon')).borderTopWidth]);");
   EXPECT_EQ(said[0], json({"Total eclipse of the Moon, 2018-07-27", "", "0px"}));
   EXPECT_EQ(said[1],
@@ -447,9 +477,9 @@ TEST_F(Explore, ACalendarListsItsPages) {
   const auto outcome =
       coppermoon({"explore", "--from", "2025-01-01", "--to", "2025-12-31", "-o", "year"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(listing(), (std::set<std::string>{"here/year", "here/year/index.html",
-                                              "here/year/2025-03-14.html",
-                                              "here/year/2025-09-07.html"}));
+  EXPECT_EQ(listing(),
+            (std::set<std::string>{"here/year", "here/year/index.html", "here/year/2025-03-14.html",
+                                   "here/year/2025-09-07.html"}));
   const auto index = text_of(here("year/index.html"));
   EXPECT_NE(index.find("<a href=\"2025-03-14.html\">2025-03-14</a></td><td>06:58</td><td>total"),
             std::string::npos)
@@ -460,7 +490,8 @@ TEST_F(Explore, WhatIsNoPageIsRefused) {
   EXPECT_EQ(coppermoon({"explore", "2018-07-27", "-o", "a.png"}).err,
             "coppermoon: a.png: a page ends in .html\n");
   EXPECT_EQ(coppermoon({"explore", "-o", "a.html"}).status, 2);
-  EXPECT_EQ(coppermoon({"explore", "2018-07-27", "--from", "2020-01-01", "-o", "a.html"}).status, 2);
+  EXPECT_EQ(coppermoon({"explore", "2018-07-27", "--from", "2020-01-01", "-o", "a.html"}).status,
+            2);
   EXPECT_EQ(coppermoon({"explore", "--from", "2020-01-01", "-o", "a"}).status, 2);
   EXPECT_EQ(coppermoon({"explore", "--from", "2020-01-20", "--to", "2020-01-30", "-o", "a"}).err,
             "coppermoon: from 2020-01-20 to 2020-01-30: no eclipse of the Moon\n");

@@ -126,8 +126,7 @@ constexpr double table_gain = 1024, table_stops = 17;
 
 void add_view(PageArrays& arrays, const std::string& view) {
   const auto level = [](int i) {
-    return static_cast<float>(
-        (std::exp2(table_stops * i / (table_size - 1.)) - 1) / table_gain);
+    return static_cast<float>((std::exp2(table_stops * i / (table_size - 1.)) - 1) / table_gain);
   };
   colour::Image colours(table_size * table_size, table_size);
   for (int b = 0; b < table_size; ++b)
@@ -150,12 +149,8 @@ ordered_json photometry_of(surface::Photometry photometry) {
   ordered_json phase;
   for (int i = 0; i <= steps; ++i)
     phase.push_back(surface::phase_factor(photometry, algebra::degrees(most_degrees * i / steps)));
-  return {{"scale", law.scale},
-          {"incidence", law.incidence},
-          {"emission", law.emission},
-          {"constant", law.constant},
-          {"phaseDegrees", most_degrees},
-          {"phase", phase}};
+  return {{"scale", law.scale},       {"incidence", law.incidence},   {"emission", law.emission},
+          {"constant", law.constant}, {"phaseDegrees", most_degrees}, {"phase", phase}};
 }
 
 void add_names(PageArrays& arrays) {
@@ -234,35 +229,34 @@ Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest
   for (const auto& view : views)
     if (view != "Un-tone-mapped") add_view(arrays, view);
   add_names(arrays);
-  made.facts = {
-      {"title", made.title},
-      {"version", version()},
-      {"greatest", almanac::utc_text(eclipse.greatest)},
-      {"umbralMagnitude", eclipse.umbral_magnitude},
-      {"penumbralMagnitude", eclipse.penumbral_magnitude},
-      {"fromMs", unix_ms(from)},
-      {"contacts", moments_of(eclipse)},
-      {"motion", motion},
-      {"moonRadiusKm", algebra::in_kilometres(almanac::lunar_radius)},
-      {"earth",
-       {{"equatorialKm", air.earth.equatorial_radius_m / 1e3},
-        {"polarKm", air.earth.polar_radius_m / 1e3},
-        {"opaqueKm", atmosphere::earth_equatorial_radius_m / 1e3},
-        {"sunDeclination", air.earth.sun_declination_rad}}},
-      {"wavelengths", wavelengths},
-      {"limb", limb},
-      {"sun", sun},
-      {"map", albedo},
-      {"photometry", photometry_of(request.moon.photometry)},
-      {"danjon", danjon},
-      {"scatters", scattered_light_of(light) != ScatteredLight::off},
-      {"dated", !air.belts.empty()},
-      {"haze", air.columns()[0]->tropospheric_optical_depth},
-      {"exposureScale", colour::exposure_scale({1, 1, 100})},
-      {"views", views},
-      {"viewTable", {{"size", table_size}, {"gain", table_gain}, {"stops", table_stops}}},
-      {"place", place_of(request)},
-      {"options", request.options}};
+  made.facts = {{"title", made.title},
+                {"version", version()},
+                {"greatest", almanac::utc_text(eclipse.greatest)},
+                {"umbralMagnitude", eclipse.umbral_magnitude},
+                {"penumbralMagnitude", eclipse.penumbral_magnitude},
+                {"fromMs", unix_ms(from)},
+                {"contacts", moments_of(eclipse)},
+                {"motion", motion},
+                {"moonRadiusKm", algebra::in_kilometres(almanac::lunar_radius)},
+                {"earth",
+                 {{"equatorialKm", air.earth.equatorial_radius_m / 1e3},
+                  {"polarKm", air.earth.polar_radius_m / 1e3},
+                  {"opaqueKm", atmosphere::earth_equatorial_radius_m / 1e3},
+                  {"sunDeclination", air.earth.sun_declination_rad}}},
+                {"wavelengths", wavelengths},
+                {"limb", limb},
+                {"sun", sun},
+                {"map", albedo},
+                {"photometry", photometry_of(request.moon.photometry)},
+                {"danjon", danjon},
+                {"scatters", scattered_light_of(light) != ScatteredLight::off},
+                {"dated", !air.belts.empty()},
+                {"haze", air.columns()[0]->tropospheric_optical_depth},
+                {"exposureScale", colour::exposure_scale({1, 1, 100})},
+                {"views", views},
+                {"viewTable", {{"size", table_size}, {"gain", table_gain}, {"stops", table_stops}}},
+                {"place", place_of(request)},
+                {"options", request.options}};
   told(1);
   return made;
 }

@@ -16,7 +16,8 @@ namespace coppermoon::uses {
 /// What an eclipse is explored with.
 struct ExploreRequest {
   MoonRequest moon{};  ///< map, photometry, and of its light the air and the Sun
-  std::optional<almanac::Observer> observer{};  ///< who looks when the page opens; none: the Earth's centre
+  std::optional<almanac::Observer>
+      observer{};                    ///< who looks when the page opens; none: the Earth's centre
   std::string place{}, time_zone{};  ///< the observer's
   std::string options{};  ///< of the command line, that the page adds to the commands it shows
 };

@@ -25,8 +25,8 @@ using nlohmann::ordered_json;
 
 /// As in atmosphere::Absorber.
 constexpr std::array<const char*, atmosphere::absorbers> names{
-    "air",   "ozone",  "dust",           "troposphere", "stratosphere",
-    "cloud", "cirrus", "freeTroposphere", "oxygenPairs", "nitrogenDioxide"};
+    "air",    "ozone",           "dust",        "troposphere",    "stratosphere", "cloud",
+    "cirrus", "freeTroposphere", "oxygenPairs", "nitrogenDioxide"};
 
 constexpr int refractivities = 3;
 
@@ -36,8 +36,7 @@ constexpr int most_harmonics = 24;
 
 std::vector<double> tangent_heights_m(const atmosphere::Atmosphere& air) {
   std::vector<double> heights;
-  for (const auto& [to, step] :
-       {std::pair{30e3, 200.}, {60e3, 500.}, {86e3, 2e3}})
+  for (const auto& [to, step] : {std::pair{30e3, 200.}, {60e3, 500.}, {86e3, 2e3}})
     for (double h = heights.empty() ? 0 : heights.back() + step; h <= to && h <= air.top_m();
          h += step)
       heights.push_back(h);
@@ -177,7 +176,8 @@ atmosphere::Atmosphere with_aerosol(atmosphere::Atmosphere air, double depth) {
 
 ordered_json add_limb_rays(PageArrays& arrays, const atmosphere::Atmosphere& atmosphere,
                            std::span<const double> wavelengths_nm) {
-  Follower follower{tangent_heights_m(atmosphere), {}, shadow::optics_of(atmosphere, wavelengths_nm)};
+  Follower follower{
+      tangent_heights_m(atmosphere), {}, shadow::optics_of(atmosphere, wavelengths_nm)};
   // a part's place on the limb is asked for here, and no fan of rays
   const photons::WholeLimb limb(atmosphere, std::span(follower.optics).first(1), 2);
   const auto& first = limb.parts()[0].column;

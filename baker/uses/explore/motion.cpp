@@ -63,8 +63,8 @@ std::vector<double> series_through(const std::vector<Positions>& known, std::siz
   for (int k = 0; k < nodes; ++k) {
     double sum = 0;
     for (int i = 0; i < nodes; ++i)
-      sum += known[static_cast<std::size_t>(i)].numbers[component] *
-             std::cos(k * std::acos(node(i)));
+      sum +=
+          known[static_cast<std::size_t>(i)].numbers[component] * std::cos(k * std::acos(node(i)));
     coefficients.push_back((k == 0 ? 1 : 2) * sum / nodes);
   }
   return coefficients;

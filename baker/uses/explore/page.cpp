@@ -18,10 +18,14 @@ std::string within_script(std::string text) {
 std::string within_html(const std::string& text) {
   std::string safe;
   for (const char letter : text) {
-    if (letter == '&') safe += "&amp;";
-    else if (letter == '<') safe += "&lt;";
-    else if (letter == '>') safe += "&gt;";
-    else safe += letter;
+    if (letter == '&')
+      safe += "&amp;";
+    else if (letter == '<')
+      safe += "&lt;";
+    else if (letter == '>')
+      safe += "&gt;";
+    else
+      safe += letter;
   }
   return safe;
 }
@@ -74,7 +78,8 @@ std::string calendar_page(const std::vector<eclipse::Eclipse>& eclipses,
   }
   return whole_page(
       "Eclipses of the Moon",
-      "body { background: #0c0c0c; color: #ddd; font: 16px/1.5 system-ui, sans-serif; margin: 2rem; } "
+      "body { background: #0c0c0c; color: #ddd; font: 16px/1.5 system-ui, sans-serif; margin: "
+      "2rem; } "
       "a { color: #ffb070; } th, td { text-align: left; padding: .2rem 1.5rem .2rem 0; }",
       "<h1>Eclipses of the Moon</h1>\n<table>\n<tr><th>day</th><th>greatest, UTC</th><th>kind</th>"
       "<th>umbral magnitude</th></tr>\n" +

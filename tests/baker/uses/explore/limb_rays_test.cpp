@@ -95,8 +95,8 @@ TEST(LimbRays, KnowOzoneAsAFilterAndADeckOfCloud) {
   const auto optics = shadow::optics_of(air, waves);
   EXPECT_EQ(page.facts["parts"].size(), 1U);
   const std::size_t ray = page.rays / 3;
-  const auto path = photons::limb_path(1e3 * page.heights[ray], 6.378e6, air.column,
-                                       optics[1].refractivity);
+  const auto path =
+      photons::limb_path(1e3 * page.heights[ray], 6.378e6, air.column, optics[1].refractivity);
   const double depth =
       atmosphere::product(path.amounts, atmosphere::spectra(air.column, optics[1])) -
       std::log(atmosphere::limb_filter(air.column, optics[1], 1e3 * page.heights[ray]));
@@ -115,7 +115,8 @@ TEST(ScatteredLight, IsTheTwilightsMeanAroundTheAxis) {
   const auto exact = shadow::mean_ratio(shadow::twilight(air, arrangement, waves, distances));
   for (const std::size_t w : {0, 2})  // the one between is on a straight line
     EXPECT_WITHIN_RELATIVE(numbers[waves.size() + w], exact(0, w), 1e-6, "single precision");
-  EXPECT_WITHIN_RELATIVE(numbers[waves.size() + 1], (exact(0, 0) + exact(0, 2)) / 2, 1e-6, "as above");
+  EXPECT_WITHIN_RELATIVE(numbers[waves.size() + 1], (exact(0, 0) + exact(0, 2)) / 2, 1e-6,
+                         "as above");
 }
 
 }  // namespace
