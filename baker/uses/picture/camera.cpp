@@ -20,7 +20,8 @@ namespace {
 constexpr double arcsec_rad = std::numbers::pi / 180 / 3600;
 
 constexpr const char *pixel_attribute = "coppermoon:pixel_arcsec",
-                     *sky_attribute = "coppermoon:sky_cd_m2";
+                     *sky_attribute = "coppermoon:sky_cd_m2",
+                     *disc_attribute = "coppermoon:disc_outline";
 
 bool any_given(const CameraRequest& o) {
   return o.aperture_mm || o.obstruction || o.transmission || o.pixel_um || o.quantum_efficiency ||
@@ -99,7 +100,8 @@ SeenFrame seen_by(const View& view, const almanac::SkyState& sky) {
   const auto& camera = view.camera;
   SeenFrame seen{2 * std::tan(algebra::in_radians(camera.horizontal_field) / 2) /
                      static_cast<double>(camera.width),
-                 {}};
+                 {},
+                 disc_outline(camera)};
   if (view.observer) seen.sky_cd_m2 = sky_over(*view.observer, sky);
   return seen;
 }
@@ -108,12 +110,14 @@ SeenFrame seen_by(const std::filesystem::path& frame) {
   SeenFrame seen;
   seen.pixel_rad = std::max(0., number_in(frame, pixel_attribute)) * arcsec_rad;
   if (const double sky = number_in(frame, sky_attribute); sky >= 0) seen.sky_cd_m2 = sky;
+  seen.disc = outline_in(texture::read_attribute(frame, disc_attribute).value_or(""));
   return seen;
 }
 
 void add_seen(texture::Attributes& attributes, const SeenFrame& seen) {
   attributes[pixel_attribute] = static_cast<float>(seen.pixel_rad / arcsec_rad);
   if (seen.sky_cd_m2) attributes[sky_attribute] = static_cast<float>(*seen.sky_cd_m2);
+  if (seen.disc) attributes[disc_attribute] = text_of(*seen.disc);
 }
 
 colour::Photograph photographed(const CameraRequest& request, const colour::Camera& camera,

@@ -9,6 +9,7 @@
 #include "almanac/sky.h"
 #include "colour/photograph.h"
 #include "texture/image.h"
+#include "uses/picture/disc_outline.h"
 #include "uses/picture/view.h"
 
 namespace coppermoon::uses {
@@ -39,10 +40,11 @@ std::optional<colour::Camera> camera_of(const CameraRequest& request,
 /// The view through a camera: focal length and sensor are its own unless they are given.
 ViewRequest seen_through(const CameraRequest& request, ViewRequest view);
 
-/// What a camera has to know of a frame beside its light.
+/// What the development has to know of a frame beside its light.
 struct SeenFrame {
   double pixel_rad = 0;             ///< in the middle; 0: as the sensor's width says
-  std::optional<double> sky_cd_m2;  ///< nothing: not known
+  std::optional<double> sky_cd_m2 = {};  ///< nothing: not known
+  std::optional<DiscOutline> disc = {};  ///< the Moon's edge; nothing: not known
 };
 
 /// The same for a frame of that view; an observer's sky is lit by the Sun below the horizon.

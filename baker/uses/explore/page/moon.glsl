@@ -138,19 +138,23 @@ uniform float viewSize;
 uniform float fullMoon;      // luminance of a full Moon [cd/m²]
 out vec4 colour;
 
-vec3 srgb(vec3 linear) {
-  vec3 x = clamp(linear, 0.0, 1.0);
+vec3 srgb(vec3 light) {
+  vec3 x = clamp(light, 0.0, 1.0);
   return mix(1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, 12.92 * x, lessThanEqual(x, vec3(0.0031308)));
 }
 
-vec3 viewed(vec3 linear) {
-  vec3 code = clamp(log2(1.0 + viewCode.x * max(linear, 0.0)) / viewCode.y, 0.0, 1.0);
+vec3 linear(vec3 coded) {
+  return mix(pow((coded + 0.055) / 1.055, vec3(2.4)), coded / 12.92, lessThanEqual(coded, vec3(0.04045)));
+}
+
+vec3 viewed(vec3 light) {
+  vec3 code = clamp(log2(1.0 + viewCode.x * max(light, 0.0)) / viewCode.y, 0.0, 1.0);
   return texture(view, (code * (viewSize - 1.0) + 0.5) / viewSize).rgb;
 }
 
 // Stops below a full Moon: a colour for every two, darker in the lower of them.
-vec3 stops(vec3 linear) {
-  float below = log2(fullMoon / max(dot(linear, vec3(0.2126, 0.7152, 0.0722)), 1e-12));
+vec3 stops(vec3 light) {
+  float below = log2(fullMoon / max(dot(light, vec3(0.2126, 0.7152, 0.0722)), 1e-12));
   vec3 steps[10] = vec3[10](vec3(1.0), vec3(1.0, 0.95, 0.5), vec3(1.0, 0.75, 0.2), vec3(0.95, 0.45, 0.15),
     vec3(0.8, 0.2, 0.25), vec3(0.6, 0.2, 0.55), vec3(0.35, 0.3, 0.75), vec3(0.2, 0.5, 0.75),
     vec3(0.15, 0.55, 0.5), vec3(0.2, 0.25, 0.25));
@@ -166,8 +170,8 @@ void main() {
   float cover = clamp(inside / pixel + 0.5, 0.0, 1.0);
   if (cover <= 0.0) { colour = vec4(0.0, 0.0, 0.0, 1.0); return; }
   vec3 seen = max(radianceOf(ground).rgb, 0.0);
-  vec3 shown = look == 2 ? stops(seen) * cover
-    : look == 1 ? viewed(seen * exposure * cover) : srgb(seen * exposure * cover);
-  colour = vec4(shown + noise(gl_FragCoord.xy) / 255.0, 1.0);
+  vec3 shown = look == 2 ? stops(seen) : look == 1 ? viewed(seen * exposure) : srgb(seen * exposure);
+  // the limb's share is of the light that the screen shows: light that is clipped has no stairs there
+  colour = vec4(srgb(linear(shown) * cover) + noise(gl_FragCoord.xy) / 255.0, 1.0);
 }
 #endif

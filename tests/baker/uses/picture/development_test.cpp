@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "algebra/error.h"
@@ -125,6 +126,55 @@ TEST(Composite, IsNoRawFile) {
   EXPECT_NO_THROW(require_sound(development, "moon.png"));
   development.camera.raw = "moon.tif";
   EXPECT_THROW(require_sound(development, "moon.png"), algebra::Error);
+}
+
+/// A disc of one light, its edge as a renderer averages it.
+texture::Image disc_of(const DiscOutline& disc, float light) {
+  texture::Image frame(64, 64, {"R", "G", "B"});
+  for (std::size_t r = 0; r < 64; ++r)
+    for (std::size_t c = 0; c < 64; ++c)
+      for (std::size_t k = 0; k < 3; ++k)
+        frame(r, c, k) = light * static_cast<float>(covered_share(
+                                     disc, static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5));
+  return frame;
+}
+
+/// Light that a disc's picture shows, over that of its middle, pixel by pixel.
+std::vector<double> edge_shown(const Development& development, const DiscOutline& disc, float light) {
+  const auto frame = disc_of(disc, light);
+  const auto picture = developed(development, {{1, 8, 100}},
+                                 {.light = frame, .space = space, .seen = {.disc = disc}});
+  const double middle = linear(picture(32, 32, 1));
+  std::vector<double> edge;
+  for (std::size_t c = 0; c < 64; ++c) edge.push_back(linear(picture(20, c, 1)) / middle);
+  return edge;
+}
+
+TEST(Limb, OfClippedLightIsAsSmoothAsOfLightThatIsNot) {
+  const DiscOutline disc{32.3, 31.8, 1 / 400., 0, 1 / 400.};
+  const float white = 1 / static_cast<float>(scale_of({}, {1, 8, 100}));
+  const auto dim = edge_shown({}, disc, white / 2);
+  for (const float light : {white, 8 * white, 1000 * white}) {
+    const auto edge = edge_shown({}, disc, light);
+    for (std::size_t c = 0; c < 64; ++c)
+      EXPECT_WITHIN(edge[c], dim[c], 1e-3, "the curve in float, where it is steep");
+  }
+  EXPECT_GT(std::ranges::count_if(dim, [](double x) { return x > 0.02 && x < 0.98; }), 1)
+      << "there is an edge";
+}
+
+TEST(Limb, OfAFrameWhoseEdgeIsNotKnownOrThroughACameraStaysAsItIs) {
+  const DiscOutline disc{32.3, 31.8, 1 / 400., 0, 1 / 400.};
+  const auto frame = disc_of(disc, 1000);
+  const auto shown_of = [&](const Development& development, const std::optional<DiscOutline>& edge) {
+    return developed(development, {{1, 8, 100}},
+                     {.light = frame, .space = space, .seen = {.pixel_rad = 1e-5, .disc = edge}})
+        .values;
+  };
+  Development through_camera;
+  through_camera.camera.model = "400mm";
+  EXPECT_EQ(shown_of(through_camera, disc), shown_of(through_camera, {}));
+  EXPECT_NE(shown_of({}, disc), shown_of({}, {}));
 }
 
 }  // namespace

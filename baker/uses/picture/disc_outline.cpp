@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "uses/picture/disc_outline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "algebra/number.h"
+#include "povray_scenes/sight.h"
+
+namespace coppermoon::uses {
+
+/// A sight v passes the sphere at a distance below 1 where (|f|² − 1) |v|² < (f·v)², f the camera's place; v
+/// is linear in the pixel's x and y, so this is a conic.
+std::optional<DiscOutline> disc_outline(const povray_scenes::Camera& camera) {
+  const auto sight = povray_scenes::sight_of(camera);
+  const auto& round = sight.round_from_flattened;
+  const glm::dvec3 from = round * sight.position;
+  const glm::dmat3 ray = round * glm::dmat3(sight.across, sight.down, sight.corner);
+  const auto conic = glm::transpose(ray) *
+                     ((glm::dot(from, from) - 1) * glm::dmat3(1) - glm::outerProduct(from, from)) *
+                     ray;
+  const double xx = conic[0][0], xy = conic[0][1], yy = conic[1][1],
+               determinant = xx * yy - xy * xy;
+  if (!(xx > 0 && determinant > 0)) return std::nullopt;
+  const double x = (xy * conic[2][1] - yy * conic[2][0]) / determinant,
+               y = (xy * conic[2][0] - xx * conic[2][1]) / determinant;
+  const double inside = -(conic[2][2] + conic[2][0] * x + conic[2][1] * y);
+  const glm::dvec3 middle = sight.corner + x * sight.across + y * sight.down;
+  if (!(inside > 0 && glm::dot(middle, sight.position) < 0)) return std::nullopt;
+  return DiscOutline{x, y, xx / inside, 2 * xy / inside, yy / inside};
+}
+
+namespace {
+
+/// Area of a pixel on one side of a straight line.
+///
+/// Given  inside  of the pixel's middle, its distance from the line; along, across: the line's normal, unit
+double area_inside(double inside, double along, double across) {
+  const double a = std::max(std::abs(along), std::abs(across)),
+               b = std::min(std::abs(along), std::abs(across));
+  const double out = std::abs(inside), corner = (a + b) / 2 - out;
+  if (corner <= 0) return inside > 0 ? 1 : 0;
+  const double smaller = out <= (a - b) / 2 ? 0.5 - out / a : corner * corner / (2 * a * b);
+  return inside > 0 ? 1 - smaller : smaller;
+}
+
+}  // namespace
+
+double covered_share(const DiscOutline& o, double x, double y) {
+  const double dx = x - o.x, dy = y - o.y;
+  const double value = o.xx * dx * dx + o.xy * dx * dy + o.yy * dy * dy;
+  const double slope_x = 2 * o.xx * dx + o.xy * dy, slope_y = o.xy * dx + 2 * o.yy * dy;
+  const double slope = std::hypot(slope_x, slope_y);
+  if (slope == 0) return 1;
+  return area_inside((1 - value) / slope, slope_x / slope, slope_y / slope);
+}
+
+std::string text_of(const DiscOutline& o) {
+  return fmt::format("{},{},{},{},{}", o.x, o.y, o.xx, o.xy, o.yy);
+}
+
+std::optional<DiscOutline> outline_in(std::string_view text) {
+  std::array<double, 5> numbers;
+  for (double& number : numbers) {
+    const auto comma = std::min(text.find(','), text.size());
+    const auto found = algebra::number_in(text.substr(0, comma));
+    if (!found) return std::nullopt;
+    number = *found;
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  const auto& [x, y, xx, xy, yy] = numbers;
+  const bool ellipse = std::isfinite(x + y) && xx > 0 && 4 * xx * yy > xy * xy;
+  if (!text.empty() || !ellipse) return std::nullopt;
+  return DiscOutline{x, y, xx, xy, yy};
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "uses/picture/disc_outline.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "povray_scenes/sight.h"
+#include "support/within.h"
+
+namespace coppermoon::uses {
+namespace {
+
+/// A camera 220 lunar radii away, off the Moon's middle, its Moon flattened.
+povray_scenes::Camera camera(double field_deg, double flattening = 0.9) {
+  return {.position = {219, 14, -9},
+          .up = {0, 0.3, 1},
+          .horizontal_field = algebra::degrees(field_deg),
+          .width = 90,
+          .height = 60,
+          .flattening = flattening,
+          .zenith = {0, 1, 1},
+          .direction = {-219, -13.7, 9.1}};
+}
+
+TEST(DiscOutline, IsWhereSightsMeetTheMoon) {
+  for (const double field : {0.6, 3.}) {
+    const auto camera_there = camera(field);
+    const auto sight = povray_scenes::sight_of(camera_there);
+    const auto outline = disc_outline(camera_there);
+    ASSERT_TRUE(outline);
+    for (double y = 0.5; y < 60; ++y)
+      for (double x = 0.5; x < 90; ++x) {
+        const double share = covered_share(*outline, x, y);
+        const bool seen = povray_scenes::ground_at(sight, {x, y}).has_value();
+        if (std::abs(share - 0.5) > 0.01) {
+          EXPECT_EQ(share > 0.5, seen) << x << ", " << y;
+        }
+      }
+  }
+}
+
+TEST(DiscOutline, CoversPixelsAsMuchAsManySightsThroughThemSay) {
+  const auto camera_there = camera(0.6);
+  const auto sight = povray_scenes::sight_of(camera_there);
+  const auto outline = *disc_outline(camera_there);
+  constexpr int fine = 20;
+  int edges = 0;
+  for (int row = 0; row < 60; ++row)
+    for (int column = 0; column < 90; ++column) {
+      const double share = covered_share(outline, column + 0.5, row + 0.5);
+      if (share == 0 || share == 1) continue;
+      int seen = 0;
+      for (int i = 0; i < fine * fine; ++i)
+        seen += povray_scenes::ground_at(
+                    sight, {column + (i % fine + 0.5) / fine, row + (i / fine + 0.5) / fine})
+                    .has_value();
+      EXPECT_WITHIN(share, seen / double{fine * fine}, 0.03,
+                    "the edge is straight in a pixel to 1/250 of it; 20 sights a side");
+      ++edges;
+    }
+  EXPECT_GT(edges, 100);
+}
+
+TEST(DiscOutline, OfAMoonThatIsNotBeforeTheCameraIsNone) {
+  auto behind = camera(0.6);
+  behind.direction = {219, 14, -9};
+  EXPECT_FALSE(disc_outline(behind));
+}
+
+TEST(DiscOutline, ComesBackFromAHeaderToTheLastDigit) {
+  const auto outline = *disc_outline(camera(0.6));
+  const auto again = outline_in(text_of(outline));
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->x, outline.x);
+  EXPECT_EQ(again->xy, outline.xy);
+  EXPECT_EQ(again->yy, outline.yy);
+  for (const char* none :
+       {"", "1,2,3,4", "1,2,3,4,5,6", "1,2,-3,0,5", "1,2,1,9,1", "nan,2,1,0,1", "1,2,inf,0,x"})
+    EXPECT_FALSE(outline_in(none)) << none;
+}
+
+}  // namespace
+}  // namespace coppermoon::uses
