@@ -13,7 +13,8 @@ namespace coppermoon::uses {
 /// Optical depths of the stratosphere's aerosol at 550 nm that a page has rays for; between them it
 /// interpolates logarithms. At 0.15 the kind of aerosol changes that light is scattered by
 /// (atmosphere::StratosphericLayer::nearest).
-inline constexpr double aerosol_steps[] = {0.004, 0.008, 0.028, 0.086, 0.149, 0.151, 0.262, 0.5, 1};
+inline constexpr double aerosol_steps[] = {0.004, 0.008, 0.028, 0.086, 0.12, 0.149,
+                                           0.151, 0.2,   0.262, 0.5,   1};
 
 /// What a page needs of the limb to sum up light by itself, whatever its reader does to the air. Rays
 /// stand at the same tangent heights over all parts of the limb (photons::WholeLimb), 200 m apart up to

@@ -60,6 +60,7 @@ export class Page {
     const {canvas} = this.picture, ratio = Math.min(2, window.devicePixelRatio || 1);
     const width = Math.max(1, Math.round(canvas.clientWidth * ratio));
     const height = Math.max(1, Math.round(canvas.clientHeight * ratio));
+    canvas.style.touchAction = this.state.zoom > 1 ? 'none' : 'pan-y';  // a finger moves the page, or the Moon
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
     const pixel = 2.3 / this.state.zoom / Math.min(width, height);
     return {middle: this.state.middle, pixel, width, height, ratio};
@@ -227,6 +228,8 @@ export class Page {
     this.find('play').addEventListener('click', () => this.play());
     this.find('back').addEventListener('click', () => this.move(this.state.ms - 6e5));
     this.find('on').addEventListener('click', () => this.move(this.state.ms + 6e5));
+    this.find('nearer').addEventListener('click', () => this.nearer());
+    this.find('farther').addEventListener('click', () => this.zoomTo(1));
     this.find('copy').addEventListener('click', () => navigator.clipboard?.writeText(this.find('command').textContent));
     this.find('link').addEventListener('click', () => navigator.clipboard?.writeText(
       `${location.href.split('#')[0]}#${linkOf(this.state, this.facts)}`));
@@ -241,6 +244,20 @@ export class Page {
       this.changed('air');
       this.panel.show();
     });
+  }
+
+  /** Twice as near, to the place that is marked. */
+  nearer() {
+    const {sky, view} = this.scene();
+    const place = this.marked && pictureOf(view, this.facts.moonRadiusKm, groundOf(sky, this.marked));
+    if (place) this.state.middle = place;
+    this.zoomTo(this.state.zoom * 2);
+  }
+
+  zoomTo(zoom) {
+    this.state.zoom = Math.min(32, Math.max(1, zoom));
+    if (this.state.zoom === 1) this.state.middle = [0, 0];
+    this.redraw();
   }
 
   pointers(canvas) {
@@ -259,9 +276,7 @@ export class Page {
     for (const name of ['pointerup', 'pointercancel']) canvas.addEventListener(name, () => { held = null; });
     canvas.addEventListener('wheel', (event) => {
       event.preventDefault();
-      this.state.zoom = Math.min(32, Math.max(1, this.state.zoom * Math.exp(-event.deltaY / 400)));
-      if (this.state.zoom === 1) this.state.middle = [0, 0];
-      this.redraw();
+      this.zoomTo(this.state.zoom * Math.exp(-event.deltaY / 400));
     }, {passive: false});
   }
 
@@ -282,7 +297,7 @@ export class Page {
       End: () => this.move(this.facts.contacts.at(-1).ms),
       '+': () => brighter(0.5), '-': () => brighter(-0.5),
       f: () => { state.exposure.rule = 'follow'; this.panel.show(); },
-      0: () => Object.assign(state, {zoom: 1, middle: [0, 0]}),
+      0: () => this.zoomTo(1),
     };
     const act = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!act) return;
