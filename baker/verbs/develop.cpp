@@ -158,7 +158,7 @@ void add_develop(CLI::App& program) {
            "frame, scene-linear, .exr [cd/m²]; several frames share one exposure")
       .reads_file()
       .required();
-  add_flag(*verb, "-o,--output", options->output, "picture, .png; for several frames a folder")
+  add_flag(*verb, "-o,--output", options->output, "picture: .png, or .avif of high dynamic range; for several frames a folder")
       .writes_file()
       .required();
   add_flag(*verb, "--space", options->space,

@@ -13,17 +13,35 @@
 #include "algebra/error.h"
 #include "colour/display.h"
 #include "texture/write_image.h"
+#include "uses/picture/avif_file.h"
 #include "uses/picture/pixels.h"
 
 namespace coppermoon::uses {
 namespace {
 
-/// IEC 61966-2-1.
-double light_of(double code) {
-  return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
-}
-double code_of(double light) {
-  return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+constexpr const char *usual_display = "sRGB", *high_range_display = "Rec.2100-PQ";
+
+/// What a display makes of codes: PQ, or about that of sRGB (IEC 61966-2-1).
+struct Coding {
+  bool pq;
+
+  double light_of(double code) const {
+    if (pq) return light_of_pq(code);
+    return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+  }
+  double code_of(double light) const {
+    if (pq) return pq_of_light(light);
+    return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+  }
+};
+
+bool is_high_range(const std::filesystem::path& picture) { return picture.extension() == ".avif"; }
+
+/// The display that a file's ending means, where none is asked for.
+Development for_file(Development development, const std::filesystem::path& picture) {
+  if (is_high_range(picture) && development.display == usual_display)
+    development.display = high_range_display;
+  return development;
 }
 
 /// Pixels that the Moon's edge crosses. A frame has the mean of their light; where that is clipped, the edge
@@ -37,7 +55,8 @@ class LimbPixels {
       for (std::size_t c = 0; c < frame.width; ++c) {
         const double share = share_at(*disc, r, c);
         if (share <= 0 || share >= 1) continue;
-        if (const auto ground = beside(*disc, frame, r, c)) pixels_.push_back({r, c, *ground, share});
+        if (const auto ground = beside(*disc, frame, r, c))
+          pixels_.push_back({r, c, *ground, share});
       }
   }
 
@@ -48,11 +67,11 @@ class LimbPixels {
     return frame;
   }
 
-  void cover(texture::Image& picture) const {
+  void cover(texture::Image& picture, const Coding& coding) const {
     for (const auto& [row, column, ground, share] : pixels_)
       for (std::size_t k = 0; k < 3; ++k) {
         float& code = picture(row, column, k);
-        code = static_cast<float>(code_of(share * light_of(code)));
+        code = static_cast<float>(coding.code_of(share * coding.light_of(code)));
       }
   }
 
@@ -74,7 +93,8 @@ class LimbPixels {
     const double x = static_cast<double>(column) + 0.5, y = static_cast<double>(row) + 0.5;
     const double away = std::hypot(disc.x - x, disc.y - y);
     for (const double step : {1., 1.5, 2., 2.5}) {
-      const double there_x = x + step * (disc.x - x) / away, there_y = y + step * (disc.y - y) / away;
+      const double there_x = x + step * (disc.x - x) / away,
+                   there_y = y + step * (disc.y - y) / away;
       if (step > away || there_x < 0 || there_y < 0) return std::nullopt;
       const Place place{static_cast<std::size_t>(there_y), static_cast<std::size_t>(there_x)};
       if (place.first >= frame.height || place.second >= frame.width) return std::nullopt;
@@ -295,9 +315,13 @@ void add_exposure(texture::Attributes& attributes, const Exposures& exposures) {
   if (longer_s) attributes["coppermoon:longer_exposure_s"] = static_cast<float>(*longer_s);
 }
 
-void require_sound(const Development& development, const std::filesystem::path& picture) {
-  if (picture.extension() != ".png")
-    throw algebra::Error(fmt::format("{}: a picture ends in .png", picture.string()));
+void require_sound(const Development& asked, const std::filesystem::path& picture) {
+  const auto development = for_file(asked, picture);
+  if (picture.extension() != ".png" && !is_high_range(picture))
+    throw algebra::Error(fmt::format("{}: a picture ends in .png, or in .avif", picture.string()));
+  if (is_high_range(picture) && development.display != high_range_display)
+    throw algebra::Error(fmt::format("display = {}, allowed for a picture that ends in .avif {}",
+                                     development.display, high_range_display));
   require_ending(development.camera.raw, "a raw file", ".tif");
   require_ending(development.camera.photograph, "a photograph", ".exr");
   if (development.time.rule == ExposureTime::Rule::composite &&
@@ -333,17 +357,19 @@ texture::Image developed(const Development& development, const Exposures& exposu
   const LimbPixels limb(through_camera ? std::nullopt : frame.seen.disc, frame.light);
   const auto light = limb.with_ground(frame.light);
   const Frame whole{light, frame.space, frame.seen, frame.number, frame.attributes};
-  auto picture =
-      longer_s ? shown(development, 1, composite(development, exposures, whole), frame.space)
-               : shown(development, scale_of(development, exposure),
-                       taken(development, exposure, whole), frame.space);
-  limb.cover(picture);
+  auto picture = longer_s
+                     ? shown(development, 1, composite(development, exposures, whole), frame.space)
+                     : shown(development, scale_of(development, exposure),
+                             taken(development, exposure, whole), frame.space);
+  limb.cover(picture, {development.display == high_range_display});
   return picture;
 }
 
-void write_picture(const Development& development, const Exposures& exposures, const Frame& frame,
+void write_picture(const Development& asked, const Exposures& exposures, const Frame& frame,
                    texture::Attributes attributes, const std::filesystem::path& picture) {
+  const auto development = for_file(asked, picture);
   const auto image = developed(development, exposures, frame);
+  if (is_high_range(picture)) return write_avif(picture, image);
   attributes["coppermoon:view"] = development.display + ", " + development.view;
   add_exposure(attributes, exposures);
   texture::write_png(picture, image, development.bits, attributes);

@@ -84,7 +84,7 @@ double scale_of(const Development& development, const colour::Exposure& exposure
 void add_exposure(texture::Attributes& attributes, const Exposures& exposures);
 
 /// Throws Error when the development cannot be made whatever the frame holds: a setting outside its
-/// range, a picture that does not end in .png, a view there is not
+/// range, a picture that ends neither in .png nor in .avif, a view there is not
 void require_sound(const Development& development, const std::filesystem::path& picture);
 
 /// A scene-linear frame as the display shows it, 1/scale of it as white: channels R, G, B, 0 to 1.
@@ -100,7 +100,9 @@ texture::Image shown(const Development& development, double scale, const texture
 texture::Image developed(const Development& development, const Exposures& exposures,
                          const Frame& frame);
 
-/// Develops a scene-linear frame and writes the picture.
+/// Develops a scene-linear frame and writes the picture. One that ends in .avif is of high dynamic range
+/// (write_avif), for the display Rec.2100-PQ: saturation is 100 cd/m², and what is brighter stays so. It holds
+/// no attributes.
 ///
 /// Given  attributes  for the picture's header; those of the frame are for the camera's files
 void write_picture(const Development& development, const Exposures& exposures, const Frame& frame,

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Pictures of high dynamic range, read back by another program.
+#include <algorithm>
+#include <cmath>
+
+#include "colour/exposure.h"
+#include "end_to_end/program.h"
+#include "support/within.h"
+#include "texture/read_image.h"
+#include "uses/picture/avif_file.h"
+#include "uses/picture/disc_outline.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+class HighRange : public ProgramTest {
+ protected:
+  const Words moon{"--atmosphere", "undated", "--albedo-map", "built-in",
+                   "--width",      "180",     "--height",     "120"};
+  const double time_s = 0.05;
+
+  /// A partial eclipse as it is, and as the picture has it, [cd/m²] of the display.
+  void make() {
+    const auto made = coppermoon(Words{"still", "2018-07-27T18:44:28Z", "--at", "Nairobi", "--time",
+                                       "0.05", "--frame", "f.exr", "-o", "a.avif"} +
+                                 moon);
+    expect_done(made);
+    const auto read = run({"avifdec", "--depth", "16", "a.avif", "a.png"});
+    EXPECT_EQ(read.status, 0) << read.out << read.err;
+  }
+};
+
+/// Rec.2020's luminance of linear Rec.709, and of Rec.2020 itself (ITU-R BT.709, BT.2020).
+double luminance_709(double r, double g, double b) { return 0.2126 * r + 0.7152 * g + 0.0722 * b; }
+double luminance_2020(double r, double g, double b) { return 0.2627 * r + 0.6780 * g + 0.0593 * b; }
+
+TEST_F(HighRange, LightComesBackFromTheFile) {
+  make();
+  const auto frame = texture::read_image(here("f.exr")),
+             picture = texture::read_image(here("a.png"));
+  const auto outline = uses::outline_in(
+      texture::read_attribute(here("f.exr"), "coppermoon:disc_outline").value_or(""));
+  ASSERT_TRUE(outline);
+  const double scale =
+      100 * colour::exposure_scale({time_s, 12.1, 800});  // 1 of the view is 100 cd/m²
+  std::vector<double> off;
+  double brightest = 0, sum = 0;
+  for (std::size_t r = 0; r < frame.height; ++r)
+    for (std::size_t c = 0; c < frame.width; ++c) {
+      if (uses::covered_share(*outline, static_cast<double>(c) + 0.5,
+                              static_cast<double>(r) + 0.5) < 1)
+        continue;
+      const double expected = scale * luminance_709(frame(r, c, 0), frame(r, c, 1), frame(r, c, 2));
+      const auto light = [&](std::size_t k) { return 1e4 * uses::light_of_pq(picture(r, c, k)); };
+      const double found = luminance_2020(light(0), light(1), light(2));
+      if (expected < 0.1) continue;
+      off.push_back(std::abs(found / expected - 1));
+      sum += found / expected - 1;
+      brightest = std::max(brightest, found);
+    }
+  ASSERT_GT(off.size(), 3000U);
+  std::ranges::sort(off);
+  EXPECT_LT(off[off.size() * 95 / 100], 0.02) << "12 bits of PQ: 0.6 %; the encoder's loss";
+  EXPECT_WITHIN(sum / static_cast<double>(off.size()), 0, 0.005, "loss has no direction");
+  EXPECT_GT(brightest, 300) << "what saturates a sensor is not clipped";
+}
+
+TEST_F(HighRange, IsSaidInTheFile) {
+  make();
+  const auto info = run({"avifdec", "--info", "a.avif"}).out;
+  for (const char* line : {"Bit Depth      : 12", "Color Primaries: 9", "Transfer Char. : 16",
+                           "Matrix Coeffs. : 9", "Range          : Full"})
+    EXPECT_NE(info.find(line), std::string::npos) << line << "\n" << info;
+}
+
+TEST_F(HighRange, OfAnotherDisplayOrWithoutTheEncoderIsRefused) {
+  const Words still =
+      Words{"still", "2018-07-27T18:44:28Z", "--at", "Nairobi", "-o", "a.avif"} + moon;
+  EXPECT_EQ(coppermoon(still + Words{"--display", "Display P3"}).err,
+            "coppermoon: display = Display P3, allowed for a picture that ends in .avif "
+            "Rec.2100-PQ\n");
+  EXPECT_EQ(coppermoon(still + Words{"--view", "Filmic"}).status, 1);
+  EXPECT_EQ(listing(), std::set<std::string>{});
+}
+
+TEST(Pq, IsThatOfThePublishedStandard) {
+  // SMPTE ST 2084 and ITU-R BT.2100: 100 cd/m² is 0.508078, 1000 is 0.751827, 10 000 is 1
+  for (const auto& [light, code] : {std::pair{100., 0.508078}, {1000., 0.751827}, {1e4, 1.}}) {
+    EXPECT_WITHIN(uses::pq_of_light(light / 1e4), code, 1e-6, "printed to six digits");
+    EXPECT_WITHIN_RELATIVE(uses::light_of_pq(code) * 1e4, light, 1e-4, "six digits of the code");
+  }
+  EXPECT_WITHIN(uses::light_of_pq(uses::pq_of_light(1e-7)), 1e-7, 1e-12, "rounding");
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end
