@@ -14,26 +14,13 @@
 #include "colour/display.h"
 #include "texture/write_image.h"
 #include "uses/picture/avif_file.h"
+#include "uses/picture/limb_pixels.h"
 #include "uses/picture/pixels.h"
 
 namespace coppermoon::uses {
 namespace {
 
 constexpr const char *usual_display = "sRGB", *high_range_display = "Rec.2100-PQ";
-
-/// What a display makes of codes: PQ, or about that of sRGB (IEC 61966-2-1).
-struct Coding {
-  bool pq;
-
-  double light_of(double code) const {
-    if (pq) return light_of_pq(code);
-    return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
-  }
-  double code_of(double light) const {
-    if (pq) return pq_of_light(light);
-    return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-  }
-};
 
 bool is_high_range(const std::filesystem::path& picture) { return picture.extension() == ".avif"; }
 
@@ -43,68 +30,6 @@ Development for_file(Development development, const std::filesystem::path& pictu
     development.display = high_range_display;
   return development;
 }
-
-/// Pixels that the Moon's edge crosses. A frame has the mean of their light; where that is clipped, the edge
-/// would show as stairs. So the light of the ground beside them is developed, and the mean is taken of what
-/// the display shows of it and of the black sky.
-class LimbPixels {
- public:
-  LimbPixels(const std::optional<DiscOutline>& disc, const texture::Image& frame) {
-    if (!disc || frame.channels.size() < 3) return;
-    for (std::size_t r = 0; r < frame.height; ++r)
-      for (std::size_t c = 0; c < frame.width; ++c) {
-        const double share = share_at(*disc, r, c);
-        if (share <= 0 || share >= 1) continue;
-        if (const auto ground = beside(*disc, frame, r, c))
-          pixels_.push_back({r, c, *ground, share});
-      }
-  }
-
-  texture::Image with_ground(texture::Image frame) const {
-    for (const auto& [row, column, ground, share] : pixels_)
-      for (std::size_t k = 0; k < 3; ++k)
-        frame(row, column, k) = frame(ground.first, ground.second, k);
-    return frame;
-  }
-
-  void cover(texture::Image& picture, const Coding& coding) const {
-    for (const auto& [row, column, ground, share] : pixels_)
-      for (std::size_t k = 0; k < 3; ++k) {
-        float& code = picture(row, column, k);
-        code = static_cast<float>(coding.code_of(share * coding.light_of(code)));
-      }
-  }
-
- private:
-  using Place = std::pair<std::size_t, std::size_t>;  ///< row, column
-  struct Pixel {
-    std::size_t row, column;
-    Place ground;
-    double share;
-  };
-
-  static double share_at(const DiscOutline& disc, std::size_t row, std::size_t column) {
-    return covered_share(disc, static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
-  }
-
-  /// The nearest pixel towards the disc's middle that the Moon covers; none in a disc of few pixels.
-  static std::optional<Place> beside(const DiscOutline& disc, const texture::Image& frame,
-                                     std::size_t row, std::size_t column) {
-    const double x = static_cast<double>(column) + 0.5, y = static_cast<double>(row) + 0.5;
-    const double away = std::hypot(disc.x - x, disc.y - y);
-    for (const double step : {1., 1.5, 2., 2.5}) {
-      const double there_x = x + step * (disc.x - x) / away,
-                   there_y = y + step * (disc.y - y) / away;
-      if (step > away || there_x < 0 || there_y < 0) return std::nullopt;
-      const Place place{static_cast<std::size_t>(there_y), static_cast<std::size_t>(there_x)};
-      if (place.first >= frame.height || place.second >= frame.width) return std::nullopt;
-      if (share_at(disc, place.first, place.second) == 1) return place;
-    }
-    return std::nullopt;
-  }
-
-  std::vector<Pixel> pixels_;
-};
 
 /// Luminances of all lit pixels [cd/m²].
 std::vector<double> luminances(const texture::Image& frame, colour::WorkingSpace space) {
@@ -361,7 +286,7 @@ texture::Image developed(const Development& development, const Exposures& exposu
                      ? shown(development, 1, composite(development, exposures, whole), frame.space)
                      : shown(development, scale_of(development, exposure),
                              taken(development, exposure, whole), frame.space);
-  limb.cover(picture, {development.display == high_range_display});
+  limb.cover(picture, development.display == high_range_display);
   return picture;
 }
 

@@ -3,7 +3,6 @@
 
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const scaled = (a, k) => [a[0] * k, a[1] * k, a[2] * k];
-export const sum = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const difference = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const length = (a) => Math.sqrt(dot(a, a));
 export const unit = (a) => scaled(a, 1 / length(a));
