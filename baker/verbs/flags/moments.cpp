@@ -72,7 +72,7 @@ eclipse::Eclipse eclipse_on(const std::string& day, almanac::Calendar calendar) 
 Instant said(const std::string& asked, const Instant& when) {
   auto text = almanac::utc_text(when);
   const auto instant = almanac::instant_from_utc(text);
-  text.replace(text.find('T'), 1, " ");
+  std::ranges::replace(text, 'T', ' ');
   text.pop_back();
   fmt::print(stderr, "coppermoon: {} is {} UTC\n", asked, text);
   return instant;

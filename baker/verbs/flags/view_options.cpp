@@ -38,7 +38,7 @@ std::vector<double> place_numbers(const std::string& text) {
     const bool north_south = signed_text.empty();
     if (north_south ? sense == 'N' || sense == 'S' : sense == 'E' || sense == 'W') {
       part.pop_back();
-      if (sense == 'S' || sense == 'W') part.insert(0, "-");
+      if (sense == 'S' || sense == 'W') part.insert(part.begin(), '-');
     }
     signed_text += (signed_text.empty() ? "" : ",") + part;
   }
