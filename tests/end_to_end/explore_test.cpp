@@ -428,7 +428,8 @@ TEST_F(Explore, LinksKeysAndALostContextBringBackWhatWasSeen) {
       "await until(() => { try { lose.restoreContext(); } catch {} return "
       "!page.picture.gl.isContextLost(); });\n"
       "await until(() => picture() === seen);\n"
-      "return {before, again, other, restored, moved, nearer, whole, lost, back: picture() === seen};");
+      "return {before, again, other, restored, moved, nearer, whole, lost, back: picture() === "
+      "seen};");
   EXPECT_EQ(said["before"], said["again"]) << "a link keeps all settings";
   EXPECT_TRUE(said["other"].get<bool>());
   EXPECT_TRUE(said["restored"].get<bool>());
@@ -481,6 +482,17 @@ TEST_F(Explore, FragmentsStandBesideEachOther) {
   EXPECT_EQ(said[0], json({"Total eclipse of the Moon, 2018-07-27", "", "0px"}));
   EXPECT_EQ(said[1],
             json({"Total eclipse of the Moon, 2025-03-14", "--atmosphere undated", "0px"}));
+}
+
+TEST_F(Explore, NamesOfFilesBreakNoPage) {
+  const auto map = file("<!--<script> & '.png", "");
+  ASSERT_EQ(
+      run({"oiiotool", "--pattern", "constant:color=0.2,0.2,0.2", "64x32", "3", "-o", map.string()})
+          .status,
+      0);
+  make("2018-07-27", {"--albedo-map", map.string()});
+  const auto said = in_browser("return page.facts.options;");
+  EXPECT_NE(said.get<std::string>().find("<!--<script> & "), std::string::npos);
 }
 
 TEST_F(Explore, ACalendarListsItsPages) {

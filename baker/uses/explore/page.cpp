@@ -8,11 +8,16 @@
 namespace coppermoon::uses {
 namespace {
 
-/// A text that ends no script before its time.
-std::string within_script(std::string text) {
-  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3)
-    text.replace(at, 2, "<\\/");
-  return text;
+/// JSON in which a browser sees neither the end of a script nor a comment: no "<" stands in it.
+std::string within_script(const std::string& json) {
+  std::string safe;
+  for (const char letter : json) {
+    if (letter == '<')
+      safe += "\\u003c";
+    else
+      safe += letter;
+  }
+  return safe;
 }
 
 std::string within_html(const std::string& text) {
