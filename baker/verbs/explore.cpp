@@ -45,29 +45,25 @@ void require_sound(const Options& options) {
   if (!many) files::require_place_for(file);
 }
 
-/// A word as a shell takes it.
-std::string quoted(const std::string& word) {
+/// A word as a shell takes it: in quotes where it needs them.
+std::string shell_word(const std::string& word) {
   const bool plain = word.find_first_not_of(
                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                          "0123456789.,:+-/_=") == std::string::npos;
-  if (plain) return word;
-  std::string text = "'";
-  for (const char letter : word)
-    text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return text + "'";
+  return plain ? word : in_single_quotes(word);
 }
 
 /// What of the command line other commands take too, for those that the page shows.
 std::string options_shown(const CLI::App& verb) {
-  auto flags = flags_added_by([](CLI::App& app) {
+  const auto flags = flags_added_by([](CLI::App& app) {
     static uses::LightRequest light;
     static uses::MoonRequest moon;
     add_air_options(app, light.air);
     add_map_options(app, moon);
   });
   std::vector<std::string> words;
-  for (const auto& word : words_given(verb, flags)) words.push_back(quoted(word));
-  return fmt::format("{}", fmt::join(words, " "));
+  for (const auto& word : words_given(verb, flags)) words.push_back(shell_word(word));
+  return fmt::to_string(fmt::join(words, " "));
 }
 
 void write_page(const eclipse::Eclipse& eclipse, const uses::ExploreRequest& request,

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <span>
 #include <vector>
 
@@ -57,13 +59,16 @@ std::vector<double> numbers_of(const algebra::Grid<double>& grid) {
 
 /// Milliseconds from 1970 on, as a script's Date has them: the days of UTC are taken as 86 400 s.
 double unix_ms(const almanac::Instant& when) {
-  static const auto epoch = almanac::instant_from_utc("2000-01-01T00:00:00Z");
-  constexpr double leap_seconds_since_2000 = 5;  // at most: the page shows times to the second
   const auto text = almanac::utc_text(when, 3);
-  const auto midnight = almanac::instant_from_utc(text.substr(0, text.find('T')));
-  const double days =
-      std::round((almanac::seconds_between(epoch, midnight) - leap_seconds_since_2000 / 2) / 86400);
-  return 946684800e3 + days * 86400e3 + almanac::seconds_between(midnight, when) * 1e3;
+  const auto date = text.substr(0, text.find('T'));
+  int year = 0;
+  unsigned month = 0, day = 0;
+  if (std::sscanf(date.c_str(), "%d-%u-%u", &year, &month, &day) != 3)
+    throw algebra::Error(date + ": is no date");
+  const std::chrono::sys_days midnight =
+      std::chrono::year{year} / std::chrono::month{month} / std::chrono::day{day};
+  return static_cast<double>(midnight.time_since_epoch().count()) * 86400e3 +
+         almanac::seconds_between(almanac::instant_from_utc(date), when) * 1e3;
 }
 
 /// The albedo of the ground that is seen, coded so that equal steps are equal ratios.

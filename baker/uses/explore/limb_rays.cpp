@@ -73,18 +73,13 @@ struct Follower {
   std::vector<double> heights_m, nodes;
   std::vector<atmosphere::Optics> optics;
 
-  photons::LimbPath path(const Column& column, const photons::ProfileTable* table,
-                         double curvature_radius_m, double height_m, double refractivity) const {
-    return photons::limb_path(height_m, curvature_radius_m, column, refractivity, table);
-  }
-
   PartRays rays(const photons::WholeLimb::Part& part) const {
     PartRays rays;
     const auto& column = part.column;
     const photons::ProfileTable table(column);
     for (const double node : nodes)
       for (const double height : heights_m) {
-        auto path = this->path(column, &table, part.curvature_radius_m, height, node);
+        auto path = photons::limb_path(height, part.curvature_radius_m, column, node, &table);
         if (ozone_filters(column)) path.amounts[atmosphere::ozone] = 1;
         rays.bending.push_back(path.bending_rad);
         rays.amounts.insert(rays.amounts.end(), path.amounts.begin(), path.amounts.end());
@@ -109,13 +104,14 @@ struct Follower {
 
   /// By the middle refractivity.
   void add_aerosol(const photons::WholeLimb::Part& part, PartRays& rays) const {
+    const double middle = nodes[(nodes.size() - 1) / 2];  // the last is that of straight rays
     for (const double depth : aerosol_steps) {
       Column hazy = part.column;
       set_aerosol(hazy, depth);
       const photons::ProfileTable table(hazy);
       for (const double height : heights_m)
         rays.aerosol.push_back(
-            path(hazy, &table, part.curvature_radius_m, height, nodes[nodes.size() / 2])
+            photons::limb_path(height, part.curvature_radius_m, hazy, middle, &table)
                 .amounts[atmosphere::stratosphere]);
     }
   }

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "verbs/flags/help.h"
+#include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -60,13 +61,6 @@ std::string escaped(const std::string& text, std::string_view special) {
   return safe;
 }
 
-/// In single quotes of a POSIX shell.
-std::string quoted_text(const std::string& text) {
-  std::string safe;
-  for (const char letter : text) safe += letter == '\'' ? "'\\''" : std::string{letter};
-  return "'" + safe + "'";
-}
-
 std::string bash_values(const Command& command) {
   std::string nothing, files, text;
   for (const auto& flag : command.flags) {
@@ -101,7 +95,7 @@ std::string zsh_flag(const FlagText& flag) {
       spec += fmt::format(":{}:({})", flag.value, fmt::join(flag.words, " "));
     else if (!flag.value.empty())
       spec += fmt::format(":{}:{}", flag.value, names_files(flag) ? "_files" : " ");
-    text += " \\\n        " + quoted_text(spec);
+    text += " \\\n        " + in_single_quotes(spec);
   }
   return text;
 }
@@ -162,7 +156,7 @@ std::string bash_completion(const CLI::App& program) {
 std::string zsh_completion(const CLI::App& program) {
   std::string names, cases;
   for (const auto& command : commands_of(program)) {
-    names += "    " + quoted_text(command.name + ":" + escaped(command.text, ":\\")) + "\n";
+    names += "    " + in_single_quotes(command.name + ":" + escaped(command.text, ":\\")) + "\n";
     cases += "    " + command.name + ")\n      _arguments";
     for (const auto& flag : command.flags) cases += zsh_flag(flag);
     cases += takes_files(command) ? " \\\n        '*:file:_files' ;;\n" : " ;;\n";

@@ -77,4 +77,10 @@ std::string one_line(std::string_view text) {
   return shown(text.substr(0, beginning)) + " ... " + shown(text.substr(text.size() - ending));
 }
 
+std::string in_single_quotes(std::string_view text) {
+  std::string safe;
+  for (const char letter : text) safe += letter == '\'' ? "'\\''" : std::string{letter};
+  return "'" + safe + "'";
+}
+
 }  // namespace coppermoon::verbs

@@ -16,4 +16,7 @@ bool is_utf8(std::string_view text);
 /// out.
 std::string one_line(std::string_view text);
 
+/// A text in single quotes, as a POSIX shell takes it for one word.
+std::string in_single_quotes(std::string_view text);
+
 }  // namespace coppermoon::verbs

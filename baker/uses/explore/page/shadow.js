@@ -51,6 +51,7 @@ export class Shadow {
   setAir(air) {
     this.air = air;
     this.landed = this.planes.map(() => []);
+    this.spectral = [];  // what is shed of each wavelength, once it is asked for
     for (let p = 0; p < this.rays.parts.length; ++p)
       for (let w = 0; w < this.waves; ++w) {
         const {paths, amounts} = this.followed(air, p, w);
@@ -196,14 +197,19 @@ export class Shadow {
     return [step + 2, step + 3, Math.log(depth / steps[step]) / Math.log(steps[step + 1] / steps[step])];
   }
 
+  /** What the limb sheds of each wavelength by itself. */
+  spectralShed(k) {
+    const each = () => Array.from({length: this.waves}, (_, w) =>
+      Float64Array.from({length: this.waves}, (_, i) => (i === w ? 1 : 0)));
+    return this.spectral[k] ??= this.shed(k, each());
+  }
+
   /** Light over sunlight by wavelength, at a place in the shadow (motion.placeInShadow). */
   spectrum(place) {
     const k = Math.abs(place.depth - this.depths[0]) < Math.abs(place.depth - this.depths[1]) ? 0 : 1;
     const plane = this.planes[k];
     const gamma = sheared(place.axisDistance, plane.depth / place.depth);
-    const each = Array.from({length: this.waves}, (_, w) =>
-      Float64Array.from({length: this.waves}, (_, i) => (i === w ? 1 : 0)));
-    const series = this.gathered(k, plane.arcs(gamma), this.shed(k, each), this.waves);
+    const series = this.gathered(k, plane.arcs(gamma), this.spectralShed(k), this.waves);
     const light = this.summed(series, place.angle, this.waves);
     this.scatteredAt(place.axisDistance).forEach((ratio, w) => { light[w] += ratio; });
     plane.clearParts(gamma, place.angle).forEach((clear, l) => {
