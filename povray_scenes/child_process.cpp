@@ -27,12 +27,12 @@ using algebra::Error;
 
 /// In the child: only what is safe after a fork of many threads. Returns when all has failed.
 void become(char* const* arguments, char* const* variables, const char* folder, int standard_error,
-            pid_t parent) {
+            int standard_output, pid_t parent) {
   if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) return;
   const int nothing = ::open("/dev/null", O_RDWR);
   if (nothing < 0 || ::chdir(folder) != 0) return;
   ::dup2(nothing, STDIN_FILENO);
-  ::dup2(nothing, STDOUT_FILENO);
+  ::dup2(standard_output < 0 ? nothing : standard_output, STDOUT_FILENO);
   ::dup2(standard_error, STDERR_FILENO);
   ::execvpe(arguments[0], arguments, variables);
 }
@@ -76,6 +76,19 @@ std::string all_said(int from) {
   }
 }
 
+/// The last line of a text that is not empty.
+std::string last_line(std::string text) {
+  while (text.ends_with('\n')) text.pop_back();
+  return text.substr(text.rfind('\n') + 1);
+}
+
+/// Throws  Error  when it ended otherwise than well: why
+void require_success(const Program& program, int status, const std::string& why) {
+  if (WIFSIGNALED(status))
+    throw Error(fmt::format("{}: ended by signal {}", program.words[0], WTERMSIG(status)));
+  if (WEXITSTATUS(status) != 0) throw Error(why);
+}
+
 }  // namespace
 
 void FileDescriptor::close() {
@@ -107,14 +120,16 @@ int Child::status() {
 }
 
 /// By fork, since posix_spawn cannot ask for the child's end with ours.
-void start(Child& child, const Program& program, int standard_error) {
+void start(Child& child, const Program& program, int standard_error,
+           std::optional<int> standard_output) {
   auto words = program.words, variables = environment_with(program.variables);
   const auto arguments = pointers_to(words), environment = pointers_to(variables);
   Pipe failed;
   const pid_t ourselves = ::getpid();
   child.id = ::fork();
   if (child.id == 0) {
-    become(arguments.data(), environment.data(), program.folder.c_str(), standard_error, ourselves);
+    become(arguments.data(), environment.data(), program.folder.c_str(), standard_error,
+           standard_output.value_or(-1), ourselves);
     const int why = errno;
     [[maybe_unused]] const auto told = ::write(failed.in.number, &why, sizeof why);
     ::_exit(127);
@@ -134,11 +149,19 @@ void run_program(const Program& program) {
   start(child, program, words.in.number);
   words.in.close();
   const auto said = all_said(words.out.number);
-  const int status = child.status();
-  if (WIFSIGNALED(status))
-    throw Error(fmt::format("{}: ended by signal {}", program.words[0], WTERMSIG(status)));
-  if (WEXITSTATUS(status) != 0)
-    throw Error(fmt::format("{}: {}", program.words[0], said.substr(0, said.find('\n'))));
+  require_success(program, child.status(),
+                  fmt::format("{}: {}", program.words[0], said.substr(0, said.find('\n'))));
+}
+
+std::string output_of(const Program& program) {
+  Pipe words, output;
+  Child child;
+  start(child, program, words.in.number, output.in.number);
+  words.in.close(), output.in.close();
+  const auto said = all_said(words.out.number);  // first: what is output fits into a pipe
+  auto made = all_said(output.out.number);
+  require_success(program, child.status(), last_line(said));
+  return made;
 }
 
 }  // namespace coppermoon::povray_scenes

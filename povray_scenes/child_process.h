@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,16 +51,25 @@ struct Program {
       {};  ///< of its environment that differ from ours: "NAME=value"
 };
 
-/// Starts it, with nothing to read and nobody to hear its standard output. It ends with the calling
-/// thread at the latest, whatever ends that: the thread must wait for the child.
+/// Starts it, with nothing to read. It ends with the calling thread at the latest, whatever ends that: the
+/// thread must wait for the child.
 ///
-/// Given   standard_error  a descriptor, 3 or above
-/// Throws  Error           when it cannot be run: names the package when there is no such program
-void start(Child& child, const Program& program, int standard_error);
+/// Given   standard_error   a descriptor, 3 or above
+///         standard_output  the same; without: nobody hears it
+/// Throws  Error            when it cannot be run: names the package when there is no such program
+void start(Child& child, const Program& program, int standard_error,
+           std::optional<int> standard_output = {});
 
 /// Runs it to its end.
 ///
 /// Throws  Error  as start; when it fails: its own first words
 void run_program(const Program& program);
+
+/// Runs it to its end.
+///
+/// Given     program  writes little to its standard output, 4096 bytes at most
+/// Returned  that
+/// Throws    Error  as start; when it fails: its own last words
+std::string output_of(const Program& program);
 
 }  // namespace coppermoon::povray_scenes

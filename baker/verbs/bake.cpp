@@ -5,10 +5,13 @@
 
 #include "algebra/error.h"
 #include "almanac/instant.h"
+#include "files/fingerprint.h"
+#include "files/folder_lock.h"
 #include "files/whole_file.h"
 #include "texture/write_glb.h"
 #include "texture/write_image.h"
 #include "texture/write_usda.h"
+#include "uses/light/header.h"
 #include "uses/picture/baked_moon.h"
 #include "uses/picture/view.h"
 #include "verbs/command_line.h"
@@ -29,6 +32,7 @@ struct Options {
   uses::ViewRequest view;  ///< of which only the observer and the air above are asked for
   uses::Development develop;
   std::vector<std::string> outputs;
+  std::string cache;  ///< a folder; empty: none
   bool json = false;
 };
 
@@ -134,12 +138,8 @@ void write(const Options& options, const std::vector<Output>& outputs, const Out
     texture::write_exr(output.path, made.parts, made.attributes, {type_of(output.content)});
 }
 
-void run(const CLI::App& verb, const Options& options) {
-  const auto start = std::chrono::steady_clock::now();
-  std::vector<Output> outputs;
-  for (const auto& file : options.outputs) outputs.push_back(output_at(file, options.texture));
-  require_sound(options, outputs);
-  const auto request = moon_request(options.moon);
+/// The Moon of the flags, lit, and as its observer sees it.
+uses::LitMoon lit_moon(const Options& options, const uses::MoonRequest& request) {
   const auto sky = eclipsed_sky(options.moon);
   const auto seen = view_of(options.view, sky);
   auto moon = [&] {
@@ -148,6 +148,14 @@ void run(const CLI::App& verb, const Options& options) {
   }();
   moon.observer = seen.observer;
   moon.sightline = seen.sightline;
+  return moon;
+}
+
+/// Bakes what the outputs ask for, each with its recipe.
+Report make(const CLI::App& verb, const Options& options, const std::vector<Output>& outputs) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto request = moon_request(options.moon);
+  const auto moon = lit_moon(options, request);
   const auto& light = *moon.light;
   const auto recipe = made_recipe(recipe_of(verb), request.unshadowed, light.plan);
   Report made{options.outputs, {}, 0, light.error_found, light.plan};
@@ -159,7 +167,47 @@ void run(const CLI::App& verb, const Options& options) {
     write(options, outputs, output, baked);
   }
   made.seconds = seconds_since(start);
-  report(made, options.json);
+  return made;
+}
+
+/// The place of a texture in a folder of textures: its name is a fingerprint of all that it depends on.
+Output place_in_cache(const CLI::App& verb, const Options& options) {
+  const auto depends_on = fmt::format("{}\n{}\n{}", uses::version(), recipe_of(verb),
+                                      map_contents(moon_request(options.moon)));
+  auto content = options.texture;
+  content.passes = false;
+  content.spectral_nm.reset();
+  return {std::filesystem::path(options.cache) /
+              fmt::format("{:016x}.tx", files::fingerprint(depends_on)),
+          content};
+}
+
+/// Tells where the texture stands; whoever comes first bakes it, and others wait.
+void run_with_cache(const CLI::App& verb, const Options& options) {
+  require_sound(options.texture);
+  eclipsed_sky(options.moon);
+  const auto output = place_in_cache(verb, options);
+  std::error_code failed;
+  std::filesystem::create_directories(options.cache, failed);
+  if (failed)
+    throw algebra::Error(
+        fmt::format("{}: no folder can be made there: {}", options.cache, failed.message()));
+  if (!std::filesystem::exists(output.path)) {
+    const files::FolderLock lock(options.cache);
+    if (!std::filesystem::exists(output.path)) make(verb, options, {output});
+  }
+  fmt::print("{}\n", output.path.string());
+}
+
+void run(const CLI::App& verb, const Options& options) {
+  if (options.outputs.empty() == options.cache.empty())
+    throw WrongUsage(options.cache.empty() ? "--output: missing"
+                                           : "--output and --cache: allowed one of the two");
+  if (!options.cache.empty()) return run_with_cache(verb, options);
+  std::vector<Output> outputs;
+  for (const auto& file : options.outputs) outputs.push_back(output_at(file, options.texture));
+  require_sound(options, outputs);
+  report(make(verb, options, outputs), options.json);
 }
 
 }  // namespace
@@ -175,8 +223,12 @@ void add_bake(CLI::App& program) {
       "texture: .exr; .tx (tiled and mip-mapped); .png (developed); .glb (developed, on a sphere); "
       ".usda (a sphere, with the .exr beside it). May be given again: one simulation serves all")
       .writes_file()
-      .required()
       .kept_each_time();
+  add_flag(
+      *verb, "--cache", options->cache,
+      "folder of textures: the texture is baked into it as .tx, unless it is there already, and "
+      "its path is printed")
+      .writes_folder();
   add_observer_options(*verb, options->view);
   add_texture_options(*verb, options->texture);
   add_develop_options(*verb, options->develop);

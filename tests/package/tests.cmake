@@ -4,7 +4,7 @@ set(package ${PROJECT_BINARY_DIR}/package)
 set(prefix ${package}/prefix)
 get_property(stages GLOBAL PROPERTY COPPERMOON_STAGES)
 list(TRANSFORM stages PREPEND coppermoon_)
-add_dependencies(heavy_tests ${stages} coppermoon_program coppermoon_manual_pages)  # all that is installed
+add_dependencies(heavy_tests ${stages} coppermoon_program coppermoon_imageio coppermoon_manual_pages)  # all that is installed
 
 # package_test(NAME [NEEDS steps …] COMMAND …): package/NAME, a step that others may need.
 function(package_test name)
@@ -51,6 +51,12 @@ set_tests_properties(package/program_runs PROPERTIES PASS_REGULAR_EXPRESSION "co
 package_test(program_bakes NEEDS installs COMMAND ${prefix}/${CMAKE_INSTALL_BINDIR}/coppermoon bake 2008-02-21T03:26:05Z
   --texture-width 64 --albedo-map built-in --bands 4 --rays 60 -o ${package}/moon.exr)
 set_tests_properties(package/program_bakes PROPERTIES PASS_REGULAR_EXPRESSION "moon.exr: made in .* s, within")
+
+# the reader that OpenImageIO loads, with the program that was installed
+file(WRITE ${package}/moon.eclipse "instant = \"2018-07-27T20:00:00Z\"\nunshadowed = true\nalbedo-map = \"built-in\"\ntexture-width = 64\n")
+package_test(reader_reads NEEDS installs COMMAND ${CMAKE_COMMAND} -E env XDG_CACHE_HOME=${package}/cache
+  OIIO_LIBRARY_PATH=${prefix}/${CMAKE_INSTALL_LIBDIR}/OpenImageIO oiiotool --info ${package}/moon.eclipse)
+set_tests_properties(package/reader_reads PROPERTIES PASS_REGULAR_EXPRESSION "64 x   32, 3 channel, half eclipse")
 
 outside_project(consumer)
 outside_program(consumer consumer PRINTS

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// OpenImageIO's reader of eclipses: a recipe with the ending .eclipse is an image, the texture that `coppermoon bake`
+// makes of it. The program bakes it when it is first read, into a folder of textures; what is read afterwards is
+// that file. So nothing of ours runs in the host, and nothing that is wrong with a recipe ends it.
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
+#include <OpenImageIO/sysutil.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "algebra/error.h"
+#include "povray_scenes/child_process.h"
+
+namespace coppermoon::wrappers {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view ending = ".eclipse";
+
+/// Options that may follow a file's name, as moon.eclipse?texture-width=2048&instant=2018-07-27. Others
+/// may not: whoever names a file in a scene must not be able to have another one written.
+constexpr std::array allowed_options{"at",        "instant", "quality", "space", "texture-width",
+                                     "tolerance", "type"};
+
+/// A file's name, and the options behind it.
+struct Request {
+  fs::path recipe;
+  std::map<std::string, std::string> options;
+};
+
+/// Throws  Error  for options that cannot be read, or that are not allowed
+Request request_of(const std::string& name) {
+  Request request;
+  std::string file;
+  if (!OIIO::Strutil::get_rest_arguments(name, file, request.options))
+    throw algebra::Error(fmt::format(
+        "{}: its options cannot be read, allowed FILE?option=value&option=value", name));
+  request.recipe = file;
+  for (const auto& [option, value] : request.options)
+    if (std::ranges::find(allowed_options, option) == allowed_options.end())
+      throw algebra::Error(fmt::format("{}: has an option {}, allowed {}", name, option,
+                                       fmt::join(allowed_options, ", ")));
+  return request;
+}
+
+/// The program: beside the folder of this library, as the build has it; where it was installed to; or
+/// what the PATH has.
+std::string program() {
+  Dl_info info{};
+  static const char mine = 0;
+  if (::dladdr(&mine, &info) == 0 || info.dli_fname == nullptr) return "coppermoon";
+  const auto folder = fs::absolute(info.dli_fname).parent_path();
+  for (const char* programs : {"..", COPPERMOON_PROGRAMS}) {
+    std::error_code failed;
+    const auto path = folder / programs / "coppermoon";
+    if (fs::is_regular_file(path, failed)) return path.lexically_normal().string();
+  }
+  return "coppermoon";
+}
+
+/// Where baked textures are kept: as the XDG Base Directory Specification has it.
+fs::path cache() {
+  const std::string xdg(OIIO::Sysutil::getenv("XDG_CACHE_HOME"));
+  if (fs::path(xdg).is_absolute()) return fs::path(xdg) / "coppermoon";
+  const std::string home(OIIO::Sysutil::getenv("HOME"));
+  if (fs::path(home).is_absolute()) return fs::path(home) / ".cache" / "coppermoon";
+  return fs::temp_directory_path() / "coppermoon";
+}
+
+/// The texture of a recipe, baked unless it was before. Files that a recipe names stand beside it.
+fs::path texture_of(const Request& request) {
+  const auto recipe = fs::absolute(request.recipe);
+  std::vector<std::string> words{program(), "bake", "--recipe=" + recipe.string(),
+                                 "--cache=" + cache().string()};
+  for (const auto& [option, value] : request.options)
+    words.push_back(fmt::format("--{}={}", option, value));
+  auto path = povray_scenes::output_of(
+      {.words = words, .package = "coppermoon", .folder = recipe.parent_path()});
+  path.resize(std::min(path.find('\n'), path.size()));
+  return path;
+}
+
+/// Reads the texture of a recipe.
+class EclipseInput final : public OIIO::ImageInput {
+ public:
+  const char* format_name() const override { return "eclipse"; }
+
+  int supports(OIIO::string_view feature) const override {
+    return texture_ ? texture_->supports(feature) : feature == "exif";
+  }
+
+  bool valid_file(const std::string& name) const override {
+    try {
+      std::error_code failed;
+      const auto recipe = request_of(name).recipe;
+      return recipe.extension() == ending && fs::is_regular_file(recipe, failed);
+    } catch (const algebra::Error&) {
+      return false;
+    }
+  }
+
+  bool open(const std::string& name, OIIO::ImageSpec& spec) override {
+    close();
+    try {
+      const auto request = request_of(name);
+      std::error_code failed;
+      if (!fs::is_regular_file(request.recipe, failed))
+        throw algebra::Error(fmt::format("{}: there is no such file", request.recipe.string()));
+      const auto texture = texture_of(request);
+      texture_ = OIIO::ImageInput::open(texture.string());
+      if (!texture_)
+        throw algebra::Error(fmt::format("{}: {}", texture.string(), OIIO::geterror()));
+    } catch (const std::exception& error) {
+      errorfmt("{}", error.what());
+      return false;
+    }
+    spec = m_spec = texture_->spec();
+    return true;
+  }
+
+  bool close() override {
+    texture_.reset();
+    return true;
+  }
+
+  int current_subimage() const override { return texture_ ? texture_->current_subimage() : 0; }
+  int current_miplevel() const override { return texture_ ? texture_->current_miplevel() : 0; }
+
+  bool seek_subimage(int subimage, int miplevel) override {
+    if (!texture_ || !texture_->seek_subimage(subimage, miplevel)) return false;
+    m_spec = texture_->spec();
+    return true;
+  }
+
+  bool read_native_scanline(int subimage, int miplevel, int y, int z, void* data) override {
+    return read(texture_ && texture_->read_native_scanline(subimage, miplevel, y, z, data));
+  }
+
+  bool read_native_tile(int subimage, int miplevel, int x, int y, int z, void* data) override {
+    return read(texture_ && texture_->read_native_tile(subimage, miplevel, x, y, z, data));
+  }
+
+  bool read_native_tiles(int subimage, int miplevel, int x_begin, int x_end, int y_begin, int y_end,
+                         int z_begin, int z_end, void* data) override {
+    return read(texture_ && texture_->read_native_tiles(subimage, miplevel, x_begin, x_end, y_begin,
+                                                        y_end, z_begin, z_end, data));
+  }
+
+ private:
+  /// Takes over the texture's error.
+  bool read(bool done) {
+    if (!done) errorfmt("{}", texture_ ? texture_->geterror() : "no eclipse is open");
+    return done;
+  }
+
+  std::unique_ptr<OIIO::ImageInput> texture_;
+};
+
+}  // namespace
+}  // namespace coppermoon::wrappers
+
+// By these names OpenImageIO looks for a reader in a library that is called eclipse.imageio.so. It is not called
+// coppermoon: OpenImageIO's writers drop attributes that begin with the name of another format, as
+// coppermoon:recipe would.
+extern "C" {
+OIIO_EXPORT int eclipse_imageio_version = OIIO_PLUGIN_VERSION;
+OIIO_EXPORT const char* eclipse_imageio_library_version() { return nullptr; }
+OIIO_EXPORT OIIO::ImageInput* eclipse_input_imageio_create() {
+  return new coppermoon::wrappers::EclipseInput;
+}
+OIIO_EXPORT const char* eclipse_input_extensions[] = {"eclipse", nullptr};
+}

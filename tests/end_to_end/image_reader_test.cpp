@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// The reader that OpenImageIO loads, in a host of our own and in OpenImageIO's tools.
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagecache.h>
+#include <OpenImageIO/imageio.h>
+#include <OpenImageIO/texture.h>
+
+#include <cstdlib>
+#include <thread>
+
+#include "end_to_end/program.h"
+#include "support/within.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+/// Sunlight alone: a texture in a fraction of a second.
+constexpr std::string_view recipe =
+    "instant = \"2018-07-27T19:40:17Z\"\n"
+    "unshadowed = true\n"
+    "albedo-map = \"built-in\"\n"
+    "texture-width = 256\n";
+
+/// One level of an image, as any host reads it.
+std::vector<float> texels_of(const std::string& name, int level = 0) {
+  const auto input = OIIO::ImageInput::open(name);
+  if (!input || !input->seek_subimage(0, level)) return {};
+  std::vector<float> texels(input->spec().image_pixels() * 3);
+  return input->read_image(0, level, 0, 3, OIIO::TypeDesc::FLOAT, texels.data())
+             ? texels
+             : std::vector<float>{};
+}
+
+class ImageReader : public ProgramTest {
+ protected:
+  ImageReader() {
+    ::setenv("XDG_CACHE_HOME", here("cache").c_str(), 1);
+    ::setenv("OIIO_LIBRARY_PATH", COPPERMOON_READERS, 1);
+    OIIO::attribute("plugin_searchpath", COPPERMOON_READERS);
+    moon = file("moon.eclipse", recipe).string();
+  }
+
+  std::size_t textures_kept() const {
+    std::error_code none;
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& entry :
+         std::filesystem::directory_iterator(here("cache/coppermoon"), none))
+      ++count;
+    return count;
+  }
+
+  /// What a host is told when it opens a file that cannot be opened.
+  static std::string why_not(const std::string& name) {
+    OIIO::geterror();
+    EXPECT_FALSE(OIIO::ImageInput::open(name)) << name;
+    return OIIO::geterror();
+  }
+
+  std::string moon;
+};
+
+TEST_F(ImageReader, GivesTheTexelsThatBakeWrites) {
+  file("moon.eclipse",
+       "instant = \"2018-07-27 U2+10min\"\nalbedo-map = \"built-in\"\n"
+       "texture-width = 256\nquality = \"draft\"\n");
+  expect_done(
+      coppermoon({"bake", "2018-07-27T19:40:17Z", "--albedo-map", "built-in", "--texture-width",
+                  "256", "--quality", "draft", "-o", "flat.exr", "-o", "levels.tx"}));
+  const auto flat = texels_of(here("flat.exr"));
+  ASSERT_EQ(flat.size(), 256u * 128 * 3);
+  EXPECT_EQ(texels_of(moon), flat);
+  for (const int level : {1, 4, 7})
+    EXPECT_EQ(texels_of(moon, level), texels_of(here("levels.tx"), level)) << level;
+  EXPECT_TRUE(texels_of(moon, 99).empty());
+}
+
+TEST_F(ImageReader, BakesOnceForAllThatReadAtOnce) {
+  testing::internal::CaptureStdout();
+  std::vector<std::vector<float>> read(6);
+  {
+    std::vector<std::jthread> hosts;
+    for (auto& texels : read) hosts.emplace_back([&] { texels = texels_of(moon); });
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  for (const auto& texels : read) EXPECT_EQ(texels, read.front());
+  EXPECT_FALSE(read.front().empty());
+  EXPECT_EQ(textures_kept(), 1u);
+}
+
+TEST_F(ImageReader, BakesAnewWhatDependsOnSomethingElse) {
+  const auto first = texels_of(moon);
+  expect_done(coppermoon({"bake", "2018-07-27T19:40:17Z", "--unshadowed", "--albedo-map",
+                          "built-in", "--texture-width", "64", "-o", "one.png"}));
+  const auto with_map = std::string(recipe.substr(0, recipe.find("albedo"))) +
+                        "albedo-map = \"one.png\"\ntexture-width = 256\n";
+  file("moon.eclipse", with_map);  // one.png stands beside the recipe
+  const auto second = texels_of(moon);
+  EXPECT_NE(second, first);
+  expect_done(coppermoon({"bake", "2018-07-30T19:40:17Z", "--unshadowed", "--albedo-map",
+                          "built-in", "--texture-width", "64", "-o", "other.png"}));
+  std::filesystem::rename(here("other.png"), here("one.png"));
+  EXPECT_NE(texels_of(moon), second);
+  EXPECT_EQ(textures_kept(), 3u);
+}
+
+TEST_F(ImageReader, HeedsOptionsBehindTheName) {
+  const auto input = OIIO::ImageInput::open(moon + "?texture-width=128&space=acescg");
+  ASSERT_TRUE(input) << OIIO::geterror();
+  EXPECT_EQ(input->spec().width, 128);
+  EXPECT_EQ(input->spec().get_string_attribute("coppermoon:colour_space"), "acescg");
+  EXPECT_NE(why_not(moon + "?texture-width=127").find("allowed even numbers"), std::string::npos)
+      << why_not(moon + "?texture-width=127");
+}
+
+TEST_F(ImageReader, LetsNoNameWriteAFile) {
+  const auto before = listing();
+  for (const char* option : {"output", "keep", "recipe", "cache", "albedo-map"})
+    EXPECT_NE(why_not(moon + "?" + option + "=evil.exr").find("allowed at, instant"),
+              std::string::npos)
+        << option;
+  EXPECT_EQ(listing(), before);
+}
+
+TEST_F(ImageReader, SaysInOneLineWhatIsWrong) {
+  const std::string no_eclipse = file("none.eclipse", "instant = \"2018-08-27\"\n").string();
+  EXPECT_NE(why_not(no_eclipse).find("no lunar eclipse is greatest on that day"),
+            std::string::npos);
+  const std::string no_recipe = file("bytes.eclipse", std::string("\xff\0\x01", 3)).string();
+  const std::string no_moment = file("empty.eclipse", "").string();
+  for (const auto& name : {no_eclipse, no_recipe, no_moment, here("absent.eclipse").string(),
+                           here().string() + ".eclipse", moon + "?=", moon + "?a=b=c&"}) {
+    const auto why = why_not(name);
+    EXPECT_FALSE(why.empty()) << name;
+    EXPECT_EQ(why.find('\n'), std::string::npos) << why;
+  }
+  EXPECT_EQ(textures_kept(), 0u);
+}
+
+TEST_F(ImageReader, ServesTextureSystems) {
+  const auto system = OIIO::TextureSystem::create(false);
+  OIIO::TextureOpt options;
+  options.swrap = OIIO::TextureOpt::WrapPeriodic;
+  std::array<float, 3> middle{};
+  ASSERT_TRUE(
+      system->texture(OIIO::ustring(moon), options, 0.5f, 0.5f, 0, 0, 0, 0, 3, middle.data()))
+      << system->geterror();
+  const auto texels = texels_of(moon);
+  // between the four texels about the middle of the map, by cubic weights of which none is above 1
+  const auto around = [&](std::size_t k) {
+    std::array<float, 4> four{};
+    for (std::size_t i = 0; i < 4; ++i)
+      four[i] = texels[3 * ((63 + i / 2) * 256 + 127 + i % 2) + k];
+    return four;
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [least, most] = std::ranges::minmax(around(k));
+    EXPECT_GT(middle[k], 0.8f * least);
+    EXPECT_LT(middle[k], 1.2f * most);
+  }
+  OIIO::TextureSystem::destroy(system);
+}
+
+/// OpenImageIO's writers drop attributes that begin with the name of another format.
+TEST_F(ImageReader, KeepsTheRecipeInFilesThatHostsWrite) {
+  expect_done(run({"oiiotool", moon, "-o", "copy.exr"}));
+  const auto copy = OIIO::ImageInput::open(here("copy.exr"));
+  ASSERT_TRUE(copy);
+  EXPECT_NE(copy->spec().get_string_attribute("coppermoon:recipe").find("unshadowed"),
+            std::string_view::npos);
+  expect_done(coppermoon({"bake", "copy.exr", "--albedo-map", "built-in", "-o", "again.exr"}));
+  EXPECT_EQ(texels_of(here("again.exr")), texels_of(moon));
+}
+
+TEST_F(ImageReader, ServesMaketx) {
+  expect_done(run({"maketx", moon, "-o", "moon.tx"}));
+  EXPECT_EQ(texels_of(here("moon.tx")), texels_of(moon));
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end
