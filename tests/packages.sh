@@ -1,0 +1,50 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Makes the Debian packages, has lintian look at them, installs them in a fresh Debian, uses and removes them. On Debian
+# 12 as root, with a network; some ten minutes on two processors.
+set -eu
+cd "$(dirname "$0")/.."
+apt-get install -y --no-install-recommends debootstrap dpkg-dev lintian >/dev/null
+sh examples/build.sh coppermoon_program
+cmake --workflow --preset debian
+packages=$PWD/build/debian
+
+# the address is that of whoever publishes them
+lintian --allow-root --fail-on error,warning --suppress-tags bogus-mail-host,bogus-mail-host-in-debian-changelog \
+  "$packages"/*.deb
+
+fresh=$(mktemp -d)
+trap 'umount "$fresh/proc" 2>/dev/null || true; rm -rf --one-file-system "$fresh"' EXIT
+debootstrap --variant=minbase bookworm "$fresh" >/dev/null
+mkdir "$fresh/packages" "$fresh/consumer"
+cp "$packages"/*.deb "$fresh/packages"
+cp -r tests/package/contacts/. "$fresh/consumer"
+mount -t proc proc "$fresh/proc"
+chroot "$fresh" sh -eu <<'END'
+export DEBIAN_FRONTEND=noninteractive HOME=/tmp LC_ALL=C
+cd /tmp
+echo 'APT::Sandbox::User "root";' >/etc/apt/apt.conf.d/root
+install() { apt-get install -y --no-install-recommends "$@" >/dev/null; }
+apt-get update >/dev/null
+
+install /packages/coppermoon_*.deb
+coppermoon --version
+coppermoon bake 2018-07-27T20:00:00Z --unshadowed --albedo-map built-in --texture-width 256 -o moon.exr
+test -s /usr/share/man/man1/coppermoon-bake.1.gz
+test -s /usr/share/bash-completion/completions/coppermoon
+
+install /packages/coppermoon-openimageio_*.deb openimageio-tools
+printf 'instant = "2018-07-27T20:00:00Z"\nunshadowed = true\nalbedo-map = "built-in"\ntexture-width = 256\n' >moon.eclipse
+OIIO_LIBRARY_PATH=$(dirname "$(dpkg -L coppermoon-openimageio | grep 'imageio.so$')") oiiotool --diff moon.eclipse moon.exr
+
+install /packages/libcoppermoon-dev_*.deb cmake g++ ninja-build pkg-config
+cmake -S /consumer -B consumer -G Ninja >/dev/null
+cmake --build consumer >/dev/null
+
+dpkg -l | grep coppermoon
+apt-get purge -y coppermoon libcoppermoon-dev coppermoon-openimageio >/dev/null
+find / -xdev \( -name proc -o -name packages -o -path /tmp \) -prune -o -name '*coppermoon*' -print |
+  grep -v '^/consumer\|^/var/lib/apt\|^/var/cache/apt' >left || true
+if [ -s left ]; then echo "left behind:"; cat left; exit 1; fi
+echo "installed, used, removed"
+END
