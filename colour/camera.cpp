@@ -113,6 +113,7 @@ Camera camera_named(std::string_view name) {
                    .black_level_dn = row["black_level_dn"],
                    .bits = static_cast<int>(row["bits"]),
                    .response = row.text("response")};
+  camera.glow = row["glow"];
   return camera;
 }
 
@@ -162,7 +163,7 @@ double saturation_cd_m2(const Camera& camera, const Exposure& exposure) {
 }
 
 void require_sound(const Camera& camera) {
-  const auto& [optics, sensor, seeing, diffraction, noise] = camera;
+  const auto& [optics, sensor, seeing, glow, diffraction, noise] = camera;
   using algebra::require_within;
   require_within("focal length [mm]", optics.focal_length_mm, 1, 1e6);
   require_within("aperture [mm]", optics.aperture_mm, 0.1, 1e5);
@@ -177,6 +178,7 @@ void require_sound(const Camera& camera) {
   require_within("bits of the sensor", sensor.bits, 1, 16);
   require_within("black level [DN]", sensor.black_level_dn, 0, std::exp2(sensor.bits - 1));
   require_within("seeing [arcsec]", seeing, 0, 600);
+  require_within("glow", glow, 0, 0.5);
   response_named(sensor.response);
 }
 

@@ -40,6 +40,7 @@ struct Camera {
   Optics optics{};
   Sensor sensor{};
   double seeing_arcsec = 0;  ///< full width at half maximum of a star, 0 to 600
+  double glow = 0;           ///< share of the light that optics and air spread far, 0 to 0.5
   bool diffraction = true, noise = true;
 };
 

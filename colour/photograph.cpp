@@ -13,6 +13,7 @@
 
 #include "algebra/error.h"
 #include "algebra/random.h"
+#include "colour/glow.h"
 #include "colour/point_spread.h"
 
 namespace coppermoon::colour {
@@ -45,7 +46,8 @@ void require_finite(const Image& scene) {
 }
 
 /// A picture as aperture and air spread it.
-Image spread(const Image& scene, const Camera& camera, double pixel_rad) {
+Image spread(const Image& scene_linear, const Camera& camera, double pixel_rad) {
+  auto scene = with_glow(scene_linear, camera.glow, pixel_rad);
   if (!camera.diffraction && camera.seeing_arcsec == 0) return scene;
   Image result(scene.rows(), scene.columns());
   for (std::size_t k = 0; k < 3; ++k) {

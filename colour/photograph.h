@@ -33,7 +33,7 @@ struct Photograph {
 
 /// A photograph of a scene.
 ///
-/// Light is spread by aperture and air, the sky's added, and turned into electrons by the sensor's
+/// Light is spread by aperture and air, near its place and far (glow.h), the sky's added, and turned into electrons by the sensor's
 /// response: with noise, as many as a Poisson process sets free. A pixel holds no more than its full
 /// well; amplifier and converter add their noise; whole numbers of as many bits come out, cut off at
 /// either end. Developed, no channel is above what white has where the most sensitive one saturates.
@@ -43,8 +43,8 @@ struct Photograph {
 ///
 /// Given     scene_linear  [cd/m²] of the working space, finite
 /// Returned  the same for the same seed and frame, whatever the number of threads
-/// Omits     the mosaic of colour filters (every pixel has three channels), dark current, banding,
-///           dust, flare
+/// Omits     glow of what is beyond the frame; the mosaic of colour filters (every pixel has three
+///           channels), dark current, banding, dust, reflections
 /// Throws    Error         when a pixel is not finite, or camera, exposure, pixel or sky is outside its
 ///                         range
 Photograph photographed(const Image& scene_linear, WorkingSpace space, const Camera& camera,

@@ -6,60 +6,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
-#include <kissfft/kissfft.hh>
 #include <numbers>
 #include <numeric>
 #include <vector>
 
 #include "algebra/error.h"
 #include "algebra/interpolation.h"
+#include "colour/fourier.h"
 
 namespace coppermoon::colour {
 namespace {
 
 using std::numbers::pi;
-using Spectrum = algebra::Grid<std::complex<double>>;
 
 /// 2 J₁(x)/x
 double jinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 8 : 2 * ::j1(x) / x; }
-
-/// The next length that transforms are quick for: only 2, 3 and 5 divide it.
-std::size_t quick_length(std::size_t length) {
-  for (;; ++length) {
-    std::size_t rest = length;
-    for (const std::size_t prime : {2, 3, 5})
-      while (rest % prime == 0) rest /= prime;
-    if (rest == 1) return length;
-  }
-}
-
-enum class Direction { forward, back };
-
-void transform_rows(Spectrum& spectrum, Direction direction) {
-  const kissfft<double> fft(spectrum.columns(), direction == Direction::back);
-  tbb::parallel_for(std::size_t{0}, spectrum.rows(), [&](std::size_t r) {
-    const auto row = spectrum.row(r);
-    std::vector<std::complex<double>> out(row.size());
-    fft.transform(row.data(), out.data());
-    std::ranges::copy(out, row.begin());
-  });
-}
-
-void transform_columns(Spectrum& spectrum, Direction direction) {
-  const kissfft<double> fft(spectrum.rows(), direction == Direction::back);
-  tbb::parallel_for(std::size_t{0}, spectrum.columns(), [&](std::size_t c) {
-    std::vector<std::complex<double>> in(spectrum.rows()), out(spectrum.rows());
-    for (std::size_t r = 0; r < in.size(); ++r) in[r] = spectrum(r, c);
-    fft.transform(in.data(), out.data());
-    for (std::size_t r = 0; r < out.size(); ++r) spectrum(r, c) = out[r];
-  });
-}
-
-void transform(Spectrum& spectrum, Direction direction) {
-  transform_rows(spectrum, direction);
-  transform_columns(spectrum, direction);
-}
 
 /// Where a wrapped index stands, from 0 on either side.
 double from_first(std::size_t i, std::size_t length) {
@@ -102,7 +63,7 @@ Spectrum diffraction_transfer(const Blur& blur, double pixel_rad, std::size_t ro
   double sum = 0;
   for (const auto& value : spread.values()) sum += value.real();
   for (auto& value : spread.values()) value /= sum;
-  transform(spread, Direction::forward);
+  fourier_transform(spread, Direction::forward);
   return spread;
 }
 
@@ -252,14 +213,14 @@ algebra::Grid<double> blurred(const algebra::Grid<double>& picture, const Blur& 
   const bool seethes = seeing_px >= least_seeing_px;
   if (picture.empty() || (!diffracts && !seethes)) return picture;
   auto all = padded(picture);
-  transform(all, Direction::forward);
+  fourier_transform(all, Direction::forward);
   if (diffracts) {
     const auto transfer = diffraction_transfer(blur, pixel_rad, all.rows(), all.columns());
     for (std::size_t i = 0; i < all.values().size(); ++i)
       all.values()[i] *= transfer.values()[i].real();
   }
   if (seethes) multiply_by_seeing(all, seeing_px);
-  transform(all, Direction::back);
+  fourier_transform(all, Direction::back);
   return cut_out(all, picture);
 }
 

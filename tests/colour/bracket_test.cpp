@@ -30,6 +30,7 @@ Image ramp() {
 Camera camera() {
   auto camera = camera_named("400mm");
   camera.diffraction = false;
+  camera.glow = 0;  // which the ramp would have all over it
   camera.sensor.response = "colorimetric";
   return camera;
 }

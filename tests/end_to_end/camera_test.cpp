@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "colour/glow.h"
 #include "end_to_end/program.h"
 #include "support/within.h"
 #include "texture/read_image.h"
+#include "uses/picture/pixels.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -48,13 +50,16 @@ TEST_F(CameraTest, MakesARawFileAPhotographAndAPictureOfAFrame) {
       << "a black level of 124, and its noise of 1.7 over 17 sensor pixels";
   EXPECT_LE(most * 65535, 4095.01) << "12 bits";
   EXPECT_EQ(photograph.channels, (std::vector<std::string>{"R", "G", "B", "valid"}));
-  // over the middle of the disc the photograph has the frame's light, but for noise and blur
+  // over the middle of the disc the photograph has the frame's light and its glow, but for noise and
+  // blur: the square scatters 5 % of its light, of which the disc about it gives half back
+  const double pixel_rad = 22.7 / 90 / 1540;
+  const auto glowing = colour::with_glow(uses::pixels_of(frame), 0.05, pixel_rad);
   double light[2] = {};
   for (std::size_t r = 20; r < 40; ++r)
     for (std::size_t c = 35; c < 55; ++c)
-      light[0] += frame(r, c, 0), light[1] += photograph(r, c, 0);
+      light[0] += glowing(r, c)[0], light[1] += photograph(r, c, 0);
   EXPECT_WITHIN_RELATIVE(light[1], light[0], 0.02, "what 2 arcsec carry over this square's sides");
-  EXPECT_NEAR(number("frame.exr", "coppermoon:pixel_arcsec"), 206265 * 22.7 / 90 / 1540, 0.01);
+  EXPECT_NEAR(number("frame.exr", "coppermoon:pixel_arcsec"), 206265 * pixel_rad, 0.01);
 }
 
 TEST_F(CameraTest, SetsTheViewUnlessItIsSetByHand) {
@@ -118,8 +123,8 @@ TEST_F(CameraTest, DevelopsAFrameAsStillDoes) {
 
 TEST_F(CameraTest, LeftOutCostsNothing) {
   make(still({"--frame", "frame.exr", "--focal-length", "1540", "--sensor-width", "22.7"}));
-  make(still({"--camera", "paper", "--noise", "off", "--diffraction", "off", "--sky", "off",
-              "--response", "colorimetric", "--sensor-bits", "16", "--photograph",
+  make(still({"--camera", "paper", "--noise", "off", "--diffraction", "off", "--glow", "0", "--sky",
+              "off", "--response", "colorimetric", "--sensor-bits", "16", "--photograph",
               "photograph.exr"}));
   const auto frame = image("frame.exr"), photograph = image("photograph.exr");
   for (std::size_t r = 0; r < frame.height; ++r)
@@ -157,7 +162,7 @@ TEST_F(CameraTest, MergesABracketedSetOfPhotographs) {
   for (const char* time : {"0.1", "0.8", "6"}) {
     const auto name = "bracket_" + std::string(time) + ".exr";
     make({"develop", "frame.exr", "--camera", "refractor", "--time", time, "--diffraction", "off",
-          "--photograph", name, "-o", "a.png"});
+          "--glow", "0", "--photograph", name, "-o", "a.png"});
     words.push_back(name);
   }
   words.insert(words.end(), {"-o", "merged.exr"});

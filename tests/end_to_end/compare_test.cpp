@@ -158,11 +158,12 @@ TEST_F(Compare, KnowsTheFieldOfACameraByItsName) {
                          "them in part; 1 % are clipped. Another field has times as many");
 }
 
-/// A photograph of our own camera, a part in the umbra, as JPEG of usual qualities.
+/// A photograph of our own camera, a part in the umbra, as JPEG of usual qualities. Without glow, of which
+/// compare knows nothing: that of a lens makes the Moon seem 4 % larger.
 TEST_F(Compare, FindsAPartialEclipseInJpeg) {
-  expect_done(coppermoon({"still", "2019-01-21T04:10:00Z", "--camera", "refractor", "--time",
-                          "0.05", "--width", "600", "--height", "400", "--quality", "draft",
-                          "--frame", "partial.exr", "-o", "partial.png"}));
+  expect_done(coppermoon({"still", "2019-01-21T04:10:00Z", "--camera", "refractor", "--glow", "0",
+                          "--time", "0.05", "--width", "600", "--height", "400", "--quality",
+                          "draft", "--frame", "partial.exr", "-o", "partial.png"}));
   for (const int quality : {85, 90, 92, 95}) {
     SCOPED_TRACE(quality);
     OIIO::ImageBuf photo(here("partial.png").string());

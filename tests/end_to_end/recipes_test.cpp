@@ -50,9 +50,9 @@ TEST_F(Recipes, OfOneCommandServeAllOthers) {
        "instant = \"2018-07-27 U2+10min\"\nat = \"Nairobi\"\nwidth = 48\nheight = 32\n"
        "texture-width = 32\nalbedo-map = \"built-in\"\n[camera]\nmodel = \"400mm\"\niso = 800\n"
        "[atmosphere]\nmodel = \"undated\"\n");
-  for (const Words& words : {Words{"sky"}, Words{"plan"}, Words{"brightness"},
-                             Words{"bake", "-o", "a.exr"}, Words{"scene", "-o", "folder"},
-                             Words{"still", "-o", "a.png"}}) {
+  for (const Words& words :
+       {Words{"sky"}, Words{"plan"}, Words{"brightness"}, Words{"bake", "-o", "a.exr"},
+        Words{"scene", "-o", "folder"}, Words{"still", "-o", "a.png"}}) {
     const auto outcome = coppermoon(words + Words{"--recipe", "night.toml"});
     EXPECT_EQ(outcome.status, 0) << words[0] << ": " << outcome.err;
     EXPECT_NE(outcome.err.find("U2+10min is 2018-07-27 19:40:"), std::string::npos) << outcome.err;
@@ -87,6 +87,31 @@ TEST_F(Recipes, OfVersion01MeanTheAirTheyWereMadeWith) {
        "texture-width = 32\nalbedo-map = \"built-in\"\n");
   make({"bake", "--recipe", "today.toml", "-o", "today.exr"});
   EXPECT_TRUE(bytes("today.exr") == bytes("standard.exr"));
+}
+
+// Version 0.1 knew no glow: its cameras had none.
+TEST_F(Recipes, OfVersion01HaveNoGlow) {
+  const Words still{"still",        "2019-01-21T04:10:00Z",
+                    "--camera",     "refractor",
+                    "--noise",      "off",
+                    "--albedo-map", "built-in",
+                    "--quality",    "draft",
+                    "--width",      "48",
+                    "--height",     "32",
+                    "--time",       "1"};
+  make(still + Words{"-o", "glow.png"});
+  make(still + Words{"--glow", "0", "-o", "none.png"});
+  const auto without = texture::read_image(here("none.png"));
+  auto recipe = recipe_in("glow.png");
+  const auto line = recipe.find("glow = ");
+  ASSERT_NE(line, std::string::npos) << recipe;
+  recipe.erase(line, recipe.find('\n', line) + 1 - line);
+  texture::write_png(here("of_0_1.png"), without, 8, {{"coppermoon:recipe", recipe}});
+  make({"still", "of_0_1.png", "-o", "again.png"});
+  EXPECT_TRUE(texture::read_image(here("again.png")).values == without.values);
+  make({"still", "glow.png", "-o", "again.png"});
+  EXPECT_FALSE(texture::read_image(here("again.png")).values == without.values);
+  EXPECT_TRUE(bytes("again.png") == bytes("glow.png"));
 }
 
 TEST_F(Recipes, GiveWayToTheUsersFlags) {

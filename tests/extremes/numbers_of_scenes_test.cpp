@@ -216,6 +216,7 @@ colour::Camera random_camera(algebra::Random& random) {
            anywhere(random, 0, std::exp2(bits - 1)), bits,
            names[static_cast<std::size_t>(random.uniform() * static_cast<double>(names.size()))]},
       .seeing_arcsec = anywhere(random, 0, 600),
+      .glow = anywhere(random, 0, 0.5),
       .diffraction = random.uniform() < 0.5,
       .noise = random.uniform() < 0.5};
 }

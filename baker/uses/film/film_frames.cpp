@@ -181,11 +181,18 @@ double texels_of(const Film& film) {
   return width * width / 2;
 }
 
+/// What a frame takes on its way through a camera [bytes]: its glow is a convolution on four times as many
+/// pixels, of two grids of complex numbers.
+double camera_memory(const Film& film) {
+  if (film.development.camera.model.empty()) return 0;
+  return 4. * 2 * 16 * static_cast<double>(film.view.width) * static_cast<double>(film.view.height);
+}
+
 /// Some frames at a time: one more than there are processors, for POV-Ray sleeps at its start, as
 /// long as half of the memory takes them: POV-Ray takes 28 bytes a texel.
 std::size_t lanes_of(const Film& film, std::size_t processors) {
   if (processors == 1) return 1;
-  const double a_lane = 28 * texels_of(film) + 64e6;
+  const double a_lane = 28 * texels_of(film) + camera_memory(film) + 64e6;
   const double most = std::max(1., available_memory() / 2 / a_lane);
   return static_cast<std::size_t>(std::min(most, static_cast<double>(processors + 1)));
 }

@@ -26,7 +26,7 @@ constexpr const char *pixel_attribute = "coppermoon:pixel_arcsec",
 bool any_given(const CameraRequest& o) {
   return o.aperture_mm || o.obstruction || o.transmission || o.pixel_um || o.quantum_efficiency ||
          o.full_well_e || o.read_noise_e || o.converter_noise_dn || o.black_level_dn ||
-         o.seeing_arcsec || o.sensor_bits || o.response || o.diffraction || o.noise ||
+         o.seeing_arcsec || o.glow || o.sensor_bits || o.response || o.diffraction || o.noise ||
          o.sky_cd_m2 || !o.raw.empty() || !o.photograph.empty();
 }
 
@@ -82,6 +82,7 @@ std::optional<colour::Camera> camera_of(const CameraRequest& request,
   change(optics.transmission, request.transmission);
   change(camera.sensor, request);
   change(camera.seeing_arcsec, request.seeing_arcsec);
+  change(camera.glow, request.glow);
   camera.diffraction = request.diffraction.value_or(true);
   camera.noise = request.noise.value_or(true);
   require_sound(camera);

@@ -20,7 +20,7 @@ struct CameraRequest {
   std::string model{};  ///< one of colour::camera_names(); empty: none
   std::optional<double> aperture_mm{}, obstruction{}, transmission{}, pixel_um{},
       quantum_efficiency{}, full_well_e{}, read_noise_e{}, converter_noise_dn{}, black_level_dn{},
-      seeing_arcsec{};
+      seeing_arcsec{}, glow{};
   std::optional<int> sensor_bits{};
   std::optional<std::string> response{};       ///< one of colour::response_names()
   std::optional<bool> diffraction{}, noise{};  ///< without: on
@@ -42,7 +42,7 @@ ViewRequest seen_through(const CameraRequest& request, ViewRequest view);
 
 /// What the development has to know of a frame beside its light.
 struct SeenFrame {
-  double pixel_rad = 0;             ///< in the middle; 0: as the sensor's width says
+  double pixel_rad = 0;                  ///< in the middle; 0: as the sensor's width says
   std::optional<double> sky_cd_m2 = {};  ///< nothing: not known
   std::optional<DiscOutline> disc = {};  ///< the Moon's edge; nothing: not known
 };

@@ -294,9 +294,9 @@ void write_picture(const Development& asked, const Exposures& exposures, const F
                    texture::Attributes attributes, const std::filesystem::path& picture) {
   const auto development = for_file(asked, picture);
   const auto image = developed(development, exposures, frame);
-  if (is_high_range(picture)) return write_avif(picture, image);
   attributes["coppermoon:view"] = development.display + ", " + development.view;
   add_exposure(attributes, exposures);
+  if (is_high_range(picture)) return write_avif(picture, image, attributes);
   texture::write_png(picture, image, development.bits, attributes);
 }
 

@@ -101,8 +101,7 @@ texture::Image developed(const Development& development, const Exposures& exposu
                          const Frame& frame);
 
 /// Develops a scene-linear frame and writes the picture. One that ends in .avif is of high dynamic range
-/// (write_avif), for the display Rec.2100-PQ: saturation is 100 cd/m², and what is brighter stays so. It holds
-/// no attributes.
+/// (write_avif), for the display Rec.2100-PQ: saturation is 100 cd/m², and what is brighter stays so.
 ///
 /// Given  attributes  for the picture's header; those of the frame are for the camera's files
 void write_picture(const Development& development, const Exposures& exposures, const Frame& frame,

@@ -20,6 +20,14 @@ std::optional<double> sky_luminance_from(const std::string& text) {
   return atmosphere::luminance_of_magnitude_cd_m2(*magnitude);
 }
 
+/// Nothing for "auto".
+std::optional<double> glow_from(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  const auto share = algebra::number_in(text);
+  if (!share) throw algebra::Error(fmt::format("glow = {}, allowed auto or 0 to 0.5", text));
+  return share;
+}
+
 template <typename Value>
 Flag add_camera_flag(CLI::App& verb, const std::string& flag, Value& value,
                      const std::string& text) {
@@ -37,6 +45,12 @@ void add_optics(CLI::App& verb, uses::CameraRequest& request) {
       .in(camera_group);
   add_camera_flag(verb, "--seeing", request.seeing_arcsec,
                   "seeing: full width at half maximum of a star's image [arcsec], 0 to 600");
+  add_parsed(
+      verb, "--glow", [&request](const std::string& text) { request.glow = glow_from(text); },
+      "glow about bright ground: share of the light that optics and air scatter, 0 to 0.5; auto: "
+      "the camera's, 0.02 for lenses and 0.05 for mirrors",
+      "auto")
+      .in(camera_group);
   add_parsed(
       verb, "--sky",
       [&request](const std::string& text) { request.sky_cd_m2 = sky_luminance_from(text); },

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
 
 #include "algebra/error.h"
@@ -16,6 +17,7 @@
 #include "texture/read_image.h"
 #include "texture/write_glb.h"
 #include "texture/write_usda.h"
+#include "uses/picture/avif_file.h"
 #include "uses/picture/view.h"
 #include "verbs/flags/air_options.h"
 #include "verbs/flags/known_words.h"
@@ -56,6 +58,7 @@ std::string recipe_text(const std::string& path) {
   const auto ending = std::filesystem::path(path).extension();
   const auto text = ending == ".glb"    ? texture::recipe_in_glb(path)
                     : ending == ".usda" ? texture::recipe_in_usda(path)
+                    : ending == ".avif" ? uses::recipe_in_avif(path)
                                         : texture::read_attribute(path, "coppermoon:recipe");
   if (!text) throw algebra::Error(fmt::format("{}: has no recipe in its header", path));
   return *text;
@@ -305,12 +308,25 @@ std::vector<std::string> lens_of_0_1(const Reading& reading, const std::vector<T
           fmt::format("--sensor-width={}", uses::paper_sensor_width_mm)};
 }
 
+/// A file that was taken through a camera and says nothing of its glow: version 0.1 had none. Since then
+/// files say `glow`.
+std::vector<std::string> glow_of_0_1(const Reading& reading, const std::vector<Told>& recipe,
+                                     const std::vector<std::string>& mine) {
+  const auto told = [&](const char* flag) {
+    return std::ranges::find(recipe, flag, &Told::flag) != recipe.end();
+  };
+  if (!reading.lenient || !told("camera") || told("glow") || names(mine, "glow") ||
+      reading.verb.get_option_no_throw("--glow") == nullptr)
+    return {};
+  return {"--glow=0"};
+}
+
 }  // namespace
 
 bool holds_recipe(const std::filesystem::path& path) {
   const auto ending = path.extension();
   return ending == ".exr" || ending == ".tx" || ending == ".png" || ending == ".glb" ||
-         ending == ".usda";
+         ending == ".usda" || ending == ".avif";
 }
 
 std::vector<std::string> no_part_of_recipes() {
@@ -326,6 +342,7 @@ std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string
   const auto recipe = parsed(path);
   const auto all = told_by(reading, recipe);
   auto flags = lens_of_0_1(reading, all, mine);
+  std::ranges::copy(glow_of_0_1(reading, all, mine), std::back_inserter(flags));
   for (const auto& told : all)
     for (auto& flag : flags_of(reading, told))
       if (!names(mine, told.flag)) flags.push_back(std::move(flag));
