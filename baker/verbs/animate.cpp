@@ -45,7 +45,7 @@ struct Options {
 uses::Film film_of(const Options& options) {
   uses::Film film;
   film.folder = options.output;
-  film.products = products_from(options.film.make);
+  film.products = products_of(options.film);
   film.content = options.content;
   if (film.products.framed() && (film.content.passes || film.content.spectral_nm))
     throw algebra::Error("passes and spectra need --make textures alone");

@@ -28,11 +28,16 @@ std::filesystem::path Film::picture(std::size_t frame, const char* stem) const {
   return (folder / numbered_file(stem, frame, moments.frames.size())).replace_extension(".png");
 }
 
+std::filesystem::path Film::high_range_picture(std::size_t frame) const {
+  return picture(frame, "frame_hdr");
+}
+
 std::vector<std::filesystem::path> Film::files(std::size_t frame) const {
   std::vector<std::filesystem::path> all;
   if (products.textures) all.push_back(texture(frame));
   if (products.frames) all.push_back(linear_frame(frame));
   if (products.pictures) all.push_back(picture(frame));
+  if (products.pictures && products.high_range) all.push_back(high_range_picture(frame));
   if (products.pictures && bracket_ev)
     for (const char* stem : {"frame_under", "frame_over"}) all.push_back(picture(frame, stem));
   return all;

@@ -25,6 +25,7 @@ inline constexpr const char* texture_stem = "moon_lin_rec709";
 /// What is made of each frame; light alone is made where nothing else is.
 struct Products {
   bool light = false, textures = false, scenes = false, frames = false, pictures = false;
+  bool high_range = false;  ///< beside each picture another for screens of high dynamic range
 
   bool light_alone() const { return !textures && !scenes && !frames && !pictures; }
   bool framed() const { return scenes || rendered(); }  ///< by a camera
@@ -74,10 +75,11 @@ struct Film {
   almanac::SkyState sky(std::size_t frame) const;
 
   /// In the folder: "moon_lin_rec709.0007.exr" and "frame_lin_rec709.0007.exr" (the space they are in),
-  /// "frame.0007.png", "frame_under.0007.png".
+  /// "frame.0007.png", "frame_under.0007.png"; "frame_hdr.0007.png" is of high dynamic range.
   std::filesystem::path texture(std::size_t frame) const;
   std::filesystem::path linear_frame(std::size_t frame) const;
   std::filesystem::path picture(std::size_t frame, const char* stem = "frame") const;
+  std::filesystem::path high_range_picture(std::size_t frame) const;
 
   /// All files that its products leave of a frame.
   std::vector<std::filesystem::path> files(std::size_t frame) const;

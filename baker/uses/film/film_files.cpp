@@ -26,7 +26,7 @@ void require_ending(const fs::path& file, const char* what, const char* ending) 
 
 /// Names of frames are no others' in the film's folder.
 void require_no_frame(const fs::path& file, Film film) {
-  film.products = {.textures = true, .frames = true, .pictures = true};
+  film.products = {.textures = true, .frames = true, .pictures = true, .high_range = true};
   film.bracket_ev = 1;
   for (std::size_t frame = 1; frame <= film.moments.frames.size(); ++frame)
     for (const auto& own : film.files(frame))

@@ -83,14 +83,17 @@ void write_pictures(const Film& film, const Rendered& rendered, const texture::I
   const auto frame = rendered.frame;
   auto attributes = film.record.frame_header;
   attributes["coppermoon:frame"] = fmt::format("{}", frame);
+  const Frame whole{image, space_of(film.content), rendered.seen, frame};
   const auto write = [&](const std::filesystem::path& path, double stops) {
     auto exposed = exposures;
     exposed.shorter.time_s *= std::exp2(stops);
     if (exposed.longer_s) *exposed.longer_s *= std::exp2(stops);
-    write_picture(film.development, exposed, {image, space_of(film.content), rendered.seen, frame},
-                  attributes, path);
+    write_picture(film.development, exposed, whole, attributes, path);
   };
   write(film.picture(frame), 0);
+  if (film.products.high_range)
+    write_picture(of_high_range(film.development), exposures, whole, attributes,
+                  film.high_range_picture(frame));
   if (!film.bracket_ev) return;
   write(film.picture(frame, "frame_under"), -*film.bracket_ev);
   write(film.picture(frame, "frame_over"), *film.bracket_ev);

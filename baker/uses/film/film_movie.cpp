@@ -2,14 +2,20 @@
 #include "uses/film/film_movie.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <sstream>
 
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
 #include "povray_scenes/child_process.h"
+#include "texture/read_image.h"
+#include "uses/picture/avif_file.h"
+#include "uses/picture/pixels.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -18,23 +24,61 @@ namespace fs = std::filesystem;
 
 constexpr const char* package = "ffmpeg";
 
-/// Frames by names that ffmpeg counts through without a gap.
-void number_pictures(const fs::path& folder, const Film& film,
-                     const std::vector<std::size_t>& frames) {
-  for (std::size_t i = 0; i < frames.size(); ++i)
-    fs::create_symlink(fs::absolute(film.picture(frames[i])), folder / fmt::format("{:07}.png", i));
+std::vector<fs::path> pictures_of(const Film& film, const std::vector<std::size_t>& frames) {
+  std::vector<fs::path> pictures;
+  for (const std::size_t frame : frames)
+    pictures.push_back(film.products.high_range ? film.high_range_picture(frame)
+                                                : film.picture(frame));
+  return pictures;
+}
+
+/// Pictures by names that ffmpeg counts through without a gap.
+void number_pictures(const fs::path& folder, const std::vector<fs::path>& pictures) {
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    fs::create_symlink(fs::absolute(pictures[i]), folder / fmt::format("{:07}.png", i));
+}
+
+/// How the pictures are coded, as ffmpeg is told.
+std::string usual_coding() {
+  return "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,"
+         "format=yuv420p -c:v libx264 -crf 16 "
+         "-color_primaries bt709 -color_trc bt709 -colorspace bt709";
+}
+
+/// Mastering display: chromaticities of Rec.2020 in steps of 0.00002, light in steps of 0.0001 cd/m²
+/// (SMPTE ST 2086).
+std::string high_range_coding(const LightLevels& levels) {
+  const auto whole = [](double light) { return std::max(1., std::ceil(light)); };
+  return fmt::format(
+      "scale=out_color_matrix=bt2020:out_range=tv:flags=accurate_rnd+full_chroma_int,"
+      "format=yuv420p10le -c:v libx265 -crf 4 -tag:v hvc1 "
+      "-color_primaries bt2020 -color_trc smpte2084 -colorspace bt2020nc "
+      "-x265-params log-level=error:hdr10=1:hdr10-opt=1:repeat-headers=1:range=limited:"
+      "colorprim=bt2020:transfer=smpte2084:colormatrix=bt2020nc:"
+      "master-display=G(8500,39850)B(6550,2300)R(35400,14600)WP(15635,16450)L({0:.0f},1):"
+      "max-cll={1:.0f},{2:.0f}",
+      1e4 * whole(levels.brightest), whole(levels.brightest), whole(levels.brightest_mean));
 }
 
 /// Given  film  a descriptor that ffmpeg inherits: it needs a file in which it can go back
-std::vector<std::string> command(double fps, int film) {
-  std::istringstream words(fmt::format(
-      "ffmpeg -nostdin -loglevel error -xerror -y -framerate {} -f image2 -i %07d.png "
-      "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2,"
-      "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=yuv420p "
-      "-c:v libx264 -crf 16 -color_primaries bt709 -color_trc bt709 -colorspace bt709 "
-      "-color_range tv -movflags +faststart -f mp4 /dev/fd/{}",
-      fps, film));
+std::vector<std::string> command(double fps, const std::string& coding, int film) {
+  std::istringstream words(
+      fmt::format("ffmpeg -nostdin -loglevel error -xerror -y -framerate {} -f image2 -i %07d.png "
+                  "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2,{} "
+                  "-color_range tv -movflags +faststart -f mp4 /dev/fd/{}",
+                  fps, coding, film));
   return {std::istream_iterator<std::string>(words), {}};
+}
+
+constexpr std::size_t codes = 65536;
+
+/// Light of each code of 16 bits [cd/m²].
+std::vector<double> light_of_codes() {
+  constexpr double most = 1e4;
+  std::vector<double> light(codes);
+  for (std::size_t i = 0; i < codes; ++i)
+    light[i] = most * light_of_pq(static_cast<double>(i) / (codes - 1));
+  return light;
 }
 
 }  // namespace
@@ -45,14 +89,37 @@ void require_ffmpeg() {
 
 void write_movie(const fs::path& path, const Film& film, const std::vector<std::size_t>& frames) {
   const files::TemporaryFolder folder;
-  number_pictures(folder.path(), film, frames);
+  const auto pictures = pictures_of(film, frames);
+  number_pictures(folder.path(), pictures);
+  const auto coding =
+      film.products.high_range ? high_range_coding(light_levels(pictures)) : usual_coding();
   files::write_whole(path, [&](int descriptor) {
     povray_scenes::FileDescriptor inherited;
     inherited.number = ::dup(descriptor);  // what is opened here is closed to other programs
-    povray_scenes::run_program({.words = command(film.fps, inherited.number),
+    povray_scenes::run_program({.words = command(film.fps, coding, inherited.number),
                                 .package = package,
                                 .folder = folder.path()});
   });
+}
+
+LightLevels light_levels(const std::vector<fs::path>& pictures) {
+  const auto light = light_of_codes();
+  std::vector<LightLevels> each(pictures.size());
+  tbb::parallel_for(std::size_t{0}, pictures.size(), [&](std::size_t i) {
+    const auto pixels = pixels_of(texture::read_image(pictures[i]));
+    for (const auto& pixel : pixels.values()) {
+      const double code = std::clamp(std::ranges::max(pixel), 0.F, 1.F);
+      const double bright = light[static_cast<std::size_t>(std::lround(code * (codes - 1)))];
+      each[i].brightest = std::max(each[i].brightest, bright);
+      each[i].brightest_mean += bright / static_cast<double>(pixels.values().size());
+    }
+  });
+  LightLevels all;
+  for (const auto& one : each) {
+    all.brightest = std::max(all.brightest, one.brightest);
+    all.brightest_mean = std::max(all.brightest_mean, one.brightest_mean);
+  }
+  return all;
 }
 
 }  // namespace coppermoon::uses

@@ -240,6 +240,12 @@ void add_exposure(texture::Attributes& attributes, const Exposures& exposures) {
   if (longer_s) attributes["coppermoon:longer_exposure_s"] = static_cast<float>(*longer_s);
 }
 
+Development of_high_range(Development development) {
+  development.display = high_range_display;
+  development.bits = 16;
+  return development;
+}
+
 void require_sound(const Development& asked, const std::filesystem::path& picture) {
   const auto development = for_file(asked, picture);
   if (picture.extension() != ".png" && !is_high_range(picture))

@@ -83,6 +83,9 @@ double scale_of(const Development& development, const colour::Exposure& exposure
 /// The camera's settings under OpenEXR's standard names; `coppermoon:longer_exposure_s` of a composite.
 void add_exposure(texture::Attributes& attributes, const Exposures& exposures);
 
+/// The same for screens of high dynamic range: the display Rec.2100-PQ, in 16 bits.
+Development of_high_range(Development development);
+
 /// Throws Error when the development cannot be made whatever the frame holds: a setting outside its
 /// range, a picture that ends neither in .png nor in .avif, a view there is not
 void require_sound(const Development& development, const std::filesystem::path& picture);

@@ -84,6 +84,10 @@ void add_files_of_all(CLI::App& verb, FilmOptions& options) {
   add_flag(verb, "--movie", options.movie, "movie of the pictures, .mp4, made by ffmpeg")
       .writes_file()
       .in(group);
+  add_switch(verb, "--hdr", options.hdr,
+             "makes pictures of high dynamic range too (PQ, Rec.2020, frame_hdr.0001.png), and the "
+             "movie of them: HDR10, in HEVC")
+      .in(group);
   add_flag(verb, "--composite", options.composite,
            "picture of all frames together, .png, each with its own exposure")
       .writes_file()
@@ -141,9 +145,9 @@ uses::FilmTimes times_of(const FilmOptions& options) {
           .time_scale = options.time_scale};
 }
 
-uses::Products products_from(const std::string& text) {
-  uses::Products products;
-  std::istringstream names(text);
+uses::Products products_of(const FilmOptions& options) {
+  uses::Products products{.high_range = options.hdr};
+  std::istringstream names(options.make);
   for (std::string name; std::getline(names, name, ',');) {
     products.light |= name == "light";
     products.textures |= name == "textures" || name == "scenes";
@@ -154,8 +158,10 @@ uses::Products products_from(const std::string& text) {
         name != "pictures")
       throw algebra::Error(fmt::format(
           "make = {}, allowed light, textures, scenes, frames and pictures, with commas between",
-          text));
+          options.make));
   }
+  if (options.hdr && !products.pictures)
+    throw algebra::Error("--hdr is of pictures, allowed with pictures among --make");
   return products;
 }
 

@@ -25,6 +25,7 @@ struct FilmOptions {
   uses::Mount mount = uses::Mount::tracking;
   std::string aim = {};
   std::optional<double> bracket_ev = {};
+  bool hdr = false;
   std::string contact_sheet = {}, movie = {}, composite = {};
   std::vector<std::string> curves = {};
 };
@@ -38,10 +39,10 @@ void add_film_options(CLI::App& verb, FilmOptions& options);
 uses::FilmTimes times_of(const FilmOptions& options);
 
 /// "light" alone, or "textures", "scenes" (with their textures), "frames", "pictures", with commas
-/// between.
+/// between; pictures of high dynamic range too.
 ///
-/// Throws  Error  when one of them is none
-uses::Products products_from(const std::string& text);
+/// Throws  Error  when one of them is none; when there are pictures of high dynamic range alone
+uses::Products products_of(const FilmOptions& options);
 
 /// Exposure times [s] at moments, as "P1:0.001,U2:4": none where the text is no such list.
 ///

@@ -330,10 +330,10 @@ bool holds_recipe(const std::filesystem::path& path) {
 }
 
 std::vector<std::string> no_part_of_recipes() {
-  return {"help",   "csv",     "help-all",   "recipe",        "json",       "replace",
-          "output", "threads", "frame",      "shard",         "keep",       "add",
-          "range",  "make",    "movie",      "contact-sheet", "curve",      "composite",
-          "lookup", "raw",     "photograph", "photos",        "photographs",   "cache"};
+  return {"help",       "csv",    "help-all",      "recipe", "json",      "replace", "output",
+          "threads",    "frame",  "shard",         "keep",   "add",       "range",   "make",
+          "hdr",        "movie",  "contact-sheet", "curve",  "composite", "lookup",  "raw",
+          "photograph", "photos", "photographs",   "cache"};
 }
 
 std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path,

@@ -117,11 +117,13 @@ TEST(FilesOfAFilm, SayWhatTheyAreMadeOf) {
 }
 
 TEST(Products, AreReadWithCommasBetween) {
-  const auto products = products_from("scenes,pictures");
+  const auto products = products_of({.make = "scenes,pictures", .hdr = true});
   EXPECT_TRUE(products.scenes && products.textures && products.pictures);
   EXPECT_FALSE(products.frames || products.light_alone());
-  EXPECT_TRUE(products_from("light").light_alone());
-  EXPECT_THROW(products_from("films"), algebra::Error);
+  EXPECT_TRUE(products_of({.make = "light"}).light_alone());
+  EXPECT_THROW(products_of({.make = "films"}), algebra::Error);
+  EXPECT_TRUE(products.high_range);
+  EXPECT_THROW(products_of({.make = "frames", .hdr = true}), algebra::Error);
 }
 
 }  // namespace
