@@ -21,6 +21,7 @@ coppermoon_image_functions() {
       .write_mipmapped = texture::write_mipmapped,
       .write_png = texture::write_png,
       .write_tiff = texture::write_tiff,
+      .write_dng = texture::write_dng,
       .write_glb = texture::write_glb,
       .recipe_in_glb = texture::recipe_in_glb,
       .sheet_grid = texture::sheet_grid,

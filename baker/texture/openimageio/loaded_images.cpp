@@ -124,6 +124,11 @@ void write_tiff(const fs::path& path, const Image& image, const Attributes& attr
   images().write_tiff(path, image, attributes);
 }
 
+void write_dng(const fs::path& path, const RawPhotograph& photograph,
+               const Attributes& attributes) {
+  images().write_dng(path, photograph, attributes);
+}
+
 void write_glb(const fs::path& path, const Image& developed, const Attributes& extras) {
   images().write_glb(path, developed, extras);
 }
