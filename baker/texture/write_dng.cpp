@@ -144,7 +144,7 @@ void set_camera(TiffFile& file, const RawPhotograph& photograph) {
 std::uint64_t exif_directory(TiffFile& file, const RawPhotograph& photograph,
                              const Attributes& attributes) {
   constexpr std::array<std::uint8_t, 4> version{'0', '2', '3', '1'};
-  constexpr double most = 65535;  // of 16 bits; faster speeds stand as the recommended index alone
+  constexpr double most = 65535;  // of 16 bits; the recommended index alone says faster speeds
   constexpr int recommended_index = 2;
   file.require(TIFFCreateEXIFDirectory(file.get()) == 0);
   file.set(EXIFTAG_EXIFVERSION, version.data());
