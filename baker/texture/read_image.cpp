@@ -252,6 +252,11 @@ Image read_light(const fs::path& path, Coding coding) {
   });
 }
 
+bool is_raw_file(const fs::path& path) {
+  const Silence silence(path);
+  return is_raw(*opened(path));
+}
+
 Windows windows_of(const fs::path& path) {
   const Silence silence(path);
   return windows_of(*opened(path));

@@ -89,6 +89,11 @@ enum class Coding {
 /// Source    IEC 61966-2-1
 Image read_light(const std::filesystem::path& path, Coding coding = Coding::as_file_says);
 
+/// Whether a file is a camera's raw file.
+///
+/// Throws  Error  as read_image
+bool is_raw_file(const std::filesystem::path& path);
+
 /// An albedo map: the luminance of an image, row 0 in the north.
 ///
 ///     Y = 0.2126 R + 0.7152 G + 0.0722 B        of linear R, G, B; Y alone stands for itself

@@ -38,6 +38,7 @@ colour::WorkingSpace space_of(const Options& options, const std::string& frame) 
 }
 
 texture::Image read_frame(const std::string& frame, colour::WorkingSpace space) {
+  if (texture::is_raw_file(frame)) return uses::raw_light(frame, space);
   if (space == colour::WorkingSpace::ciexyz_d65)
     return texture::read_channels(frame, {"X", "Y", "Z"});
   return texture::read_channels(frame, {"R", "G", "B"});
@@ -158,7 +159,8 @@ void add_develop(CLI::App& program) {
            "frame, scene-linear, .exr [cd/m²]; several frames share one exposure")
       .reads_file()
       .required();
-  add_flag(*verb, "-o,--output", options->output, "picture: .png, or .avif of high dynamic range; for several frames a folder")
+  add_flag(*verb, "-o,--output", options->output,
+           "picture: .png, or .avif of high dynamic range; for several frames a folder")
       .writes_file()
       .required();
   add_flag(*verb, "--space", options->space,

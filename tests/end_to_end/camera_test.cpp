@@ -111,6 +111,20 @@ TEST_F(CameraTest, WritesARawPhotographThatIsComparedAsACamerasOwn) {
                   "half of what is just seen; noise below black is cut off");
 }
 
+TEST_F(CameraTest, DevelopsARawPhotographAsItsFrame) {
+  make(still({"--camera", "400mm", "--frame", "frame.exr", "--raw", "a.dng", "--time", "0.3",
+              "--response", "colorimetric", "--noise", "off", "--diffraction", "off"}));
+  make({"develop", "a.dng", "--time", "0.3", "--f-number", "5.6022", "-o", "raw.png"});
+  make({"develop", "frame.exr", "--camera", "400mm", "--time", "0.3", "--noise", "off",
+        "--diffraction", "off", "--response", "colorimetric", "-o", "frame.png"});
+  const auto raw = image("raw.png"), frame = image("frame.png");
+  double light[2] = {};
+  for (std::size_t r = 20; r < 40; ++r)
+    for (std::size_t c = 35; c < 55; ++c) light[0] += raw(r, c, 0), light[1] += frame(r, c, 0);
+  EXPECT_GT(light[1], 10);
+  EXPECT_WITHIN_RELATIVE(light[0], light[1], 0.02, "a mosaic of a Moon of 30 pixels");
+}
+
 TEST_F(CameraTest, SetsTheViewUnlessItIsSetByHand) {
   make(still({"--camera", "400mm", "--frame", "camera.exr"}));
   make(still({"--focal-length", "400", "--sensor-width", "35.8", "--frame", "hand.exr"}));

@@ -21,6 +21,7 @@ struct ImageFunctions {
   decltype(texture::read_attribute)* read_attribute;
   decltype(texture::read_attributes)* read_attributes;
   decltype(texture::read_light)* read_light;
+  decltype(texture::is_raw_file)* is_raw_file;
   decltype(texture::read_albedo_map)* read_albedo_map;
   decltype(texture::require_albedo_map)* require_albedo_map;
 

@@ -13,6 +13,7 @@ coppermoon_image_functions() {
       .read_attribute = texture::read_attribute,
       .read_attributes = texture::read_attributes,
       .read_light = texture::read_light,
+      .is_raw_file = texture::is_raw_file,
       .read_albedo_map = texture::read_albedo_map,
       .require_albedo_map = texture::require_albedo_map,
       .write_exr = texture::write_exr,

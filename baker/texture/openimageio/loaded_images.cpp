@@ -88,6 +88,8 @@ std::vector<std::optional<std::string>> read_attributes(const fs::path& path,
 
 Image read_light(const fs::path& path, Coding coding) { return images().read_light(path, coding); }
 
+bool is_raw_file(const fs::path& path) { return images().is_raw_file(path); }
+
 algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding, double exponent) {
   return images().read_albedo_map(path, coding, exponent);
 }

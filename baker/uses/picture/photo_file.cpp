@@ -68,6 +68,17 @@ std::optional<colour::Exposure> exif_of(const std::string& photo) {
   return colour::Exposure{*time_s, *f_number, *iso};
 }
 
+texture::Image raw_light(const std::string& photo, colour::WorkingSpace space) {
+  const auto exposure = exif_of(photo);
+  if (!exposure)
+    throw algebra::Error(
+        fmt::format("{}: its header has not all of exposure time, f-number and ISO speed", photo));
+  auto light = texture::read_light(photo);
+  const auto saturation_cd_m2 = static_cast<float>(1 / colour::exposure_scale(*exposure));
+  for (float& value : light.values) value *= saturation_cd_m2;
+  return in_space(light, colour::WorkingSpace::linear_rec709, space);
+}
+
 texture::Attributes scene_attributes(const std::string& file) {
   texture::Attributes attributes;
   for (const char* name : {"coppermoon:recipe", "coppermoon:version", "coppermoon:colour_space",

@@ -136,6 +136,17 @@ TEST_F(Raw, LightThatGrowsEvenlyIsInterpolatedWithoutError) {
     for (std::size_t c = 1; c < 63; ++c) expect_colour(light, r, c, slope(r, c));
 }
 
+TEST_F(Raw, APixelIsMadeOfItsNeighboursAlone) {
+  const auto spot = [](std::size_t r, std::size_t c) {
+    return r == 20 && c == 30 ? 0.9 * white : 0.1 * white;
+  };
+  const auto light = written_and_read(photograph_of(64, 48, spot));
+  EXPECT_GT(light(20, 30, 0), 0.4F);
+  for (std::size_t r = 0; r < 48; ++r)
+    for (std::size_t c = 0; c < 64; ++c)
+      if (r < 19 || r > 21 || c < 29 || c > 31) expect_colour(light, r, c, 0.1 * white);
+}
+
 TEST_F(Raw, TheCamerasWhiteBalanceDoesNotMatter) {
   const auto by_daylight = written_and_read(photograph_of(40, 30, evenly(copper)));
   retag("a.dng", [](TIFF* file) {
@@ -207,6 +218,9 @@ TEST_F(Raw, TheSameGivesTheSameBytes) {
 
 TEST_F(Raw, IsKnownByTheEndingOfItsName) {
   write_dng(in_folder("A.DNG"), photograph_of(40, 30, evenly(copper)));
+  EXPECT_TRUE(is_raw_file(in_folder("A.DNG")));
+  write_tiff(in_folder("a.tif"), Image(40, 30, {"R", "G", "B"}));
+  EXPECT_FALSE(is_raw_file(in_folder("a.tif")));
   expect_colour(read_light(in_folder("A.DNG")), 15, 20, copper);
   expect_colour(read_light(in_folder("A.DNG"), Coding::linear), 15, 20, copper);
 }

@@ -68,6 +68,20 @@ TEST_F(RawFile, SaysWhenAndHowItWasTaken) {
   EXPECT_EQ(taken_at_s(in_folder("a.dng")), (when.tt_day + when.tt_fraction) * 86400);
 }
 
+TEST_F(RawFile, IsLightByItsExposure) {
+  auto camera = colour::camera_named("refractor");
+  camera.noise = camera.diffraction = false;
+  const std::array<float, 3> copper{0.4F, 0.15F, 0.05F};
+  read_back(camera, "refractor", copper, 800);
+  const double saturation = 1 / colour::exposure_scale({1, 6, 800});
+  const auto light = raw_light(in_folder("a.dng"), space);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_WITHIN(light(15, 20, k) / saturation, copper[k], 1.5e-3, "as above");
+  const auto xyz = raw_light(in_folder("a.dng"), colour::WorkingSpace::ciexyz_d65);
+  EXPECT_WITHIN(xyz(15, 20, 1) / saturation, 0.2126 * 0.4 + 0.7152 * 0.15 + 0.0722 * 0.05, 1.5e-3,
+                "as above");
+}
+
 TEST_F(RawFile, EndsInOneOfTwoWays) {
   auto camera = colour::camera_named("paper");
   EXPECT_ERROR(require_raw_file("a.cr2", camera), "a raw file ends in .tif, or in .dng");
