@@ -156,7 +156,7 @@ void add_develop(CLI::App& program) {
                "develops a scene-linear frame: exposure, camera and view make a picture of it");
   const auto options = std::make_shared<Options>();
   add_flag(*verb, "frame,--frame", options->frames,
-           "frame, scene-linear, .exr [cd/m²]; several frames share one exposure")
+           "frame, scene-linear, .exr [cd/m²], or a camera's raw file; several share one exposure")
       .reads_file()
       .required();
   add_flag(*verb, "-o,--output", options->output,
