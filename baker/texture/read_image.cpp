@@ -15,6 +15,7 @@
 #include "algebra/error.h"
 #include "texture/openimageio/image_input.h"
 #include "texture/openimageio/oiio_attributes.h"
+#include "texture/openimageio/raw_input.h"
 #include "texture/openimageio/silence.h"
 
 namespace coppermoon::texture {
@@ -164,6 +165,7 @@ void read_luminance(OIIO::ImageInput& input, const fs::path& path, const Tone& t
 void require_two_to_one(const fs::path& path, const OIIO::ImageInput& input) {
   const auto& spec = input.spec();
   const auto [data, display] = windows_of(input);
+  if (is_raw(input)) throw cannot_read(path, "albedo map in a raw file, allowed other images");
   if (spec.width != 2 * spec.height)
     throw cannot_read(
         path, fmt::format("albedo map of {} x {} texels, allowed 2:1", spec.width, spec.height));
@@ -232,7 +234,10 @@ Image read_light(const fs::path& path, Coding coding) {
   const auto input = opened(path);
   const auto& spec = input->spec();
   require_light(path, spec);
-  const auto curve = curve_of(spec, coding);
+  const bool raw = is_raw(*input);
+  if (raw && coding == Coding::srgb)
+    throw cannot_read(path, "a raw file coded as sRGB, allowed as the file says, or linear");
+  const auto curve = raw ? Curve{false, 1} : curve_of(spec, coding);
   const auto rgb = rgb_channels(path, *input);
   return within_memory(path, spec, [&] {
     auto image = black(*input, {"R", "G", "B"});
@@ -240,10 +245,16 @@ Image read_light(const fs::path& path, Coding coding) {
       float* light = image.values.data() + 3 * place;
       for (const auto channel : rgb) *light++ = linear(texel[channel], curve);
     });
+    if (raw) make_rec709(path, spec, image);
     for (const float value : image.values)
       if (!std::isfinite(value)) throw cannot_read(path, "light that is not finite");
     return image;
   });
+}
+
+bool is_raw_file(const fs::path& path) {
+  const Silence silence(path);
+  return is_raw(*opened(path));
 }
 
 Windows windows_of(const fs::path& path) {

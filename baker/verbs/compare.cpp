@@ -234,8 +234,10 @@ void add_compare(CLI::App& program) {
   auto* verb = add_verb(program, "compare",
                         "lays a photograph beside a rendered frame and measures how they differ");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "photo,--photo", options->photo,
-           "photograph: any image; whole numbers are read as sRGB, floats as linear")
+  add_flag(
+      *verb, "photo,--photo", options->photo,
+      "photograph: any image, or a camera's raw file; whole numbers are read as sRGB, floats and "
+      "raw files as linear")
       .reads_file()
       .required();
   add_flag(*verb, "render,--render", options->render,

@@ -38,6 +38,7 @@ colour::WorkingSpace space_of(const Options& options, const std::string& frame) 
 }
 
 texture::Image read_frame(const std::string& frame, colour::WorkingSpace space) {
+  if (texture::is_raw_file(frame)) return uses::raw_light(frame, space);
   if (space == colour::WorkingSpace::ciexyz_d65)
     return texture::read_channels(frame, {"X", "Y", "Z"});
   return texture::read_channels(frame, {"R", "G", "B"});
@@ -155,10 +156,11 @@ void add_develop(CLI::App& program) {
                "develops a scene-linear frame: exposure, camera and view make a picture of it");
   const auto options = std::make_shared<Options>();
   add_flag(*verb, "frame,--frame", options->frames,
-           "frame, scene-linear, .exr [cd/m²]; several frames share one exposure")
+           "frame, scene-linear, .exr [cd/m²], or a camera's raw file; several share one exposure")
       .reads_file()
       .required();
-  add_flag(*verb, "-o,--output", options->output, "picture: .png, or .avif of high dynamic range; for several frames a folder")
+  add_flag(*verb, "-o,--output", options->output,
+           "picture: .png, or .avif of high dynamic range; for several frames a folder")
       .writes_file()
       .required();
   add_flag(*verb, "--space", options->space,

@@ -214,7 +214,9 @@ void add_fit(CLI::App& program) {
       program, "fit",
       "finds the dust, cloud and ozone that explain photographs or magnitudes of an eclipse");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "photos,--photos", options->photos, "photographs of eclipsed Moons").reads_file();
+  add_flag(*verb, "photos,--photos", options->photos,
+           "photographs of eclipsed Moons: any image, or a camera's raw file")
+      .reads_file();
   add_flag(*verb, "--magnitudes", options->magnitudes,
            "magnitudes of the whole Moon, .csv: instant,band,magnitude,error")
       .reads_file();

@@ -2,7 +2,9 @@
 // An eclipse through a telescope: what the camera's keys do to files, and where they may stand.
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "colour/camera.h"
 #include "colour/glow.h"
 #include "end_to_end/program.h"
 #include "support/within.h"
@@ -60,6 +62,74 @@ TEST_F(CameraTest, MakesARawFileAPhotographAndAPictureOfAFrame) {
       light[0] += glowing(r, c)[0], light[1] += photograph(r, c, 0);
   EXPECT_WITHIN_RELATIVE(light[1], light[0], 0.02, "what 2 arcsec carry over this square's sides");
   EXPECT_NEAR(number("frame.exr", "coppermoon:pixel_arcsec"), 206265 * pixel_rad, 0.01);
+}
+
+TEST_F(CameraTest, WritesARawPhotographThatIsComparedAsACamerasOwn) {
+  make({"still",
+        deep,
+        "--at",
+        new_york,
+        "--albedo-map",
+        "built-in",
+        "--rays",
+        "60",
+        "--iso",
+        "800",
+        "--time",
+        "1",
+        "--width",
+        "300",
+        "--height",
+        "200",
+        "--camera",
+        "400mm",
+        "--raw",
+        "a.dng",
+        "--seeing",
+        "2",
+        "--focal-length",
+        "1200",
+        "--frame",
+        "frame.exr",
+        "--texture-width",
+        "256",
+        "-o",
+        "a.png"});
+  const auto outcome = coppermoon({"compare", "a.dng", "frame.exr", "--json"});
+  expect_done(outcome);
+  const auto found = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(found["exposure"]["time_s"], 1);
+  EXPECT_EQ(found["exposure"]["iso"], 800);
+  EXPECT_EQ(found["registration"]["mirrored"], false);
+  EXPECT_WITHIN(found["registration"]["rotation_deg"].get<double>(), 0, 0.3,
+                "half a pixel over the Moon's radius of 90");
+  // the header's exposure means a usual lens; this one transmits more
+  const colour::Exposure exposure{1, 400 / 71.4, 800};
+  const double of_this_lens =
+      -std::log2(colour::saturation_cd_m2(colour::camera_named("400mm"), exposure) *
+                 colour::exposure_scale(exposure));
+  const auto& disc = found["disc"];
+  EXPECT_WITHIN(disc["difference_stops"].get<double>(), of_this_lens, 0.02,
+                "what 2 arcsec and the mosaic carry over edges of the maria");
+  for (const std::string part : {"u", "v"})
+    EXPECT_WITHIN(disc["photo_" + part].get<double>(), disc["render_" + part].get<double>(), 0.002,
+                  "half of what is just seen; noise below black is cut off");
+}
+
+TEST_F(CameraTest, DevelopsARawPhotographAsItsFrame) {
+  const Words taken{"--camera", "400mm", "--focal-length", "1540", "--response", "colorimetric",
+                    "--noise",  "off",   "--diffraction",  "off"};
+  auto words = taken;
+  words.insert(words.end(), {"--frame", "frame.exr", "--raw", "a.dng", "--time", "0.3"});
+  make(still(words, "frame.png"));
+  make({"develop", "a.dng", "--time", "0.3", "--f-number", "5.6022", "-o", "raw.png"});
+  const auto raw = texture::read_light(here("raw.png")),
+             frame = texture::read_light(here("frame.png"));
+  double light[2] = {};
+  for (std::size_t r = 25; r < 35; ++r)
+    for (std::size_t c = 40; c < 50; ++c) light[0] += raw(r, c, 0), light[1] += frame(r, c, 0);
+  EXPECT_GT(light[1], 3);
+  EXPECT_WITHIN_RELATIVE(light[0], light[1], 0.03, "a mosaic of a Moon of 36 pixels, 8 bits");
 }
 
 TEST_F(CameraTest, SetsTheViewUnlessItIsSetByHand) {
@@ -199,7 +269,10 @@ TEST_F(CameraTest, RefusesFilesThatItCannotWrite) {
     return outcome.err;
   };
   EXPECT_EQ(refusal_of({"--camera", "paper", "--raw", "raw.png"}),
-            "coppermoon: raw.png: a raw file ends in .tif\n");
+            "coppermoon: raw.png: a raw file ends in .tif, or in .dng\n");
+  EXPECT_EQ(refusal_of({"--camera", "paper", "--response", "luminance", "--raw", "raw.dng"}),
+            "coppermoon: raw.dng: response = luminance, allowed for a raw file that ends in .dng a "
+            "sensor that sees colours\n");
   EXPECT_EQ(refusal_of({"--camera", "paper", "--photograph", "a.tif"}),
             "coppermoon: a.tif: a photograph ends in .exr\n");
   EXPECT_EQ(refusal_of({"--camera", "paper", "--raw", "no/raw.tif"}),
@@ -208,13 +281,16 @@ TEST_F(CameraTest, RefusesFilesThatItCannotWrite) {
 
 TEST_F(CameraTest, LeavesNoPartOfARawFileOnAFullDisk) {
   make(still({"--frame", "frame.exr"}));
-  const auto outcome = coppermoon({"develop", "frame.exr", "--camera", "paper", "--time", "2",
-                                   "--raw", "raw.tif", "-o", "b.png"},
-                                  {.file_limit = 2000});
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_TRUE(outcome.err.starts_with("coppermoon: raw.tif: cannot be written: ")) << outcome.err;
-  EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1);
-  EXPECT_FALSE(std::filesystem::exists(here("raw.tif")));
+  for (const std::string raw : {"raw.tif", "raw.dng"}) {
+    const auto outcome = coppermoon(
+        {"develop", "frame.exr", "--camera", "paper", "--time", "2", "--raw", raw, "-o", "b.png"},
+        {.file_limit = 2000});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(outcome.err.starts_with("coppermoon: " + raw + ": cannot be written: "))
+        << outcome.err;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1);
+    EXPECT_FALSE(std::filesystem::exists(here(raw)));
+  }
 }
 
 }  // namespace

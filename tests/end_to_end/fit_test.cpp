@@ -84,6 +84,46 @@ TEST_F(Fit, OfAPhotographFindsItsAir) {
 
 using FitThoroughly = Fit;
 
+TEST_F(FitThoroughly, OfARawPhotographFindsItsAirByItsOwnHeader) {
+  make({"still",
+        deep,
+        "--at",
+        syria,
+        "--dust-extinction",
+        "5e-6",
+        "--cloud-cover",
+        "0.4",
+        "--width",
+        "880",
+        "--height",
+        "880",
+        "--field",
+        "0.8",
+        "--time",
+        "2",
+        "--iso",
+        "800",
+        "--camera",
+        "400mm",
+        "--raw",
+        "a.dng",
+        "--seeing",
+        "2",
+        "--albedo-map",
+        "built-in",
+        "--atmosphere",
+        "undated",
+        "-o",
+        "a.png"});
+  const auto found = fit(
+      {"a.dng", "--instants", deep, "--at", syria, "--camera", "400mm", "--atmosphere", "undated"});
+  EXPECT_EQ(found["photographs"][0]["exposure_known"], true);
+  EXPECT_EQ(found["explained"], true);
+  EXPECT_WITHIN_RELATIVE(found["dust_extinction_per_m"]["median"].get<double>(), 5e-6, 0.25,
+                         "exposure believed to 10 %; 93 of 100 are within that");
+  EXPECT_WITHIN(found["cloud_cover"]["median"].get<double>(), 0.4, 0.15, "the same");
+}
+
 TEST_F(FitThoroughly, OfMagnitudesFindsTheCloudAndSaysWhatItCannotTell) {
   std::string list = "# of air with half of its limb under cloud\ninstant,band,magnitude,error\n";
   const auto outcome =

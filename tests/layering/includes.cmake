@@ -55,6 +55,7 @@ set(owner_CLI "^verbs$")
 set(owner_toml++ "^verbs$")
 set(owner_verbs "^verbs$")
 set(owner_OpenImageIO "^(files|texture|wrappers)$")
+set(owner_tiffio.h "^texture$")
 set(owner_OpenColorIO "^colour$")
 set(owner_povray "^povray_scenes$")
 

@@ -3,6 +3,7 @@
 
 #include "texture/contact_sheet.h"
 #include "texture/read_image.h"
+#include "texture/write_dng.h"
 #include "texture/write_glb.h"
 #include "texture/write_image.h"
 
@@ -20,6 +21,7 @@ struct ImageFunctions {
   decltype(texture::read_attribute)* read_attribute;
   decltype(texture::read_attributes)* read_attributes;
   decltype(texture::read_light)* read_light;
+  decltype(texture::is_raw_file)* is_raw_file;
   decltype(texture::read_albedo_map)* read_albedo_map;
   decltype(texture::require_albedo_map)* require_albedo_map;
 
@@ -32,6 +34,7 @@ struct ImageFunctions {
   decltype(texture::write_mipmapped)* write_mipmapped;
   decltype(texture::write_png)* write_png;
   decltype(texture::write_tiff)* write_tiff;
+  decltype(texture::write_dng)* write_dng;
   decltype(texture::write_glb)* write_glb;
   decltype(texture::recipe_in_glb)* recipe_in_glb;
 

@@ -11,6 +11,7 @@
 
 #include "files/whole_file.h"
 #include "texture/openimageio/image_claims.h"
+#include "texture/openimageio/raw_input.h"
 
 namespace coppermoon::texture {
 
@@ -69,7 +70,8 @@ void require_size(const fs::path& path, const OIIO::ImageInput& input) {
 }
 
 /// OpenImageIO's name for what reads a file: by its first bytes, else by its name's ending. Left alone
-/// it would hand a file that one reader refuses to all of its others, films and medicine included.
+/// it would hand a file that one reader refuses to all of its others, films and medicine included. Most
+/// cameras' raw files begin as a TIFF does: the ending tells them apart.
 std::string format_of(const fs::path& path) {
   using namespace std::string_view_literals;
   constexpr std::array<std::pair<std::string_view, const char*>, 7> known{
@@ -84,7 +86,8 @@ std::string format_of(const fs::path& path) {
   std::ifstream(path, std::ios::binary).read(bytes.data(), bytes.size());
   const std::string_view beginning(bytes.data(), bytes.size());
   for (const auto& [sign, format] : known)
-    if (beginning.starts_with(sign)) return format;
+    if (beginning.starts_with(sign))
+      return std::string_view(format) == "tiff" && has_raw_ending(path) ? "raw" : format;
   const auto ending = path.extension().string();
   return ending.empty() ? ending : ending.substr(1);
 }
@@ -102,7 +105,8 @@ std::unique_ptr<OIIO::ImageInput> opened(const fs::path& path) {
   require_honest_claims(path, format);
   auto input = format.empty() ? nullptr : OIIO::ImageInput::create(format);
   OIIO::ImageSpec spec;
-  if (!input || !input->open(path.string(), spec)) throw cannot_read(path, reason_of(input.get()));
+  if (!input || !input->open(path.string(), spec, raw_hints()))
+    throw cannot_read(path, reason_of(input.get()));
   if (spec.deep || spec.depth > 1 || spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
     throw cannot_read(path, "not a flat image with texels");
   if (is_openexr(*input) && (spec.full_width < 1 || spec.full_height < 1))

@@ -88,6 +88,8 @@ std::vector<std::optional<std::string>> read_attributes(const fs::path& path,
 
 Image read_light(const fs::path& path, Coding coding) { return images().read_light(path, coding); }
 
+bool is_raw_file(const fs::path& path) { return images().is_raw_file(path); }
+
 algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding, double exponent) {
   return images().read_albedo_map(path, coding, exponent);
 }
@@ -122,6 +124,11 @@ void write_png(const fs::path& path, const Image& image, int bits, const Attribu
 
 void write_tiff(const fs::path& path, const Image& image, const Attributes& attributes) {
   images().write_tiff(path, image, attributes);
+}
+
+void write_dng(const fs::path& path, const RawPhotograph& photograph,
+               const Attributes& attributes) {
+  images().write_dng(path, photograph, attributes);
 }
 
 void write_glb(const fs::path& path, const Image& developed, const Attributes& extras) {

@@ -16,6 +16,7 @@
 #include "uses/picture/avif_file.h"
 #include "uses/picture/limb_pixels.h"
 #include "uses/picture/pixels.h"
+#include "uses/picture/raw_file.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -124,13 +125,15 @@ void require_ending(const std::filesystem::path& file, const char* what, const c
     throw algebra::Error(fmt::format("{}: {} ends in {}", file.string(), what, ending));
 }
 
-void write_files(const CameraRequest& camera, const colour::Photograph& photograph,
-                 const colour::Exposure& exposure, texture::Attributes attributes) {
+void write_files(const CameraRequest& request, const colour::Camera& camera,
+                 const colour::Photograph& photograph, const colour::Exposure& exposure,
+                 texture::Attributes attributes) {
   add_exposure(attributes, {exposure});
-  if (!camera.raw.empty()) texture::write_tiff(camera.raw, image_of(photograph.raw), attributes);
+  if (!request.raw.empty())
+    write_raw(request.raw, request, camera, exposure.iso, photograph, attributes);
   attributes["coppermoon:saturation_cd_m2"] = static_cast<float>(photograph.saturation_cd_m2);
-  if (!camera.photograph.empty())
-    texture::write_exr(camera.photograph, image_of(photograph.scene_linear, photograph.valid),
+  if (!request.photograph.empty())
+    texture::write_exr(request.photograph, image_of(photograph.scene_linear, photograph.valid),
                        attributes, {.type = texture::ExrType::floating, .allow_negative = true});
 }
 
@@ -140,7 +143,7 @@ texture::Image taken(const Development& development, const colour::Exposure& exp
   const auto camera = camera_of(development);
   if (!camera) return frame.light;
   const auto photograph = photographed(development.camera, *camera, frame, exposure);
-  write_files(development.camera, photograph, exposure, frame.attributes);
+  write_files(development.camera, *camera, photograph, exposure, frame.attributes);
   return image_of(photograph.scene_linear);
 }
 
@@ -253,7 +256,6 @@ void require_sound(const Development& asked, const std::filesystem::path& pictur
   if (is_high_range(picture) && development.display != high_range_display)
     throw algebra::Error(fmt::format("display = {}, allowed for a picture that ends in .avif {}",
                                      development.display, high_range_display));
-  require_ending(development.camera.raw, "a raw file", ".tif");
   require_ending(development.camera.photograph, "a photograph", ".exr");
   if (development.time.rule == ExposureTime::Rule::composite &&
       !(development.camera.raw.empty() && development.camera.photograph.empty()))
@@ -261,7 +263,10 @@ void require_sound(const Development& asked, const std::filesystem::path& pictur
         "exposure time = composite, allowed one exposure for a raw file or a photograph: auto, "
         "follow or seconds");
   colour::exposure_scale({development.time.seconds, f_number_of(development), development.iso});
-  if (const auto camera = camera_of(development)) colour::gain_at(*camera, development.iso);
+  if (const auto camera = camera_of(development)) {
+    colour::gain_at(*camera, development.iso);
+    if (!development.camera.raw.empty()) require_raw_file(development.camera.raw, *camera);
+  }
   const auto views = colour::views(development.display, development.config);
   if (std::find(views.begin(), views.end(), development.view) == views.end())
     throw algebra::Error(

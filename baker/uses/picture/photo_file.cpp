@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "algebra/error.h"
 #include "algebra/number.h"
@@ -23,6 +25,16 @@ std::optional<double> number_in_header(const std::string& photo,
     if (value && *value > 0) return value;
   }
   return std::nullopt;
+}
+
+/// EXIF's first tag for it holds 16 bits: of faster speeds it says 65535, and another tag says how fast.
+std::optional<double> iso_of(const std::string& photo) {
+  constexpr double most = 65535;
+  const auto iso =
+      number_in_header(photo, {"isoSpeed", "Exif:PhotographicSensitivity", "Exif:ISOSpeedRatings"});
+  if (!iso || *iso != most) return iso;
+  const auto faster = number_in_header(photo, {"Exif:RecommendedExposureIndex", "Exif:ISOSpeed"});
+  return faster ? faster : iso;
 }
 
 double number_of(const std::string& file, const char* attribute) {
@@ -51,11 +63,20 @@ void require_sound(const std::string& file, const texture::Image& image) {
 
 std::optional<colour::Exposure> exif_of(const std::string& photo) {
   const auto time_s = number_in_header(photo, {"expTime", "Exif:ExposureTime"}),
-             f_number = number_in_header(photo, {"aperture", "Exif:FNumber"}),
-             iso = number_in_header(
-                 photo, {"isoSpeed", "Exif:PhotographicSensitivity", "Exif:ISOSpeedRatings"});
+             f_number = number_in_header(photo, {"aperture", "Exif:FNumber"}), iso = iso_of(photo);
   if (!time_s || !f_number || !iso) return std::nullopt;
   return colour::Exposure{*time_s, *f_number, *iso};
+}
+
+texture::Image raw_light(const std::string& photo, colour::WorkingSpace space) {
+  const auto exposure = exif_of(photo);
+  if (!exposure)
+    throw algebra::Error(
+        fmt::format("{}: its header has not all of exposure time, f-number and ISO speed", photo));
+  auto light = texture::read_light(photo);
+  const auto saturation_cd_m2 = static_cast<float>(1 / colour::exposure_scale(*exposure));
+  for (float& value : light.values) value *= saturation_cd_m2;
+  return in_space(light, colour::WorkingSpace::linear_rec709, space);
 }
 
 texture::Attributes scene_attributes(const std::string& file) {
@@ -81,7 +102,9 @@ std::optional<double> seconds_of_date(const std::string& date) {
 }
 
 std::optional<double> taken_at_s(const std::string& photo) {
-  const auto date = texture::read_attribute(photo, "capDate");
+  constexpr std::array<std::string_view, 2> names{"Exif:DateTimeOriginal", "capDate"};
+  const auto dates = texture::read_attributes(photo, names);
+  const auto& date = dates.front() ? dates.front() : dates.back();
   if (!date) return std::nullopt;
   try {
     return seconds_of_date(*date);

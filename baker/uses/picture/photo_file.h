@@ -6,12 +6,19 @@
 
 #include "colour/bracket.h"
 #include "colour/exposure.h"
+#include "colour/working_space.h"
 #include "texture/image.h"
 
 namespace coppermoon::uses {
 
 /// What its header says of how the camera was set; nothing when it does not say all of it.
 std::optional<colour::Exposure> exif_of(const std::string& photo);
+
+/// The light of a camera's raw file by the exposure in its header, as colour::exposure_scale has it: channels
+/// R, G, B, or X, Y, Z, of a working space [cd/m²]. What is clipped is white at saturation.
+///
+/// Throws  Error  when its header does not say all of the exposure; as texture::read_light
+texture::Image raw_light(const std::string& photo, colour::WorkingSpace space);
 
 /// What the header of a frame or photograph says of the scene, under the names that texture::Attributes
 /// has: its recipe and moment, what the numbers stand for.

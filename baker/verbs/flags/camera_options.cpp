@@ -93,7 +93,8 @@ void add_camera_options(CLI::App& verb, uses::CameraRequest& request) {
 void add_camera_file_options(CLI::App& verb, uses::CameraRequest& request) {
   add_parsed(
       verb, "--raw", [&request](const std::string& text) { request.raw = text; },
-      "writes the sensor's raw numbers too: .tif, three channels of 16 bits")
+      "writes the sensor's raw numbers too: .tif, three channels of 16 bits, or .dng, its mosaic of "
+      "colour filters for raw converters")
       .in(camera_group)
       .writes_file();
   add_parsed(
