@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -96,6 +97,20 @@ double geometric_albedo(const Grid<float>& map, Photometry photometry) {
   DiscSum all;
   for (const auto& row : sums) all.light += row.light, all.area += row.area;
   return all.light / all.area;
+}
+
+Grid<float> with_polar_contrast(Grid<float> map) {
+  constexpr double fades_from = 64, faded_at = 70, faded_to = 0.37;
+  tbb::parallel_for(std::size_t{0}, map.rows(), [&](std::size_t r) {
+    const double latitude = std::abs(algebra::in_degrees(texel_centre(r, 0, map.rows()).latitude));
+    const double fade = std::lerp(
+        1, faded_to, std::clamp((latitude - fades_from) / (faded_at - fades_from), 0., 1.));
+    const auto row = map.row(r);
+    const double mean = std::reduce(row.begin(), row.end(), 0.) / static_cast<double>(row.size());
+    if (fade == 1 || !(mean > 0)) return;
+    for (float& value : row) value = static_cast<float>(mean * std::pow(value / mean, 1 / fade));
+  });
+  return map;
 }
 
 Grid<float> normalised_to_geometric_albedo(Grid<float> map, Photometry photometry,

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 #include "texture/globe.h"
 #include "texture/resize.h"
@@ -36,7 +37,7 @@ struct Scratch {
   }
 
   std::vector<double> numbers;
-  std::vector<float> albedo{};
+  std::vector<float> albedo{}, colour{}, surge{};
 };
 
 /// All that the rows of a texture need.
@@ -44,9 +45,13 @@ struct Baking {
   Globe globe;
   const shadow::Lookup& light;
   ResizedRows albedo;
+  std::optional<ResizedRows> colour, surge;  // by place
   Quantity quantity;
+  std::vector<double> sunlit;
   algebra::Progress progress;
   std::atomic<std::size_t> done = 0;
+
+  std::size_t channels() const { return colour ? light.channels() / 2 : light.channels(); }
 
   /// What is written of one texel: a value a channel.
   void write(double reflected, std::span<const double> there, std::span<float> texel) const {
@@ -62,32 +67,66 @@ struct Baking {
         texel[c] = static_cast<float>(reflected / globe.inverse_square * there[c] + 0.);
   }
 
-  void light_some(std::size_t row, std::size_t column, std::span<const float> ground,
+  /// Brings what was looked up of one texel to its own ground: on a line between the reddest and the
+  /// bluest.
+  void mix(std::span<double> there, double bluer) const {
+    const std::size_t count = channels();
+    const double share = 0.5 + bluer / (2 * surface::strongest_colour);
+    for (std::size_t c = 0; c < count; ++c) there[c] += share * (there[count + c] - there[c]);
+    if (!sunlit.empty())
+      for (std::size_t c = 0; c < count; ++c)
+        there[c] /= sunlit[c] + share * (sunlit[count + c] - sunlit[c]);
+  }
+
+  void make_own(std::span<double> there, std::span<const float> bluer, std::size_t texel) const {
+    if (!bluer.empty())
+      mix(there, bluer[texel]);
+    else if (!sunlit.empty())
+      for (std::size_t c = 0; c < there.size(); ++c) there[c] /= sunlit[c];
+  }
+
+  /// What some texels' ground is.
+  struct Texels {
+    std::span<const float> albedo, colour, surge;
+    Texels part(std::size_t first, std::size_t count) const {
+      const auto of = [&](std::span<const float> all) {
+        return all.empty() ? all : all.subspan(first, count);
+      };
+      return {of(albedo), of(colour), of(surge)};
+    }
+  };
+
+  void light_some(std::size_t row, std::size_t column, const Texels& ground,
                   std::span<float> texels, Scratch& scratch) const {
-    const std::size_t count = ground.size(), channels = light.channels();
+    const std::size_t count = ground.albedo.size(), looked_up = light.channels(), each = channels();
     const auto lit = scratch.lit(count);
-    if (!light_texels(globe, row, column, ground, lit)) {
+    if (!light_texels(globe, row, column, ground.albedo, ground.surge, lit)) {
       std::ranges::fill(texels, 0.F);
       return;
     }
-    const auto values = scratch.values(channels * count);
+    const auto values = scratch.values(looked_up * count);
     light.read({lit.east_m, lit.north_m, lit.depth_m}, values);
-    for (std::size_t i = 0; i < count; ++i)
-      write(lit.reflected[i], values.subspan(i * channels, channels),
-            texels.subspan(i * channels, channels));
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto there = values.subspan(i * looked_up, looked_up);
+      make_own(there, ground.colour, i);
+      write(lit.reflected[i], there.first(each), texels.subspan(i * each, each));
+    }
   }
 
   void light_row(std::size_t row, std::span<float> texels) {
     Scratch scratch(light.channels());
-    auto ground = albedo.row(row, scratch.albedo);
+    Texels ground{albedo.row(row, scratch.albedo), {}, {}};
+    if (colour) ground.colour = colour->row(row, scratch.colour);
+    if (surge) ground.surge = surge->row(row, scratch.surge);
     if (quantity == Quantity::irradiance) {
-      scratch.albedo.assign(ground.size(), 1);
-      ground = scratch.albedo;
+      scratch.albedo.assign(ground.albedo.size(), 1);
+      ground.albedo = scratch.albedo;
     }
-    for (std::size_t c = 0; c < ground.size(); c += texels_at_once) {
-      const std::size_t count = std::min(texels_at_once, ground.size() - c);
-      light_some(row, c, ground.subspan(c, count),
-                 texels.subspan(c * light.channels(), count * light.channels()), scratch);
+    const std::size_t length = ground.albedo.size();
+    for (std::size_t c = 0; c < length; c += texels_at_once) {
+      const std::size_t count = std::min(texels_at_once, length - c);
+      light_some(row, c, ground.part(c, count), texels.subspan(c * channels(), count * channels()),
+                 scratch);
     }
     if (progress) progress(static_cast<double>(++done) / static_cast<double>(globe.rows));
   }
@@ -101,11 +140,16 @@ Rows lit_rows(const LitSurface& moon, std::size_t rows, const Lighting& lighting
   const double unseen = lighting.extent == Extent::seen_from_earth
                             ? sine_of_the_unseen(rows)
                             : std::numeric_limits<double>::infinity();
+  std::optional<ResizedRows> colour, surge;
+  if (moon.ground != nullptr) {
+    colour.emplace(moon.ground->colour, rows);
+    surge.emplace(moon.ground->surge, rows);
+  }
   const std::shared_ptr<Baking> baking(
-      new Baking{Globe(moon.sky, rows, lighting.photometry, unseen), moon.light, albedo,
-                 lighting.quantity, progress});
+      new Baking{Globe(moon.sky, rows, lighting.photometry, unseen), moon.light, albedo, colour,
+                 surge, lighting.quantity, lighting.sunlit, progress});
   return [baking](std::size_t first_row, std::span<float> values) {
-    const std::size_t length = 2 * baking->globe.rows * baking->light.channels();
+    const std::size_t length = 2 * baking->globe.rows * baking->channels();
     tbb::parallel_for(std::size_t{0}, values.size() / length, [&](std::size_t r) {
       baking->light_row(first_row + r, values.subspan(r * length, length));
     });

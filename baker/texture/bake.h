@@ -8,6 +8,7 @@
 #include "algebra/progress.h"
 #include "almanac/sky.h"
 #include "shadow/lookup.h"
+#include "surface/ground.h"
 #include "surface/photometry.h"
 #include "texture/image.h"
 #include "texture/resize.h"
@@ -20,6 +21,10 @@ struct LitSurface {
   const almanac::SkyState& sky;
   const shadow::Lookup& light;  ///< w, each channel's radiance at 1 au of a white ground that faces
                                 ///< the Sun
+  /// what differs by place beside albedo; none: all is the mean Moon's. With it the light has every
+  /// channel twice: as the reddest ground returns it, c = −strongest_colour, and then all as the
+  /// bluest does
+  const surface::Ground* ground = nullptr;
 };
 
 /// The Moon of one moment, every texel lit: what comes through the shadow at the texel's own place
@@ -29,12 +34,15 @@ struct LitSurface {
 ///                                             normal and the Sun, the Earth's centre; g: phase;
 ///                                             d: texel to Sun
 ///
+/// Of ground that differs by place, w is between the reddest ground's and the bluest's, linear in the
+/// place's colour, and f has the place's surge.
+///
 /// Where the Earth stands before the Sun, light comes from the Earth's limb: g is the larger of the
 /// angle between Sun and Earth's centre and the Earth's angular radius, asin(6378.137 km/distance),
 /// 0.90 to 1.03 degrees. mu0 remains the Sun's. Lit ground that the Earth does not see is baked as
 /// if mu were 0, so that it joins the limb without a step.
 ///
-/// Given     channels    their names, as many as the light has
+/// Given     channels    their names, as many as the light has, or half as many with ground by place
 ///           rows        of the texture, 2 to 16384; twice as many columns. Smaller than the map:
 ///                       the mean over each texel's area; larger: bilinear
 ///           photometry  f
@@ -62,6 +70,9 @@ struct Lighting {
   surface::Photometry photometry = surface::Photometry::lommel_seeliger_rolo;
   Extent extent = Extent::whole;
   Quantity quantity = Quantity::luminance;
+  /// [as the light's channels] with irradiance: what its grounds make of sunlight over a white one;
+  /// the light is divided by it, mixed for the place as the light is. Empty: by nothing
+  std::vector<double> sunlit = {};
 };
 
 /// The same texture, row by row as it is asked for, on all threads: memory does not grow with it.

@@ -14,6 +14,7 @@
 #include "atmosphere/figure.h"
 #include "eclipse/shadow_axis.h"
 #include "surface/albedo_map.h"
+#include "surface/ground.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace coppermoon::texture::HWY_NAMESPACE {
@@ -26,9 +27,22 @@ hn::VFromD<D> at_texel(D d, const TexelRow& row, const AlongRow& quantity, std::
   return hn::MulAdd(hn::Set(d, quantity.sine), hn::LoadU(d, row.sin_longitude + i), constant);
 }
 
+/// A place between two entries of a table.
+template <class D>
+struct Between {
+  hn::VFromD<hn::RebindToSigned<D>> index;
+  hn::VFromD<D> part;
+
+  hn::VFromD<D> in(D d, const std::vector<double>& table) const {
+    const auto a = hn::GatherIndex(d, table.data(), index),
+               b = hn::GatherIndex(d, table.data() + 1, index);
+    return hn::MulAdd(part, hn::Sub(b, a), a);
+  }
+};
+
 /// Interpolated in sin(g/2), of a phase that is at least the Earth's angular radius.
 template <class D, class V = hn::VFromD<D>>
-V phase_factor(D d, const Globe& globe, V cos_phase, V distance_squared) {
+V phase_factor(D d, const Globe& globe, V cos_phase, V distance_squared, const float* surge) {
   const auto one = hn::Set(d, 1);
   const auto sine_squared =
       hn::Div(hn::Set(d, globe.earth_sine * globe.earth_sine), distance_squared);
@@ -38,16 +52,17 @@ V phase_factor(D d, const Globe& globe, V cos_phase, V distance_squared) {
   const auto last = static_cast<double>(globe.phase_factors.size() - 1);
   const auto node = hn::Min(hn::Mul(half_sine, hn::Set(d, last)), hn::Set(d, last));
   const auto low = hn::Min(hn::Floor(node), hn::Set(d, last - 1));
-  const auto index = hn::ConvertTo(hn::RebindToSigned<D>(), low);
-  const auto a = hn::GatherIndex(d, globe.phase_factors.data(), index),
-             b = hn::GatherIndex(d, globe.phase_factors.data() + 1, index);
-  return hn::MulAdd(hn::Sub(node, low), hn::Sub(b, a), a);
+  const Between<D> between{hn::ConvertTo(hn::RebindToSigned<D>(), low), hn::Sub(node, low)};
+  const auto mean = between.in(d, globe.phase_factors);
+  if (surge == nullptr) return mean;
+  const auto stronger = hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), surge));
+  return hn::MulAdd(stronger, between.in(d, globe.surge_factors), mean);
 }
 
 /// With s = n·sun, m = n·moon for the ground's normal n, and distances in units of those of the
 /// Moon's centre: the Sun is at √(1 − 2 ρ s + ρ²), the Earth at √(1 + 2 κ m + κ²).
 template <class D, class V = hn::VFromD<D>>
-V reflected(D d, const Globe& globe, V s, V m) {
+V reflected(D d, const Globe& globe, V s, V m, const float* surge) {
   const auto set = [d](double value) { return hn::Set(d, value); };
   const auto one = set(1), rho = set(globe.sun_ratio), kappa = set(globe.earth_ratio);
   const auto sun_squared = hn::MulAdd(hn::Mul(set(-2), rho), s, hn::MulAdd(rho, rho, one));
@@ -64,7 +79,7 @@ V reflected(D d, const Globe& globe, V s, V m) {
                  hn::MulAdd(set(law.emission), cos_emission, set(law.constant)));
   const auto numerator = hn::Mul(set(law.scale * globe.inverse_square), cos_incidence);
   return hn::Mul(hn::Div(numerator, hn::Mul(denominator, sun_squared)),
-                 phase_factor(d, globe, cos_phase, earth_squared));
+                 phase_factor(d, globe, cos_phase, earth_squared, surge));
 }
 
 /// As many texels as D has lanes, from the i-th on.
@@ -81,7 +96,8 @@ bool light_lanes(D d, const Globe& globe, const TexelRow& row, std::size_t i,
   hn::StoreU(at_texel(d, row, row.north, i), d, &lit.north_m[i]);
   hn::StoreU(at_texel(d, row, row.depth, i), d, &lit.depth_m[i]);
   const bool none = hn::AllFalse(d, is_lit);
-  const auto light = none ? hn::Zero(d) : hn::Mul(albedo, reflected(d, globe, s, m));
+  const auto* surge = row.surge == nullptr ? nullptr : row.surge + i;
+  const auto light = none ? hn::Zero(d) : hn::Mul(albedo, reflected(d, globe, s, m, surge));
   hn::StoreU(hn::IfThenElseZero(is_lit, light), d, &lit.reflected[i]);
   return !none;
 }
@@ -139,9 +155,11 @@ Globe::Globe(const almanac::SkyState& sky, std::size_t texture_rows, surface::Ph
     cos_longitude.push_back(std::cos(longitude));
     sin_longitude.push_back(std::sin(longitude));
   }
-  for (std::size_t i = 0; i <= phase_steps; ++i)
-    phase_factors.push_back(surface::phase_factor(
-        photometry, algebra::radians(2 * std::asin(static_cast<double>(i) / phase_steps))));
+  for (std::size_t i = 0; i <= phase_steps; ++i) {
+    const auto phase = algebra::radians(2 * std::asin(static_cast<double>(i) / phase_steps));
+    phase_factors.push_back(surface::phase_factor(photometry, phase));
+    surge_factors.push_back(phase_factors.back() * surface::surge_slope(photometry, phase));
+  }
 }
 
 AlongRow Globe::along_row(std::size_t row, const Direction& v) const {
@@ -151,13 +169,14 @@ AlongRow Globe::along_row(std::size_t row, const Direction& v) const {
 }
 
 bool light_texels(const Globe& globe, std::size_t row, std::size_t column,
-                  std::span<const float> albedo, const LitTexels& lit) {
+                  std::span<const float> albedo, std::span<const float> surge,
+                  const LitTexels& lit) {
   return HWY_DYNAMIC_DISPATCH(light_all)(
       globe,
       {globe.along_row(row, globe.sun), globe.along_row(row, globe.moon),
        globe.along_row(row, globe.east), globe.along_row(row, globe.north),
        globe.along_row(row, globe.depth), &globe.cos_longitude[column],
-       &globe.sin_longitude[column], albedo.data()},
+       &globe.sin_longitude[column], albedo.data(), surge.empty() ? nullptr : surge.data()},
       lit);
 }
 

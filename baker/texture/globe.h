@@ -46,13 +46,14 @@ struct Globe {
   double beyond_the_limb;
   surface::CosineLaw law;
   std::vector<double> phase_factors;  ///< even in sin(g/2), 0 to 1
+  std::vector<double> surge_factors;  ///< as many: what they change by for each unit of surge
 };
 
 /// What a row's texels have in common, and where the first of them stands in the column lists.
 struct TexelRow {
   AlongRow sun, moon, east, north, depth;
   const double *cos_longitude, *sin_longitude;
-  const float* albedo;
+  const float *albedo, *surge;  ///< surge may be nullptr: the mean Moon's
 };
 
 /// Light that ground reflects over what falls on ground that faces the Sun at 1 au: albedo times
@@ -64,9 +65,11 @@ struct LitTexels {
 /// Some texels of a row.
 ///
 /// Given     column    of the first; albedo: normal, as many as there are to be
+///           surge     as many, of surface::Ground; or none, where all have the mean Moon's
 /// Returned  whether light falls on any
 /// Accuracy  1e-5 of the photometric function, from the phase factors' table
 bool light_texels(const Globe& globe, std::size_t row, std::size_t column,
-                  std::span<const float> albedo, const LitTexels& lit);
+                  std::span<const float> albedo, std::span<const float> surge,
+                  const LitTexels& lit);
 
 }  // namespace coppermoon::texture

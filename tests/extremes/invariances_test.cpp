@@ -138,7 +138,7 @@ std::vector<double> texels(const almanac::SkyState& sky) {
     const auto part = [&](std::size_t k) {
       return std::span(some).subspan(k * 2 * rows, 2 * rows);
     };
-    light_texels(globe, r, 0, white, {part(0), part(1), part(2), part(3)});
+    light_texels(globe, r, 0, white, {}, {part(0), part(1), part(2), part(3)});
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;

@@ -69,6 +69,7 @@ struct Film {
   FilmRecord record{};
   std::shared_ptr<const Moonlight> light{};
   std::shared_ptr<const algebra::Grid<float>> albedo{};  ///< at the textures' size
+  std::shared_ptr<const surface::Ground> ground{};       ///< what else differs by place, if any
   /// exposures [s] at moments, in order of time; empty: as `development` says
   std::vector<std::pair<almanac::Instant, double>> time_keys{};
 

@@ -33,9 +33,9 @@ BakedMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& vi
                   std::size_t frame) {
   const auto extent =
       film.products.textures ? texture::Extent::whole : texture::Extent::seen_from_earth;
-  const LitMoon lit{
-      film.moon,     sky,           film.albedo, film.light, range_at(*film.light, sky),
-      view.observer, view.sightline};
+  const LitMoon lit{film.moon,     sky,           film.albedo,
+                    film.ground,   film.light,    range_at(*film.light, sky),
+                    view.observer, view.sightline};
   auto content = film.content;
   if (film.products.framed()) content.space = picture_space;  // that POV-Ray renders
   auto moon = baked(lit, content, {extent});

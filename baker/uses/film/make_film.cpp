@@ -29,6 +29,7 @@ Film with_ground(Film film) {
   const auto albedo = normal_albedo(film.moon);
   film.albedo = std::make_shared<const algebra::Grid<float>>(
       texture::resized(albedo, texture_width_of(film.moon) / 2));
+  film.ground = ground_of(film.moon, albedo);
   return film;
 }
 

@@ -10,6 +10,7 @@
 #include "algebra/interpolation.h"
 #include "colour/cie_observer.h"
 #include "photons/solar_disc.h"
+#include "surface/ground.h"
 #include "surface/reflectance.h"
 
 namespace coppermoon::uses {
@@ -32,6 +33,19 @@ std::vector<double> lunar_reflectance() {
   }
   for (double& r : reflectance) r *= light / seen;
   return reflectance;
+}
+
+/// Mean of the colour spectrum over the Moon's light as the eye sees it.
+double mean_colour() {
+  const auto xyz = colour::xyz_weights(band_edges_nm());
+  const auto all = moonlight_weights(xyz);
+  const auto centres = band_centres_nm();
+  double sum = 0, light = 0;
+  for (std::size_t b = 0; b < centres.size(); ++b) {
+    sum += all(1, b) * surface::colour_spectrum(algebra::nanometres(centres[b]));
+    light += all(1, b);
+  }
+  return sum / light;
 }
 
 double transmittance(const std::optional<atmosphere::Sightline>& sightline, double wavelength_nm) {
@@ -106,6 +120,25 @@ algebra::Grid<double> moonlight_weights(const algebra::Grid<double>& response,
   for (std::size_t c = 0; c < weights.rows(); ++c)
     for (std::size_t b = 0; b < weights.columns(); ++b) weights(c, b) *= reflectance[b];
   return weights;
+}
+
+double colour_at(double wavelength_nm) {
+  static const double mean = mean_colour();
+  return surface::colour_spectrum(algebra::nanometres(wavelength_nm)) - mean;
+}
+
+algebra::Grid<double> reddest_and_bluest(const algebra::Grid<double>& weights,
+                                         std::span<const double> at_nm) {
+  const std::size_t channels = weights.rows();
+  algebra::Grid<double> both(2 * channels, weights.columns());
+  for (std::size_t w = 0; w < weights.columns(); ++w) {
+    const double change = surface::strongest_colour * colour_at(at_nm[w]);
+    for (std::size_t c = 0; c < channels; ++c) {
+      both(c, w) = weights(c, w) * (1 - change);
+      both(channels + c, w) = weights(c, w) * (1 + change);
+    }
+  }
+  return both;
 }
 
 }  // namespace coppermoon::uses

@@ -54,4 +54,17 @@ algebra::Grid<double> white_ground_weights(
 algebra::Grid<double> moonlight_weights(const algebra::Grid<double>& response,
                                         const std::optional<atmosphere::Sightline>& sightline = {});
 
+/// surface::colour_spectrum less its mean over the Moon's light in sunshine as the eye sees it: ground of
+/// another colour keeps its normal albedo in V.
+double colour_at(double wavelength_nm);
+
+/// Weights of moonlight, first as the reddest ground returns it and then all as the bluest does
+/// (surface::strongest_colour): what texture::bake wants of ground that differs by place.
+///
+/// Given     weights  (channel, wavelength) of mean ground
+///           at_nm    the wavelengths
+/// Returned  (channel or channels + channel, wavelength)
+algebra::Grid<double> reddest_and_bluest(const algebra::Grid<double>& weights,
+                                         std::span<const double> at_nm);
+
 }  // namespace coppermoon::uses

@@ -160,26 +160,45 @@ texture::Rows with_bands(texture::Rows lit, std::size_t looked_up, std::vector<B
   };
 }
 
+/// Weights as bake wants them: of the reddest ground and of the bluest where it differs by place.
+algebra::Grid<double> of_grounds(const LitMoon& moon, const algebra::Grid<double>& weights) {
+  if (!moon.ground) return weights;
+  return reddest_and_bluest(weights, wavelengths_nm(static_cast<int>(weights.columns())));
+}
+
 shadow::Lookup light_in(const LitMoon& moon, const Channels& channels, colour::WorkingSpace space) {
-  auto light = moon.within ? moon.light->in_sums(channels.weights, *moon.within, channels.light)
-                           : shadow::Lookup(channels.weights, channels.light);
-  light.transform([&](auto values) { into_gamut_or_black(space, values.first(colours)); });
+  const auto weights = of_grounds(moon, channels.weights);
+  auto light = moon.within ? moon.light->in_sums(weights, *moon.within, channels.light)
+                           : shadow::Lookup(weights, channels.light);
+  light.transform([&](auto values) {
+    for (std::size_t first = 0; first < values.size(); first += channels.weights.rows())
+      into_gamut_or_black(space, values.subspan(first, colours));
+  });
   return light;
 }
 
 /// What the rows of a part are made from, for as long as any may be asked for.
 struct LitGround {
   std::shared_ptr<const algebra::Grid<float>> albedo;
+  std::shared_ptr<const surface::Ground> ground;
   shadow::Lookup light;
 };
 
+/// What a part holds, and what its light is divided by.
+struct Held {
+  Quantity quantity;
+  std::vector<double> sunlit = {};
+};
+
 texture::Part part(const LitMoon& moon, const std::string& name, const Channels& channels,
-                   shadow::Lookup light, Quantity quantity, const Baking& baking) {
+                   shadow::Lookup light, const Held& held, const Baking& baking) {
   const std::size_t width = texture_width_of(moon.request), rows = width / 2,
-                    looked_up = light.channels();
-  const std::shared_ptr<LitGround> ground(new LitGround{moon.albedo, std::move(light)});
-  auto lit = texture::lit_rows({*ground->albedo, moon.sky, ground->light}, rows,
-                               {moon.request.photometry, baking.extent, quantity}, baking.progress);
+                    looked_up = light.channels() / (moon.ground ? 2 : 1);
+  const std::shared_ptr<LitGround> ground(
+      new LitGround{moon.albedo, moon.ground, std::move(light)});
+  auto lit = texture::lit_rows(
+      {*ground->albedo, moon.sky, ground->light, ground->ground.get()}, rows,
+      {moon.request.photometry, baking.extent, held.quantity, held.sunlit}, baking.progress);
   const texture::Rows kept = [ground, lit](std::size_t row, std::span<float> values) {
     lit(row, values);
   };
@@ -188,16 +207,18 @@ texture::Part part(const LitMoon& moon, const std::string& name, const Channels&
           channels.bands.empty() ? kept : with_bands(kept, looked_up, channels.bands)};
 }
 
-/// The Moon's colour under sunlight, over a white ground's.
-std::vector<double> ground_colour(const algebra::Grid<double>& of_moon,
-                                  const algebra::Grid<double>& of_white) {
-  std::vector<double> colour;
-  for (std::size_t c = 0; c < of_moon.rows(); ++c) {
-    const auto moon = of_moon.row(c), white = of_white.row(c);
-    colour.push_back(std::reduce(moon.begin(), moon.end()) /
-                     std::reduce(white.begin(), white.end()));
+/// The grounds' colours under sunlight, over a white one's: the mean Moon's, or the reddest and the
+/// bluest.
+std::vector<double> ground_colours(const LitMoon& moon, const algebra::Grid<double>& of_moon,
+                                   const algebra::Grid<double>& of_white) {
+  const auto of_ground = moon.ground ? reddest_and_bluest(of_moon, band_centres_nm()) : of_moon;
+  std::vector<double> colours_of_grounds;
+  for (std::size_t c = 0; c < of_ground.rows(); ++c) {
+    const auto ground = of_ground.row(c), white = of_white.row(c % of_white.rows());
+    colours_of_grounds.push_back(std::reduce(ground.begin(), ground.end()) /
+                                 std::reduce(white.begin(), white.end()));
   }
-  return colour;
+  return colours_of_grounds;
 }
 
 texture::Part albedo_part(const LitMoon& moon) {
@@ -233,16 +254,19 @@ LitMoon lit_moon(const MoonRequest& request, const almanac::SkyState& sky,
   const std::size_t width = texture_width_of(request);
   const Purpose purpose{static_cast<double>(width * (width / 2)), reads_map(request)};
   std::shared_ptr<const algebra::Grid<float>> albedo;
+  std::shared_ptr<const surface::Ground> ground;
   std::shared_ptr<const Moonlight> light;
   tbb::task_group together;  // the map and the light have nothing in common
-  together.run(
-      [&] { albedo = std::make_shared<const algebra::Grid<float>>(normal_albedo(request)); });
+  together.run([&] {
+    albedo = std::make_shared<const algebra::Grid<float>>(normal_albedo(request));
+    ground = ground_of(request, *albedo);
+  });
   together.run_and_wait([&] {
     light = std::make_shared<const Moonlight>(
         request.unshadowed ? unshadowed_light(request.light, sky)
                            : light_on_the_moon(request.light, sky, purpose, progress));
   });
-  return {request, sky, albedo, light, light->range};
+  return {request, sky, albedo, ground, light, light->range};
 }
 
 BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking& baking) {
@@ -253,30 +277,27 @@ BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking
   const int wavelengths = moon.light->plan.work.bands;
   BakedMoon made{{}, header(moon, content)};
   const auto add = [&](const std::string& name, const Channels& channels, shadow::Lookup light,
-                       Quantity quantity) {
-    made.parts.push_back(part(moon, name, channels, std::move(light), quantity, baking));
+                       const Held& held) {
+    made.parts.push_back(part(moon, name, channels, std::move(light), held, baking));
   };
   using enum Quantity;
   const Channels colour{names, at_wavelengths(of_moon, wavelengths)};
   const auto whole = content.spectral_nm
                          ? with_spectrum(colour, *content.spectral_nm, wavelengths, moon.sightline)
                          : colour;
-  add(content.passes ? "lit" : "", whole, light_in(moon, whole, space), luminance);
+  add(content.passes ? "lit" : "", whole, light_in(moon, whole, space), {luminance});
   if (!content.passes) return made;
   for (const auto& [name, light] :
        {std::pair{"direct", LightPart::direct}, {"refracted", LightPart::refracted}}) {
     const Channels channels{names, colour.weights, light};
-    add(name, channels, light_in(moon, channels, space), luminance);
+    add(name, channels, light_in(moon, channels, space), {luminance});
   }
-  const auto ground = ground_colour(of_moon, white_ground_weights(response, moon.sightline));
-  auto light = light_in(moon, colour, space);
-  light.transform([&](std::span<double> values) {
-    for (std::size_t c = 0; c < values.size(); ++c) values[c] /= ground[c];
-  });
-  add("irradiance", colour, std::move(light), irradiance);
-  algebra::Grid<double> sunlit(names.size(), 1);
-  std::ranges::copy(ground, sunlit.values().begin());
-  add("reflectance", colour, shadow::Lookup(sunlit), reflectance);
+  const auto grounds =
+      ground_colours(moon, of_moon, white_ground_weights(response, moon.sightline));
+  add("irradiance", colour, light_in(moon, colour, space), {irradiance, grounds});
+  algebra::Grid<double> sunlit(grounds.size(), 1);
+  std::ranges::copy(grounds, sunlit.values().begin());
+  add("reflectance", colour, shadow::Lookup(sunlit), {reflectance});
   made.parts.push_back(albedo_part(moon));
   return made;
 }

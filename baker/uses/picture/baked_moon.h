@@ -37,6 +37,7 @@ struct LitMoon {
   MoonRequest request;
   almanac::SkyState sky;
   std::shared_ptr<const algebra::Grid<float>> albedo;
+  std::shared_ptr<const surface::Ground> ground;  ///< none: the mean Moon's everywhere
   std::shared_ptr<const Moonlight> light;
   /// what of the light the disc takes in; nothing: all is sunlight
   std::optional<shadow::LookupRange> within;
@@ -70,6 +71,8 @@ struct Baking {
 ///                              that faces the Sun, under light as the Moon's reddish ground weighs
 ///                              it; the radiance factor under sunlight, of the ground's own colour
 ///     albedo      a part: the map's normal albedo
+///
+/// Ground by place colours all but irradiance, which is the luminance over the reflectance.
 ///
 /// Colours outside the space are brought into it in each part by itself.
 BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking& baking = {});

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "algebra/error.h"
 #include "files/fingerprint.h"
@@ -17,6 +20,41 @@ namespace {
 
 constexpr const char* stellarium_map = "/usr/share/stellarium/textures/moon_4k.jpg";
 
+/// From the radiance factor at 60 degrees of phase to that at full Moon: of ground that is darker by
+/// a factor there, the logarithm of the factor is this part here. A line through all cells of Sato et
+/// al. (2014), weighted by area.
+constexpr double at_full_moon = 1 / 1.56;
+
+AlbedoEncoding encoding_of(const MoonRequest& moon, const std::string& map) {
+  if (moon.albedo_encoding) return *moon.albedo_encoding;
+  return map == stellarium_map ? AlbedoEncoding::cgi_moon_kit_2019 : AlbedoEncoding::image;
+}
+
+texture::Coding coding_of(AlbedoEncoding encoding) {
+  switch (encoding) {
+    case AlbedoEncoding::image:
+      return texture::Coding::as_file_says;
+    case AlbedoEncoding::cgi_moon_kit_2025:
+      return texture::Coding::srgb;
+    default:
+      return texture::Coding::linear;
+  }
+}
+
+void change(algebra::Grid<float>& map, double offset, double scale, double exponent) {
+  tbb::parallel_for(std::size_t{0}, map.rows(), [&](std::size_t r) {
+    for (float& value : map.row(r))
+      value = static_cast<float>(std::pow(offset + scale * static_cast<double>(value), exponent));
+  });
+}
+
+algebra::Grid<float> decoded(algebra::Grid<float> map, AlbedoEncoding encoding) {
+  if (encoding == AlbedoEncoding::cgi_moon_kit_2025) change(map, 0, 1, at_full_moon);
+  if (encoding != AlbedoEncoding::cgi_moon_kit_2019) return map;
+  change(map, 0.16, 0.24, 2.8 * at_full_moon);
+  return surface::with_polar_contrast(std::move(map));
+}
+
 }  // namespace
 
 std::string map_chosen(const MoonRequest& moon) {
@@ -26,7 +64,7 @@ std::string map_chosen(const MoonRequest& moon) {
 
 void require_map(const MoonRequest& moon) {
   if (!reads_map(moon)) return;
-  texture::require_albedo_map(map_chosen(moon), moon.albedo_exponent.value_or(1));
+  texture::require_albedo_map(map_chosen(moon), moon.albedo_exponent);
 }
 
 std::string map_contents(const MoonRequest& moon) {
@@ -51,9 +89,18 @@ algebra::Grid<float> normal_albedo(const MoonRequest& moon) {
     return surface::normalised_to_geometric_albedo(
         surface::built_in_moon(std::max<std::size_t>(8, texture_width_of(moon) / 2)),
         moon.photometry);
-  const double exponent = moon.albedo_exponent.value_or(map == stellarium_map ? 0.5 : 1);
-  return surface::normalised_to_geometric_albedo(
-      texture::read_albedo_map(map, texture::Coding::as_file_says, exponent), moon.photometry);
+  algebra::require_within("albedo exponent", moon.albedo_exponent, 0.1, 10);
+  const auto encoding = encoding_of(moon, map);
+  auto albedo = decoded(texture::read_albedo_map(map, coding_of(encoding)), encoding);
+  if (moon.albedo_exponent != 1) change(albedo, 0, 1, moon.albedo_exponent);
+  return surface::normalised_to_geometric_albedo(std::move(albedo), moon.photometry);
+}
+
+std::shared_ptr<const surface::Ground> ground_of(const MoonRequest& moon,
+                                                 const algebra::Grid<float>& normal_albedo) {
+  if (!moon.ground_by_place) return nullptr;
+  return std::make_shared<const surface::Ground>(
+      surface::ground_under(normal_albedo, moon.photometry));
 }
 
 }  // namespace coppermoon::uses

@@ -2,21 +2,36 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "algebra/grid.h"
+#include "surface/ground.h"
 #include "surface/photometry.h"
 #include "uses/light/moonlight.h"
 
 namespace coppermoon::uses {
+
+/// How the numbers of a map stand for normal albedo, up to a factor.
+enum class AlbedoEncoding {
+  image,          ///< light, as the image file says
+  normal_albedo,  ///< themselves, whatever the file says
+  /// NASA's CGI Moon Kit of 2019: v = ((I/F)^(1/2.8) − 0.16) / 0.24, of I/F at 60 degrees of phase. As
+  /// Stellarium has it from 0.21 to 25
+  cgi_moon_kit_2019,
+  cgi_moon_kit_2025,  ///< sRGB's curve over that I/F
+};
 
 /// Which Moon is baked, and under what light.
 struct MoonRequest {
   LightRequest light{};
   std::string albedo_map = "auto";  ///< an image file 2:1; "built-in"; "auto": what is installed
   surface::Photometry photometry = surface::Photometry::lommel_seeliger_rolo;
-  std::optional<double> albedo_exponent{};     ///< 0.1 to 10; without: as the map needs
+  std::optional<AlbedoEncoding>
+      albedo_encoding{};        ///< without: Stellarium's for its map, else `image`
+  double albedo_exponent = 1;   ///< power of what is decoded, 0.1 to 10
+  bool ground_by_place = true;  ///< colour and surge of each place; or those of the mean Moon
   std::optional<std::size_t> texture_width{};  ///< without: 4096, or what the frame can show
   double texels_per_pixel = 1;  ///< of a texture whose width the frame says, in the disc's middle
   bool unshadowed = false;      ///< lit as if the Earth were away
@@ -29,13 +44,20 @@ std::size_t texture_width_of(const MoonRequest& moon);
 bool reads_map(const MoonRequest& moon);
 
 /// The normal albedo of the ground, so that the full Moon has the geometric albedo 0.12: the map
-/// named, or with "auto" Stellarium's where it is installed, else the built-in one. A power of the
-/// map's values undoes a tone curve: Stellarium's map is stretched, its highlands are 3.8 times as
-/// bright as its maria, and its square root has both where Pohn & Wildey (1970) found them: 0.06 to
-/// 0.10 and 0.12 to 0.18.
+/// named, or with "auto" Stellarium's where it is installed, else the built-in one, decoded. The kits'
+/// maps are of 60 degrees of phase, where maria are darker against highlands than at full Moon: to the
+/// power 1/1.55 they have the contrast of the normal albedo that Sato et al. (2014) give, within 5 %
+/// rms of cells of one degree, 4 % without the scale's drift with latitude. Their poles are mended: see
+/// surface::with_polar_contrast.
 ///
 /// Throws Error as texture::read_albedo_map; when the exponent is outside 0.1 to 10
 algebra::Grid<float> normal_albedo(const MoonRequest& moon);
+
+/// What of the ground differs by place under that albedo; nothing where all is to be the mean Moon's.
+///
+/// Throws Error as surface::ground_under
+std::shared_ptr<const surface::Ground> ground_of(const MoonRequest& moon,
+                                                 const algebra::Grid<float>& normal_albedo);
 
 /// Where the map of a Moon comes from: what "auto" stands for here.
 std::string map_chosen(const MoonRequest& moon);

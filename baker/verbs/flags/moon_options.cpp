@@ -14,9 +14,23 @@ void add_map_options(CLI::App& verb, uses::MoonRequest& request) {
       {{"lommel-seeliger-rolo", lommel_seeliger_rolo}, {"yapo-cutler", yapo_cutler}},
       "photometric function of the ground: lommel-seeliger-rolo (as telescopes measured, with the "
       "opposition surge) or yapo-cutler (the paper's, the same at every phase)");
+  using enum uses::AlbedoEncoding;
+  add_choice<uses::AlbedoEncoding>(
+      verb, "--albedo-encoding", request.albedo_encoding,
+      {{"image", image},
+       {"normal-albedo", normal_albedo},
+       {"cgi-moon-kit-2019", cgi_moon_kit_2019},
+       {"cgi-moon-kit-2025", cgi_moon_kit_2025},
+       {"stellarium", cgi_moon_kit_2019}},
+      "how the map's numbers stand for albedo: image (light, as the file says), normal-albedo "
+      "(themselves), cgi-moon-kit-2019 or cgi-moon-kit-2025 (NASA's colour maps), stellarium "
+      "(the kit of 2019); that of Stellarium's installed map, or image, unless given");
   add_flag(verb, "--albedo-exponent", request.albedo_exponent,
-           "exponent that undoes a tone curve of the map, 0.1 to 10; 0.5 for Stellarium's map, 1 "
-           "for any other, unless given");
+           "exponent that undoes a tone curve of the map beyond its encoding, 0.1 to 10");
+  add_choice<bool>(
+      verb, "--ground", request.ground_by_place, {{"by-place", true}, {"mean", false}},
+      "colour and opposition surge of the ground: by-place (as a camera in lunar orbit "
+      "measured them) or mean (everywhere those of the whole Moon)");
 }
 
 void add_width_option(CLI::App& verb, uses::MoonRequest& request) {
