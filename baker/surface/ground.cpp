@@ -102,11 +102,10 @@ Grid<float> measured(Grid<float> map) {
   return to_the_poles(map);
 }
 
-/// Takes the mean from a map, weighted as the disc's light is: A mu f, and the cells' area.
-void subtract_mean(Grid<float>& map, const Grid<float>& normal_albedo, Photometry photometry) {
-  double light = 0, sum = 0;
-  // an albedo map finer than the cells is sampled at a few places of each
-  const std::size_t finer = std::max<std::size_t>(1, 720 / map.rows()), rows = finer * map.rows();
+/// Takes from maps their means over the disc, weighted as its light is: A mu f, and the cells' area.
+void subtract_means(Ground& ground, const Grid<float>& normal_albedo, Photometry photometry) {
+  constexpr std::size_t rows = 360;  // half a degree: finer than either map
+  double light = 0, colour = 0, surge = 0;
   for (std::size_t r = 0; r < rows; ++r)
     for (std::size_t c = rows / 2; c < rows + rows / 2; ++c) {
       const auto at = texel_centre(r, c, rows);
@@ -115,12 +114,14 @@ void subtract_mean(Grid<float>& map, const Grid<float>& normal_albedo, Photometr
       const double weight =
           mu * cosine * sampled(normal_albedo, at) * radiance_factor_at_full_moon(photometry, mu);
       light += weight;
-      sum += weight * sampled(map, at);
+      colour += weight * sampled(ground.colour, at);
+      surge += weight * sampled(ground.surge, at);
     }
   if (!(light > 0 && std::isfinite(light)))
     throw algebra::Error(
         fmt::format("the albedo map's near side has mean {:g}, allowed above 0", light));
-  for (float& value : map.values()) value -= static_cast<float>(sum / light);
+  for (float& value : ground.colour.values()) value -= static_cast<float>(colour / light);
+  for (float& value : ground.surge.values()) value -= static_cast<float>(surge / light);
 }
 
 /// B over the surge's whole, as its logarithm changes with its amplitude.
@@ -141,8 +142,7 @@ Ground measured_ground() {
 
 Ground ground_under(const Grid<float>& normal_albedo, Photometry photometry) {
   auto ground = measured_ground();
-  subtract_mean(ground.colour, normal_albedo, photometry);
-  subtract_mean(ground.surge, normal_albedo, photometry);
+  subtract_means(ground, normal_albedo, photometry);
   constexpr auto most = static_cast<float>(strongest_colour);
   for (float& c : ground.colour.values()) c = std::clamp(c, -most, most);
   return ground;

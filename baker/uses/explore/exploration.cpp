@@ -19,6 +19,7 @@
 #include "eclipse/shadow_axis.h"
 #include "photons/limb_darkening.h"
 #include "photons/solar_disc.h"
+#include "surface/ground.h"
 #include "texture/bake.h"
 #include "uses/explore/limb_rays.h"
 #include "uses/explore/motion.h"
@@ -71,9 +72,37 @@ double unix_ms(const almanac::Instant& when) {
          almanac::seconds_between(almanac::instant_from_utc(date), when) * 1e3;
 }
 
+/// Colour and surge of the ground that is seen, in even steps over these ranges to both sides of 0.
+constexpr double widest_surge = 0.8;
+constexpr std::size_t ground_rows = 180, ground_columns = 198;
+
+ordered_json add_ground(PageArrays& arrays, const surface::Ground* ground) {
+  constexpr std::size_t columns = 2 * ground_rows, first = (columns - ground_columns) / 2;
+  std::vector<std::uint8_t> coded;
+  const auto add = [&](double value, double widest) {
+    const double step = 127.5 * (1 + std::clamp(value / widest, -1., 1.));
+    coded.push_back(static_cast<std::uint8_t>(std::lround(step)));
+  };
+  std::vector<float> colour(columns * ground_rows), surge(colour.size());
+  if (ground != nullptr) {
+    texture::albedo_rows(ground->colour, ground_rows)(0, colour);
+    texture::albedo_rows(ground->surge, ground_rows)(0, surge);
+  }
+  for (std::size_t r = 0; r < ground_rows; ++r)
+    for (std::size_t c = first; c < first + ground_columns; ++c) {
+      add(colour[r * columns + c], surface::strongest_colour);
+      add(surge[r * columns + c], widest_surge);
+    }
+  arrays.add("ground", {ground_rows, ground_columns, 2}, coded);
+  return {{"surge", widest_surge},
+          {"firstLongitude", -180. + static_cast<double>(first)},
+          {"longitudes", ground_columns}};
+}
+
 /// The albedo of the ground that is seen, coded so that equal steps are equal ratios.
 ordered_json add_map(PageArrays& arrays, const MoonRequest& request) {
   const auto albedo = normal_albedo(request);
+  const auto ground = ground_of(request, albedo);
   const auto rows = texture::albedo_rows(albedo, map_rows);
   constexpr std::size_t columns = 2 * map_rows;
   std::vector<float> map(columns * map_rows);
@@ -93,11 +122,13 @@ ordered_json add_map(PageArrays& arrays, const MoonRequest& request) {
   arrays.add("map", {map_rows, width}, coded);
   return {{"logLow", low},
           {"logRange", range},
+          {"ground", add_ground(arrays, ground.get())},
           {"firstLongitude", -180 + 360. * static_cast<double>(first) / columns},
           {"longitudes", 360. * static_cast<double>(width) / columns}};
 }
 
-/// The Sun's disc and what the channels, red, green, blue and V, make of its light.
+/// The Sun's disc and what the channels, red, green, blue and V, make of its light on the reddest
+/// ground, and all again on the bluest.
 ordered_json add_sunlight(PageArrays& arrays, bool limb_darkening,
                           const std::vector<double>& wavelengths) {
   const auto terms = photons::disc_terms(wavelengths, limb_darkening, sun_terms);
@@ -116,9 +147,12 @@ ordered_json add_sunlight(PageArrays& arrays, bool limb_darkening,
   const auto meter = photometer();
   const auto magnitudes = at_wavelengths(meter.weights, bands);
   constexpr std::size_t V = 1;  // of the photometer's channels
-  auto weights = numbers_of(colours);
-  weights.insert(weights.end(), magnitudes.row(V).begin(), magnitudes.row(V).end());
-  arrays.add("weights", {4, wavelengths.size()}, weights);
+  algebra::Grid<double> weights(4, wavelengths.size());
+  for (std::size_t c = 0; c < weights.rows(); ++c)
+    std::ranges::copy(c < colours.rows() ? colours.row(c) : magnitudes.row(V),
+                      weights.row(c).begin());
+  const auto both = reddest_and_bluest(weights, wavelengths);
+  arrays.add("weights", {both.rows(), both.columns()}, numbers_of(both));
   return {{"radiusKm", photons::solar_radius_m / 1e3},
           {"auKm", almanac::astronomical_unit_m / 1e3},
           {"V", photometric_bands()[V].solar_magnitude},
@@ -151,11 +185,19 @@ ordered_json photometry_of(surface::Photometry photometry) {
   const auto law = surface::cosine_law(photometry);
   constexpr int steps = 60;
   constexpr double most_degrees = 6;
-  ordered_json phase;
-  for (int i = 0; i <= steps; ++i)
-    phase.push_back(surface::phase_factor(photometry, algebra::degrees(most_degrees * i / steps)));
-  return {{"scale", law.scale},       {"incidence", law.incidence},   {"emission", law.emission},
-          {"constant", law.constant}, {"phaseDegrees", most_degrees}, {"phase", phase}};
+  ordered_json phase, surge;
+  for (int i = 0; i <= steps; ++i) {
+    const auto at = algebra::degrees(most_degrees * i / steps);
+    phase.push_back(surface::phase_factor(photometry, at));
+    surge.push_back(surface::phase_factor(photometry, at) * surface::surge_slope(photometry, at));
+  }
+  return {{"scale", law.scale},
+          {"incidence", law.incidence},
+          {"emission", law.emission},
+          {"constant", law.constant},
+          {"phaseDegrees", most_degrees},
+          {"phase", phase},
+          {"surge", surge}};
 }
 
 void add_names(PageArrays& arrays) {

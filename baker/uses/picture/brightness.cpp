@@ -4,7 +4,9 @@
 #include "almanac/instant.h"
 #include "eclipse/contacts.h"
 #include "texture/bake.h"
+#include "texture/resize.h"
 #include "uses/light/disc_brightness.h"
+#include "uses/light/spectral_bands.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -24,10 +26,13 @@ struct Measurable {
   const almanac::SkyState& sky;
   Moonlight light;
   algebra::Grid<float> albedo;
+  std::shared_ptr<const surface::Ground> ground = ground_of(moon, albedo);
 
   texture::Image in(const Photometer& meter) const {
-    return texture::bake({albedo, sky, light.in_channels(meter.weights)}, meter.channels, rows,
-                         moon.photometry);
+    const auto weights =
+        ground ? reddest_and_bluest(meter.weights, band_centres_nm()) : meter.weights;
+    return texture::bake({albedo, sky, light.in_channels(weights), ground.get()}, meter.channels,
+                         rows, moon.photometry);
   }
 };
 
@@ -53,7 +58,7 @@ MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& s
   const Measurable measurable{moon, sky,
                               moon.unshadowed ? unshadowed_light(moon.light, sky)
                                               : light_on_the_moon(moon.light, sky, {}, progress),
-                              normal_albedo(moon)};
+                              texture::resized(normal_albedo(moon), rows)};
   const auto meter = photometer();
   const auto texture = measurable.in(meter);
   MoonBrightness brightness{measured(meter, texture, sky), {}};

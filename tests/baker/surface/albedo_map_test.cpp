@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/albedo_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -141,6 +142,27 @@ TEST(Normalised, RefusesWhatCannotBe) {
   EXPECT_THROW(surface::normalised_to_geometric_albedo(Map(8, 16, NAN), yapo_cutler),
                algebra::Error);
   EXPECT_THROW(surface::normalised_to_geometric_albedo(Map(), yapo_cutler), algebra::Error);
+}
+
+TEST(WithPolarContrast, GivesBackWhatFadesTowardsThePoles) {
+  // as if a map of contrast 0.2 in the logarithm had faded as docs say
+  const auto wave = [](const almanac::SelenographicPoint& at) {
+    return 0.2 * std::sin(3 * algebra::in_radians(at.longitude));
+  };
+  const auto fade = [](double latitude) {
+    return 1 - 0.63 * std::clamp((std::abs(latitude) - 64) / 6, 0., 1.);
+  };
+  const auto faded = drawn(
+      90, [&](const auto& at) { return 0.1 * std::exp(fade(in_degrees(at.latitude)) * wave(at)); });
+  const auto mended = surface::with_polar_contrast(faded);
+  for (std::size_t r = 0; r < 90; ++r)
+    for (std::size_t c = 0; c < 180; ++c) {
+      const auto at = surface::texel_centre(r, c, 90);
+      EXPECT_WITHIN_RELATIVE(mended(r, c), 0.1 * std::exp(wave(at)), 0.02,
+                             "the row's mean is above that of its logarithm, by a half of 0.02");
+      if (std::abs(in_degrees(at.latitude)) < 64) EXPECT_EQ(mended(r, c), faded(r, c));
+    }
+  EXPECT_EQ(surface::with_polar_contrast(Map(4, 8, 0))(0, 0), 0) << "black stays black";
 }
 
 }  // namespace

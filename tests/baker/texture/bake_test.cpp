@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -15,6 +16,7 @@
 #include "shadow/by_quadrature.h"
 #include "support/within.h"
 #include "surface/albedo_map.h"
+#include "surface/ground.h"
 #include "surface/photometry.h"
 
 namespace coppermoon::texture {
@@ -332,6 +334,45 @@ TEST(Resized, RefusesWhatIsNoMap) {
   EXPECT_THROW(resized(algebra::Grid<float>(10, 10), 5), algebra::Error);
   EXPECT_THROW(resized(uniform(4), 1), algebra::Error);
   EXPECT_THROW(resized(uniform(4), 20000), algebra::Error);
+}
+
+/// Light of which the reddest ground and the bluest make something else: [first, second, first, second].
+shadow::Lookup two_grounds() {
+  shadow::ChannelWeights weights(4, 1);
+  for (std::size_t c = 0; c < 4; ++c) weights(c, 0) = std::array{100., 40., 60., 80.}[c];
+  return shadow::Lookup(weights);
+}
+
+TEST(Bake, MixesTheReddestAndTheBluestGroundByItsColour) {
+  const auto sky = almanac::sky_at(february_2008);
+  const std::size_t rows = 36;
+  surface::Ground ground{uniform(rows, 0), uniform(rows, 0)};
+  for (std::size_t c = 0; c < 2 * rows; ++c)
+    for (std::size_t r = 0; r < rows; ++r)
+      ground.colour(r, c) = 0.0015F * static_cast<float>(c) - 0.05F;
+  const auto map = uniform(rows);
+  const auto light = two_grounds();
+  const auto grey = bake({map, sky, sunlight(1)}, {"Y"}, rows, lommel_seeliger_rolo);
+  const auto moon = bake({map, sky, light, &ground}, {"A", "B"}, rows, lommel_seeliger_rolo);
+  for (const std::size_t c : {24UL, 36UL, 50UL}) {
+    const double share = 0.5 + ground.colour(18, c) / 0.3;
+    EXPECT_WITHIN_RELATIVE(moon(18, c, 0) / grey(18, c, 0), 100 - 40 * share, 1e-6, "floats");
+    EXPECT_WITHIN_RELATIVE(moon(18, c, 1) / grey(18, c, 0), 40 + 40 * share, 1e-6, "floats");
+  }
+}
+
+TEST(Bake, GivesGroundItsOwnSurge) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-25T00:00:00Z"));
+  ASSERT_GT(phase_deg(sky), 40);
+  const std::size_t rows = 36;
+  const surface::Ground ground{uniform(rows, 0), uniform(rows, 0.3F)};
+  const auto map = uniform(rows);
+  const auto light = two_grounds();
+  const auto grey = bake({map, sky, sunlight(80)}, {"Y"}, rows, lommel_seeliger_rolo);
+  const auto moon = bake({map, sky, light, &ground}, {"A", "B"}, rows, lommel_seeliger_rolo);
+  const double slope = surface::surge_slope(lommel_seeliger_rolo, algebra::degrees(phase_deg(sky)));
+  EXPECT_WITHIN_RELATIVE(moon(18, 36, 0) / grey(18, 36, 0), 1 + 0.3 * slope, 1e-3,
+                         "the phase of a place differs from the middle's by 0.3 degrees");
 }
 
 }  // namespace

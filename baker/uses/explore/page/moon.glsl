@@ -13,7 +13,7 @@ uniform mat3 moonFromShadow; // to Moon-fixed axes
 uniform float earthRadius;
 uniform float au;
 
-uniform sampler2D light;     // log2, [plane × sector][node]
+uniform sampler2D light;     // log2, [plane × sector][node, on the reddest ground before the bluest]
 uniform int nodes, sectors;
 uniform vec3 ends, stretches;  // of nodes: axis distances, and how many in each
 uniform vec2 depths;         // of the planes
@@ -23,8 +23,12 @@ uniform sampler2D map;       // albedo's logarithm
 uniform vec2 mapLogs;        // the lowest, and the range
 uniform vec2 mapLongitudes;  // the first, and how many [rad]
 
+uniform sampler2D ground;    // colour and surge by place: 0 to 1 from the least to the most
+uniform vec2 groundLongitudes;
+uniform float widestSurge;
+
 uniform vec4 law;            // of the cosines: scale, incidence, emission, constant
-uniform float phases[61];
+uniform float phases[61], surges[61];  // and what they change by for each unit of surge
 uniform float phaseStep;     // [rad]
 uniform bool shadowed;
 
@@ -52,15 +56,17 @@ float nodeAt(float d) {
   return stretches.x + stretches.y + (d - ends.y) / (ends.z - ends.y) * stretches.z;
 }
 
-vec4 atNode(int row, float node) {
+vec4 atNode(int row, float node, int bluest) {
   int low = clamp(int(floor(node)), 0, nodes - 2);
   float part = clamp(node - float(low), 0.0, 1.0);
-  return mix(texelFetch(light, ivec2(low, row), 0), texelFetch(light, ivec2(low + 1, row), 0), part);
+  return mix(texelFetch(light, ivec2(2 * low + bluest, row), 0),
+    texelFetch(light, ivec2(2 * low + 2 + bluest, row), 0), part);
 }
 
-// What a white ground that faces the Sun at 1 au makes of the light at a place in the shadow.
-vec4 lightAt(vec3 place) {
-  if (!shadowed) return exp2(texelFetch(light, ivec2(nodes - 1, 0), 0));
+// What a white ground that faces the Sun at 1 au makes of the light at a place in the shadow, were it as
+// red, or as blue, as ground is.
+vec4 lightAt(vec3 place, int bluest) {
+  if (!shadowed) return exp2(texelFetch(light, ivec2(2 * (nodes - 1) + bluest, 0), 0));
   float node = nodeAt(sheared(length(place.xy), middleDepth / place.z));
   float turn = atan(place.x, place.y) / (2.0 * pi);
   float sector = fract(turn + 1.0) * float(sectors);
@@ -68,39 +74,48 @@ vec4 lightAt(vec3 place) {
   float around = sector - float(low);
   float deeper = clamp((place.z - depths.x) / (depths.y - depths.x), 0.0, 1.0);
   int next = sectors + 1;
-  vec4 nearer = mix(atNode(low, node), atNode(low + 1, node), around);
-  vec4 farther = mix(atNode(next + low, node), atNode(next + low + 1, node), around);
+  vec4 nearer = mix(atNode(low, node, bluest), atNode(low + 1, node, bluest), around);
+  vec4 farther = mix(atNode(next + low, node, bluest), atNode(next + low + 1, node, bluest), around);
   return exp2(mix(nearer, farther, deeper));
 }
 
-float phaseFactor(vec3 toSun, vec3 toEarth) {
+float phaseFactor(vec3 toSun, vec3 toEarth, float surge) {
   float sine = length(cross(toSun, toEarth)) / (length(toSun) * length(toEarth));
   float phase = max(asin(min(sine, 1.0)), asin(earthRadius / length(toEarth)));
   float place = min(phase / phaseStep, 59.999);
   int low = int(place);
-  return mix(phases[low], phases[low + 1], place - float(low));
+  float part = place - float(low);
+  return mix(phases[low], phases[low + 1], part) + surge * mix(surges[low], surges[low + 1], part);
 }
 
-float albedoAt(vec3 ground) {
-  vec3 fixedGround = moonFromShadow * ground;
-  float longitude = atan(fixedGround.y, fixedGround.x), latitude = asin(clamp(fixedGround.z, -1.0, 1.0));
-  vec2 at = vec2((longitude - mapLongitudes.x) / mapLongitudes.y, 0.5 - latitude / pi);
+// Longitude, and the part of the way from the north pole to the south pole.
+vec2 onMap(vec3 normal) {
+  vec3 fixedGround = moonFromShadow * normal;
+  return vec2(atan(fixedGround.y, fixedGround.x), 0.5 - asin(clamp(fixedGround.z, -1.0, 1.0)) / pi);
+}
+
+float albedoAt(vec2 place) {
+  vec2 at = vec2((place.x - mapLongitudes.x) / mapLongitudes.y, place.y);
 #ifdef RAW
   if (atPlaces) return exp(mapLogs.x + mapLogs.y * textureLod(map, at, 0.0).r);  // they are no neighbours
 #endif
   return exp(mapLogs.x + mapLogs.y * texture(map, at).r);
 }
 
-// Luminance [cd/m²] as red, green and blue, and V's radiance, of ground (a unit vector).
-vec4 radianceOf(vec3 ground) {
-  vec3 place = centre + moonRadius * ground;
+// Luminance [cd/m²] as red, green and blue, and V's radiance, of ground by its normal.
+vec4 radianceOf(vec3 normal) {
+  vec3 place = centre + moonRadius * normal;
   vec3 toSun = vec3(0.0, 0.0, -sunDistance) - place;
-  float incidence = dot(ground, toSun) / length(toSun);
+  float incidence = dot(normal, toSun) / length(toSun);
   if (incidence <= 0.0) return vec4(0.0);
-  float emission = max(0.0, dot(ground, -place) / length(place));
+  float emission = max(0.0, dot(normal, -place) / length(place));
   float reflected = law.x * incidence / (law.y * incidence + law.z * emission + law.w);
   float nearer = au / length(toSun);
-  return albedoAt(ground) * reflected * phaseFactor(toSun, -place) * nearer * nearer * lightAt(place);
+  vec2 at = onMap(normal);
+  vec2 own = textureLod(ground, vec2((at.x - groundLongitudes.x) / groundLongitudes.y, at.y), 0.0).rg;
+  float phase = phaseFactor(toSun, -place, widestSurge * (2.0 * own.g - 1.0));
+  return albedoAt(at) * reflected * phase * nearer * nearer *
+    mix(lightAt(place, 0), lightAt(place, 1), own.r);
 }
 
 // The ground that a place of the picture shows, and how far inside the limb that is [lunar radii].

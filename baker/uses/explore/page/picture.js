@@ -50,6 +50,9 @@ export class Picture {
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.R8, shape[1], shape[0], 0, gl.RED, gl.UNSIGNED_BYTE, data);
     gl.generateMipmap(gl.TEXTURE_2D);
+    this.ground = this.texture(gl.TEXTURE_2D, gl.LINEAR);
+    const {shape: cells, data: grounds} = arrays.ground;
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RG8, cells[1], cells[0], 0, gl.RG, gl.UNSIGNED_BYTE, grounds);
     this.views = {};
     for (const name of facts.views) {
       if (!arrays[`view.${name}`]) continue;
@@ -81,7 +84,7 @@ export class Picture {
     this.table = table;
     this.shadow = shadow;
     gl.bindTexture(gl.TEXTURE_2D, this.light);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, table.nodes, table.rows, 0, gl.RGBA, gl.FLOAT, table.values);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 2 * table.nodes, table.rows, 0, gl.RGBA, gl.FLOAT, table.values);
   }
 
   /** What both programs are told. */
@@ -102,8 +105,12 @@ export class Picture {
     gl.uniform1f(at('middleDepth'), shadow.middleDepth);
     gl.uniform2f(at('mapLogs'), map.logLow, map.logRange);
     gl.uniform2f(at('mapLongitudes'), map.firstLongitude * Math.PI / 180, map.longitudes * Math.PI / 180);
+    gl.uniform2f(at('groundLongitudes'), map.ground.firstLongitude * Math.PI / 180,
+      map.ground.longitudes * Math.PI / 180);
+    gl.uniform1f(at('widestSurge'), map.ground.surge);
     gl.uniform4f(at('law'), photometry.scale, photometry.incidence, photometry.emission, photometry.constant);
     gl.uniform1fv(at('phases'), photometry.phase);
+    gl.uniform1fv(at('surges'), photometry.surge);
     gl.uniform1f(at('phaseStep'), photometry.phaseDegrees * Math.PI / 180 / (photometry.phase.length - 1));
     gl.uniform1i(at('shadowed'), shadowed ? 1 : 0);
     gl.uniform1f(at('moonDistance'), view.distance);
@@ -111,12 +118,11 @@ export class Picture {
     gl.uniform2fv(at('middle'), frame.middle);
     gl.uniform1f(at('pixel'), frame.pixel);
     gl.uniform2f(at('size'), frame.width, frame.height);
-    [this.light, this.map].forEach((texture, i) => {
+    [['light', this.light], ['map', this.map], ['ground', this.ground]].forEach(([name, texture], i) => {
       gl.activeTexture(gl.TEXTURE0 + i);
       gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.uniform1i(at(name), i);
     });
-    gl.uniform1i(at('light'), 0);
-    gl.uniform1i(at('map'), 1);
   }
 
   /**
@@ -129,9 +135,9 @@ export class Picture {
     const {gl, facts} = this, {at} = this.screen;
     this.tell(this.screen, sky, view, frame, true);
     const table = this.views[look.view];
-    gl.activeTexture(gl.TEXTURE2);
+    gl.activeTexture(gl.TEXTURE3);
     gl.bindTexture(gl.TEXTURE_3D, table ?? this.noView);
-    gl.uniform1i(at('view'), 2);
+    gl.uniform1i(at('view'), 3);
     gl.uniform1i(at('look'), look.stops ? 2 : table ? 1 : 0);
     gl.uniform1f(at('exposure'), look.exposure);
     gl.uniform2f(at('viewCode'), facts.viewTable.gain, facts.viewTable.stops);

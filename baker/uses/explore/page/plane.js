@@ -5,7 +5,8 @@
 // nodes of three stretches of axis distance: within the umbra, where direct light begins, beyond
 export const stretches = [150, 110, 80];
 export const nodes = stretches[0] + stretches[1] + stretches[2] + 1, sectors = 48;
-export const channels = 4;  // red, green, blue, V
+export const colours = 4;  // red, green, blue, V
+export const channels = 2 * colours;  // of light on the reddest ground, and again on the bluest
 // Bins of the distance from the axis where light from the Sun's centre lands; the narrow ones begin where rays
 // land that pass the limb some 25 km high: direct light begins with theirs.
 const wideKm = 30, narrowKm = 5, highRaysKm = 360;

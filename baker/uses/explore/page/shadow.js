@@ -3,7 +3,7 @@
 // depth.
 
 import {aerosolDepth, cloudCover, LimbRays} from './air.js';
-import {channels, landing, nodes, Plane, sectors, sheared, stretches} from './plane.js';
+import {channels, colours, landing, nodes, Plane, sectors, sheared, stretches} from './plane.js';
 
 export class Shadow {
   /** Given  sunDistance [km];  depths: of the planes, nearest first [km] */
@@ -21,6 +21,9 @@ export class Shadow {
     this.layers = [...arrays['sun.layers'].data];
     this.layerBrightness = table('sun.layerBrightness', this.waves);
     this.weights = table('weights', this.waves);
+    this.meanWeights = this.weights.slice(0, colours).map((row, c) =>
+      row.map((weight, w) => (weight + this.weights[c + colours][w]) / 2));
+    this.meanGreen = this.meanWeights[1].reduce((a, b) => a + b, 0);
     this.sunlight = this.weights.map((row) => row.reduce((a, b) => a + b, 0));
     this.layerWeights = this.weights.map((row) =>
       this.layerBrightness.map((layer) => row.reduce((total, w, i) => total + w * layer[i], 0)));
@@ -161,7 +164,7 @@ export class Shadow {
   }
 
   store(light, values, at) {
-    intoGamut(light);
+    for (let ground = 0; ground < channels; ground += colours) intoGamut(light.subarray(ground, ground + colours));
     for (let c = 0; c < channels; ++c)
       values[at + c] = Math.log2(Math.max(light[c], 1e-12 * this.sunlight[c]));
   }
@@ -250,7 +253,7 @@ export class Shadow {
               bright += this.termBrightness[t][w] * term.reduceRight((value, c) => value * mu + c, 0);
             });
             for (let c = 0; c < 3; ++c)
-              light[3 * j + c] += shares[p] * clear * through[j] * bright * this.weights[c][w] / this.sunlight[1];
+              light[3 * j + c] += shares[p] * clear * through[j] * bright * this.meanWeights[c][w] / this.meanGreen;
           }
         });
       });

@@ -85,5 +85,31 @@ TEST(MoonlightWeights, AreDimmedMoreNearTheHorizon) {
   EXPECT_LT(total(low, 2) / total(low, 0), total(high, 2) / total(high, 0));
 }
 
+TEST(ReddestAndBluest, KeepTheLuminanceOfSunlitGround) {
+  const auto both = reddest_and_bluest(moonlight_weights(xyz()), band_centres_nm());
+  ASSERT_EQ(both.rows(), 6U);
+  const double mean = total(moonlight_weights(xyz()), 1);
+  EXPECT_WITHIN_RELATIVE(total(both, 1), mean, 1e-12, "rounding");
+  EXPECT_WITHIN_RELATIVE(total(both, 4), mean, 1e-12, "rounding");
+  EXPECT_LT(total(both, 2), 0.88 * total(both, 5)) << "Z, blue: 0.15 to both sides, times 0.8";
+}
+
+/// Band by band, of ground between them and light that the shadow reddens.
+TEST(ReddestAndBluest, MixedAreTheIntegralOverTheGroundsOwnSpectrum) {
+  const auto bands = band_centres_nm();
+  const auto weights = moonlight_weights(xyz());
+  const auto both = reddest_and_bluest(weights, bands);
+  const double c = -0.06, share = 0.5 + c / 0.3;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double mixed = 0, integral = 0;
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+      const double light = std::exp((bands[b] - 780) / 40);
+      mixed += light * ((1 - share) * both(k, b) + share * both(3 + k, b));
+      integral += light * weights(k, b) * (1 + c * colour_at(bands[b]));
+    }
+    EXPECT_WITHIN_RELATIVE(mixed, integral, 1e-12, "both are linear in c");
+  }
+}
+
 }  // namespace
 }  // namespace coppermoon::uses
