@@ -71,7 +71,8 @@ double radiance_factor_yapo_cutler(double cos_incidence);
 /// Returned  0 to 2.32: twice F/F(1.5 deg) where light is aslant but the viewer's line grazes
 /// Accuracy  the disc: 1 % of ROLO's three bands from 1.55 to 10 degrees, 0.06 magnitudes of
 ///           Allen's phase law from 10 to 90. Places: highlands and maria are given one phase curve
-/// Omits     the steeper surge of the highlands, its colour (some percent), roughness, which
+///           (surge_slope says how each departs from it)
+/// Omits     a width of the surge by place, its colour (some percent), roughness, which
 ///           matters far from full Moon, and that the waxing Moon is brighter than the waning one
 ///           by some percent
 /// Source    Kieffer & Stone (2005), The spectral irradiance of the Moon, AJ 129, 2887, Table 4;

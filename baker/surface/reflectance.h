@@ -13,7 +13,7 @@ namespace coppermoon::surface {
 /// Returned  k_r         dimensionless; 0.541 at 380 nm, 0.786 at 550 nm, 1 at 780 nm
 /// Accuracy  0.42 % at worst, 0.21 % RMS, against the spectrum of Apollo 16 soil 62231 every 5 nm
 ///           (the paper claims 0.3 %, which a fit not bound to 1 at 780 nm does reach)
-/// Omits     the difference between maria and highlands, some percent in slope from blue to red
+/// Omits     the difference between places: see surface::Ground
 /// Throws    Error  when the wavelength is outside its range
 /// Source    Yapo & Cutler (2009), Rendering Lunar Eclipses; the soil: Pieters (1999), RELAB
 double lunar_reflectance_yapo_cutler(algebra::Wavelength wavelength);

@@ -110,6 +110,9 @@ const std::vector<Key>& keys() {
       {"smoothing-km", "l", 0.2, number(0, 2000)},
       {"photometry", "m", 0.3, word("lommel-seeliger-rolo", "yapo-cutler")},
       {"albedo-exponent", "m", 0.1, number(0.1, 10)},
+      {"albedo-encoding", "m", 0.1,
+       word("image", "normal-albedo", "cgi-moon-kit-2019", "cgi-moon-kit-2025", "stellarium")},
+      {"ground", "m", 0.3, word("by-place", "mean")},
       {"at", "v", 0.5,
        [](Random& r) {
          return fmt::format("\"{},{}\"", number(-90, 90)(r), number(-180, 180)(r));

@@ -18,7 +18,7 @@ enum class AlbedoEncoding {
   image,          ///< light, as the image file says
   normal_albedo,  ///< themselves, whatever the file says
   /// NASA's CGI Moon Kit of 2019: v = ((I/F)^(1/2.8) − 0.16) / 0.24, of I/F at 60 degrees of phase. As
-  /// Stellarium has it from 0.21 to 25
+  /// Stellarium has it
   cgi_moon_kit_2019,
   cgi_moon_kit_2025,  ///< sRGB's curve over that I/F
 };
@@ -46,8 +46,8 @@ bool reads_map(const MoonRequest& moon);
 /// The normal albedo of the ground, so that the full Moon has the geometric albedo 0.12: the map
 /// named, or with "auto" Stellarium's where it is installed, else the built-in one, decoded. The kits'
 /// maps are of 60 degrees of phase, where maria are darker against highlands than at full Moon: to the
-/// power 1/1.55 they have the contrast of the normal albedo that Sato et al. (2014) give, within 5 %
-/// rms of cells of one degree, 4 % without the scale's drift with latitude. Their poles are mended: see
+/// power 1/1.56 they have the contrast of the normal albedo that Sato et al. (2014) give, within 5 %
+/// rms of cells of one degree over the near side. The poles of that of 2019 are mended: see
 /// surface::with_polar_contrast.
 ///
 /// Throws Error as texture::read_albedo_map; when the exponent is outside 0.1 to 10

@@ -74,13 +74,22 @@ const Names& frame_flags() {
 const Names sightline_flags{"at", "reddening", "observer-ozone-du", "observer-aerosol"};
 
 /// Flags of the map, of a texture's file and of time.
-const Names other_flags{"albedo-map",    "albedo-map-contents",
-                        "photometry",    "albedo-exponent",
-                        "texture-width", "space",
-                        "type",          "spectral",
-                        "passes",        "eclipse",
-                        "from",          "to",
-                        "frames",        "fps",
+const Names other_flags{"albedo-map",
+                        "albedo-map-contents",
+                        "photometry",
+                        "albedo-exponent",
+                        "albedo-encoding",
+                        "ground",
+                        "texture-width",
+                        "space",
+                        "type",
+                        "spectral",
+                        "passes",
+                        "eclipse",
+                        "from",
+                        "to",
+                        "frames",
+                        "fps",
                         "time-scale"};
 
 bool is_texture(const std::filesystem::path& file) {

@@ -160,7 +160,9 @@ TEST(WithPolarContrast, GivesBackWhatFadesTowardsThePoles) {
       const auto at = surface::texel_centre(r, c, 90);
       EXPECT_WITHIN_RELATIVE(mended(r, c), 0.1 * std::exp(wave(at)), 0.02,
                              "the row's mean is above that of its logarithm, by a half of 0.02");
-      if (std::abs(in_degrees(at.latitude)) < 64) EXPECT_EQ(mended(r, c), faded(r, c));
+      if (std::abs(in_degrees(at.latitude)) < 64) {
+        EXPECT_EQ(mended(r, c), faded(r, c));
+      }
     }
   EXPECT_EQ(surface::with_polar_contrast(Map(4, 8, 0))(0, 0), 0) << "black stays black";
 }
