@@ -12,6 +12,7 @@
 #include "texture/resize.h"
 #include "uses/film/gnuplot.h"
 #include "uses/light/photometer.h"
+#include "uses/light/spectral_bands.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -25,14 +26,16 @@ struct Survey {
   const Film& film;
   Photometer meter;
   algebra::Grid<float> albedo;
+  std::shared_ptr<const surface::Ground> ground;
   shadow::Lookup shadowed, sunlit;
 
   CurvePoint point(std::size_t frame) const {
     const auto sky = film.sky(frame);
     const auto& light = range_at(*film.light, sky) ? shadowed : sunlit;
-    const auto disc = measured(
-        meter, texture::bake({albedo, sky, light}, meter.channels, rows, film.moon.photometry),
-        sky);
+    const auto disc = measured(meter,
+                               texture::bake({albedo, sky, light, ground.get()}, meter.channels,
+                                             rows, film.moon.photometry),
+                               sky);
     return {frame, sky.when, disc.magnitudes[1], disc.mean_luminance_cd_m2};
   }
 };
@@ -119,8 +122,12 @@ void require_curve_ending(const std::filesystem::path& path) {
 
 Curve light_curve(const Film& film, const std::vector<std::size_t>& frames) {
   const auto meter = photometer();
-  const Survey survey{film, meter, texture::resized(normal_albedo(film.moon), rows),
-                      film.light->in_channels(meter.weights), shadow::Lookup(meter.weights)};
+  const auto albedo = texture::resized(normal_albedo(film.moon), rows);
+  const auto ground = ground_of(film.moon, albedo);
+  const auto weights =
+      ground ? reddest_and_bluest(meter.weights, band_centres_nm()) : meter.weights;
+  const Survey survey{
+      film, meter, albedo, ground, film.light->in_channels(weights), shadow::Lookup(weights)};
   Curve curve(frames.size());
   tbb::parallel_for(std::size_t{0}, frames.size(),
                     [&](std::size_t i) { curve[i] = survey.point(frames[i]); });

@@ -15,6 +15,7 @@
 #include "texture/resize.h"
 #include "uses/light/moonlight.h"
 #include "uses/light/photometer.h"
+#include "uses/light/spectral_bands.h"
 #include "uses/night/star_limit.h"
 
 namespace coppermoon::uses {
@@ -31,12 +32,13 @@ struct Survey {
   const MoonRequest& moon;
   Photometer meter;
   const algebra::Grid<float>& albedo;
+  std::shared_ptr<const surface::Ground> ground;
   const Moonlight& light;
   shadow::Lookup shadowed, sunlit;
 
   texture::Image texture(const almanac::SkyState& sky) const {
-    return texture::bake({albedo, sky, range_at(light, sky) ? shadowed : sunlit}, meter.channels,
-                         rows, moon.photometry);
+    return texture::bake({albedo, sky, range_at(light, sky) ? shadowed : sunlit, ground.get()},
+                         meter.channels, rows, moon.photometry);
   }
 };
 
@@ -210,8 +212,10 @@ std::vector<almanac::SkyState> skies_from(const eclipse::Eclipse& eclipse) {
 Survey survey_of(const MoonRequest& moon, const algebra::Grid<float>& albedo,
                  const Moonlight& light) {
   const auto meter = photometer();
-  return {
-      moon, meter, albedo, light, light.in_channels(meter.weights), shadow::Lookup(meter.weights)};
+  const auto ground = ground_of(moon, albedo);
+  const auto weights =
+      ground ? reddest_and_bluest(meter.weights, band_centres_nm()) : meter.weights;
+  return {moon, meter, albedo, ground, light, light.in_channels(weights), shadow::Lookup(weights)};
 }
 
 }  // namespace
