@@ -131,9 +131,10 @@ class Explore : public ProgramTest {
   }
 };
 
-/// The page's light over the texture's, less 1: the mean square's root, and the worst.
+/// The page's light over the texture's, less 1: the mean square's root, and the worst; the worst of red
+/// over luminance.
 struct Error {
-  double rms = 0, worst = 0;
+  double rms = 0, worst = 0, red = 0;
 };
 
 Error error_of(const json& radiances, const std::vector<Place>& places,
@@ -148,6 +149,8 @@ Error error_of(const json& radiances, const std::vector<Place>& places,
     const double off = luminance(rgb[0], rgb[1], rgb[2]) / there - 1;
     error.rms += off * off;
     error.worst = std::max(error.worst, std::abs(off));
+    const double red = rgb[0].get<double>() / at(0) / (1 + off) - 1;
+    error.red = std::max(error.red, std::abs(red));
     ++count;
   }
   EXPECT_GT(count, places.size() * 9 / 10) << "on the near side";
@@ -176,6 +179,7 @@ class ExploreLight : public Explore {
         EXPECT_LT(error.worst, 0.01)
             << times[i] << ": albedo in 255 steps, 0.5 %; light, 0.5 %; halves, 0.05 %";
         EXPECT_LT(error.rms, 0.004) << times[i];
+        EXPECT_LT(error.red, 0.01) << times[i] << ": ground of one colour would err by 2 %";
       }
     }
   }
