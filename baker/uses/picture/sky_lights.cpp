@@ -2,6 +2,7 @@
 #include "uses/picture/sky_lights.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -10,9 +11,11 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
 
 #include "almanac/planets.h"
 #include "almanac/stars.h"
@@ -101,11 +104,6 @@ std::vector<Source> in_points(const Source& source) {
   return all;
 }
 
-double faintest_of(const StarRequest& stars, double usual) {
-  if (!stars.shown) return -std::numeric_limits<double>::infinity();
-  return stars.faintest.value_or(usual);
-}
-
 /// The sky over an observer.
 class Dome {
  public:
@@ -169,28 +167,62 @@ Cone cone_of(const povray_scenes::Camera& camera, const almanac::SkyState& sky) 
   return {glm::transpose(sky.selenographic_from_gcrs) * line_of_sight(camera), std::cos(reach)};
 }
 
+/// Who looks at a view's lights.
+class Eye {
+ public:
+  Eye(const View& view, const almanac::SkyState& sky) : view_(view), sky_(sky) {
+    if (view.observer) dome_.emplace(view, sky);
+    if (dome_) from_m_ = dome_->seen().position_m;
+    const glm::dvec3 moon_m = sky.moon_m - from_m_;
+    moon_ = glm::normalize(moon_m);
+    limb_ = almanac::lunar_radius / algebra::metres(glm::length(moon_m));
+  }
+
+  std::vector<Source> sources() const {
+    if (!view_.stars.shown) return {};
+    return sources_in(cone_of(view_.camera, sky_),
+                      view_.stars.faintest.value_or(std::numeric_limits<double>::infinity()), sky_,
+                      from_m_);
+  }
+
+  bool ground_hides(const glm::dvec3& direction) const { return dome_ && !dome_->shows(direction); }
+  bool moon_hides(const glm::dvec3& direction) const {
+    return glm::dot(direction, moon_) > 0 && glm::length(glm::cross(direction, moon_)) < limb_;
+  }
+
+  SkyLight seen(const Source& source) const {
+    auto direction = source.direction;
+    if (dome_ && view_.refracted) direction = dome_->lowered_as(moon_, dome_->raised(direction));
+    return {sky_.selenographic_from_gcrs * direction,
+            dome_ ? dome_->light_of(source) : star_light_lux(source.magnitude, source.b_minus_v),
+            source.radius_rad};
+  }
+
+ private:
+  const View& view_;
+  const almanac::SkyState& sky_;
+  std::optional<Dome> dome_;
+  glm::dvec3 from_m_{0, 0, 0}, moon_;
+  double limb_;  ///< sine of the Moon's radius
+};
+
 }  // namespace
 
 std::vector<SkyLight> sky_lights(const View& view, const almanac::SkyState& sky) {
-  if (!view.stars.shown) return {};
-  const double faintest = faintest_of(view.stars, std::numeric_limits<double>::infinity());
-  std::optional<Dome> dome;
-  if (view.observer) dome.emplace(view, sky);
-  const glm::dvec3 from_m = dome ? dome->seen().position_m : glm::dvec3(0, 0, 0);
-  const glm::dvec3 moon_m = sky.moon_m - from_m, moon = glm::normalize(moon_m);
-  const double limb = almanac::lunar_radius / algebra::metres(glm::length(moon_m));
+  const Eye eye(view, sky);
   std::vector<SkyLight> lights;
-  for (const auto& source : sources_in(cone_of(view.camera, sky), faintest, sky, from_m))
-    for (const auto& point : in_points(source)) {
-      const bool before = glm::dot(point.direction, moon) > 0,
-                 hidden = before && glm::length(glm::cross(point.direction, moon)) < limb;
-      if (hidden || (dome && !dome->shows(point.direction))) continue;
-      auto direction = point.direction;
-      if (dome && view.refracted) direction = dome->lowered_as(moon, dome->raised(direction));
-      lights.push_back(
-          {sky.selenographic_from_gcrs * direction,
-           dome ? dome->light_of(point) : star_light_lux(point.magnitude, point.b_minus_v)});
-    }
+  for (const auto& source : eye.sources())
+    for (const auto& point : in_points(source))
+      if (!eye.moon_hides(point.direction) && !eye.ground_hides(point.direction))
+        lights.push_back(eye.seen(point));
+  return lights;
+}
+
+std::vector<SkyLight> scene_lights(const View& view, const almanac::SkyState& sky) {
+  const Eye eye(view, sky);
+  std::vector<SkyLight> lights;
+  for (const auto& source : eye.sources())
+    if (!eye.ground_hides(source.direction)) lights.push_back(eye.seen(source));
   return lights;
 }
 
@@ -201,6 +233,17 @@ struct Spread {
   std::ptrdiff_t first = 0;
   std::vector<double> shares;
 };
+
+/// The nearest half float, of a number that is not below 0; itself beyond the last one.
+float as_half(double value) {
+  constexpr double most = 65504;
+  constexpr int bits = 11, least_exponent = -13;
+  if (!(value < most)) return static_cast<float>(value);
+  int exponent = 0;
+  std::frexp(value, &exponent);
+  const int step = std::max(exponent, least_exponent) - bits;
+  return static_cast<float>(std::ldexp(std::nearbyint(std::ldexp(value, -step)), step));
+}
 
 Spread spread_about(double place) {
   constexpr double deviation_px = 0.6, reach_px = 4;  // beyond are 3e-11 of it
@@ -224,6 +267,7 @@ void add_lights(texture::Image& frame, const povray_scenes::Camera& camera,
   const double pixel = glm::length(sight.across);
   const auto width = static_cast<std::ptrdiff_t>(frame.width),
              height = static_cast<std::ptrdiff_t>(frame.height);
+  std::map<std::pair<std::size_t, std::size_t>, std::array<double, 3>> sums;  // by row and column
   for (const auto& light : lights) {
     const double depth = glm::dot(light.direction, forward);
     if (depth <= 0) continue;
@@ -246,20 +290,26 @@ void add_lights(texture::Image& frame, const povray_scenes::Camera& camera,
         const double solid_angle = std::abs(glm::dot(area, ray)) / (away * away * away);
         const double share = across.shares[i] * down.shares[j] / solid_angle;
         for (std::size_t k = 0; k < 3; ++k)
-          frame(static_cast<std::size_t>(row), static_cast<std::size_t>(column), k) +=
-              static_cast<float>(share * light.illuminance_lux[k]);
+          sums[{static_cast<std::size_t>(row), static_cast<std::size_t>(column)}][k] +=
+              share * light.illuminance_lux[k];
       }
   }
+  for (const auto& [place, sum] : sums)
+    for (std::size_t k = 0; k < 3; ++k) {
+      float& value = frame(place.first, place.second, k);
+      value = as_half(value + sum[k]);
+    }
 }
 
-std::vector<LandscapeLight> lights_over(const View& view, const almanac::SkyState& sky) {
+std::vector<povray_scenes::StarInSky> lights_over(const View& view, const almanac::SkyState& sky) {
   constexpr double naked_eye = 6.5;
   if (!view.stars.shown) return {};
   const Dome dome(view, sky);
   const Cone above{dome.seen().zenith, -0.02};  // refraction raises what is up to 0.6 degrees below
-  auto sources = sources_in(above, faintest_of(view.stars, naked_eye), sky, dome.seen().position_m);
+  auto sources =
+      sources_in(above, view.stars.faintest.value_or(naked_eye), sky, dome.seen().position_m);
   std::ranges::stable_sort(sources, {}, &Source::magnitude);
-  std::vector<LandscapeLight> lights;
+  std::vector<povray_scenes::StarInSky> lights;
   for (const auto& source : sources)
     if (dome.shows(source.direction))
       lights.push_back({dome.place_of(source.direction), dome.light_of(source)});

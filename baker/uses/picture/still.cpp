@@ -14,7 +14,7 @@ namespace coppermoon::uses {
 
 texture::Image rendered(const LitScene& scene, const algebra::Progress& progress) {
   const files::TemporaryFolder folder;
-  write_lit_scene(folder.path(), scene, {.packed = false});
+  write_lit_scene(folder.path(), scene, {}, {.packed = false});
   auto frame = texture::read_image(povray_scenes::render(folder.path(), {}, progress));
   add_lights(frame, scene.view.camera, sky_lights(scene.view, scene.moon.sky));
   return frame;
