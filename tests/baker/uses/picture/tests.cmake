@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: MIT
-coppermoon_tests(baker/uses/picture LINKS coppermoon::picture
-  HEAVY development disc_outline view)
+coppermoon_tests(baker/uses/picture LINKS coppermoon::picture PkgConfig::ERFA
+  HEAVY development disc_outline sky_lights view)
