@@ -108,7 +108,8 @@ std::vector<Source> in_points(const Source& source) {
 class Dome {
  public:
   Dome(const View& view, const almanac::SkyState& sky)
-      : seen_(almanac::view_from(*view.observer, sky)), sightline_(view.sightline) {}
+      : seen_(almanac::view_from(*view.observer, sky)),
+        lights_(view.sightline ? std::optional(view.sightline->air) : std::nullopt) {}
 
   const almanac::ObserverView& seen() const { return seen_; }
 
@@ -121,9 +122,7 @@ class Dome {
   }
 
   std::array<double, 3> light_of(const Source& source) const {
-    auto sightline = sightline_;
-    if (sightline) sightline->altitude = altitude(source.direction);
-    return star_light_lux(source.magnitude, source.b_minus_v, sightline);
+    return lights_.lux(source.magnitude, source.b_minus_v, altitude(source.direction));
   }
 
   /// Raises a direction towards the zenith, as far as refraction does; or down, by another's refraction.
@@ -154,7 +153,7 @@ class Dome {
   }
 
   almanac::ObserverView seen_;
-  std::optional<atmosphere::Sightline> sightline_;
+  StarLights lights_;
 };
 
 /// What a frame takes in, and a degree around it: refraction may raise a light by as much.
@@ -194,7 +193,7 @@ class Eye {
     auto direction = source.direction;
     if (dome_ && view_.refracted) direction = dome_->lowered_as(moon_, dome_->raised(direction));
     return {sky_.selenographic_from_gcrs * direction,
-            dome_ ? dome_->light_of(source) : star_light_lux(source.magnitude, source.b_minus_v),
+            dome_ ? dome_->light_of(source) : StarLights().lux(source.magnitude, source.b_minus_v),
             source.radius_rad};
   }
 

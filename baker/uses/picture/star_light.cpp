@@ -43,6 +43,11 @@ Bands made_bands() {
   return bands;
 }
 
+const Bands& bands_of_light() {
+  static const Bands bands = made_bands();
+  return bands;
+}
+
 /// Planck's law, of any scale.
 double black_body(double wavelength_nm, double temperature_k) {
   constexpr double second_radiation_nm_k = 1.438776877e7;  // CODATA 2018, hc/k
@@ -57,19 +62,23 @@ double star_temperature_k(double b_minus_v) {
   return 4600 * (1 / (colour + 1.7) + 1 / (colour + 0.62));
 }
 
-std::array<double, 3> star_light_lux(double magnitude, double b_minus_v,
-                                     const std::optional<atmosphere::Sightline>& sightline) {
-  static const Bands bands = made_bands();
+StarLights::StarLights(const std::optional<atmosphere::ObserverAir>& air) {
+  if (!air) return;
+  for (const double centre : bands_of_light().centres_nm)
+    depths_.push_back(atmosphere::vertical_depths(*air, algebra::nanometres(centre)));
+}
+
+std::array<double, 3> StarLights::lux(double magnitude, double b_minus_v,
+                                      algebra::Angle altitude) const {
+  const Bands& bands = bands_of_light();
   const double temperature_k = star_temperature_k(b_minus_v);
   double in_v = 0;
   std::array<double, 3> light{};
   for (std::size_t b = 0; b < bands.centres_nm.size(); ++b) {
     const double above = black_body(bands.centres_nm[b], temperature_k);
     in_v += bands.v[b] * above;
-    const double seen = sightline ? above * atmosphere::transmittance_above(
-                                                sightline->air, sightline->altitude,
-                                                algebra::nanometres(bands.centres_nm[b]))
-                                  : above;
+    const double seen =
+        depths_.empty() ? above : above * atmosphere::transmittance_above(depths_[b], altitude);
     for (std::size_t k = 0; k < 3; ++k) light[k] += bands.channels(k, b) * seen;
   }
   const double scale =

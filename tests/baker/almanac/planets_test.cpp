@@ -131,7 +131,8 @@ TEST(Planets, UranusGoesBehindTheMoonOf2022WhenPublished) {
       EXPECT_NE(clear_before, clear_rad(later(from, after), edge) > 0);
       while (after - before > 0.5) {
         const double middle = (before + after) / 2;
-        (clear_rad(later(from, middle), edge) > 0 == clear_before ? before : after) = middle;
+        const bool clear = clear_rad(later(from, middle), edge) > 0;
+        (clear == clear_before ? before : after) = middle;
       }
       return before;
     };

@@ -14,6 +14,7 @@
 
 #include "algebra/error.h"
 #include "almanac/planets.h"
+#include "colour/working_space.h"
 #include "povray_scenes/sight.h"
 #include "support/within.h"
 #include "uses/picture/star_light.h"
@@ -129,12 +130,13 @@ TEST(SkyLights, TheMoonHidesUranusIn2022) {
     return sky_lights(view_of(request, sky), sky).size();
   };
   // Published: behind the Moon from 11:40 to 12:22, each with seconds cut off (planets_test)
-  EXPECT_EQ(points_at("2022-11-08T11:39Z"), 64u);
-  EXPECT_EQ(points_at("2022-11-08T11:42Z"), 0u);
-  EXPECT_EQ(points_at("2022-11-08T12:21Z"), 0u);
-  EXPECT_EQ(points_at("2022-11-08T12:24Z"), 64u);
+  // A few stars stand beside the Moon too.
+  EXPECT_GE(points_at("2022-11-08T11:39Z"), 64u);
+  EXPECT_LT(points_at("2022-11-08T11:42Z"), 64u);
+  EXPECT_LT(points_at("2022-11-08T12:21Z"), 64u);
+  EXPECT_GE(points_at("2022-11-08T12:24Z"), 64u);
   request.observer.reset();
-  EXPECT_EQ(points_at("2022-11-08T12:00Z"), 64u) << "from the Earth's centre the Moon passes it by";
+  EXPECT_GE(points_at("2022-11-08T12:00Z"), 64u) << "from the Earth's centre the Moon passes it by";
 }
 
 TEST(SkyLights, AreThoseThatAreWanted) {
@@ -210,20 +212,20 @@ TEST(StarLight, IsThatOfTheSunAndOfPublishedStars) {
     return colour::luminance(colour::WorkingSpace::linear_rec709, rgb);
   };
   EXPECT_WITHIN(star_temperature_k(0.653), 5772, 15, "IAU 2015: the Sun's effective temperature");
-  EXPECT_WITHIN_RELATIVE(luminance(star_light_lux(-26.76, 0.653)), 133.1e3, 0.01,
+  EXPECT_WITHIN_RELATIVE(luminance(StarLights().lux(-26.76, 0.653)), 133.1e3, 0.01,
                          "ASTM E490: 133.1 klx of sunlight above the air; a black body's shape");
-  EXPECT_WITHIN_RELATIVE(luminance(star_light_lux(0, 0)), 2.54e-6, 0.06,
+  EXPECT_WITHIN_RELATIVE(luminance(StarLights().lux(0, 0)), 2.54e-6, 0.06,
                          "Allen's Astrophysical Quantities §26: 2.54e-6 lux; others have 2.65e-6");
-  const auto blue = star_light_lux(1, -0.2), red = star_light_lux(1, 1.8);
+  const auto blue = StarLights().lux(1, -0.2), red = StarLights().lux(1, 1.8);
   EXPECT_GT(blue[2], 1.2 * blue[0]);
   EXPECT_GT(red[0], 2 * red[2]);
 }
 
 TEST(StarLight, IsDimmedAndReddenedByAir) {
   const auto at_altitude = [](double degrees) {
-    return star_light_lux(2, 0.6, atmosphere::Sightline{{}, algebra::degrees(degrees)});
+    return StarLights(atmosphere::ObserverAir{}).lux(2, 0.6, algebra::degrees(degrees));
   };
-  const auto above = star_light_lux(2, 0.6), zenith = at_altitude(90), low = at_altitude(10);
+  const auto above = StarLights().lux(2, 0.6), zenith = at_altitude(90), low = at_altitude(10);
   const auto dimmed_mag = [&](const auto& light) { return -2.5 * std::log10(light[1] / above[1]); };
   EXPECT_WITHIN(dimmed_mag(zenith), 0.25, 0.06, "usual extinction in V at sea level: 0.2 to 0.3");
   EXPECT_WITHIN(dimmed_mag(low) / dimmed_mag(zenith), 5.6, 0.3,
