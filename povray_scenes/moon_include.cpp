@@ -35,6 +35,8 @@ std::string moon_include(const MoonInSky& moon) {
 //   object {{ Eclipsed_Moon(1, 1e6) }}
 //   Eclipsed_Moonlight(1)
 //
+// stars.inc beside it has the stars.
+//
 // y is up, z north, x east. Luminance is in cd/m2: render to OpenEXR and develop it with `coppermoon develop`.
 #include "coppermoon.inc"
 
@@ -71,6 +73,35 @@ std::string moon_include(const MoonInSky& moon) {
       degrees(moon.view.sub_observer.latitude), degrees(moon.view.sub_observer.longitude),
       degrees(moon.axis_position_angle), degrees(moon.view.parallactic_angle), lux[0], lux[1],
       lux[2], moon.texture);
+}
+
+std::string star_include(const std::string& title, std::span<const StarInSky> stars) {
+  require_plain(title);
+  auto text = fmt::format(
+      R"(// Stars and planets of {}, made by coppermoon: for POV-Ray scenes of your own.
+//
+//   #include "stars.inc"
+//   object {{ Eclipsed_Moon(1, 1e5) }}
+//   Eclipsed_Stars(0, 0.1, 2e5)
+//
+// y is up, z north, x east, as in moon.inc. The brightest come first.
+#include "coppermoon.inc"
+
+// All of them. Each is an object of its own, so that POV-Ray finds its way among them.
+//   Eye       your camera's place
+//   Diameter  [degrees] that each is given: two pixels of your picture. Their light stays the same
+//   Distance  in your scene's units: beyond the Moon; from 1e6 on POV-Ray takes minutes
+#macro Eclipsed_Stars(Eye, Diameter, Distance)
+)",
+      title);
+  for (const auto& [place, lux] : stars)
+    text += fmt::format(
+        "  object {{ Coppermoon_Star({:.4f}, {:.4f}, <{:.4g}, {:.4g}, {:.4g}>, Diameter, Distance) "
+        "translate Eye "
+        "}}\n",
+        algebra::in_degrees(place.altitude), algebra::in_degrees(place.azimuth), lux[0], lux[1],
+        lux[2]);
+  return text + "#end\n";
 }
 
 std::string_view coppermoon_inc() { return tables::coppermoon(); }

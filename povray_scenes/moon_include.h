@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,19 @@ struct MoonInSky {
   HorizonPlace place;                     ///< as it is seen, refraction counted
   std::array<double, 3> illuminance_lux;  ///< linear Rec.709, on a surface that faces the Moon
 };
+
+/// A star or planet over a place.
+struct StarInSky {
+  HorizonPlace place;                     ///< as it is seen, refraction counted
+  std::array<double, 3> illuminance_lux;  ///< linear Rec.709, on a surface that faces it
+};
+
+/// A file that a scene includes: some stars, Eclipsed_Stars(Eye, Diameter, Distance). It
+/// includes coppermoon.inc.
+///
+/// Given   title  as MoonInSky's; stars: one or more
+/// Throws  Error  when the title cannot stand in POV-Ray's text
+std::string star_include(const std::string& title, std::span<const StarInSky> stars);
 
 /// A file that a scene includes: the Moon as an object in the sky, Eclipsed_Moon(Enlarged, Distance), its
 /// light, Eclipsed_Moonlight(Factor), and all numbers of it by name. It includes coppermoon.inc.

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <string_view>
 
 #include "algebra/error.h"
-#include "povray_scenes/scene_text.h"
 #include "files/whole_file.h"
+#include "povray_scenes/scene_text.h"
 
 namespace coppermoon::povray_scenes {
 namespace {
@@ -47,6 +49,34 @@ std::string squash(const Camera& camera) {
   const auto m = flattened_by_air(camera);
   return fmt::format("{}, {}, {}, {}, {}, {}, {}, {}, {}", m[0].x, m[0].z, m[0].y, m[2].x, m[2].z,
                      m[2].y, m[1].x, m[1].z, m[1].y);
+}
+
+/// A sphere that gives a light's illuminance where the camera is.
+///
+/// Given  away  of the light from the camera, in the scene's units
+std::string sphere_of(const SkyLight& light, const Scene& scene, double away) {
+  constexpr double pi = std::numbers::pi, most_luminance = 3e4;  // a half float ends at 65504
+  const auto& camera = scene.camera;
+  const double pixel =
+      2 * std::tan(in_radians(camera.horizontal_field) / 2) / static_cast<double>(camera.width);
+  const auto& lux = light.illuminance_lux;
+  const double radius = std::max({std::sin(std::min(pixel, 0.1)), light.radius_rad,
+                                  std::sqrt(std::ranges::max(lux) / (pi * most_luminance))});
+  const double solid_angle = pi * radius * radius;
+  const glm::dvec3 place = scene.moon_radius * camera.position + away * light.direction;
+  return fmt::format(
+      "sphere {{ {}, {} pigment {{ rgb <{:.6g}, {:.6g}, {:.6g}> }} finish {{ ambient 0 diffuse 0 "
+      "emission 1 }} }}\n",
+      left_handed(place), away * radius, lux[0] / solid_angle, lux[1] / solid_angle,
+      lux[2] / solid_angle);
+}
+
+/// Behind the Moon, as near as can be: POV-Ray renders black from 1e7, and bounds nothing from 1e6.
+std::string spheres_of(const Scene& scene) {
+  const double away = std::min(2 * scene.moon_radius * glm::length(scene.camera.position), 0.995e7);
+  std::string text;
+  for (const auto& light : scene.lights) text += sphere_of(light, scene, away);
+  return text;
 }
 
 }  // namespace
@@ -91,14 +121,14 @@ sphere {{
   finish {{ ambient 0 diffuse 0 emission 1 }}
   rotate y*180
 {flattened}}}
-)",
+{lights})",
       fmt::arg("caption", scene.caption.empty() ? "The eclipsed Moon" : scene.caption),
       fmt::arg("declarations", text.declarations), fmt::arg("location", text.location),
       fmt::arg("mirror", camera.mirrored ? "-" : ""), fmt::arg("width", camera.width),
       fmt::arg("height", camera.height), fmt::arg("sky", text.sky),
       fmt::arg("look_at", text.look_at), fmt::arg("field", in_degrees(camera.horizontal_field)),
       fmt::arg("radius", scene.moon_radius), fmt::arg("texture", text.texture),
-      fmt::arg("flattened", text.flattened));
+      fmt::arg("flattened", text.flattened), fmt::arg("lights", text.lights));
 }
 
 std::string ini_text(const Scene& scene, const std::string& output, const std::string& animation) {
@@ -150,7 +180,8 @@ std::string to_pov(const Scene& scene) {
                           .sky = camera.sky,
                           .look_at = camera.look_at,
                           .texture = fmt::format("\"{}\"", scene.texture),
-                          .flattened = flattened});
+                          .flattened = flattened,
+                          .lights = spheres_of(scene)});
 }
 
 std::string to_ini(const Scene& scene) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <string>
+#include <vector>
 
 #include "povray_scenes/camera.h"
 
@@ -13,6 +16,13 @@ inline constexpr const char* scene_file = "eclipse.pov";
 inline constexpr const char* settings_file = "eclipse.ini";
 inline constexpr const char* frame_file = "frame.exr";
 
+/// A star or planet before a camera.
+struct SkyLight {
+  glm::dvec3 direction;                   ///< unit, Moon-fixed axes
+  std::array<double, 3> illuminance_lux;  ///< linear Rec.709, on a surface that faces it
+  double radius_rad = 0;                  ///< of a planet's disc
+};
+
 /// The textured Moon before a black sky. Nothing lights it: the texture is the luminance itself, so
 /// the frame is in the texture's unit (cd/m²), scene-linear, in its primaries.
 struct Scene {
@@ -21,6 +31,9 @@ struct Scene {
   double moon_radius = 1;  ///< in the scene's own units: 1737.4 makes a scene in kilometres
   int sampling_depth = 2;  ///< pixels are means of (2^depth + 1)² rays; 0: one ray, to the centre
   std::string caption = {};  ///< one line, written as a comment at the head of both files
+  /// behind the Moon: spheres with the radius of a pixel, a planet's where that is larger; as bright as
+  /// their light is. One hides another that is closer than that
+  std::vector<SkyLight> lights = {};
 };
 
 /// The scene in POV-Ray's language, with nothing included.

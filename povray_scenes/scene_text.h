@@ -22,6 +22,7 @@ struct PovText {
   std::string location, sky, look_at;  ///< expressions
   std::string texture;                 ///< an expression: the file's name
   std::string flattened;               ///< whole lines within the sphere
+  std::string lights = {};             ///< whole lines at the end
 };
 
 /// All of eclipse.pov but for what is handed in `text` is the scene's.

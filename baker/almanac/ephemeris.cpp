@@ -11,30 +11,12 @@
 #include <glm/mat3x3.hpp>
 #include <mutex>
 
+#include "almanac/earth_motion.h"
+
 namespace coppermoon::almanac {
 namespace {
 
 glm::dvec3 vec(const double* p) { return {p[0], p[1], p[2]}; }
-
-struct EarthMotion {
-  glm::dvec3 heliocentric_au, barycentric_au, velocity_au_per_day;
-};
-
-EarthMotion earth_at(const Instant& instant) {
-  double heliocentric[2][3], barycentric[2][3];
-  eraEpv00(instant.tt_day, instant.tt_fraction, heliocentric, barycentric);
-  return {vec(heliocentric[0]), vec(barycentric[0]), vec(barycentric[1])};
-}
-
-glm::dvec3 aberrated(const glm::dvec3& direction, const EarthMotion& earth) {
-  constexpr double au_per_day_in_c = ERFA_AULT / ERFA_DAYSEC;
-  const glm::dvec3 v = earth.velocity_au_per_day * au_per_day_in_c;
-  double natural[3] = {direction.x, direction.y, direction.z}, velocity[3] = {v.x, v.y, v.z};
-  double proper[3];
-  eraAb(natural, velocity, glm::length(earth.heliocentric_au), std::sqrt(1 - glm::dot(v, v)),
-        proper);
-  return vec(proper);
-}
 
 glm::dvec3 geometric_moon98_m(const Instant& instant) {
   double pv[2][3];
@@ -52,20 +34,44 @@ double elp_time_shift_days(const Instant& instant) {
 
 /// libnova gives the inertial mean ecliptic and dynamical equinox of J2000 [km], its time TDB.
 glm::dvec3 geometric_elp_m(const Instant& instant) {
-  static std::mutex libnova_is_single_threaded;
   ln_rect_posn km{};
   {
-    const std::lock_guard lock(libnova_is_single_threaded);
+    const std::lock_guard lock(libnova_is_single_threaded());
     const double shift = elp_time_shift_days(instant);
     ln_get_lunar_geo_posn(instant.tt_day + (instant.tt_fraction + shift), &km, 0);
   }
-  double ecliptic_from_gcrs[3][3], ecliptic[3] = {km.X * 1e3, km.Y * 1e3, km.Z * 1e3}, gcrs[3];
-  eraEcm06(ERFA_DJ00, 0, ecliptic_from_gcrs);
-  eraTrxp(ecliptic_from_gcrs, ecliptic, gcrs);
-  return vec(gcrs);
+  return gcrs_from_ecliptic({km.X * 1e3, km.Y * 1e3, km.Z * 1e3});
 }
 
 }  // namespace
+
+EarthMotion earth_at(const Instant& instant) {
+  double heliocentric[2][3], barycentric[2][3];
+  eraEpv00(instant.tt_day, instant.tt_fraction, heliocentric, barycentric);
+  return {vec(heliocentric[0]), vec(barycentric[0]), vec(barycentric[1])};
+}
+
+glm::dvec3 aberrated(const glm::dvec3& direction, const EarthMotion& earth) {
+  constexpr double au_per_day_in_c = ERFA_AULT / ERFA_DAYSEC;
+  const glm::dvec3 v = earth.velocity_au_per_day * au_per_day_in_c;
+  double natural[3] = {direction.x, direction.y, direction.z}, velocity[3] = {v.x, v.y, v.z};
+  double proper[3];
+  eraAb(natural, velocity, glm::length(earth.heliocentric_au), std::sqrt(1 - glm::dot(v, v)),
+        proper);
+  return vec(proper);
+}
+
+std::mutex& libnova_is_single_threaded() {
+  static std::mutex one;
+  return one;
+}
+
+glm::dvec3 gcrs_from_ecliptic(const glm::dvec3& of_2000) {
+  double rotation[3][3], ecliptic[3] = {of_2000.x, of_2000.y, of_2000.z}, gcrs[3];
+  eraEcm06(ERFA_DJ00, 0, rotation);
+  eraTrxp(rotation, ecliptic, gcrs);
+  return vec(gcrs);
+}
 
 glm::dvec3 apparent_sun_m(const Instant& instant) {
   const EarthMotion earth = earth_at(instant);

@@ -44,15 +44,23 @@ double pressure_ratio_us_1976(double elevation_m) {
   return troposphere * std::exp(-std::max(elevation_m - tropopause_m, 0.0) / 6341.6);
 }
 
-double transmittance_above(const ObserverAir& air, algebra::Angle altitude,
-                           algebra::Wavelength wavelength) {
+VerticalDepths vertical_depths(const ObserverAir& air, algebra::Wavelength wavelength) {
   require_valid(air);
-  const double rayleigh = air_mass_young_1994(altitude) * rayleigh_optical_depth(air, wavelength);
+  return {rayleigh_optical_depth(air, wavelength), ozone_optical_depth(air, wavelength),
+          aerosol_optical_depth(air, wavelength)};
+}
+
+double transmittance_above(const VerticalDepths& depths, algebra::Angle altitude) {
   const auto seen = std::max(apparent_altitude(altitude), algebra::Angle());
   const auto apparent = std::min(seen, algebra::degrees(90));
-  return std::exp(-rayleigh - ozone_air_mass(apparent) * ozone_optical_depth(air, wavelength) -
-                  aerosol_air_mass_schaefer_1993(apparent) *
-                      aerosol_optical_depth(air, wavelength));
+  return std::exp(-air_mass_young_1994(altitude) * depths.rayleigh -
+                  ozone_air_mass(apparent) * depths.ozone -
+                  aerosol_air_mass_schaefer_1993(apparent) * depths.aerosol);
+}
+
+double transmittance_above(const ObserverAir& air, algebra::Angle altitude,
+                           algebra::Wavelength wavelength) {
+  return transmittance_above(vertical_depths(air, wavelength), altitude);
 }
 
 }  // namespace coppermoon::atmosphere

@@ -31,6 +31,14 @@ void require_valid(const ObserverAir& air);
 /// Source    U.S. Standard Atmosphere 1976; below 20 km, geometric for geopotential altitude
 double pressure_ratio_us_1976(double elevation_m);
 
+/// Optical depths of an observer's air straight up, at one wavelength.
+struct VerticalDepths {
+  double rayleigh, ozone, aerosol;
+};
+
+/// Throws  Error  when the air is not sound, or the wavelength is not 380 to 780 nm
+VerticalDepths vertical_depths(const ObserverAir& air, algebra::Wavelength wavelength);
+
 /// Transmittance of the observer's air for a light in the sky.
 ///
 ///     exp(−(p/p₀ M τ_R(λ) + X_O3 σ(λ) N_O3 + X_a τ_a (λ / 550 nm)^−å))
@@ -45,5 +53,6 @@ double pressure_ratio_us_1976(double elevation_m);
 /// Throws    Error       when an argument is outside its range
 double transmittance_above(const ObserverAir& air, algebra::Angle altitude,
                            algebra::Wavelength wavelength);
+double transmittance_above(const VerticalDepths& depths, algebra::Angle altitude);
 
 }  // namespace coppermoon::atmosphere

@@ -102,11 +102,14 @@ void require_place(const Options& options, const std::vector<Job>& jobs) {
 uses::Exposures exposures_of(const Options& options, const std::vector<Job>& jobs) {
   if (jobs.size() == 1) {
     const auto& job = jobs.front();
-    return exposures_for(options.develop, read_frame(job.frame, job.space), job.space);
+    return exposures_for(options.develop, read_frame(job.frame, job.space), job.space,
+                         uses::seen_by(fs::path(job.frame)).disc);
   }
   uses::SharedExposure shared(options.develop);
   if (options.develop.time.rule != uses::ExposureTime::Rule::fixed)
-    for (const auto& job : jobs) shared.add(read_frame(job.frame, job.space), job.space);
+    for (const auto& job : jobs)
+      shared.add(read_frame(job.frame, job.space), job.space,
+                 uses::seen_by(fs::path(job.frame)).disc);
   return shared.exposures();
 }
 

@@ -5,6 +5,7 @@
 
 #include "algebra/error.h"
 #include "files/whole_file.h"
+#include "uses/picture/sky_lights.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
@@ -29,7 +30,7 @@ void run(const CLI::App& verb, const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   ProgressBar bar("bake");
   const auto scene = lit_scene(verb, options.moon, options.view, {.progress = bar.progress()});
-  write_lit_scene(folder, scene);
+  write_lit_scene(folder, scene, uses::scene_lights(scene.view, scene.moon.sky));
   write_moon_include(folder, scene);
   report(report_of(options.output, scene, seconds_since(start)), options.json);
 }
@@ -44,7 +45,7 @@ void add_scene(CLI::App& program) {
   add_view_options(*verb, options->view);
   add_flag(*verb, "-o,--output", options->output,
            "folder for texture and scene, which `povray eclipse.ini` in it renders, and for "
-           "moon.inc, the Moon for scenes of your own")
+           "moon.inc and stars.inc, Moon and stars for scenes of your own")
       .writes_folder()
       .required();
   add_switch(*verb, "--json", options->json, "prints one JSON document");

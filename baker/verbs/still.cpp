@@ -52,10 +52,10 @@ void run(const CLI::App& verb, Options options) {
     ProgressBar bar("render");
     return uses::rendered(scene, bar.progress());
   }();
-  const auto exposures = exposures_for(options.develop, frame, uses::picture_space);
+  const auto seen = uses::seen_by(scene.view, scene.moon.sky);
+  const auto exposures = exposures_for(options.develop, frame, uses::picture_space, seen.disc);
   const auto header = uses::frame_header(scene, exposures);
   if (!options.frame.empty()) uses::write_frame(options.frame, frame, header, options.space);
-  const auto seen = uses::seen_by(scene.view, scene.moon.sky);
   write_picture(
       options.develop, exposures, {frame, uses::picture_space, seen, 0, scene.texture.attributes},
       {{"coppermoon:recipe", made.recipe}, {"coppermoon:version", std::string(uses::version())}},

@@ -26,7 +26,8 @@ TEST_F(SceneFolder, HoldsSceneSettingsAndTexture) {
                                        "here/scene/eclipse.ini",
                                        "here/scene/eclipse.pov",
                                        "here/scene/moon.inc",
-                                       "here/scene/moon_lin_rec709.exr"};
+                                       "here/scene/moon_lin_rec709.exr",
+                                       "here/scene/stars.inc"};
   std::set<std::string> found = listing();
   EXPECT_EQ(found, expected);
 }

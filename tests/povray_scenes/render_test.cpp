@@ -17,6 +17,7 @@
 #include "povray_scenes/meridian.h"
 #include "povray_scenes/pictures.h"
 #include "povray_scenes/scene.h"
+#include "povray_scenes/sight.h"
 #include "support/within.h"
 
 namespace coppermoon::povray_scenes {
@@ -426,6 +427,39 @@ TEST(Render, NeedsNoStandardStreams) {
   ::waitpid(closed, &status, 0);
   EXPECT_EQ(status, 0);
   EXPECT_TRUE(std::filesystem::exists(scene.folder / "frame.exr"));
+}
+
+TEST(Render, StarsGiveTheirLightAndTheMoonHidesThem) {
+  const TemporaryFolder folder;
+  auto camera = seen_from(20);
+  camera.horizontal_field = degrees(2);
+  const auto sight = sight_of(camera);
+  const auto light_at = [&](double x, double y) {
+    return SkyLight{glm::normalize(sight.corner + x * sight.across + y * sight.down),
+                    {2e-6, 2e-6, 2e-6}};
+  };
+  const glm::dvec2 beside(0.12 * static_cast<double>(camera.width) + 0.3,
+                          0.3 * static_cast<double>(camera.height) + 0.4);
+  write_scene(folder.path, {.camera = camera,
+                            .texture = "moon.exr",
+                            .lights = {light_at(beside.x, beside.y),
+                                       light_at(0.5 * static_cast<double>(camera.width),
+                                                0.5 * static_cast<double>(camera.height))}});
+  ASSERT_TRUE(uniform_texture(0).write((folder.path / "moon.exr").string()));
+  const OIIO::ImageBuf frame(render(folder.path).string());
+  double lux = 0;
+  glm::dvec2 middle(0, 0);
+  for (int row = 0; row < frame.spec().height; ++row)
+    for (int column = 0; column < frame.spec().width; ++column) {
+      float light[4] = {};
+      frame.getpixel(column, row, light);
+      lux += light[0] * glm::length(sight.across) * glm::length(sight.down);
+      middle += double{light[0]} * glm::dvec2(column + 0.5, row + 0.5);
+    }
+  middle *= glm::length(sight.across) * glm::length(sight.down) / lux;
+  EXPECT_WITHIN_RELATIVE(lux, 2e-6, 0.08, "78 rays meet a sphere of one pixel: by a ninth of them");
+  EXPECT_WITHIN(middle.x, beside.x, 0.1, "rays are a quarter of a pixel apart");
+  EXPECT_WITHIN(middle.y, beside.y, 0.1, "rays are a quarter of a pixel apart");
 }
 
 TEST(Render, RefusesAFolderWithoutAScene) {

@@ -23,6 +23,8 @@
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/lit_scene.h"
 #include "uses/picture/pixels.h"
+#include "uses/picture/sky_lights.h"
+#include "uses/picture/still.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -63,20 +65,20 @@ double keyed_time_s(const Film& film, const almanac::Instant& when) {
   return before * std::pow(above->second / before, share);
 }
 
-Exposures exposures_of(const Film& film, std::size_t frame, const texture::Image& image) {
-  auto development = film.development;
-  if (!film.time_keys.empty())
-    development.time = {ExposureTime::Rule::fixed,
-                        keyed_time_s(film, film.moments.frames[frame - 1])};
-  return exposures_for(development, image, space_of(film.content));
-}
-
 /// A frame on its way to its files.
 struct Rendered {
   std::size_t frame;
   texture::Attributes attributes;
   SeenFrame seen;
 };
+
+Exposures exposures_of(const Film& film, const Rendered& rendered, const texture::Image& image) {
+  auto development = film.development;
+  if (!film.time_keys.empty())
+    development.time = {ExposureTime::Rule::fixed,
+                        keyed_time_s(film, film.moments.frames[rendered.frame - 1])};
+  return exposures_for(development, image, space_of(film.content), rendered.seen.disc);
+}
 
 void write_pictures(const Film& film, const Rendered& rendered, const texture::Image& image,
                     const Exposures& exposures) {
@@ -101,14 +103,15 @@ void write_pictures(const Film& film, const Rendered& rendered, const texture::I
 
 /// Given  image  in the film's space
 MadeFrame finished(const Film& film, const Rendered& rendered, const texture::Image& image) {
-  const auto exposures = exposures_of(film, rendered.frame, image);
+  const auto exposures = exposures_of(film, rendered, image);
   auto attributes = rendered.attributes;
   add_exposure(attributes, exposures);
   add_seen(attributes, rendered.seen);
   if (const auto space = space_of(film.content); space != picture_space)
     say_space(attributes, space);
   if (film.products.frames)
-    texture::write_exr(film.linear_frame(rendered.frame), image, attributes);
+    texture::write_exr(film.linear_frame(rendered.frame), image, attributes,
+                       {.type = frame_type(image)});
   if (film.products.pictures) write_pictures(film, rendered, image, exposures);
   return {rendered.frame, exposures};
 }
@@ -123,6 +126,7 @@ void render(const Film& film, Frames frames, int threads, const Told& told) {
   };
   povray_scenes::Sequence sequence{.cameras = {}, .textures = texture_stem};
   std::vector<Rendered> batch;
+  std::vector<std::vector<SkyLight>> lights;
   for (const std::size_t frame : frames) {
     const auto sky = film.sky(frame);
     const auto view = view_of(film, sky);
@@ -136,20 +140,23 @@ void render(const Film& film, Frames frames, int threads, const Told& told) {
     }
     sequence.cameras.push_back(view.camera);
     batch.push_back({frame, moon.attributes, seen_by(view, sky)});
+    lights.push_back(sky_lights(view, sky));
   }
   write_sequence(folder.path(), sequence);
-  const auto in_film_space = [&](const std::filesystem::path& rendered) {
+  const auto in_film_space = [&](std::size_t number, const std::filesystem::path& rendered) {
     auto image = texture::read_image(rendered);
+    add_lights(image, sequence.cameras[number - 1], lights[number - 1]);
     const auto space = space_of(film.content);
     return space == picture_space ? image : in_space(image, picture_space, space);
   };
-  povray_scenes::render_sequence(folder.path(), 1, frames.size(),
-                                 [&](std::size_t number, const std::filesystem::path& rendered) {
-                                   told(finished(film, batch[number - 1], in_film_space(rendered)));
-                                   std::filesystem::remove(rendered);
-                                   std::filesystem::remove(texture_file(number));
-                                 },
-                                 {.threads = threads});
+  povray_scenes::render_sequence(
+      folder.path(), 1, frames.size(),
+      [&](std::size_t number, const std::filesystem::path& rendered) {
+        told(finished(film, batch[number - 1], in_film_space(number, rendered)));
+        std::filesystem::remove(rendered);
+        std::filesystem::remove(texture_file(number));
+      },
+      {.threads = threads});
 }
 
 /// Under another exposure a linear frame keeps its pixels: its header and its pictures change.

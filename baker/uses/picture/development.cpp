@@ -32,14 +32,20 @@ Development for_file(Development development, const std::filesystem::path& pictu
   return development;
 }
 
-/// Luminances of all lit pixels [cd/m²].
-std::vector<double> luminances(const texture::Image& frame, colour::WorkingSpace space) {
+/// Luminances of all lit pixels that the Moon covers, some or all of them [cd/m²].
+std::vector<double> luminances(const texture::Image& frame, colour::WorkingSpace space,
+                               const std::optional<DiscOutline>& disc) {
   std::vector<double> lit;
   const auto pixels = pixels_of(frame);
-  for (const auto& [red, green, blue] : pixels.values()) {
-    const std::array<double, 3> pixel{red, green, blue};
-    if (const double y = colour::luminance(space, pixel); y > 0) lit.push_back(y);
-  }
+  for (std::size_t r = 0; r < frame.height; ++r)
+    for (std::size_t c = 0; c < frame.width; ++c) {
+      const auto& [red, green, blue] = pixels(r, c);
+      const std::array<double, 3> pixel{red, green, blue};
+      const double y = colour::luminance(space, pixel);
+      if (y > 0 && (!disc || covered_share(*disc, static_cast<double>(c) + 0.5,
+                                           static_cast<double>(r) + 0.5) > 0))
+        lit.push_back(y);
+    }
   return lit;
 }
 
@@ -196,10 +202,10 @@ void LitSums::add(const LitSums& more) {
 }
 
 Exposures exposures_for(const Development& development, const texture::Image& frame,
-                        colour::WorkingSpace space) {
+                        colour::WorkingSpace space, const std::optional<DiscOutline>& disc) {
   if (development.time.rule == ExposureTime::Rule::fixed)
     return exposed_for(development, development.time.seconds);
-  const auto lit = luminances(frame, space);
+  const auto lit = luminances(frame, space, disc);
   if (lit.empty()) return {one_second(development)};
   if (development.time.rule != ExposureTime::Rule::automatic)
     return exposed_for(development, sums_of(lit));
@@ -211,9 +217,10 @@ SharedExposure::SharedExposure(const Development& development) : development_(de
     counts_.resize(std::size_t{1} << (32 - dropped_bits));
 }
 
-void SharedExposure::add(const texture::Image& frame, colour::WorkingSpace space) {
+void SharedExposure::add(const texture::Image& frame, colour::WorkingSpace space,
+                         const std::optional<DiscOutline>& disc) {
   if (development_.time.rule == ExposureTime::Rule::fixed) return;
-  const auto lit = luminances(frame, space);
+  const auto lit = luminances(frame, space, disc);
   sums_.add(sums_of(lit));
   if (!counts_.empty())
     for (const double y : lit) ++counts_[step_of(y)];

@@ -45,9 +45,10 @@ struct Exposures {
 
 /// The camera's settings, the time by its rule; 1 s when nothing is lit.
 ///
+/// Given  disc  the Moon's edge: what stands beside it, as stars, sets no exposure; without: all is counted
 /// Throws Error when a setting is outside its range, or the frame has fewer than three channels
 Exposures exposures_for(const Development& development, const texture::Image& frame,
-                        colour::WorkingSpace space);
+                        colour::WorkingSpace space, const std::optional<DiscOutline>& disc = {});
 
 /// Sums over luminances Y of what is lit [cd/m²], that exposure times follow from.
 struct LitSums {
@@ -65,7 +66,8 @@ struct LitSums {
 class SharedExposure {
  public:
   explicit SharedExposure(const Development& development);
-  void add(const texture::Image& frame, colour::WorkingSpace space);
+  void add(const texture::Image& frame, colour::WorkingSpace space,
+           const std::optional<DiscOutline>& disc = {});
   Exposures exposures() const;
 
  private:

@@ -11,8 +11,8 @@
 #include "files/folder_lock.h"
 #include "files/whole_file.h"
 #include "povray_scenes/moon_include.h"
-#include "povray_scenes/scene.h"
 #include "uses/light/disc_brightness.h"
+#include "uses/picture/sky_lights.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -80,12 +80,16 @@ void write_moon_include(const std::filesystem::path& folder, const LitScene& sce
       .place = apparent_place(*scene.view.observer, sky),
       .illuminance_lux = {lux[0], lux[1], lux[2]}};
   files::write_whole(folder / "moon.inc", povray_scenes::moon_include(moon));
+  if (const auto stars = lights_over(scene.view, sky); !stars.empty())
+    files::write_whole(folder / "stars.inc", povray_scenes::star_include(moon.title, stars));
   files::write_whole(folder / "coppermoon.inc", std::string(povray_scenes::coppermoon_inc()));
 }
 
 void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
+                     const std::vector<povray_scenes::SkyLight>& lights,
                      const texture::ExrOptions& options) {
-  povray_scenes::Scene pov{.camera = scene.view.camera, .texture = texture_file, .caption = {}};
+  const povray_scenes::Scene pov{
+      .camera = scene.view.camera, .texture = texture_file, .caption = {}, .lights = lights};
   std::error_code ignored;
   const bool made = std::filesystem::create_directory(folder, ignored);
   const files::FolderLock alone(folder);

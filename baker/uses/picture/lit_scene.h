@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "povray_scenes/scene.h"
 #include "uses/picture/baked_moon.h"
 #include "uses/picture/view.h"
 
@@ -41,15 +42,19 @@ struct SceneBaking {
 LitScene lit_scene(const MoonRequest& moon, const ViewRequest& view, const almanac::SkyState& sky,
                    const SceneBaking& baking = {});
 
-/// Writes moon.inc and coppermoon.inc beside a scene that has an observer: the Moon of it, ready for a
-/// scene written by hand (povray_scenes::moon_include). Nothing without an observer.
+/// Writes moon.inc, stars.inc and coppermoon.inc beside a scene that has an observer: the Moon and the
+/// stars of it, ready for a scene written by hand (povray_scenes::moon_include, star_include). Nothing
+/// without an observer.
 ///
 /// Accuracy  illuminance 0.2 %, of a disc of 360 rows
 void write_moon_include(const std::filesystem::path& folder, const LitScene& scene);
 
 /// Bakes the texture, and writes it, scene and settings into a folder, made when only its last part
 /// is missing; a folder made so is gone again when they cannot be written.
+///
+/// Given  lights  stars and planets for POV-Ray (see scene_lights)
 void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
+                     const std::vector<povray_scenes::SkyLight>& lights = {},
                      const texture::ExrOptions& options = {});
 
 }  // namespace coppermoon::uses

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/still.h"
 
+#include <algorithm>
+
 #include "files/temporary_folder.h"
 #include "povray_scenes/render.h"
 #include "texture/read_image.h"
-#include "texture/write_image.h"
 #include "uses/light/header.h"
 #include "uses/picture/pixels.h"
+#include "uses/picture/sky_lights.h"
 
 namespace coppermoon::uses {
 
 texture::Image rendered(const LitScene& scene, const algebra::Progress& progress) {
   const files::TemporaryFolder folder;
-  write_lit_scene(folder.path(), scene, {.packed = false});
-  return texture::read_image(povray_scenes::render(folder.path(), {}, progress));
+  write_lit_scene(folder.path(), scene, {}, {.packed = false});
+  auto frame = texture::read_image(povray_scenes::render(folder.path(), {}, progress));
+  add_lights(frame, scene.view.camera, sky_lights(scene.view, scene.moon.sky));
+  return frame;
 }
 
 texture::Attributes frame_header(const LitScene& scene, const Exposures& exposures) {
@@ -23,11 +27,19 @@ texture::Attributes frame_header(const LitScene& scene, const Exposures& exposur
   return attributes;
 }
 
+texture::ExrType frame_type(const texture::Image& frame) {
+  constexpr float most_of_half = 65504;
+  const bool beyond = std::ranges::any_of(frame.values, [](float v) { return v > most_of_half; });
+  return beyond ? texture::ExrType::floating : texture::ExrType::half;
+}
+
 void write_frame(const std::filesystem::path& file, const texture::Image& frame,
                  texture::Attributes header, colour::WorkingSpace space) {
-  if (space == picture_space) return texture::write_exr(file, frame, header);
+  if (space == picture_space)
+    return texture::write_exr(file, frame, header, {.type = frame_type(frame)});
   say_space(header, space);
-  texture::write_exr(file, in_space(frame, picture_space, space), header);
+  const auto changed = in_space(frame, picture_space, space);
+  texture::write_exr(file, changed, header, {.type = frame_type(changed)});
 }
 
 }  // namespace coppermoon::uses

@@ -78,13 +78,16 @@ bool moon_is_up(const ViewRequest& request, const almanac::SkyState& sky) {
 
 View view_of(const ViewRequest& request, const almanac::SkyState& sky) {
   const povray_scenes::Picture picture{field_of(request), request.width, request.height};
-  if (!request.observer) return {povray_scenes::camera_at(sky, request.up, picture), {}, {}};
+  if (request.stars.faintest)
+    algebra::require_within("magnitude of the faintest star", *request.stars.faintest, -5, 20);
+  if (!request.observer)
+    return {povray_scenes::camera_at(sky, request.up, picture), {}, {}, request.stars};
   const auto& observer = *request.observer;
   const auto seen = almanac::view_from(observer, sky);
   require_up(seen, observer, sky);
   const auto camera = request.aim ? povray_scenes::camera_fixed(sky, seen, *request.aim, picture)
                                   : povray_scenes::camera_at(sky, seen, request.up, picture);
-  View view{camera, observer, {}};
+  View view{camera, observer, {}, request.stars, request.flattening};
   if (request.flattening) view.camera.flattening = flattening_of(seen);
   if (request.reddening) view.sightline = {air_over(observer, request), seen.altitude};
   return view;

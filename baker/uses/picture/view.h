@@ -13,6 +13,13 @@ namespace coppermoon::uses {
 /// The camera of Yapo & Cutler (2009).
 inline constexpr double paper_focal_length_mm = 1540, paper_sensor_width_mm = 22.7;
 
+/// Stars and planets around the Moon.
+struct StarRequest {
+  bool shown = true;
+  /// V magnitude, −5 to 20; without: as faint as the catalogue is, in a landscape to the naked eye
+  std::optional<double> faintest{};
+};
+
 /// From where, and through what, the Moon is seen.
 struct ViewRequest {
   std::optional<almanac::Observer> observer{};  ///< without: from the Earth's centre, without air
@@ -26,6 +33,7 @@ struct ViewRequest {
   double observer_ozone_du = 300, observer_aerosol = 0.1;
   /// where the picture's middle points, as seen; without: to the Moon. Of a camera on a tripod
   std::optional<povray_scenes::HorizonPlace> aim = {};
+  StarRequest stars = {};
 };
 
 /// A view of the Moon: the camera, and where the Moon stands for who holds it.
@@ -33,6 +41,8 @@ struct View {
   povray_scenes::Camera camera;
   std::optional<almanac::Observer> observer;
   std::optional<atmosphere::Sightline> sightline;  ///< through the air that reddens the Moon
+  StarRequest stars = {};
+  bool refracted = false;  ///< by the observer's air, which flattens a disc and moves stars
 };
 
 /// A place on Earth in words: "42.86,-73.77", and its elevation where it has one [degrees, m].

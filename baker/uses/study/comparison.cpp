@@ -12,6 +12,7 @@
 #include "algebra/error.h"
 #include "colour/difference.h"
 #include "colour/working_space.h"
+#include "uses/picture/disc_outline.h"
 #include "uses/picture/pixels.h"
 
 namespace coppermoon::uses {
@@ -72,6 +73,19 @@ struct Sums {
     return made;
   }
 };
+
+/// Without the stars beside the Moon, which pass for light of its limb.
+texture::Image moon_alone(texture::Image frame, const povray_scenes::Camera& camera) {
+  const auto disc = disc_outline(camera);
+  if (!disc) return frame;
+  for (std::size_t r = 0; r < frame.height; ++r)
+    for (std::size_t c = 0; c < frame.width; ++c) {
+      if (covered_share(*disc, static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5) > 0)
+        continue;
+      for (std::size_t k = 0; k < frame.channels.size(); ++k) frame(r, c, k) = 0;
+    }
+  return frame;
+}
 
 }  // namespace
 
@@ -174,9 +188,10 @@ Comparison compared(const texture::Image& photo, const texture::Image& frame,
     throw algebra::Error(fmt::format("a frame of {} x {} pixels, allowed {} x {}, as its camera's",
                                      frame.width, frame.height, places.camera.width,
                                      places.camera.height));
-  const auto registration = colour::registered(luminance_of(photo), luminance_of(frame));
+  const auto moon = moon_alone(frame, places.camera);
+  const auto registration = colour::registered(luminance_of(photo), luminance_of(moon));
   const auto& moved = registration.render_to_photo;
-  auto render = resampled(frame, moved, photo.height, photo.width);
+  auto render = resampled(moon, moved, photo.height, photo.width);
   const auto pixels = shared_pixels(photo, render, places, moved);
   const double fitted = fitted_exposure(pixels);
   const double used = exposure ? colour::exposure_scale(*exposure) : fitted;

@@ -29,6 +29,15 @@ std::optional<double> field_from(const std::string& text) {
   return degrees;
 }
 
+/// "on", "off", or the V magnitude of the faintest.
+uses::StarRequest stars_from(const std::string& text) {
+  if (text == "on" || text == "off") return {.shown = text == "on"};
+  const auto faintest = algebra::number_in(text);
+  if (!faintest)
+    throw algebra::Error(fmt::format("stars = {}, allowed on, off or a magnitude, -5 to 20", text));
+  return {.shown = true, .faintest = faintest};
+}
+
 /// "42.86,-73.77,120" or "42.86N,73.77W": numbers north and east; none for any other text.
 std::vector<double> place_numbers(const std::string& text) {
   std::string signed_text;
@@ -145,6 +154,12 @@ void add_view_options(CLI::App& verb, uses::ViewRequest& request) {
                   {"zenith", Up::zenith},
                   {"moon-north", Up::moon_north}},
                  "direction that is up in the frame")
+      .in(group);
+  add_parsed(
+      verb, "--stars", [&](const std::string& text) { request.stars = stars_from(text); },
+      "stars and planets: on, off, or the V magnitude of the faintest; on: to magnitude 9, of "
+      "stellarium-data where it is installed",
+      "on")
       .in(group);
 }
 

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-coppermoon_tests(baker/almanac LINKS coppermoon::almanac QUICK ephemeris gazetteer instant observer sky)
+coppermoon_tests(baker/almanac LINKS coppermoon::almanac PkgConfig::ERFA QUICK ephemeris gazetteer instant observer planets sky stars)

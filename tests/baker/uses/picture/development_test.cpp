@@ -90,6 +90,33 @@ TEST(Composite, IsOneExposureWhereAllIsAlike) {
                 "float pixels: level of the shorter exposure in both");
 }
 
+TEST(Exposures, AreThoseOfTheMoonAlone) {
+  const DiscOutline disc{5, 5, 1. / 16, 0, 1. / 16};  // a radius of 4 pixels
+  texture::Image moon(20, 10, {"R", "G", "B"});
+  for (std::size_t r = 3; r < 7; ++r)
+    for (std::size_t c = 3; c < 7; ++c)
+      for (std::size_t k = 0; k < 3; ++k) moon(r, c, k) = 0.01F * static_cast<float>(1 + r + c);
+  auto starry = moon;
+  for (std::size_t k = 0; k < 3; ++k) {
+    starry(2, 15, k) = 1e3F;
+    starry(8, 18, k) = 1e-9F;
+  }
+  for (const auto rule :
+       {ExposureTime::Rule::automatic, ExposureTime::Rule::follow, ExposureTime::Rule::composite}) {
+    Development development;
+    development.time.rule = rule;
+    const auto alone = exposures_for(development, moon, space, disc),
+               among_stars = exposures_for(development, starry, space, disc);
+    EXPECT_EQ(among_stars.shorter.time_s, alone.shorter.time_s);
+    EXPECT_EQ(among_stars.longer_s, alone.longer_s);
+    EXPECT_EQ(alone.shorter.time_s, exposures_for(development, moon, space).shorter.time_s);
+    SharedExposure shared(development);
+    shared.add(starry, space, disc);
+    EXPECT_WITHIN_RELATIVE(shared.exposures().shorter.time_s, alone.shorter.time_s, 5e-4,
+                           "luminances are counted in steps of 2^-11");
+  }
+}
+
 TEST(Composite, OfASetIsTheSameForAll) {
   const auto early = partial_eclipse(80, 20), late = partial_eclipse(20, 80);
   SharedExposure one(two_exposures()), both(two_exposures());
@@ -134,13 +161,15 @@ texture::Image disc_of(const DiscOutline& disc, float light) {
   for (std::size_t r = 0; r < 64; ++r)
     for (std::size_t c = 0; c < 64; ++c)
       for (std::size_t k = 0; k < 3; ++k)
-        frame(r, c, k) = light * static_cast<float>(covered_share(
-                                     disc, static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5));
+        frame(r, c, k) =
+            light * static_cast<float>(covered_share(disc, static_cast<double>(c) + 0.5,
+                                                     static_cast<double>(r) + 0.5));
   return frame;
 }
 
 /// Light that a disc's picture shows, over that of its middle, pixel by pixel.
-std::vector<double> edge_shown(const Development& development, const DiscOutline& disc, float light) {
+std::vector<double> edge_shown(const Development& development, const DiscOutline& disc,
+                               float light) {
   const auto frame = disc_of(disc, light);
   const auto picture = developed(development, {{1, 8, 100}},
                                  {.light = frame, .space = space, .seen = {.disc = disc}});
@@ -166,7 +195,8 @@ TEST(Limb, OfClippedLightIsAsSmoothAsOfLightThatIsNot) {
 TEST(Limb, OfAFrameWhoseEdgeIsNotKnownOrThroughACameraStaysAsItIs) {
   const DiscOutline disc{32.3, 31.8, 1 / 400., 0, 1 / 400.};
   const auto frame = disc_of(disc, 1000);
-  const auto shown_of = [&](const Development& development, const std::optional<DiscOutline>& edge) {
+  const auto shown_of = [&](const Development& development,
+                            const std::optional<DiscOutline>& edge) {
     return developed(development, {{1, 8, 100}},
                      {.light = frame, .space = space, .seen = {.pixel_rad = 1e-5, .disc = edge}})
         .values;

@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: MIT
-coppermoon_tests(baker/uses/picture LINKS coppermoon::picture
-  HEAVY development disc_outline moon raw_file view)
+coppermoon_tests(baker/uses/picture LINKS coppermoon::picture PkgConfig::ERFA
+  HEAVY development disc_outline moon raw_file sky_lights view)

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <string_view>
+#include <vector>
+
+#include "algebra/quantity.h"
+#include "almanac/instant.h"
+
+namespace coppermoon::almanac {
+
+/// A planet as the Earth's centre sees it.
+struct Planet {
+  std::string_view name;
+  glm::dvec3 position_m;  ///< apparent (light time, aberration), GCRS axes [m]
+  double magnitude;       ///< V
+  double b_minus_v;
+  algebra::Length radius;  ///< of its equator
+};
+
+/// Mercury to Neptune, without the Earth.
+///
+/// Accuracy  0.1″ of DE431 in 2018 to 2022; 1″ from 1800 to 2100. Magnitudes 0.1
+/// Omits     of magnitudes: how Mars turns and has its seasons, the latitude of Uranus seen (0.1)
+/// Source    VSOP87 (Bretagnon & Francou 1988, Astron. Astrophys. 202, 309) by libnova;
+///           magnitudes: Mallama & Hilton (2018), Astronomy and Computing 25, 10; B − V: Cox (2000),
+///           Allen's Astrophysical Quantities; radii: Archinal et al. (2018), Celest. Mech. 130, 22
+std::vector<Planet> planets_at(const Instant& instant);
+
+}  // namespace coppermoon::almanac

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+#include "uses/picture/sky_lights.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "almanac/planets.h"
+#include "almanac/stars.h"
+#include "atmosphere/astronomical_refraction.h"
+#include "files/whole_file.h"
+#include "povray_scenes/sight.h"
+#include "uses/picture/star_light.h"
+
+namespace coppermoon::uses {
+namespace {
+
+/// Of Debian's stellarium-data; nothing where it is not installed.
+std::vector<almanac::Star> read_stars() {
+  const std::filesystem::path folder = "/usr/share/stellarium/stars/default";
+  const auto motions = folder / "hip_pm.dat";
+  std::vector<almanac::Star> stars;
+  for (const char* name : {"stars_0_0v0_8.cat", "stars_1_0v0_8.cat", "stars_2_0v0_8.cat"}) {
+    const auto file = folder / name;
+    if (!std::filesystem::exists(file)) continue;
+    const auto more = almanac::stars_in(files::bytes_of(file), file.string());
+    stars.insert(stars.end(), more.begin(), more.end());
+  }
+  if (std::filesystem::exists(motions))
+    almanac::add_proper_motions(stars, files::bytes_of(motions), motions.string());
+  return stars;
+}
+
+const std::vector<almanac::Star>& installed_stars() {
+  static const std::vector<almanac::Star> stars = read_stars();
+  return stars;
+}
+
+/// A part of the sky: directions within an angle of one.
+struct Cone {
+  glm::dvec3 middle;  ///< unit, GCRS axes
+  double cosine;
+
+  bool holds(const glm::dvec3& direction) const { return glm::dot(direction, middle) >= cosine; }
+};
+
+/// A light before the air and the Moon: GCRS axes, from where the observer is.
+struct Source {
+  glm::dvec3 direction;
+  double magnitude, b_minus_v;
+  double radius_rad = 0;
+};
+
+/// Whatever stands in that part of the sky, to a magnitude.
+///
+/// Given  from_m  the observer, geocentric
+std::vector<Source> sources_in(const Cone& cone, double faintest, const almanac::SkyState& sky,
+                               const glm::dvec3& from_m) {
+  std::vector<almanac::Star> stars;
+  for (const auto& star : installed_stars())
+    if (star.magnitude <= faintest && cone.holds(star.place)) stars.push_back(star);
+  const auto directions = almanac::apparent_directions(stars, sky.when);
+  std::vector<Source> sources;
+  for (std::size_t i = 0; i < stars.size(); ++i)
+    sources.push_back({directions[i], stars[i].magnitude, stars[i].b_minus_v});
+  for (const auto& planet : almanac::planets_at(sky.when)) {
+    const glm::dvec3 seen = planet.position_m - from_m;
+    const double away_m = glm::length(seen);
+    if (planet.magnitude <= faintest && cone.holds(seen / away_m))
+      sources.push_back({seen / away_m, planet.magnitude, planet.b_minus_v,
+                         algebra::in_metres(planet.radius) / away_m});
+  }
+  return sources;
+}
+
+/// A planet in as many equal points, spread over its disc; a star as it is.
+std::vector<Source> in_points(const Source& source) {
+  constexpr int points = 64;
+  constexpr double golden_angle = std::numbers::pi * (3 - 2.23606797749979);
+  if (source.radius_rad == 0) return {source};
+  const glm::dvec3 aside =
+      std::abs(source.direction.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 east = glm::normalize(glm::cross(aside, source.direction)),
+                   north = glm::cross(source.direction, east);
+  std::vector<Source> all;
+  for (int k = 0; k < points; ++k) {
+    const double out = source.radius_rad * std::sqrt((k + 0.5) / points), turn = k * golden_angle;
+    all.push_back(
+        {glm::normalize(source.direction + out * (std::cos(turn) * east + std::sin(turn) * north)),
+         source.magnitude + 2.5 * std::log10(points), source.b_minus_v});
+  }
+  return all;
+}
+
+/// The sky over an observer.
+class Dome {
+ public:
+  Dome(const View& view, const almanac::SkyState& sky)
+      : seen_(almanac::view_from(*view.observer, sky)),
+        lights_(view.sightline ? std::optional(view.sightline->air) : std::nullopt) {}
+
+  const almanac::ObserverView& seen() const { return seen_; }
+
+  algebra::Angle altitude(const glm::dvec3& direction) const {
+    return algebra::radians(std::asin(std::clamp(glm::dot(direction, seen_.zenith), -1., 1.)));
+  }
+
+  bool shows(const glm::dvec3& direction) const {
+    return algebra::in_radians(atmosphere::apparent_altitude(altitude(direction))) > 0;
+  }
+
+  std::array<double, 3> light_of(const Source& source) const {
+    return lights_.lux(source.magnitude, source.b_minus_v, altitude(source.direction));
+  }
+
+  /// Raises a direction towards the zenith, as far as refraction does; or down, by another's refraction.
+  glm::dvec3 raised(const glm::dvec3& direction) const {
+    return turned(direction, direction,
+                  algebra::in_radians(atmosphere::astronomical_refraction(altitude(direction))));
+  }
+  glm::dvec3 lowered_as(const glm::dvec3& other, const glm::dvec3& direction) const {
+    return turned(direction, other,
+                  -algebra::in_radians(atmosphere::astronomical_refraction(altitude(other))));
+  }
+
+  povray_scenes::HorizonPlace place_of(const glm::dvec3& direction) const {
+    const glm::dvec3 east = glm::normalize(glm::cross(seen_.north, seen_.zenith)),
+                     north = glm::cross(seen_.zenith, east);
+    const double azimuth = std::atan2(glm::dot(direction, east), glm::dot(direction, north));
+    return {atmosphere::apparent_altitude(altitude(direction)),
+            algebra::radians(azimuth < 0 ? azimuth + 2 * std::numbers::pi : azimuth)};
+  }
+
+ private:
+  /// Along the vertical circle of another direction.
+  glm::dvec3 turned(const glm::dvec3& direction, const glm::dvec3& other, double angle) const {
+    const glm::dvec3 level = glm::cross(other, seen_.zenith);
+    const double across = glm::length(level);
+    if (across == 0) return direction;
+    return glm::angleAxis(angle, level / across) * direction;
+  }
+
+  almanac::ObserverView seen_;
+  StarLights lights_;
+};
+
+/// What a frame takes in, and a degree around it: refraction may raise a light by as much.
+Cone cone_of(const povray_scenes::Camera& camera, const almanac::SkyState& sky) {
+  constexpr double margin = std::numbers::pi / 180;
+  const double half_width = std::tan(algebra::in_radians(camera.horizontal_field) / 2),
+               half_height = half_width * static_cast<double>(camera.height) /
+                             static_cast<double>(camera.width);
+  const double reach = std::atan(std::hypot(half_width, half_height)) + margin;
+  return {glm::transpose(sky.selenographic_from_gcrs) * line_of_sight(camera), std::cos(reach)};
+}
+
+/// Who looks at a view's lights.
+class Eye {
+ public:
+  Eye(const View& view, const almanac::SkyState& sky) : view_(view), sky_(sky) {
+    if (view.observer) dome_.emplace(view, sky);
+    if (dome_) from_m_ = dome_->seen().position_m;
+    const glm::dvec3 moon_m = sky.moon_m - from_m_;
+    moon_ = glm::normalize(moon_m);
+    limb_ = almanac::lunar_radius / algebra::metres(glm::length(moon_m));
+  }
+
+  std::vector<Source> sources() const {
+    if (!view_.stars.shown) return {};
+    return sources_in(cone_of(view_.camera, sky_),
+                      view_.stars.faintest.value_or(std::numeric_limits<double>::infinity()), sky_,
+                      from_m_);
+  }
+
+  bool ground_hides(const glm::dvec3& direction) const { return dome_ && !dome_->shows(direction); }
+  bool moon_hides(const glm::dvec3& direction) const {
+    return glm::dot(direction, moon_) > 0 && glm::length(glm::cross(direction, moon_)) < limb_;
+  }
+
+  SkyLight seen(const Source& source) const {
+    auto direction = source.direction;
+    if (dome_ && view_.refracted) direction = dome_->lowered_as(moon_, dome_->raised(direction));
+    return {sky_.selenographic_from_gcrs * direction,
+            dome_ ? dome_->light_of(source) : StarLights().lux(source.magnitude, source.b_minus_v),
+            source.radius_rad};
+  }
+
+ private:
+  const View& view_;
+  const almanac::SkyState& sky_;
+  std::optional<Dome> dome_;
+  glm::dvec3 from_m_{0, 0, 0}, moon_;
+  double limb_;  ///< sine of the Moon's radius
+};
+
+}  // namespace
+
+std::vector<SkyLight> sky_lights(const View& view, const almanac::SkyState& sky) {
+  const Eye eye(view, sky);
+  std::vector<SkyLight> lights;
+  for (const auto& source : eye.sources())
+    for (const auto& point : in_points(source))
+      if (!eye.moon_hides(point.direction) && !eye.ground_hides(point.direction))
+        lights.push_back(eye.seen(point));
+  return lights;
+}
+
+std::vector<SkyLight> scene_lights(const View& view, const almanac::SkyState& sky) {
+  const Eye eye(view, sky);
+  std::vector<SkyLight> lights;
+  for (const auto& source : eye.sources())
+    if (!eye.ground_hides(source.direction)) lights.push_back(eye.seen(source));
+  return lights;
+}
+
+namespace {
+
+/// The shares of a Gaussian that fall into pixels along a line.
+struct Spread {
+  std::ptrdiff_t first = 0;
+  std::vector<double> shares;
+};
+
+/// The nearest half float, of a number that is not below 0; itself beyond the last one.
+float as_half(double value) {
+  constexpr double most = 65504;
+  constexpr int bits = 11, least_exponent = -13;
+  if (!(value < most)) return static_cast<float>(value);
+  int exponent = 0;
+  std::frexp(value, &exponent);
+  const int step = std::max(exponent, least_exponent) - bits;
+  return static_cast<float>(std::ldexp(std::nearbyint(std::ldexp(value, -step)), step));
+}
+
+Spread spread_about(double place) {
+  constexpr double deviation_px = 0.6, reach_px = 4;  // beyond are 3e-11 of it
+  const auto below = [&](double edge) {
+    return 0.5 * std::erfc(-(edge - place) / (deviation_px * std::numbers::sqrt2));
+  };
+  Spread spread{static_cast<std::ptrdiff_t>(std::floor(place - reach_px)), {}};
+  const auto last = static_cast<std::ptrdiff_t>(std::floor(place + reach_px));
+  for (auto pixel = spread.first; pixel <= last; ++pixel)
+    spread.shares.push_back(below(static_cast<double>(pixel + 1)) -
+                            below(static_cast<double>(pixel)));
+  return spread;
+}
+
+}  // namespace
+
+void add_lights(texture::Image& frame, const povray_scenes::Camera& camera,
+                std::span<const SkyLight> lights) {
+  const auto sight = povray_scenes::sight_of(camera);
+  const glm::dvec3 forward = line_of_sight(camera), area = glm::cross(sight.across, sight.down);
+  const double pixel = glm::length(sight.across);
+  const auto width = static_cast<std::ptrdiff_t>(frame.width),
+             height = static_cast<std::ptrdiff_t>(frame.height);
+  std::map<std::pair<std::size_t, std::size_t>, std::array<double, 3>> sums;  // by row and column
+  for (const auto& light : lights) {
+    const double depth = glm::dot(light.direction, forward);
+    if (depth <= 0) continue;
+    const glm::dvec3 place = light.direction / depth - sight.corner;
+    const double x = glm::dot(place, sight.across) / (pixel * pixel),
+                 y = glm::dot(place, sight.down) / (pixel * pixel);
+    constexpr double margin = 10;
+    if (!(x > -margin && y > -margin && x < static_cast<double>(width) + margin &&
+          y < static_cast<double>(height) + margin))
+      continue;
+    const auto across = spread_about(x), down = spread_about(y);
+    for (std::size_t j = 0; j < down.shares.size(); ++j)
+      for (std::size_t i = 0; i < across.shares.size(); ++i) {
+        const auto column = across.first + static_cast<std::ptrdiff_t>(i),
+                   row = down.first + static_cast<std::ptrdiff_t>(j);
+        if (column < 0 || row < 0 || column >= width || row >= height) continue;
+        const glm::dvec3 ray = sight.corner + (static_cast<double>(column) + 0.5) * sight.across +
+                               (static_cast<double>(row) + 0.5) * sight.down;
+        const double away = glm::length(ray);
+        const double solid_angle = std::abs(glm::dot(area, ray)) / (away * away * away);
+        const double share = across.shares[i] * down.shares[j] / solid_angle;
+        for (std::size_t k = 0; k < 3; ++k)
+          sums[{static_cast<std::size_t>(row), static_cast<std::size_t>(column)}][k] +=
+              share * light.illuminance_lux[k];
+      }
+  }
+  for (const auto& [place, sum] : sums)
+    for (std::size_t k = 0; k < 3; ++k) {
+      float& value = frame(place.first, place.second, k);
+      value = as_half(value + sum[k]);
+    }
+}
+
+std::vector<povray_scenes::StarInSky> lights_over(const View& view, const almanac::SkyState& sky) {
+  constexpr double naked_eye = 6.5;
+  if (!view.stars.shown) return {};
+  const Dome dome(view, sky);
+  const Cone above{dome.seen().zenith, -0.02};  // refraction raises what is up to 0.6 degrees below
+  auto sources =
+      sources_in(above, view.stars.faintest.value_or(naked_eye), sky, dome.seen().position_m);
+  std::ranges::stable_sort(sources, {}, &Source::magnitude);
+  std::vector<povray_scenes::StarInSky> lights;
+  for (const auto& source : sources)
+    if (dome.shows(source.direction))
+      lights.push_back({dome.place_of(source.direction), dome.light_of(source)});
+  return lights;
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "almanac/sky.h"
+#include "povray_scenes/moon_include.h"
+#include "povray_scenes/scene.h"
+#include "texture/image.h"
+#include "uses/picture/view.h"
+
+namespace coppermoon::uses {
+
+using povray_scenes::SkyLight;
+
+/// Stars and planets before a view's camera, but for those that the Moon or the ground hides.
+///
+/// Refraction raises each as much more or less than the Moon as its altitude says. A planet is a disc of
+/// points, of which the Moon may hide some.
+///
+/// Returned  none where the view wants none; planets alone where stellarium-data is not installed
+/// Accuracy  places 0.1″ of stars, 0.1″ of planets; times of occultations some seconds, by the Moon's
+///           mountains
+/// Omits     stars fainter than V = 9; how stars vary; the shape of a planet's light and Saturn's rings
+/// Throws    Error  when a catalogue is damaged
+std::vector<SkyLight> sky_lights(const View& view, const almanac::SkyState& sky);
+
+/// The same for a scene: each planet as one disc, and with what the Moon hides, for the scene hides it.
+std::vector<SkyLight> scene_lights(const View& view, const almanac::SkyState& sky);
+
+/// Adds lights to a frame: each is spread by a Gaussian with a standard deviation of 0.6 pixel.
+///
+/// Given     frame   scene-linear, linear Rec.709 [cd/m²], of the camera's size
+/// Returned  numbers that half floats hold, as those of a frame are, where they are below 65504
+/// Accuracy  light over a pixel's own solid angle sums up to the illuminance to 5e-4, but for what
+///           falls beside the frame
+void add_lights(texture::Image& frame, const povray_scenes::Camera& camera,
+                std::span<const SkyLight> lights);
+
+/// All stars and planets above a view's horizon, the brightest first, the Moon or no Moon before them: to
+/// V = 6.5 unless the view says how faint.
+///
+/// Given  view  with an observer
+/// Throws Error when a catalogue is damaged
+std::vector<povray_scenes::StarInSky> lights_over(const View& view, const almanac::SkyState& sky);
+
+}  // namespace coppermoon::uses
