@@ -22,7 +22,7 @@ cat <<'EOF'
 # Side by side
 
 Made by `examples/side_by_side.sh`: the eclipse of 21 February 2008, 03:26:05 UTC, from 42.86° N, 73.77° W; one texture, by
-POV-Ray, by Blender (`blender/eclipse.py`), and by 8 × 8 rays through each pixel, the reference; then what POV-Ray and
+POV-Ray, by Blender (the add-on), and by 8 × 8 rays through each pixel, the reference; then what POV-Ray and
 Blender differ from the reference, twenty times as bright. 300 × 300 pixels, a disc 262 wide.
 
 ![](pictures/side_by_side.png)

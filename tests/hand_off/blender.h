@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <glm/matrix.hpp>
 
 #include "almanac/instant.h"
@@ -63,49 +64,75 @@ inline texture::Attributes header(const Look& look) {
           {"coppermoon:parallactic_angle", degrees(view.parallactic_angle)}};
 }
 
-/// Runs Blender without a screen, examples/blender/eclipse.py in it.
+/// Runs Blender without a window, with the add-on from its zip, and with nothing of the user's.
 class BlenderTest : public end_to_end::ProgramTest {
  protected:
+  BlenderTest() {
+    const auto addons = here("scripts/addons");
+    std::filesystem::create_directories(addons);
+    const auto unpacked = run({"cmake", "-E", "tar", "xf", COPPERMOON_ADD_ON}, {.folder = addons});
+    EXPECT_EQ(unpacked.status, 0) << unpacked.err;
+  }
+
   static std::string project(const std::string& path) {
     return std::string(COPPERMOON_TEST_DATA "/../") + path;
   }
 
-  end_to_end::Outcome eclipse_py(const std::vector<std::string>& words) const {
-    const auto outcome = run(blender(words));
-    EXPECT_NE(outcome.status, 127) << "blender: not found; tests/hand_off.sh installs it";
+  /// Blender's command line: `words`, with the program on the PATH.
+  end_to_end::Outcome blender(const std::vector<std::string>& words) const {
+    const std::vector<std::string> home{"env",
+                                        "-u",
+                                        "OCIO",
+                                        "BLENDER_USER_SCRIPTS=" + here("scripts").string(),
+                                        "BLENDER_USER_CONFIG=" + here("config").string(),
+                                        "XDG_CACHE_HOME=" + here("cache").string()};
+    auto all = home;
+    if (!configuration.empty()) all.push_back("OCIO=" + configuration);
+    all.insert(all.end(), surroundings.begin(), surroundings.end());
+    all.insert(all.end(), words.begin(), words.end());
+    const auto programs = std::filesystem::path(COPPERMOON_PROGRAM).parent_path().string();
+    const auto outcome = run(all, {.path = programs + ":" + std::getenv("PATH")});
+    EXPECT_NE(outcome.status, 127) << "not found; tests/hand_off.sh installs it: " << words.front();
     return outcome;
   }
 
-  /// As eclipse_py renders it.
+  /// Runs a Python program in Blender, and then does what the words behind it say.
+  end_to_end::Outcome python(const std::string& program, std::vector<std::string> more = {}) const {
+    more.insert(more.begin(),
+                {"blender", "-b", "--factory-startup", "--python-exit-code", "3", "--addons",
+                 "coppermoon", "--python-expr", "import bpy\n" + program});
+    return blender(more);
+  }
+
+  /// A call of the operator that imports a texture, or a film's folder.
+  static std::string import_eclipse(const std::string& texture, povray_scenes::Up up) {
+    return fmt::format("bpy.ops.coppermoon.import_eclipse(filepath=r'{}', up='{}', field={:.9f})\n",
+                       texture, word(up), in_radians(algebra::degrees(field_deg)));
+  }
+
+  /// What makes frames as large as ours.
+  static std::string square() {
+    return fmt::format(
+        "scene = bpy.context.scene\n"
+        "scene.render.resolution_x = scene.render.resolution_y = {}\n",
+        side);
+  }
+
+  /// The frame that Blender renders of a texture, after some more Python.
   texture::Image rendered(const std::string& texture, povray_scenes::Up up,
-                          std::vector<std::string> more = {}) const {
-    more.insert(more.begin(), {texture, "--render", "frame.exr"});
-    expect_rendered(up, std::move(more));
-    return texture::read_image(here("frame.exr"));
+                          const std::string& more = {}) const {
+    return rendered(import_eclipse(texture, up) + square() + more);
   }
 
-  void expect_rendered(povray_scenes::Up up, std::vector<std::string> words) const {
-    const auto size = std::to_string(side);
-    const std::vector<std::string> view{"--up",     word(up), "--width", size,
-                                        "--height", size,     "--field", std::to_string(field_deg)};
-    words.insert(words.end(), view.begin(), view.end());
-    const auto outcome = eclipse_py(words);
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
+  /// The frame of the scene that a Python program makes.
+  texture::Image rendered(const std::string& program) const {
+    const auto outcome = python(program, {"-o", here("frame.####").string(), "-f", "1"});
+    EXPECT_EQ(outcome.status, 0) << outcome.out;
+    return texture::read_image(here("frame.0001.exr"));
   }
 
-  std::string configuration = {};  ///< of OpenColorIO; empty: Blender's own
-
- private:
-  std::vector<std::string> blender(const std::vector<std::string>& words) const {
-    std::vector<std::string> all{"env", "-u", "OCIO"};
-    if (!configuration.empty()) all.push_back("OCIO=" + configuration);
-    const std::vector<std::string> line{"blender", "-b", "--python-exit-code",
-                                        "3",       "-P", project("examples/blender/eclipse.py"),
-                                        "--"};
-    all.insert(all.end(), line.begin(), line.end());
-    all.insert(all.end(), words.begin(), words.end());
-    return all;
-  }
+  std::string configuration = {};              ///< of OpenColorIO; empty: Blender's own
+  std::vector<std::string> surroundings = {};  ///< as "A=B"
 };
 
 }  // namespace coppermoon::hand_off

@@ -39,7 +39,7 @@ class SideBySide : public BlenderTest {
   }
 
   Frame by_blender() const {
-    return {"Blender, 256 rays", rendered(map, look.up, {"--samples", "256"})};
+    return {"Blender, 256 rays", rendered(map, look.up, "scene.cycles.samples = 256\n")};
   }
 
   Frame by_rays() const {

@@ -4,7 +4,8 @@ set(package ${PROJECT_BINARY_DIR}/package)
 set(prefix ${package}/prefix)
 get_property(stages GLOBAL PROPERTY COPPERMOON_STAGES)
 list(TRANSFORM stages PREPEND coppermoon_)
-add_dependencies(heavy_tests ${stages} coppermoon_program coppermoon_imageio coppermoon_manual_pages)  # all that is installed
+add_dependencies(heavy_tests ${stages} coppermoon_program coppermoon_imageio coppermoon_blender coppermoon_manual_pages)  # all that
+                 # is installed
 
 # package_test(NAME [NEEDS steps …] COMMAND …): package/NAME, a step that others may need.
 function(package_test name)
@@ -44,7 +45,7 @@ package_test(installs NEEDS prefix_is_empty COMMAND ${CMAKE_COMMAND} --install $
 package_test(files_are_installed NEEDS installs COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR}
   -DSHARE=${prefix}/${CMAKE_INSTALL_DATADIR}/coppermoon -DDOC=${prefix}/${CMAKE_INSTALL_DOCDIR}
   -DMANUALS=${prefix}/${CMAKE_INSTALL_MANDIR} -DDATA=${prefix}/${CMAKE_INSTALL_DATADIR}
-  -DINCLUDE=${prefix}/${CMAKE_INSTALL_INCLUDEDIR} -P ${CMAKE_CURRENT_LIST_DIR}/installed_files.cmake)
+  -DINCLUDE=${prefix}/${CMAKE_INSTALL_INCLUDEDIR} -DVERSION=${PROJECT_VERSION} -P ${CMAKE_CURRENT_LIST_DIR}/installed_files.cmake)
 package_test(program_runs NEEDS installs COMMAND ${prefix}/${CMAKE_INSTALL_BINDIR}/coppermoon --version)
 set_tests_properties(package/program_runs PROPERTIES PASS_REGULAR_EXPRESSION "coppermoon ${PROJECT_VERSION}")
 # with the module that has OpenImageIO, from where it was installed

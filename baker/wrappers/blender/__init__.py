@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+"""Eclipsed Moons in Blender: Add > Eclipse. The program coppermoon bakes, this add-on builds the scene."""
+bl_info = {
+    "name": "Coppermoon",
+    "description": "Eclipsed Moons: texture, light, camera and time line from a date and a place",
+    "author": "The authors of coppermoon",
+    "version": (0, 2, 0),
+    "blender": (3, 4, 0),
+    "location": "3D Viewport > Add > Eclipse; sidebar > Eclipse; File > Import",
+    "category": "Add Mesh",
+}
+
+from . import operators, panel, preferences, values
+
+
+def register():
+    preferences.register()
+    values.register()
+    operators.register()
+    panel.register()
+
+
+def unregister():
+    panel.unregister()
+    operators.unregister()
+    values.unregister()
+    preferences.unregister()

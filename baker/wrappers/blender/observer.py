@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+"""Who looks: the camera, and the way to it. The Moon has radius 1 and stands at the origin; longitude 0 is at +X,
+90 east at +Y, north at +Z."""
+import math
+
+import bpy
+from mathutils import Matrix, Vector
+
+
+def axes_of(texture, up):
+    """Right, up and back (towards the observer) of the camera, each a unit vector."""
+    latitude, longitude = math.radians(texture.latitude), math.radians(texture.longitude)
+    east = Vector((-math.sin(longitude), math.cos(longitude), 0))
+    back = Vector((math.cos(latitude) * math.cos(longitude),
+                   math.cos(latitude) * math.sin(longitude), math.sin(latitude)))
+    north = back.cross(east)
+    # Position angles are counter-clockwise in the picture, where the Moon's east is on the right.
+    turn = {"moon-north": lambda: 0,
+            "celestial-north": lambda: texture.axis,
+            "zenith": lambda: texture.axis - texture.told("parallactic_angle")}[up]()
+    cosine, sine = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+    return cosine * east - sine * north, cosine * north + sine * east, back
+
+
+def turn(thing, axes):
+    """Turns an object so that its X, Y and Z point along these; the shorter way from where it was."""
+    turned = Matrix(axes).transposed().to_quaternion()
+    turned.make_compatible(thing.rotation_quaternion)
+    thing.rotation_quaternion = turned
+
+
+def new_camera(scene, moon):
+    camera = bpy.data.objects.new("Observer", bpy.data.cameras.new("Observer"))
+    camera.rotation_mode = "QUATERNION"
+    camera.parent = moon
+    scene.collection.objects.link(camera)
+    return camera
+
+
+def place_camera(camera, textures, up, field, render):
+    """Has the camera stand where the observer does, of a film in each frame.
+
+    Given  field  angle across the shorter side of the picture [radians]
+    """
+    data = camera.data
+    wide = render.resolution_x * render.pixel_aspect_x > render.resolution_y * render.pixel_aspect_y
+    data.sensor_fit = "VERTICAL" if wide else "HORIZONTAL"
+    # By the lens: an angle that is set directly is at least 0.37 degrees in Blender.
+    data.lens = (data.sensor_height if wide else data.sensor_width) / 2 / math.tan(field / 2)
+    data.clip_start = min(texture.distance for texture in textures) - 1
+    data.clip_end = max(texture.distance for texture in textures) + 1
+    camera.animation_data_clear()
+    for texture in textures:
+        axes = axes_of(texture, up)
+        camera.location = texture.distance * axes[2]
+        turn(camera, axes)
+        if len(textures) > 1:
+            for path in ("location", "rotation_quaternion"):
+                camera.keyframe_insert(path, frame=texture.frame())

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: MIT
+"""What the header of a baked texture says of the globe and of who looks at it."""
+import os
+import re
+import struct
+
+from .wrong import Wrong
+
+MOON_RADIUS_KM = 1737.4
+
+# By coppermoon:colour_space, what it is called in colour/config.ocio, in Blender 4's own
+# configuration, and in Blender 3's.
+COLOUR_SPACES = {
+    "lin_rec709": ("Linear Rec.709 (sRGB)", "Linear Rec.709", "Linear"),
+    "acescg": ("ACEScg", "Linear ACEScg"),
+    "lin_ciexyzd65_scene": ("Scene CIE-XYZ-D65", "Linear CIE-XYZ D65", "XYZ"),
+}
+
+
+# The header of an OpenEXR file: a magic number, a version, then attributes as name, type, size and
+# value, until an empty name.
+
+
+def text_until_null(file):
+    letters = bytearray()
+    while (letter := file.read(1)) not in (b"", b"\0"):
+        letters += letter
+    return letters.decode("utf-8", "replace")
+
+
+def value_of(kind, data):
+    if kind == "string":
+        return data.decode("utf-8", "replace")
+    if kind == "float":
+        return struct.unpack("<f", data)[0]
+    if kind == "rational":
+        over, under = struct.unpack("<iI", data)
+        return over / under if under else 0.0
+    return None
+
+
+def header_of(path):
+    """The strings, floats and rationals of an OpenEXR header, by name."""
+    try:
+        with open(path, "rb") as file:
+            if file.read(4) != struct.pack("<i", 20000630):
+                raise Wrong(f"{path}: is not an OpenEXR file")
+            file.read(4)
+            attributes = {}
+            while name := text_until_null(file):
+                kind = text_until_null(file)
+                (size,) = struct.unpack("<I", file.read(4))
+                attributes[name] = value_of(kind, file.read(size))
+            return attributes
+    except OSError as error:
+        raise Wrong(f"{path}: {error.strerror}") from error
+    except struct.error as error:
+        raise Wrong(f"{path}: its header ends early") from error
+
+
+class Texture:
+    """A baked texture and who looks at it, in degrees and lunar radii."""
+
+    def __init__(self, path):
+        self.path = os.path.abspath(path)
+        self.header = header_of(path)
+        self.colour_space = self.told("colour_space")
+        if self.colour_space not in COLOUR_SPACES:
+            raise Wrong(f"{path}: coppermoon:colour_space = {self.colour_space}, "
+                        f"allowed {', '.join(COLOUR_SPACES)}")
+        self.latitude = self.told("sub_observer_latitude")
+        self.longitude = self.told("sub_observer_longitude")
+        self.axis = self.told("axis_position_angle")
+        self.distance = self.told("distance_km") / MOON_RADIUS_KM
+        if not self.distance > 1:
+            raise Wrong(f"{path}: coppermoon:distance_km is within the Moon")
+
+    def told(self, name):
+        value = self.header.get("coppermoon:" + name)
+        if value is None:
+            raise Wrong(f"{self.path}: its header has no coppermoon:{name}")
+        return value
+
+    def frame(self):
+        """The number that the name ends in, as 1 of moon_lin_rec709.0001.exr."""
+        number = re.search(r"(\d+)\.exr$", self.path)
+        if not number:
+            raise Wrong(f"{self.path}: its name has no frame number, as .0001.exr")
+        return int(number[1])
+
+
+def stem_of(path):
+    """What stands before the number, as moon_lin_rec709. of moon_lin_rec709.0001.exr."""
+    return re.sub(r"\d+\.exr$", "", path)
+
+
+def textures_of(path):
+    """The texture of a file, or those of a film's folder in the order of their frames.
+
+    Throws  Wrong  where a frame is missing: Blender finds them by their numbers alone, beside the first
+    """
+    if not os.path.isdir(path):
+        return [Texture(path)]
+    names = [name for name in os.listdir(path) if name.startswith("moon_") and name.endswith(".exr")]
+    if not names:
+        raise Wrong(f"{path}: has no texture in it, moon_*.exr")
+    textures = [Texture(os.path.join(path, name)) for name in names]
+    if len(textures) == 1:
+        return textures
+    textures.sort(key=Texture.frame)
+    first = textures[0]
+    for number, texture in enumerate(textures, first.frame()):
+        if texture.frame() != number:
+            raise Wrong(f"{texture.path}: frame {texture.frame()}, where {number} should follow")
+        if stem_of(texture.path) != stem_of(first.path):
+            raise Wrong(f"{texture.path}: is not of one film with {first.path}")
+        if texture.colour_space != first.colour_space:
+            raise Wrong(f"{texture.path}: {texture.colour_space}, where {first.path} "
+                        f"is {first.colour_space}")
+    return textures

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: MIT
+"""What an eclipse is made from: the values that its Moon keeps, and the program's words for them."""
+import math
+import re
+from types import SimpleNamespace
+
+import bpy
+from bpy.props import (BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty,
+                       StringProperty)
+
+from .wrong import Wrong
+
+CONTACTS = (
+    ("greatest", "Greatest eclipse", "The Moon is nearest to the shadow's axis"),
+    ("P1", "P1", "The penumbra reaches the Moon"),
+    ("U1", "U1", "The umbra reaches the Moon"),
+    ("U2", "U2", "Totality begins"),
+    ("U3", "U3", "Totality ends"),
+    ("U4", "U4", "The Moon leaves the umbra"),
+    ("P4", "P4", "The Moon leaves the penumbra"),
+)
+AIRS = (
+    ("standard", "Standard", "The air of the eclipse's month, by latitude"),
+    ("undated", "Undated", "The same everywhere and always"),
+    ("clear", "Clear", "Air and ozone only"),
+    ("molecular", "Molecular", "Air only"),
+    ("paper", "Paper", "As in Yapo & Cutler (2009)"),
+    ("none", "None", "The bare Earth: no light in the umbra"),
+)
+QUALITIES = (
+    ("draft", "Draft", "Luminance to 5 %"),
+    ("standard", "Standard", "Luminance to 1 %"),
+    ("reference", "Reference", "Luminance to 0.05 %; takes minutes"),
+)
+SPACES = (
+    ("lin_rec709", "Linear Rec.709", "Blender's own; reds outside it are paler"),
+    ("acescg", "ACEScg", "Holds all reds of an eclipse"),
+    ("lin_ciexyzd65_scene", "CIE XYZ", "CIE XYZ, D65"),
+)
+UPS = (
+    ("celestial-north", "Celestial north", "North of the sky is up in the picture"),
+    ("zenith", "Zenith", "As it is seen from the place"),
+    ("moon-north", "Moon's north", "The Moon's axis is upright in the picture"),
+)
+
+
+class Values:
+    """What one asks for; of the operator that adds, and of the Moon that it makes."""
+    date: StringProperty(
+        name="Date", default="2018-07-27",
+        description="Day of greatest eclipse (UTC), as 2018-07-27; or a moment in UTC, as "
+                    "2018-07-27T20:40Z")
+    film: BoolProperty(
+        name="Whole eclipse", description="A texture for each frame, from P1 to P4; otherwise one moment")
+    frames: IntProperty(
+        name="Frames", default=240, min=2, max=1000000, soft_max=5000,
+        description="Number of frames from P1 to P4")
+    contact: EnumProperty(
+        name="Contact", items=CONTACTS, default="greatest", description="What the moment is counted from")
+    offset: FloatProperty(
+        name="Offset", subtype="TIME_ABSOLUTE", unit="TIME_ABSOLUTE", soft_min=-7200, soft_max=7200,
+        step=6000, description="Time from the contact to the moment; seconds, or as typed: 10min")
+    place: StringProperty(
+        name="Place",
+        description="Place of the observer, whose air dims and reddens the Moon: a city, as Nairobi, or "
+                    "latitude, longitude and elevation, as -1.28,36.82,1684 [degrees north and east, "
+                    "metres]; empty: the Earth's centre, without air")
+    air: EnumProperty(name="Air", items=AIRS, default="standard", description="Air of the Earth around its limb")
+    by_danjon: BoolProperty(
+        name="By Danjon", description="Cloud and aerosol are scaled until the eclipse is as bright as it is on Danjon's scale")
+    danjon: IntProperty(
+        name="Danjon", default=2, min=0, max=4,
+        description="Brightness of totality on Danjon's scale, 0 (very dark) to 4 (bright)")
+    quality: EnumProperty(
+        name="Quality", items=QUALITIES, default="standard", description="Largest error of luminance on the disc")
+    texture_width: IntProperty(
+        name="Texture", default=4096, min=4, max=32768, step=2, subtype="PIXEL",
+        description="Width of the texture, even; it is half as high")
+    space: EnumProperty(
+        name="Colours", items=SPACES, default="lin_rec709", description="Colour space of the texture")
+    up: EnumProperty(
+        name="Up", items=UPS, default="celestial-north", description="Direction that is up in the picture")
+    field: FloatProperty(
+        name="Field", subtype="ANGLE", unit="ROTATION", default=math.radians(0.6),
+        min=math.radians(1e-3), max=math.radians(170), precision=4,
+        description="Angle of view across the shorter side of the picture; the Moon has half a degree")
+
+
+NAMES = tuple(Values.__annotations__)
+
+
+class MoonValues(Values, bpy.types.PropertyGroup):
+    is_moon: BoolProperty(description="This object is a Moon of this add-on")
+    camera: PointerProperty(type=bpy.types.Object, description="The observer; moved when baked again")
+    lamp: PointerProperty(type=bpy.types.Object, description="The light on the scene; changed when baked again")
+    scene: PointerProperty(type=bpy.types.Scene, description="The scene of this eclipse, where it has one of its own")
+
+
+def copy(source, target):
+    for name in NAMES:
+        setattr(target, name, getattr(source, name))
+
+
+def plain(source):
+    """The values as they are now, for later; Blender's own are gone after an undo."""
+    return SimpleNamespace(**{name: getattr(source, name) for name in NAMES})
+
+
+def day_of(values):
+    return re.split("[T ]", values.date.strip())[0]
+
+
+def is_day(values):
+    return "T" not in values.date and " " not in values.date.strip()
+
+
+def require_sound(values):
+    if not values.date.strip():
+        raise Wrong("date: is empty; allowed is a day, as 2018-07-27")
+    if values.texture_width % 2:
+        raise Wrong(f"texture width = {values.texture_width}, allowed is an even number")
+    if values.up == "zenith" and not values.place.strip():
+        raise Wrong("up = zenith: needs a place")
+
+
+def moment(values):
+    """As the program reads it: 2018-07-27 U2+600s."""
+    if not is_day(values):
+        return values.date.strip()
+    if values.contact == "greatest" and values.offset == 0:
+        return values.date.strip()
+    offset = f"{values.offset:+.0f}s" if values.offset else ""
+    return f"{values.date.strip()} {values.contact}{offset}"
+
+
+def options(values):
+    """The program's options for all but the moment. With = for a place may begin with a minus."""
+    words = [f"--atmosphere={values.air}", f"--quality={values.quality}",
+             f"--texture-width={values.texture_width}", f"--space={values.space}"]
+    if values.by_danjon:
+        words.append(f"--danjon={values.danjon}")
+    if values.place.strip():
+        words.append(f"--at={values.place.strip()}")
+    return words
+
+
+def register():
+    bpy.utils.register_class(MoonValues)
+    bpy.types.Object.coppermoon = PointerProperty(type=MoonValues)
+
+
+def unregister():
+    del bpy.types.Object.coppermoon
+    bpy.utils.unregister_class(MoonValues)

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: MIT
+// The add-on in Blender itself: what it adds is what the program makes, as bright as the disc is.
+#include <fmt/format.h>
+
+#include <array>
+#include <sstream>
+
+#include "hand_off/agreement.h"
+#include "hand_off/blender.h"
+#include "hand_off/reference_projection.h"
+#include "support/within.h"
+
+namespace coppermoon::hand_off {
+namespace {
+
+using end_to_end::expect_done;
+
+constexpr auto up = povray_scenes::Up::zenith;
+
+/// What the tests say of an eclipse, behind its date: quick to bake.
+const std::string quick = "texture_width=256, quality='draft'";
+
+class BlenderAddOn : public BlenderTest {
+ protected:
+  /// A call of the operator that adds the eclipse of a look.
+  std::string add_eclipse() const {
+    return fmt::format(
+        "bpy.ops.coppermoon.add_eclipse(date='{}', place='{}', up='{}', field={:.9f}, "
+        "texture_width=1024)\n",
+        look.instant, at(look.observer), word(look.up), in_radians(algebra::degrees(field_deg)));
+  }
+
+  /// What a program in Blender prints in a line that begins with a word.
+  static std::string line(const end_to_end::Outcome& outcome, const std::string& word) {
+    std::istringstream lines(outcome.out);
+    for (std::string one; std::getline(lines, one);)
+      if (one.starts_with(word + " ")) return one.substr(word.size() + 1);
+    ADD_FAILURE() << word << ": not in " << outcome.out << outcome.err;
+    return "nothing";
+  }
+
+  static double number(const end_to_end::Outcome& outcome, const std::string& word) {
+    const auto text = line(outcome, word);
+    return text == "nothing" ? std::nan("") : std::stod(text);
+  }
+
+  std::vector<std::string> textures_kept() const {
+    std::vector<std::string> names;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(here("cache/coppermoon"), none))
+      if (entry.path().extension() == ".tx") names.push_back(entry.path().string());
+    return names;
+  }
+
+  Look look = from_the_south(up);
+};
+
+/// Solid angle of the picture's pixels, near its middle [sr].
+double pixel_sr() {
+  const double across = 2 * std::tan(in_radians(algebra::degrees(field_deg)) / 2) / side;
+  return across * across;
+}
+
+/// The light of a frame on what faces the Moon [lux], by channel.
+Rgb lux(const texture::Image& frame) {
+  Rgb sum{0, 0, 0};
+  for (std::size_t i = 0; i < frame.values.size(); ++i)
+    sum[static_cast<int>(i % 3)] += frame.values[i];
+  return pixel_sr() * sum;
+}
+
+const std::string print_state =
+    "moon = bpy.data.objects['Moon']\n"
+    "node = next(n for n in moon.active_material.node_tree.nodes if n.type == 'TEX_IMAGE')\n"
+    "print('image', node.image.filepath if node.image else 'none')\n"
+    "print('lux', bpy.data.lights['Moonlight'].energy)\n"
+    "print('danjon', moon.coppermoon.danjon)\n";
+
+TEST_F(BlenderAddOn, IsInstalledFromItsZip) {
+  std::filesystem::remove_all(here("scripts/addons/coppermoon"));
+  const auto outcome = blender(
+      {"blender", "-b", "--python-exit-code", "3", "--python-expr",
+       "import bpy\nbpy.ops.preferences.addon_install(filepath=r'" COPPERMOON_ADD_ON "')\n"
+       "bpy.ops.preferences.addon_enable(module='coppermoon')\n"
+       "print('program', bpy.context.preferences.addons['coppermoon'].preferences.program == '')\n"
+       "bpy.ops.preferences.addon_disable(module='coppermoon')\n"
+       "print('gone', not hasattr(bpy.types.Object, 'coppermoon'))"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(line(outcome, "program"), "True");
+  EXPECT_EQ(line(outcome, "gone"), "True");
+}
+
+TEST_F(BlenderAddOn, AddsTheMoonThatItsObserverSees) {
+  const auto frame = luminances(rendered(add_eclipse() + square()));
+  ASSERT_EQ(textures_kept().size(), 1U);
+  const auto reference =
+      luminances(reference_projection(texture::read_image(textures_kept().front()), look.camera()));
+  EXPECT_LT(part_that_differs(frame, reference, radius_px(look.camera()), 0.01), 0.01);
+  EXPECT_WITHIN_RELATIVE(total(frame), total(reference), 5e-4,
+                         "rays in the pixels of the limb: 1.5e-4");
+  EXPECT_LT(glm::length(shift(frame, reference)), 0.1);
+}
+
+TEST_F(BlenderAddOn, LightsAWhiteWallAsTheDiscDoes) {
+  const auto wall = rendered(
+      add_eclipse() +
+      "import mathutils\n"
+      "scene = bpy.context.scene\n"
+      "observer = scene.camera\n"
+      "bpy.ops.mesh.primitive_plane_add(size=2)\n"
+      "wall = bpy.context.object\n"
+      "wall.rotation_mode = 'QUATERNION'\n"
+      "turned = observer.rotation_quaternion @ mathutils.Quaternion((0, 1, 0), 3.141592653589793)\n"
+      "wall.rotation_quaternion = turned\n"  // its +Z towards the Moon
+      "wall.location = observer.location\n"
+      "white = bpy.data.materials.new('White')\n"
+      "white.use_nodes = True\n"
+      "nodes = white.node_tree.nodes\n"
+      "nodes.clear()\n"
+      "diffuse = nodes.new('ShaderNodeBsdfDiffuse')\n"
+      "diffuse.inputs['Color'].default_value = (1, 1, 1, 1)\n"
+      "ends = nodes.new('ShaderNodeOutputMaterial')\n"
+      "white.node_tree.links.new(diffuse.outputs[0], ends.inputs[0])\n"
+      "wall.data.materials.append(white)\n"
+      "data = bpy.data.cameras.new('Near')\n"
+      "data.type, data.ortho_scale = 'ORTHO', 1\n"
+      "near = scene.camera = bpy.data.objects.new('Near', data)\n"
+      "scene.collection.objects.link(near)\n"
+      "near.rotation_mode = 'QUATERNION'\n"
+      "near.rotation_quaternion = turned\n"
+      "near.location = observer.location + turned @ mathutils.Vector((0, 0, 3))\n"
+      "scene.render.resolution_x = scene.render.resolution_y = 16\n");
+  ASSERT_EQ(textures_kept().size(), 1U);
+  const auto disc =
+      lux(reference_projection(texture::read_image(textures_kept().front()), look.camera()));
+  Rgb mean{0, 0, 0};
+  for (std::size_t i = 0; i < wall.values.size(); ++i)
+    mean[static_cast<int>(i % 3)] += wall.values[i] / (16. * 16.);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_WITHIN_RELATIVE(std::numbers::pi * mean[k], disc[k], 0.003,
+                           "the lamp's sum over a texture of 128 rows: 0.2 %");
+}
+
+TEST_F(BlenderAddOn, KeysAWholeEclipseFromP1ToP4) {
+  constexpr int frames = 12;
+  const auto outcome = python(
+      fmt::format("bpy.ops.coppermoon.add_eclipse(date='2018-07-27', film=True, frames={}, {}, "
+                  "field={:.9f})\n",
+                  frames, quick, in_radians(algebra::degrees(field_deg))) +
+          square() +
+          "print('range', scene.frame_start, scene.frame_end)\n"
+          "print('marks', *[f'{m.name}={m.frame}' for m in scene.timeline_markers])\n"
+          "for frame in range(1, 13):\n"
+          "    scene.frame_set(frame)\n"
+          "    print(f'lux{frame}', bpy.data.lights['Moonlight'].energy)\n"
+          "scene.frame_set(1)\n"
+          "scene.frame_step = 3\n",
+      {"-o", here("frame.####").string(), "-a"});
+  ASSERT_EQ(outcome.status, 0) << outcome.out;
+  EXPECT_EQ(line(outcome, "range"), "1 12");
+  // By the published contacts, 17:14:49, 18:24:27, 19:30:15, 21:13:12, 22:19:00 and 23:28:37, in
+  // eleven steps of 34 minutes.
+  EXPECT_EQ(line(outcome, "marks"), "P1=1 U1=3 U2=5 U3=8 U4=10 P4=12");
+  for (const int frame : {1, 4, 7, 10}) {
+    const double light =
+        pixel_sr() *
+        total(luminances(texture::read_image(here(fmt::format("frame.{:04}.exr", frame)))));
+    EXPECT_WITHIN_RELATIVE(number(outcome, fmt::format("lux{}", frame)), light, 0.005,
+                           "the lamp's sum of 128 rows 0.2 %, colours, 64 rays a pixel");
+  }
+  EXPECT_LT(number(outcome, "lux7"), 1e-3 * number(outcome, "lux1")) << "or all were alike";
+}
+
+TEST_F(BlenderAddOn, BakesAgainWhenAValueChanges) {
+  const auto first =
+      python("bpy.ops.coppermoon.add_eclipse(date='2018-07-27', " + quick + ")\n" + print_state +
+             "bpy.ops.wm.save_as_mainfile(filepath=r'" + here("eclipse.blend").string() + "')\n");
+  ASSERT_EQ(first.status, 0) << first.out;
+  const auto again =
+      blender({"blender", "-b", "--factory-startup", "--python-exit-code", "3", "--addons",
+               "coppermoon", here("eclipse.blend").string(), "--python-expr",
+               "import bpy\nvalues = bpy.data.objects['Moon'].coppermoon\n"
+               "values.by_danjon, values.danjon = True, 1\nbpy.ops.coppermoon.bake()\n" +
+                   print_state});
+  ASSERT_EQ(again.status, 0) << again.out;
+  EXPECT_NE(line(first, "image"), line(again, "image"));
+  EXPECT_TRUE(line(again, "image").starts_with("//coppermoon/")) << "beside the .blend";
+  EXPECT_LT(number(again, "lux"), 0.5 * number(first, "lux")) << "a darker eclipse";
+  EXPECT_GT(number(again, "lux"), 0);
+}
+
+TEST_F(BlenderAddOn, IsUndone) {
+  const auto outcome = python(
+      "bpy.ops.ed.undo_push(message='before')\n"
+      "bpy.ops.coppermoon.add_eclipse('EXEC_DEFAULT', True, date='2018-07-27', " +
+      quick + ")\n" + print_state +
+      "bpy.ops.ed.undo()\n"
+      "print('scenes', *[s.name for s in bpy.data.scenes])\n"
+      "print('moons', [o.name for o in bpy.data.objects].count('Moon'))\n"
+      "bpy.ops.ed.redo()\n"
+      "print('again', bpy.context.scene.objects['Moon'].coppermoon.date)\n");
+  ASSERT_EQ(outcome.status, 0) << outcome.out;
+  EXPECT_NE(line(outcome, "image"), "none");
+  EXPECT_EQ(line(outcome, "scenes"), "Scene");
+  EXPECT_EQ(number(outcome, "moons"), 0);
+  EXPECT_EQ(line(outcome, "again"), "2018-07-27");
+}
+
+TEST_F(BlenderAddOn, ListsTheEclipsesOfSomeYears) {
+  const auto outcome = python(
+      "from types import SimpleNamespace\n"
+      "from coppermoon import operators\n"
+      "years = SimpleNamespace(first_year=2018, last_year=2019)\n"
+      "items = operators.eclipses_listed(years, None)\n"
+      "print('list', *[item[1].split(',')[0] for item in items], sep=';')\n");
+  ASSERT_EQ(outcome.status, 0) << outcome.out;
+  // F. Espenak and J. Meeus, Five Millennium Canon of Lunar Eclipses (NASA, 2006).
+  EXPECT_NE(outcome.out.find("list;By date;2018-01-31  total;2018-07-27  total;2019-01-21  total;"
+                             "2019-07-16  partial\n"),
+            std::string::npos)
+      << outcome.out;
+}
+
+TEST_F(BlenderAddOn, SaysWhatTheProgramFindsWrong) {
+  const auto said = [&](const std::string& values) {
+    const auto outcome = python("bpy.ops.coppermoon.add_eclipse(" + values + ")");
+    EXPECT_EQ(outcome.status, 3) << values;
+    return line(outcome, "Error:");
+  };
+  EXPECT_TRUE(said("date='2018-07-29'").starts_with("2018-07-29: no lunar eclipse is greatest"));
+  EXPECT_NE(said("date='2018-07-27', place='Atlantis'").find("Atlantis"), std::string::npos);
+  EXPECT_EQ(said("date='2018-07-27', up='zenith'"), "up = zenith: needs a place");
+  EXPECT_EQ(said("date='2018-07-27', texture_width=65"),
+            "texture width = 65, allowed is an even number");
+}
+
+/// In a window of a screen that nobody sees, the program works in the background: the window's own
+/// events go on, and undo takes back what it made.
+TEST_F(BlenderAddOn, WorksInAWindow) {
+  file("steps.py",
+       "import bpy\n"
+       "from coppermoon.operators import Running\n"
+       "def state(word):\n"
+       "    moon = bpy.data.objects['Moon']\n"
+       "    node = next(n for n in moon.active_material.node_tree.nodes if n.type == 'TEX_IMAGE')\n"
+       "    print(word, node.image.name if node.image else 'none', flush=True)\n"
+       "def steps():\n"
+       "    add = bpy.ops.coppermoon.add_eclipse\n"
+       "    add('EXEC_DEFAULT', True, date='2018-07-27', " +
+           quick +
+           ")\n"
+           "    state('added')\n"
+           "    ticks = 0\n"
+           "    while Running.now:\n"
+           "        ticks += 1\n"
+           "        yield\n"
+           "    print('ticks', ticks)\n"
+           "    state('baked')\n"
+           "    bpy.ops.ed.undo()\n"
+           "    yield\n"
+           "    state('undone')\n"
+           "    bpy.ops.ed.redo()\n"
+           "    yield\n"
+           "    state('redone')\n"
+           "    bpy.data.objects['Moon'].coppermoon.quality = 'reference'\n"
+           "    bpy.ops.coppermoon.bake('INVOKE_DEFAULT')\n"
+           "    yield\n"
+           "    bpy.ops.coppermoon.stop()\n"
+           "    while Running.now:\n"
+           "        yield\n"
+           "    state('stopped')\n"
+           "    bpy.data.objects['Moon'].coppermoon.quality = 'draft'\n"
+           "    bpy.data.objects['Moon'].coppermoon.film = True\n"
+           "    bpy.data.objects['Moon'].coppermoon.frames = 2\n"
+           "    bpy.ops.coppermoon.bake('INVOKE_DEFAULT')\n"
+           "    yield\n"
+           "    bpy.ops.ed.undo()\n"  // the Moon's own values are gone now
+           "    while Running.now:\n"
+           "        yield\n"
+           "    state('gone_on')\n"
+           "    print('finished yes', flush=True)\n"
+           "work = steps()\n"
+           "def tick():\n"
+           "    window = bpy.context.window_manager.windows[0]\n"
+           "    area = next(a for a in window.screen.areas if a.type == 'VIEW_3D')\n"
+           "    try:\n"
+           "        with bpy.context.temp_override(window=window, area=area, "
+           "region=area.regions[-1]):\n"
+           "            next(work)\n"
+           "        return 0.1\n"
+           "    except StopIteration:\n"
+           "        pass\n"
+           "    except Exception as error:\n"
+           "        print(error, flush=True)\n"
+           "    bpy.ops.wm.quit_blender()\n"
+           "bpy.app.timers.register(tick, first_interval=1)\n");
+  surroundings = {"LIBGL_ALWAYS_SOFTWARE=1", "TMPDIR=/tmp"};  // no space, for Xvfb
+  const auto outcome = blender({"xvfb-run", "-a", "timeout", "600", "blender", "--factory-startup",
+                                "--addons", "coppermoon", "-P", "steps.py"});
+  EXPECT_EQ(line(outcome, "added"), "none");
+  EXPECT_GT(number(outcome, "ticks"), 2) << "timers of others, while the program worked";
+  EXPECT_TRUE(line(outcome, "baked").ends_with(".tx"));
+  EXPECT_EQ(line(outcome, "undone"), "none");
+  EXPECT_EQ(line(outcome, "redone"), line(outcome, "baked"));
+  EXPECT_EQ(line(outcome, "stopped"), line(outcome, "baked"));
+  EXPECT_TRUE(line(outcome, "gone_on").ends_with("0001.exr")) << "after undo, while it baked";
+  EXPECT_EQ(line(outcome, "finished"), "yes");
+}
+
+/// Cycles reads the recipe itself, by OpenImageIO; nothing is baked before it does.
+TEST_F(BlenderAddOn, CyclesRendersARecipe) {
+  file("moon.eclipse", fmt::format("instant = \"{}\"\nat = \"{}\"\ntexture-width = 1024\n",
+                                   look.instant, at(look.observer)));
+  expect_done(coppermoon({"bake", "--recipe", "moon.eclipse", "-o", "moon_lin_rec709.exr"}));
+  const auto frame_of = [&](const std::string& more) {
+    return luminances(rendered("moon_lin_rec709.exr", up, more));
+  };
+  const std::string by_recipe =
+      "node = next(n for n in bpy.context.object.active_material.node_tree.nodes\n"
+      "            if n.type == 'TEX_IMAGE')\n"
+      "space = node.image.colorspace_settings.name\n"
+      "node.image = bpy.data.images.load('moon.eclipse')\n"
+      "node.image.colorspace_settings.name = space\n";
+  const auto baked = frame_of("");
+  const auto unread = frame_of(by_recipe);
+  EXPECT_GT(std::abs(total(unread) / total(baked) - 1), 0.5)
+      << "who cannot read it shows something else";
+  ASSERT_TRUE(textures_kept().empty());
+  surroundings = {"OIIO_LIBRARY_PATH=" COPPERMOON_READERS};
+  const auto read = frame_of(by_recipe);
+  EXPECT_EQ(textures_kept().size(), 1U);
+  EXPECT_WITHIN_RELATIVE(total(read), total(baked), 2e-4, "the same texels, in halves");
+  EXPECT_EQ(part_that_differs(read, baked, radius_px(look.camera()), 0.001), 0);
+}
+
+}  // namespace
+}  // namespace coppermoon::hand_off
