@@ -206,6 +206,24 @@ TEST_F(BlenderAddOn, IsUndone) {
   EXPECT_EQ(line(outcome, "again"), "2018-07-27");
 }
 
+TEST_F(BlenderAddOn, LeavesASceneOfTheUsersAsItIs) {
+  const auto outcome = python(
+      "scene = bpy.context.scene\n"
+      "before = (scene.camera, scene.world, scene.render.engine, scene.view_settings.exposure)\n"
+      "bpy.ops.coppermoon.add_eclipse(date='2018-07-27', own_scene=False, " +
+      quick +
+      ")\n"
+      "after = (scene.camera, scene.world, scene.render.engine, scene.view_settings.exposure)\n"
+      "print('same', before == after and len(bpy.data.scenes) == 1)\n"
+      "print('objects', *sorted(o.name for o in scene.objects))\n"
+      "bpy.ops.coppermoon.bake()\n" +
+      print_state);
+  ASSERT_EQ(outcome.status, 0) << outcome.out;
+  EXPECT_EQ(line(outcome, "same"), "True");
+  EXPECT_EQ(line(outcome, "objects"), "Camera Cube Light Moon Moonlight");
+  EXPECT_NE(line(outcome, "image"), "none");
+}
+
 TEST_F(BlenderAddOn, ListsTheEclipsesOfSomeYears) {
   const auto outcome = python(
       "from types import SimpleNamespace\n"
