@@ -3,7 +3,7 @@
 bl_info = {
     "name": "Coppermoon",
     "description": "Eclipsed Moons: texture, light, camera and time line from a date and a place",
-    "author": "The authors of coppermoon",
+    "author": "The coppermoon authors",
     "version": (0, 2, 0),
     "blender": (3, 4, 0),
     "location": "3D Viewport > Add > Eclipse; sidebar > Eclipse; File > Import",

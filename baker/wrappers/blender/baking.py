@@ -30,14 +30,14 @@ def seconds_of(contact):
 
 
 def parts_of(contacts):
-    """The part of the time from P1 to P4 that has passed at each contact; an eclipse is shorter than a day."""
+    """The part of the time from P1 to P4 that has passed at each contact, of an eclipse shorter than a day."""
     since_first = {name: (seconds_of(time) - seconds_of(contacts["P1"])) % 86400
                    for name, time in contacts.items()}
     return {name: since / since_first["P4"] for name, since in since_first.items()}
 
 
 def eclipses(first, last):
-    """Yields as `program.run`; returns what the almanac says of the eclipses from one moment to another."""
+    """Yields as `program.run`; returns what the almanac says of the eclipses between two moments."""
     lines = []
     yield from program.run(["almanac", "--json", f"--from={first}", f"--to={last}"], lines.append)
     return json.loads("".join(lines))
@@ -73,7 +73,9 @@ def bake_film(wanted):
 
     for what, part in program.run([*words, "--json", "--replace", f"--output={folder}"], take):
         frames = len(measured)
-        yield (f"frame {frames} of {wanted.frames}", frames / wanted.frames) if frames else (what, part)
+        if frames:
+            what, part = f"frame {frames} of {wanted.frames}", frames / wanted.frames
+        yield what, part
     return Baked(textures_of(folder), contacts, measured)
 
 

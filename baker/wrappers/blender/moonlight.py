@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The light of the whole disc on what faces it: a Sun lamp, whose strength is illuminance in lux where radiance is
-luminance in cd/m²."""
+"""The light of the whole disc on what faces it: a Sun lamp, whose strength is illuminance in lux where
+radiance is luminance in cd/m²."""
 import array
 import math
 

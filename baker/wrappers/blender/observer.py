@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Who looks: the camera, and the way to it. The Moon has radius 1 and stands at the origin; longitude 0 is at +X,
-90 east at +Y, north at +Z."""
+"""Who looks: the camera, and the way to it. The Moon has radius 1 and stands at the origin; longitude 0
+is at +X, 90 east at +Y, north at +Z."""
 import math
 
 import bpy

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Add an eclipse, bake it again, import its textures. Without a window, and called by a script, each waits until it
-is done; in a window the program works in the background."""
+"""Add an eclipse, bake it again, import its textures. In a window the program works in the background;
+without one, each waits until it is done."""
 import datetime
 import os
 import time
@@ -144,7 +144,8 @@ def eclipses_listed(self, context):
     if years not in listed:
         items = [("DATE", "By date", "The date below")]
         try:
-            for eclipse in result(baking.eclipses(f"{years[0]:04d}-01-01", f"{years[1]:04d}-12-31T23:59:59Z")):
+            first, last = f"{years[0]:04d}-01-01", f"{years[1]:04d}-12-31T23:59:59Z"
+            for eclipse in result(baking.eclipses(first, last)):
                 day = eclipse["greatest"].split("T")[0]
                 magnitude = eclipse["umbral_magnitude"]
                 size = f", {magnitude:.2f}" if magnitude > 0 else ""
@@ -171,12 +172,12 @@ class AddEclipse(values.Values, bpy.types.Operator):
     """Adds an eclipsed Moon: texture, light, camera and time line"""
     bl_idname = "coppermoon.add_eclipse"
     bl_label = "Eclipse"
-    bl_options = {"UNDO"}  # not REGISTER: its values are the Moon's, in the sidebar, where they are changed
+    bl_options = {"UNDO"}  # not REGISTER: its values are the Moon's, and are changed in the sidebar
 
     own_scene: BoolProperty(
         name="Scene of its own", default=True,
-        description="A new scene with the observer's camera, a black world, time line and render settings; "
-                    "otherwise the Moon and its light alone, in this scene")
+        description="A new scene with the observer's camera, a black world, time line and render "
+                    "settings; otherwise the Moon and its light alone, in this scene")
     first_year: IntProperty(name="From", default=datetime.date.today().year, min=1, max=3000,
                             options={"SKIP_SAVE"}, update=by_date, description="First year of the list")
     last_year: IntProperty(name="To", default=datetime.date.today().year + 10, min=1, max=3000,
@@ -224,7 +225,8 @@ class ImportEclipse(bpy.types.Operator, ImportHelper):
 
     filename_ext = ".exr"
     filter_glob: StringProperty(default="*.exr;*.tx", options={"HIDDEN"})
-    film: BoolProperty(name="Film", description="All textures of the film that this one is a frame of, in its folder")
+    film: BoolProperty(
+        name="Film", description="All textures of the film that this one is a frame of, in its folder")
     own_scene: AddEclipse.__annotations__["own_scene"]
     up: values.Values.__annotations__["up"]
     field: values.Values.__annotations__["field"]

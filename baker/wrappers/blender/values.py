@@ -65,14 +65,17 @@ class Values:
         description="Place of the observer, whose air dims and reddens the Moon: a city, as Nairobi, or "
                     "latitude, longitude and elevation, as -1.28,36.82,1684 [degrees north and east, "
                     "metres]; empty: the Earth's centre, without air")
-    air: EnumProperty(name="Air", items=AIRS, default="standard", description="Air of the Earth around its limb")
+    air: EnumProperty(
+        name="Air", items=AIRS, default="standard", description="Air of the Earth around its limb")
     by_danjon: BoolProperty(
-        name="By Danjon", description="Cloud and aerosol are scaled until the eclipse is as bright as it is on Danjon's scale")
+        name="By Danjon",
+        description="Cloud and aerosol are scaled until totality is as bright as Danjon's scale says")
     danjon: IntProperty(
         name="Danjon", default=2, min=0, max=4,
         description="Brightness of totality on Danjon's scale, 0 (very dark) to 4 (bright)")
     quality: EnumProperty(
-        name="Quality", items=QUALITIES, default="standard", description="Largest error of luminance on the disc")
+        name="Quality", items=QUALITIES, default="standard",
+        description="Largest error of luminance on the disc")
     texture_width: IntProperty(
         name="Texture", default=4096, min=4, max=32768, step=2, subtype="PIXEL",
         description="Width of the texture, even; it is half as high")
@@ -92,8 +95,8 @@ NAMES = tuple(Values.__annotations__)
 class MoonValues(Values, bpy.types.PropertyGroup):
     is_moon: BoolProperty(description="This object is a Moon of this add-on")
     camera: PointerProperty(type=bpy.types.Object, description="The observer; moved when baked again")
-    lamp: PointerProperty(type=bpy.types.Object, description="The light on the scene; changed when baked again")
-    scene: PointerProperty(type=bpy.types.Scene, description="The scene of this eclipse, where it has one of its own")
+    lamp: PointerProperty(type=bpy.types.Object, description="The light; changed when baked again")
+    scene: PointerProperty(type=bpy.types.Scene, description="The scene of this eclipse alone, if any")
 
 
 def copy(source, target):
