@@ -75,6 +75,7 @@ Texture texture_of(const Moment& when, std::size_t width, const std::string& spa
       .space = colour::working_space(space), .spectral_nm = spectral_nm, .passes = passes};
   uses::require_sound(content);
   uses::texture_width_of(request);
+  uses::require_map(request);
   auto baked = computed(told, [&](const algebra::Progress& progress) {
     return baked_of(request, when.instant, view_request(at, reddening), content, progress);
   });

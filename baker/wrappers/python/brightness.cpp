@@ -46,6 +46,7 @@ Brightness brightness_at(const Moment& when, const std::optional<uses::Air>& air
                          const std::optional<Place>& at, bool reddening, const Told& told) {
   const auto request = moon_request(light_request(air, light),
                                     {albedo_map, albedo_exponent, photometry, unshadowed});
+  uses::require_map(request);
   return computed(told, [&](const algebra::Progress& progress) {
     const auto sky = almanac::sky_at(when.instant);
     const auto found = uses::brightness_of(request, sky, view_request(at, reddening), progress);
@@ -113,10 +114,9 @@ void add_brightness(py::module_& package) {
 
 Magnitudes, luminance and illuminance of the whole Moon at a moment of an eclipse. Arguments are those of bake.
 
->>> moon = coppermoon.brightness('2018-07-27T20:21:45Z', albedo_map='built-in',
-...                              air=coppermoon.Air(atmosphere='clear'), light=coppermoon.Light(bands=6, rays=60))
->>> sorted(moon.magnitudes), moon.magnitudes['B'] > moon.magnitudes['R'], moon.illuminance_lx < 0.01
-(['B', 'R', 'V'], True, True)
+>>> full = coppermoon.brightness('2018-07-27T20:21:45Z', albedo_map='built-in', unshadowed=True)
+>>> sorted(full.magnitudes), 0.1 < full.illuminance_lx < 0.4
+(['B', 'R', 'V'], True)
 )");
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "uses/study/fit.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "uses/light/photometric_bands.h"
 #include "wrappers/python/arguments.h"
 #include "wrappers/python/computing.h"
 #include "wrappers/python/nouns.h"
@@ -28,6 +30,9 @@ std::vector<uses::MeasuredMagnitude> measured_by(const py::iterable& told) {
       auto& one = all.emplace_back(uses::MeasuredMagnitude{
           instant_of(row[0]), row[1].cast<std::string>(), row[2].cast<double>()});
       if (py::len(row) == 4) one.error = row[3].cast<double>();
+      const auto bands = uses::photometric_bands();
+      if (std::ranges::find(bands, one.band, &uses::PhotometricBand::name) == bands.end())
+        throw algebra::Error(fmt::format("band = {}, allowed B, V or R", one.band));
       algebra::require_within("magnitude", one.magnitude, -30, 30);
       algebra::require_within("error of a magnitude", one.error, 0.001, 0.99);
     } catch (const py::cast_error&) {
@@ -109,6 +114,7 @@ magnitudes: (moment, band, magnitude) or (moment, band, magnitude, error): band 
     centre and to above the air; error 0.001 to 0.99 mag, 0.1 unless given
 air: all but dust, cloud cover and ozone
 light: limb_darkening, scattered_light and starlight; nothing else of it counts
+progress: called some times a second; Ctrl-C is answered when the fit ends, some ten seconds later
 
 >>> when = '2018-07-27T20:21:45Z'
 >>> found = coppermoon.fit([(when, 'B', 2.55), (when, 'V', -0.47), (when, 'R', -3.20)],
