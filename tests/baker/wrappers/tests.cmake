@@ -13,7 +13,7 @@ if(TARGET coppermoon_python)
   add_test(NAME baker/wrappers/python/umbra COMMAND ${COPPERMOON_PYTHON} ${PROJECT_SOURCE_DIR}/examples/python/umbra.py
            ${PROJECT_BINARY_DIR}/umbra.png)
   set_tests_properties(baker/wrappers/python/umbra PROPERTIES LABELS slow TIMEOUT ${slow_timeout_s} ENVIRONMENT "${surroundings}"
-                       PASS_REGULAR_EXPRESSION "molecules alone: 1/2[1-5][0-9][0-9] of sunlight")
+                       PASS_REGULAR_EXPRESSION "molecules alone: 1/2[1-6][0-9][0-9] of sunlight")
   add_test(NAME baker/wrappers/python/wheel COMMAND sh ${CMAKE_CURRENT_LIST_DIR}/python/wheel_test.sh ${CMAKE_COMMAND}
            ${PROJECT_BINARY_DIR} ${COPPERMOON_PYTHON})
   set_tests_properties(baker/wrappers/python/wheel PROPERTIES LABELS slow TIMEOUT ${slow_timeout_s})

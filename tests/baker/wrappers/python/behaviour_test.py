@@ -104,7 +104,7 @@ class Memory(unittest.TestCase):
         self.assertFalse(pixels.flags.owndata)  # it is the library's own, not a copy
 
     def test_arrays_give_their_memory_back(self):
-        settings = {**small, "width": 2048, "unshadowed": True}  # 25 MB
+        settings = {**small, "width": 1024}  # 6 MB
 
         def most_mb():
             return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
@@ -113,7 +113,7 @@ class Memory(unittest.TestCase):
         before = most_mb()
         for _ in range(8):
             coppermoon.bake(when, **settings)
-        self.assertLess(most_mb() - before, 80)  # three of them; 200 were all of them kept
+        self.assertLess(most_mb() - before, 25)  # four of them; 50 were all of them kept
 
     def test_references_are_counted(self):
         air, callback = coppermoon.Air(atmosphere="clear"), lambda part: None
