@@ -66,7 +66,7 @@ extremes_thoroughly() {
 
 films_and_convergence() {
   released slow_tests
-  test_release -L '^slow$' -R '^(end_to_end/film|extremes/film_faults|baker/shadow/convergence|baker/uses/study/fit_light)$'
+  test_release -L '^slow$' -R '^(end_to_end/film|extremes/film_faults|baker/shadow/convergence|baker/uses/study/fit_light|baker/wrappers/python/(umbra|wheel))$'
 }
 
 plans_kept() {

@@ -60,7 +60,8 @@ for k, (name, factor) in enumerate(exposures.items()):
     screen[rows] *= factor
     above.text(-8800, -3000 + 2000 * (k + 0.5), name, color="black" if factor == 1 else "white", va="center",
                bbox={"color": "white" if factor == 1 else "black", "alpha": 0.5})
-above.imshow(shown(screen[: 3 * third]), extent=(-9000, 9000, -3000, 3000), origin="lower", interpolation="bilinear")
+above.imshow(shown(screen[: 3 * third]), extent=(-9000, 9000, -3000, 3000), origin="lower", aspect="auto",
+             interpolation="bilinear")
 above.set_ylabel("distance [km]")
 above.set_title("The Earth's shadow on 21 February 2008, in three exposures")
 
@@ -69,7 +70,7 @@ for (name, profile), style in zip(profiles.items(), ("-", "--", "-")):
     below.semilogy(np.concatenate([-distances_km[::-1], distances_km]), np.concatenate([light[::-1], light]), style,
                    color={"molecules alone": "tab:blue", "with ozone": "tab:purple"}.get(name, "tab:red"), label=name)
 below.axhline(published, color="black", linewidth=0.8, linestyle=":")
-below.text(-8800, 1.15 * published, "1/2400 (Vollmer & Gedzelman 2008)", fontsize=9)
+below.text(-8800, 0.85 * published, "1/2400 of sunlight\n(Vollmer & Gedzelman 2008)", fontsize=9, va="top")
 below.set_ylim(1e-6, 2)
 below.set_xlabel("distance from the axis of the shadow [km]")
 below.set_ylabel("light over sunlight, mean of 400 to 700 nm")
