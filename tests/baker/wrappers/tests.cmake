@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # The Python package, where it is built: each file one entry of ctest, run by the interpreter that it was built for.
 if(TARGET coppermoon_python)
-  add_dependencies(heavy_tests coppermoon_python coppermoon_program)
+  add_custom_target(baker_wrappers_python_heavy_tests DEPENDS coppermoon_python coppermoon_program)
+  add_dependencies(heavy_tests baker_wrappers_python_heavy_tests)
   add_dependencies(slow_tests coppermoon_python)
   set(surroundings "PYTHONPATH=${PROJECT_BINARY_DIR}/python;PYTHONDONTWRITEBYTECODE=1;COPPERMOON_TEST_DATA=${PROJECT_SOURCE_DIR}/tests;COPPERMOON_PROGRAM=$<TARGET_FILE:coppermoon_program>")
   foreach(noun behaviour numbers)

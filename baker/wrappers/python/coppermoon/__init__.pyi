@@ -85,37 +85,7 @@ class Sky:
 
 def sky(when: Moment, at: Place | None = None) -> Sky: ...
 
-class Region:
-    def __init__(
-        self,
-        *,
-        from_latitude: float | None = None,
-        to_latitude: float | None = None,
-        from_position_angle: float | None = None,
-        to_position_angle: float | None = None,
-        danjon: int | None = None,
-        ozone_du: float | None = None,
-        cloud_cover: float | None = None,
-        dust_extinction: float | None = None,
-        tropospheric_aerosol: float | None = None,
-        stratospheric_aerosol: Stratosphere | None = None,
-        free_troposphere: float | None = None,
-        cloud_chance: float | None = None,
-        cirrus: float | None = None,
-        tropopause_km: float | None = None,
-        cloud_top_km: float | None = None,
-        dust_bottom_km: float | None = None,
-        dust_top_km: float | None = None,
-    ) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
-    @property
-    def from_latitude(self) -> float | None: ...
-    @property
-    def to_latitude(self) -> float | None: ...
-    @property
-    def from_position_angle(self) -> float | None: ...
-    @property
-    def to_position_angle(self) -> float | None: ...
+class _Column:
     @property
     def danjon(self) -> int | None: ...
     @property
@@ -143,7 +113,38 @@ class Region:
     @property
     def dust_top_km(self) -> float | None: ...
 
-class Air:
+class Region(_Column):
+    def __init__(
+        self,
+        *,
+        from_latitude: float | None = None,
+        to_latitude: float | None = None,
+        from_position_angle: float | None = None,
+        to_position_angle: float | None = None,
+        danjon: int | None = None,
+        ozone_du: float | None = None,
+        cloud_cover: float | None = None,
+        dust_extinction: float | None = None,
+        tropospheric_aerosol: float | None = None,
+        stratospheric_aerosol: Stratosphere | None = None,
+        free_troposphere: float | None = None,
+        cloud_chance: float | None = None,
+        cirrus: float | None = None,
+        tropopause_km: float | None = None,
+        cloud_top_km: float | None = None,
+        dust_bottom_km: float | None = None,
+        dust_top_km: float | None = None,
+    ) -> None: ...
+    @property
+    def from_latitude(self) -> float | None: ...
+    @property
+    def to_latitude(self) -> float | None: ...
+    @property
+    def from_position_angle(self) -> float | None: ...
+    @property
+    def to_position_angle(self) -> float | None: ...
+
+class Air(_Column):
     def __init__(
         self,
         *,
@@ -173,7 +174,6 @@ class Air:
         dust_top_km: float | None = None,
         regions: list[Region] = [],
     ) -> None: ...
-    def __eq__(self, other: object) -> bool: ...
     @property
     def atmosphere(self) -> Literal["standard", "monthly", "undated", "clear", "molecular", "paper", "none"]: ...
     @property
@@ -196,32 +196,6 @@ class Air:
     def oxygen_pairs(self) -> bool | None: ...
     @property
     def nitrogen_dioxide(self) -> bool | None: ...
-    @property
-    def danjon(self) -> int | None: ...
-    @property
-    def ozone_du(self) -> float | None: ...
-    @property
-    def cloud_cover(self) -> float | None: ...
-    @property
-    def dust_extinction(self) -> float | None: ...
-    @property
-    def tropospheric_aerosol(self) -> float | None: ...
-    @property
-    def stratospheric_aerosol(self) -> Stratosphere | None: ...
-    @property
-    def free_troposphere(self) -> float | None: ...
-    @property
-    def cloud_chance(self) -> float | None: ...
-    @property
-    def cirrus(self) -> float | None: ...
-    @property
-    def tropopause_km(self) -> float | None: ...
-    @property
-    def cloud_top_km(self) -> float | None: ...
-    @property
-    def dust_bottom_km(self) -> float | None: ...
-    @property
-    def dust_top_km(self) -> float | None: ...
     @property
     def regions(self) -> list[Region]: ...
 
@@ -352,13 +326,15 @@ def bake(
     progress: Progress | None = None,
 ) -> Texture: ...
 
-class BrightnessSeen:
+class _Disc:
     @property
     def magnitudes(self) -> dict[str, float]: ...
     @property
     def mean_luminance_cd_m2(self) -> float: ...
     @property
     def illuminance_lx(self) -> float: ...
+
+class BrightnessSeen(_Disc):
     @property
     def altitude_deg(self) -> float: ...
     @property
@@ -366,13 +342,7 @@ class BrightnessSeen:
     @property
     def extinction_mag(self) -> dict[str, float]: ...
 
-class Brightness:
-    @property
-    def magnitudes(self) -> dict[str, float]: ...
-    @property
-    def mean_luminance_cd_m2(self) -> float: ...
-    @property
-    def illuminance_lx(self) -> float: ...
+class Brightness(_Disc):
     @property
     def danjon(self) -> float | None: ...
     @property

@@ -107,7 +107,8 @@ class Texture(unittest.TestCase):
         self.assertEqual(moon.pixels.dtype, numpy.float32)
         self.assertTrue(moon.pixels.flags.c_contiguous)
         self.assertEqual((moon.space, moon.header["coppermoon:colour_space"]), ("acescg", "acescg"))
-        self.assertEqual(moon.header["coppermoon:distance_km"], numpy.float32(spec.get_float_attribute("coppermoon:distance_km")))
+        distance = "coppermoon:distance_km"
+        self.assertEqual(moon.header[distance], numpy.float32(spec.get_float_attribute(distance)))
 
     def test_has_spectra_and_passes(self):
         moon = coppermoon.bake(when, spectral_nm=100, passes=True, **small)
