@@ -23,6 +23,7 @@
 #include "shadow/by_photons.h"
 #include "surface/photometry.h"
 #include "uses/light/moonlight.h"
+#include "uses/picture/moon.h"
 
 namespace coppermoon::python {
 
@@ -174,6 +175,17 @@ struct Words<surface::Photometry> {
   static constexpr std::array all{
       std::pair{"lommel-seeliger-rolo", surface::Photometry::lommel_seeliger_rolo},
       std::pair{"yapo-cutler", surface::Photometry::yapo_cutler}};
+};
+
+template <>
+struct Words<uses::AlbedoEncoding> {
+  static constexpr std::string_view what = "albedo_encoding";
+  static constexpr std::array all{
+      std::pair{"image", uses::AlbedoEncoding::image},
+      std::pair{"normal-albedo", uses::AlbedoEncoding::normal_albedo},
+      std::pair{"cgi-moon-kit-2019", uses::AlbedoEncoding::cgi_moon_kit_2019},
+      std::pair{"cgi-moon-kit-2025", uses::AlbedoEncoding::cgi_moon_kit_2025},
+      std::pair{"stellarium", uses::AlbedoEncoding::cgi_moon_kit_2019}};
 };
 
 /// Throws  Error  when the word is none of them: names them

@@ -51,12 +51,12 @@ Estimate plain(const Estimate& found, bool logarithm) {
 
 AirFit fit_of(const py::iterable& magnitudes, const std::optional<uses::Air>& air,
               const std::optional<uses::LightRequest>& light, const std::string& albedo_map,
-              std::optional<double> albedo_exponent, surface::Photometry photometry,
-              const Told& told) {
+              std::optional<uses::AlbedoEncoding> albedo_encoding, double albedo_exponent,
+              surface::Photometry photometry, const Told& told) {
   const uses::FitRequest request{
       .magnitudes = measured_by(magnitudes),
       .moon = moon_request(light_request(air, light),
-                           {albedo_map, albedo_exponent, photometry, false})};
+                           {albedo_map, albedo_encoding, albedo_exponent, photometry, false})};
   return computed(told, [&](const algebra::Progress&) { return uses::fitted_air(request).fit; });
 }
 
@@ -104,9 +104,9 @@ void add_fit(py::module_& package) {
           "whether that air explains them; if not, the estimates mean little");
   package.def(
       "fit", fit_of, "magnitudes"_a, py::kw_only(), "air"_a = py::none(), "light"_a = py::none(),
-      "albedo_map"_a = "auto", "albedo_exponent"_a = py::none(),
+      "albedo_map"_a = "auto", "albedo_encoding"_a = py::none(), "albedo_exponent"_a = 1.,
       "photometry"_a = surface::Photometry::lommel_seeliger_rolo, "progress"_a = py::none(),
-      R"(fit(magnitudes, *, air=None, light=None, albedo_map='auto', albedo_exponent=None, photometry='lommel-seeliger-rolo', progress=None)
+      R"(fit(magnitudes, *, air=None, light=None, albedo_map='auto', albedo_encoding=None, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', progress=None)
 
 The dust, cloud cover and ozone that explain measured magnitudes of the whole Moon, of one eclipse or several.
 

@@ -25,7 +25,8 @@ inline uses::LightRequest light_request(const std::optional<uses::Air>& air,
 /// The Moon of an image function's arguments.
 struct MoonArguments {
   std::string albedo_map;
-  std::optional<double> albedo_exponent;
+  std::optional<uses::AlbedoEncoding> albedo_encoding;
+  double albedo_exponent;
   surface::Photometry photometry;
   bool unshadowed;
 };
@@ -34,6 +35,7 @@ inline uses::MoonRequest moon_request(const uses::LightRequest& light, const Moo
   return {.light = light,
           .albedo_map = told.albedo_map,
           .photometry = told.photometry,
+          .albedo_encoding = told.albedo_encoding,
           .albedo_exponent = told.albedo_exponent,
           .unshadowed = told.unshadowed};
 }

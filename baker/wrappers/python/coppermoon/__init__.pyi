@@ -12,6 +12,7 @@ Progress = Callable[[float], object]
 
 Convention = Literal["danjon", "danjon-oblate", "chauvenet", "herald-sinnott"]
 Space = Literal["lin_rec709", "acescg", "lin_ciexyzd65_scene"]
+Encoding = Literal["image", "normal-albedo", "cgi-moon-kit-2019", "cgi-moon-kit-2025", "stellarium"]
 Photometry = Literal["lommel-seeliger-rolo", "yapo-cutler"]
 Stratosphere = Literal["dated", "none", "background", "moderate", "high", "extreme"] | float
 MeasuredMagnitude = tuple[Moment, Literal["B", "V", "R"], float] | tuple[Moment, Literal["B", "V", "R"], float, float]
@@ -19,7 +20,6 @@ MeasuredMagnitude = tuple[Moment, Literal["B", "V", "R"], float] | tuple[Moment,
 __version__: str
 
 class Error(ValueError): ...
-
 class Eclipse:
     @property
     def greatest(self) -> datetime: ...
@@ -34,9 +34,7 @@ class Eclipse:
     @property
     def contacts(self) -> dict[str, datetime]: ...
 
-def eclipses(
-    start: Moment, stop: Moment, *, convention: Convention = "danjon", progress: Progress | None = None
-) -> list[Eclipse]: ...
+def eclipses(start: Moment, stop: Moment, *, convention: Convention = "danjon", progress: Progress | None = None) -> list[Eclipse]: ...
 def nearest_eclipse(when: Moment, *, convention: Convention = "danjon") -> Eclipse: ...
 
 class Sky:
@@ -291,9 +289,7 @@ class Moonlight:
     def error_found(self) -> float: ...
     def ratio(self, latitude_deg: ArrayLike, longitude_deg: ArrayLike) -> NDArray[np.float64]: ...
 
-def moonlight(
-    when: Moment, *, air: Air | None = None, light: Light | None = None, progress: Progress | None = None
-) -> Moonlight: ...
+def moonlight(when: Moment, *, air: Air | None = None, light: Light | None = None, progress: Progress | None = None) -> Moonlight: ...
 
 class Texture:
     @property
@@ -316,7 +312,8 @@ def bake(
     air: Air | None = None,
     light: Light | None = None,
     albedo_map: str = "auto",
-    albedo_exponent: float | None = None,
+    albedo_encoding: Encoding | None = None,
+    albedo_exponent: float = 1.0,
     photometry: Photometry = "lommel-seeliger-rolo",
     unshadowed: bool = False,
     at: Place | None = None,
@@ -354,7 +351,8 @@ def brightness(
     air: Air | None = None,
     light: Light | None = None,
     albedo_map: str = "auto",
-    albedo_exponent: float | None = None,
+    albedo_encoding: Encoding | None = None,
+    albedo_exponent: float = 1.0,
     photometry: Photometry = "lommel-seeliger-rolo",
     unshadowed: bool = False,
     at: Place | None = None,
@@ -394,7 +392,8 @@ def fit(
     air: Air | None = None,
     light: Light | None = None,
     albedo_map: str = "auto",
-    albedo_exponent: float | None = None,
+    albedo_encoding: Encoding | None = None,
+    albedo_exponent: float = 1.0,
     photometry: Photometry = "lommel-seeliger-rolo",
     progress: Progress | None = None,
 ) -> Fit: ...
