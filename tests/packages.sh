@@ -5,7 +5,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 apt-get install -y --no-install-recommends debootstrap dpkg-dev lintian >/dev/null
-sh examples/build.sh coppermoon_program
+sh examples/build.sh coppermoon_program packages.tests.debian
 cmake --workflow --preset debian
 packages=$PWD/build/debian
 
@@ -41,8 +41,11 @@ install /packages/libcoppermoon-dev_*.deb cmake g++ ninja-build pkg-config
 cmake -S /consumer -B consumer -G Ninja >/dev/null
 cmake --build consumer >/dev/null
 
+install /packages/python3-coppermoon_*.deb
+python3 -c 'import coppermoon; print(coppermoon.bake("2018-07-27T20:00:00Z", unshadowed=True, albedo_map="built-in", width=256))'
+
 dpkg -l | grep coppermoon
-apt-get purge -y coppermoon libcoppermoon-dev coppermoon-openimageio >/dev/null
+apt-get purge -y coppermoon libcoppermoon-dev coppermoon-openimageio python3-coppermoon >/dev/null
 find / -xdev \( -name proc -o -name packages -o -path /tmp \) -prune -o -name '*coppermoon*' -print |
   grep -v '^/consumer\|^/var/lib/apt\|^/var/cache/apt' >left || true
 if [ -s left ]; then echo "left behind:"; cat left; exit 1; fi

@@ -41,7 +41,7 @@ heavy_under_sanitizers() {
     baker_uses_explore_heavy_tests baker_uses_study_heavy_tests baker_verbs_flags_heavy_tests \
     baker_verbs_manuals_heavy_tests baker_verbs_recipes_heavy_tests baker_verbs_reports_heavy_tests colour_heavy_tests extremes_heavy_tests
   ctest --test-dir build/sanitizers --output-on-failure --no-tests=error --parallel "$processors" -L '^heavy$' \
-    -E '^(baker/shadow/by_photons|baker/uses/film/film_light|end_to_end/|extremes/(faults|words)|povray_scenes/)'
+    -E '^(baker/shadow/by_photons|baker/uses/film/film_light|end_to_end/|extremes/(faults|words)|povray_scenes/|baker/wrappers/)'
 }
 
 fuzzers() {
@@ -66,7 +66,7 @@ extremes_thoroughly() {
 
 films_and_convergence() {
   released slow_tests
-  test_release -L '^slow$' -R '^(end_to_end/film|extremes/film_faults|baker/shadow/convergence|baker/uses/study/fit_light)$'
+  test_release -L '^slow$' -R '^(end_to_end/film|extremes/film_faults|baker/shadow/convergence|baker/uses/study/fit_light|baker/wrappers/python/(umbra|wheel))$'
 }
 
 plans_kept() {

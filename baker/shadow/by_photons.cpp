@@ -5,7 +5,9 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numbers>
 
@@ -71,7 +73,8 @@ class Simulation {
   std::size_t rows() const { return arrangement_.depths_m.size() * rings_.rows(); }
   std::size_t waves() const { return optics_.size(); }
 
-  BlockSums simulated(BlockRange blocks) const {
+  /// Given  tell  called after each block
+  BlockSums simulated(BlockRange blocks, const std::function<void()>& tell) const {
     BlockSums sums(rows(), waves());
     Workplace work(rows(), waves());
     for (auto block = blocks.from; block < blocks.to; ++block) {
@@ -81,6 +84,7 @@ class Simulation {
         for (std::uint64_t i = 0; i < photons_a_block; ++i)
           add_photon_step_by_step(block * photons_a_block + i, work.tally);
       drain(work.tally, sums.sum, sums.sum_of_squares);
+      tell();
     }
     return sums;
   }
@@ -173,10 +177,10 @@ class Simulation {
 /// Tells how many of all blocks are done.
 struct BlockProgress {
   const algebra::Progress& told;
-  std::uint64_t all, done;
+  std::uint64_t all;
+  std::atomic<std::uint64_t> done = 0;
 
-  void add(BlockRange blocks) {
-    done += blocks.to - blocks.from;
+  void tell() const {
     if (told) told(static_cast<double>(done) / static_cast<double>(all));
   }
 };
@@ -196,13 +200,16 @@ void add_blocks(const Simulation& simulation, BlockRange blocks, BlockSums& sums
     next = std::min(blocks.to, from + size);
     return {from, next};
   };
+  // often, though a part's blocks count when it is done: whoever is told may end the work
+  const auto tell = [&] { progress.tell(); };
   const auto trace = [&](BlockRange range) -> Part {
-    return {range, std::make_shared<BlockSums>(simulation.simulated(range))};
+    return {range, std::make_shared<BlockSums>(simulation.simulated(range, tell))};
   };
   const auto merge = [&](const Part& part) {
     add(sums.sum, part.second->sum);
     add(sums.sum_of_squares, part.second->sum_of_squares);
-    progress.add(part.first);
+    progress.done += part.first.to - part.first.from;
+    progress.tell();
   };
   using tbb::filter_mode;
   tbb::parallel_pipeline(held,
@@ -309,7 +316,7 @@ PhotonSums traced(const Atmosphere& atmosphere, const Arrangement& arrangement,
     return merged(std::move(sums), none);
   }
   const Simulation simulation(atmosphere, arrangement, wavelengths_nm, settings, sums.rings);
-  BlockProgress told{progress, blocks_in(left), 0};
+  BlockProgress told{progress, blocks_in(left)};
   constexpr std::uint64_t first_batch = 16;
   while (!left.empty() && !enough(sums, settings)) {
     const auto count = settings.enough ? std::max(first_batch, blocks_in(sums.done)) : asked.to;

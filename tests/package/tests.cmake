@@ -53,6 +53,17 @@ package_test(program_bakes NEEDS installs COMMAND ${prefix}/${CMAKE_INSTALL_BIND
   --texture-width 64 --albedo-map built-in --bands 4 --rays 60 -o ${package}/moon.exr)
 set_tests_properties(package/program_bakes PROPERTIES PASS_REGULAR_EXPRESSION "moon.exr: made in .* s, within")
 
+# the Python package, with the module beside it, which says what is wrong with a map
+if(TARGET coppermoon_python)
+  add_dependencies(heavy_tests coppermoon_python)
+  package_test(python_imports NEEDS installs COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${prefix}/${COPPERMOON_PYTHON_DIR}
+    ${COPPERMOON_PYTHON} -c "import coppermoon; print(coppermoon.__file__)
+try: coppermoon.bake('2018-07-27T20:21:45Z', albedo_map='/dev/null')
+except coppermoon.Error as error: print(error)")
+  set_tests_properties(package/python_imports PROPERTIES
+                       PASS_REGULAR_EXPRESSION "${prefix}/${COPPERMOON_PYTHON_DIR}/coppermoon/__init__.py\n/dev/null: ")
+endif()
+
 # the reader that OpenImageIO loads, with the program that was installed
 file(WRITE ${package}/moon.eclipse "instant = \"2018-07-27T20:00:00Z\"\nunshadowed = true\nalbedo-map = \"built-in\"\ntexture-width = 64\n")
 package_test(reader_reads NEEDS installs COMMAND ${CMAKE_COMMAND} -E env XDG_CACHE_HOME=${package}/cache

@@ -2,6 +2,7 @@
 // The program's own definitions of all functions that need OpenImageIO, which takes 0.2 s to load: they
 // load it when one is first called. Linked before the library, whose definitions are then left out.
 #include <dlfcn.h>
+#include <link.h>
 #include <sys/mman.h>
 
 #include <cstddef>
@@ -18,12 +19,23 @@ namespace {
 namespace fs = std::filesystem;
 using algebra::Error;
 
+/// The file that this code is in: the program, or a library that another program loaded, as Python does.
+fs::path own_file() {
+  static const char mine = 0;
+  Dl_info info{};
+  void* map = nullptr;
+  if (::dladdr1(&mine, &info, &map, RTLD_DL_LINKMAP) != 0 && map != nullptr)
+    if (const auto* name = static_cast<link_map*>(map)->l_name; name != nullptr && *name != 0)
+      return fs::absolute(name);
+  return fs::read_symlink("/proc/self/exe");  // of the program itself the system keeps no name
+}
+
 /// The module beside the program, where it was built, or where it was installed.
 ///
 /// Throws  Error  when it is in neither place
 fs::path module_file() {
   constexpr const char* name = "coppermoon_images.so";
-  const auto folder = fs::read_symlink("/proc/self/exe").parent_path();
+  const auto folder = own_file().parent_path();
   std::error_code failed;
   if (auto built = folder / name; fs::exists(built, failed)) return built;
   auto installed = (folder / COPPERMOON_MODULES / name).lexically_normal();

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "wrappers/python/arguments.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "almanac/gazetteer.h"
+
+namespace coppermoon::python {
+namespace {
+
+py::object utc() { return py::module_::import("datetime").attr("timezone").attr("utc"); }
+
+bool is_datetime(py::handle object) {
+  return py::isinstance(object, py::module_::import("datetime").attr("datetime"));
+}
+
+}  // namespace
+
+almanac::Instant instant_of(py::handle moment) {
+  if (py::isinstance<py::str>(moment)) return almanac::instant_from_utc(moment.cast<std::string>());
+  if (!is_datetime(moment))
+    throw py::type_error(fmt::format(
+        "{}: no moment, allowed a datetime with a time zone, or a text as 2018-07-27T20:21:45Z",
+        py::repr(moment).cast<std::string>()));
+  if (moment.attr("utcoffset")().is_none())
+    throw algebra::Error(
+        fmt::format("{}: a datetime without a time zone, allowed one with, as "
+                    "datetime(2018, 7, 27, 20, 21, tzinfo=timezone.utc)",
+                    py::str(moment).cast<std::string>()));
+  const auto text = moment.attr("astimezone")(utc()).attr("isoformat")();
+  return almanac::instant_from_utc(text.cast<std::string>());
+}
+
+py::object datetime_of(const almanac::Instant& instant) {
+  const auto text = almanac::utc_text(instant, 3);
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0, millisecond = 0;
+  const int read = std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2d:%2d.%3dZ", &year, &month, &day,
+                               &hour, &minute, &second, &millisecond);
+  if (read != 7 || year < 1)
+    throw algebra::Error(
+        fmt::format("{}: a datetime of Python cannot hold it, allowed years 1 to 9999", text));
+  const auto datetime = py::module_::import("datetime");
+  const auto at_the_minute =
+      datetime.attr("datetime")(year, month, day, hour, minute, py::arg("tzinfo") = utc());
+  return at_the_minute + datetime.attr("timedelta")(
+                             py::arg("seconds") = second,  // 60 in a minute with a leap second
+                             py::arg("milliseconds") = millisecond);
+}
+
+almanac::Observer observer_of(py::handle place) {
+  if (py::isinstance<py::str>(place)) {
+    const auto name = place.cast<std::string>();
+    if (const auto city = almanac::city_named(name)) return city->place;
+    throw algebra::Error(fmt::format(
+        "place = {}: no such city, allowed (latitude, longitude) too, as (42.86, -73.77)", name));
+  }
+  const auto numbers = numbers_of("place", place);
+  if (numbers.size() < 2 || numbers.size() > 3)
+    throw algebra::Error(fmt::format(
+        "place of {} numbers, allowed (latitude, longitude) or (latitude, longitude, elevation) in "
+        "degrees and metres",
+        numbers.size()));
+  const almanac::Observer observer{algebra::degrees(numbers[0]), algebra::degrees(numbers[1]),
+                                   algebra::metres(numbers.size() == 3 ? numbers[2] : 0)};
+  almanac::require_on_earth(observer);
+  return observer;
+}
+
+std::vector<double> numbers_of(const char* what, py::handle numbers) {
+  const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(
+      py::reinterpret_borrow<py::object>(numbers));
+  if (!array) {
+    PyErr_Clear();
+    throw py::type_error(
+        fmt::format("{} = {}, allowed numbers", what, py::repr(numbers).cast<std::string>()));
+  }
+  if (array.ndim() != 1)
+    throw algebra::Error(fmt::format("{}: an array of {} axes, allowed 1", what, array.ndim()));
+  return {array.data(), array.data() + array.size()};
+}
+
+}  // namespace coppermoon::python

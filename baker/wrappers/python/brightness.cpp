@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "uses/picture/brightness.h"
+
+#include "almanac/sky.h"
+#include "uses/light/disc_brightness.h"
+#include "uses/light/photometric_bands.h"
+#include "wrappers/python/arguments.h"
+#include "wrappers/python/computing.h"
+#include "wrappers/python/nouns.h"
+#include "wrappers/python/requests.h"
+
+namespace coppermoon::python {
+namespace {
+
+/// How bright the Moon is, and on what solid angle.
+struct Disc {
+  uses::DiscBrightness measured;
+  double solid_angle_sr;
+};
+
+struct Seen {
+  uses::BrightnessSeen by_place;
+  Disc disc;
+};
+
+struct Brightness {
+  Disc disc;
+  std::optional<double> danjon;
+  std::optional<Seen> seen;
+};
+
+py::dict by_band(const std::vector<double>& numbers) {
+  const auto bands = uses::photometric_bands();
+  py::dict all;
+  for (std::size_t k = 0; k < bands.size(); ++k) all[py::str(bands[k].name)] = numbers[k];
+  return all;
+}
+
+/// As many rows as brightness is summed over.
+constexpr std::size_t rows_of_a_disc = 360;
+
+Brightness brightness_at(const Moment& when, const std::optional<uses::Air>& air,
+                         const std::optional<uses::LightRequest>& light,
+                         const std::string& albedo_map,
+                         std::optional<uses::AlbedoEncoding> albedo_encoding,
+                         double albedo_exponent, surface::Photometry photometry, bool unshadowed,
+                         const std::optional<Place>& at, bool reddening, const Told& told) {
+  const auto request =
+      moon_request(light_request(air, light),
+                   {albedo_map, albedo_encoding, albedo_exponent, photometry, unshadowed});
+  uses::require_map(request);
+  return computed(told, [&](const algebra::Progress& progress) {
+    const auto sky = almanac::sky_at(when.instant);
+    const auto found = uses::brightness_of(request, sky, view_request(at, reddening), progress);
+    Brightness all{{found.disc, uses::solid_angle_of_disc(rows_of_a_disc, sky)}, found.danjon, {}};
+    if (found.seen) {
+      const auto from_m = almanac::view_from(at->observer, sky).position_m;
+      all.seen = Seen{*found.seen,
+                      {found.seen->disc, uses::solid_angle_of_disc(rows_of_a_disc, sky, from_m)}};
+    }
+    return all;
+  });
+}
+
+double illuminance_lx(const Disc& disc) {
+  return disc.measured.mean_luminance_cd_m2 * disc.solid_angle_sr;
+}
+
+/// What both have.
+template <class Class, class Find>
+void add_disc(Class& brightness, Find disc_in) {
+  using Bright = typename Class::type;
+  brightness
+      .def_property_readonly(
+          "magnitudes", [=](const Bright& b) { return by_band(disc_in(b).measured.magnitudes); },
+          "magnitudes of the whole Moon by band: B and V (Johnson), R (Cousins)")
+      .def_property_readonly(
+          "mean_luminance_cd_m2",
+          [=](const Bright& b) { return disc_in(b).measured.mean_luminance_cd_m2; },
+          "luminance, the mean over the disc [cd/m²]")
+      .def_property_readonly(
+          "illuminance_lx", [=](const Bright& b) { return illuminance_lx(disc_in(b)); },
+          "illuminance on a surface that faces the Moon [lx]");
+}
+
+}  // namespace
+
+void add_brightness(py::module_& package) {
+  using namespace py::literals;
+  py::class_<Seen> seen(package, "BrightnessSeen",
+                        "The whole Moon as a place on the Earth sees it, through its air.");
+  add_disc(seen, [](const Seen& s) -> const Disc& { return s.disc; });
+  seen.def_property_readonly(
+          "altitude_deg",
+          [](const Seen& s) { return algebra::in_degrees(s.by_place.moon.altitude); },
+          "altitude of the Moon, refraction counted [degrees]")
+      .def_property_readonly(
+          "azimuth_deg", [](const Seen& s) { return algebra::in_degrees(s.by_place.moon.azimuth); },
+          "azimuth of the Moon, from north through east [degrees]")
+      .def_property_readonly(
+          "extinction_mag", [](const Seen& s) { return by_band(s.by_place.extinction_mag); },
+          "magnitudes by which the air dims the Moon, by band");
+  py::class_<Brightness> brightness(package, "Brightness",
+                                    "The whole Moon, above the air and from the Earth's centre.");
+  add_disc(brightness, [](const Brightness& b) -> const Disc& { return b.disc; });
+  brightness
+      .def_readonly("danjon", &Brightness::danjon,
+                    "step of Danjon's scale, 0 to 4, in totality; else None")
+      .def_readonly("seen", &Brightness::seen, "what a place sees, or None");
+  package.def(
+      "brightness", brightness_at, "when"_a, py::kw_only(), "air"_a = py::none(),
+      "light"_a = py::none(), "albedo_map"_a = "auto", "albedo_encoding"_a = py::none(),
+      "albedo_exponent"_a = 1., "photometry"_a = surface::Photometry::lommel_seeliger_rolo,
+      "unshadowed"_a = false, "at"_a = py::none(), "reddening"_a = true, "progress"_a = py::none(),
+      R"(brightness(when, *, air=None, light=None, albedo_map='auto', albedo_encoding=None, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', unshadowed=False, at=None, reddening=True, progress=None)
+
+Magnitudes, luminance and illuminance of the whole Moon at a moment of an eclipse. Arguments are those of bake.
+
+>>> full = coppermoon.brightness('2018-07-27T20:21:45Z', albedo_map='built-in', unshadowed=True)
+>>> sorted(full.magnitudes), 0.1 < full.illuminance_lx < 0.4
+(['B', 'R', 'V'], True)
+)");
+}
+
+}  // namespace coppermoon::python

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Work that takes long: other threads of Python run on meanwhile, Ctrl-C ends it, a callback hears of it.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "algebra/progress.h"
+
+namespace coppermoon::python {
+
+/// A callback that Python passed, or nothing.
+using Told = std::optional<pybind11::function>;
+
+/// Runs work on another thread, without Python's lock. The calling thread looks twenty times a second whether Ctrl-C was
+/// pressed, and tells the callback how far the work is; what either raises ends the work when it next
+/// tells its progress, and is raised then.
+///
+/// Throws  what the work throws; error_already_set
+void run(const Told& told, const std::function<void(const algebra::Progress&)>& work);
+
+/// What work gives that is run so.
+///
+/// Given  work  takes an algebra::Progress; touches nothing of Python's
+template <class Work>
+auto computed(const Told& told, Work&& work) {
+  std::optional<decltype(work(algebra::Progress{}))> made;
+  run(told, [&](const algebra::Progress& progress) { made.emplace(work(progress)); });
+  return std::move(*made);
+}
+
+/// Progress of one part of several, of the whole.
+inline algebra::Progress part_of(const algebra::Progress& whole, double from, double to) {
+  return [=](double part) { whole(from + (to - from) * part); };
+}
+
+}  // namespace coppermoon::python

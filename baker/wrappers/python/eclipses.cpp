@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "eclipse/contacts.h"
+
+#include <algorithm>
+
+#include "wrappers/python/arguments.h"
+#include "wrappers/python/computing.h"
+#include "wrappers/python/nouns.h"
+
+namespace coppermoon::python {
+namespace {
+
+using eclipse::Eclipse, eclipse::ShadowConvention;
+
+py::dict contacts_by_name(const Eclipse& one) {
+  py::dict all;
+  for (const auto& [name, when] : eclipse::contacts_of(one))
+    if (name != "greatest") all[py::str(name)] = datetime_of(when);
+  return all;
+}
+
+/// Some years at a time, so that one may stop between them.
+std::vector<Eclipse> eclipses_in(const Moment& start, const Moment& stop,
+                                 ShadowConvention convention, const Told& told) {
+  constexpr double at_a_time_s = 2e8;
+  return computed(told, [&](const algebra::Progress& progress) {
+    std::vector<Eclipse> all;
+    const double length_s = almanac::seconds_between(start.instant, stop.instant);
+    if (!(length_s >= 0))
+      throw algebra::Error(fmt::format("stop = {}, allowed {} or later",
+                                       almanac::utc_text(stop.instant),
+                                       almanac::utc_text(start.instant)));
+    for (double from_s = 0; from_s <= length_s; from_s += at_a_time_s) {
+      const auto from = almanac::later(start.instant, from_s),
+                 to = almanac::later(start.instant, std::min(from_s + at_a_time_s, length_s));
+      for (auto& each : eclipse::eclipses_between(from, to, convention))
+        all.push_back(std::move(each));
+      progress(std::min(1., (from_s + at_a_time_s) / std::max(1., length_s)));
+    }
+    return all;
+  });
+}
+
+Eclipse nearest(const Moment& when, ShadowConvention convention) {
+  const py::gil_scoped_release others_run;
+  return eclipse::nearest_eclipse(when.instant, convention);
+}
+
+}  // namespace
+
+void add_eclipses(py::module_& package) {
+  using namespace py::literals;
+  py::class_<Eclipse>(package, "Eclipse", "An eclipse of the Moon.")
+      .def_property_readonly(
+          "greatest", [](const Eclipse& one) { return datetime_of(one.greatest); },
+          "moment at which the Moon's centre is at its least angle from the "
+          "shadow's axis, UTC")
+      .def_property_readonly(
+          "type", [](const Eclipse& one) { return word_of(one.type); },
+          "'penumbral', 'partial' or 'total'")
+      .def_readonly("gamma", &Eclipse::gamma,
+                    "distance of the Moon's centre from the axis then, in Earth radii, north "
+                    "positive")
+      .def_readonly("umbral_magnitude", &Eclipse::umbral_magnitude,
+                    "share of the Moon's diameter in the umbra")
+      .def_readonly("penumbral_magnitude", &Eclipse::penumbral_magnitude,
+                    "share of the Moon's diameter in the penumbra")
+      .def_property_readonly("contacts", contacts_by_name,
+                             "moments by the names of the contacts that it has: P1, U1, U2, U3, "
+                             "U4, P4, UTC")
+      .def("__repr__", [](const Eclipse& one) {
+        return fmt::format("<Eclipse {} {}>", almanac::utc_text(one.greatest), word_of(one.type));
+      });
+
+  package.def("eclipses", eclipses_in, "start"_a, "stop"_a, py::kw_only(),
+              "convention"_a = ShadowConvention::danjon, "progress"_a = py::none(),
+              R"(eclipses(start, stop, *, convention='danjon', progress=None)
+
+The eclipses whose greatest phase lies between two moments, in their order.
+
+convention: how the air enlarges the shadow. Times are right to 8 s at worst from 1951 to 2025. A datetime knows the
+years 1 to 9999; contacts of other years raise an Error.
+
+>>> [str(e.greatest.date()) for e in coppermoon.eclipses('2018-01-01', '2019-01-01')]
+['2018-01-31', '2018-07-27']
+)");
+  package.def("nearest_eclipse", nearest, "when"_a, py::kw_only(),
+              "convention"_a = ShadowConvention::danjon,
+              R"(nearest_eclipse(when, *, convention='danjon')
+
+The eclipse whose greatest phase is nearest in time, before or after.
+
+>>> eclipse = coppermoon.nearest_eclipse('2018-07-27')
+>>> eclipse.type, round(eclipse.umbral_magnitude, 2)
+('total', 1.61)
+>>> str(eclipse.contacts['U2'].replace(microsecond=0))
+'2018-07-27 19:30:16+00:00'
+)");
+}
+
+}  // namespace coppermoon::python

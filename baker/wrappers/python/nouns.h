@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The package, noun by noun: each adds its classes and functions to the module.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace coppermoon::python {
+
+void add_eclipses(pybind11::module_& package);
+void add_sky(pybind11::module_& package);
+void add_air(pybind11::module_& package);
+void add_light(pybind11::module_& package);
+void add_shadow(pybind11::module_& package);
+void add_moonlight(pybind11::module_& package);
+void add_bake(pybind11::module_& package);
+void add_brightness(pybind11::module_& package);
+void add_fit(pybind11::module_& package);
+
+}  // namespace coppermoon::python

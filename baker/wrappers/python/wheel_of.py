@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+"""Makes a wheel of a built package, without network: pip installs it where the same libraries are.
+
+    python3 wheel_of.py PACKAGE VERSION FOLDER
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import sysconfig
+import tempfile
+
+package, version, folder = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+interpreter = f"cp{sys.version_info.major}{sys.version_info.minor}"
+system = sysconfig.get_platform().replace("-", "_").replace(".", "_")
+with tempfile.TemporaryDirectory() as scratch:
+    shutil.copytree(package, pathlib.Path(scratch) / package.name, ignore=shutil.ignore_patterns("__pycache__"))
+    facts = pathlib.Path(scratch) / f"{package.name}-{version}.dist-info"
+    facts.mkdir()
+    (facts / "METADATA").write_text(
+        f"Metadata-Version: 2.1\nName: {package.name}\nVersion: {version}\nSummary: Bakes eclipsed Moons\nLicense: MIT\n"
+        f"Requires-Python: =={sys.version_info.major}.{sys.version_info.minor}.*\nRequires-Dist: numpy\n")
+    (facts / "WHEEL").write_text(
+        f"Wheel-Version: 1.0\nGenerator: coppermoon\nRoot-Is-Purelib: false\nTag: {interpreter}-{interpreter}-{system}\n")
+    subprocess.run([sys.executable, "-m", "wheel", "pack", scratch, "--dest-dir", folder], check=True)

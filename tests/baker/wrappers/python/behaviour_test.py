@@ -1,0 +1,285 @@
+# SPDX-License-Identifier: MIT
+"""How the package behaves: interrupts, threads, memory, wrong input, its stubs and its docstrings."""
+import ast
+import datetime
+import doctest
+import gc
+import inspect
+import pathlib
+import re
+import resource
+import signal
+import subprocess
+import sys
+import threading
+import time
+import typing
+import unittest
+
+import coppermoon
+import numpy
+
+from support import clear, command, draft, small, thorough, when
+
+public = [name for name in coppermoon.__all__ if not name.startswith("_")]
+endless = coppermoon.Light(solver="photons", trace="each", photons=1e9)
+
+
+class Interrupts(unittest.TestCase):
+    def interrupted(self, text):
+        """Seconds from the signal to the end of a program that says when it begins."""
+        program = subprocess.Popen([sys.executable, "-c", text], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(program.stdout.readline(), "begun\n")
+        time.sleep(0.5)
+        self.assertIsNone(program.poll())
+        program.send_signal(signal.SIGINT)
+        try:
+            _, err = program.communicate(timeout=60)  # a hang, not slowness
+        finally:
+            program.kill()
+        self.assertIn("KeyboardInterrupt", err)
+        self.assertNotIn("terminate", err)
+
+    def test_ctrl_c_ends_light(self):
+        self.interrupted("import coppermoon\nprint('begun', flush=True)\n"
+                         "coppermoon.shadow_profile('2018-07-27T20:21:45Z', [550], light=coppermoon.Light("
+                         "solver='photons', trace='each', photons=1e9))")
+
+    def test_ctrl_c_ends_the_search_for_eclipses(self):
+        self.interrupted("import coppermoon\nprint('begun', flush=True)\ncoppermoon.eclipses('-1998-01-01', '2999-01-01')")
+
+    def test_what_a_callback_raises_ends_the_work(self):
+        class Enough(Exception):
+            pass
+
+        def callback(part):
+            raise Enough(part)
+
+        with self.assertRaises(Enough):
+            coppermoon.shadow_profile(when, [550], light=endless, progress=callback)
+
+    def test_a_callback_hears_that_all_is_done(self):
+        parts = []
+        coppermoon.bake(when, progress=parts.append, **small)
+        self.assertEqual(parts[-1], 1)
+        self.assertEqual(parts, sorted(parts))
+
+
+class Threads(unittest.TestCase):
+    def test_two_at_once_find_the_same(self):
+        alone, found = coppermoon.bake(when, **small), {}
+        threads = [threading.Thread(target=lambda k=k: found.update({k: coppermoon.bake(when, **small)})) for k in range(2)]
+        for each in threads:
+            each.start()
+        for each in threads:
+            each.join()
+        for k in range(2):
+            numpy.testing.assert_array_equal(found[k].pixels, alone.pixels)
+
+    def test_others_run_meanwhile(self):
+        turns, begun = [], threading.Event()
+
+        def callback(part):  # is called as long as light is computed
+            begun.set()
+            if len(turns) > 100:
+                raise StopIteration
+
+        def other():
+            begun.wait()
+            for turn in range(200):
+                turns.append(turn)
+
+        thread = threading.Thread(target=other)
+        thread.start()
+        with self.assertRaises(StopIteration):
+            coppermoon.shadow_profile(when, [550], light=endless, progress=callback)
+        thread.join()
+
+
+class Memory(unittest.TestCase):
+    def test_an_array_outlives_its_texture(self):
+        pixels = coppermoon.bake(when, **small).pixels
+        gc.collect()
+        self.assertGreater(pixels.max(), 0)
+        self.assertFalse(pixels.flags.owndata)  # it is the library's own, not a copy
+
+    def test_arrays_give_their_memory_back(self):
+        settings = {**small, "width": 1024}  # 6 MB
+
+        def most_mb():
+            return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+        coppermoon.bake(when, **settings)
+        before = most_mb()
+        for _ in range(8):
+            coppermoon.bake(when, **settings)
+        self.assertLess(most_mb() - before, 25)  # four of them; 50 were all of them kept
+
+    def test_references_are_counted(self):
+        air, callback = coppermoon.Air(atmosphere="clear"), lambda part: None
+        before = sys.getrefcount(air), sys.getrefcount(callback)
+        for _ in range(20):
+            coppermoon.shadow_profile(when, [550], [0], air=air, light=draft, progress=callback)
+        self.assertEqual((sys.getrefcount(air), sys.getrefcount(callback)), before)
+
+
+class Errors(unittest.TestCase):
+    def refused(self, kind, text, function, *arguments, **keywords):
+        with self.assertRaisesRegex(kind, text):
+            function(*arguments, **keywords)
+
+    def test_are_value_errors_of_one_line(self):
+        self.assertTrue(issubclass(coppermoon.Error, ValueError))
+        self.assertEqual(coppermoon.Error.__module__, "coppermoon")
+        for text, function, arguments in [
+                ("date \"x\"", coppermoon.sky, {"when": "x"}),
+                ("without a time zone", coppermoon.sky, {"when": datetime.datetime(2018, 7, 27)}),
+                ("no such city", coppermoon.sky, {"when": when, "at": "Nowhere"}),
+                (r"latitude \[deg\] = nan", coppermoon.sky, {"when": when, "at": (float("nan"), 0)}),
+                ("place of 1 numbers", coppermoon.sky, {"when": when, "at": [1]}),
+                ("no lunar eclipse at .*; the nearest is", coppermoon.bake, {"when": "2018-07-20"}),
+                ("texture width .* = 3", coppermoon.bake, {"when": when, "width": 3}),
+                ("space", coppermoon.bake, {"when": when, "space": "sepia"}),
+                ("/nowhere.png", coppermoon.bake, {"when": when, "albedo_map": "/nowhere.png"}),
+                ("below the horizon", coppermoon.bake, {**small, "when": when, "at": "Honolulu"}),
+                ("photometry = x, allowed", coppermoon.brightness, {"when": when, "photometry": "x"}),
+                ("tolerance and budget_s are None", coppermoon.moonlight,
+                 {"when": when, "light": coppermoon.Light(tolerance=None)}),
+                ("tolerance = nan", coppermoon.moonlight, {"when": when, "light": coppermoon.Light(tolerance=float("nan"))}),
+                ("photons = nan", coppermoon.shadow_profile,
+                 {"when": when, "light": coppermoon.Light(photons=float("nan"))}),
+                (r"wavelength \[nm\] = inf", coppermoon.shadow_profile, {"when": when, "wavelengths_nm": [float("inf")]}),
+                ("axes, allowed 1", coppermoon.shadow_profile, {"when": when, "wavelengths_nm": [[550]]}),
+                ("above 3", coppermoon.shadow_profile, {"when": when, "axis_distances_km": [3, 2]}),
+                ("no number", coppermoon.shadow_profile, {"when": when, "axis_distances_km": []}),
+                ("Danjon = 7", coppermoon.shadow_profile, {"when": when, "air": coppermoon.Air(danjon=7)}),
+                ("density = thick, allowed seasonal", coppermoon.Air, {"density": "thick"}),
+                ("allowed 0 to 2", coppermoon.Air, {"stratospheric_aerosol": 3}),
+                ("stop = ", coppermoon.eclipses, {"start": "2019-01-01", "stop": "2018-01-01"}),
+                ("missing", coppermoon.fit, {"magnitudes": []}),
+                ("band = U", coppermoon.fit, {"magnitudes": [(when, "U", 1.0)], "albedo_map": "built-in"}),
+                ("magnitude = nan", coppermoon.fit, {"magnitudes": [(when, "V", float("nan"))]})]:
+            with self.subTest(text):
+                self.refused(coppermoon.Error, text, function, **arguments)
+        self.refused(coppermoon.Error, "years 1 to 9999", lambda: coppermoon.nearest_eclipse("-0584-05-28").greatest)
+
+    def test_of_kind_are_type_errors(self):
+        for function, arguments in [
+                (coppermoon.sky, {"when": 3}), (coppermoon.sky, {"when": None}),
+                (coppermoon.Air, {"thick": True}), (coppermoon.Air, {"refraction": "off"}), (coppermoon.Air, {"ozone_du": "x"}),
+                (coppermoon.Air, {"regions": [3]}), (coppermoon.Light, {"seed": -1}), (coppermoon.Light, {"bands": 2.5}),
+                (coppermoon.bake, {"when": when, "width": -2}), (coppermoon.bake, {"when": when, "width": 10**30}),
+                (coppermoon.bake, {"when": when, "air": 3}), (coppermoon.bake, {"when": when, "progress": 3}),
+                (coppermoon.shadow_profile, {"when": when, "wavelengths_nm": ["red"]}), (coppermoon.fit, {"magnitudes": [1]}),
+                (coppermoon.fit, {"magnitudes": [(when, "V", "bright")]})]:
+            with self.subTest(arguments):
+                self.refused(TypeError, "", function, **arguments)
+
+    def test_of_shapes_and_places(self):
+        light = coppermoon.moonlight(when, air=clear, light=draft)
+        self.refused(coppermoon.Error, "two shapes", light.ratio, [1, 2], [1, 2, 3])
+        self.refused(coppermoon.Error, "latitude .* = 91", light.ratio, 91, 0)
+        self.refused(coppermoon.Error, "longitude .* = nan", light.ratio, [0], [float("nan")])
+        self.assertEqual(light.ratio(0, 0).shape, (4,))
+
+
+class Texts(unittest.TestCase):
+    """Stubs and docstrings say what there is."""
+
+    stub = ast.parse((pathlib.Path(coppermoon.__file__).parent / "__init__.pyi").read_text())
+
+    def signature_in_stub(self, arguments):
+        """"when, *, width=4096" of a function in the stub."""
+        plain = arguments.posonlyargs + arguments.args
+        values = [None] * (len(plain) - len(arguments.defaults)) + arguments.defaults
+        texts = [a.arg + (f"={ast.unparse(v)}" if v else "") for a, v in zip(plain, values) if a.arg != "self"]
+        if arguments.kwonlyargs:
+            texts.append("*")
+        texts += [a.arg + (f"={ast.unparse(v)}" if v else "") for a, v in zip(arguments.kwonlyargs, arguments.kw_defaults)]
+        return ", ".join(texts)
+
+    def check_function(self, node, function):
+        first_line = (function.__doc__ or "").splitlines()[0]
+        self.assertEqual(first_line, f"{function.__name__}({self.signature_in_stub(node.args)})")
+
+    def test_stubs_have_all_names_with_their_parameters(self):
+        functions = {node.name: node for node in self.stub.body if isinstance(node, ast.FunctionDef)}
+        classes = {node.name: node for node in self.stub.body if isinstance(node, ast.ClassDef)}
+        shared = {name: classes.pop(name) for name in list(classes) if name.startswith("_")}  # only the stub has them
+        self.assertEqual(sorted([*functions, *classes]), sorted(public))
+        for name, node in functions.items():
+            self.check_function(node, getattr(coppermoon, name))
+        for name, node in classes.items():
+            kind = getattr(coppermoon, name)
+            if kind is coppermoon.Error:
+                continue
+            there = {n for n in vars(kind) if not n.startswith("_")}
+            body = sum([shared[base.id].body for base in node.bases], node.body)
+            members = [n for n in body if isinstance(n, ast.FunctionDef)]
+            self.assertEqual({n.name for n in members if not n.name.startswith("_")}, there)
+            for each in members:
+                if each.name == "__init__":
+                    self.assertEqual(kind.__doc__.splitlines()[0], f"{name}({self.signature_in_stub(each.args)})")
+                elif not each.decorator_list and not each.name.startswith("_"):
+                    self.check_function(each, getattr(kind, each.name))
+
+    def test_every_public_name_has_a_docstring(self):
+        for name in public:
+            item = getattr(coppermoon, name)
+            self.assertTrue(item.__doc__, name)
+            for attribute, value in vars(item).items() if inspect.isclass(item) else ():
+                if not attribute.startswith("_"):
+                    self.assertTrue(value.__doc__, (name, attribute))
+
+    def test_names_of_air_and_light_are_the_commands_options(self):
+        options = set(re.findall(r"--([a-z0-9-]+)", command("bake", "--help-all")))
+        places = {"from_latitude", "to_latitude", "from_position_angle", "to_position_angle"}  # parts of --region
+        singular = {"regions": "region", "budget_s": "budget"}
+        for kind in (coppermoon.Air, coppermoon.Light, coppermoon.Region):
+            for name in {n for n in vars(kind) if not n.startswith("_")} - places:
+                self.assertIn(singular.get(name, name).replace("_", "-"), options)
+
+    def test_words_of_the_stub_are_known(self):
+        for node in self.stub.body:
+            if isinstance(node, ast.ClassDef) and node.name in ("Air", "Light", "Region"):
+                for argument in next(n for n in node.body if n.name == "__init__").args.kwonlyargs:
+                    for literal in re.findall(r"Literal\[(.*?)\]", ast.unparse(argument.annotation)):
+                        for word in ast.literal_eval(f"[{literal}]"):
+                            made = getattr(coppermoon, node.name)(**{argument.arg: word})
+                            self.assertEqual(getattr(made, argument.arg), word)
+        for word in ("dated", "none", "background", "moderate", "high", "extreme", 0.25):
+            self.assertEqual(coppermoon.Air(stratospheric_aerosol=word).stratospheric_aerosol, word)
+
+    def test_requests_show_how_they_were_made(self):
+        air = coppermoon.Air(atmosphere="undated", ozone_du=250,
+                             regions=[coppermoon.Region(from_latitude=-90, to_latitude=0, cloud_cover=1)])
+        again = eval(repr(air), vars(coppermoon))
+        self.assertEqual(again, air)
+        self.assertNotEqual(coppermoon.Air(), air)
+
+    def test_examples_in_docstrings_run(self):
+        slow = () if thorough else ("brightness", "fit")
+        texts = {name: getattr(coppermoon, name).__doc__ for name in public if name not in slow}
+        examples = 0
+        for name, text in {"coppermoon": coppermoon.__doc__, **texts}.items():
+            test = doctest.DocTestParser().get_doctest(text, {"coppermoon": coppermoon}, name, None, 0)
+            result = doctest.DocTestRunner().run(test)
+            self.assertEqual(result.failed, 0, name)
+            examples += result.attempted
+        self.assertGreater(examples, 10)
+
+
+@unittest.skipUnless(thorough, "a fit takes its time")
+class FitsThoroughly(unittest.TestCase):
+    def test_the_air_that_made_magnitudes_is_found_again(self):
+        # numbers of examples/library/fitted_air.cpp: of dust 3e-6, cover 0.5, 300 DU
+        found = coppermoon.fit([(when, "B", 2.55), (when, "V", -0.47), (when, "R", -3.20)],
+                               air=coppermoon.Air(atmosphere="undated"), albedo_map="built-in")
+        self.assertTrue(found.explained)
+        self.assertTrue(found.dust_extinction.low < 3e-6 < found.dust_extinction.high)
+        self.assertTrue(found.cloud_cover.low < 0.5 < found.cloud_cover.high)
+        numpy.testing.assert_allclose(found.correlation, found.correlation.T)
+
+
+if __name__ == "__main__":
+    unittest.main()
