@@ -130,8 +130,10 @@ TEST_F(FilmPictures, AsACompositeAreTheSumOfTheirExposures) {
   ASSERT_EQ(composite.values.size(), sum.size());
   EXPECT_GT(*std::ranges::max_element(sum), 0.3);
   for (std::size_t i = 0; i < sum.size(); ++i)
-    EXPECT_WITHIN(composite.values[i], std::min(1., coded(sum[i])), 1. / 65535,
-                  "half a step of 16 bits, and as much for the curve and the exposure in float");
+    EXPECT_WITHIN(
+        composite.values[i], std::min(1., coded(sum[i])), 1.2 / 65535,
+        "half a step of 16 bits; near black OpenColorIO's curve has the slope 12.9232 for "
+        "12.92, up to 0.66 steps");
 }
 
 TEST_F(FilmPictures, LeaveNoMovieThatFailed) {
