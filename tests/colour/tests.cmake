@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 coppermoon_tests(colour LINKS coppermoon::colour coppermoon::surface PkgConfig::OpenImageIO
-  QUICK bracket cie_observer difference display exposure glow limb photograph point_spread similarity working_space
+  QUICK bracket cie_observer difference display exposure glow limb photograph point_spread similarity tone_curve working_space
   HEAVY limb_in_jpeg registration)
 
 find_program(OCIOCHECK ociocheck)
