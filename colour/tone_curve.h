@@ -30,9 +30,9 @@ struct ToneCurve {
   std::array<double, tone_numbers> numbers{};
 };
 
-/// Displayed light from which on curves are not known: level 0.93. Cameras let highlights run into
-/// white there.
-inline constexpr double most_displayed = 0.8481;
+/// Displayed light that curves are known for: levels 0.047 to 0.93. Below, they were measured of few
+/// cameras; above, cameras let highlights run into white.
+inline constexpr double least_displayed = 0.00364, most_displayed = 0.8481;
 
 /// Logarithm of scene light over displayed light.
 ///

@@ -14,7 +14,7 @@ processors=$(nproc)
 export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppressions=0" UBSAN_OPTIONS=print_stacktrace=1
 
 steps="compiled_alone quick_in_release heavy_under_sanitizers fuzzers libraries_thoroughly program_thoroughly
-extremes_thoroughly films_and_convergence plans_kept air_recovered planted_faults other_programs packages measurements
+extremes_thoroughly films_and_convergence plans_kept air_recovered nights_recovered planted_faults other_programs packages measurements
 small_examples full_examples full_film sweep_1 sweep_2 sweep_3 sweep_4 sweep_5"
 
 released() { sh examples/build.sh "$1" packages.tests.debian; }
@@ -77,6 +77,11 @@ plans_kept() {
 air_recovered() {
   released slow_tests
   test_release -L '^slow$' -R '^end_to_end/recovery$'
+}
+
+nights_recovered() {
+  released slow_tests
+  test_release -L '^slow$' -R '^end_to_end/nights$'
 }
 
 # Twenty minutes from nothing, four where it was built before.

@@ -41,7 +41,7 @@ struct Curve {
 
 Curve curve_of(const OIIO::ImageSpec& spec, Coding coding) {
   const std::string says = spec.get_string_attribute("oiio:ColorSpace");
-  if (coding == Coding::srgb) return {true, 1};
+  if (coding == Coding::srgb || coding == Coding::camera) return {true, 1};
   if (coding == Coding::linear || says == "linear" || says == "Linear") return {false, 1};
   if (says.starts_with("Gamma")) return {false, spec.get_float_attribute("oiio:Gamma", 2.2F)};
   return {says == "sRGB" || !spec.format.is_floating_point(), 1};
@@ -235,8 +235,9 @@ Image read_light(const fs::path& path, Coding coding) {
   const auto& spec = input->spec();
   require_light(path, spec);
   const bool raw = is_raw(*input);
-  if (raw && coding == Coding::srgb)
-    throw cannot_read(path, "a raw file coded as sRGB, allowed as the file says, or linear");
+  if (raw && (coding == Coding::srgb || coding == Coding::camera))
+    throw cannot_read(
+        path, "a raw file coded as sRGB or by a tone curve, allowed as the file says, or linear");
   const auto curve = raw ? Curve{false, 1} : curve_of(spec, coding);
   const auto rgb = rgb_channels(path, *input);
   return within_memory(path, spec, [&] {

@@ -70,6 +70,7 @@ enum class Coding {
   as_file_says,  ///< and where it says nothing: integers are sRGB, floating point is linear
   srgb,
   linear,
+  camera,  ///< by its camera's own tone curve (colour/tone_curve.h): read as sRGB, for what it displays
 };
 
 /// The light of an image of any kind: channels R, G, B, all the same for grey. Of an EXR file they are

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -102,6 +103,7 @@ texture::Image read_render(const Options& options, const uses::FramePlaces& plac
 struct Found {
   almanac::Instant when;
   std::optional<colour::Exposure> exif;
+  texture::Coding coding;  ///< of the photograph's numbers, as it was read
   uses::Comparison comparison;
 
   double stops_of_fit() const {
@@ -146,6 +148,36 @@ Json exposure_json(const Found& found) {
   return all;
 }
 
+/// Which curve its numbers were taken to have.
+std::string coding_in_words(const Found& found) {
+  switch (found.coding) {
+    case texture::Coding::camera:
+      break;
+    case texture::Coding::srgb:
+      return "sRGB";
+    case texture::Coding::linear:
+      return "linear";
+    default:
+      return "as the file says";
+  }
+  const auto& n = found.comparison.curve->numbers;
+  return fmt::format("its camera's, {:+.2f}, {:+.2f}, {:+.2f} of what cameras differ by", n[0],
+                     n[1], n[2]);
+}
+
+Json coding_json(const Found& found) {
+  static const std::map<texture::Coding, const char*> names{
+      {texture::Coding::as_file_says, "as-file-says"},
+      {texture::Coding::srgb, "srgb"},
+      {texture::Coding::linear, "linear"},
+      {texture::Coding::camera, "camera"}};
+  Json all{{"coding", names.at(found.coding)}, {"tone_curve", Json()}};
+  if (const auto& curve = found.comparison.curve)
+    all["tone_curve"] = std::vector<double>(curve->numbers.begin(),
+                                            curve->numbers.begin() + colour::tone_components);
+  return all;
+}
+
 void print_json(const Options& options, const Found& found) {
   const auto& differences = found.comparison.differences;
   Json all{{"photo", options.photo},
@@ -153,6 +185,7 @@ void print_json(const Options& options, const Found& found) {
            {"instant", almanac::utc_text(found.when)},
            {"registration", as_json(found.comparison.registration)},
            {"exposure", exposure_json(found)},
+           {"light", coding_json(found)},
            {"bins", Json::array()},
            {"disc", as_json(differences.back())}};
   for (std::size_t i = 0; i + 1 < differences.size(); ++i)
@@ -184,6 +217,7 @@ void print_table(const Options& options, const Found& found) {
       is.mirrored ? ", mirrored" : "", registration.correlation);
   fmt::print("exposure by {}: {:.4g} per cd/m2; a fit says {:+.3f} stops\n",
              found.exif ? "exif" : "fit", found.comparison.exposure, found.stops_of_fit());
+  fmt::print("tone curve: {}\n", coding_in_words(found));
   fmt::print("{:>15} {:>9} {:>8} {:>8}  {:>13}  {:>13} {:>8}\n", "axis [km]", "pixels", "clipped",
              "stops", "photo u' v'", "render u' v'", "dE2000");
   for (const auto& row : found.comparison.differences) print_line(row);
@@ -199,9 +233,10 @@ void require_sound(const Options& options) {
   files::require_place_for(options.output);
 }
 
-/// Nothing where the exposure is to be fitted.
-std::optional<colour::Exposure> exif_to_use(const Options& options) {
+/// Nothing where the exposure is to be fitted: with a camera's own tone curve too, which leaves a factor open.
+std::optional<colour::Exposure> exif_to_use(const Options& options, texture::Coding coding) {
   if (options.exposure == "fit") return std::nullopt;
+  if (coding == texture::Coding::camera && options.exposure.empty()) return std::nullopt;
   const auto exif = uses::exif_of(options.photo);
   if (!exif && options.exposure == "exif")
     throw algebra::Error(fmt::format(
@@ -213,15 +248,18 @@ std::optional<colour::Exposure> exif_to_use(const Options& options) {
 
 void run(const Options& options) {
   require_sound(options);
-  const auto exif = exif_to_use(options);
+  const auto coding = uses::coding_of(options.photo, options.coding);
+  const auto exif = exif_to_use(options, coding);
   const auto places =
       places_told_by(options.recipe_in.empty() ? options.render : options.recipe_in);
-  const auto photo = texture::read_light(options.photo, options.coding),
+  const auto photo = texture::read_light(options.photo, coding),
              frame = read_render(options, places);
-  const Found found{places.sky.when, exif,
-                    uses::compared(photo, frame, places, exif, options.bins)};
+  const Found found{
+      places.sky.when, exif, coding,
+      uses::compared(photo, frame, places, exif, options.bins, coding == texture::Coding::camera)};
   if (!options.output.empty())
-    texture::write_png(options.output, uses::comparison_sheet(photo, found.comparison), 8);
+    texture::write_png(options.output,
+                       uses::comparison_sheet(found.comparison.photo, found.comparison), 8);
   if (options.json)
     print_json(options, found);
   else
@@ -236,8 +274,8 @@ void add_compare(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   add_flag(
       *verb, "photo,--photo", options->photo,
-      "photograph: any image, or a camera's raw file; whole numbers are read as sRGB, floats and "
-      "raw files as linear")
+      "photograph: any image, or a camera's raw file; whole numbers are read by the camera's tone "
+      "curve where the header names one, else as sRGB, floats and raw files as linear")
       .reads_file()
       .required();
   add_flag(*verb, "render,--render", options->render,
@@ -247,15 +285,17 @@ void add_compare(CLI::App& program) {
   add_flag(*verb, "-o,--output", options->output,
            "sheet, .png: photograph, render and difference side by side")
       .writes_file();
-  add_flag(*verb, "--exposure", options->exposure,
-           "exposure of the photograph: exif (as its header says) or fit (what suits best); exif "
-           "where there is a header, unless given")
+  add_flag(
+      *verb, "--exposure", options->exposure,
+      "exposure of the photograph: exif (as its header says) or fit (what suits best, as with a "
+      "camera's own tone curve); exif where there is a header, unless given")
       .one_of({"exif", "fit"});
   add_flag(*verb, "--bins", options->bins,
            "number of steps of distance from the shadow's axis, 1 to 1000");
-  add_coding_option(
-      *verb, options->coding,
-      "coding of the photograph's numbers: as-file-says, srgb or linear (a TIFF never says which)");
+  add_coding_option(*verb, options->coding,
+                    "coding of the photograph's numbers: camera (its own tone curve, found by the "
+                    "frame; where the "
+                    "header names a camera), srgb or linear (a TIFF never says which)");
   add_flag(*verb, "--recipe-in", options->recipe_in,
            ".exr whose recipe tells what the render shows, as a scene's texture does; the render "
            "itself unless given")

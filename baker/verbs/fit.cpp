@@ -8,7 +8,11 @@
 #include <sstream>
 
 #include "algebra/error.h"
+#include "almanac/gazetteer.h"
+#include "uses/night/local_time.h"
+#include "uses/picture/photo_file.h"
 #include "uses/study/fit.h"
+#include "uses/study/measured_light.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/air_options.h"
 #include "verbs/flags/coding_option.h"
@@ -26,8 +30,10 @@ using Json = nlohmann::ordered_json;
 using uses::Estimate, uses::ReadPhotograph;
 
 struct Options {
-  std::vector<std::string> photos;
+  std::vector<std::string> photos, outputs;
   std::string instants, times, isos, magnitudes;
+  std::string zone;  ///< of the cameras' clocks; empty: as headers say, else any
+  std::optional<double> clock_error_min;
   texture::Coding coding = texture::Coding::as_file_says;
   std::optional<double> f_number;
   uses::FitRequest request;  ///< all but photographs and magnitudes
@@ -72,12 +78,47 @@ struct Told {
   std::vector<std::string> instants;
 };
 
+constexpr const char* from_header = "from-header";
+
+/// What a camera's clock said, in UTC as far as its zone is known: that told, the header's, or that of the
+/// place.
+std::string instant_in_header(const Options& options, const std::string& photo) {
+  const auto clock = uses::clock_of(photo);
+  const auto zone = options.zone.empty() ? clock.offset.value_or("") : options.zone;
+  if (zone.starts_with('+') || zone.starts_with('-')) return clock.local + zone;
+  const auto& observer = options.request.view.observer;
+  const auto named = zone.empty() && observer ? almanac::nearest_city(*observer).time_zone : zone;
+  return named.empty() ? clock.local + "Z"
+                       : almanac::utc_text(uses::instant_of_local(clock.local, named));
+}
+
+/// Texts of all photographs' instants.
+std::vector<std::string> all_instants(const Options& options) {
+  std::vector<std::string> all;
+  if (options.photos.empty()) return all;
+  const auto told =
+      options.instants == from_header ? std::vector<std::string>{} : instants_of(options);
+  for (std::size_t i = 0; i < options.photos.size(); ++i)
+    all.push_back(told.empty() ? instant_in_header(options, options.photos[i]) : one_of(told, i));
+  return all;
+}
+
+/// Whether nothing says in which zone the cameras' clocks are.
+bool zone_is_open(const Options& options) {
+  return options.instants == from_header && options.zone.empty() &&
+         std::ranges::any_of(options.photos,
+                             [](const auto& photo) { return !uses::clock_of(photo).offset; });
+}
+
 Told told_by(const Options& options) {
-  Told told{options.request, {}};
+  constexpr double usual_clock_error_min = 10;
+  Told told{options.request, all_instants(options)};
+  told.request.clock_error_s =
+      60 *
+      options.clock_error_min.value_or(options.instants == from_header ? usual_clock_error_min : 0);
+  told.request.half_hours_free = zone_is_open(options);
   const auto photos = options.photos.size();
-  const auto instants = photos > 0 ? instants_of(options) : std::vector<std::string>{};
   for (std::size_t i = 0; i < photos; ++i) {
-    told.instants.push_back(one_of(instants, i));
     told.request.photographs.push_back({.file = options.photos[i],
                                         .instant = almanac::instant_from_utc(told.instants.back()),
                                         .coding = options.coding,
@@ -101,8 +142,36 @@ Json as_json(const Estimate& estimate, bool logarithm) {
           {"told", estimate.information >= no_information}};
 }
 
+Json as_json(const uses::ReadPhotograph& photograph, const std::string& file,
+             const std::string& instant) {
+  Json all{{"file", file},
+           {"instant", instant},
+           {"numbers", photograph.numbers},
+           {"exposure_known", photograph.exposure_known},
+           {"coding", photograph.curved ? "camera" : "known"}};
+  if (photograph.left_out.empty()) {
+    all["mirrored"] = photograph.registration.render_to_photo.mirrored;
+    all["correlation"] = photograph.registration.correlation;
+  } else {
+    all["left_out"] = photograph.left_out;
+  }
+  return all;
+}
+
+Json as_json(const uses::FittedNight& night, const Told& told) {
+  Json all{{"photographs", Json::array()}, {"clock", Json()}, {"tone_curve", Json()}};
+  for (const auto i : night.photographs)
+    all["photographs"].push_back(told.request.photographs[i].file);
+  if (night.clock)
+    all["clock"] = {{"add_s", night.clock->seconds}, {"standard_error_s", night.clock->error_s}};
+  if (night.curve)
+    all["tone_curve"] = std::vector<double>(night.curve->numbers.begin(),
+                                            night.curve->numbers.begin() + colour::tone_components);
+  return all;
+}
+
 void print_json(const Told& told, const uses::FitReport& found) {
-  const auto& [fit, photographs] = found;
+  const auto& [fit, photographs, nights] = found;
   const auto& p = fit.posterior;
   Json all{{"dust_extinction_per_m", as_json(p.estimates[0], true)},
            {"cloud_cover", as_json(p.estimates[1], false)},
@@ -114,29 +183,46 @@ void print_json(const Told& told, const uses::FitReport& found) {
            {"chi_squared", p.least_chi_squared},
            {"explained", explains(fit)},
            {"numbers", fit.numbers},
-           {"photographs", Json::array()}};
-  for (std::size_t i = 0; i < photographs.size(); ++i) {
-    const auto& [registration, exposure_known, numbers] = photographs[i];
-    all["photographs"].push_back({{"file", told.request.photographs[i].file},
-                                  {"instant", told.instants[i]},
-                                  {"numbers", numbers},
-                                  {"exposure_known", exposure_known},
-                                  {"mirrored", registration.render_to_photo.mirrored},
-                                  {"correlation", registration.correlation}});
-  }
+           {"photographs", Json::array()},
+           {"nights", Json::array()}};
+  for (std::size_t i = 0; i < photographs.size(); ++i)
+    all["photographs"].push_back(
+        as_json(photographs[i], told.request.photographs[i].file, told.instants[i]));
+  for (const auto& night : nights) all["nights"].push_back(as_json(night, told));
   fmt::print("{}\n", all.dump(2));
 }
 
-void print_table(const Told& told, const uses::FitReport& found) {
-  const auto& [fit, photographs] = found;
-  const auto& p = fit.posterior;
-  for (std::size_t i = 0; i < photographs.size(); ++i) {
-    const auto& [registration, exposure_known, numbers] = photographs[i];
-    fmt::print("{}: {} numbers{}, exposure {}, correlation {:.3f}\n",
-               one_line(told.request.photographs[i].file), numbers,
-               registration.render_to_photo.mirrored ? ", mirrored" : "",
-               exposure_known ? "known" : "free", registration.correlation);
+void print_photograph(const ReadPhotograph& photograph, const std::string& file) {
+  if (!photograph.left_out.empty()) {
+    fmt::print("{}: left out: {}\n", one_line(file), one_line(photograph.left_out));
+    return;
   }
+  fmt::print(
+      "{}: {} numbers{}, exposure {}{}, correlation {:.3f}\n", one_line(file), photograph.numbers,
+      photograph.registration.render_to_photo.mirrored ? ", mirrored" : "",
+      photograph.exposure_known ? "known" : "free",
+      photograph.curved ? ", by its camera's tone curve" : "", photograph.registration.correlation);
+}
+
+void print_night(const uses::FittedNight& night, const Told& told) {
+  const auto& first = told.request.photographs[night.photographs.front()].file;
+  const auto camera = uses::camera_of(first).value_or("camera of " + first);
+  if (night.curve) {
+    const auto& n = night.curve->numbers;
+    fmt::print("tone curve   {:+.2f}, {:+.2f}, {:+.2f} of what cameras differ by ({})\n", n[0],
+               n[1], n[2], one_line(camera));
+  }
+  if (night.clock)
+    fmt::print("clock        {:+.1f} min to be added, {:.1f} to {:.1f} ({})\n",
+               night.clock->seconds / 60, (night.clock->seconds - night.clock->error_s) / 60,
+               (night.clock->seconds + night.clock->error_s) / 60, one_line(camera));
+}
+
+void print_table(const Told& told, const uses::FitReport& found) {
+  const auto& [fit, photographs, nights] = found;
+  const auto& p = fit.posterior;
+  for (std::size_t i = 0; i < photographs.size(); ++i)
+    print_photograph(photographs[i], told.request.photographs[i].file);
   const auto print = [](const char* name, const Estimate& e, bool logarithm, const char* unit) {
     const auto value = [&](double x) { return logarithm ? std::exp(x) : x; };
     fmt::print("{:<12} {:>9.3g}  {:.3g} to {:.3g} {}{}\n", name, value(e.median), value(e.low),
@@ -145,6 +231,7 @@ void print_table(const Told& told, const uses::FitReport& found) {
   print("dust", p.estimates[0], true, "1/m");
   print("cloud cover", p.estimates[1], false, "");
   print("ozone", p.estimates[2], false, "DU");
+  for (const auto& night : nights) print_night(night, told);
   fmt::print(
       "correlation  dust and cloud {:+.2f}, dust and ozone {:+.2f}, cloud and ozone {:+.2f}\n",
       p.correlation[0][1], p.correlation[0][2], p.correlation[1][2]);
@@ -157,11 +244,14 @@ void require_sound(const Options& options) {
         "--instants is missing: photographs need the moments when they were taken (UTC)");
   if (options.photos.empty() && options.magnitudes.empty())
     throw algebra::Error("photographs or --magnitudes are missing: there is nothing to explain");
+  if (options.photos.empty() && !options.outputs.empty())
+    throw algebra::Error("--output is of photographs' light: there are none");
+  for (const auto& file : options.outputs) uses::require_light_file(file);
 }
 
 /// In one line.
 std::string misfit_of(const uses::FitReport& found) {
-  const auto& [fit, photographs] = found;
+  const auto& [fit, photographs, nights] = found;
   std::string why = "a list of another eclipse or of other bands, or errors told too small";
   if (!photographs.empty()) {
     why = "a tone curve (--coding), another instant, another eclipse or place";
@@ -184,6 +274,9 @@ void run(const Options& options) {
       throw algebra::Error(misfit_of(found) + "; --despite-misfit answers all the same");
     fmt::print(stderr, "coppermoon: {}\n", one_line(misfit_of(found)));
   }
+  std::vector<std::vector<uses::MeasuredLight>> nights;
+  for (const auto& night : found.nights) nights.push_back(night.light);
+  for (const auto& file : options.outputs) uses::write_measured_light(file, nights);
   options.json ? print_json(told, found) : print_table(told, found);
 }
 
@@ -193,7 +286,13 @@ void add_photograph_options(CLI::App& verb, Options& options) {
     return add_flag(verb, flag, value, text).in(group);
   };
   add("--instants", options.instants,
-      "moments of the photographs in UTC, one for all or one for each, with commas between");
+      "moments of the photographs in UTC, one for all or one for each, with commas between; "
+      "from-header: "
+      "as the cameras' clocks say, whose errors are then found");
+  add("--zone", options.zone,
+      "time zone of the cameras' clocks with --instants from-header, as +02:00 or Europe/Berlin; "
+      "the "
+      "header's, else the shadow on the Moon tells, unless given");
   add("--times", options.times,
       "exposure times [s], one for all or one for each; the header's unless given");
   add("--isos", options.isos, "ISO speeds, one for all or one for each; the header's unless given");
@@ -203,8 +302,17 @@ void add_photograph_options(CLI::App& verb, Options& options) {
   add("--exposure-error", options.request.exposure_error,
       "standard error of the exposures' logarithm");
   add("--white-balance-error", options.request.white_balance_error,
-      "standard error of red and blue over green");
-  add_coding_option(verb, options.coding, "coding of the photographs' numbers").in(group);
+      "standard error of red and blue over green; 0.03, of a camera's own tone curve 0.3, unless "
+      "given");
+  add("--clock-error", options.clock_error_min,
+      "standard error of a camera's clock [minutes], 0 to 60, which is then found; 10 with "
+      "--instants "
+      "from-header, else 0, unless given");
+  add_coding_option(
+      verb, options.coding,
+      "coding of the photographs' numbers: camera (its own tone curve, which is found; "
+      "where the header names a camera), srgb or linear")
+      .in(group);
 }
 
 }  // namespace
@@ -220,6 +328,12 @@ void add_fit(CLI::App& program) {
   add_flag(*verb, "--magnitudes", options->magnitudes,
            "magnitudes of the whole Moon, .csv: instant,band,magnitude,error")
       .reads_file();
+  add_flag(*verb, "-o,--output", options->outputs,
+           "file of light by distance from the shadow's axis over full sunlight, as photographs "
+           "have it and "
+           "the air found: numbers as .csv, a plot as .png, .svg or .pdf. May be given again")
+      .writes_file()
+      .kept_each_time();
   add_photograph_options(*verb, *options);
   auto& moon = options->request.moon;
   add_map_options(*verb, moon);

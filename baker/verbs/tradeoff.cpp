@@ -10,7 +10,7 @@
 #include "almanac/instant.h"
 #include "almanac/sky.h"
 #include "files/whole_file.h"
-#include "uses/film/gnuplot.h"
+#include "uses/picture/gnuplot.h"
 #include "uses/study/tradeoff_runs.h"
 #include "uses/study/tradeoff_sweeps.h"
 #include "uses/study/yardstick.h"

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "colour/exposure.h"
+#include "colour/measured_tone_curves.h"
 #include "colour/similarity.h"
 #include "end_to_end/program.h"
 #include "support/within.h"
@@ -181,6 +182,36 @@ TEST_F(Compare, FitsTheExposureWhereTheHeaderIsSilent) {
   EXPECT_WITHIN_RELATIVE(found["exposure"]["value_per_cd_m2"].get<double>(), 0.6 * scale_, 0.003,
                          "16 bits; a tenth of a pixel beside the truth");
   expect_alike(found, 0.005, "16 bits; a tenth of a pixel beside the truth");
+}
+
+TEST_F(Compare, FindsTheToneCurveOfACamera) {
+  const auto curve = measured_tone_curves().at("Canon EOS 6D").smooth();
+  auto shown = photographed(frame_, truth_, 0.7 * scale_);
+  for (float& value : shown.values) {
+    const double v = value, light = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    value = coded(curve(light));
+  }
+  OIIO::ImageSpec spec(static_cast<int>(side), static_cast<int>(side), 3, OIIO::TypeDesc::UINT8);
+  spec.attribute("compression", "jpeg:95");
+  spec.attribute("Make", "Canon");
+  OIIO::ImageBuf photo(spec);
+  photo.set_pixels(OIIO::ROI(), OIIO::TypeDesc::FLOAT, shown.values.data());
+  ASSERT_TRUE(photo.write(here("photo.jpg").string()));
+  const auto found = compared({"photo.jpg", "frame.exr", "--bins", "6"});
+  EXPECT_EQ(found["light"]["coding"], "camera");
+  EXPECT_EQ(found["light"]["tone_curve"].size(), 3U);
+  for (const auto& bin : found["bins"])
+    EXPECT_WITHIN(
+        bin["difference_stops"].get<double>(), 0, 0.2,
+        "green and blue of the darkest ground are below level 0.047, where curves are not "
+        "known; elsewhere 2.5 %, 0.04")
+        << bin;
+  const auto as_srgb = compared({"photo.jpg", "frame.exr", "--bins", "6", "--coding", "srgb"});
+  EXPECT_EQ(as_srgb["light"]["coding"], "srgb");
+  double most = 0;
+  for (const auto& bin : as_srgb["bins"])
+    most = std::max(most, std::abs(bin["difference_stops"].get<double>()));
+  EXPECT_GT(most, 0.3) << "without the curve it is not the same light";
 }
 
 TEST_F(Compare, SaysByHowManyStopsAHeaderIsWrong) {

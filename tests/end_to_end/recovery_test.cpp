@@ -164,13 +164,22 @@ class Recovery : public ProgramTest {
   mutable std::uint64_t random_number_ = 0;
 };
 
-uses::FitScene scene_of(const Occasion& occasion) {
+/// What photographs of an occasion are held against.
+struct Held {
+  uses::FitScene scene;
+  uses::FittedLight light;
+};
+
+Held scene_of(const Occasion& occasion) {
   uses::ViewRequest view;
   view.observer = almanac::Observer{algebra::degrees(occasion.latitude),
                                     algebra::degrees(occasion.longitude), algebra::metres(0)};
   uses::MoonRequest moon;
   moon.albedo_map = "built-in";
-  return fit_scene(moon, view, almanac::sky_at(almanac::instant_from_utc(occasion.instant)));
+  const auto sky = almanac::sky_at(almanac::instant_from_utc(occasion.instant));
+  auto scene = fit_scene(moon, groundwork_of(moon, std::span(&sky, 1)), view, sky);
+  const auto bins = lit_bins(scene, sky);
+  return {std::move(scene), {moon.light, std::span(&sky, 1), std::span(&bins, 1)}};
 }
 
 /// How often something was so, of all.
@@ -193,7 +202,7 @@ struct Tally {
 TEST_F(Recovery, OfAHundredPhotographsFindsDustAndCloudAndKnowsHowWell) {
   Tally tally;
   for (const auto& occasion : occasions) {
-    const auto scene = scene_of(occasion);
+    const auto [scene, light] = scene_of(occasion);
     for (std::size_t i = 0; i < photographs_an_instant; ++i) {
       Random random(seed, static_cast<std::uint64_t>(tally.photographs++));
       const auto taken = random_photograph(random);
@@ -201,7 +210,12 @@ TEST_F(Recovery, OfAHundredPhotographsFindsDustAndCloudAndKnowsHowWell) {
       const auto photo =
           photograph_of(frame_of(occasion, taken.truth), taken, random, value_per_cd_m2);
       try {
-        const auto witness = witness_of(scene, binned(scene, photo), {value_per_cd_m2, 0.1, 0.03});
+        const auto place = registration_of(scene, photo).render_to_photo;
+        const uses::NightPhotograph night{
+            scene, binned(scene, photo, place), {value_per_cd_m2, 0.1, 0.03}};
+        const uses::ComparedNight compared(std::span(&night, 1), {});
+        const uses::Witness witness{
+            &light, [&](const auto& of_air) { return compared.weighed(of_air); }, compared.count()};
         tally.count(taken.truth, uses::fitted_air({&witness, 1}).posterior);
       } catch (const algebra::Error&) {
         ++tally.refused;  // one whose Moon is lost in noise or light: not found

@@ -10,7 +10,7 @@
 #include "files/whole_file.h"
 #include "texture/bake.h"
 #include "texture/resize.h"
-#include "uses/film/gnuplot.h"
+#include "uses/picture/gnuplot.h"
 #include "uses/light/photometer.h"
 #include "uses/light/spectral_bands.h"
 

@@ -11,7 +11,7 @@
 #include "colour/cie_observer.h"
 #include "colour/working_space.h"
 #include "eclipse/shadow_cone.h"
-#include "uses/film/gnuplot.h"
+#include "uses/picture/gnuplot.h"
 
 namespace coppermoon::uses {
 namespace {

@@ -20,4 +20,11 @@ struct LocalTime {
 /// Throws  Error  when the system's zoneinfo has no such zone; before 1 January of the year 1
 LocalTime local_time(const almanac::Instant& when, const std::string& zone);
 
+/// The moment at which the clocks of a time zone show a time; the earlier of two.
+///
+/// Given   local  "2018-07-27T23:21:45"
+///         zone   as above
+/// Throws  Error  when the text is no such time, or the system's zoneinfo has no such zone
+almanac::Instant instant_of_local(const std::string& local, const std::string& zone);
+
 }  // namespace coppermoon::uses

@@ -12,7 +12,7 @@
 #include "almanac/lunar_orientation.h"
 #include "night/tables.h"
 #include "uses/film/film_times.h"
-#include "uses/film/gnuplot.h"
+#include "uses/picture/gnuplot.h"
 
 namespace coppermoon::uses {
 namespace {

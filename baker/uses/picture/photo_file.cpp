@@ -61,9 +61,54 @@ void require_sound(const std::string& file, const texture::Image& image) {
 
 }  // namespace
 
+CameraSettings settings_of(const std::string& photo) {
+  return {number_in_header(photo, {"expTime", "Exif:ExposureTime"}),
+          number_in_header(photo, {"aperture", "Exif:FNumber"}), iso_of(photo)};
+}
+
+std::optional<std::string> camera_of(const std::string& photo) {
+  std::string name;
+  for (const char* attribute : {"Make", "Model"}) {
+    auto text = texture::read_attribute(photo, attribute).value_or("");
+    text.erase(text.find_last_not_of(std::string_view(" \0", 2)) + 1);
+    if (!name.empty() && !text.empty()) name += ' ';
+    name += text;
+  }
+  return name.empty() ? std::nullopt : std::optional(name);
+}
+
+bool white_balance_is_fixed(const std::string& photo) {
+  return texture::read_attribute(photo, "Exif:WhiteBalance").value_or("") == "1";
+}
+
+HeaderClock clock_of(const std::string& photo) {
+  std::string date;
+  for (const char* name : {"Exif:DateTimeOriginal", "Exif:DateTimeDigitized", "capDate"})
+    if (date.empty()) date = texture::read_attribute(photo, name).value_or("");
+  std::optional<double> seconds;
+  try {
+    seconds = seconds_of_date(date);
+  } catch (const algebra::Error& error) {
+    throw algebra::Error(fmt::format("{}: {}", photo, error.what()));
+  }
+  if (!seconds)
+    throw algebra::Error(fmt::format("{}: its header does not say when it was taken", photo));
+  date[4] = date[7] = '-', date[10] = 'T';
+  auto offset = texture::read_attribute(photo, "Exif:OffsetTimeOriginal");
+  if (!offset) offset = texture::read_attribute(photo, "Exif:OffsetTime");
+  return {date, offset};
+}
+
+texture::Coding coding_of(const std::string& photo, texture::Coding told) {
+  if (told != texture::Coding::as_file_says || !camera_of(photo) || texture::is_raw_file(photo))
+    return told;
+  return texture::read_attribute(photo, "oiio:ColorSpace").value_or("") == "sRGB"
+             ? texture::Coding::camera
+             : told;
+}
+
 std::optional<colour::Exposure> exif_of(const std::string& photo) {
-  const auto time_s = number_in_header(photo, {"expTime", "Exif:ExposureTime"}),
-             f_number = number_in_header(photo, {"aperture", "Exif:FNumber"}), iso = iso_of(photo);
+  const auto [time_s, f_number, iso] = settings_of(photo);
   if (!time_s || !f_number || !iso) return std::nullopt;
   return colour::Exposure{*time_s, *f_number, *iso};
 }

@@ -8,8 +8,37 @@
 #include "colour/exposure.h"
 #include "colour/working_space.h"
 #include "texture/image.h"
+#include "texture/read_image.h"
 
 namespace coppermoon::uses {
+
+/// How a camera was set, as far as a header says.
+struct CameraSettings {
+  std::optional<double> time_s{}, f_number{}, iso{};
+};
+
+CameraSettings settings_of(const std::string& photo);
+
+/// Maker and model of the camera that took it, in one line; nothing when its header does not say.
+std::optional<std::string> camera_of(const std::string& photo);
+
+/// Whether the camera's colours were set by hand, and not by itself for each photograph.
+bool white_balance_is_fixed(const std::string& photo);
+
+/// What a camera's own clock said.
+struct HeaderClock {
+  std::string local;                  ///< "2018-07-27T23:40:12", by the clock's own zone
+  std::optional<std::string> offset;  ///< of that zone, as "+03:00", where the header has it
+};
+
+/// When the shutter was released, by the camera's clock.
+///
+/// Throws  Error  with the photograph's name: when its header does not say, or not as EXIF does
+HeaderClock clock_of(const std::string& photo);
+
+/// How its numbers stand for light: as told; where its file is to say, that of a camera's own tone curve
+/// when they are coded as sRGB and the header names a camera; never of a raw file, which is linear.
+texture::Coding coding_of(const std::string& photo, texture::Coding told);
 
 /// What its header says of how the camera was set; nothing when it does not say all of it.
 std::optional<colour::Exposure> exif_of(const std::string& photo);

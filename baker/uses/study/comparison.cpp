@@ -4,16 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <map>
 
 #include "algebra/error.h"
 #include "colour/difference.h"
 #include "colour/working_space.h"
 #include "uses/picture/disc_outline.h"
 #include "uses/picture/pixels.h"
+#include "uses/study/fit_nuisances.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -180,9 +183,61 @@ std::vector<Difference> differences(const Pixels& pixels, double exposure, std::
   return made;
 }
 
+colour::ToneCurve fitted_curve(const Pixels& pixels) {
+  constexpr double step = 0.1, error = 0.03, unknown = 10, of_colours = 0.3;
+  constexpr std::size_t many = 50, least = 3;
+  std::map<std::pair<long, int>, std::vector<double>> displayed;  // by rendered light and channel
+  for (const auto& pixel : pixels)
+    for (int k = 0; k < 3; ++k)
+      if (!pixel.clipped && pixel.render_cd_m2[k] > 0)
+        displayed[{std::lround(std::log(pixel.render_cd_m2[k]) / step), k}].push_back(
+            pixel.photo[k]);
+  std::vector<double> residuals;
+  std::vector<std::array<double, 3 + colour::tone_numbers>> rows;
+  for (auto& [light, values] : displayed) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() < many || *middle <= 0 || *middle >= colour::most_displayed) continue;
+    residuals.push_back(std::log(*middle) + colour::tone_logarithm({}, *middle) -
+                        step * static_cast<double>(light.first));
+    auto& row = rows.emplace_back();
+    row[0] = unknown;
+    if (light.second != 1) row[1 + static_cast<std::size_t>(light.second) / 2] = of_colours;
+    std::ranges::copy(colour::tone_derivatives(*middle), row.begin() + 3);
+  }
+  if (rows.size() < least)
+    throw algebra::Error(fmt::format(
+        "{} steps of light to find a tone curve by, allowed {} or more: too much of the "
+        "photograph is clipped or black",
+        rows.size(), least));
+  algebra::Grid<double> effects(rows.size(), rows.front().size());
+  for (std::size_t i = 0; i < rows.size(); ++i) std::ranges::copy(rows[i], effects.row(i).begin());
+  const Nuisances nuisances(std::vector<double>(rows.size(), error), std::move(effects));
+  const auto found = nuisances.expected(residuals);
+  colour::ToneCurve curve;
+  for (std::size_t n = 0; n < colour::tone_numbers; ++n) curve.numbers[n] = -found[3 + n];
+  return curve;
+}
+
+namespace {
+
+/// Makes displayed light that of the scene.
+void undo(const colour::ToneCurve& curve, texture::Image& photo, Pixels& pixels) {
+  const colour::ToneTable table(curve);
+  for (float& value : photo.values) value = table(value);
+  for (auto& pixel : pixels)
+    for (int k = 0; k < 3; ++k) pixel.photo[k] = double{table(static_cast<float>(pixel.photo[k]))};
+}
+
+bool in_highlights(const SharedPixel& pixel) {
+  return std::max({pixel.photo.r, pixel.photo.g, pixel.photo.b}) >= colour::most_displayed;
+}
+
+}  // namespace
+
 Comparison compared(const texture::Image& photo, const texture::Image& frame,
                     const FramePlaces& places, const std::optional<colour::Exposure>& exposure,
-                    std::size_t bins) {
+                    std::size_t bins, bool curved) {
   algebra::require_within("bins", static_cast<double>(bins), 1, 1000);
   if (frame.width != places.camera.width || frame.height != places.camera.height)
     throw algebra::Error(fmt::format("a frame of {} x {} pixels, allowed {} x {}, as its camera's",
@@ -192,12 +247,19 @@ Comparison compared(const texture::Image& photo, const texture::Image& frame,
   const auto registration = colour::registered(luminance_of(photo), luminance_of(moon));
   const auto& moved = registration.render_to_photo;
   auto render = resampled(moon, moved, photo.height, photo.width);
-  const auto pixels = shared_pixels(photo, render, places, moved);
+  auto pixels = shared_pixels(photo, render, places, moved);
+  auto light = photo;
+  std::optional<colour::ToneCurve> curve;
+  if (curved) {
+    for (auto& pixel : pixels) pixel.clipped = pixel.clipped || in_highlights(pixel);
+    curve = fitted_curve(pixels);
+    undo(*curve, light, pixels);
+  }
   const double fitted = fitted_exposure(pixels);
   const double used = exposure ? colour::exposure_scale(*exposure) : fitted;
   auto found = differences(pixels, used, bins);
   for (float& value : render.values) value *= static_cast<float>(used);
-  return {registration, used, fitted, std::move(found), std::move(render)};
+  return {registration, used, fitted, std::move(found), std::move(light), std::move(render), curve};
 }
 
 }  // namespace coppermoon::uses

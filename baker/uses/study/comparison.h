@@ -10,6 +10,7 @@
 #include "algebra/grid.h"
 #include "colour/exposure.h"
 #include "colour/registration.h"
+#include "colour/tone_curve.h"
 #include "texture/image.h"
 #include "uses/study/frame_places.h"
 
@@ -66,12 +67,22 @@ struct Difference {
 std::vector<Difference> differences(const std::vector<SharedPixel>& pixels, double exposure,
                                     std::size_t bins);
 
+/// The tone curve of a camera that makes a photograph's light that of a render: exposure and colours are
+/// free, light is believed to 3 % where as much of it is rendered. What the render has wrong in bright
+/// and dark, the curve takes up as far as cameras differ.
+///
+/// Given   pixels  light as displayed
+/// Throws  Error   when fewer than three steps of light are to be seen
+colour::ToneCurve fitted_curve(const std::vector<SharedPixel>& pixels);
+
 /// A photograph beside a render: where it lies, how it was exposed, how the two differ.
 struct Comparison {
   colour::Registration registration;
   double exposure, fitted_exposure;     ///< photograph's value of 1 cd/m²: as used, and as fitted
   std::vector<Difference> differences;  ///< as `differences` has them
+  texture::Image photo;                 ///< the scene's light, linear Rec.709
   texture::Image render;  ///< in the photograph's geometry and exposure, linear Rec.709
+  std::optional<colour::ToneCurve> curve{};  ///< that made the photograph's light the scene's
 };
 
 /// Registers a rendered frame in a photograph, exposes it, and compares the two.
@@ -80,10 +91,11 @@ struct Comparison {
 ///         frame     linear Rec.709 [cd/m²], rendered with the camera of its places
 ///         exposure  the photograph's; without: the one that suits it best
 ///         bins      steps of axis distance, 1 to 1000
-/// Throws  Error     as colour::registered and fitted_exposure; when the frame's size is not its
+///         curved    the photograph has its camera's tone curve, which is found
+/// Throws  Error     as colour::registered, fitted_exposure and fitted_curve; when the frame's size is not its
 ///                   camera's
 Comparison compared(const texture::Image& photo, const texture::Image& frame,
                     const FramePlaces& places, const std::optional<colour::Exposure>& exposure,
-                    std::size_t bins = 12);
+                    std::size_t bins = 12, bool curved = false);
 
 }  // namespace coppermoon::uses

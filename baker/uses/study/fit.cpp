@@ -3,14 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <list>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "algebra/error.h"
 #include "colour/camera.h"
-#include "colour/exposure.h"
+#include "eclipse/contacts.h"
 #include "uses/picture/photo_file.h"
-#include "uses/study/fit_witness.h"
+#include "uses/study/fit_night.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -23,54 +26,33 @@ struct Earlier {
 
 /// All that tells of the air, for as long as it is asked.
 struct Evidence {
-  std::map<almanac::Instant, FitScene, Earlier> scenes;
+  std::vector<std::vector<std::size_t>> photographs;  ///< [night] of the request
+  std::vector<std::unique_ptr<Night>> nights;
   std::list<MagnitudeWitness> magnitudes;
-  std::vector<Witness> witnesses;
-  std::vector<ReadPhotograph> photographs;
+
+  std::vector<Witness> witnesses() const {
+    std::vector<Witness> all;
+    for (const auto& night : nights) all.push_back(night->witness());
+    for (const auto& magnitude : magnitudes) all.push_back(magnitude.witness);
+    return all;
+  }
 };
 
-/// Exposure as told, else as the header says; nothing unless all of it is known.
-std::optional<colour::Exposure> exposure_of(const EclipsePhotograph& photograph) {
-  const auto exif = exif_of(photograph.file);
-  if (!exif && !(photograph.time_s && photograph.iso && photograph.f_number)) return std::nullopt;
-  auto exposure = exif.value_or(colour::Exposure{});
-  exposure.time_s = photograph.time_s.value_or(exposure.time_s);
-  exposure.iso = photograph.iso.value_or(exposure.iso);
-  exposure.f_number = photograph.f_number.value_or(exposure.f_number);
-  return exposure;
-}
-
-PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& photograph) {
-  PhotometricErrors errors{{}, request.exposure_error, request.white_balance_error};
-  const auto exposure = exposure_of(photograph);
-  if (!exposure) return errors;
-  errors.value_per_cd_m2 =
-      request.camera.empty()
-          ? colour::exposure_scale(*exposure)
-          : 1 / colour::saturation_cd_m2(colour::camera_named(request.camera), *exposure);
-  return errors;
-}
-
-const FitScene& scene_at(const almanac::Instant& instant, const FitRequest& request,
-                         Evidence& evidence) {
-  const auto known = evidence.scenes.find(instant);
-  if (known != evidence.scenes.end()) return known->second;
-  auto scene = fit_scene(request.moon, request.view, almanac::sky_at(instant));
-  return evidence.scenes.emplace(instant, std::move(scene)).first->second;
-}
-
-void add_photograph(const FitRequest& request, const EclipsePhotograph& photograph,
-                    Evidence& evidence) {
-  const auto photo = texture::read_light(photograph.file, photograph.coding);
-  const auto errors = errors_of(request, photograph);
-  const auto& scene = scene_at(photograph.instant, request, evidence);
-  try {
-    const auto light = binned(scene, photo);
-    evidence.witnesses.push_back(witness_of(scene, light, errors));
-    evidence.photographs.push_back(
-        {light.registration, errors.value_per_cd_m2.has_value(), evidence.witnesses.back().count});
-  } catch (const algebra::Error& error) {
-    throw algebra::Error(fmt::format("{}: {}", photograph.file, error.what()));
+/// Photographs by camera and eclipse.
+void add_nights(const FitRequest& request, Evidence& evidence) {
+  std::map<std::pair<std::string, double>, std::vector<std::size_t>> nights;
+  for (std::size_t i = 0; i < request.photographs.size(); ++i) {
+    const auto& photograph = request.photographs[i];
+    const auto eclipse = eclipse::nearest_eclipse(
+        photograph.instant, eclipse::ShadowConvention::danjon, almanac::LunarTheory::moon98);
+    nights[{camera_of(photograph.file).value_or(""), std::round(eclipse.greatest.tt_day)}]
+        .push_back(i);
+  }
+  for (const auto& [key, indices] : nights) {
+    std::vector<const EclipsePhotograph*> photographs;
+    for (const auto i : indices) photographs.push_back(&request.photographs[i]);
+    evidence.photographs.push_back(indices);
+    evidence.nights.push_back(std::make_unique<Night>(request, std::move(photographs)));
   }
 }
 
@@ -78,15 +60,38 @@ void add_magnitudes(const FitRequest& request, Evidence& evidence) {
   std::map<almanac::Instant, std::vector<MeasuredMagnitude>, Earlier> by_instant;
   for (const auto& magnitude : request.magnitudes)
     by_instant[magnitude.instant].push_back(magnitude);
-  for (const auto& [instant, magnitudes] : by_instant) {
+  for (const auto& [instant, magnitudes] : by_instant)
     evidence.magnitudes.push_back(witness_of(request.moon, almanac::sky_at(instant), magnitudes));
-    evidence.witnesses.push_back(evidence.magnitudes.back().witness);
+}
+
+/// The air, with tone curves that were read anew as it asks for.
+AirFit fitted(const Evidence& evidence) {
+  constexpr int most_readings = 2;
+  auto fit = fitted_air(evidence.witnesses());
+  for (int reading = 0; reading < most_readings; ++reading) {
+    bool anew = false;
+    for (const auto& night : evidence.nights) anew = night->refine(fit) || anew;
+    if (!anew) break;
+    fit = fitted_air(evidence.witnesses());
   }
+  return fit;
+}
+
+FittedNight found_of(const FitRequest& request, const Evidence& evidence, std::size_t n,
+                     const AirFit& fit) {
+  const auto& night = *evidence.nights[n];
+  FittedNight found{evidence.photographs[n], {}, {}, night.measured(fit)};
+  if (request.clock_error_s > 0)
+    found.clock = ClockError{night.clock_s() + fit.clocks[n].seconds, fit.clocks[n].error_s};
+  if (night.curved()) found.curve = night.curve(fit);
+  return found;
 }
 
 void require_sound(const FitRequest& request) {
   algebra::require_within("exposure error", request.exposure_error, 1e-3, 10);
-  algebra::require_within("white balance error", request.white_balance_error, 1e-3, 10);
+  if (request.white_balance_error)
+    algebra::require_within("white balance error", *request.white_balance_error, 1e-3, 10);
+  algebra::require_within("clock error [s]", request.clock_error_s, 0, 3600);
   if (!request.camera.empty()) colour::camera_named(request.camera);
   if (request.photographs.empty() && request.magnitudes.empty())
     throw algebra::Error("photographs and magnitudes are missing: one of the two is needed");
@@ -97,9 +102,17 @@ void require_sound(const FitRequest& request) {
 FitReport fitted_air(const FitRequest& request) {
   require_sound(request);
   Evidence evidence;
-  for (const auto& photograph : request.photographs) add_photograph(request, photograph, evidence);
+  add_nights(request, evidence);
   add_magnitudes(request, evidence);
-  return {fitted_air(evidence.witnesses), std::move(evidence.photographs)};
+  FitReport report{fitted(evidence), {}, {}};
+  report.photographs.resize(request.photographs.size());
+  for (std::size_t n = 0; n < evidence.nights.size(); ++n) {
+    const auto read = evidence.nights[n]->read();
+    for (std::size_t i = 0; i < read.size(); ++i)
+      report.photographs[evidence.photographs[n][i]] = read[i];
+    report.nights.push_back(found_of(request, evidence, n, report.fit));
+  }
+  return report;
 }
 
 }  // namespace coppermoon::uses

@@ -12,6 +12,7 @@
 #include "uses/picture/view.h"
 #include "uses/study/fit_air.h"
 #include "uses/study/fit_magnitudes.h"
+#include "uses/study/fit_witness.h"
 
 namespace coppermoon::uses {
 
@@ -33,33 +34,53 @@ struct FitRequest {
   ViewRequest view = {};  ///< the photographs' observer and the air above
   /// one of colour::camera_names(), for its saturation; empty: by ISO 12232
   std::string camera = {};
-  double exposure_error = 0.1;        ///< standard, of its logarithm, 0.001 to 10
-  double white_balance_error = 0.03;  ///< standard, of red and blue over green, 0.001 to 10
+  /// standard, of the exposures' logarithm, common to a night's photographs, 0.001 to 10; of a camera's own
+  /// tone curve any is as likely
+  double exposure_error = 0.1;
+  /// standard, of red and blue over green, 0.001 to 10; without: 0.03, of a camera's own tone curve 0.3
+  std::optional<double> white_balance_error = {};
+  double clock_error_s = 0;  ///< standard, of each camera's clock, 0 to 3600; 0: instants are right
+  bool half_hours_free =
+      false;  ///< instants may be wrong by any whole number of half hours besides
 };
 
 /// A photograph as it was read.
 struct ReadPhotograph {
-  colour::Registration registration;
-  bool exposure_known;  ///< else any exposure is as likely
-  std::size_t numbers;  ///< how many it gave
+  colour::Registration registration{};
+  bool exposure_known = false;  ///< else any exposure is as likely
+  std::size_t numbers = 0;      ///< how many it gave
+  bool curved = false;          ///< its camera's tone curve was in question
+  std::string left_out{};       ///< why it tells nothing, one line; empty: it does
+};
+
+/// What was found of the camera of one night.
+struct FittedNight {
+  std::vector<std::size_t> photographs;  ///< of the request
+  std::optional<ClockError> clock;       ///< what is to be added to its instants, where asked for
+  std::optional<colour::ToneCurve> curve;
+  std::vector<MeasuredLight> light;  ///< in order of distance
 };
 
 /// What was found, and from what.
 struct FitReport {
   AirFit fit;
   std::vector<ReadPhotograph> photographs;  ///< in the order of the request
+  std::vector<FittedNight> nights;
 };
 
 /// The dust, cloud cover and ozone that photographs and magnitudes of eclipses tell of, all at once:
 ///
 ///     FitRequest request{.photographs = {{"a.jpg", almanac::instant_from_utc("2018-07-27T20:40")}}};
 ///     request.view.observer = almanac::Observer{algebra::degrees(36), algebra::degrees(38), {}};
-///     const auto [fit, photographs] = fitted_air(request);
-///     if (explains(fit)) use(fit.posterior.estimates);
+///     const auto found = fitted_air(request);
+///     if (explains(found.fit)) use(found.fit.posterior.estimates);
+///
+/// Photographs of one camera and eclipse share a clock, a tone curve, and a factor of exposure. One of
+/// several that cannot be used is left out.
 ///
 /// Throws  Error  when there is nothing to explain, or an error is outside its range; when no eclipse
 ///                is under way, or the Moon is below the horizon; "<file>: …" when a photograph cannot
-///                be read, registered or used
+///                be read, or none of a night be used
 FitReport fitted_air(const FitRequest& request);
 
 }  // namespace coppermoon::uses

@@ -37,29 +37,55 @@ Axes axes_about(const Posterior& known, const Axes& whole) {
   return axes;
 }
 
-/// Adds χ² for each cloud cover, at one dust and ozone.
+/// What all witnesses say at each point: (dust × ozones + ozone, cover).
+struct Weighing {
+  algebra::Grid<double> chi_squared;
+  std::vector<algebra::Grid<ClockError>> clocks;  ///< [witness]
+};
+
+/// Adds what a witness says for each cloud cover, at one dust and ozone.
 void add_over_cover(const Witness& witness, const FittedLight::Mixed& mixed,
-                    const std::vector<double>& covers, std::span<double> chi_squared) {
+                    const std::vector<double>& covers, std::span<double> chi_squared,
+                    std::span<ClockError> clocks) {
   auto light = mixed.clear;
   for (std::size_t j = 0; j < covers.size(); ++j) {
     for (std::size_t i = 0; i < light.values().size(); ++i) {
       const double clear = mixed.clear.values()[i];
       light.values()[i] = clear + covers[j] * (mixed.cloudy.values()[i] - clear);
     }
-    chi_squared[j] += witness.chi_squared(light);
+    const auto weighed = witness.weighed(light);
+    chi_squared[j] += weighed.chi_squared;
+    clocks[j] = {weighed.clock_s, std::sqrt(weighed.clock_variance_s2)};
   }
 }
 
-/// χ² of all witnesses: (dust × ozones + ozone, cover).
-algebra::Grid<double> chi_squared_over(const Axes& axes, std::span<const Witness> witnesses) {
+Weighing weighing_over(const Axes& axes, std::span<const Witness> witnesses) {
   const auto &dusts = axes[0], &covers = axes[1], &ozones = axes[2];
-  algebra::Grid<double> chi_squared(dusts.size() * ozones.size(), covers.size());
-  tbb::parallel_for(std::size_t{0}, chi_squared.rows(), [&](std::size_t row) {
+  const auto rows = dusts.size() * ozones.size();
+  Weighing all{algebra::Grid<double>(rows, covers.size()), {}};
+  all.clocks.assign(witnesses.size(), algebra::Grid<ClockError>(rows, covers.size()));
+  tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
     const double dust = std::exp(dusts[row / ozones.size()]), ozone = ozones[row % ozones.size()];
-    for (const auto& witness : witnesses)
-      add_over_cover(witness, witness.light->mixed(dust, ozone), covers, chi_squared.row(row));
+    for (std::size_t w = 0; w < witnesses.size(); ++w)
+      add_over_cover(witnesses[w], witnesses[w].light->mixed(dust, ozone), covers,
+                     all.chi_squared.row(row), all.clocks[w].row(row));
   });
-  return chi_squared;
+  return all;
+}
+
+/// A clock's error over all air, each as likely as its χ² says.
+ClockError over_all_air(const algebra::Grid<double>& chi_squared, double least, double larger,
+                        const algebra::Grid<ClockError>& clocks) {
+  double sum = 0, mean = 0, squares = 0;
+  for (std::size_t i = 0; i < chi_squared.values().size(); ++i) {
+    const double mass = std::exp((least - chi_squared.values()[i]) / larger / 2);
+    const auto& [seconds, error_s] = clocks.values()[i];
+    sum += mass;
+    mean += mass * seconds;
+    squares += mass * (seconds * seconds + larger * error_s * error_s);
+  }
+  mean /= sum;
+  return {mean, std::sqrt(std::max(0., squares / sum - mean * mean))};
 }
 
 /// What is known with all errors larger by the root of a factor.
@@ -70,8 +96,13 @@ Posterior posterior_over(const Axes& axes, const algebra::Grid<double>& chi_squa
   });
 }
 
-double least_of(const algebra::Grid<double>& chi_squared) {
-  return *std::ranges::min_element(chi_squared.values());
+/// Dust, cover and ozone where χ² is least.
+std::array<double, 3> best_of(const Axes& axes, const algebra::Grid<double>& chi_squared) {
+  const auto place = static_cast<std::size_t>(std::ranges::min_element(chi_squared.values()) -
+                                              chi_squared.values().begin());
+  const auto row = place / chi_squared.columns();
+  return {std::exp(axes[0][row / axes[2].size()]), axes[1][place % chi_squared.columns()],
+          axes[2][row % axes[2].size()]};
 }
 
 /// Count of numbers above the three unknowns, 1 or more.
@@ -93,11 +124,17 @@ AirFit fitted_air(std::span<const Witness> witnesses) {
   const auto whole = whole_axes();
   auto axes = whole;
   for (int look = 1;; ++look) {
-    const auto chi_squared = chi_squared_over(axes, witnesses);
-    const double least = least_of(chi_squared);
-    result.posterior = posterior_over(axes, chi_squared, std::max(1., least / freedom));
+    const auto [chi_squared, clocks] = weighing_over(axes, witnesses);
+    const double least = *std::ranges::min_element(chi_squared.values()),
+                 larger = std::max(1., least / freedom);
+    result.posterior = posterior_over(axes, chi_squared, larger);
     result.posterior.least_chi_squared = least;
-    if (look == looks) break;
+    if (look == looks) {
+      result.best = best_of(axes, chi_squared);
+      for (const auto& clock : clocks)
+        result.clocks.push_back(over_all_air(chi_squared, least, larger, clock));
+      break;
+    }
     axes = axes_about(result.posterior, axes);
   }
   for (std::size_t a = 0; a < whole.size(); ++a) {  // over what was allowed, not what was looked at

@@ -1,26 +1,41 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "uses/study/fit_light.h"
 #include "uses/study/fit_posterior.h"
 
 namespace coppermoon::uses {
 
-/// Numbers that tell of the air: a photograph's, or magnitudes.
+/// How light agrees with what was seen.
+struct Weighed {
+  double chi_squared;
+  double clock_s = 0,
+         clock_variance_s2 = 0;  ///< to be added to instants, and how well that is known
+};
+
+/// Numbers that tell of the air: photographs', or magnitudes.
 struct Witness {
   const FittedLight* light;
-  std::function<double(const algebra::Grid<double>& light)>
-      chi_squared;    ///< χ² of light on its bins
-  std::size_t count;  ///< how many numbers
+  std::function<Weighed(const algebra::Grid<double>& light)> weighed;  ///< light on its bins
+  std::size_t count;                                                   ///< how many numbers
+};
+
+/// The error of a clock: what is to be added to instants.
+struct ClockError {
+  double seconds = 0, error_s = 0;  ///< expectation and standard error
 };
 
 /// The air that some witnesses tell of.
 struct AirFit {
-  Posterior posterior{};    ///< unknowns: logarithm of dust [1/m], cloud cover, ozone [DU]
-  std::size_t numbers = 0;  ///< how many were compared
+  Posterior posterior{};             ///< unknowns: logarithm of dust [1/m], cloud cover, ozone [DU]
+  std::size_t numbers = 0;           ///< how many were compared
+  std::array<double, 3> best{};      ///< dust [1/m], cover, ozone [DU] of the least χ²
+  std::vector<ClockError> clocks{};  ///< of each witness
 };
 
 /// The air that explains all of them best. Where even that is further off than the errors say, all

@@ -4,9 +4,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 
 #include "algebra/interpolation.h"
+#include "shadow/lookup.h"
 #include "shadow/twilight.h"
 #include "uses/light/planning.h"
 #include "uses/light/spectral_bands.h"
@@ -15,9 +19,14 @@ namespace coppermoon::uses {
 namespace {
 
 /// Dust and ozone that light is computed at.
-constexpr std::array dusts_per_m{0.,     4e-7,   1e-6,   1.7e-6, 2.5e-6, 3.6e-6,
-                                 5.2e-6, 7.5e-6, 1.1e-5, 1.7e-5, 3e-5};
-constexpr std::array ozones_du{100., 280., 500.};
+std::vector<double> dusts_per_m(FittedAirs airs) {
+  if (airs == FittedAirs::coarse) return {4e-7, 2.5e-6, 7.5e-6, 1.7e-5};
+  return {0, 4e-7, 1e-6, 1.7e-6, 2.5e-6, 3.6e-6, 5.2e-6, 7.5e-6, 1.1e-5, 1.7e-5, 3e-5};
+}
+std::vector<double> ozones_du(FittedAirs airs) {
+  if (airs == FittedAirs::coarse) return {300};
+  return {100, 280, 500};
+}
 
 /// Work that makes light as exact as a photograph is known.
 constexpr plan::Work work_of_fits{.scattered_light = true,
@@ -29,44 +38,190 @@ constexpr plan::Work work_of_fits{.scattered_light = true,
 
 constexpr double darkness = 1e-30;
 
+/// Different air above the observer, and where a part stands among it.
+class AirAbove {
+ public:
+  explicit AirAbove(std::span<const LitBins> parts) {
+    for (const auto& part : parts) dimming_.push_back(dimming_of(part.weights));
+    const auto [least, most] = std::ranges::minmax(dimming_);
+    const auto count =
+        static_cast<std::size_t>(std::clamp(std::ceil((most - least) / alike) + 1, 1., most_nodes));
+    for (std::size_t i = 0; i < count; ++i) {
+      const double wanted = least + (most - least) * static_cast<double>(i) /
+                                        static_cast<double>(std::max<std::size_t>(1, count - 1));
+      const auto nearest = std::ranges::min_element(
+          dimming_, {}, [&](double dimming) { return std::abs(dimming - wanted); });
+      if (!nodes_.empty() && *nearest - nodes_.back() < alike / 10) continue;
+      nodes_.push_back(*nearest);
+      of_part_.push_back(static_cast<std::size_t>(nearest - dimming_.begin()));
+    }
+  }
+
+  std::size_t nodes() const { return nodes_.size(); }
+
+  /// How much each node's logarithm counts for a part's.
+  std::vector<double> shares(std::size_t part) const {
+    return algebra::on_polynomial(nodes_, dimming_[part]);
+  }
+
+  /// Channels of all nodes, one after the other.
+  algebra::Grid<double> weights(std::span<const LitBins> parts) const {
+    const auto channels = parts.front().weights.rows(), bands = parts.front().weights.columns();
+    algebra::Grid<double> all(channels * nodes(), bands);
+    for (std::size_t n = 0; n < nodes(); ++n)
+      for (std::size_t k = 0; k < channels; ++k)
+        std::ranges::copy(parts[of_part_[n]].weights.row(k), all.row(n * channels + k).begin());
+    return all;
+  }
+
+ private:
+  static constexpr double alike = 0.02, most_nodes = 4;
+
+  static double dimming_of(const algebra::Grid<double>& weights) {
+    double sum = 0;
+    for (const double weight : weights.values()) sum += weight;
+    return -std::log(sum);
+  }
+
+  std::vector<double> dimming_, nodes_;  // [part]; increasing
+  std::vector<std::size_t> of_part_;     // [node]
+};
+
+/// Where a place lies among planes and sectors that light is known on.
+struct Between {
+  std::size_t plane;
+  std::array<double, 2> at_m;  ///< axis distances on that plane and the next
+  double deeper;               ///< share of the next plane
+  double sector;               ///< of all sectors, with its fraction
+};
+
+Between between(const eclipse::ShadowPlace& place, const std::vector<double>& depths_m,
+                std::size_t sectors) {
+  const double depth_m = algebra::in_metres(place.depth),
+               at_m = algebra::in_metres(place.axis_distance);
+  const auto above = std::ranges::upper_bound(depths_m, depth_m) - depths_m.begin();
+  const auto plane = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+      above - 1, 0, std::max<std::ptrdiff_t>(0, std::ssize(depths_m) - 2)));
+  const auto next = std::min(plane + 1, depths_m.size() - 1);
+  const double width = depths_m[next] - depths_m[plane];
+  return {plane,
+          {shadow::sheared(at_m, depths_m[plane] / depth_m),
+           shadow::sheared(at_m, depths_m[next] / depth_m)},
+          width > 0 ? std::clamp((depth_m - depths_m[plane]) / width, 0., 1.) : 0,
+          algebra::in_radians(place.position_angle) / (2 * std::numbers::pi) *
+              static_cast<double>(sectors)};
+}
+
 /// What does not change with the air sought.
 struct Setting {
   const LightRequest& request;
   ShadowedMoon moon;
   shadow::Arrangement arrangement;
   std::vector<double> waves, distances_m;
+  std::span<const LitBins> parts;
+  AirAbove above;
   algebra::Grid<double> weights;
-  std::span<const LitPlace> places;
-  std::size_t bins;
+  bool scattered;
+  std::vector<algebra::Grid<double>> direct{};  ///< [part](place, channel of all nodes)
 };
 
-shadow::Lookup lookup_of(const Setting& setting, const atmosphere::Atmosphere& of_air) {
-  auto moon = setting.moon;
-  moon.air = of_air;
-  const auto settings = quadrature_for(work_of_fits, moon);
-  auto light = shadow::by_quadrature(of_air, setting.arrangement, setting.waves,
-                                     setting.distances_m, settings);
-  if (setting.request.scattered_light != ScatteredLight::off) shadow::add_twilight(light, of_air);
-  const shadow::DirectLight direct(of_air, setting.arrangement, setting.waves);
-  const shadow::LookupRange range{light.axis_distances_m.front(), light.axis_distances_m.back(),
-                                  1e-3, settings.first_sector, settings.sectors};
-  return {light, direct, setting.weights, range};
+/// Sunlight that passes clear of Earth and air, at all places: dust, cloud and ozone do not change it.
+void add_direct(Setting& setting) {
+  const shadow::DirectLight light(setting.moon.air, setting.arrangement, setting.waves);
+  const auto layers = light.in_layers(setting.weights);
+  for (const auto& part : setting.parts) {
+    algebra::Grid<double> all(part.places.size(), setting.weights.rows());
+    tbb::parallel_for(std::size_t{0}, part.places.size(), [&](std::size_t i) {
+      const auto& place = part.places[i].place;
+      std::vector<double> clear(layers.columns());
+      light.clear_parts(algebra::in_metres(place.axis_distance),
+                        algebra::in_radians(place.position_angle), algebra::in_metres(place.depth),
+                        clear);
+      for (std::size_t k = 0; k < layers.rows(); ++k)
+        all(i, k) = std::inner_product(clear.begin(), clear.end(), layers.row(k).begin(), 0.);
+    });
+    setting.direct.push_back(std::move(all));
+  }
 }
 
-/// Logarithms of a bin's light over its sunlight.
-algebra::Grid<double> in_bins(const Setting& setting, const shadow::Lookup& lookup) {
-  const std::size_t channels = lookup.channels();
-  algebra::Grid<double> light(setting.bins, channels);
-  std::vector<double> sunlit(setting.bins), values(channels);
-  for (const auto& [place, bright, bin] : setting.places) {
-    lookup.read(place, values);
-    sunlit[bin] += bright;
-    for (std::size_t k = 0; k < channels; ++k) light(bin, k) += bright * values[k];
+shadow::RefractedLight refracted_in(const Setting& setting, const atmosphere::Atmosphere& of_air) {
+  auto moon = setting.moon;
+  moon.air = of_air;
+  auto light = shadow::by_quadrature(of_air, setting.arrangement, setting.waves,
+                                     setting.distances_m, quadrature_for(work_of_fits, moon));
+  if (setting.scattered) shadow::add_twilight(light, of_air);
+  return light;
+}
+
+/// Refracted light at a place, by wavelength: straight lines between planes and sectors.
+class RefractedAt {
+ public:
+  explicit RefractedAt(const shadow::RefractedLight& light)
+      : light_(light), between_places_(light), some_(light.wavelengths_nm.size()) {}
+
+  void read(const eclipse::ShadowPlace& place, std::span<double> ratios) {
+    const auto where = between(place, light_.arrangement.depths_m, light_.sectors);
+    const double turn = std::floor(where.sector), further = where.sector - turn;
+    std::ranges::fill(ratios, 0);
+    for (const int next_plane : {0, 1})
+      for (const int next_sector : {0, 1}) {
+        const double share =
+            (next_plane ? where.deeper : 1 - where.deeper) * (next_sector ? further : 1 - further);
+        if (share == 0) continue;
+        const auto sector =
+            (static_cast<std::size_t>(turn) + static_cast<std::size_t>(next_sector)) %
+            light_.sectors;
+        between_places_.read(where.plane + static_cast<std::size_t>(next_plane), sector,
+                             where.at_m[static_cast<std::size_t>(next_plane)], some_);
+        for (std::size_t w = 0; w < some_.size(); ++w) ratios[w] += share * some_[w];
+      }
   }
-  for (std::size_t b = 0; b < setting.bins; ++b)
+
+ private:
+  const shadow::RefractedLight& light_;
+  shadow::BetweenPlaces between_places_;
+  std::vector<double> some_;
+};
+
+/// Logarithms of a part's light over its sunlight, (bin, channel of all nodes).
+algebra::Grid<double> in_bins(const Setting& setting, std::size_t p,
+                              const shadow::RefractedLight& refracted) {
+  const auto& part = setting.parts[p];
+  const std::size_t channels = setting.weights.rows();
+  RefractedAt at(refracted);
+  algebra::Grid<double> light(part.bins, channels);
+  std::vector<double> sunlit(part.bins), ratios(setting.waves.size());
+  for (std::size_t i = 0; i < part.places.size(); ++i) {
+    const auto& [place, bright, bin] = part.places[i];
+    at.read(place, ratios);
+    sunlit[bin] += bright;
+    for (std::size_t k = 0; k < channels; ++k)
+      light(bin, k) += bright * (setting.direct[p](i, k) +
+                                 std::inner_product(ratios.begin(), ratios.end(),
+                                                    setting.weights.row(k).begin(), 0.));
+  }
+  for (std::size_t b = 0; b < part.bins; ++b)
     for (double& value : light.row(b))
       value = std::log(std::max(darkness, sunlit[b] > 0 ? value / sunlit[b] : 0));
   return light;
+}
+
+/// The same of all parts, each through its own air: (bin, channel).
+algebra::Grid<double> in_all_bins(const Setting& setting, const shadow::RefractedLight& refracted) {
+  const auto nodes = setting.above.nodes(), channels = setting.weights.rows() / nodes;
+  std::size_t bins = 0;
+  for (const auto& part : setting.parts) bins += part.bins;
+  algebra::Grid<double> all(bins, channels);
+  std::size_t row = 0;
+  for (std::size_t p = 0; p < setting.parts.size(); ++p) {
+    const auto light = in_bins(setting, p, refracted);
+    const auto shares = setting.above.shares(p);
+    for (std::size_t b = 0; b < light.rows(); ++b, ++row)
+      for (std::size_t n = 0; n < nodes; ++n)
+        for (std::size_t k = 0; k < channels; ++k)
+          all(row, k) += shares[n] * light(b, n * channels + k);
+  }
+  return all;
 }
 
 atmosphere::Atmosphere changed(atmosphere::Atmosphere air, double dust, double cover,
@@ -87,42 +242,55 @@ atmosphere::Atmosphere changed(atmosphere::Atmosphere air, double dust, double c
 }
 
 /// The first of the four doses of dust about one.
-std::size_t first_of_four(double dust_per_m) {
-  const auto above = std::ranges::upper_bound(dusts_per_m, dust_per_m) - dusts_per_m.begin();
-  return static_cast<std::size_t>(
-      std::clamp<std::ptrdiff_t>(above - 2, 0, std::ssize(dusts_per_m) - 4));
+std::size_t first_of_four(std::span<const double> dusts, double dust_per_m) {
+  const auto above = std::ranges::upper_bound(dusts, dust_per_m) - dusts.begin();
+  return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - 2, 0, std::ssize(dusts) - 4));
+}
+
+/// The Moon at all those moments.
+ShadowedMoon moon_at(const LightRequest& request, std::span<const almanac::SkyState> skies) {
+  auto moon = shadowed_moon(request, skies[skies.size() / 2]);
+  if (skies.size() > 1)
+    for (const auto& sky : skies)
+      moon.path.push_back(eclipse::place_in_shadow(eclipse::shadow_axis(sky), sky.moon_m));
+  return moon;
 }
 
 }  // namespace
 
-FittedLight::FittedLight(const LightRequest& request, const almanac::SkyState& sky,
-                         const algebra::Grid<double>& weights, std::span<const LitPlace> places,
-                         std::size_t bins)
-    : nodes_(dusts_per_m.size() * ozones_du.size()) {
-  const auto moon = shadowed_moon(request, sky);
-  const Setting setting{
+FittedLight::FittedLight(const LightRequest& request, std::span<const almanac::SkyState> skies,
+                         std::span<const LitBins> parts, FittedAirs airs)
+    : dusts_per_m_(dusts_per_m(airs)),
+      ozones_du_(ozones_du(airs)),
+      nodes_(dusts_per_m_.size() * ozones_du_.size()) {
+  const auto moon = moon_at(request, skies);
+  const AirAbove above(parts);
+  Setting setting{
       request,
       moon,
       arrangement_of(request, moon.sun_distance_m, depths_of(moon, work_of_fits.planes)),
       wavelengths_nm(work_of_fits.bands),
       distances_over_the_disc(moon),
-      at_wavelengths(weights, work_of_fits.bands),
-      places,
-      bins};
+      parts,
+      above,
+      at_wavelengths(above.weights(parts), work_of_fits.bands),
+      airs == FittedAirs::fine && request.scattered_light != ScatteredLight::off};
+  add_direct(setting);
   tbb::parallel_for(std::size_t{0}, nodes_.size(), [&](std::size_t i) {
-    const double dust = dusts_per_m[i / ozones_du.size()], ozone = ozones_du[i % ozones_du.size()];
+    const double dust = dusts_per_m_[i / ozones_du_.size()],
+                 ozone = ozones_du_[i % ozones_du_.size()];
     const auto light = [&](double cover) {
-      return in_bins(setting, lookup_of(setting, changed(moon.air, dust, cover, ozone)));
+      return in_all_bins(setting, refracted_in(setting, changed(moon.air, dust, cover, ozone)));
     };
     nodes_[i] = {light(0), light(1)};
   });
 }
 
 FittedLight::Mixed FittedLight::mixed(double dust_per_m, double ozone_du) const {
-  const auto from = first_of_four(dust_per_m);
+  const auto from = first_of_four(dusts_per_m_, dust_per_m);
   const auto of_dust =
-      algebra::on_polynomial(std::span<const double, 4>(&dusts_per_m[from], 4), dust_per_m);
-  const auto of_ozone = algebra::on_polynomial(std::span(ozones_du), ozone_du);
+      algebra::on_polynomial(std::span<const double, 4>(&dusts_per_m_[from], 4), dust_per_m);
+  const auto of_ozone = algebra::on_polynomial(ozones_du_, ozone_du);
   Mixed result = nodes_.front();
   const auto sum_up = [&](algebra::Grid<double> Mixed::*part) {
     auto values = (result.*part).values();

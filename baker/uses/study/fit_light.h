@@ -29,7 +29,22 @@ struct SearchRange {
 /// place of cloud by chance), ozone [DU] (of belts their mean; they keep their shares).
 constexpr std::array<SearchRange, 3> search_range{{{2e-7, 3e-5}, {0, 1}, {100, 500}}};
 
-/// Light on bins of a Moon, under air of any dust, cloud and ozone.
+/// Light that counts together: what one observer sees of the Moon at one moment.
+struct LitBins {
+  /// (channel, band), of the moonlight seen, none below 0, as those of XYZ
+  algebra::Grid<double> weights;
+  std::vector<LitPlace> places;  ///< in bins 0 to bins − 1
+  std::size_t bins = 0;
+};
+
+/// How closely air is tried: fine as a fit is, coarse (dust in fours, one ozone, no scattered light) to find
+/// out when a photograph was taken.
+enum class FittedAirs { fine, coarse };
+
+/// Light on bins of a Moon on its way, under air of any dust, cloud and ozone.
+///
+/// Light in the shadow is computed once for all moments; between different air above the observer the
+/// logarithm runs along a polynomial of up to four of them.
 ///
 /// It is computed for some dust and ozone, without cloud and under cloud all around; between those
 /// the logarithm runs along cubics and parabolas, and cloud that covers a part of the limb takes that part
@@ -39,15 +54,14 @@ constexpr std::array<SearchRange, 3> search_range{{{2e-7, 3e-5}, {0, 1}, {100, 5
 class FittedLight {
  public:
   /// Given  request  air but for the unknowns, limb darkening, scattered light; nothing else counts
-  ///        weights  (channel, band), of the moonlight seen, none below 0, as those of XYZ
-  ///        places   in bins 0 to bins − 1
-  FittedLight(const LightRequest& request, const almanac::SkyState& sky,
-              const algebra::Grid<double>& weights, std::span<const LitPlace> places,
-              std::size_t bins);
+  ///        skies    of one eclipse, in order of time: all moments that parts are of, one or more
+  ///        parts    of as many channels each
+  FittedLight(const LightRequest& request, std::span<const almanac::SkyState> skies,
+              std::span<const LitBins> parts, FittedAirs airs = FittedAirs::fine);
 
   /// Light of each bin over what it would be without the shadow.
   ///
-  /// Returned  (bin, channel)
+  /// Returned  (bin, channel); bins of all parts, in their order
   algebra::Grid<double> at(double dust_per_m, double cloud_cover, double ozone_du) const;
 
   /// Light of each bin under a limb without cloud, and under one that is all cloud: each as above.
@@ -57,6 +71,7 @@ class FittedLight {
   Mixed mixed(double dust_per_m, double ozone_du) const;
 
  private:
+  std::vector<double> dusts_per_m_, ozones_du_;
   std::vector<Mixed> nodes_;  // logarithms, [dust × ozones + ozone]
 };
 

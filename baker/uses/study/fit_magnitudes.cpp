@@ -163,15 +163,16 @@ MagnitudeWitness witness_of(const MoonRequest& moon, const almanac::SkyState& sk
                             const std::vector<MeasuredMagnitude>& of_one_instant) {
   require_eclipse(sky.when);
   const auto meter = photometer();
-  auto light =
-      std::make_unique<const FittedLight>(moon.light, sky, meter.weights, places_of(moon, sky), 1);
+  const LitBins whole_disc{meter.weights, places_of(moon, sky), 1};
+  auto light = std::make_unique<const FittedLight>(moon.light, std::span(&sky, 1),
+                                                   std::span(&whole_disc, 1));
   const auto unshadowed = unshadowed_magnitudes(moon, sky, meter);
   std::vector<double> whole;
   for (std::size_t k = 0; k < meter.weights.rows(); ++k) {
     const auto row = meter.weights.row(k);
     whole.push_back(std::reduce(row.begin(), row.end()));
   }
-  const auto chi_squared = [=](const algebra::Grid<double>& found) {
+  const auto weighed = [=](const algebra::Grid<double>& found) {
     constexpr double computed = 0.02;
     double sum = 0;
     for (const auto& seen : of_one_instant) {
@@ -181,10 +182,10 @@ MagnitudeWitness witness_of(const MoonRequest& moon, const almanac::SkyState& sk
       sum +=
           std::pow(magnitude - seen.magnitude, 2) / (seen.error * seen.error + computed * computed);
     }
-    return sum;
+    return Weighed{sum};
   };
   const auto* fitted = light.get();
-  return {std::move(light), {fitted, chi_squared, of_one_instant.size()}};
+  return {std::move(light), {fitted, weighed, of_one_instant.size()}};
 }
 
 }  // namespace coppermoon::uses

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "uses/study/fit_witness.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/vec3.hpp>
+#include <map>
 #include <numeric>
 
 #include "algebra/error.h"
@@ -12,6 +15,16 @@
 
 namespace coppermoon::uses {
 namespace {
+
+/// Nuisances of a night: its exposure, its colours, its curve; then of each photograph: exposure, colours, the
+/// sky's light in each channel, its place.
+constexpr std::size_t of_night = 3 + colour::tone_numbers, of_curve = 3, of_photograph = 7;
+
+/// What tone curves leave between the levels that they are known at.
+constexpr double between_tents = 0.01;
+
+/// An error that says that nothing is known.
+constexpr double unknown = 10;
 
 /// Linear Rec.709 as renders have it: within its gamut.
 std::array<double, 3> rec709_of(std::span<const double> xyz) {
@@ -22,108 +35,196 @@ std::array<double, 3> rec709_of(std::span<const double> xyz) {
   return channels;
 }
 
-/// The inverse of the Cholesky factor of a covariance.
-algebra::Grid<double> whitening_of(algebra::Grid<double> covariance) {
-  const std::size_t n = covariance.rows();
-  auto& l = covariance;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = l(i, j);
-      for (std::size_t k = 0; k < j; ++k) sum -= l(i, k) * l(j, k);
-      l(i, j) = i == j ? std::sqrt(sum) : sum / l(j, j);
-    }
-  algebra::Grid<double> inverse(n, n);
-  for (std::size_t j = 0; j < n; ++j) {
-    inverse(j, j) = 1 / l(j, j);
-    for (std::size_t i = j + 1; i < n; ++i) {
-      double sum = 0;
-      for (std::size_t k = j; k < i; ++k) sum -= l(i, k) * inverse(k, j);
-      inverse(i, j) = sum / l(i, i);
-    }
-  }
-  return inverse;
-}
-
-double squared(double x) { return x * x; }
-
 /// Relative error of a value that the map of the Moon and the computation leave open.
 double model_error(double value, double brightest) {
   constexpr double of_value = 0.003, of_brightest = 0.001;
   return std::hypot(of_value, of_brightest * brightest / value);
 }
 
-/// Logarithm of light that was seen, and whose it is.
-struct Number {
-  std::size_t bin, channel;
-  double logarithm;
-};
+/// How the logarithm of a bin's light grows with distance from the axis [1/km], by its neighbours.
+double growth(const FitScene& scene, const algebra::Grid<double>& values, std::size_t b,
+              std::size_t k) {
+  const auto known = [&](std::size_t bin) { return bin < scene.bins && values(bin, k) > 0; };
+  const auto from = b > 0 && known(b - 1) ? b - 1 : b, to = known(b + 1) ? b + 1 : b;
+  if (from == to) return 0;
+  return std::log(values(to, k) / values(from, k)) /
+         (scene.distances_km[to] - scene.distances_km[from]);
+}
 
-/// Numbers, and the matrix that makes their differences from any air's independent and of one size.
-struct ComparedNumbers {
-  std::vector<Number> numbers;
-  algebra::Grid<double> whitening;
-
-  double chi_squared(const algebra::Grid<double>& light_xyz) const {
-    std::vector<double> apart;
-    apart.reserve(numbers.size());
-    std::array<double, 3> light{};
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const auto& [bin, channel, logarithm] = numbers[i];
-      if (i == 0 || bin != numbers[i - 1].bin) light = rec709_of(light_xyz.row(bin));
-      apart.push_back(logarithm - std::log(std::max(light[channel], 1e-12)));
-    }
-    double sum = 0;
-    for (std::size_t i = 0; i < apart.size(); ++i) {
-      const auto row = whitening.row(i).first(i + 1);
-      sum += squared(std::inner_product(row.begin(), row.end(), apart.begin(), 0.));
-    }
-    return sum;
+std::array<double, 3> sunlight_of(const algebra::Grid<double>& weights) {
+  std::array<double, 3> xyz{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto row = weights.row(k);
+    xyz[k] = std::reduce(row.begin(), row.end());
   }
-};
-
-algebra::Grid<double> covariance_of(const std::vector<Number>& numbers,
-                                    const std::vector<double>& own,
-                                    const PhotometricErrors& errors) {
-  constexpr double unknown = 10;
-  const double exposure_error = errors.value_per_cd_m2 ? errors.exposure_error : unknown;
-  algebra::Grid<double> covariance(numbers.size(), numbers.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    for (std::size_t j = 0; j < numbers.size(); ++j) {
-      const bool coloured = numbers[i].channel == numbers[j].channel && numbers[i].channel != 1;
-      covariance(i, j) = squared(exposure_error) + (i == j ? own[i] : 0) +
-                         (coloured ? squared(errors.white_balance_error) : 0);
-    }
-  return covariance;
+  return rec709_of(xyz);
 }
 
 }  // namespace
 
-Witness witness_of(const FitScene& scene, const BinnedPhotograph& photograph,
-                   const PhotometricErrors& errors) {
-  constexpr double too_noisy = 0.3, too_dark = 0.01;
-  constexpr std::size_t least = 6;
-  std::vector<Number> numbers;
-  std::vector<double> own;
-  for (std::size_t b = 0; b < scene.bins; ++b) {
-    const auto values = photograph.values.row(b);
-    const double brightest = *std::ranges::max_element(values);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double noise = photograph.errors(b, k) / values[k];
-      if (values[k] <= 0 || noise > too_noisy || values[k] < too_dark * brightest) continue;
-      numbers.push_back({b, k, std::log(values[k] / errors.value_per_cd_m2.value_or(1))});
-      own.push_back(squared(noise) + squared(model_error(values[k], brightest)));
+std::vector<double> clock_steps_s(double clock_error_s) {
+  constexpr double step_s = 60;
+  return clock_error_s > 0 ? std::vector<double>{-step_s, 0, step_s} : std::vector<double>{0};
+}
+
+FittedLight night_light(const LightRequest& request, std::span<const NightPhotograph> photographs,
+                        std::span<const almanac::Instant> instants, double clock_error_s,
+                        FittedAirs airs) {
+  std::vector<LitBins> parts;
+  std::vector<almanac::SkyState> skies;
+  for (std::size_t p = 0; p < photographs.size(); ++p)
+    for (const double step_s : clock_steps_s(clock_error_s)) {
+      skies.push_back(almanac::sky_at(almanac::later(instants[p], step_s)));
+      parts.push_back(lit_bins(photographs[p].scene, skies.back()));
     }
+  std::ranges::sort(skies, [](const auto& one, const auto& other) {
+    return almanac::seconds_between(one.when, other.when) > 0;
+  });
+  return {request, skies, parts, airs};
+}
+
+ComparedNight::ComparedNight(std::span<const NightPhotograph> photographs,
+                             const NightErrors& errors)
+    : errors_(errors) {
+  constexpr std::size_t least = 6;
+  for (const auto& photograph : photographs) {
+    bins_ = photograph.scene.bins;
+    curved_ = curved_ || !photograph.light.slopes.empty();
+    distances_km_.push_back(photograph.scene.distances_km);
+    sunlight_.push_back(sunlight_of(photograph.scene.weights));
+    add_numbers(photograph, distances_km_.size() - 1);
   }
-  if (numbers.size() < least)
+  if (numbers_.size() < least)
     throw algebra::Error(fmt::format(
         "{} parts of the disc are neither clipped nor lost in noise, allowed {} or more",
-        numbers.size(), least));
-  const auto count = numbers.size();
-  const ComparedNumbers comparison{numbers, whitening_of(covariance_of(numbers, own, errors))};
-  return {
-      &*scene.light,
-      [comparison](const algebra::Grid<double>& light) { return comparison.chi_squared(light); },
-      count};
+        numbers_.size(), least));
+  std::vector<double> own;
+  for (const auto& number : numbers_) own.push_back(number.error);
+  nuisances_ = {own, effects(photographs)};
+}
+
+void ComparedNight::add_numbers(const NightPhotograph& photograph, std::size_t index) {
+  constexpr double too_noisy = 0.3, too_dark = 0.01;
+  const auto& [values, errors, sky_errors, slopes] = photograph.light;
+  for (std::size_t b = 0; b < bins_; ++b) {
+    const double brightest = *std::ranges::max_element(values.row(b));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double value = values(b, k), noise = errors(b, k) / value;
+      if (value <= 0 || noise > too_noisy || value < too_dark * brightest) continue;
+      double logarithm = std::log(value / photograph.errors.value_per_cd_m2.value_or(1));
+      if (!slopes.empty())  // as the mean of cameras has it, to first order
+        for (std::size_t n = 0; n < colour::tone_numbers; ++n)
+          logarithm -= slopes(b, k)[n] * errors_.curve.numbers[n];
+      const double of_curve = slopes.empty() ? 0 : between_tents;
+      numbers_.push_back(
+          {index, b, k, logarithm, std::hypot(noise, model_error(value, brightest), of_curve)});
+    }
+  }
+}
+
+algebra::Grid<double> ComparedNight::effects(std::span<const NightPhotograph> photographs) const {
+  constexpr double of_shutter_and_iris = 0.03;
+  algebra::Grid<double> a(numbers_.size(), of_night + of_photograph * photographs.size());
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    const auto& [p, b, k, logarithm, error] = numbers_[i];
+    const auto& [scene, light, errors] = photographs[p];
+    const auto own = of_night + of_photograph * p;
+    const bool known = errors.value_per_cd_m2.has_value();
+    if (known) a(i, 0) = light.slopes.empty() ? errors.exposure_error : unknown;
+    a(i, own) = known ? of_shutter_and_iris : unknown;
+    constexpr double drift = 0.003;
+    if (k != 1) {
+      const std::size_t red_or_blue = k / 2;
+      if (errors.white_balance_fixed) a(i, 1 + red_or_blue) = errors.white_balance_error;
+      a(i, own + 1 + red_or_blue) = errors.white_balance_fixed ? drift : errors.white_balance_error;
+    }
+    a(i, own + 6) = errors.place_error_km * growth(scene, light.values, b, k);
+    a(i, own + 3 + k) = light.sky_errors(b, k) / light.values(b, k);
+    if (!light.slopes.empty()) std::ranges::copy(light.slopes(b, k), &a(i, of_curve));
+  }
+  return a;
+}
+
+std::size_t ComparedNight::count_of(std::size_t photograph) const {
+  return static_cast<std::size_t>(std::ranges::count(numbers_, photograph, &Number::photograph));
+}
+
+ComparedNight::Residuals ComparedNight::residuals(const algebra::Grid<double>& light) const {
+  const auto steps_s = clock_steps_s(errors_.clock_error_s);
+  const auto middle = steps_s.size() / 2;
+  Residuals result;
+  std::vector<std::array<double, 3>> logarithms(steps_s.size());
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    const auto& [p, b, k, logarithm, error] = numbers_[i];
+    if (i == 0 || p != numbers_[i - 1].photograph || b != numbers_[i - 1].bin)
+      for (std::size_t s = 0; s < steps_s.size(); ++s) {
+        logarithms[s] = rec709_of(light.row((p * steps_s.size() + s) * bins_ + b));
+        for (double& value : logarithms[s]) value = std::log(std::max(value, 1e-12));
+      }
+    result.apart.push_back(logarithm - logarithms[middle][k]);
+    if (steps_s.size() > 1)
+      result.a_second.push_back((logarithms.back()[k] - logarithms.front()[k]) /
+                                (steps_s.back() - steps_s.front()));
+  }
+  return result;
+}
+
+Weighed ComparedNight::weighed(const algebra::Grid<double>& light) const {
+  const auto [apart, a_second] = residuals(light);
+  const auto seen = nuisances_.whitened(apart);
+  Weighed result{product(seen, seen)};
+  if (a_second.empty()) return result;
+  const auto clock = nuisances_.whitened(a_second);
+  const double information =
+      product(clock, clock) + 1 / (errors_.clock_error_s * errors_.clock_error_s);
+  const double told = product(clock, seen);
+  result.chi_squared -= told * told / information;
+  result.clock_s = told / information;
+  result.clock_variance_s2 = 1 / information;
+  return result;
+}
+
+colour::ToneCurve ComparedNight::curve(const algebra::Grid<double>& light) const {
+  colour::ToneCurve found;
+  if (!curved_) return found;
+  auto [apart, a_second] = residuals(light);
+  const double clock_s = weighed(light).clock_s;
+  for (std::size_t i = 0; i < a_second.size(); ++i) apart[i] -= clock_s * a_second[i];
+  const auto nuisances = nuisances_.expected(apart);
+  for (std::size_t n = 0; n < colour::tone_numbers; ++n)
+    found.numbers[n] = -nuisances[of_curve + n];  // what is read as too bright is made darker
+  return found;
+}
+
+std::vector<MeasuredLight> ComparedNight::measured(const algebra::Grid<double>& light) const {
+  constexpr double step_km = 100;
+  auto [apart, a_second] = residuals(light);
+  const double clock_s = weighed(light).clock_s;
+  for (std::size_t i = 0; i < a_second.size(); ++i) apart[i] -= clock_s * a_second[i];
+  const auto explained = nuisances_.explained(apart);
+  std::map<std::pair<long, std::size_t>, std::vector<std::size_t>> steps;
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    const auto& number = numbers_[i];
+    const double distance_km = distances_km_[number.photograph][number.bin];
+    steps[{std::lround(distance_km / step_km), number.channel}].push_back(i);
+  }
+  std::vector<MeasuredLight> all;
+  for (const auto& [step, numbers] : steps) {
+    std::vector<double> weights(numbers_.size());
+    double sum = 0, distance_km = 0, seen = 0, expected = 0;
+    for (const auto i : numbers) {
+      const auto& [p, b, k, logarithm, error] = numbers_[i];
+      const double weight = 1 / (error * error), sunlight = std::log(sunlight_[p][k]);
+      weights[i] = weight;
+      sum += weight;
+      distance_km += weight * distances_km_[p][b];
+      seen += weight * (logarithm - explained[i] - sunlight);
+      expected += weight * (logarithm - apart[i] - sunlight);
+    }
+    all.push_back({distance_km / sum, step.second, std::exp(seen / sum), std::exp(expected / sum),
+                   nuisances_.error_of_mean(weights)});
+  }
+  return all;
 }
 
 }  // namespace coppermoon::uses

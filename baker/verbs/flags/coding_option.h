@@ -13,7 +13,8 @@ inline Flag add_coding_option(CLI::App& verb, texture::Coding& coding, const std
   using enum texture::Coding;
   return add_choice<texture::Coding>(
       verb, "--coding", coding,
-      {{"as-file-says", as_file_says}, {"srgb", srgb}, {"linear", linear}}, help);
+      {{"as-file-says", as_file_says}, {"srgb", srgb}, {"linear", linear}, {"camera", camera}},
+      help);
 }
 
 }  // namespace coppermoon::verbs

@@ -93,6 +93,19 @@ TEST(LocalTime, KnowsSummerTimeAndTheDateLine) {
   EXPECT_THROW(local("-0584-05-22", "Europe/London"), algebra::Error);
 }
 
+TEST(LocalTime, IsReadAsWell) {
+  const auto utc = [](const char* local, const char* zone) {
+    return almanac::utc_text(instant_of_local(local, zone));
+  };
+  EXPECT_EQ(utc("2018-07-28T01:51:45", "Asia/Kolkata"), "2018-07-27T20:21:45Z");
+  EXPECT_EQ(utc("2018-03-25T00:59:59", "Europe/London"), "2018-03-25T00:59:59Z");
+  EXPECT_EQ(utc("2018-03-25T02:00:00", "Europe/London"), "2018-03-25T01:00:00Z");
+  EXPECT_EQ(utc("2018-10-28T01:30:00", "Europe/London"), "2018-10-28T00:30:00Z")
+      << "the earlier of two";
+  EXPECT_THROW(utc("2018-07-27T20:21:45", "Moon/Tycho"), algebra::Error);
+  EXPECT_THROW(utc("yesterday", "Europe/London"), algebra::Error);
+}
+
 TEST(CalendarFile, IsOfLinesThatCalendarsRead) {
   const auto night = at("2018-07-27", "London");
   const auto text = as_calendar(night, "London, England");

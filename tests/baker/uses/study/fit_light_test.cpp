@@ -38,7 +38,8 @@ TEST(FittedLight, IsThatOfTheSameAirFullyComputed) {
       moonlight_weights(colour::channel_weights(colour::WorkingSpace::ciexyz_d65, band_edges_nm()));
   const auto places = five_places(sky);
   LightRequest request;
-  const FittedLight fitted(request, sky, weights, places, 6);
+  const LitBins bins{weights, places, 6};
+  const FittedLight fitted(request, std::span(&sky, 1), std::span(&bins, 1));
   request.wish = {.tolerance = 0.001};
   for (const auto& [dust, cover, ozone] : std::array<std::array<double, 3>, 4>{
            {{1e-6, 0.3, 300}, {4.3e-6, 0.75, 180}, {1.2e-5, 0.1, 430}, {2.5e-7, 0.95, 250}}}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/film/gnuplot.h"
+#include "uses/picture/gnuplot.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

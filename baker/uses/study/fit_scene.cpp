@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "uses/study/fit_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "colour/working_space.h"
+#include "eclipse/shadow_axis.h"
+#include "povray_scenes/sight.h"
+#include "surface/albedo_map.h"
+#include "texture/bake.h"
+#include "uses/light/moonlight.h"
+#include "uses/light/spectral_bands.h"
+
+namespace coppermoon::uses {
+namespace {
+
+using Channel = algebra::Grid<float>;
+
+constexpr std::size_t texture_rows = 512;
+
+/// Light is compared where ground is seen less than this cosine from straight on: the map and the
+/// limb's blur matter more beyond.
+constexpr double least_cosine = 0.4;
+
+constexpr std::size_t most_bins = 16;
+
+ViewRequest close_view(ViewRequest view, const almanac::SkyState& sky) {
+  const double disc =
+      2 * std::asin(algebra::in_metres(almanac::lunar_radius) / glm::length(sky.moon_m));
+  view.field_deg = disc / fit_disc_share * 180 / std::numbers::pi;
+  view.width = view.height = fit_side_px;
+  return view;
+}
+
+/// The texture of the ground without the shadow.
+Channel sunlit_map(const MoonRequest& moon, const Channel& albedo, const almanac::SkyState& sky) {
+  const shadow::Lookup whole(shadow::ChannelWeights(1, 1, 1.));
+  const auto image = texture::bake({albedo, sky, whole}, {"Y"}, texture_rows, moon.photometry);
+  Channel map(image.height, image.width);
+  std::ranges::copy(image.values, map.values().begin());
+  return map;
+}
+
+/// Ground that a pixel shows, and its place in the shadow.
+struct Ground {
+  std::size_t pixel;
+  glm::dvec3 ground;
+  double cos_emission;
+  eclipse::ShadowPlace place;
+};
+
+std::vector<Ground> grounds_of(const povray_scenes::Camera& camera, const almanac::SkyState& sky) {
+  const auto sight = povray_scenes::sight_of(camera);
+  const auto axis = eclipse::shadow_axis(sky);
+  std::vector<Ground> grounds;
+  for (std::size_t r = 0; r < fit_side_px; ++r)
+    for (std::size_t c = 0; c < fit_side_px; ++c) {
+      const auto ground = povray_scenes::ground_at(
+          sight, {static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5});
+      if (!ground) continue;
+      grounds.push_back({r * fit_side_px + c, *ground,
+                         glm::dot(*ground, glm::normalize(sight.position - *ground)),
+                         eclipse::place_of_ground(axis, sky, *ground)});
+    }
+  return grounds;
+}
+
+/// Picture in which each pixel is as bright as its ground.
+Channel picture_of(const Channel& map, const std::vector<Ground>& grounds) {
+  Channel picture(fit_side_px, fit_side_px);
+  for (const auto& ground : grounds)
+    picture.values()[ground.pixel] =
+        static_cast<float>(surface::sampled(map, almanac::selenographic_point(ground.ground)));
+  return picture;
+}
+
+/// Puts the pixels well within the disc into even steps of axis distance.
+void bin(FitScene& scene, const Channel& sunlit, const std::vector<Ground>& grounds) {
+  double least = 1e12, most = 0;
+  const auto inner = [](const Ground& ground) { return ground.cos_emission >= least_cosine; };
+  for (const auto& ground : grounds) {
+    if (!inner(ground)) continue;
+    least = std::min(least, algebra::in_metres(ground.place.axis_distance));
+    most = std::max(most, algebra::in_metres(ground.place.axis_distance));
+  }
+  scene.bins = most_bins;
+  scene.distances_km.assign(most_bins, 0);
+  std::vector<double> counts(most_bins);
+  for (const auto& [pixel, ground, cos_emission, place] : grounds) {
+    const double bright = sunlit.values()[pixel];
+    if (cos_emission < least_cosine || bright <= 0) continue;
+    const double share = (algebra::in_metres(place.axis_distance) - least) / (most - least);
+    const auto step =
+        std::min(static_cast<std::size_t>(share * static_cast<double>(most_bins)), most_bins - 1);
+    scene.grounds.push_back({pixel, ground, bright, step});
+    scene.distances_km[step] += algebra::in_kilometres(place.axis_distance);
+    ++counts[step];
+  }
+  for (std::size_t b = 0; b < most_bins; ++b) scene.distances_km[b] /= std::max(1., counts[b]);
+}
+
+/// Light by which the Moon is recognised: 5 % will do.
+LightRequest to_recognise(const LightRequest& light) {
+  LightRequest coarse;
+  coarse.air = light.air;
+  coarse.limb_darkening = light.limb_darkening;
+  coarse.scattered_light = light.scattered_light;
+  coarse.starlight = light.starlight;
+  coarse.wish = {.tolerance = 0.05};
+  return coarse;
+}
+
+}  // namespace
+
+FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::SkyState> skies) {
+  const auto light = to_recognise(moon.light);
+  const auto usual = skies.size() == 1 ? light_on_the_moon(light, skies.front())
+                                       : light_on_the_way(light, moon_on_its_way(light, skies));
+  return {normal_albedo(moon), usual.in_channels(luminance_weights())};
+}
+
+FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
+                   const ViewRequest& view, const almanac::SkyState& sky) {
+  require_eclipse(sky.when);
+  const auto seen = view_of(close_view(view, sky), sky);
+  FitScene scene;
+  scene.sky = sky;
+  const auto grounds = grounds_of(seen.camera, sky);
+  scene.usual = picture_of(sunlit_map(moon, groundwork.albedo, sky), grounds);
+  bin(scene, scene.usual, grounds);
+  std::vector<double> luminance(1);
+  for (const auto& ground : grounds) {
+    groundwork.usual.read(ground.place, luminance);
+    scene.usual.values()[ground.pixel] *= static_cast<float>(luminance[0]);
+  }
+  scene.weights = moonlight_weights(
+      colour::channel_weights(colour::WorkingSpace::ciexyz_d65, band_edges_nm()), seen.sightline);
+  return scene;
+}
+
+namespace {
+
+/// A few places that stand for all of a bin: groups by distance, and within these by angle, each where its
+/// mean is.
+void add_groups(std::vector<LitPlace> all, std::vector<LitPlace>& few) {
+  constexpr std::size_t by_distance = 8, by_angle = 4;
+  const auto distance_of = [](const LitPlace& lit) {
+    return algebra::in_metres(lit.place.axis_distance);
+  };
+  const auto angle_of = [](const LitPlace& lit) {
+    return algebra::in_radians(lit.place.position_angle);
+  };
+  std::ranges::sort(all, {}, distance_of);
+  const auto part = [](std::span<LitPlace> whole, std::size_t i, std::size_t parts) {
+    const auto from = whole.size() * i / parts, to = whole.size() * (i + 1) / parts;
+    return whole.subspan(from, to - from);
+  };
+  for (std::size_t i = 0; i < by_distance; ++i) {
+    const auto ring = part(all, i, by_distance);
+    std::ranges::sort(ring, {}, angle_of);
+    for (std::size_t j = 0; j < by_angle; ++j) {
+      double sunlit = 0, distance = 0, depth = 0, east = 0, north = 0;
+      const auto group = part(ring, j, by_angle);
+      for (const auto& lit : group) {
+        sunlit += lit.sunlit;
+        distance += lit.sunlit * distance_of(lit);
+        depth += lit.sunlit * algebra::in_metres(lit.place.depth);
+        east += lit.sunlit * std::sin(angle_of(lit));
+        north += lit.sunlit * std::cos(angle_of(lit));
+      }
+      if (sunlit == 0) continue;
+      const double angle = std::atan2(east, north);
+      few.push_back({{algebra::metres(distance / sunlit),
+                      algebra::radians(angle < 0 ? angle + 2 * std::numbers::pi : angle),
+                      algebra::metres(depth / sunlit)},
+                     sunlit,
+                     group.front().bin});
+    }
+  }
+}
+
+}  // namespace
+
+LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky) {
+  LitBins lit{scene.weights, {}, scene.bins};
+  const auto axis = eclipse::shadow_axis(sky);
+  std::vector<std::vector<LitPlace>> all(scene.bins);
+  for (const auto& [pixel, ground, sunlit, bin] : scene.grounds)
+    if (pixel % 2 == 0 && pixel / fit_side_px % 2 == 0)
+      all[bin].push_back({eclipse::place_of_ground(axis, sky, ground), sunlit, bin});
+  for (auto& of_bin : all) add_groups(std::move(of_bin), lit.places);
+  return lit;
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "algebra/interpolation.h"
+#include "algebra/random.h"
+#include "colour/camera.h"
+#include "colour/measured_tone_curves.h"
+#include "colour/photograph.h"
+#include "colour/similarity.h"
+#include "eclipse/shadow_axis.h"
+#include "povray_scenes/sight.h"
+#include "surface/albedo_map.h"
+#include "texture/bake.h"
+#include "texture/write_image.h"
+#include "uses/light/spectral_bands.h"
+#include "uses/picture/pixels.h"
+#include "uses/picture/view.h"
+#include "uses/study/fit.h"
+
+namespace coppermoon::end_to_end {
+
+/// What a night's photographs are made with, and a fit is not told.
+struct NightTruth {
+  double dust_per_m = 3e-6, cloud_cover = 0.3, ozone_du = 300;
+  std::string camera = "Canon EOS 6D";  ///< whose tone curve: measured_tone_curves
+  double clock_s = 0;                   ///< to be added to what the camera's clock says
+  double exposed = 1;                   ///< factor on all exposures
+  double white_balance_drift =
+      0.15;  ///< of each photograph, standard, as cameras set it by themselves
+  std::uint64_t seed = 1;
+};
+
+/// An eclipse, where it is seen from, and minutes from its greatest phase at which photographs are taken.
+struct NightOccasion {
+  const char* greatest;
+  double latitude_deg, longitude_deg;
+  std::vector<double> short_min, long_min;  ///< of sunlit ground; of the umbra
+};
+
+/// Photographs of one night as a camera takes them by itself: JPEGs with its own tone curve, colours that
+/// drift, clipped shadows and lights, a clock that is wrong. The light is planned and computed as for any
+/// frame; the fit's own bins and nodes have no part in it.
+class MadeNight {
+ public:
+  MadeNight(const NightOccasion& occasion, const NightTruth& truth)
+      : occasion_(occasion), truth_(truth), random_(truth.seed, 7) {
+    moon_.albedo_map = "built-in";
+    auto& air = moon_.light.air;
+    air.atmosphere = "undated";
+    air.column.dust_extinction_per_m = truth.dust_per_m;
+    air.column.cloud_cover = truth.cloud_cover;
+    air.column.ozone_du = truth.ozone_du;
+    moon_.light.wish = {.tolerance = 0.003};
+    view_.observer =
+        almanac::Observer{algebra::degrees(occasion.latitude_deg),
+                          algebra::degrees(occasion.longitude_deg), algebra::metres(0)};
+    view_.reddening = false;
+    view_.field_deg = field_deg;
+    view_.width = view_.height = side;
+    angle_rad_ = 2 * std::numbers::pi * random_.uniform();
+  }
+
+  /// The request of a fit that knows what a photographer knows.
+  uses::FitRequest request(const std::filesystem::path& folder) {
+    uses::FitRequest request;
+    request.moon.albedo_map = albedo_map(folder);
+    request.moon.light.air.atmosphere = "undated";
+    request.view.observer = view_.observer;
+    request.view.reddening = false;
+    request.clock_error_s = 600;
+    std::vector<std::pair<double, bool>> all;
+    for (const double min : occasion_.short_min) all.emplace_back(min, false);
+    for (const double min : occasion_.long_min) all.emplace_back(min, true);
+    std::ranges::sort(all);
+    std::vector<almanac::SkyState> skies;
+    for (const auto& [min, deep] : all) skies.push_back(almanac::sky_at(taken_at(min)));
+    std::vector<almanac::SkyState> way;
+    for (double min = all.front().first; min < all.back().first + 5; min += 5)
+      way.push_back(almanac::sky_at(taken_at(min)));
+    const auto light = uses::light_on_the_way(moon_.light, uses::moon_on_its_way(moon_.light, way))
+                           .in_channels(uses::moonlight_weights(colour::channel_weights(
+                               colour::WorkingSpace::linear_rec709, uses::band_edges_nm())));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto file = folder / fmt::format("{:02}.jpg", i);
+      const auto told = almanac::later(skies[i].when, -truth_.clock_s);
+      photograph(file, skies[i], light, all[i].second, told);
+      request.photographs.push_back({.file = file.string(), .instant = told});
+    }
+    return request;
+  }
+
+ private:
+  /// The built-in Moon's, made once.
+  static const algebra::Grid<float>& albedo() {
+    static const auto map = [] {
+      uses::MoonRequest moon;
+      moon.albedo_map = "built-in";
+      return uses::normal_albedo(moon);
+    }();
+    return map;
+  }
+
+  /// A file of it, for it takes seconds to be made.
+  static std::string albedo_map(const std::filesystem::path& folder) {
+    const auto file = (folder / "moon.exr").string();
+    if (std::filesystem::exists(file)) return file;
+    texture::Image image(albedo().columns(), albedo().rows(), {"Y"});
+    std::ranges::copy(albedo().values(), image.values.begin());
+    texture::write_exr(file, image, {}, {.type = texture::ExrType::floating});
+    return file;
+  }
+
+  static constexpr std::size_t side = 360;
+  static constexpr double field_deg = 0.72;
+
+  almanac::Instant taken_at(double min) const {
+    return almanac::later(almanac::instant_from_utc(occasion_.greatest), 60 * min);
+  }
+
+  double normal() {
+    return std::sqrt(-2 * std::log(1 - random_.uniform())) *
+           std::cos(2 * std::numbers::pi * random_.uniform());
+  }
+
+  /// The scene [cd/m²], a mean over four places of each pixel.
+  colour::Image scene(const almanac::SkyState& sky, const shadow::Lookup& lookup) const {
+    constexpr auto rec709 = colour::WorkingSpace::linear_rec709;
+    const auto seen = uses::view_of(view_, sky);
+    const auto sight = povray_scenes::sight_of(seen.camera);
+    const auto axis = eclipse::shadow_axis(sky);
+    const shadow::Lookup whole(shadow::ChannelWeights(1, 1, 1.));
+    const auto texture = texture::bake({albedo(), sky, whole}, {"Y"}, 1024, moon_.photometry);
+    algebra::Grid<float> map(texture.height, texture.width);
+    std::ranges::copy(texture.values, map.values().begin());
+    colour::Image image(side, side);
+    std::array<double, 3> values{};
+    for (std::size_t r = 0; r < side; ++r)
+      for (std::size_t c = 0; c < side; ++c)
+        for (int part = 0; part < 4; ++part) {
+          const auto ground =
+              povray_scenes::ground_at(sight, {static_cast<double>(c) + 0.25 + 0.5 * (part % 2),
+                                               static_cast<double>(r) + 0.25 + 0.5 * (part / 2)});
+          if (!ground) continue;
+          lookup.read(eclipse::place_of_ground(axis, sky, *ground), values);
+          if (std::max({values[0], values[1], values[2]}) < 1e-20) continue;
+          colour::into_gamut(rec709, values);
+          const double bright = surface::sampled(map, almanac::selenographic_point(*ground)) / 4;
+          for (std::size_t k = 0; k < 3; ++k)
+            image(r, c)[k] += static_cast<float>(bright * values[k]);
+        }
+    return image;
+  }
+
+  /// A time, in thirds of stops, that shows the brightest ground, or what is in the umbra.
+  double time_for(const colour::Image& image, const colour::Camera& camera, bool deep) const {
+    std::vector<double> lit;
+    for (const auto& pixel : image.values())
+      if (const double most = std::max({pixel[0], pixel[1], pixel[2]}); most > 0)
+        lit.push_back(most);
+    std::ranges::sort(lit);
+    const double light = deep ? 3 * lit[lit.size() / 4] : lit[lit.size() * 98 / 100];
+    const double saturation_s =
+        colour::saturation_cd_m2(camera, {1, f_number, iso}) / light / truth_.exposed;
+    return std::exp2(std::round(3 * std::log2(0.55 * saturation_s)) / 3);
+  }
+
+  void photograph(const std::filesystem::path& file, const almanac::SkyState& sky,
+                  const shadow::Lookup& lookup, bool deep, const almanac::Instant& told) {
+    auto camera = colour::camera_named("400mm");
+    camera.seeing_arcsec = 2;
+    const auto image = scene(sky, lookup);
+    const double time_s = std::clamp(time_for(image, camera, deep), 1e-4, 8.);
+    const double pixel_rad = 2 * std::tan(field_deg / 2 * std::numbers::pi / 180) / side;
+    const auto taken = colour::photographed(image, colour::WorkingSpace::linear_rec709, camera,
+                                            {{time_s * std::exp(0.03 * normal()), f_number, iso},
+                                             pixel_rad,
+                                             2e-4,
+                                             truth_.seed,
+                                             frame_++});
+    const std::array<double, 3> gains{
+        truth_.exposed * std::exp(truth_.white_balance_drift * normal()), truth_.exposed,
+        truth_.exposed * std::exp(truth_.white_balance_drift * normal())};
+    auto shown = uses::image_of(taken.scene_linear);
+    for (std::size_t i = 0; i < shown.values.size(); ++i)
+      shown.values[i] *= static_cast<float>(
+          gains[i % 3] / colour::saturation_cd_m2(camera, {time_s, f_number, iso}));
+    write_jpeg(file, turned(shown), time_s, told);
+  }
+
+  texture::Image turned(const texture::Image& image) const {
+    texture::Image result(side, side, {"R", "G", "B"});
+    const double middle = side / 2., c = std::cos(angle_rad_), s = std::sin(angle_rad_);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto channel = uses::channel_of(image, k);
+      for (std::size_t r = 0; r < side; ++r)
+        for (std::size_t col = 0; col < side; ++col) {
+          const double x = static_cast<double>(col) + 0.5 - middle,
+                       y = static_cast<double>(r) + 0.5 - middle;
+          result(r, col, k) = static_cast<float>(
+              colour::between_pixels(channel, {middle + c * x - s * y, middle + s * x + c * y}));
+        }
+    }
+    return result;
+  }
+
+  void write_jpeg(const std::filesystem::path& file, const texture::Image& image, double time_s,
+                  const almanac::Instant& told) const {
+    const auto curve = measured_tone_curves().at(truth_.camera).smooth();
+    std::vector<float> shown;
+    for (const float value : image.values) {
+      const double y = std::clamp(curve(std::clamp(double{value}, 0., 1.)), 0., 1.);
+      shown.push_back(
+          static_cast<float>(y <= 0.0031308 ? 12.92 * y : 1.055 * std::pow(y, 1 / 2.4) - 0.055));
+    }
+    OIIO::ImageSpec spec(side, side, 3, OIIO::TypeDesc::UINT8);
+    spec.attribute("compression", "jpeg:92");
+    spec.attribute("Make", truth_.camera.substr(0, truth_.camera.find(' ')));
+    spec.attribute("Model", truth_.camera);
+    // OpenImageIO 2.4 writes whole seconds as a fraction over nothing
+    spec.attribute("ExposureTime", static_cast<float>(time_s * 1.0001));
+    spec.attribute("FNumber", static_cast<float>(f_number));
+    spec.attribute("Exif:PhotographicSensitivity", static_cast<int>(iso));
+    spec.attribute("Exif:WhiteBalance", 0);
+    auto date = almanac::utc_text(told).substr(0, 19);
+    std::ranges::replace(date, '-', ':');
+    date[10] = ' ';
+    spec.attribute("Exif:DateTimeOriginal", date);
+    const auto out = OIIO::ImageOutput::create(file.string());
+    out->open(file.string(), spec);
+    out->write_image(OIIO::TypeDesc::FLOAT, shown.data());
+    out->close();
+  }
+
+  static constexpr double f_number = 5.6, iso = 400;
+
+  NightOccasion occasion_;
+  NightTruth truth_;
+  algebra::Random random_;
+  uses::MoonRequest moon_;
+  uses::ViewRequest view_;
+  double angle_rad_ = 0;
+  std::uint64_t frame_ = 0;
+};
+
+/// Eclipses with photographs of ingress and egress, sunlit ground and umbra.
+inline std::vector<NightOccasion> night_occasions() {
+  const std::vector<double> sunlit{-95, -80, 75, 95}, umbra{-80, -30, 0, 30, 85};
+  return {{"2018-07-27T20:21:44Z", 10, 45, {-100, -80, 75, 100}, {-85, -40, 0, 40, 85}},
+          {"2008-02-21T03:26:03Z", 42.86, -73.77, sunlit, {-75, -15, 0, 15, 80}},
+          {"2015-09-28T02:47:07Z", 30, -40, sunlit, umbra},
+          {"2010-12-21T08:16:57Z", 40, -100, sunlit, umbra},
+          {"2000-07-16T13:55:35Z", -20, 150, {-100, -80, 75, 100}, {-85, -40, 0, 40, 85}}};
+}
+
+}  // namespace coppermoon::end_to_end
