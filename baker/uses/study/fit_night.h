@@ -52,7 +52,7 @@ class Night {
   void require_any() const;
   std::vector<almanac::Instant> instants(double clock_s) const;
   BinnedPhotograph bins_of(std::size_t place) const;
-  /// The best of a few airs, χ² for each number.
+  /// What the best of a few airs says.
   Weighed looked_at(double clock_s) const;
   void find_half_hour();
   void find_clock();

@@ -28,6 +28,8 @@ constexpr double unknown = 10;
 
 /// Linear Rec.709 as renders have it: within its gamut.
 std::array<double, 3> rec709_of(std::span<const double> xyz) {
+  constexpr double dark = 1e-12;  // too little for a colour, rounding makes it less than none
+  if (xyz[1] < dark) return {dark, dark, dark};
   static const auto from_xyz = colour::channels_from_xyz(colour::WorkingSpace::linear_rec709);
   const auto rgb = from_xyz * glm::dvec3(xyz[0], xyz[1], xyz[2]);
   std::array<double, 3> channels{rgb.r, rgb.g, rgb.b};
