@@ -120,7 +120,7 @@ Told told_by(const Options& options) {
   const auto photos = options.photos.size();
   for (std::size_t i = 0; i < photos; ++i) {
     told.request.photographs.push_back({.file = options.photos[i],
-                                        .instant = almanac::instant_from_utc(told.instants.back()),
+                                        .instant = almanac::instant_from_utc(told.instants[i]),
                                         .coding = options.coding,
                                         .time_s = number_told(options.times, i, photos, "times"),
                                         .iso = number_told(options.isos, i, photos, "ISO speeds"),

@@ -129,19 +129,33 @@ TEST_F(FitThoroughly, OfANightOfJpegsFindsAirCurveAndAClockThatIsHoursWrong) {
   NightTruth truth;
   truth.clock_s = 130 - 3600;  // an hour of summer time, and some minutes
   truth.exposed = 1.3;
-  auto request = MadeNight(night_occasions().front(), truth).request(here());
-  request.half_hours_free = true;
-  constexpr double zone_s = 3 * 3600;
-  for (auto& photograph : request.photographs)
-    photograph.instant = almanac::later(photograph.instant, -zone_s);
-  const auto found = uses::fitted_air(request);
-  EXPECT_WITHIN_RELATIVE(std::exp(found.fit.posterior.estimates[0].median), truth.dust_per_m, 0.25,
-                         "what was asked for, of 95 nights in a hundred");
-  EXPECT_WITHIN(found.fit.posterior.estimates[1].median, truth.cloud_cover, 0.15, "the same");
-  const auto& night = found.nights.front();
-  EXPECT_WITHIN(night.clock->seconds, truth.clock_s + zone_s, 30, "the same");
-  EXPECT_TRUE(night.curve.has_value());
-  EXPECT_GT(night.light.size(), 50U);
+  const auto& occasion = night_occasions().front();
+  Words words;
+  for (const auto& photograph : MadeNight(occasion, truth).request(here()).photographs)
+    words.push_back(photograph.file);
+  // as the clocks of the place, three hours before UTC, say
+  const auto found =
+      fit(words + Words{"--instants", "from-header", "--at",
+                        fmt::format("{},{}", occasion.latitude_deg, occasion.longitude_deg),
+                        "--reddening", "off", "--atmosphere", "undated", "-o", "light.csv"});
+  EXPECT_WITHIN_RELATIVE(found["dust_extinction_per_m"]["median"].get<double>(), truth.dust_per_m,
+                         0.25, "what was asked for, of 95 nights in a hundred");
+  EXPECT_WITHIN(found["cloud_cover"]["median"].get<double>(), truth.cloud_cover, 0.15, "the same");
+  const auto& night = found["nights"][0];
+  EXPECT_WITHIN(night["clock"]["add_s"].get<double>(), truth.clock_s + 3 * 3600, 30, "the same");
+  EXPECT_TRUE(night["tone_curve"].is_array());
+  const auto light = text_of(here("light.csv"));
+  EXPECT_TRUE(light.starts_with("night,distance_km,channel,light,error,model\n1,"));
+  EXPECT_GT(std::ranges::count(light, '\n'), 50);
+}
+
+TEST_F(Fit, ReadsAnInstantForEachPhotograph) {
+  run({"oiiotool", "--create", "20x10", "3", "-o", "dot.png"});
+  std::filesystem::copy(here("dot.png"), here("other.png"));
+  EXPECT_NE(refusal_of({"dot.png", "other.png", "--instants",
+                        "2018-07-20T20:40:00Z,2018-07-27T20:40:00Z", "--albedo-map", "built-in"})
+                .find("no lunar eclipse at 2018-07-20"),
+            std::string::npos);
 }
 
 TEST_F(FitThoroughly, OfMagnitudesFindsTheCloudAndSaysWhatItCannotTell) {

@@ -43,6 +43,7 @@ void add_nights(const FitRequest& request, Evidence& evidence) {
   std::map<std::pair<std::string, double>, std::vector<std::size_t>> nights;
   for (std::size_t i = 0; i < request.photographs.size(); ++i) {
     const auto& photograph = request.photographs[i];
+    if (request.clock_error_s == 0 && !request.half_hours_free) require_eclipse(photograph.instant);
     const auto eclipse = eclipse::nearest_eclipse(
         photograph.instant, eclipse::ShadowConvention::danjon, almanac::LunarTheory::moon98);
     nights[{camera_of(photograph.file).value_or(""), std::round(eclipse.greatest.tt_day)}]
