@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A hundred nights of eclipses, each of nine JPEGs of a camera whose tone curve and clock the fit is not told.
+// Nights of eclipses, each of nine JPEGs of a camera whose tone curve and clock the fit is not told.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -16,7 +16,8 @@ namespace coppermoon::end_to_end {
 namespace {
 
 constexpr std::uint64_t seed = 1504;
-constexpr std::size_t nights = 100;
+/// Each of five eclipses with each of five cameras.
+constexpr std::size_t nights = 25;
 
 double between(algebra::Random& random, double from, double to) {
   return from + (to - from) * random.uniform();
@@ -75,7 +76,7 @@ void tell(std::size_t night, const NightTruth& truth, const uses::FitReport& ans
 
 class Nights : public ProgramTest {};
 
-TEST_F(Nights, OfAHundredAreFoundWithTheirCurvesAndClocks) {
+TEST_F(Nights, AreFoundWithTheirCurvesAndClocks) {
   Tally tally;
   const auto occasions = night_occasions();
   for (std::size_t night = 0; night < nights; ++night) {
@@ -91,12 +92,15 @@ TEST_F(Nights, OfAHundredAreFoundWithTheirCurvesAndClocks) {
   }
   RecordProperty("found", tally.found);
   RecordProperty("clocks", tally.clocks);
-  // what was asked for: dust within 25 % and cover within 0.15, the clock within half a minute
-  EXPECT_GE(tally.found, 95) << tally.refused << " refused";
-  EXPECT_GE(tally.clocks, 95);
-  // of 100 fair intervals of 68 %, 60 or more hold the truth; these are wider than they need be, for errors of
-  // registration and curve are believed as large as they are in real photographs
-  for (const int inside : tally.inside) EXPECT_GE(inside, 60);
+  // dust within 25 % and cover within 0.15, the clock within half a minute: where 95 of 100 nights are so, 22 of 25
+  // or more are in 97 of 100 such tests
+  EXPECT_GE(tally.found, 22) << tally.refused << " refused";
+  EXPECT_GE(tally.clocks, 22);
+  // of 25 fair intervals of 68 %, 12 to 22 hold the truth in 98 of 100 such tests
+  for (const int inside : tally.inside) {
+    EXPECT_GE(inside, 12);
+    EXPECT_LE(inside, 22);
+  }
 }
 
 }  // namespace
