@@ -114,6 +114,10 @@ class Recovery : public ProgramTest {
                                      "0.75",
                                      "--texture-width",
                                      "1024",
+                                     "--ground",
+                                     "mean",
+                                     "--stars",
+                                     "off",
                                      "--time",
                                      "1",
                                      "--frame",
@@ -134,6 +138,7 @@ class Recovery : public ProgramTest {
       frame.values[i] *= static_cast<float>(gain[i % 3]);
     auto camera = colour::camera_named("refractor");
     camera.seeing_arcsec = taken.seeing_arcsec;
+    camera.glow = 0;  // of which a fit knows nothing, nor of ground by place
     const double f_number = camera.optics.focal_length_mm / camera.optics.aperture_mm;
     const colour::Exposure exposure{taken.time_s, f_number, taken.iso};
     const double pixel_rad = 2 * std::tan(0.75 / 2 * std::numbers::pi / 180) / 440;
