@@ -185,7 +185,6 @@ Output place_in_cache(const CLI::App& verb, const Options& options) {
 /// Tells where the texture stands; whoever comes first bakes it, and others wait.
 void run_with_cache(const CLI::App& verb, const Options& options) {
   require_sound(options.texture);
-  eclipsed_sky(options.moon);
   const auto output = place_in_cache(verb, options);
   std::error_code failed;
   std::filesystem::create_directories(options.cache, failed);

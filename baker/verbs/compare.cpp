@@ -30,6 +30,7 @@
 #include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/recipes/recipe_file.h"
+#include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
@@ -160,9 +161,7 @@ std::string coding_in_words(const Found& found) {
     default:
       return "as the file says";
   }
-  const auto& n = found.comparison.curve->numbers;
-  return fmt::format("its camera's, {:+.2f}, {:+.2f}, {:+.2f} of what cameras differ by", n[0],
-                     n[1], n[2]);
+  return "its camera's, " + in_words(*found.comparison.curve);
 }
 
 Json coding_json(const Found& found) {
@@ -172,9 +171,7 @@ Json coding_json(const Found& found) {
       {texture::Coding::linear, "linear"},
       {texture::Coding::camera, "camera"}};
   Json all{{"coding", names.at(found.coding)}, {"tone_curve", Json()}};
-  if (const auto& curve = found.comparison.curve)
-    all["tone_curve"] = std::vector<double>(curve->numbers.begin(),
-                                            curve->numbers.begin() + colour::tone_components);
+  if (const auto& curve = found.comparison.curve) all["tone_curve"] = components_of(*curve);
   return all;
 }
 
@@ -292,10 +289,11 @@ void add_compare(CLI::App& program) {
       .one_of({"exif", "fit"});
   add_flag(*verb, "--bins", options->bins,
            "number of steps of distance from the shadow's axis, 1 to 1000");
-  add_coding_option(*verb, options->coding,
-                    "coding of the photograph's numbers: camera (its own tone curve, found by the "
-                    "frame; where the "
-                    "header names a camera), srgb or linear (a TIFF never says which)");
+  add_coding_option(
+      *verb, options->coding,
+      "coding of the photograph's numbers: camera (its own tone curve, which the frame "
+      "tells; so where the header names a camera), srgb or linear (a TIFF never says "
+      "which)");
   add_flag(*verb, "--recipe-in", options->recipe_in,
            ".exr whose recipe tells what the render shows, as a scene's texture does; the render "
            "itself unless given")

@@ -21,6 +21,7 @@
 #include "verbs/flags/number_list.h"
 #include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
+#include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
@@ -164,9 +165,7 @@ Json as_json(const uses::FittedNight& night, const Told& told) {
     all["photographs"].push_back(told.request.photographs[i].file);
   if (night.clock)
     all["clock"] = {{"add_s", night.clock->seconds}, {"standard_error_s", night.clock->error_s}};
-  if (night.curve)
-    all["tone_curve"] = std::vector<double>(night.curve->numbers.begin(),
-                                            night.curve->numbers.begin() + colour::tone_components);
+  if (night.curve) all["tone_curve"] = components_of(*night.curve);
   return all;
 }
 
@@ -207,11 +206,7 @@ void print_photograph(const ReadPhotograph& photograph, const std::string& file)
 void print_night(const uses::FittedNight& night, const Told& told) {
   const auto& first = told.request.photographs[night.photographs.front()].file;
   const auto camera = uses::camera_of(first).value_or("camera of " + first);
-  if (night.curve) {
-    const auto& n = night.curve->numbers;
-    fmt::print("tone curve   {:+.2f}, {:+.2f}, {:+.2f} of what cameras differ by ({})\n", n[0],
-               n[1], n[2], one_line(camera));
-  }
+  if (night.curve) fmt::print("tone curve   {} ({})\n", in_words(*night.curve), one_line(camera));
   if (night.clock)
     fmt::print("clock        {:+.1f} min to be added, {:.1f} to {:.1f} ({})\n",
                night.clock->seconds / 60, (night.clock->seconds - night.clock->error_s) / 60,
@@ -245,7 +240,7 @@ void require_sound(const Options& options) {
   if (options.photos.empty() && options.magnitudes.empty())
     throw algebra::Error("photographs or --magnitudes are missing: there is nothing to explain");
   if (options.photos.empty() && !options.outputs.empty())
-    throw algebra::Error("--output is of photographs' light: there are none");
+    throw algebra::Error("--output: shows the light of photographs, and none is given");
   for (const auto& file : options.outputs) uses::require_light_file(file);
 }
 
@@ -287,12 +282,10 @@ void add_photograph_options(CLI::App& verb, Options& options) {
   };
   add("--instants", options.instants,
       "moments of the photographs in UTC, one for all or one for each, with commas between; "
-      "from-header: "
-      "as the cameras' clocks say, whose errors are then found");
+      "from-header: as the cameras' clocks say, whose errors are then found");
   add("--zone", options.zone,
-      "time zone of the cameras' clocks with --instants from-header, as +02:00 or Europe/Berlin; "
-      "the "
-      "header's, else the shadow on the Moon tells, unless given");
+      "time zone of the cameras' clocks, for --instants from-header, as +02:00 or Europe/Berlin; "
+      "unless given, that in the header, else the one that the shadow on the Moon tells");
   add("--times", options.times,
       "exposure times [s], one for all or one for each; the header's unless given");
   add("--isos", options.isos, "ISO speeds, one for all or one for each; the header's unless given");
@@ -302,16 +295,16 @@ void add_photograph_options(CLI::App& verb, Options& options) {
   add("--exposure-error", options.request.exposure_error,
       "standard error of the exposures' logarithm");
   add("--white-balance-error", options.request.white_balance_error,
-      "standard error of red and blue over green; 0.03, of a camera's own tone curve 0.3, unless "
-      "given");
+      "standard error of red and blue over green; unless given 0.03, with a camera's own tone "
+      "curve "
+      "0.3");
   add("--clock-error", options.clock_error_min,
-      "standard error of a camera's clock [minutes], 0 to 60, which is then found; 10 with "
-      "--instants "
-      "from-header, else 0, unless given");
-  add_coding_option(
-      verb, options.coding,
-      "coding of the photographs' numbers: camera (its own tone curve, which is found; "
-      "where the header names a camera), srgb or linear")
+      "standard error of a camera's clock [minutes], 0 to 60; the clock's own error is then found; "
+      "unless given 10 with --instants from-header, else 0");
+  add_coding_option(verb, options.coding,
+                    "coding of the photographs' numbers: camera (its own tone curve, which is "
+                    "found; so where the "
+                    "header names a camera), srgb or linear")
       .in(group);
 }
 
@@ -328,10 +321,11 @@ void add_fit(CLI::App& program) {
   add_flag(*verb, "--magnitudes", options->magnitudes,
            "magnitudes of the whole Moon, .csv: instant,band,magnitude,error")
       .reads_file();
-  add_flag(*verb, "-o,--output", options->outputs,
-           "file of light by distance from the shadow's axis over full sunlight, as photographs "
-           "have it and "
-           "the air found: numbers as .csv, a plot as .png, .svg or .pdf. May be given again")
+  add_flag(
+      *verb, "-o,--output", options->outputs,
+      "light over full sunlight by distance from the shadow's axis, as the photographs show it "
+      "and as the air that was found gives it: numbers as .csv, a plot as .png, .svg or .pdf. "
+      "May be given again")
       .writes_file()
       .kept_each_time();
   add_photograph_options(*verb, *options);

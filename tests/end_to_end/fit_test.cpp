@@ -20,6 +20,39 @@ class Fit : public ProgramTest {
  protected:
   void make(const Words& words) const { expect_done(coppermoon(words)); }
 
+  /// a.png, under a known air.
+  void photograph(const std::string& side, const Words& more) const {
+    make(Words{"still",
+               deep,
+               "--at",
+               syria,
+               "--dust-extinction",
+               "5e-6",
+               "--cloud-cover",
+               "0.4",
+               "--width",
+               side,
+               "--height",
+               side,
+               "--field",
+               "0.8",
+               "--time",
+               "2",
+               "--iso",
+               "800",
+               "--camera",
+               "400mm",
+               "--seeing",
+               "2",
+               "--albedo-map",
+               "built-in",
+               "--atmosphere",
+               "undated",
+               "-o",
+               "a.png"} +
+         more);
+  }
+
   json fit(Words words) const {
     words.insert(words.begin(), "fit");
     words.insert(words.end(), {"--albedo-map", "built-in", "--json"});
@@ -37,36 +70,7 @@ class Fit : public ProgramTest {
 };
 
 TEST_F(Fit, OfAPhotographFindsItsAir) {
-  make({"still",
-        deep,
-        "--at",
-        syria,
-        "--dust-extinction",
-        "5e-6",
-        "--cloud-cover",
-        "0.4",
-        "--width",
-        "440",
-        "--height",
-        "440",
-        "--field",
-        "0.8",
-        "--time",
-        "2",
-        "--iso",
-        "800",
-        "--camera",
-        "400mm",
-        "--bits",
-        "16",
-        "--seeing",
-        "2",
-        "--albedo-map",
-        "built-in",
-        "--atmosphere",
-        "undated",
-        "-o",
-        "a.png"});
+  photograph("440", {"--bits", "16"});
   const auto found =
       fit({"a.png", "--instants", deep, "--at", syria, "--camera", "400mm", "--times", "2",
            "--isos", "800", "--f-number", "5.6", "--atmosphere", "undated"});
@@ -86,36 +90,7 @@ TEST_F(Fit, OfAPhotographFindsItsAir) {
 using FitThoroughly = Fit;
 
 TEST_F(FitThoroughly, OfARawPhotographFindsItsAirByItsOwnHeader) {
-  make({"still",
-        deep,
-        "--at",
-        syria,
-        "--dust-extinction",
-        "5e-6",
-        "--cloud-cover",
-        "0.4",
-        "--width",
-        "880",
-        "--height",
-        "880",
-        "--field",
-        "0.8",
-        "--time",
-        "2",
-        "--iso",
-        "800",
-        "--camera",
-        "400mm",
-        "--raw",
-        "a.dng",
-        "--seeing",
-        "2",
-        "--albedo-map",
-        "built-in",
-        "--atmosphere",
-        "undated",
-        "-o",
-        "a.png"});
+  photograph("880", {"--raw", "a.dng"});
   const auto found = fit(
       {"a.dng", "--instants", deep, "--at", syria, "--camera", "400mm", "--atmosphere", "undated"});
   EXPECT_EQ(found["photographs"][0]["exposure_known"], true);

@@ -112,6 +112,18 @@ TEST_F(ImageReader, HeedsOptionsBehindTheName) {
       << why_not(moon + "?texture-width=127");
 }
 
+TEST_F(ImageReader, StandsOnACommandThatSaysTheMomentOnce) {
+  const Words words{"bake",         "2018-07-27", "--unshadowed",
+                    "--albedo-map", "built-in",   "--texture-width",
+                    "64",           "--cache",    "kept"};
+  const auto first = coppermoon(words), again = coppermoon(words);
+  EXPECT_EQ(first.err,
+            "coppermoon: the greatest eclipse of 2018-07-27 is 2018-07-27 20:21:45 UTC\n");
+  EXPECT_EQ(again.err, "") << "nothing is computed";
+  EXPECT_EQ(again.out, first.out);
+  EXPECT_EQ(coppermoon({"bake", "2018-08-27", "--cache", "kept"}).status, 1);
+}
+
 TEST_F(ImageReader, LetsNoNameWriteAFile) {
   const auto before = listing();
   for (const char* option : {"output", "keep", "recipe", "cache", "albedo-map"})

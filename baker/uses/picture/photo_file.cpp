@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
+#include <initializer_list>
+#include <span>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "algebra/error.h"
 #include "algebra/number.h"
@@ -17,14 +20,36 @@
 namespace coppermoon::uses {
 namespace {
 
+using Names = std::initializer_list<std::string_view>;
+
+/// What a photograph's header has by each of some names.
+std::vector<std::optional<std::string>> all_in_header(const std::string& photo, Names names) {
+  return texture::read_attributes(photo, std::span(names.begin(), names.size()));
+}
+
+/// The first of some names that a photograph's header knows a text by.
+std::optional<std::string> text_in_header(const std::string& photo, Names names) {
+  for (auto& text : all_in_header(photo, names))
+    if (text && !text->empty()) return std::move(text);
+  return std::nullopt;
+}
+
 /// The first of some names that a photograph's header knows a number by.
-std::optional<double> number_in_header(const std::string& photo,
-                                       std::initializer_list<const char*> names) {
-  for (const char* name : names) {
-    const auto value = algebra::number_in(texture::read_attribute(photo, name).value_or(""));
+std::optional<double> number_in_header(const std::string& photo, Names names) {
+  for (const auto& text : all_in_header(photo, names)) {
+    const auto value = algebra::number_in(text.value_or(""));
     if (value && *value > 0) return value;
   }
   return std::nullopt;
+}
+
+/// As seconds_of_date; its error names the photograph.
+std::optional<double> seconds_of(const std::string& photo, const std::string& date) {
+  try {
+    return seconds_of_date(date);
+  } catch (const algebra::Error& error) {
+    throw algebra::Error(fmt::format("{}: {}", photo, error.what()));
+  }
 }
 
 /// EXIF's first tag for it holds 16 bits: of faster speeds it says 65535, and another tag says how fast.
@@ -68,8 +93,8 @@ CameraSettings settings_of(const std::string& photo) {
 
 std::optional<std::string> camera_of(const std::string& photo) {
   std::string name;
-  for (const char* attribute : {"Make", "Model"}) {
-    auto text = texture::read_attribute(photo, attribute).value_or("");
+  for (const auto& attribute : all_in_header(photo, {"Make", "Model"})) {
+    auto text = attribute.value_or("");
     text.erase(text.find_last_not_of(std::string_view(" \0", 2)) + 1);
     if (!name.empty() && !text.empty()) name += ' ';
     name += text;
@@ -82,21 +107,11 @@ bool white_balance_is_fixed(const std::string& photo) {
 }
 
 HeaderClock clock_of(const std::string& photo) {
-  std::string date;
-  for (const char* name : {"Exif:DateTimeOriginal", "Exif:DateTimeDigitized", "capDate"})
-    if (date.empty()) date = texture::read_attribute(photo, name).value_or("");
-  std::optional<double> seconds;
-  try {
-    seconds = seconds_of_date(date);
-  } catch (const algebra::Error& error) {
-    throw algebra::Error(fmt::format("{}: {}", photo, error.what()));
-  }
-  if (!seconds)
+  auto date = text_in_header(photo, {"Exif:DateTimeOriginal", "Exif:DateTimeDigitized", "capDate"});
+  if (!date || !seconds_of(photo, *date))
     throw algebra::Error(fmt::format("{}: its header does not say when it was taken", photo));
-  date[4] = date[7] = '-', date[10] = 'T';
-  auto offset = texture::read_attribute(photo, "Exif:OffsetTimeOriginal");
-  if (!offset) offset = texture::read_attribute(photo, "Exif:OffsetTime");
-  return {date, offset};
+  (*date)[4] = (*date)[7] = '-', (*date)[10] = 'T';
+  return {*date, text_in_header(photo, {"Exif:OffsetTimeOriginal", "Exif:OffsetTime"})};
 }
 
 texture::Coding coding_of(const std::string& photo, texture::Coding told) {
@@ -147,15 +162,8 @@ std::optional<double> seconds_of_date(const std::string& date) {
 }
 
 std::optional<double> taken_at_s(const std::string& photo) {
-  constexpr std::array<std::string_view, 2> names{"Exif:DateTimeOriginal", "capDate"};
-  const auto dates = texture::read_attributes(photo, names);
-  const auto& date = dates.front() ? dates.front() : dates.back();
-  if (!date) return std::nullopt;
-  try {
-    return seconds_of_date(*date);
-  } catch (const algebra::Error& error) {
-    throw algebra::Error(fmt::format("{}: {}", photo, error.what()));
-  }
+  const auto date = text_in_header(photo, {"Exif:DateTimeOriginal", "capDate"});
+  return date ? seconds_of(photo, *date) : std::nullopt;
 }
 
 colour::Bracketed bracketed(const std::string& file) {

@@ -2,6 +2,7 @@
 #include "verbs/reports/in_words.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <string>
@@ -41,6 +42,14 @@ std::string exposure_in_words(double seconds) {
 std::string exposure_in_words(const uses::Exposures& exposures) {
   const auto shorter = exposure_in_words(exposures.shorter.time_s);
   return exposures.longer_s ? shorter + " and " + exposure_in_words(*exposures.longer_s) : shorter;
+}
+
+std::string in_words(const colour::ToneCurve& curve) {
+  return fmt::format("{:+.2f} of what cameras differ by", fmt::join(components_of(curve), ", "));
+}
+
+std::vector<double> components_of(const colour::ToneCurve& curve) {
+  return {curve.numbers.begin(), curve.numbers.begin() + colour::tone_components};
 }
 
 }  // namespace coppermoon::verbs

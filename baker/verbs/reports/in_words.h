@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "colour/tone_curve.h"
 #include "uses/picture/development.h"
 
 namespace coppermoon::verbs {
@@ -21,5 +23,11 @@ std::string exposure_in_words(double seconds);
 
 /// The same for a picture; of a composite "1/500 s and 4 s".
 std::string exposure_in_words(const uses::Exposures& exposures);
+
+/// How a camera's tone curve differs from the mean one: "+0.40, +0.13, +0.23 of what cameras differ by".
+std::string in_words(const colour::ToneCurve& curve);
+
+/// The same numbers.
+std::vector<double> components_of(const colour::ToneCurve& curve);
 
 }  // namespace coppermoon::verbs
