@@ -34,7 +34,8 @@ NightTruth truth_of(std::size_t night) {
   truth.dust_per_m = 1.5e-6 * std::pow(1e-5 / 1.5e-6, random.uniform());
   truth.cloud_cover = between(random, 0, 0.9);
   truth.ozone_du = between(random, 200, 450);
-  auto camera = measured_tone_curves().begin();
+  static const auto cameras = measured_tone_curves();
+  auto camera = cameras.begin();
   std::advance(camera, night / 5 % 5);
   truth.camera = camera->first;
   truth.clock_s = 240 * normal(random);
