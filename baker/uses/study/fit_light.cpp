@@ -64,13 +64,19 @@ class AirAbove {
     return algebra::on_polynomial(nodes_, dimming_[part]);
   }
 
-  /// Channels of all nodes, one after the other.
+  /// Channels of all nodes, one after the other; then all again, of what the ground's colour changes.
   algebra::Grid<double> weights(std::span<const LitBins> parts) const {
-    const auto channels = parts.front().weights.rows(), bands = parts.front().weights.columns();
-    algebra::Grid<double> all(channels * nodes(), bands);
+    const auto channels = parts.front().weights.rows(), bands = parts.front().weights.columns(),
+               rows = channels * nodes();
+    algebra::Grid<double> all(2 * rows, bands);
     for (std::size_t n = 0; n < nodes(); ++n)
       for (std::size_t k = 0; k < channels; ++k)
         std::ranges::copy(parts[of_part_[n]].weights.row(k), all.row(n * channels + k).begin());
+    const auto centres_nm = band_centres_nm();
+    for (std::size_t b = 0; b < bands; ++b) {
+      const double change = colour_at(centres_nm[b]);
+      for (std::size_t row = 0; row < rows; ++row) all(rows + row, b) = change * all(row, b);
+    }
     return all;
   }
 
@@ -120,9 +126,11 @@ struct Setting {
   std::vector<double> waves, distances_m;
   std::span<const LitBins> parts;
   AirAbove above;
-  algebra::Grid<double> weights;
+  algebra::Grid<double> weights;  ///< (channel of all nodes, then the ground's colour's; wave)
   bool scattered;
-  std::vector<algebra::Grid<double>> direct{};  ///< [part](place, channel of all nodes)
+  std::vector<algebra::Grid<double>> direct{};  ///< [part](place, the same rows)
+
+  std::size_t channels_of_nodes() const { return weights.rows() / 2; }
 };
 
 /// Sunlight that passes clear of Earth and air, at all places: dust, cloud and ozone do not change it.
@@ -187,18 +195,20 @@ class RefractedAt {
 algebra::Grid<double> in_bins(const Setting& setting, std::size_t p,
                               const shadow::RefractedLight& refracted) {
   const auto& part = setting.parts[p];
-  const std::size_t channels = setting.weights.rows();
+  const std::size_t channels = setting.channels_of_nodes();
   RefractedAt at(refracted);
   algebra::Grid<double> light(part.bins, channels);
   std::vector<double> sunlit(part.bins), ratios(setting.waves.size());
   for (std::size_t i = 0; i < part.places.size(); ++i) {
-    const auto& [place, bright, bin] = part.places[i];
+    const auto& [place, bright, bin, colour] = part.places[i];
     at.read(place, ratios);
     sunlit[bin] += bright;
+    const auto in_row = [&](std::size_t row) {
+      return setting.direct[p](i, row) +
+             std::inner_product(ratios.begin(), ratios.end(), setting.weights.row(row).begin(), 0.);
+    };
     for (std::size_t k = 0; k < channels; ++k)
-      light(bin, k) += bright * (setting.direct[p](i, k) +
-                                 std::inner_product(ratios.begin(), ratios.end(),
-                                                    setting.weights.row(k).begin(), 0.));
+      light(bin, k) += bright * (in_row(k) + (colour == 0 ? 0 : colour * in_row(channels + k)));
   }
   for (std::size_t b = 0; b < part.bins; ++b)
     for (double& value : light.row(b))
@@ -208,7 +218,7 @@ algebra::Grid<double> in_bins(const Setting& setting, std::size_t p,
 
 /// The same of all parts, each through its own air: (bin, channel).
 algebra::Grid<double> in_all_bins(const Setting& setting, const shadow::RefractedLight& refracted) {
-  const auto nodes = setting.above.nodes(), channels = setting.weights.rows() / nodes;
+  const auto nodes = setting.above.nodes(), channels = setting.channels_of_nodes() / nodes;
   std::size_t bins = 0;
   for (const auto& part : setting.parts) bins += part.bins;
   algebra::Grid<double> all(bins, channels);
@@ -224,20 +234,17 @@ algebra::Grid<double> in_all_bins(const Setting& setting, const shadow::Refracte
   return all;
 }
 
+/// The same air with other dust, cover and ozone everywhere, as a request's column would set them.
 atmosphere::Atmosphere changed(atmosphere::Atmosphere air, double dust, double cover,
                                double ozone) {
-  const auto change = [&](atmosphere::Column& column, double ozone_du) {
+  const auto change = [&](atmosphere::Column& column) {
     column.dust_extinction_per_m = dust;
     column.cloud_cover = cover;
     column.cloud_per_m = column.cirrus = 0;
-    column.ozone_du = ozone_du;
+    column.ozone_du = ozone;
   };
-  change(air.column, ozone);
-  double mean = 0;
-  for (const auto& belt : air.belts)
-    mean += belt.column.ozone_du / static_cast<double>(air.belts.size());
-  for (auto& belt : air.belts)
-    change(belt.column, mean > 0 ? ozone * belt.column.ozone_du / mean : ozone);
+  change(air.column);
+  for (auto& belt : air.belts) change(belt.column);
   return air;
 }
 

@@ -18,6 +18,7 @@ struct LitPlace {
   eclipse::ShadowPlace place;
   double sunlit;  ///< light without the shadow, in any unit
   std::size_t bin;
+  double colour = 0;  ///< c of the ground, as surface::Ground has it
 };
 
 /// Limits within which an unknown is sought.
@@ -26,12 +27,12 @@ struct SearchRange {
 };
 
 /// Ranges of the three unknowns that an eclipse is explained by: dust [1/m], cover by a deck of cloud (in
-/// place of cloud by chance), ozone [DU] (of belts their mean; they keep their shares).
+/// place of cloud by chance), ozone [DU] (the same over all of the limb).
 constexpr std::array<SearchRange, 3> search_range{{{2e-7, 3e-5}, {0, 1}, {100, 500}}};
 
 /// Light that counts together: what one observer sees of the Moon at one moment.
 struct LitBins {
-  /// (channel, band), of the moonlight seen, none below 0, as those of XYZ
+  /// (channel, band), of the moonlight seen, of mean ground, none below 0, as those of XYZ
   algebra::Grid<double> weights;
   std::vector<LitPlace> places;  ///< in bins 0 to bins − 1
   std::size_t bins = 0;

@@ -115,27 +115,61 @@ void Night::compare() {
       std::make_unique<const ComparedNight>(known_, NightErrors{request_.clock_error_s, curve_});
 }
 
+void Night::take_one(double clock_s, std::size_t index, std::optional<double> px_per_rad) {
+  const auto& photograph = *photographs_[index];
+  left_out_[index].clear();
+  const auto photo = texture::read_light(photograph.file, photograph.coding);
+  try {
+    NightPhotograph known;
+    known.scene = fit_scene(request_.moon, *groundwork_, request_.view,
+                            almanac::sky_at(almanac::later(photograph.instant, clock_s)));
+    const double pixel_rad = known.scene.pixel_rad;
+    const auto registration = registration_of(
+        known.scene, photo, px_per_rad ? std::optional(*px_per_rad * pixel_rad) : std::nullopt);
+    const auto curve = is_curved(photograph) ? std::optional(curve_) : std::nullopt;
+    known.light = binned(known.scene, photo, registration.render_to_photo, curve);
+    known.errors = errors_of(request_, photograph);
+    known.errors.place_error_km = place_error_km(registration);
+    known_.push_back(std::move(known));
+    taken_.push_back({index,
+                      registration,
+                      {photo.width, photo.height},
+                      registration.render_to_photo.scale / pixel_rad});
+  } catch (const algebra::Error& error) {
+    left_out_[index] = error.what();
+  }
+}
+
+std::vector<std::pair<std::size_t, double>> Night::at_odds() const {
+  constexpr double alike = 0.02, beyond_doubt = 0.9;
+  std::vector<std::pair<std::size_t, double>> odd;
+  for (const auto& [index, registration, extent, px_per_rad] : taken_) {
+    if (registration.correlation >= beyond_doubt) continue;
+    // the scale that most photographs agree with, each as far as its Moon is recognised
+    double most = 0, agreed = px_per_rad;
+    for (const auto& one : taken_) {
+      double sum = 0;
+      for (const auto& other : taken_)
+        if (other.extent == extent && std::abs(other.px_per_rad / one.px_per_rad - 1) < alike)
+          sum += other.registration.correlation;
+      if (one.extent == extent && sum > most) most = sum, agreed = one.px_per_rad;
+    }
+    if (std::abs(px_per_rad / agreed - 1) > alike) odd.emplace_back(index, agreed);
+  }
+  return odd;
+}
+
 void Night::take(double clock_s, std::span<const std::size_t> indices) {
   taken_.clear();
   known_.clear();
-  for (const auto i : indices) {
-    const auto& photograph = *photographs_[i];
-    left_out_[i].clear();
-    const auto photo = texture::read_light(photograph.file, photograph.coding);
-    try {
-      NightPhotograph known;
-      known.scene = fit_scene(request_.moon, *groundwork_, request_.view,
-                              almanac::sky_at(almanac::later(photograph.instant, clock_s)));
-      const auto registration = registration_of(known.scene, photo);
-      const auto curve = is_curved(photograph) ? std::optional(curve_) : std::nullopt;
-      known.light = binned(known.scene, photo, registration.render_to_photo, curve);
-      known.errors = errors_of(request_, photograph);
-      known.errors.place_error_km = place_error_km(registration);
-      known_.push_back(std::move(known));
-      taken_.push_back({i, registration});
-    } catch (const algebra::Error& error) {
-      left_out_[i] = error.what();
-    }
+  for (const auto index : indices) take_one(clock_s, index, {});
+  for (const auto& [index, px_per_rad] : at_odds()) {
+    const auto place = std::ranges::find(taken_, index, &Taken::index) - taken_.begin();
+    taken_.erase(taken_.begin() + place);
+    known_.erase(known_.begin() + place);
+    take_one(clock_s, index, px_per_rad);
+    if (!left_out_[index].empty())
+      left_out_[index] = "no Moon of the size that it has on the night's other photographs";
   }
 }
 
@@ -226,7 +260,7 @@ bool Night::refine(const AirFit& fit) {
   for (std::size_t place = 0; place < taken_.size(); ++place) {
     auto& known = known_[place];
     if (known.light.slopes.empty()) continue;
-    const auto& [index, registration] = taken_[place];
+    const auto& [index, registration, extent, px_per_rad] = taken_[place];
     const auto photo = texture::read_light(photographs_[index]->file, photographs_[index]->coding);
     known.light = binned(known.scene, photo, registration.render_to_photo, curve_);
   }
@@ -246,12 +280,12 @@ std::vector<ReadPhotograph> Night::read() const {
   std::vector<ReadPhotograph> all(photographs_.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i].left_out = left_out_[i];
   for (std::size_t place = 0; place < taken_.size(); ++place) {
-    const auto& [index, registration] = taken_[place];
-    all[index] = {registration,
-                  known_[place].errors.value_per_cd_m2.has_value(),
-                  compared_->count_of(place),
-                  !known_[place].light.slopes.empty(),
-                  {}};
+    const auto& taken = taken_[place];
+    all[taken.index] = {taken.registration,
+                        known_[place].errors.value_per_cd_m2.has_value(),
+                        compared_->count_of(place),
+                        !known_[place].light.slopes.empty(),
+                        {}};
   }
   return all;
 }

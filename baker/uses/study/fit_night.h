@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "uses/study/fit_witness.h"
@@ -45,10 +48,18 @@ class Night {
   struct Taken {
     std::size_t index;
     colour::Registration registration;
+    std::array<std::size_t, 2> extent;  ///< of its picture [pixels]
+    double px_per_rad;                  ///< of its picture
   };
 
   std::vector<almanac::SkyState> way() const;
+  /// Reads photographs, and recognises the Moon in them. Of one camera and one size of picture they are
+  /// taken to have one scale, unless the Moon is recognised beyond doubt at another: what is at odds with
+  /// the most of them is looked at again with their scale.
   void take(double clock_s, std::span<const std::size_t> indices);
+  void take_one(double clock_s, std::size_t index, std::optional<double> px_per_rad);
+  /// Photographs that are, and the scale of the most [pixels per radian].
+  std::vector<std::pair<std::size_t, double>> at_odds() const;
   void require_any() const;
   std::vector<almanac::Instant> instants(double clock_s) const;
   BinnedPhotograph bins_of(std::size_t place) const;

@@ -4,53 +4,38 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <numbers>
 #include <numeric>
+#include <span>
+#include <vector>
 
 #include "algebra/error.h"
 #include "uses/picture/pixels.h"
 #include "uses/study/comparison.h"
+#include "uses/study/fit_sky.h"
 
 namespace coppermoon::uses {
 namespace {
 
 using Channel = algebra::Grid<float>;
 
-/// Means of a channel around the disc, in twelve parts of the circle.
-std::vector<double> around_the_disc(const Channel& channel) {
-  constexpr std::size_t parts = 12;
-  const double middle = fit_side_px / 2., radius = fit_disc_share * middle;
-  std::vector<double> sums(parts), counts(parts);
-  for (std::size_t r = 0; r < fit_side_px; ++r)
-    for (std::size_t c = 0; c < fit_side_px; ++c) {
-      const double x = static_cast<double>(c) + 0.5 - middle,
-                   y = static_cast<double>(r) + 0.5 - middle, away = std::hypot(x, y);
-      if (away <= 1.12 * radius || away >= 1.24 * radius) continue;
-      const double turn = std::atan2(y, x) / (2 * std::numbers::pi) + 0.5;
-      const auto part = std::min(static_cast<std::size_t>(turn * parts), parts - 1);
-      sums[part] += channel(r, c);
-      ++counts[part];
-    }
-  for (std::size_t i = 0; i < parts; ++i) sums[i] /= counts[i];
-  std::ranges::sort(sums);
-  return sums;
+Channel channel_of(const colour::Image& image, std::size_t k) {
+  Channel channel(image.rows(), image.columns());
+  for (std::size_t i = 0; i < channel.values().size(); ++i)
+    channel.values()[i] = image.values()[i][k];
+  return channel;
 }
 
-/// Light that the sky adds, and how far it may be off.
-struct Sky {
-  double light = 0, doubt = 0;
-};
-
-/// The median around the disc, for sunlit ground spreads its light about it, and half of the middle half's
-/// width. Where noise is cut off at black nothing is taken off: the sky has at most what is left there.
-Sky sky_in(const Channel& light, const Channel& black) {
-  constexpr double much = 0.05;
-  const auto around = around_the_disc(light), dark = around_the_disc(black);
-  const auto parts = around.size();
-  const double median = (around[parts / 2 - 1] + around[parts / 2]) / 2,
-               spread = (around[3 * parts / 4] - around[parts / 4 - 1]) / 2;
-  const double black_share = std::reduce(dark.begin(), dark.end()) / static_cast<double>(parts);
-  return black_share > much ? Sky{0, std::max(median, spread)} : Sky{median, spread};
+/// Light of the sky and of a glow in a channel. Where noise is cut off at black no sky is taken off: it has
+/// at most what is left there.
+SkyAndGlow light_beside(const AroundTheDisc& light, const AroundTheDisc& black,
+                        const AroundTheDisc& glow, const Uncertain& factor) {
+  constexpr double much = 0.05, of_glow = 0.25;
+  auto found = sky_and_glow(light, glow, factor);
+  const double black_share =
+      std::reduce(black.begin(), black.end()) / static_cast<double>(black.size());
+  if (black_share > much) found = {{0, std::max(median_of(light), found.sky.error)}, factor};
+  found.glow.error = std::hypot(found.glow.error, of_glow * found.glow.value);
+  return found;
 }
 
 /// The least step of a channel that has 256 values at most: sRGB's near black; else 0.
@@ -63,7 +48,7 @@ double step_of(const Channel& channel) {
 
 /// One bin's light over its sunlight, and how well that is known.
 struct Sum {
-  double light = 0, displayed = 0, sunlit = 0, residual = 0, black = 0;
+  double light = 0, displayed = 0, sunlit = 0, glow = 0, residual = 0, black = 0;
   std::size_t pixels = 0, clipped = 0;
   ToneSlopes slopes{};  ///< of its light
 
@@ -103,9 +88,10 @@ Channel clipped_in(const texture::Image& photo, float saturated) {
   return clipped;
 }
 
-/// A channel in the scene's picture: its light, as displayed and as the scene's.
+/// A channel in the scene's picture: its light, as displayed and as the scene's; and what was computed of
+/// its glow.
 struct Brought {
-  Channel displayed, light, black;
+  Channel displayed, light, black, glow;
 };
 
 /// Adds how the light of a pixel above the sky's changes with the numbers of a curve.
@@ -117,17 +103,20 @@ void add_slopes(ToneSlopes& slopes, double light, double displayed, double sky,
     slopes[k] += light * of_light[k] - sky * of_sky[k];
 }
 
-/// Light of the sky, as displayed and as the scene's.
-struct BothSkies {
-  double displayed, light;
+/// Light to be taken off: the sky's, as displayed and as the scene's; a factor on the glow.
+struct Off {
+  double displayed, sky, glow;
 };
 
 std::vector<Sum> sums_of(const FitScene& scene, const Brought& channel, const Channel& clipped,
-                         BothSkies sky, bool curved) {
+                         const Off& off, bool curved) {
   const auto& light = channel.light;
   std::vector<Sum> sums(scene.bins);
-  const auto lit = [&](std::size_t pixel) { return light.values()[pixel] - sky.light; };
-  for (const auto& [pixel, ground, sunlit, bin] : scene.grounds) {
+  const auto taken_off = [&](std::size_t pixel) {
+    return off.sky + off.glow * channel.glow.values()[pixel];
+  };
+  const auto lit = [&](std::size_t pixel) { return light.values()[pixel] - taken_off(pixel); };
+  for (const auto& [pixel, ground, sunlit, colour, bin] : scene.grounds) {
     auto& sum = sums[bin];
     ++sum.pixels;
     sum.black += channel.black.values()[pixel];
@@ -138,16 +127,31 @@ std::vector<Sum> sums_of(const FitScene& scene, const Brought& channel, const Ch
     sum.light += lit(pixel);
     sum.displayed += channel.displayed.values()[pixel];
     sum.sunlit += sunlit;
+    sum.glow += channel.glow.values()[pixel];
     if (curved)
-      add_slopes(sum.slopes, light.values()[pixel], channel.displayed.values()[pixel], sky.light,
-                 sky.displayed);
+      add_slopes(sum.slopes, light.values()[pixel], channel.displayed.values()[pixel],
+                 taken_off(pixel), off.displayed);
   }
-  for (const auto& [pixel, ground, sunlit, bin] : scene.grounds) {
+  for (const auto& [pixel, ground, sunlit, colour, bin] : scene.grounds) {
     auto& sum = sums[bin];
     if (clipped.values()[pixel] > 1e-3F || sum.sunlit == 0) continue;
     sum.residual += std::pow(lit(pixel) - sum.ratio() * sunlit, 2);
   }
   return sums;
+}
+
+/// A lens's usual share of light in its glow, as a factor on the glow that was computed, in a photograph of
+/// a scale that its sound bins tell.
+Uncertain usual_glow(const FitScene& scene, std::size_t k, std::span<const Sum> sums) {
+  constexpr double share = 0.03, error = 0.02;
+  std::vector<double> scales;
+  for (std::size_t b = 0; b < sums.size(); ++b)
+    if (sums[b].sound() && sums[b].ratio() > 0 && scene.usual_values(b, k) > 0)
+      scales.push_back(sums[b].ratio() / scene.usual_values(b, k));
+  if (scales.empty()) return {0, 1};
+  const auto middle = scales.begin() + std::ssize(scales) / 2;
+  std::ranges::nth_element(scales, middle);
+  return {share * *middle, error * *middle};
 }
 
 Channel as_scene(const Channel& displayed, const colour::ToneTable& table) {
@@ -158,7 +162,8 @@ Channel as_scene(const Channel& displayed, const colour::ToneTable& table) {
 
 }  // namespace
 
-colour::Registration registration_of(const FitScene& scene, const texture::Image& photo) {
+colour::Registration registration_of(const FitScene& scene, const texture::Image& photo,
+                                     std::optional<double> scale) {
   const auto luminance = luminance_of(photo);
   std::exception_ptr of_itself;
   for (double size = 1;; size /= 2) {
@@ -171,7 +176,7 @@ colour::Registration registration_of(const FitScene& scene, const texture::Image
           size == 1
               ? luminance
               : colour::resampled(luminance, smaller, extent(photo.height), extent(photo.width)),
-          scene.usual);
+          scene.usual, scale ? std::optional(size * *scale) : scale);
       found.render_to_photo = colour::composed(found.render_to_photo, colour::inverse(smaller));
       return found;
     } catch (const algebra::Error&) {
@@ -185,10 +190,8 @@ BinnedPhotograph binned(const FitScene& scene, const texture::Image& photo,
                         const colour::Similarity& render_to_photo,
                         const std::optional<colour::ToneCurve>& curve) {
   constexpr double least_steps = 6, of_a_step = 0.3, least_skies = 5;
-  BinnedPhotograph result{algebra::Grid<double>(scene.bins, 3),
-                          algebra::Grid<double>(scene.bins, 3),
-                          algebra::Grid<double>(scene.bins, 3),
-                          {}};
+  const algebra::Grid<double> none(scene.bins, 3);
+  BinnedPhotograph result{none, none, none, none, {}};
   if (curve) result.slopes = algebra::Grid<ToneSlopes>(scene.bins, 3);
   const auto back = colour::inverse(render_to_photo);
   const auto brought = [&](const Channel& channel) {
@@ -200,22 +203,28 @@ BinnedPhotograph binned(const FitScene& scene, const texture::Image& photo,
   const double stretched = curve ? std::exp(colour::tone_logarithm(*curve, 0)) : 1;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto channel = channel_of(photo, k);
-    Brought there{brought(channel), {}, brought(black_in(channel))};
+    Brought there{brought(channel), {}, brought(black_in(channel)), channel_of(scene.glow, k)};
     there.light = curve ? brought(as_scene(channel, table)) : there.displayed;
     const double step = stretched * step_of(channel);
-    const auto sky = sky_in(there.light, there.black);
-    const auto sums =
-        sums_of(scene, there, clipped, {sky_in(there.displayed, there.black).light, sky.light},
-                curve.has_value());
+    const auto around = around_the_disc(there.light);
+    Off off{median_of(around_the_disc(there.displayed)), median_of(around), 0};
+    const auto usual = usual_glow(scene, k, sums_of(scene, there, clipped, off, false));
+    const auto [sky, glow] =
+        light_beside(around, around_the_disc(there.black), around_the_disc(there.glow), usual);
+    off.sky = sky.value;
+    if (off.sky == 0) off.displayed = 0;
+    off.glow = glow.value;
+    const auto sums = sums_of(scene, there, clipped, off, curve.has_value());
     for (std::size_t b = 0; b < scene.bins; ++b) {
       const auto& sum = sums[b];
       const double mean = sum.light / static_cast<double>(std::max<std::size_t>(1, sum.pixels));
       if (!sum.sound() || (curve && !sum.bright_enough()) || mean <= least_steps * step ||
-          mean <= least_skies * sky.doubt)
+          mean <= least_skies * sky.error)
         continue;
       result.values(b, k) = sum.ratio();
       result.errors(b, k) = std::hypot(sum.error(), of_a_step * step / mean * sum.ratio());
-      result.sky_errors(b, k) = sky.doubt / mean * sum.ratio();
+      result.sky_errors(b, k) = sky.error / mean * sum.ratio();
+      result.glow_errors(b, k) = glow.error * sum.glow / sum.sunlit;
       if (!curve) continue;
       for (std::size_t n = 0; n < colour::tone_numbers; ++n)
         result.slopes(b, k)[n] = sum.slopes[n] / sum.light;

@@ -22,17 +22,23 @@ struct BinnedPhotograph {
       values;  ///< (bin, channel), linear Rec.709: light over sunlit; 0: not known
   algebra::Grid<double> errors;  ///< standard errors of the values, by the scatter of their pixels
   algebra::Grid<double> sky_errors;  ///< of the sky's light: alike in all bins of a channel
+  algebra::Grid<double>
+      glow_errors;  ///< of the glow's light: alike in all bins and channels, over it
   algebra::Grid<ToneSlopes> slopes;  ///< empty: light is known, no curve is in question
 };
 
 /// Where the scene lies in a photograph. One whose noise hides the limb is looked at from further away.
 ///
+/// Given   scale  of the scene in the photograph, where it is known to 3 %
 /// Throws  Error  as colour::registered
-colour::Registration registration_of(const FitScene& scene, const texture::Image& photo);
+colour::Registration registration_of(const FitScene& scene, const texture::Image& photo,
+                                     std::optional<double> scale = {});
 
 /// Sums up a photograph's light. Clipped pixels are left out, and a bin with them where they are more than
-/// half a hundredth of it; so is a bin in which noise is cut off at black. The sky's light, found beside
-/// the disc, is taken off.
+/// half a hundredth of it; so is a bin in which noise is cut off at black. The light of the sky and of the
+/// glow about the Moon, both found beside the disc, is taken off; where nothing tells them apart the glow
+/// has 0.03 ± 0.02 of the light, as lenses have it. What is taken off as glow is believed to a quarter of it,
+/// for that of real lenses falls with other powers of the angle.
 ///
 /// Given   photo            linear as its file says, 1 saturates
 ///         render_to_photo  where the scene lies in it

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <numbers>
+#include <numeric>
 
+#include "colour/display.h"
+#include "colour/glow.h"
 #include "colour/working_space.h"
 #include "eclipse/shadow_axis.h"
 #include "povray_scenes/sight.h"
@@ -35,10 +39,13 @@ ViewRequest close_view(ViewRequest view, const almanac::SkyState& sky) {
   return view;
 }
 
-/// The texture of the ground without the shadow.
-Channel sunlit_map(const MoonRequest& moon, const Channel& albedo, const almanac::SkyState& sky) {
-  const shadow::Lookup whole(shadow::ChannelWeights(1, 1, 1.));
-  const auto image = texture::bake({albedo, sky, whole}, {"Y"}, texture_rows, moon.photometry);
+/// The texture of the ground without the shadow, in white light.
+Channel sunlit_map(const MoonRequest& moon, const FitGroundwork& groundwork,
+                   const almanac::SkyState& sky) {
+  const auto* ground = groundwork.ground.get();
+  const shadow::Lookup whole(shadow::ChannelWeights(ground ? 2 : 1, 1, 1.));
+  const auto image =
+      texture::bake({groundwork.albedo, sky, whole, ground}, {"Y"}, texture_rows, moon.photometry);
   Channel map(image.height, image.width);
   std::ranges::copy(image.values, map.values().begin());
   return map;
@@ -78,7 +85,8 @@ Channel picture_of(const Channel& map, const std::vector<Ground>& grounds) {
 }
 
 /// Puts the pixels well within the disc into even steps of axis distance.
-void bin(FitScene& scene, const Channel& sunlit, const std::vector<Ground>& grounds) {
+void bin(FitScene& scene, const Channel& sunlit, const std::vector<Ground>& grounds,
+         const surface::Ground* by_place) {
   double least = 1e12, most = 0;
   const auto inner = [](const Ground& ground) { return ground.cos_emission >= least_cosine; };
   for (const auto& ground : grounds) {
@@ -95,7 +103,9 @@ void bin(FitScene& scene, const Channel& sunlit, const std::vector<Ground>& grou
     const double share = (algebra::in_metres(place.axis_distance) - least) / (most - least);
     const auto step =
         std::min(static_cast<std::size_t>(share * static_cast<double>(most_bins)), most_bins - 1);
-    scene.grounds.push_back({pixel, ground, bright, step});
+    const double colour =
+        by_place ? surface::sampled(by_place->colour, almanac::selenographic_point(ground)) : 0;
+    scene.grounds.push_back({pixel, ground, bright, colour, step});
     scene.distances_km[step] += algebra::in_kilometres(place.axis_distance);
     ++counts[step];
   }
@@ -113,40 +123,120 @@ LightRequest to_recognise(const LightRequest& light) {
   return coarse;
 }
 
+/// X, Y, Z of the Moon under the usual air, seen from space: of each pixel with ground.
+std::vector<std::array<double, 3>> usual_light(const FitGroundwork& groundwork,
+                                               const Channel& sunlit,
+                                               const std::vector<Ground>& grounds) {
+  std::vector<std::array<double, 3>> all;
+  for (const auto& ground : grounds) {
+    groundwork.usual.read(ground.place, all.emplace_back());
+    for (double& value : all.back()) value *= sunlit.values()[ground.pixel];
+  }
+  return all;
+}
+
+algebra::Grid<double> xyz_of_moonlight(const std::optional<atmosphere::Sightline>& sightline = {}) {
+  return moonlight_weights(
+      colour::channel_weights(colour::WorkingSpace::ciexyz_d65, band_edges_nm()), sightline);
+}
+
+/// The Moon in linear Rec.709, seen through the air above.
+colour::Image moon_in_rgb(const FitScene& scene, const std::vector<Ground>& grounds,
+                          std::span<const std::array<double, 3>> light) {
+  const auto here = sunlight_of(scene.weights), in_space = sunlight_of(xyz_of_moonlight());
+  colour::Image moon(fit_side_px, fit_side_px);
+  for (std::size_t i = 0; i < grounds.size(); ++i) {
+    const auto rgb = rec709_of(light[i]);
+    for (std::size_t k = 0; k < 3; ++k)
+      moon.values()[grounds[i].pixel][k] = static_cast<float>(rgb[k] * here[k] / in_space[k]);
+  }
+  return moon;
+}
+
+/// What a lens that gave all its light to its glow would make of a picture.
+colour::Image glow_of(const colour::Image& picture, double pixel_rad) {
+  constexpr float share = 0.5;  // any will do
+  auto glow = colour::with_glow(picture, share, pixel_rad);
+  for (std::size_t i = 0; i < glow.values().size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      glow.values()[i][k] = (glow.values()[i][k] - (1 - share) * picture.values()[i][k]) / share;
+  return glow;
+}
+
+/// A picture's light in each bin over what is sunlit there: (bin, channel).
+algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& picture) {
+  algebra::Grid<double> values(scene.bins, 3);
+  std::vector<double> sunlit(scene.bins);
+  for (const auto& ground : scene.grounds) {
+    sunlit[ground.bin] += ground.sunlit;
+    for (std::size_t k = 0; k < 3; ++k) values(ground.bin, k) += picture.values()[ground.pixel][k];
+  }
+  for (std::size_t b = 0; b < scene.bins; ++b)
+    for (double& value : values.row(b)) value = sunlit[b] > 0 ? value / sunlit[b] : 0;
+  return values;
+}
+
 }  // namespace
+
+std::array<double, 3> rec709_of(std::span<const double> xyz) {
+  constexpr double dark = 1e-12;  // too little for a colour, rounding makes it less than none
+  if (xyz[1] < dark) return {dark, dark, dark};
+  static const auto from_xyz = colour::channels_from_xyz(colour::WorkingSpace::linear_rec709);
+  const auto rgb = from_xyz * glm::dvec3(xyz[0], xyz[1], xyz[2]);
+  std::array<double, 3> channels{rgb.r, rgb.g, rgb.b};
+  colour::into_gamut(colour::WorkingSpace::linear_rec709, channels);
+  for (double& channel : channels) channel = std::max(channel, dark);
+  return channels;
+}
+
+std::array<double, 3> sunlight_of(const algebra::Grid<double>& weights) {
+  std::array<double, 3> xyz{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto row = weights.row(k);
+    xyz[k] = std::reduce(row.begin(), row.end());
+  }
+  return rec709_of(xyz);
+}
 
 FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::SkyState> skies) {
   const auto light = to_recognise(moon.light);
   const auto usual = skies.size() == 1 ? light_on_the_moon(light, skies.front())
                                        : light_on_the_way(light, moon_on_its_way(light, skies));
-  return {normal_albedo(moon), usual.in_channels(luminance_weights())};
+  auto albedo = normal_albedo(moon);
+  auto ground = ground_of(moon, albedo);
+  return {std::move(albedo), std::move(ground), usual.in_channels(xyz_of_moonlight())};
 }
 
 FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
                    const ViewRequest& view, const almanac::SkyState& sky) {
   require_eclipse(sky.when);
-  const auto seen = view_of(close_view(view, sky), sky);
+  const auto close = close_view(view, sky);
+  const auto seen = view_of(close, sky);
   FitScene scene;
   scene.sky = sky;
+  scene.weights = xyz_of_moonlight(seen.sightline);
+  scene.pixel_rad = 2 * std::tan(*close.field_deg / 2 * std::numbers::pi / 180) / fit_side_px;
   const auto grounds = grounds_of(seen.camera, sky);
-  scene.usual = picture_of(sunlit_map(moon, groundwork.albedo, sky), grounds);
-  bin(scene, scene.usual, grounds);
-  std::vector<double> luminance(1);
-  for (const auto& ground : grounds) {
-    groundwork.usual.read(ground.place, luminance);
-    scene.usual.values()[ground.pixel] *= static_cast<float>(luminance[0]);
-  }
-  scene.weights = moonlight_weights(
-      colour::channel_weights(colour::WorkingSpace::ciexyz_d65, band_edges_nm()), seen.sightline);
+  const auto sunlit = picture_of(sunlit_map(moon, groundwork, sky), grounds);
+  bin(scene, sunlit, grounds, groundwork.ground.get());
+  const auto light = usual_light(groundwork, sunlit, grounds);
+  scene.usual = Channel(fit_side_px, fit_side_px);
+  for (std::size_t i = 0; i < grounds.size(); ++i)
+    scene.usual.values()[grounds[i].pixel] = static_cast<float>(light[i][1]);
+  const auto moon_seen = moon_in_rgb(scene, grounds, light);
+  scene.glow = glow_of(moon_seen, scene.pixel_rad);
+  scene.usual_values = over_sunlit(scene, moon_seen);
   return scene;
 }
 
 namespace {
 
-/// A few places that stand for all of a bin: groups by distance, and within these by angle, each where its
-/// mean is.
+/// A few places that stand for all of a bin: groups by distance, and within these by angle, of 20 degrees
+/// at most where they are spread evenly, each where its mean is. Belts of the air make light run unevenly
+/// along wider ones.
 void add_groups(std::vector<LitPlace> all, std::vector<LitPlace>& few) {
-  constexpr std::size_t by_distance = 8, by_angle = 4;
+  constexpr std::size_t by_distance = 8;
+  constexpr double widest_rad = std::numbers::pi / 9;
   const auto distance_of = [](const LitPlace& lit) {
     return algebra::in_metres(lit.place.axis_distance);
   };
@@ -160,14 +250,18 @@ void add_groups(std::vector<LitPlace> all, std::vector<LitPlace>& few) {
   };
   for (std::size_t i = 0; i < by_distance; ++i) {
     const auto ring = part(all, i, by_distance);
+    if (ring.empty()) continue;
     std::ranges::sort(ring, {}, angle_of);
+    const auto by_angle =
+        static_cast<std::size_t>(1 + (angle_of(ring.back()) - angle_of(ring.front())) / widest_rad);
     for (std::size_t j = 0; j < by_angle; ++j) {
-      double sunlit = 0, distance = 0, depth = 0, east = 0, north = 0;
+      double sunlit = 0, distance = 0, depth = 0, east = 0, north = 0, colour = 0;
       const auto group = part(ring, j, by_angle);
       for (const auto& lit : group) {
         sunlit += lit.sunlit;
         distance += lit.sunlit * distance_of(lit);
         depth += lit.sunlit * algebra::in_metres(lit.place.depth);
+        colour += lit.sunlit * lit.colour;
         east += lit.sunlit * std::sin(angle_of(lit));
         north += lit.sunlit * std::cos(angle_of(lit));
       }
@@ -177,7 +271,8 @@ void add_groups(std::vector<LitPlace> all, std::vector<LitPlace>& few) {
                       algebra::radians(angle < 0 ? angle + 2 * std::numbers::pi : angle),
                       algebra::metres(depth / sunlit)},
                      sunlit,
-                     group.front().bin});
+                     group.front().bin,
+                     colour / sunlit});
     }
   }
 }
@@ -188,9 +283,9 @@ LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky) {
   LitBins lit{scene.weights, {}, scene.bins};
   const auto axis = eclipse::shadow_axis(sky);
   std::vector<std::vector<LitPlace>> all(scene.bins);
-  for (const auto& [pixel, ground, sunlit, bin] : scene.grounds)
+  for (const auto& [pixel, ground, sunlit, colour, bin] : scene.grounds)
     if (pixel % 2 == 0 && pixel / fit_side_px % 2 == 0)
-      all[bin].push_back({eclipse::place_of_ground(axis, sky, ground), sunlit, bin});
+      all[bin].push_back({eclipse::place_of_ground(axis, sky, ground), sunlit, bin, colour});
   for (auto& of_bin : all) add_groups(std::move(of_bin), lit.places);
   return lit;
 }

@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "algebra/grid.h"
 #include "almanac/sky.h"
+#include "colour/display.h"
 #include "shadow/lookup.h"
+#include "surface/ground.h"
 #include "uses/picture/moon.h"
 #include "uses/picture/view.h"
 #include "uses/study/fit_light.h"
+#include "uses/study/fit_sky.h"
 
 namespace coppermoon::uses {
-
-/// The picture that photographs are brought to: its side, and the Moon's share of it.
-inline constexpr std::size_t fit_side_px = 320;
-inline constexpr double fit_disc_share = 0.8;
 
 /// Ground well within the disc, that a pixel of the scene shows.
 struct FitGround {
   std::size_t pixel;  ///< row × columns + column
   glm::dvec3 ground;  ///< unit vector, Moon-fixed
   double sunlit;      ///< its light without the shadow; 1: a white ground at 1 au
+  double colour;      ///< c, as surface::Ground has it; 0: the mean Moon's
   std::size_t bin;    ///< step of distance from the shadow's axis
 };
 
@@ -35,13 +37,30 @@ struct FitScene {
   std::size_t bins = 0;
   std::vector<double> distances_km;  ///< [bin] the mean of its grounds
   algebra::Grid<double> weights;  ///< (channel, band): X, Y, Z of moonlight through the air above
+  double pixel_rad = 0;           ///< angle that a pixel takes in
+  /// Linear Rec.709 of each pixel: what a lens that gave all its light to its glow would make of the Moon
+  /// under the usual air
+  colour::Image glow;
+  algebra::Grid<double>
+      usual_values;  ///< (bin, channel), linear Rec.709: that Moon's light over sunlit
 };
 
 /// What scenes of one eclipse have in common.
 struct FitGroundwork {
-  algebra::Grid<float> albedo;  ///< normal albedo of the ground
-  shadow::Lookup usual;         ///< luminance under the usual air
+  algebra::Grid<float> albedo;                    ///< normal albedo of the ground
+  std::shared_ptr<const surface::Ground> ground;  ///< what differs by place; none: nothing
+  shadow::Lookup usual;  ///< X, Y, Z of moonlight under the usual air, seen from space
 };
+
+/// Linear Rec.709 as renders have it: within its gamut, never below 1e-12.
+///
+/// Given  xyz  of moonlight, any unit
+std::array<double, 3> rec709_of(std::span<const double> xyz);
+
+/// The same of sunlit ground.
+///
+/// Given  weights  (channel, band): X, Y, Z
+std::array<double, 3> sunlight_of(const algebra::Grid<double>& weights);
 
 /// Given   moon   its light as FittedLight takes it, its map
 ///         skies  in order of time, at most a few minutes apart

@@ -17,25 +17,14 @@ namespace coppermoon::uses {
 namespace {
 
 /// Nuisances of a night: its exposure, its colours, its curve; then of each photograph: exposure, colours, the
-/// sky's light in each channel, its place.
-constexpr std::size_t of_night = 3 + colour::tone_numbers, of_curve = 3, of_photograph = 7;
+/// sky's light in each channel, its place, its glow.
+constexpr std::size_t of_night = 3 + colour::tone_numbers, of_curve = 3, of_photograph = 8;
 
 /// What tone curves leave between the levels that they are known at.
 constexpr double between_tents = 0.01;
 
 /// An error that says that nothing is known.
 constexpr double unknown = 10;
-
-/// Linear Rec.709 as renders have it: within its gamut.
-std::array<double, 3> rec709_of(std::span<const double> xyz) {
-  constexpr double dark = 1e-12;  // too little for a colour, rounding makes it less than none
-  if (xyz[1] < dark) return {dark, dark, dark};
-  static const auto from_xyz = colour::channels_from_xyz(colour::WorkingSpace::linear_rec709);
-  const auto rgb = from_xyz * glm::dvec3(xyz[0], xyz[1], xyz[2]);
-  std::array<double, 3> channels{rgb.r, rgb.g, rgb.b};
-  colour::into_gamut(colour::WorkingSpace::linear_rec709, channels);
-  return channels;
-}
 
 /// Relative error of a value that the map of the Moon and the computation leave open.
 double model_error(double value, double brightest) {
@@ -51,15 +40,6 @@ double growth(const FitScene& scene, const algebra::Grid<double>& values, std::s
   if (from == to) return 0;
   return std::log(values(to, k) / values(from, k)) /
          (scene.distances_km[to] - scene.distances_km[from]);
-}
-
-std::array<double, 3> sunlight_of(const algebra::Grid<double>& weights) {
-  std::array<double, 3> xyz{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto row = weights.row(k);
-    xyz[k] = std::reduce(row.begin(), row.end());
-  }
-  return rec709_of(xyz);
 }
 
 }  // namespace
@@ -107,7 +87,7 @@ ComparedNight::ComparedNight(std::span<const NightPhotograph> photographs,
 
 void ComparedNight::add_numbers(const NightPhotograph& photograph, std::size_t index) {
   constexpr double too_noisy = 0.3, too_dark = 0.01;
-  const auto& [values, errors, sky_errors, slopes] = photograph.light;
+  const auto& [values, errors, sky_errors, glow_errors, slopes] = photograph.light;
   for (std::size_t b = 0; b < bins_; ++b) {
     const double brightest = *std::ranges::max_element(values.row(b));
     for (std::size_t k = 0; k < 3; ++k) {
@@ -142,6 +122,7 @@ algebra::Grid<double> ComparedNight::effects(std::span<const NightPhotograph> ph
     }
     a(i, own + 6) = errors.place_error_km * growth(scene, light.values, b, k);
     a(i, own + 3 + k) = light.sky_errors(b, k) / light.values(b, k);
+    a(i, own + 7) = light.glow_errors(b, k) / light.values(b, k);
     if (!light.slopes.empty()) std::ranges::copy(light.slopes(b, k), &a(i, of_curve));
   }
   return a;

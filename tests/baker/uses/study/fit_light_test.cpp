@@ -15,6 +15,14 @@
 namespace coppermoon::uses {
 namespace {
 
+/// What a ground's colour changes of those weights, for c = 1.
+algebra::Grid<double> coloured(algebra::Grid<double> weights) {
+  const auto centres_nm = band_centres_nm();
+  for (std::size_t k = 0; k < weights.rows(); ++k)
+    for (std::size_t b = 0; b < weights.columns(); ++b) weights(k, b) *= colour_at(centres_nm[b]);
+  return weights;
+}
+
 /// Five places of the Moon's near side in the shadow, a bin each, and one of both ends.
 std::vector<LitPlace> five_places(const almanac::SkyState& sky) {
   std::vector<LitPlace> all;
@@ -24,11 +32,11 @@ std::vector<LitPlace> five_places(const almanac::SkyState& sky) {
   for (int i = -2; i <= 2; ++i) {
     const double x = 0.42 * i;
     const auto at = sky.moon_m + 1.7374e6 * (std::sqrt(1 - x * x) * towards + x * across);
-    all.push_back(
-        {eclipse::place_in_shadow(axis, at), 1. + i * 0.1, static_cast<std::size_t>(i + 2)});
+    all.push_back({eclipse::place_in_shadow(axis, at), 1. + i * 0.1,
+                   static_cast<std::size_t>(i + 2), 0.05 * i});
   }
-  all.push_back({all.front().place, 0.5, 5});
-  all.push_back({all[4].place, 1.5, 5});
+  all.push_back({all.front().place, 0.5, 5, all.front().colour});
+  all.push_back({all[4].place, 1.5, 5, all[4].colour});
   return all;
 }
 
@@ -46,11 +54,15 @@ TEST(FittedLight, IsThatOfTheSameAirFullyComputed) {
     request.air.column.dust_extinction_per_m = dust;
     request.air.column.cloud_cover = cover;
     request.air.column.ozone_du = ozone;
-    const auto exact = light_on_the_moon(request, sky).in_channels(weights);
+    const auto light = light_on_the_moon(request, sky);
+    const auto exact = light.in_channels(weights), of_colour = light.in_channels(coloured(weights));
     const auto found = fitted.at(dust, cover, ozone);
     std::array<double, 3> values{}, ends{};
     for (std::size_t b = 0; b < 5; ++b) {
+      std::array<double, 3> change{};
       exact.read(places[b].place, values);
+      of_colour.read(places[b].place, change);
+      for (std::size_t k = 0; k < 3; ++k) values[k] += places[b].colour * change[k];
       for (std::size_t k = 0; k < 3; ++k) {
         EXPECT_WITHIN(found(b, k), values[k], (k < 2 ? 0.004 : 0.008) * values[k], "Accuracy")
             << dust << " " << cover << " " << ozone << ", bin " << b << ", channel " << k;
