@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-// In air of one column, for fits compute 66 of them.
+// In air of one column: of belts a fit takes five times as long.
 constexpr const char *deep = "2018-07-27T20:40:00Z", *syria = "36,38";
 
 class Fit : public ProgramTest {
@@ -131,6 +131,26 @@ TEST_F(Fit, ReadsAnInstantForEachPhotograph) {
                         "2018-07-20T20:40:00Z,2018-07-27T20:40:00Z", "--albedo-map", "built-in"})
                 .find("no lunar eclipse at 2018-07-20"),
             std::string::npos);
+}
+
+TEST_F(FitThoroughly, TakesTheGlowOfALitCrescentOffItsUmbra) {
+  constexpr const char* partial = "2018-07-27T19:20:00Z";
+  for (const auto& [time, file] : {std::pair{"1/500", "short.png"}, std::pair{"1/2", "long.png"}})
+    make({"still",    partial,         "--at",         syria,      "--dust-extinction",
+          "5e-6",     "--cloud-cover", "0.4",          "--width",  "440",
+          "--height", "440",           "--field",      "0.8",      "--time",
+          time,       "--iso",         "800",          "--camera", "400mm",
+          "--glow",   "0.06",          "--albedo-map", "built-in", "--atmosphere",
+          "undated",  "--bits",        "16",           "-o",       file});
+  const auto found = fit({"short.png", "long.png", "--instants", partial, "--at", syria, "--camera",
+                          "400mm", "--times", "0.002,0.5", "--isos", "800", "--f-number", "5.6",
+                          "--atmosphere", "undated"});
+  const auto& cover = found["cloud_cover"];
+  EXPECT_TRUE(cover["told"]);
+  EXPECT_WITHIN(cover["median"].get<double>(), 0.4, 0.15, "what was asked for of one photograph");
+  EXPECT_LT(cover["high_68"].get<double>() - cover["low_68"].get<double>(), 0.2);
+  EXPECT_WITHIN_RELATIVE(found["dust_extinction_per_m"]["median"].get<double>(), 5e-6, 0.25,
+                         "the same");
 }
 
 TEST_F(FitThoroughly, OfMagnitudesFindsTheCloudAndSaysWhatItCannotTell) {

@@ -11,6 +11,7 @@
 #include "colour/working_space.h"
 #include "support/within.h"
 #include "uses/light/spectral_bands.h"
+#include "uses/study/fit_scene.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -72,6 +73,39 @@ TEST(FittedLight, IsThatOfTheSameAirFullyComputed) {
     }
     EXPECT_WITHIN_RELATIVE(found(5, 1), ends[1], 0.004, "Accuracy");
   }
+}
+
+TEST(FittedLight, OfAFewPlacesIsThatOfAllGroundInABin) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:40:00Z"));
+  MoonRequest moon;
+  moon.albedo_map = "built-in";
+  const auto scene = fit_scene(moon, groundwork_of(moon, std::span(&sky, 1)), {}, sky);
+  const auto bins = lit_bins(scene, sky);
+  const FittedLight fitted(moon.light, std::span(&sky, 1), std::span(&bins, 1));
+  moon.light.wish = {.tolerance = 0.002};
+  auto& column = moon.light.air.column;
+  column.dust_extinction_per_m = 1.6e-6;
+  column.cloud_cover = 0.74;
+  column.ozone_du = 320;
+  const auto light = light_on_the_moon(moon.light, sky);
+  const auto exact = light.in_channels(scene.weights),
+             of_colour = light.in_channels(coloured(scene.weights));
+  const auto axis = eclipse::shadow_axis(sky);
+  algebra::Grid<double> sums(scene.bins, 2);
+  std::array<double, 3> values{}, change{};
+  for (const auto& ground : scene.grounds) {
+    const auto place = eclipse::place_of_ground(axis, sky, ground.ground);
+    exact.read(place, values);
+    of_colour.read(place, change);
+    sums(ground.bin, 0) += ground.sunlit * (values[1] + ground.colour * change[1]);
+    sums(ground.bin, 1) += ground.sunlit;
+  }
+  const auto found =
+      fitted.at(*column.dust_extinction_per_m, *column.cloud_cover, *column.ozone_du);
+  for (std::size_t b = 0; b < scene.bins; ++b)
+    EXPECT_WITHIN_RELATIVE(found(b, 1), sums(b, 0) / sums(b, 1), 0.006,
+                           "0.4 % of FittedLight, 0.2 % of the reference")
+        << "bin " << b;
 }
 
 }  // namespace
