@@ -92,13 +92,14 @@ CameraSettings settings_of(const std::string& photo) {
 }
 
 std::optional<std::string> camera_of(const std::string& photo) {
-  std::string name;
+  std::vector<std::string> names;
   for (const auto& attribute : all_in_header(photo, {"Make", "Model"})) {
-    auto text = attribute.value_or("");
-    text.erase(text.find_last_not_of(std::string_view(" \0", 2)) + 1);
-    if (!name.empty() && !text.empty()) name += ' ';
-    name += text;
+    names.push_back(attribute.value_or(""));
+    names.back().erase(names.back().find_last_not_of(std::string_view(" \0", 2)) + 1);
   }
+  const auto& make = names[0];
+  const auto& model = names[1];
+  const auto name = model.starts_with(make) ? model : model.empty() ? make : make + ' ' + model;
   return name.empty() ? std::nullopt : std::optional(name);
 }
 

@@ -51,14 +51,6 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
   return errors;
 }
 
-/// A registration is good to four fifths of a pixel, the photograph's or the scene's.
-double place_error_km(const colour::Registration& registration) {
-  constexpr double pixels = 0.8;
-  const double pixel_km =
-      2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
-  return pixels * pixel_km / std::min(1., registration.render_to_photo.scale);
-}
-
 /// Light at the air that explains all best.
 algebra::Grid<double> light_at(const FittedLight& light, const AirFit& fit) {
   return light.at(fit.best[0], fit.best[1], fit.best[2]);
@@ -98,8 +90,9 @@ std::vector<almanac::SkyState> Night::way() const {
           return almanac::seconds_between(one->instant, other->instant) > 0;
         });
     const double long_s = almanac::seconds_between(first->instant, last->instant);
-    for (double s = 0; s <= long_s; s += step_s)
+    for (double s = 0; s < long_s; s += step_s)
       skies.push_back(almanac::sky_at(almanac::later(first->instant, s)));
+    skies.push_back(almanac::sky_at(last->instant));
     return skies;
   }
   const auto eclipse =

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "algebra/error.h"
+#include "almanac/sky.h"
 #include "uses/picture/pixels.h"
 #include "uses/study/comparison.h"
 #include "uses/study/fit_sky.h"
@@ -48,8 +49,8 @@ double step_of(const Channel& channel) {
 
 /// One bin's light over its sunlight, and how well that is known.
 struct Sum {
-  double light = 0, displayed = 0, sunlit = 0, glow = 0, residual = 0, black = 0;
-  std::size_t pixels = 0, clipped = 0;
+  double light = 0, displayed = 0, sunlit = 0, glow = 0, apart = 0, black = 0;
+  std::size_t pixels = 0, clipped = 0, pairs = 0;
   ToneSlopes slopes{};  ///< of its light
 
   /// Noise that is cut off at black, or light that is at saturation, is none to average over.
@@ -63,10 +64,11 @@ struct Sum {
     return displayed >= colour::least_displayed * static_cast<double>(pixels);
   }
   double ratio() const { return light / sunlit; }
-  /// Neighbouring pixels are in part as wrong as each other.
+  /// By pixels that are two apart, for light falls across a bin; neighbours are in part as wrong as each
+  /// other.
   double error() const {
     constexpr double alike = 1.5;
-    const double variance = residual / static_cast<double>(pixels);
+    const double variance = apart / 2 / static_cast<double>(std::max<std::size_t>(1, pairs));
     return std::sqrt(alike * variance * static_cast<double>(pixels)) / sunlit;
   }
 };
@@ -132,10 +134,15 @@ std::vector<Sum> sums_of(const FitScene& scene, const Brought& channel, const Ch
       add_slopes(sum.slopes, light.values()[pixel], channel.displayed.values()[pixel],
                  taken_off(pixel), off.displayed);
   }
-  for (const auto& [pixel, ground, sunlit, colour, bin] : scene.grounds) {
-    auto& sum = sums[bin];
-    if (clipped.values()[pixel] > 1e-3F || sum.sunlit == 0) continue;
-    sum.residual += std::pow(lit(pixel) - sum.ratio() * sunlit, 2);
+  const auto& grounds = scene.grounds;
+  for (std::size_t i = 0; i + 2 < grounds.size(); ++i) {
+    const auto &one = grounds[i], &other = grounds[i + 2];
+    if (other.pixel != one.pixel + 2 || other.bin != one.bin) continue;
+    if (clipped.values()[one.pixel] > 1e-3F || clipped.values()[other.pixel] > 1e-3F) continue;
+    auto& sum = sums[one.bin];
+    const double ratio = lit(one.pixel) / one.sunlit - lit(other.pixel) / other.sunlit;
+    sum.apart += ratio * ratio * one.sunlit * other.sunlit;
+    ++sum.pairs;
   }
   return sums;
 }
@@ -184,6 +191,13 @@ colour::Registration registration_of(const FitScene& scene, const texture::Image
       if (size <= 0.25) std::rethrow_exception(of_itself);
     }
   }
+}
+
+double place_error_km(const colour::Registration& registration) {
+  constexpr double pixels = 0.8;
+  const double pixel_km =
+      2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
+  return pixels * pixel_km / std::min(1., registration.render_to_photo.scale);
 }
 
 BinnedPhotograph binned(const FitScene& scene, const texture::Image& photo,

@@ -20,7 +20,7 @@ using ToneSlopes = std::array<double, colour::tone_numbers>;
 struct BinnedPhotograph {
   algebra::Grid<double>
       values;  ///< (bin, channel), linear Rec.709: light over sunlit; 0: not known
-  algebra::Grid<double> errors;  ///< standard errors of the values, by the scatter of their pixels
+  algebra::Grid<double> errors;      ///< standard errors of the values, by how near pixels differ
   algebra::Grid<double> sky_errors;  ///< of the sky's light: alike in all bins of a channel
   algebra::Grid<double>
       glow_errors;  ///< of the glow's light: alike in all bins and channels, over it
@@ -33,6 +33,10 @@ struct BinnedPhotograph {
 /// Throws  Error  as colour::registered
 colour::Registration registration_of(const FitScene& scene, const texture::Image& photo,
                                      std::optional<double> scale = {});
+
+/// How far a registration may be off, in any direction: four fifths of a pixel, the photograph's or the
+/// scene's, for a lit crescent leads it astray by half a one.
+double place_error_km(const colour::Registration& registration);
 
 /// Sums up a photograph's light. Clipped pixels are left out, and a bin with them where they are more than
 /// half a hundredth of it; so is a bin in which noise is cut off at black. The light of the sky and of the

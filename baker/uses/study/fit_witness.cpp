@@ -26,10 +26,15 @@ constexpr double between_tents = 0.01;
 /// An error that says that nothing is known.
 constexpr double unknown = 10;
 
-/// Relative error of a value that the map of the Moon and the computation leave open.
-double model_error(double value, double brightest) {
-  constexpr double of_value = 0.003, of_brightest = 0.001;
-  return std::hypot(of_value, of_brightest * brightest / value);
+/// Relative error of a value that the map of the Moon and the computation leave open. The map is off by 1.2 %
+/// in each place of 200 km, of which a bin is the mean.
+double model_error(double value, double brightest, double bin_px) {
+  constexpr double of_place = 0.012, place_km = 200, of_computation = 0.001, of_brightest = 0.001;
+  constexpr double pixel_km =
+      2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
+  constexpr double place_px = place_km / pixel_km * place_km / pixel_km;
+  const double of_map = of_place * std::sqrt(std::min(1., place_px / bin_px));
+  return std::hypot(of_map, of_computation, of_brightest * brightest / value);
 }
 
 /// How the logarithm of a bin's light grows with distance from the axis [1/km], by its neighbours.
@@ -88,6 +93,8 @@ ComparedNight::ComparedNight(std::span<const NightPhotograph> photographs,
 void ComparedNight::add_numbers(const NightPhotograph& photograph, std::size_t index) {
   constexpr double too_noisy = 0.3, too_dark = 0.01;
   const auto& [values, errors, sky_errors, glow_errors, slopes] = photograph.light;
+  std::vector<double> pixels(bins_);
+  for (const auto& ground : photograph.scene.grounds) ++pixels[ground.bin];
   for (std::size_t b = 0; b < bins_; ++b) {
     const double brightest = *std::ranges::max_element(values.row(b));
     for (std::size_t k = 0; k < 3; ++k) {
@@ -98,8 +105,8 @@ void ComparedNight::add_numbers(const NightPhotograph& photograph, std::size_t i
         for (std::size_t n = 0; n < colour::tone_numbers; ++n)
           logarithm -= slopes(b, k)[n] * errors_.curve.numbers[n];
       const double of_curve = slopes.empty() ? 0 : between_tents;
-      numbers_.push_back(
-          {index, b, k, logarithm, std::hypot(noise, model_error(value, brightest), of_curve)});
+      numbers_.push_back({index, b, k, logarithm,
+                          std::hypot(noise, model_error(value, brightest, pixels[b]), of_curve)});
     }
   }
 }
