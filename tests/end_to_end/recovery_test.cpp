@@ -211,7 +211,7 @@ TEST_F(Recovery, OfAHundredPhotographsFindsDustAndCloudAndKnowsHowWell) {
         const uses::NightPhotograph night{
             scene,
             binned(scene, photo, found.render_to_photo),
-            {value_per_cd_m2, 0.1, 0.03, false, place_error_km(found)}};
+            {value_per_cd_m2, 0.1, 0.03, false, uses::place_error_km(found)}};
         const uses::ComparedNight compared(std::span(&night, 1), {});
         const uses::Witness witness{
             &light, [&](const auto& of_air) { return compared.weighed(of_air); }, compared.count()};
