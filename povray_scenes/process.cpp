@@ -61,10 +61,29 @@ struct Conversation {
   const std::string& last_words() const { return complaint.empty() ? last_line : complaint; }
 };
 
+/// POV-Ray takes numbers up to 1 for shares of the picture; without one the picture's own edge counts.
+std::vector<std::string> words_for(const Window& window) {
+  algebra::require_within("width of the window [pixels]",
+                          static_cast<double>(window.right) - static_cast<double>(window.left), 2,
+                          65535);
+  algebra::require_within("height of the window [pixels]",
+                          static_cast<double>(window.bottom) - static_cast<double>(window.top), 2,
+                          65535);
+  std::vector<std::string> words{fmt::format("+EC{}", window.right),
+                                 fmt::format("+ER{}", window.bottom)};
+  if (window.left > 0) words.push_back(fmt::format("+SC{}", window.left + 1));
+  if (window.top > 0) words.push_back(fmt::format("+SR{}", window.top + 1));
+  return words;
+}
+
 std::vector<std::string> command(const RenderSettings& settings, const Run& run) {
   std::vector<std::string> words{settings.povray, settings_file, "+O" + run.output, "-D", "-P"};
   words.push_back(run.progress ? "+V" : "-V");
   words.insert(words.end(), run.subset.begin(), run.subset.end());
+  if (settings.window) {
+    const auto part = words_for(*settings.window);
+    words.insert(words.end(), part.begin(), part.end());
+  }
   if (settings.threads > 0) words.push_back(fmt::format("+WT{}", settings.threads));
   return words;
 }

@@ -7,6 +7,7 @@
 #include "povray_scenes/render.h"
 #include "texture/read_image.h"
 #include "uses/light/header.h"
+#include "uses/picture/disc_outline.h"
 #include "uses/picture/pixels.h"
 #include "uses/picture/sky_lights.h"
 
@@ -15,7 +16,9 @@ namespace coppermoon::uses {
 texture::Image rendered(const LitScene& scene, const algebra::Progress& progress) {
   const files::TemporaryFolder folder;
   write_lit_scene(folder.path(), scene, {}, {.packed = false});
-  auto frame = texture::read_image(povray_scenes::render(folder.path(), {}, progress));
+  const auto window = disc_window({&scene.view.camera, 1});
+  auto frame =
+      texture::read_image(povray_scenes::render(folder.path(), {.window = window}, progress));
   add_lights(frame, scene.view.camera, sky_lights(scene.view, scene.moon.sky));
   return frame;
 }
