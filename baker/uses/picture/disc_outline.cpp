@@ -77,15 +77,6 @@ std::optional<std::pair<std::size_t, std::size_t>> pixels_about(double middle, d
                    static_cast<std::size_t>(std::clamp(end, 2., most))};
 }
 
-/// An ellipse reaches as far across as down: sqrt(yy / (xx yy - xy²/4)), and with xx.
-std::optional<Window> window_of(const DiscOutline& o, const povray_scenes::Camera& camera) {
-  const double determinant = o.xx * o.yy - o.xy * o.xy / 4;
-  const auto across = pixels_about(o.x, std::sqrt(o.yy / determinant), camera.width),
-             down = pixels_about(o.y, std::sqrt(o.xx / determinant), camera.height);
-  if (!across || !down) return std::nullopt;
-  return Window{across->first, down->first, across->second, down->second};
-}
-
 Window around(const Window& a, const Window& b) {
   return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
           std::max(a.bottom, b.bottom)};
@@ -93,12 +84,22 @@ Window around(const Window& a, const Window& b) {
 
 }  // namespace
 
+/// An ellipse reaches as far across as down: sqrt(yy / (xx yy - xy²/4)), and with xx.
+std::optional<Window> window_of(const DiscOutline& o, std::size_t width, std::size_t height) {
+  if (width < 2 || height < 2) return std::nullopt;
+  const double determinant = o.xx * o.yy - o.xy * o.xy / 4;
+  const auto across = pixels_about(o.x, std::sqrt(o.yy / determinant), width),
+             down = pixels_about(o.y, std::sqrt(o.xx / determinant), height);
+  if (!across || !down) return std::nullopt;
+  return Window{across->first, down->first, across->second, down->second};
+}
+
 std::optional<Window> disc_window(std::span<const povray_scenes::Camera> cameras) {
   std::optional<Window> all;
   for (const auto& camera : cameras) {
     const auto outline = disc_outline(camera);
-    if (!outline || camera.width < 2 || camera.height < 2) return std::nullopt;
-    const auto window = window_of(*outline, camera);
+    if (!outline) return std::nullopt;
+    const auto window = window_of(*outline, camera.width, camera.height);
     if (window) all = all ? around(*all, *window) : *window;
   }
   return all;

@@ -26,6 +26,13 @@ std::optional<DiscOutline> disc_outline(const povray_scenes::Camera& camera);
 /// Given  x, y  of the pixel's middle
 double covered_share(const DiscOutline& outline, double x, double y);
 
+/// The pixels that an outline goes about, and one more on each side.
+///
+/// Given     width, height  of the frame
+/// Returned  two columns and rows or more; nothing where the disc is beside the frame
+std::optional<povray_scenes::Window> window_of(const DiscOutline& outline, std::size_t width,
+                                               std::size_t height);
+
 /// The part of their picture that the Moon takes in any of some cameras' frames.
 ///
 /// Given     cameras  of one width and height

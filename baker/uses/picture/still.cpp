@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/still.h"
 
+#include <tbb/task_group.h>
+
 #include <algorithm>
+#include <vector>
 
 #include "files/temporary_folder.h"
 #include "povray_scenes/render.h"
@@ -15,11 +18,15 @@ namespace coppermoon::uses {
 
 texture::Image rendered(const LitScene& scene, const algebra::Progress& progress) {
   const files::TemporaryFolder folder;
+  std::vector<SkyLight> lights;
+  tbb::task_group beside;  // POV-Ray sleeps when it starts
+  beside.run([&] { lights = sky_lights(scene.view, scene.moon.sky); });
   write_lit_scene(folder.path(), scene, {}, {.packed = false});
   const auto window = disc_window({&scene.view.camera, 1});
   auto frame =
       texture::read_image(povray_scenes::render(folder.path(), {.window = window}, progress));
-  add_lights(frame, scene.view.camera, sky_lights(scene.view, scene.moon.sky));
+  beside.wait();
+  add_lights(frame, scene.view.camera, lights);
   return frame;
 }
 
