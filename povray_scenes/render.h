@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -36,5 +37,15 @@ struct RenderSettings {
 std::filesystem::path render(const std::filesystem::path& folder,
                              const RenderSettings& settings = {},
                              const algebra::Progress& progress = {});
+
+/// The same for who reads the frame at once, and only once: POV-Ray is ended when it has closed the file, and so
+/// does not sleep for a third of a second before it ends by itself.
+///
+/// Given   read  reads the whole file, and throws where it is not whole, as on a full disk; the file is then
+///               gone
+/// Throws  Error  as render; also what `read` throws
+void render_for(const std::function<void(const std::filesystem::path& exr)>& read,
+                const std::filesystem::path& folder, const RenderSettings& settings = {},
+                const algebra::Progress& progress = {});
 
 }  // namespace coppermoon::povray_scenes

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -368,6 +370,45 @@ TEST(Render, OfAWindowIsTheSameThereAndBlackElsewhere) {
   }
   EXPECT_EQ(refusal(scene, {.window = Window{20, 10, 21, 60}}),
             "width of the window [pixels] = 1, allowed 2 to 65535");
+}
+
+TEST(RenderFor, HandsOverTheSameFrameAndLeavesNothing) {
+  const SmallScene scene;
+  const Luminance whole(render(scene.folder));
+  std::filesystem::remove(scene.folder / "frame.exr");
+  std::vector<double> told;
+  int read = 0;
+  render_for(
+      [&](const std::filesystem::path& exr) {
+        const Luminance same(exr);
+        for (int y = 0; y < 72; ++y)
+          for (int x = 0; x < 96; ++x) EXPECT_EQ(same.at(x, y), whole.at(x, y));
+        ++read;
+      },
+      scene.folder, {}, [&](double fraction) { told.push_back(fraction); });
+  EXPECT_EQ(read, 1);
+  EXPECT_EQ(told.back(), 1);
+  EXPECT_EQ(files_in(scene.folder), 3);
+}
+
+TEST(RenderFor, EndsPovRayOnceItsFileIsClosed) {
+  const SmallScene scene;
+  const auto povray = scene.stand_in("echo frame > \"${2#+O}\"; exec sleep 1000");
+  std::uintmax_t bytes = 0;
+  render_for([&](const auto& exr) { bytes = std::filesystem::file_size(exr); }, scene.folder,
+             {.timeout_s = 60, .povray = povray});
+  EXPECT_EQ(bytes, 6u);
+}
+
+TEST(RenderFor, PassesOnWhatGoesWrong) {
+  const SmallScene scene;
+  const auto none = [](const std::filesystem::path&) { FAIL() << "there is no frame"; };
+  const auto fails = scene.stand_in("echo 'Out of ink' >&2; exit 1");
+  EXPECT_THROW(render_for(none, scene.folder, {.povray = fails}), Error);
+  EXPECT_THROW(render_for(none, scene.folder, {.povray = "true"}), Error);
+  EXPECT_THROW(render_for([](const auto&) { throw std::runtime_error("damaged"); }, scene.folder),
+               std::runtime_error);
+  EXPECT_EQ(files_in(scene.folder), 4);
 }
 
 TEST(Render, SaysWhichPackageIsMissing) {

@@ -23,8 +23,9 @@ texture::Image rendered(const LitScene& scene, const algebra::Progress& progress
   beside.run([&] { lights = sky_lights(scene.view, scene.moon.sky); });
   write_lit_scene(folder.path(), scene, {}, {.packed = false});
   const auto window = disc_window({&scene.view.camera, 1});
-  auto frame =
-      texture::read_image(povray_scenes::render(folder.path(), {.window = window}, progress));
+  texture::Image frame;
+  povray_scenes::render_for([&](const auto& exr) { frame = texture::read_image(exr); },
+                            folder.path(), {.window = window}, progress);
   beside.wait();
   add_lights(frame, scene.view.camera, lights);
   return frame;
