@@ -21,11 +21,17 @@ namespace {
 
 using algebra::Error;
 
-ocio::ConstConfigRcPtr config_at(const std::filesystem::path& path) try {
-  if (path.empty()) {
+/// Read once, for it keeps the processors that it makes.
+ocio::ConstConfigRcPtr built_in_config() {
+  static const auto config = [] {
     std::istringstream text{std::string(config_text())};
     return ocio::Config::CreateFromStream(text);
-  }
+  }();
+  return config;
+}
+
+ocio::ConstConfigRcPtr config_at(const std::filesystem::path& path) try {
+  if (path.empty()) return built_in_config();
   const auto config = ocio::Config::CreateFromFile(path.c_str());
   require_regular_luts(*config);
   return config;
@@ -116,11 +122,10 @@ std::string fingerprint(WorkingSpace space, const Development& development) {
   return processor(space, development)->getCacheID();
 }
 
-Image developed(const Image& scene_linear, WorkingSpace space, const Development& development) {
+Image developed(Image picture, WorkingSpace space, const Development& development) {
   if (!(development.scale > 0 && std::isfinite(development.scale)))
     throw Error(fmt::format("exposure scale = {:g}, allowed above 0", development.scale));
   const auto view = processor(space, development)->getDefaultCPUProcessor();
-  Image picture = scene_linear;
   const auto develop_rows = [&](const tbb::blocked_range<std::size_t>& rows) {
     for (auto row = rows.begin(); row != rows.end(); ++row) {
       expose_row(picture, row, development.scale);

@@ -32,7 +32,7 @@ struct Development {
 ///                  0, the configuration cannot be read, has no such view or display (names those it
 ///                  has) or does not know the working space, or a look-up table of it has an entry
 ///                  that is not finite (names file and line) or is no regular file
-Image developed(const Image& scene_linear, WorkingSpace space, const Development& development = {});
+Image developed(Image scene_linear, WorkingSpace space, const Development& development = {});
 
 /// A text that tells apart what two developments do to colours, whatever their files are called; it
 /// leaves out the scale.

@@ -42,6 +42,7 @@ awk -v n="$frames" -v whole="$whole" -v povray="$povray" -v textures="$textures"
   printf "| POV-Ray alone, the scenes ready, one process | %.0f | %.2f |\n", povray, povray / n
   printf "| OpenImageIO alone, the textures read and written | %.0f | %.2f |\n", textures, textures / n
   printf "| OpenImageIO alone, the frames read and pictures written | %.0f | %.2f |\n", pictures, pictures / n
-  printf "\nThe film takes %.2f of what these three take together: POV-Ray sleeps for a third of a second at each frame, and\n", whole / floor
-  print "several processes with one thread each are quicker than one with several."
+  printf "\nThe film takes %.2f of what these three take together: of each frame only the part that the Moon takes is\n", whole / floor
+  print "rendered; POV-Ray sleeps for a third of a second at each frame, and several processes with one thread each are quicker"
+  print "than one with several."
 }'

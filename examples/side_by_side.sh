@@ -34,6 +34,6 @@ sed -n '/^|/p' said
 cat <<'EOF'
 
 Luminance: of the pixels more than 2 px inside the limb. Centroid: of all light. Shift: by least squares over the frame.
-5 × 5 rays are what `coppermoon scene` asks for: those on a pixel's edges count as much as those within, so that each pixel
-reaches a little into the next; with more rays (`povray eclipse.ini +R5`) that is gone.
+3 × 3 rays are what `coppermoon scene` asks for: to a pixel's middle, edges and corners, which are another's too, so that each
+pixel reaches a little into the next; with more rays (`povray eclipse.ini +R5`) that is gone.
 EOF

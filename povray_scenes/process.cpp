@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/inotify.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,9 +11,12 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
+#include <optional>
 #include <random>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "algebra/error.h"
@@ -61,10 +65,29 @@ struct Conversation {
   const std::string& last_words() const { return complaint.empty() ? last_line : complaint; }
 };
 
+/// POV-Ray takes numbers up to 1 for shares of the picture; without one the picture's own edge counts.
+std::vector<std::string> words_for(const Window& window) {
+  algebra::require_within("width of the window [pixels]",
+                          static_cast<double>(window.right) - static_cast<double>(window.left), 2,
+                          65535);
+  algebra::require_within("height of the window [pixels]",
+                          static_cast<double>(window.bottom) - static_cast<double>(window.top), 2,
+                          65535);
+  std::vector<std::string> words{fmt::format("+EC{}", window.right),
+                                 fmt::format("+ER{}", window.bottom)};
+  if (window.left > 0) words.push_back(fmt::format("+SC{}", window.left + 1));
+  if (window.top > 0) words.push_back(fmt::format("+SR{}", window.top + 1));
+  return words;
+}
+
 std::vector<std::string> command(const RenderSettings& settings, const Run& run) {
   std::vector<std::string> words{settings.povray, settings_file, "+O" + run.output, "-D", "-P"};
   words.push_back(run.progress ? "+V" : "-V");
   words.insert(words.end(), run.subset.begin(), run.subset.end());
+  if (settings.window) {
+    const auto part = words_for(*settings.window);
+    words.insert(words.end(), part.begin(), part.end());
+  }
   if (settings.threads > 0) words.push_back(fmt::format("+WT{}", settings.threads));
   return words;
 }
@@ -78,18 +101,52 @@ int milliseconds_left(const RenderSettings& settings, Clock::time_point start) {
   return static_cast<int>(std::min(settings.timeout_s - used_s, 1e3) * 1e3) + 1;
 }
 
-void listen(Conversation& heard, int from, const RenderSettings& settings) {
+/// Tells when a file in a folder is closed by who wrote it; never, where the system has no more watches.
+class Closing {
+ public:
+  Closing(const fs::path& folder, std::string file) : file_(std::move(file)) {
+    watch_.number = ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
+    if (watch_.number >= 0 &&
+        ::inotify_add_watch(watch_.number, folder.c_str(), IN_CLOSE_WRITE) < 0)
+      watch_.close();
+  }
+
+  /// Readable when some file was closed; below 0: there is no watch.
+  int descriptor() const { return watch_.number; }
+
+  bool closed() const {
+    alignas(inotify_event) std::array<char, 4096> events;
+    const auto count = ::read(watch_.number, events.data(), events.size());
+    for (std::ptrdiff_t at = 0; at < count;) {
+      const auto* event = reinterpret_cast<const inotify_event*>(events.data() + at);
+      if (event->len > 0 && file_ == event->name) return true;
+      at += static_cast<std::ptrdiff_t>(sizeof *event + event->len);
+    }
+    return false;
+  }
+
+ private:
+  std::string file_;
+  FileDescriptor watch_;
+};
+
+/// Returned  whether POV-Ray closed its file and may still run; else it has ended
+bool listen(Conversation& heard, int from, const Closing* closing, const RenderSettings& settings) {
   const auto start = Clock::now();
   std::array<char, 4096> buffer;
   for (;;) {
-    pollfd waiting{from, POLLIN, 0};
-    if (::poll(&waiting, 1, milliseconds_left(settings, start)) <= 0) continue;
+    std::array<pollfd, 2> waiting{
+        {{from, POLLIN, 0}, {closing ? closing->descriptor() : -1, POLLIN, 0}}};
+    if (::poll(waiting.data(), waiting.size(), milliseconds_left(settings, start)) <= 0) continue;
+    if (waiting[1].revents != 0 && closing->closed()) return true;
+    if (waiting[0].revents == 0) continue;
     const auto count = ::read(from, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) break;
     heard.hear({buffer.data(), static_cast<std::size_t>(count)});
   }
   heard.end_line();
+  return false;
 }
 
 }  // namespace
@@ -124,12 +181,14 @@ void run_povray(const RenderSettings& settings, const Draft& draft, const Run& r
   algebra::require_within("timeout [s]", settings.timeout_s, 0, 1e7);
   Pipe words;
   Child child;
+  std::optional<Closing> closing;
+  if (run.until_closed) closing.emplace(draft.folder, run.output);
   // in place of anybody's own settings, which would count beside the scene's
   const auto no_settings = std::string("POVINI=") + settings_file;
   start(child, {command(settings, run), "povray", draft.folder, {no_settings}}, words.in.number);
   words.in.close();
   Conversation heard{run};
-  listen(heard, words.out.number, settings);
+  if (listen(heard, words.out.number, closing ? &*closing : nullptr, settings)) return;
   const int status = child.status();
   if (WIFSIGNALED(status))
     throw Error(fmt::format("{}: ended by signal {}", settings.povray, WTERMSIG(status)));

@@ -41,9 +41,12 @@ struct Run {
   /// Told that this frame of the subset begins, from 1: those before are whole. May be empty, may
   /// be told twice, and may throw.
   std::function<void(std::size_t)> begun = {};
+  /// Ends POV-Ray once it has closed its output, where the system tells of that: its words and exit status
+  /// after that are not waited for, nor known.
+  bool until_closed = false;
 };
 
-/// Runs POV-Ray in the draft's folder to its end. It does not outlive this call, whether that
+/// Runs POV-Ray in the draft's folder to its end, or until it has closed its output. It does not outlive this call, whether that
 /// returns, throws, or the process is killed.
 ///
 /// Throws  Error  when it cannot be run, fails (with its own last words) or takes longer than

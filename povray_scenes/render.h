@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "algebra/progress.h"
 
 namespace coppermoon::povray_scenes {
 
+/// Pixels of a picture: columns left to right - 1, rows top to bottom - 1.
+struct Window {
+  std::size_t left, top, right, bottom;
+};
+
 /// How POV-Ray is run.
 struct RenderSettings {
   int threads = 0;                ///< 0: as many as there are processors; at most 512
   double timeout_s = 0;           ///< POV-Ray is stopped after that long; 0: never
   std::string povray = "povray";  ///< a program on the PATH, or an absolute path
+  /// Part of the picture that is rendered, at least two pixels wide and high; all else is black.
+  std::optional<Window> window = {};
 };
 
 /// Runs `povray eclipse.ini` in a scene's folder.
@@ -21,11 +31,21 @@ struct RenderSettings {
 ///           progress  told the fraction of the pixels rendered; 1 when the frame is there
 /// Returned  the path of frame.exr, scene-linear half floats; it appears whole or not at all.
 ///           POV-Ray does not outlive the calling thread, not even one that is killed
-/// Accuracy  the same bits on any number of threads
+/// Accuracy  the same bits on any number of threads, and in any window
 /// Throws    Error  when there is no scene, no POV-Ray, or it fails (with its own last words) or
 ///                  takes longer than allowed; an earlier frame.exr is then left as it was
 std::filesystem::path render(const std::filesystem::path& folder,
                              const RenderSettings& settings = {},
                              const algebra::Progress& progress = {});
+
+/// The same for who reads the frame at once, and only once: POV-Ray is ended when it has closed the file, and so
+/// does not sleep for a third of a second before it ends by itself.
+///
+/// Given   read  reads the whole file, and throws where it is not whole, as on a full disk; the file is then
+///               gone
+/// Throws  Error  as render; also what `read` throws
+void render_for(const std::function<void(const std::filesystem::path& exr)>& read,
+                const std::filesystem::path& folder, const RenderSettings& settings = {},
+                const algebra::Progress& progress = {});
 
 }  // namespace coppermoon::povray_scenes

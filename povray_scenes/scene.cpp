@@ -145,6 +145,7 @@ Height={height}
 Quality=9
 Antialias={antialias}
 Antialias_Threshold=0.0
+Antialias_Gamma=1.0
 Sampling_Method=2
 Antialias_Depth={depth}
 Jitter=off

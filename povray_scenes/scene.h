@@ -29,7 +29,9 @@ struct Scene {
   Camera camera;
   std::string texture;     ///< an .exr in the scene's folder: a plain ASCII file name
   double moon_radius = 1;  ///< in the scene's own units: 1737.4 makes a scene in kilometres
-  int sampling_depth = 2;  ///< pixels are means of (2^depth + 1)² rays; 0: one ray, to the centre
+  /// pixels are means of (2^(depth - 1) + 1)² rays, those on their edges counting less; 0: one ray, to
+  /// the centre
+  int sampling_depth = 2;
   std::string caption = {};  ///< one line, written as a comment at the head of both files
   /// behind the Moon: spheres with the radius of a pixel, a planet's where that is larger; as bright as
   /// their light is. One hides another that is closer than that
@@ -49,7 +51,8 @@ struct Scene {
 std::string to_pov(const Scene& scene);
 
 /// POV-Ray's settings for it: size, file names and anti-aliasing that also works in the dark (the
-/// threshold is 0, since POV-Ray compares absolute values) and repeats exactly (no jitter).
+/// threshold is 0, since POV-Ray compares absolute values; a gamma of 1 spares it powers that do not count
+/// then) and repeats exactly (no jitter).
 /// No range of frames: POV-Ray's clock is not a number in a range of one.
 ///
 /// Throws  Error  as to_pov

@@ -96,7 +96,9 @@ void write_png(const std::filesystem::path& path, const Image& image, int bits,
   for (const auto& [name, value] : attributes) spec.attribute(oiio_name(name), as_text(value));
   spec.attribute("oiio:ColorSpace", "sRGB");
   if (bits == 8) spec.attribute("oiio:dither", 1);
-  spec.attribute("png:compressionLevel", 4);  // half of zlib's usual time, 6 % more bytes
+  // a third of the usual time, 8 % more bytes: each row as its differences from the one above
+  spec.attribute("png:compressionLevel", 4);
+  spec.attribute("png:filter", 0x20);
   const auto rows = rows_of(image);
   const Source source{path, layout, rows, {0, 1}};
   source.require_all(image.values);  // libpng prints when a file ends early

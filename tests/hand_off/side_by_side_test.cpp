@@ -29,11 +29,11 @@ class SideBySide : public BlenderTest {
                                         "--width", size, "--height", size, "-o", "scene"}));
   }
 
-  /// POV-Ray's pixels are means of (2^depth + 1)² rays; those on a pixel's edge count as the others.
+  /// POV-Ray's pixels are means of (2^(depth - 1) + 1)² rays, those on their edges counting less.
   Frame by_povray(int depth) const {
     const auto ini = here("scene") / povray_scenes::settings_file;
     std::ofstream(ini, std::ios::app) << "Antialias_Depth=" << depth << "\n";
-    const int rays = (1 << depth) + 1;
+    const int rays = (1 << (depth - 1)) + 1;
     return {fmt::format("POV-Ray, {0} × {0} rays", rays),
             texture::read_image(povray_scenes::render(here("scene")))};
   }

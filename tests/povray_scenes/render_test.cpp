@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -163,7 +165,7 @@ TEST(Frame, HasTheTexturesLuminanceOverTheDiscThatGeometryGives) {
     const double tangent = 1 / std::sqrt(glm::dot(camera.position, camera.position) - 1);
     const double radius = 120 * tangent / std::tan(in_radians(degrees(0.3)));
     EXPECT_WITHIN_RELATIVE(frame.total(), luminance * std::numbers::pi * radius * radius, 1e-3,
-                           "limb pixels are means of 25 rays");
+                           "limb pixels are means of 9 rays");
   }
 }
 
@@ -194,8 +196,8 @@ TEST(Frame, ShowsAFlattenedDiscAsAnEllipseTowardsTheZenith) {
       across += frame.at(x, y) * h * h;
       mixed += frame.at(x, y) * z * h;
     }
-  EXPECT_WITHIN(std::sqrt(along / across), 0.85, 1e-3, "limb pixels are means of 25 rays");
-  EXPECT_WITHIN(mixed / across, 0, 1e-3, "limb pixels are means of 25 rays");
+  EXPECT_WITHIN(std::sqrt(along / across), 0.85, 1e-3, "limb pixels are means of 9 rays");
+  EXPECT_WITHIN(mixed / across, 0, 1e-3, "limb pixels are means of 9 rays");
 }
 
 /// The frame of a scene written by hand, of the camera's size, with the pattern for its texture.
@@ -282,7 +284,7 @@ TEST(CoppermoonInc, PutsTheMoonIntoTheSkyOfALandscapeWithAzimuthsGrowingToTheRig
   const double x = 120 + 120 * right / std::tan(in_radians(degrees(0.35)));
   const auto star = spot_near(frame, {x, 100});
   ASSERT_GT(star.luminance, 1000);
-  EXPECT_WITHIN(star.centroid.x, x, 0.25, "a disc of 4 pixels, means of 25 rays");
+  EXPECT_WITHIN(star.centroid.x, x, 0.25, "a disc of 4 pixels, means of 9 rays");
 }
 
 /// A folder with spaces and letters outside ASCII, the scene in it, and what is put there for
@@ -350,6 +352,63 @@ TEST(Render, MakesTheSameBitsOnAnyNumberOfThreads) {
       two(render(scene.folder, {.threads = 2}));
   for (int y = 0; y < 72; ++y)
     for (int x = 0; x < 96; ++x) EXPECT_EQ(one.at(x, y), two.at(x, y));
+}
+
+TEST(Render, OfAWindowIsTheSameThereAndBlackElsewhere) {
+  const SmallScene scene;
+  const Luminance whole(render(scene.folder));
+  for (const Window window :
+       {Window{20, 10, 70, 60}, {0, 0, 50, 40}, {1, 1, 96, 72}, {0, 0, 2, 2}}) {
+    const Luminance part(render(scene.folder, {.window = window}));
+    for (std::size_t y = 0; y < 72; ++y)
+      for (std::size_t x = 0; x < 96; ++x) {
+        const bool within =
+            x >= window.left && x < window.right && y >= window.top && y < window.bottom;
+        const auto column = static_cast<int>(x), row = static_cast<int>(y);
+        EXPECT_EQ(part.at(column, row), within ? whole.at(column, row) : 0) << x << ", " << y;
+      }
+  }
+  EXPECT_EQ(refusal(scene, {.window = Window{20, 10, 21, 60}}),
+            "width of the window [pixels] = 1, allowed 2 to 65535");
+}
+
+TEST(RenderFor, HandsOverTheSameFrameAndLeavesNothing) {
+  const SmallScene scene;
+  const Luminance whole(render(scene.folder));
+  std::filesystem::remove(scene.folder / "frame.exr");
+  std::vector<double> told;
+  int read = 0;
+  render_for(
+      [&](const std::filesystem::path& exr) {
+        const Luminance same(exr);
+        for (int y = 0; y < 72; ++y)
+          for (int x = 0; x < 96; ++x) EXPECT_EQ(same.at(x, y), whole.at(x, y));
+        ++read;
+      },
+      scene.folder, {}, [&](double fraction) { told.push_back(fraction); });
+  EXPECT_EQ(read, 1);
+  EXPECT_EQ(told.back(), 1);
+  EXPECT_EQ(files_in(scene.folder), 3);
+}
+
+TEST(RenderFor, EndsPovRayOnceItsFileIsClosed) {
+  const SmallScene scene;
+  const auto povray = scene.stand_in("echo frame > \"${2#+O}\"; exec sleep 1000");
+  std::uintmax_t bytes = 0;
+  render_for([&](const auto& exr) { bytes = std::filesystem::file_size(exr); }, scene.folder,
+             {.timeout_s = 60, .povray = povray});
+  EXPECT_EQ(bytes, 6u);
+}
+
+TEST(RenderFor, PassesOnWhatGoesWrong) {
+  const SmallScene scene;
+  const auto none = [](const std::filesystem::path&) { FAIL() << "there is no frame"; };
+  const auto fails = scene.stand_in("echo 'Out of ink' >&2; exit 1");
+  EXPECT_THROW(render_for(none, scene.folder, {.povray = fails}), Error);
+  EXPECT_THROW(render_for(none, scene.folder, {.povray = "true"}), Error);
+  EXPECT_THROW(render_for([](const auto&) { throw std::runtime_error("damaged"); }, scene.folder),
+               std::runtime_error);
+  EXPECT_EQ(files_in(scene.folder), 4);
 }
 
 TEST(Render, SaysWhichPackageIsMissing) {

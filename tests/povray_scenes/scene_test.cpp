@@ -114,7 +114,7 @@ TEST(ToPov, KeepsTheCaptionInItsComment) {
 
 TEST(ToIni, SupersamplesHoweverDarkAndRepeats) {
   const auto text = to_ini(plain_scene());
-  EXPECT_TRUE(says(text, "Antialias=on\nAntialias_Threshold=0.0\n"));
+  EXPECT_TRUE(says(text, "Antialias=on\nAntialias_Threshold=0.0\nAntialias_Gamma=1.0\n"));
   EXPECT_TRUE(says(text, "Sampling_Method=2\nAntialias_Depth=2\nJitter=off\n"));
 }
 

@@ -21,6 +21,7 @@
 #include "uses/film/film_folder.h"
 #include "uses/light/header.h"
 #include "uses/light/spectral_bands.h"
+#include "uses/picture/disc_outline.h"
 #include "uses/picture/lit_scene.h"
 #include "uses/picture/pixels.h"
 #include "uses/picture/sky_lights.h"
@@ -156,7 +157,7 @@ void render(const Film& film, Frames frames, int threads, const Told& told) {
         std::filesystem::remove(rendered);
         std::filesystem::remove(texture_file(number));
       },
-      {.threads = threads});
+      {.threads = threads, .window = disc_window(sequence.cameras)});
 }
 
 /// Under another exposure a linear frame keeps its pixels: its header and its pictures change.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "algebra/error.h"
 #include "colour/display.h"
@@ -36,11 +37,11 @@ Development for_file(Development development, const std::filesystem::path& pictu
 std::vector<double> luminances(const texture::Image& frame, colour::WorkingSpace space,
                                const std::optional<DiscOutline>& disc) {
   std::vector<double> lit;
-  const auto pixels = pixels_of(frame);
+  require_colours(frame);
   for (std::size_t r = 0; r < frame.height; ++r)
     for (std::size_t c = 0; c < frame.width; ++c) {
-      const auto& [red, green, blue] = pixels(r, c);
-      const std::array<double, 3> pixel{red, green, blue};
+      const std::array<double, 3> pixel{frame(r, c, 0), frame(r, c, 1), frame(r, c, 2)};
+      if (pixel == std::array{0., 0., 0.}) continue;
       const double y = colour::luminance(space, pixel);
       if (y > 0 && (!disc || covered_share(*disc, static_cast<double>(c) + 0.5,
                                            static_cast<double>(r) + 0.5) > 0))
@@ -144,29 +145,29 @@ void write_files(const CameraRequest& request, const colour::Camera& camera,
 }
 
 /// What the camera sees of a frame, by the same unit; the frame itself without a camera.
-texture::Image taken(const Development& development, const colour::Exposure& exposure,
-                     const Frame& frame) {
+colour::Image taken(const Development& development, const colour::Exposure& exposure,
+                    const Frame& frame) {
   const auto camera = camera_of(development);
-  if (!camera) return frame.light;
+  if (!camera) return pixels_of(frame.light);
   const auto photograph = photographed(development.camera, *camera, frame, exposure);
   write_files(development.camera, *camera, photograph, exposure, frame.attributes);
-  return image_of(photograph.scene_linear);
+  return photograph.scene_linear;
 }
 
 /// (1 - exp(-x)) / x
 double rounded_off(double x) { return std::abs(x) < 1e-9 ? 1 : -std::expm1(-x) / x; }
 
 /// Two exposures of a frame in one, in units of saturation.
-texture::Image composite(const Development& development, const Exposures& exposures,
-                         const Frame& frame) {
+colour::Image composite(const Development& development, const Exposures& exposures,
+                        const Frame& frame) {
   constexpr double share = 0.3;  // of white, for the longer exposure
   constexpr auto other_noise = std::uint64_t{1} << 63;
   auto longer = exposures.shorter;
   longer.time_s = *exposures.longer_s;
   auto again = frame;
   again.number ^= other_noise;
-  auto all = pixels_of(taken(development, exposures.shorter, frame));
-  const auto shadow = pixels_of(taken(development, longer, again));
+  auto all = taken(development, exposures.shorter, frame);
+  const auto shadow = taken(development, longer, again);
   const double scale = scale_of(development, exposures.shorter),
                longer_scale = scale_of(development, longer);
   for (std::size_t i = 0; i < all.values().size(); ++i) {
@@ -179,7 +180,16 @@ texture::Image composite(const Development& development, const Exposures& exposu
       value = static_cast<float>((1 - share) * scale * value + dark_share * dark[c]);
     }
   }
-  return image_of(all);
+  return all;
+}
+
+/// What a display shows of a scene that is multiplied by a scale, held to 0 to 1.
+texture::Image shown_of(const Development& development, double scale, colour::Image scene,
+                        colour::WorkingSpace space) {
+  auto image = image_of(colour::developed(
+      std::move(scene), space, {scale, development.view, development.display, development.config}));
+  for (float& value : image.values) value = std::clamp(value, 0.F, 1.F);
+  return image;
 }
 
 }  // namespace
@@ -286,11 +296,7 @@ std::string fingerprint(const Development& development, colour::WorkingSpace spa
 
 texture::Image shown(const Development& development, double scale, const texture::Image& frame,
                      colour::WorkingSpace space) {
-  const auto pixels = colour::developed(
-      pixels_of(frame), space, {scale, development.view, development.display, development.config});
-  auto image = image_of(pixels);
-  for (float& value : image.values) value = std::clamp(value, 0.F, 1.F);
-  return image;
+  return shown_of(development, scale, pixels_of(frame), space);
 }
 
 texture::Image developed(const Development& development, const Exposures& exposures,
@@ -300,10 +306,10 @@ texture::Image developed(const Development& development, const Exposures& exposu
   const LimbPixels limb(through_camera ? std::nullopt : frame.seen.disc, frame.light);
   const auto light = limb.with_ground(frame.light);
   const Frame whole{light, frame.space, frame.seen, frame.number, frame.attributes};
-  auto picture = longer_s
-                     ? shown(development, 1, composite(development, exposures, whole), frame.space)
-                     : shown(development, scale_of(development, exposure),
-                             taken(development, exposure, whole), frame.space);
+  auto picture =
+      longer_s ? shown_of(development, 1, composite(development, exposures, whole), frame.space)
+               : shown_of(development, scale_of(development, exposure),
+                          taken(development, exposure, whole), frame.space);
   limb.cover(picture, development.display == high_range_display);
   return picture;
 }

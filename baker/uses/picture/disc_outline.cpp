@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <utility>
 
 #include "algebra/number.h"
 #include "povray_scenes/sight.h"
@@ -59,6 +60,49 @@ double covered_share(const DiscOutline& o, double x, double y) {
   const double slope = std::hypot(slope_x, slope_y);
   if (slope == 0) return 1;
   return area_inside((1 - value) / slope, slope_x / slope, slope_y / slope);
+}
+
+namespace {
+
+using povray_scenes::Window;
+
+/// Pixels that a line's part from middle - reach to middle + reach touches, and one more on each side: the
+/// first, and the one after the last; no fewer than two of those that there are.
+std::optional<std::pair<std::size_t, std::size_t>> pixels_about(double middle, double reach,
+                                                                std::size_t count) {
+  const auto most = static_cast<double>(count);
+  const double first = std::floor(middle - reach) - 1, end = std::ceil(middle + reach) + 1;
+  if (!(first < most && end > 0)) return std::nullopt;
+  return std::pair{static_cast<std::size_t>(std::clamp(first, 0., most - 2)),
+                   static_cast<std::size_t>(std::clamp(end, 2., most))};
+}
+
+Window around(const Window& a, const Window& b) {
+  return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
+          std::max(a.bottom, b.bottom)};
+}
+
+}  // namespace
+
+/// An ellipse reaches as far across as down: sqrt(yy / (xx yy - xy²/4)), and with xx.
+std::optional<Window> window_of(const DiscOutline& o, std::size_t width, std::size_t height) {
+  if (width < 2 || height < 2) return std::nullopt;
+  const double determinant = o.xx * o.yy - o.xy * o.xy / 4;
+  const auto across = pixels_about(o.x, std::sqrt(o.yy / determinant), width),
+             down = pixels_about(o.y, std::sqrt(o.xx / determinant), height);
+  if (!across || !down) return std::nullopt;
+  return Window{across->first, down->first, across->second, down->second};
+}
+
+std::optional<Window> disc_window(std::span<const povray_scenes::Camera> cameras) {
+  std::optional<Window> all;
+  for (const auto& camera : cameras) {
+    const auto outline = disc_outline(camera);
+    if (!outline) return std::nullopt;
+    const auto window = window_of(*outline, camera.width, camera.height);
+    if (window) all = all ? around(*all, *window) : *window;
+  }
+  return all;
 }
 
 std::string text_of(const DiscOutline& o) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "povray_scenes/camera.h"
+#include "povray_scenes/render.h"
 
 namespace coppermoon::uses {
 
@@ -23,6 +25,20 @@ std::optional<DiscOutline> disc_outline(const povray_scenes::Camera& camera);
 ///
 /// Given  x, y  of the pixel's middle
 double covered_share(const DiscOutline& outline, double x, double y);
+
+/// The pixels that an outline goes about, and one more on each side.
+///
+/// Given     width, height  of the frame
+/// Returned  two columns and rows or more; nothing where the disc is beside the frame
+std::optional<povray_scenes::Window> window_of(const DiscOutline& outline, std::size_t width,
+                                               std::size_t height);
+
+/// The part of their picture that the Moon takes in any of some cameras' frames.
+///
+/// Given     cameras  of one width and height
+/// Returned  a pixel more on each side; nothing where the Moon has no closed edge in one of them, or is
+///           in none of them
+std::optional<povray_scenes::Window> disc_window(std::span<const povray_scenes::Camera> cameras);
 
 /// The outline as a header's text holds it, to the last digit, and back; nothing where a text holds none.
 std::string text_of(const DiscOutline& outline);

@@ -26,8 +26,10 @@ double share_at(const DiscOutline& disc, std::size_t row, std::size_t column) {
 
 LimbPixels::LimbPixels(const std::optional<DiscOutline>& disc, const texture::Image& frame) {
   if (!disc || frame.channels.size() < 3) return;
-  for (std::size_t r = 0; r < frame.height; ++r)
-    for (std::size_t c = 0; c < frame.width; ++c) {
+  const auto window = window_of(*disc, frame.width, frame.height);
+  if (!window) return;
+  for (std::size_t r = window->top; r < window->bottom; ++r)
+    for (std::size_t c = window->left; c < window->right; ++c) {
       const double share = share_at(*disc, r, c);
       if (share <= 0 || share >= 1) continue;
       if (const auto ground = beside(*disc, frame, r, c)) pixels_.push_back({r, c, *ground, share});

@@ -21,10 +21,14 @@ texture::Image three_channels(const Pixels& pixels, float unit) {
 
 }  // namespace
 
-colour::Image pixels_of(const texture::Image& image) {
+void require_colours(const texture::Image& image) {
   if (image.channels.size() < 3)
     throw algebra::Error(
         fmt::format("the frame has {} channels, allowed 3 or more", image.channels.size()));
+}
+
+colour::Image pixels_of(const texture::Image& image) {
+  require_colours(image);
   colour::Image pixels(image.height, image.width);
   for (std::size_t r = 0; r < image.height; ++r)
     for (std::size_t c = 0; c < image.width; ++c)

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/still.h"
 
+#include <tbb/task_group.h>
+
 #include <algorithm>
+#include <vector>
 
 #include "files/temporary_folder.h"
 #include "povray_scenes/render.h"
 #include "texture/read_image.h"
 #include "uses/light/header.h"
+#include "uses/picture/disc_outline.h"
 #include "uses/picture/pixels.h"
 #include "uses/picture/sky_lights.h"
 
@@ -14,9 +18,16 @@ namespace coppermoon::uses {
 
 texture::Image rendered(const LitScene& scene, const algebra::Progress& progress) {
   const files::TemporaryFolder folder;
+  std::vector<SkyLight> lights;
+  tbb::task_group beside;  // POV-Ray sleeps when it starts
+  beside.run([&] { lights = sky_lights(scene.view, scene.moon.sky); });
   write_lit_scene(folder.path(), scene, {}, {.packed = false});
-  auto frame = texture::read_image(povray_scenes::render(folder.path(), {}, progress));
-  add_lights(frame, scene.view.camera, sky_lights(scene.view, scene.moon.sky));
+  const auto window = disc_window({&scene.view.camera, 1});
+  texture::Image frame;
+  povray_scenes::render_for([&](const auto& exr) { frame = texture::read_image(exr); },
+                            folder.path(), {.window = window}, progress);
+  beside.wait();
+  add_lights(frame, scene.view.camera, lights);
   return frame;
 }
 

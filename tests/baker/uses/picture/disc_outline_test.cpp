@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "povray_scenes/sight.h"
 #include "support/within.h"
@@ -67,6 +70,44 @@ TEST(DiscOutline, OfAMoonThatIsNotBeforeTheCameraIsNone) {
   auto behind = camera(0.6);
   behind.direction = {219, 14, -9};
   EXPECT_FALSE(disc_outline(behind));
+}
+
+TEST(DiscWindow, HoldsEveryPixelThatTheMoonTouchesInAnyFrame) {
+  for (const double field : {0.3, 0.6, 3.}) {
+    auto other = camera(field);
+    other.direction = {-219, -13, 8.5};
+    const std::vector cameras{camera(field), other};
+    const auto window = disc_window(cameras);
+    ASSERT_TRUE(window);
+    std::size_t left = 90, right = 0, top = 60, bottom = 0;
+    for (const auto& from : cameras)
+      for (std::size_t row = 0; row < 60; ++row)
+        for (std::size_t column = 0; column < 90; ++column) {
+          const auto x = static_cast<double>(column) + 0.5, y = static_cast<double>(row) + 0.5;
+          if (covered_share(*disc_outline(from), x, y) == 0) continue;
+          left = std::min(left, column), right = std::max(right, column + 1);
+          top = std::min(top, row), bottom = std::max(bottom, row + 1);
+        }
+    for (const auto& [edge, touched] : {std::pair{window->left, left}, {window->top, top}}) {
+      EXPECT_LE(edge, touched);
+      EXPECT_GE(edge + 3, touched) << "a pixel more, and what a straight edge leaves out";
+    }
+    for (const auto& [edge, touched] :
+         {std::pair{window->right, right}, {window->bottom, bottom}}) {
+      EXPECT_GE(edge, touched);
+      EXPECT_LE(edge, touched + 3);
+    }
+  }
+}
+
+TEST(DiscWindow, IsNoneWhereTheMoonIsInNoFrameOrHasNoEdge) {
+  auto beside = camera(0.6);
+  beside.direction = {-219, 30, 9};
+  auto behind = camera(0.6);
+  behind.direction = {219, 14, -9};
+  EXPECT_FALSE(disc_window(std::vector{beside}));
+  EXPECT_FALSE(disc_window(std::vector{camera(0.6), behind}));
+  EXPECT_TRUE(disc_window(std::vector{camera(0.6), beside}));
 }
 
 TEST(DiscOutline, ComesBackFromAHeaderToTheLastDigit) {
