@@ -19,7 +19,7 @@ struct StellariumSight {
   almanac::Observer observer;
 };
 
-/// Writes a folder that Stellarium takes for its user's own (`stellarium --user-dir FOLDER`). Its Moon is
+/// Writes a folder that Stellarium takes for its user's own (`stellarium --user-dir FOLDER`, of its whole path). Its Moon is
 /// the picture as it is: no light, phase, shadow, extinction or halo of Stellarium's. It starts with the
 /// Moon in the middle, the zenith up, the time standing still, ground and air left out.
 ///
