@@ -55,6 +55,7 @@ SolarSystem.setFlagDrawMoonHalo(false);
 LandscapeMgr.setFlagLandscape(false);
 LandscapeMgr.setFlagAtmosphere(false);
 StelMovementMgr.setEquatorialMount(false);
+core.setSelectedObjectInfo("None");
 core.selectObjectByName("Moon", false);
 core.moveToSelectedObject(0);
 StelMovementMgr.setFlagTracking(true);

@@ -47,7 +47,6 @@ class Stellarium : public ProgramTest {
     texture::Image frame;
     for (const int seconds : {8, 30, 90}) {
       std::ofstream(script) << ours << "core.setGuiVisible(false);\n"
-                            << "core.setSelectedObjectInfo(\"None\");\n"
                             << "core.wait(" << seconds << ");\n"
                             << "core.screenshot(\"shown\", false, \"" << here().string()
                             << "\", true, \"png\");\ncore.wait(1);\ncore.quitStellarium();\n";
