@@ -10,13 +10,13 @@ takes a callback `progress`. Wrong input raises Error, a ValueError.
 >>> eclipse.type
 'total'
 """
-from ._coppermoon import (Air, Brightness, BrightnessSeen, Eclipse, Error, Estimate, Fit, Light, Moonlight, Region,
-                          ShadowProfile, Sky, Texture, __version__, bake, brightness, eclipses, fit, moonlight,
-                          nearest_eclipse, shadow_profile, sky)
+from ._coppermoon import (Air, Brightness, BrightnessSeen, Eclipse, Error, Estimate, Fit, Light, Moonlight, Night, Photograph,
+                          PhotographRead, Region, ShadowProfile, Sky, Texture, __version__, bake, brightness, eclipses, fit,
+                          moonlight, nearest_eclipse, shadow_profile, sky)
 
-__all__ = ["Air", "Brightness", "BrightnessSeen", "Eclipse", "Error", "Estimate", "Fit", "Light", "Moonlight", "Region",
-           "ShadowProfile", "Sky", "Texture", "__version__", "bake", "brightness", "eclipses", "fit", "moonlight",
-           "nearest_eclipse", "shadow_profile", "sky"]
+__all__ = ["Air", "Brightness", "BrightnessSeen", "Eclipse", "Error", "Estimate", "Fit", "Light", "Moonlight", "Night",
+           "Photograph", "PhotographRead", "Region", "ShadowProfile", "Sky", "Texture", "__version__", "bake", "brightness",
+           "eclipses", "fit", "moonlight", "nearest_eclipse", "shadow_profile", "sky"]
 
 for _name in __all__:
     if isinstance(globals()[_name], type):
