@@ -30,7 +30,7 @@ namespace coppermoon::python {
 
 namespace py = pybind11;
 
-/// A moment as Python tells it: a datetime with a time zone, or an ISO 8601 text.
+/// A moment as Python tells it: a datetime with a time zone, an ISO 8601 text, or a day and a contact.
 struct Moment {
   almanac::Instant instant;
 };

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Eclipsed Moons: sunlight bent, reddened and dimmed by the Earth's air, in real units.
 
-Moments are datetimes with a time zone, or ISO 8601 texts, in UTC unless they end in an offset. Names of arguments end in
-their unit; wavelengths are in nanometres. Arrays are NumPy's. What takes long lets other threads run, ends on Ctrl-C, and
+Moments are datetimes with a time zone, ISO 8601 texts, in UTC unless they end in an offset, or a day and a contact of its
+eclipse, as '2018-07-27 U2+10min'. Names of arguments end in their unit; wavelengths are in nanometres. Arrays are NumPy's. What takes long lets other threads run, ends on Ctrl-C, and
 takes a callback `progress`. Wrong input raises Error, a ValueError.
 
 >>> import coppermoon
