@@ -170,7 +170,7 @@ void add_nights(py::module_& package) {
             const auto size = static_cast<py::ssize_t>(night.light.size());
             return array_of<uses::MeasuredLight>(night.light, {size});
           },
-          "light over full sunlight, in order of distance: a structured array of distance_km from "
+          "light over full sunlight, in steps of 100 km: a structured array of distance_km from "
           "the shadow's axis, channel (0 red), light, model (of the air that was found) and error "
           "(standard, of the logarithm of light)");
 }
