@@ -32,6 +32,7 @@ coppermoon --version
 coppermoon bake 2018-07-27T20:00:00Z --unshadowed --albedo-map built-in --texture-width 256 -o moon.exr
 test -s /usr/share/man/man1/coppermoon-bake.1.gz
 test -s /usr/share/bash-completion/completions/coppermoon
+test -s /usr/share/coppermoon/coppermoon_blender.zip
 
 install /packages/coppermoon-openimageio_*.deb openimageio-tools
 printf 'instant = "2018-07-27T20:00:00Z"\nunshadowed = true\nalbedo-map = "built-in"\ntexture-width = 256\n' >moon.eclipse

@@ -15,4 +15,14 @@ std::optional<double> number_in(std::string_view text) {
   return number;
 }
 
+std::optional<double> number_with_unit(
+    std::string_view text, const std::vector<std::pair<std::string_view, double>>& units) {
+  for (const auto& [unit, size] : units) {
+    if (!text.ends_with(unit)) continue;
+    if (const auto number = number_in(text.substr(0, text.size() - unit.size())))
+      return *number * size;
+  }
+  return std::nullopt;
+}
+
 }  // namespace coppermoon::algebra

@@ -3,6 +3,8 @@
 
 #include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace coppermoon::algebra {
 
@@ -11,5 +13,12 @@ namespace coppermoon::algebra {
 ///
 /// Returned  nothing when the text is anything else, or beyond what a double holds
 std::optional<double> number_in(std::string_view text);
+
+/// A number with one of some endings, "" last where it needs none.
+///
+/// Given     units  each with what it multiplies by
+/// Returned  nothing when the text is no such number
+std::optional<double> number_with_unit(
+    std::string_view text, const std::vector<std::pair<std::string_view, double>>& units);
 
 }  // namespace coppermoon::algebra

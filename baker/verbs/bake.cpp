@@ -10,6 +10,7 @@
 #include "files/whole_file.h"
 #include "texture/write_glb.h"
 #include "texture/write_image.h"
+#include "texture/write_stellarium.h"
 #include "texture/write_usda.h"
 #include "uses/light/header.h"
 #include "uses/picture/baked_moon.h"
@@ -42,7 +43,8 @@ struct Output {
   uses::TextureContent content;
 
   bool ends_in(const char* ending) const { return path.extension() == ending; }
-  bool developed() const { return ends_in(".png") || ends_in(".glb"); }
+  bool for_stellarium() const { return ends_in(".stellarium"); }
+  bool developed() const { return ends_in(".png") || ends_in(".glb") || for_stellarium(); }
 };
 
 /// In the space that the file's name says, if any.
@@ -59,7 +61,7 @@ Output output_at(const std::string& file, const uses::TextureContent& asked) {
   return output;
 }
 
-constexpr std::array endings{".exr", ".tx", ".png", ".glb", ".usda"};
+constexpr std::array endings{".exr", ".tx", ".png", ".glb", ".usda", ".stellarium"};
 
 /// The .exr that stands beside a .usda: of linear Rec.709 where there is one, for that is what
 /// programs take it for that do not heed its colour space.
@@ -72,6 +74,16 @@ const Output& texture_for(const Output& scene, const std::vector<Output>& output
   throw algebra::Error(fmt::format(
       "{}: allowed with its texture in the same folder, as -o moon_lin_rec709.exr -o moon.usda",
       scene.path.string()));
+}
+
+/// A folder may be there already; a file is replaced.
+void require_place_for(const Output& output) {
+  const bool folder = std::filesystem::is_directory(output.path);
+  if (output.for_stellarium() && folder) return;
+  if (output.for_stellarium() && std::filesystem::exists(output.path))
+    throw algebra::Error(
+        fmt::format("{}: is a file, allowed a folder or a new name", output.path.string()));
+  files::require_place_for(output.path);
 }
 
 void require_sound(const Options& options, const std::vector<Output>& outputs) {
@@ -88,7 +100,10 @@ void require_sound(const Options& options, const std::vector<Output>& outputs) {
                                        output.path.string(), texture_width_of(options.moon.request),
                                        texture::most_glb_columns));
     if (output.ends_in(".usda")) texture_for(output, outputs);
-    files::require_place_for(output.path);
+    if (output.for_stellarium() && !options.view.observer)
+      throw WrongUsage(
+          fmt::format("{}: Stellarium looks from a place, given with --at", output.path.string()));
+    require_place_for(output);
   }
   require_sound(options.texture);
   if (!exr && (options.texture.passes || options.texture.spectral_nm))
@@ -103,15 +118,19 @@ texture::Image image_of(const texture::Part& part) {
 }
 
 void write_picture(const uses::Development& develop, const Output& output,
-                   const uses::BakedMoon& moon) {
-  const auto image = image_of(moon.parts.front());
+                   const uses::LitMoon& moon, const uses::BakedMoon& baked) {
+  const auto image = image_of(baked.parts.front());
   const auto space = space_of(output.content);
   const auto exposures = exposures_for(develop, image, space);
   if (output.ends_in(".png"))
-    return write_picture(develop, exposures, {image, space}, moon.attributes, output.path);
-  auto extras = moon.attributes;
-  uses::add_exposure(extras, exposures);
-  texture::write_glb(output.path, developed(develop, exposures, {image, space}), extras);
+    return write_picture(develop, exposures, {image, space}, baked.attributes, output.path);
+  auto attributes = baked.attributes;
+  uses::add_exposure(attributes, exposures);
+  const auto picture = developed(develop, exposures, {image, space});
+  if (output.for_stellarium())
+    return texture::write_stellarium(output.path, picture, {moon.sky.when, *moon.observer},
+                                     attributes);
+  texture::write_glb(output.path, picture, attributes);
 }
 
 /// The recipe of one file alone: with its own space, and without passes where it has none.
@@ -124,13 +143,13 @@ std::string recipe_for(const uses::TextureContent& content, const std::string& r
 }
 
 void write(const Options& options, const std::vector<Output>& outputs, const Output& output,
-           const uses::BakedMoon& made) {
+           const uses::LitMoon& moon, const uses::BakedMoon& made) {
   if (output.ends_in(".usda")) {
     const auto& texture = texture_for(output, outputs);
     texture::write_usda(output.path, texture.path.filename().string(),
                         colour::name(space_of(texture.content)), made.attributes);
   } else if (output.developed())
-    write_picture(options.develop, output, made);
+    write_picture(options.develop, output, moon, made);
   else if (output.ends_in(".tx"))
     texture::write_mipmapped(output.path, made.parts.front().layout, made.parts.front().rows,
                              made.attributes, type_of(output.content));
@@ -164,7 +183,7 @@ Report make(const CLI::App& verb, const Options& options, const std::vector<Outp
     auto baked = uses::baked(moon, output.content, {.progress = bar.progress()});
     made.recipe = recipe_for(output.content, recipe);
     baked.attributes["coppermoon:recipe"] = made.recipe;
-    write(options, outputs, output, baked);
+    write(options, outputs, output, moon, baked);
   }
   made.seconds = seconds_since(start);
   return made;
@@ -220,7 +239,8 @@ void add_bake(CLI::App& program) {
   add_flag(
       *verb, "-o,--output", options->outputs,
       "texture: .exr; .tx (tiled and mip-mapped); .png (developed); .glb (developed, on a sphere); "
-      ".usda (a sphere, with the .exr beside it). May be given again: one simulation serves all")
+      ".usda (a sphere, with the .exr beside it); .stellarium (a folder for Stellarium, needs "
+      "--at). May be given again: one simulation serves all")
       .writes_file()
       .kept_each_time();
   add_flag(

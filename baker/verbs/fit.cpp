@@ -23,6 +23,7 @@
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
+#include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -263,7 +264,10 @@ std::string misfit_of(const uses::FitReport& found) {
 void run(const Options& options) {
   require_sound(options);
   const auto told = told_by(options);
-  const auto found = uses::fitted_air(told.request);
+  const auto found = [&] {
+    ProgressBar bar("fit");
+    return uses::fitted_air(told.request, bar.progress());
+  }();
   if (!explains(found.fit)) {
     if (!options.despite_misfit)
       throw algebra::Error(misfit_of(found) + "; --despite-misfit answers all the same");

@@ -12,7 +12,7 @@
 #include "almanac/observer.h"
 #include "colour/difference.h"
 #include "colour/display.h"
-#include "end_to_end/program.h"
+#include "end_to_end/browser.h"
 #include "povray_scenes/camera.h"
 #include "support/within.h"
 #include "texture/read_image.h"
@@ -57,7 +57,7 @@ double luminance(double red, double green, double blue) {
   return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
 }
 
-class Explore : public ProgramTest {
+class Explore : public BrowserTest {
  protected:
   /// Makes a page; one second of a test in three.
   void make(const std::string& day, const Words& more = {}, const std::string& file = "a.html") {
@@ -84,19 +84,11 @@ class Explore : public ProgramTest {
              script +
              "})();\n"
              "} catch (problem) { problems.push(String(problem.stack)); }\n"
-             "const said = document.createElement('pre');\n"
-             "said.id = 'said';\n"
-             "said.textContent = btoa(unescape(encodeURIComponent(JSON.stringify({answer, "
-             "problems}))));\n"
-             "document.body.append(said);\n"
+             "const said = {answer, problems};\n" +
+             saying +
+             "\n"
              "})();</script>");
-    const auto outcome = run(
-        {"chromium-headless-shell", "--no-sandbox", "--disable-gpu-sandbox",
-         "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-         "--disable-background-networking", "--disable-component-update", "--no-first-run",
-         "--user-data-dir=" + here("../tmp/browser").string(), "--window-size=" + size,
-         "--virtual-time-budget=120000", "--dump-dom", "file://" + here("probe.html").string()});
-    const auto said = answer_in(outcome.out);
+    const auto said = answer_of(here("probe.html"), size);
     EXPECT_EQ(said["problems"], json::array());
     return said["answer"];
   }
@@ -107,27 +99,6 @@ class Explore : public ProgramTest {
         more);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return texture::read_image(here("b.exr"));
-  }
-
- private:
-  static json answer_in(const std::string& dom) {
-    const std::string before = "<pre id=\"said\">";
-    const auto from = dom.find(before);
-    if (from == std::string::npos) {
-      ADD_FAILURE() << "the browser said nothing: is chromium-headless-shell installed?";
-      return {{"problems", json::array()}, {"answer", {}}};
-    }
-    const auto coded =
-        dom.substr(from + before.size(), dom.find('<', from + 1) - from - before.size());
-    const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    unsigned bits = 0, count = 0;
-    for (const char letter : coded) {
-      if (letter == '=') break;
-      bits = bits << 6 | static_cast<unsigned>(letters.find(letter));
-      if ((count += 6) >= 8) text += static_cast<char>(bits >> (count -= 8));
-    }
-    return json::parse(text);
   }
 };
 

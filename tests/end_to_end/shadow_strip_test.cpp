@@ -7,60 +7,14 @@
 #include <numbers>
 #include <sstream>
 
-#include "end_to_end/program.h"
+#include "end_to_end/shadow_strip.h"
 #include "support/within.h"
-#include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
 namespace {
 
 using nlohmann::json;
-using Vector = std::array<double, 3>;
 using std::numbers::pi;
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-/// A strip with what its .json says of it; the shader's lines, in C++.
-struct Strip {
-  texture::Image light;
-  json facts;
-
-  double fact(const char* name) const { return facts.at(name).get<double>(); }
-
-  /// As a GPU does: straight lines between texel centres, clamped along, wrapped around.
-  Vector bilinear(double u, double v) const {
-    const auto columns = static_cast<int>(light.width), rows = static_cast<int>(light.height);
-    const double x = std::clamp(u * static_cast<double>(columns) - 0.5, 0., columns - 1.),
-                 y = v * static_cast<double>(rows) - 0.5;
-    const int c = std::min(static_cast<int>(x), columns - 2), r = static_cast<int>(std::floor(y));
-    Vector colour{};
-    for (std::size_t k = 0; k < 3; ++k)
-      for (const int i : {0, 1})
-        for (const int j : {0, 1}) {
-          const double share = std::abs(1. - i - (x - c)) * std::abs(1. - j - (y - r));
-          colour[k] += share * light(static_cast<std::size_t>(((r + j) % rows + rows) % rows),
-                                     static_cast<std::size_t>(c + i), k);
-        }
-    return colour;
-  }
-
-  Vector at(const Vector& place) const {
-    const auto axis = facts.at("axis_direction").get<Vector>(),
-               point = facts.at("axis_point_lunar_radii").get<Vector>();
-    const Vector q{place[0] - point[0], place[1] - point[1], place[2] - point[2]};
-    const double east = dot(q, facts.at("axis_east").get<Vector>()),
-                 north = dot(q, facts.at("axis_north").get<Vector>());
-    return at(std::hypot(east, north), std::atan2(east, north),
-              fact("axis_point_depth_lunar_radii") + dot(q, axis));
-  }
-
-  Vector at(double d, double angle, double depth) const {
-    d += (d - fact("limb_lunar_radii")) * (fact("depth_lunar_radii") / depth - 1) *
-         std::min(1., d / fact("one_limb_lunar_radii"));
-    return bilinear((0.5 + d / fact("step_lunar_radii")) / fact("columns"),
-                    angle / (2 * pi) + 0.5 / fact("rows"));
-  }
-};
 
 /// The largest of |strip × unshadowed − baked| over the baked texel's brightest channel.
 struct Misses {
@@ -79,7 +33,7 @@ double brightest(const texture::Image& image, std::size_t row, std::size_t colum
   return std::max({image(row, column, 0), image(row, column, 1), image(row, column, 2)});
 }
 
-class ShadowStrip : public ProgramTest {
+class ShadowStrip : public ShaderTest {
  protected:
   Strip strip(std::vector<std::string> flags, const char* name = "strip.exr") const {
     flags.insert(flags.begin(), "shadow");
@@ -163,6 +117,33 @@ TEST_F(ShadowStrip, LightAtAnotherDepthStandsOnLinesFromTheLimb) {
   }
 }
 
+/// The lines of docs/textures.md in a browser's OpenGL.
+TEST_F(ShadowStrip, ThePagesShaderFindsTheLight) {
+  const auto page = text_of(COPPERMOON_TEST_DATA "/../docs/textures.md");
+  const std::string before = "```glsl\n";
+  const auto from = page.find(before) + before.size();
+  const auto lines = page.substr(from, page.find("```", from) - from);
+  const auto light = strip({"2018-07-27T18:50:00Z", "--bands", "20"});
+  const json uniforms{{"axis_point", light.facts["axis_point_lunar_radii"]},
+                      {"axis_direction", light.facts["axis_direction"]},
+                      {"axis_east", light.facts["axis_east"]},
+                      {"axis_north", light.facts["axis_north"]},
+                      {"axis_point_depth", light.facts["axis_point_depth_lunar_radii"]},
+                      {"limb", light.facts["limb_lunar_radii"]},
+                      {"depth", light.facts["depth_lunar_radii"]},
+                      {"one_limb", light.facts["one_limb_lunar_radii"]},
+                      {"step", light.facts["step_lunar_radii"]},
+                      {"columns", light.facts["columns"]},
+                      {"rows", light.facts["rows"]}};
+  std::string source =
+      "#version 300 es\nprecision highp float;\nin vec3 positionObject;\nout vec4 colour;\n"
+      "uniform sampler2D strip;\n";
+  for (const auto& [name, value] : uniforms.items())
+    source += fmt::format("uniform {} {};\n", value.is_array() ? "vec3" : "float", name);
+  source += lines + "void main() { colour = vec4(shadow(positionObject), 1); }\n";
+  expect_shaded(shaded(source, uniforms, "strip", light, false, places_on_moon()), light);
+}
+
 TEST_F(ShadowStrip, EndsInFullSunlight) {
   const auto strip_ = strip({"2008-02-21T03:26:05Z"});
   EXPECT_EQ(strip_.light.height, 96U);
@@ -192,12 +173,10 @@ TEST_F(ShadowStrip, WithoutAirIsTheEclipsedSun) {
 }
 
 TEST_F(ShadowStrip, ACubeIsTheSameRow) {
-  const auto row = strip({"2008-02-21T03:26:05Z", "--earth", "sphere", "--atmosphere",
-                          "undated"})
-                       .light;
-  expect_done(coppermoon(
-      {"shadow", "2008-02-21T03:26:05Z", "--earth", "sphere", "--atmosphere", "undated",
-       "--lookup", "strip.cube"}));
+  const auto row =
+      strip({"2008-02-21T03:26:05Z", "--earth", "sphere", "--atmosphere", "undated"}).light;
+  expect_done(coppermoon({"shadow", "2008-02-21T03:26:05Z", "--earth", "sphere", "--atmosphere",
+                          "undated", "--lookup", "strip.cube"}));
   const double end = json::parse(text_of(here("strip.json")))["end_lunar_radii"];
   for (const double part : {0.25, 0.5, 0.6, 0.75}) {
     const auto in = std::to_string(part * end);

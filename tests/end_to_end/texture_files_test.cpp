@@ -93,6 +93,37 @@ TEST_F(TextureFiles, AreMadeAgainFromTheirHeaders) {
   }
 }
 
+TEST_F(TextureFiles, OfStellariumStandInItsFolderAndSayWhereItLooks) {
+  const Words make{"--at", "-33.9,18.4", "-o", "moon.stellarium"};
+  bake(make);
+  const auto texture = here("moon.stellarium/textures/moon_4k.jpg");
+  const auto before = text_of(texture);
+  const auto script = text_of(here("moon.stellarium/scripts/startup.ssc"));
+  EXPECT_NE(script.find("setObserverLocation(18.400000, -33.900000, 0,"), std::string::npos);
+  EXPECT_NE(script.find("setDate(\"2018-07-27T19:20:00\", \"utc\")"), std::string::npos);
+  bake({"--at", "-33.9,18.4", "--bits", "8", "-o", "moon.png"});
+  const auto shown = texture::read_image(texture), picture = texture::read_image(here("moon.png"));
+  EXPECT_TRUE(shown.values == picture.values) << "what is developed otherwise too";
+
+  file("moon.stellarium/config.ini", "theirs");
+  expect_done(coppermoon({"bake", texture.string(), "-o", "moon.stellarium"}));
+  EXPECT_TRUE(text_of(texture) == before) << "its recipe is in it";
+  EXPECT_EQ(text_of(here("moon.stellarium/config.ini")), "theirs");
+}
+
+TEST_F(TextureFiles, OfStellariumNeedAPlaceAndAFolder) {
+  const auto said = [&](const Words& words, int status) {
+    const auto outcome = coppermoon(words);
+    EXPECT_EQ(outcome.status, status);
+    return outcome.err;
+  };
+  EXPECT_EQ(said({"bake", partial.front(), "-o", "moon.stellarium"}, 2),
+            "coppermoon: moon.stellarium: Stellarium looks from a place, given with --at\n");
+  file("moon.stellarium", "a file");
+  EXPECT_EQ(said({"bake", partial.front(), "--at", "-33.9,18.4", "-o", "moon.stellarium"}, 1),
+            "coppermoon: moon.stellarium: is a file, allowed a folder or a new name\n");
+}
+
 TEST_F(TextureFiles, RefuseWhatTheyCannotHold) {
   const auto instant = partial.front();
   expect_refused({"bake", instant, "--space", "acescg", "-o", "moon_lin_rec709.exr"},
@@ -105,7 +136,7 @@ TEST_F(TextureFiles, RefuseWhatTheyCannotHold) {
   expect_refused({"bake", instant, "--passes", "-o", "moon.tx"},
                  "passes and spectra need an output that ends in .exr");
   expect_refused({"bake", instant, "-o", "moon.exr", "-o", "moon.tiff"},
-                 "moon.tiff: a texture ends in .exr, .tx, .png, .glb, .usda");
+                 "moon.tiff: a texture ends in .exr, .tx, .png, .glb, .usda, .stellarium");
   expect_refused(
       {"bake", instant, "-o", "moon.usda"},
       "moon.usda: allowed with its texture in the same folder, as -o moon_lin_rec709.exr "

@@ -38,9 +38,29 @@ struct Evidence {
   }
 };
 
+/// Progress over steps of equal length.
+class Steps {
+ public:
+  Steps(algebra::Progress whole, std::size_t count)
+      : whole_(std::move(whole)), count_(static_cast<double>(count)) {}
+
+  algebra::Progress next() {
+    return [this, from = done_++](double part) {
+      if (whole_) whole_((from + part) / count_);
+    };
+  }
+
+ private:
+  algebra::Progress whole_;
+  double count_, done_ = 0;
+};
+
+using Nights = std::map<std::pair<std::string, double>, std::vector<std::size_t>>;
+using Moments = std::map<almanac::Instant, std::vector<MeasuredMagnitude>, Earlier>;
+
 /// Photographs by camera and eclipse.
-void add_nights(const FitRequest& request, Evidence& evidence) {
-  std::map<std::pair<std::string, double>, std::vector<std::size_t>> nights;
+Nights nights_of(const FitRequest& request) {
+  Nights nights;
   for (std::size_t i = 0; i < request.photographs.size(); ++i) {
     const auto& photograph = request.photographs[i];
     if (request.clock_error_s == 0 && !request.half_hours_free) require_eclipse(photograph.instant);
@@ -49,31 +69,43 @@ void add_nights(const FitRequest& request, Evidence& evidence) {
     nights[{camera_of(photograph.file).value_or(""), std::round(eclipse.greatest.tt_day)}]
         .push_back(i);
   }
+  return nights;
+}
+
+void add_nights(const FitRequest& request, const Nights& nights, Steps& steps, Evidence& evidence) {
   for (const auto& [key, indices] : nights) {
     std::vector<const EclipsePhotograph*> photographs;
     for (const auto i : indices) photographs.push_back(&request.photographs[i]);
     evidence.photographs.push_back(indices);
-    evidence.nights.push_back(std::make_unique<Night>(request, std::move(photographs)));
+    evidence.nights.push_back(
+        std::make_unique<Night>(request, std::move(photographs), steps.next()));
   }
 }
 
-void add_magnitudes(const FitRequest& request, Evidence& evidence) {
-  std::map<almanac::Instant, std::vector<MeasuredMagnitude>, Earlier> by_instant;
+Moments moments_of(const FitRequest& request) {
+  Moments by_instant;
   for (const auto& magnitude : request.magnitudes)
     by_instant[magnitude.instant].push_back(magnitude);
-  for (const auto& [instant, magnitudes] : by_instant)
-    evidence.magnitudes.push_back(witness_of(request.moon, almanac::sky_at(instant), magnitudes));
+  return by_instant;
 }
 
+void add_magnitudes(const FitRequest& request, const Moments& by_instant, Steps& steps,
+                    Evidence& evidence) {
+  for (const auto& [instant, magnitudes] : by_instant)
+    evidence.magnitudes.push_back(
+        witness_of(request.moon, almanac::sky_at(instant), magnitudes, steps.next()));
+}
+
+constexpr int most_readings = 2;
+
 /// The air, with tone curves that were read anew as it asks for.
-AirFit fitted(const Evidence& evidence) {
-  constexpr int most_readings = 2;
-  auto fit = fitted_air(evidence.witnesses());
+AirFit fitted(const Evidence& evidence, Steps& steps) {
+  auto fit = fitted_air(evidence.witnesses(), steps.next());
   for (int reading = 0; reading < most_readings; ++reading) {
     bool anew = false;
     for (const auto& night : evidence.nights) anew = night->refine(fit) || anew;
     if (!anew) break;
-    fit = fitted_air(evidence.witnesses());
+    fit = fitted_air(evidence.witnesses(), steps.next());
   }
   return fit;
 }
@@ -100,12 +132,15 @@ void require_sound(const FitRequest& request) {
 
 }  // namespace
 
-FitReport fitted_air(const FitRequest& request) {
+FitReport fitted_air(const FitRequest& request, const algebra::Progress& progress) {
   require_sound(request);
+  const auto nights = nights_of(request);
+  const auto moments = moments_of(request);
+  Steps steps(progress, nights.size() + moments.size() + 1 + most_readings);
   Evidence evidence;
-  add_nights(request, evidence);
-  add_magnitudes(request, evidence);
-  FitReport report{fitted(evidence), {}, {}};
+  add_nights(request, nights, steps, evidence);
+  add_magnitudes(request, moments, steps, evidence);
+  FitReport report{fitted(evidence, steps), {}, {}};
   report.photographs.resize(request.photographs.size());
   for (std::size_t n = 0; n < evidence.nights.size(); ++n) {
     const auto read = evidence.nights[n]->read();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "algebra/progress.h"
 #include "almanac/instant.h"
 #include "colour/registration.h"
 #include "texture/read_image.h"
@@ -78,9 +79,10 @@ struct FitReport {
 /// Photographs of one camera and eclipse share a clock, a tone curve, and a factor of exposure. One of
 /// several that cannot be used is left out.
 ///
+/// Given   progress  told the part that is done; what it throws ends the fit
 /// Throws  Error  when there is nothing to explain, or an error is outside its range; when no eclipse
 ///                is under way, or the Moon is below the horizon; "<file>: …" when a photograph cannot
 ///                be read, or none of a night be used
-FitReport fitted_air(const FitRequest& request);
+FitReport fitted_air(const FitRequest& request, const algebra::Progress& progress = {});
 
 }  // namespace coppermoon::uses

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace coppermoon::uses {
@@ -59,16 +60,19 @@ void add_over_cover(const Witness& witness, const FittedLight::Mixed& mixed,
   }
 }
 
-Weighing weighing_over(const Axes& axes, std::span<const Witness> witnesses) {
+Weighing weighing_over(const Axes& axes, std::span<const Witness> witnesses,
+                       const algebra::Progress& progress) {
   const auto &dusts = axes[0], &covers = axes[1], &ozones = axes[2];
   const auto rows = dusts.size() * ozones.size();
   Weighing all{algebra::Grid<double>(rows, covers.size()), {}};
   all.clocks.assign(witnesses.size(), algebra::Grid<ClockError>(rows, covers.size()));
+  std::atomic<std::size_t> done = 0;
   tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
     const double dust = std::exp(dusts[row / ozones.size()]), ozone = ozones[row % ozones.size()];
     for (std::size_t w = 0; w < witnesses.size(); ++w)
       add_over_cover(witnesses[w], witnesses[w].light->mixed(dust, ozone), covers,
                      all.chi_squared.row(row), all.clocks[w].row(row));
+    progress(static_cast<double>(++done) / static_cast<double>(rows));
   });
   return all;
 }
@@ -116,7 +120,7 @@ bool explains(const AirFit& fit) {
   return fit.posterior.least_chi_squared <= most_chi_squared(fit);
 }
 
-AirFit fitted_air(std::span<const Witness> witnesses) {
+AirFit fitted_air(std::span<const Witness> witnesses, const algebra::Progress& progress) {
   constexpr int looks = 3;
   AirFit result;
   for (const auto& witness : witnesses) result.numbers += witness.count;
@@ -124,7 +128,9 @@ AirFit fitted_air(std::span<const Witness> witnesses) {
   const auto whole = whole_axes();
   auto axes = whole;
   for (int look = 1;; ++look) {
-    const auto [chi_squared, clocks] = weighing_over(axes, witnesses);
+    const auto [chi_squared, clocks] = weighing_over(axes, witnesses, [&](double part) {
+      if (progress) progress((look - 1 + part) / looks);
+    });
     const double least = *std::ranges::min_element(chi_squared.values()),
                  larger = std::max(1., least / freedom);
     result.posterior = posterior_over(axes, chi_squared, larger);

@@ -40,7 +40,7 @@ struct AirFit {
 
 /// The air that explains all of them best. Where even that is further off than the errors say, all
 /// errors are taken to be as much larger.
-AirFit fitted_air(std::span<const Witness> witnesses);
+AirFit fitted_air(std::span<const Witness> witnesses, const algebra::Progress& progress = {});
 
 /// Largest χ² at which air explains what was seen: ten for each number above the three unknowns, as if all
 /// errors were three times as large as believed.

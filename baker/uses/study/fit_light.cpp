@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -134,12 +135,13 @@ struct Setting {
 };
 
 /// Sunlight that passes clear of Earth and air, at all places: dust, cloud and ozone do not change it.
-void add_direct(Setting& setting) {
+void add_direct(Setting& setting, const algebra::Progress& progress) {
   const shadow::DirectLight light(setting.moon.air, setting.arrangement, setting.waves);
   const auto layers = light.in_layers(setting.weights);
   for (const auto& part : setting.parts) {
     algebra::Grid<double> all(part.places.size(), setting.weights.rows());
     tbb::parallel_for(std::size_t{0}, part.places.size(), [&](std::size_t i) {
+      if (progress && i % 4096 == 0) progress(0);
       const auto& place = part.places[i].place;
       std::vector<double> clear(layers.columns());
       light.clear_parts(algebra::in_metres(place.axis_distance),
@@ -266,7 +268,8 @@ ShadowedMoon moon_at(const LightRequest& request, std::span<const almanac::SkySt
 }  // namespace
 
 FittedLight::FittedLight(const LightRequest& request, std::span<const almanac::SkyState> skies,
-                         std::span<const LitBins> parts, FittedAirs airs)
+                         std::span<const LitBins> parts, FittedAirs airs,
+                         const algebra::Progress& progress)
     : dusts_per_m_(dusts_per_m(airs)),
       ozones_du_(ozones_du(airs)),
       nodes_(dusts_per_m_.size() * ozones_du_.size()) {
@@ -282,7 +285,8 @@ FittedLight::FittedLight(const LightRequest& request, std::span<const almanac::S
       above,
       at_wavelengths(above.weights(parts), work_of_fits.bands),
       airs == FittedAirs::fine && request.scattered_light != ScatteredLight::off};
-  add_direct(setting);
+  add_direct(setting, progress);
+  std::atomic<std::size_t> done = 0;
   tbb::parallel_for(std::size_t{0}, nodes_.size(), [&](std::size_t i) {
     const double dust = dusts_per_m_[i / ozones_du_.size()],
                  ozone = ozones_du_[i % ozones_du_.size()];
@@ -290,6 +294,7 @@ FittedLight::FittedLight(const LightRequest& request, std::span<const almanac::S
       return in_all_bins(setting, refracted_in(setting, changed(moon.air, dust, cover, ozone)));
     };
     nodes_[i] = {light(0), light(1)};
+    if (progress) progress(static_cast<double>(++done) / static_cast<double>(nodes_.size()));
   });
 }
 

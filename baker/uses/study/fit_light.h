@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algebra/grid.h"
+#include "algebra/progress.h"
 #include "almanac/sky.h"
 #include "eclipse/shadow_axis.h"
 #include "uses/light/moonlight.h"
@@ -58,7 +59,8 @@ class FittedLight {
   ///        skies    of one eclipse, in order of time: all moments that parts are of, one or more
   ///        parts    of as many channels each
   FittedLight(const LightRequest& request, std::span<const almanac::SkyState> skies,
-              std::span<const LitBins> parts, FittedAirs airs = FittedAirs::fine);
+              std::span<const LitBins> parts, FittedAirs airs = FittedAirs::fine,
+              const algebra::Progress& progress = {});
 
   /// Light of each bin over what it would be without the shadow.
   ///

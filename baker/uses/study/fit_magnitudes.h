@@ -42,6 +42,7 @@ struct MagnitudeWitness {
 ///         of_one_instant   their own instants are not looked at
 /// Throws  Error            when no eclipse is under way
 MagnitudeWitness witness_of(const MoonRequest& moon, const almanac::SkyState& sky,
-                            const std::vector<MeasuredMagnitude>& of_one_instant);
+                            const std::vector<MeasuredMagnitude>& of_one_instant,
+                            const algebra::Progress& progress = {});
 
 }  // namespace coppermoon::uses

@@ -58,8 +58,14 @@ algebra::Grid<double> light_at(const FittedLight& light, const AirFit& fit) {
 
 }  // namespace
 
-Night::Night(const FitRequest& request, std::vector<const EclipsePhotograph*> photographs)
-    : request_(request), photographs_(std::move(photographs)), left_out_(photographs_.size()) {
+Night::Night(const FitRequest& request, std::vector<const EclipsePhotograph*> photographs,
+             const algebra::Progress& progress)
+    : request_(request),
+      look_([=](double) {
+        if (progress) progress(0);
+      }),
+      photographs_(std::move(photographs)),
+      left_out_(photographs_.size()) {
   groundwork_ = std::make_unique<const FitGroundwork>(groundwork_of(request.moon, way()));
   if (request.half_hours_free) find_half_hour();
   std::vector<std::size_t> all(photographs_.size());
@@ -77,7 +83,8 @@ Night::Night(const FitRequest& request, std::vector<const EclipsePhotograph*> ph
     require_any();
   }
   light_ = std::make_unique<const FittedLight>(
-      night_light(request.moon.light, known_, instants(clock_s_), request.clock_error_s));
+      night_light(request.moon.light, known_, instants(clock_s_), request.clock_error_s,
+                  FittedAirs::fine, progress));
   compare();
 }
 
@@ -111,6 +118,7 @@ void Night::compare() {
 void Night::take_one(double clock_s, std::size_t index, std::optional<double> px_per_rad) {
   const auto& photograph = *photographs_[index];
   left_out_[index].clear();
+  look_(0);
   const auto photo = texture::read_light(photograph.file, photograph.coding);
   try {
     NightPhotograph known;
@@ -183,7 +191,7 @@ std::vector<almanac::Instant> Night::instants(double clock_s) const {
 Weighed Night::looked_at(double clock_s) const {
   constexpr int dusts = 16, covers = 8;
   const auto light = night_light(request_.moon.light, known_, instants(clock_s),
-                                 request_.clock_error_s, FittedAirs::coarse);
+                                 request_.clock_error_s, FittedAirs::coarse, look_);
   const ComparedNight compared(known_, {request_.clock_error_s, curve_});
   const auto [dust, cover, ozone] = search_range;
   Weighed best{std::numeric_limits<double>::infinity()};

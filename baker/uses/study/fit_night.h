@@ -25,7 +25,8 @@ class Night {
   ///         photographs  of one camera and eclipse, outlive this
   /// Throws  Error        "<file>: …" for one alone that cannot be read or used, the first of several when
   ///                      none can
-  Night(const FitRequest& request, std::vector<const EclipsePhotograph*> photographs);
+  Night(const FitRequest& request, std::vector<const EclipsePhotograph*> photographs,
+        const algebra::Progress& progress = {});
 
   /// Refers to this.
   Witness witness() const;
@@ -70,6 +71,7 @@ class Night {
   void compare();
 
   const FitRequest& request_;
+  algebra::Progress look_;  ///< told now and then, before the light is computed
   std::unique_ptr<const FitGroundwork> groundwork_;
   std::vector<const EclipsePhotograph*> photographs_;
   std::vector<std::string> left_out_;  ///< [photograph] why; empty: it is read

@@ -56,7 +56,7 @@ std::vector<double> clock_steps_s(double clock_error_s) {
 
 FittedLight night_light(const LightRequest& request, std::span<const NightPhotograph> photographs,
                         std::span<const almanac::Instant> instants, double clock_error_s,
-                        FittedAirs airs) {
+                        FittedAirs airs, const algebra::Progress& progress) {
   std::vector<LitBins> parts;
   std::vector<almanac::SkyState> skies;
   for (std::size_t p = 0; p < photographs.size(); ++p)
@@ -67,7 +67,7 @@ FittedLight night_light(const LightRequest& request, std::span<const NightPhotog
   std::ranges::sort(skies, [](const auto& one, const auto& other) {
     return almanac::seconds_between(one.when, other.when) > 0;
   });
-  return {request, skies, parts, airs};
+  return {request, skies, parts, airs, progress};
 }
 
 ComparedNight::ComparedNight(std::span<const NightPhotograph> photographs,

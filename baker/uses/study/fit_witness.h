@@ -42,7 +42,7 @@ std::vector<double> clock_steps_s(double clock_error_s);
 /// Given  skies  in which they were taken: as assumed for the scenes, or others
 FittedLight night_light(const LightRequest& request, std::span<const NightPhotograph> photographs,
                         std::span<const almanac::Instant> instants, double clock_error_s,
-                        FittedAirs airs = FittedAirs::fine);
+                        FittedAirs airs = FittedAirs::fine, const algebra::Progress& progress = {});
 
 /// Light that was measured over what there is in full sunlight, and what the air that explains it best
 /// has there.

@@ -10,6 +10,7 @@
 
 #include "algebra/error.h"
 #include "algebra/number.h"
+#include "eclipse/moment.h"
 #include "verbs/flags/moments.h"
 #include "verbs/flags/view_options.h"
 
@@ -110,7 +111,7 @@ eclipse::Eclipse eclipse_near(const std::string& text, almanac::Calendar calenda
 /// The eclipse that is named, or else nearest to a moment that is.
 eclipse::Eclipse eclipse_of(const FilmOptions& options) {
   for (const auto& text : {options.eclipse, options.from, options.to})
-    if (begins_with_digit(text)) return eclipse_near(text, options.calendar);
+    if (eclipse::begins_with_digit(text)) return eclipse_near(text, options.calendar);
   if (!options.eclipse.empty()) almanac::instant_from_utc(options.eclipse);  // says what is allowed
   throw algebra::Error(
       fmt::format("from {} to {} of which eclipse? Name a day near it, as 2018-07-27", options.from,
@@ -138,8 +139,8 @@ void add_film_options(CLI::App& verb, FilmOptions& options) {
 uses::FilmTimes times_of(const FilmOptions& options) {
   const auto eclipse = eclipse_of(options);
   return {.eclipse = eclipse,
-          .from = moment_from(options.from, eclipse, options.calendar),
-          .to = moment_from(options.to, eclipse, options.calendar),
+          .from = eclipse::moment_from(options.from, eclipse, options.calendar),
+          .to = eclipse::moment_from(options.to, eclipse, options.calendar),
           .frames = options.frames,
           .fps = options.fps,
           .time_scale = options.time_scale};
@@ -178,7 +179,7 @@ std::vector<std::pair<Instant, double>> time_keys_from(const std::string& text,
       throw algebra::Error(fmt::format(
           "exposure time = {}, allowed keys as P1:1/1000,U2:4: a moment and seconds", text));
     algebra::require_within("exposure time [s]", *seconds, 1e-6, 1e6);
-    keys.emplace_back(moment_from(part.substr(0, colon), eclipse), *seconds);
+    keys.emplace_back(eclipse::moment_from(part.substr(0, colon), eclipse), *seconds);
   }
   for (std::size_t i = 1; i < keys.size(); ++i)
     if (almanac::seconds_between(keys[i - 1].first, keys[i].first) <= 0)

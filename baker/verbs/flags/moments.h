@@ -31,15 +31,6 @@ void add_calendar_option(CLI::App& verb, almanac::Calendar& calendar);
 /// Throws  Error  when the text is no moment; when the day has no eclipse: names the nearest
 almanac::Instant instant_of(const MomentOptions& options);
 
-/// A moment as "2018-07-27T18:24:00Z", or from a contact on: "U2", "P1-10min", "greatest+90s".
-///
-/// Throws  Error  when it is none such, or the eclipse has no such contact
-almanac::Instant moment_from(const std::string& text, const eclipse::Eclipse& eclipse,
-                             almanac::Calendar calendar = almanac::Calendar::gregorian);
-
-/// Whether a text begins as a date does.
-bool begins_with_digit(const std::string& text);
-
 /// A command line in which a day and the contact, or the time of day, behind it are one argument:
 /// "2018-07-27", "U2+10min" become "2018-07-27 U2+10min".
 std::vector<std::string> with_moments_joined(const std::vector<std::string>& arguments);

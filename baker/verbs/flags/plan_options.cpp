@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "algebra/error.h"
+#include "algebra/number.h"
 #include "uses/light/planning.h"
-#include "verbs/flags/number_with_unit.h"
 #include "verbs/recipes/recipe.h"
 
 namespace coppermoon::verbs {
@@ -36,7 +36,7 @@ std::string term_names() {
 }
 
 double tolerance_of(const std::string& text) {
-  const auto percentage = number_with_unit(text, {{"%", 1}});
+  const auto percentage = algebra::number_with_unit(text, {{"%", 1}});
   if (!percentage)
     throw algebra::Error(fmt::format("tolerance = {}, allowed a percentage as 0.1%", text));
   algebra::require_within("tolerance [%]", *percentage, 0.01, 50);
@@ -44,7 +44,8 @@ double tolerance_of(const std::string& text) {
 }
 
 double budget_of(const std::string& text) {
-  const auto budget = number_with_unit(text, {{"ms", 1e-3}, {"s", 1}, {"min", 60}, {"", 1}});
+  const auto budget =
+      algebra::number_with_unit(text, {{"ms", 1e-3}, {"s", 1}, {"min", 60}, {"", 1}});
   if (!budget)
     throw algebra::Error(fmt::format("budget = {}, allowed a time as 500ms, 2s or 1min", text));
   return *budget;

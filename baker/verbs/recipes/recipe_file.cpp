@@ -16,6 +16,7 @@
 #include "files/whole_file.h"
 #include "texture/read_image.h"
 #include "texture/write_glb.h"
+#include "texture/write_stellarium.h"
 #include "texture/write_usda.h"
 #include "uses/picture/avif_file.h"
 #include "uses/picture/view.h"
@@ -326,7 +327,8 @@ std::vector<std::string> glow_of_0_1(const Reading& reading, const std::vector<T
 bool holds_recipe(const std::filesystem::path& path) {
   const auto ending = path.extension();
   return ending == ".exr" || ending == ".tx" || ending == ".png" || ending == ".glb" ||
-         ending == ".usda" || ending == ".avif";
+         ending == ".usda" || ending == ".avif" ||
+         path.filename() == std::filesystem::path(texture::stellarium_picture).filename();
 }
 
 std::vector<std::string> no_part_of_recipes() {

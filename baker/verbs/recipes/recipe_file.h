@@ -13,7 +13,8 @@ namespace coppermoon::verbs {
 /// those that a stranger's header holds are passed over.
 std::vector<std::string> no_part_of_recipes();
 
-/// Whether a file is one that coppermoon made, by its ending: it holds its recipe.
+/// Whether a file is one that coppermoon made, by its ending, or by its name in Stellarium's folder: it holds
+/// its recipe.
 bool holds_recipe(const std::filesystem::path& path);
 
 /// The flags that a recipe names, a TOML file or what a file that coppermoon

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "almanac/gazetteer.h"
+#include "eclipse/moment.h"
 
 namespace coppermoon::python {
 namespace {
@@ -18,7 +19,7 @@ bool is_datetime(py::handle object) {
 }  // namespace
 
 almanac::Instant instant_of(py::handle moment) {
-  if (py::isinstance<py::str>(moment)) return almanac::instant_from_utc(moment.cast<std::string>());
+  if (py::isinstance<py::str>(moment)) return eclipse::moment_in(moment.cast<std::string>());
   if (!is_datetime(moment))
     throw py::type_error(fmt::format(
         "{}: no moment, allowed a datetime with a time zone, or a text as 2018-07-27T20:21:45Z",

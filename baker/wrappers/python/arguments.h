@@ -22,6 +22,7 @@
 #include "eclipse/contacts.h"
 #include "shadow/by_photons.h"
 #include "surface/photometry.h"
+#include "texture/read_image.h"
 #include "uses/light/moonlight.h"
 #include "uses/picture/moon.h"
 
@@ -29,7 +30,7 @@ namespace coppermoon::python {
 
 namespace py = pybind11;
 
-/// A moment as Python tells it: a datetime with a time zone, or an ISO 8601 text.
+/// A moment as Python tells it: a datetime with a time zone, an ISO 8601 text, or a day and a contact.
 struct Moment {
   almanac::Instant instant;
 };
@@ -175,6 +176,15 @@ struct Words<surface::Photometry> {
   static constexpr std::array all{
       std::pair{"lommel-seeliger-rolo", surface::Photometry::lommel_seeliger_rolo},
       std::pair{"yapo-cutler", surface::Photometry::yapo_cutler}};
+};
+
+template <>
+struct Words<texture::Coding> {
+  static constexpr std::string_view what = "coding";
+  static constexpr std::array all{std::pair{"as-file-says", texture::Coding::as_file_says},
+                                  std::pair{"srgb", texture::Coding::srgb},
+                                  std::pair{"linear", texture::Coding::linear},
+                                  std::pair{"camera", texture::Coding::camera}};
 };
 
 template <>

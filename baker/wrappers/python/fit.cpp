@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "uses/light/photometric_bands.h"
 #include "wrappers/python/arguments.h"
@@ -13,7 +14,8 @@
 namespace coppermoon::python {
 namespace {
 
-using uses::AirFit, uses::Estimate;
+using uses::EclipsePhotograph, uses::Estimate, uses::FitReport, uses::FittedNight,
+    uses::ReadPhotograph;
 
 /// Measured as tuples of moment, band, magnitude and, if known, its error.
 std::vector<uses::MeasuredMagnitude> measured_by(const py::iterable& told) {
@@ -49,21 +51,32 @@ Estimate plain(const Estimate& found, bool logarithm) {
   return {std::exp(found.median), std::exp(found.low), std::exp(found.high), found.information};
 }
 
-AirFit fit_of(const py::iterable& magnitudes, const std::optional<uses::Air>& air,
-              const std::optional<uses::LightRequest>& light, const std::string& albedo_map,
-              std::optional<uses::AlbedoEncoding> albedo_encoding, double albedo_exponent,
-              surface::Photometry photometry, const Told& told) {
+FitReport fit_of(const py::iterable& magnitudes, std::vector<EclipsePhotograph> photographs,
+                 const std::optional<Place>& at, const std::string& camera, double exposure_error,
+                 std::optional<double> white_balance_error, double clock_error_s,
+                 bool half_hours_free, const std::optional<uses::Air>& air,
+                 const std::optional<uses::LightRequest>& light, const std::string& albedo_map,
+                 std::optional<uses::AlbedoEncoding> albedo_encoding, double albedo_exponent,
+                 surface::Photometry photometry, const Told& told) {
   const uses::FitRequest request{
+      .photographs = std::move(photographs),
       .magnitudes = measured_by(magnitudes),
       .moon = moon_request(light_request(air, light),
-                           {albedo_map, albedo_encoding, albedo_exponent, photometry, false})};
-  return computed(told, [&](const algebra::Progress&) { return uses::fitted_air(request).fit; });
+                           {albedo_map, albedo_encoding, albedo_exponent, photometry, false}),
+      .view = view_request(at, true),
+      .camera = camera,
+      .exposure_error = exposure_error,
+      .white_balance_error = white_balance_error,
+      .clock_error_s = clock_error_s,
+      .half_hours_free = half_hours_free};
+  return computed(
+      told, [&](const algebra::Progress& progress) { return uses::fitted_air(request, progress); });
 }
 
-py::array_t<double> correlation_of(const AirFit& fit) {
+py::array_t<double> correlation_of(const FitReport& found) {
   algebra::Grid<double> all(3, 3);
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) all(i, j) = fit.posterior.correlation[i][j];
+    for (std::size_t j = 0; j < 3; ++j) all(i, j) = found.fit.posterior.correlation[i][j];
   return array_of(std::move(all));
 }
 
@@ -79,15 +92,102 @@ void add_estimate(py::module_& package) {
       });
 }
 
+void add_photographs(py::module_& package) {
+  using namespace py::literals;
+  py::class_<EclipsePhotograph>(
+      package, "Photograph",
+      R"(Photograph(file, when, *, coding='as-file-says', exposure_time_s=None, iso=None, f_number=None)
+
+A photograph of an eclipsed Moon, and what is known of how it was taken.
+
+file: any image, or a camera's raw file
+when: the moment when it was taken
+coding: how its numbers stand for light, 'as-file-says', 'srgb', 'linear' or 'camera' (its own tone curve, which is then found)
+exposure_time_s, iso, f_number: as its header says, unless given
+)")
+      .def(py::init([](std::string file, const Moment& when, texture::Coding coding,
+                       std::optional<double> exposure_time_s, std::optional<double> iso,
+                       std::optional<double> f_number) {
+             return EclipsePhotograph{std::move(file), when.instant, coding,
+                                      exposure_time_s, iso,          f_number};
+           }),
+           "file"_a, "when"_a, py::kw_only(), "coding"_a = texture::Coding::as_file_says,
+           "exposure_time_s"_a = py::none(), "iso"_a = py::none(), "f_number"_a = py::none())
+      .def_readonly("file", &EclipsePhotograph::file, "its path")
+      .def_property_readonly(
+          "when", [](const EclipsePhotograph& one) { return datetime_of(one.instant); },
+          "the moment when it was taken")
+      .def_readonly("coding", &EclipsePhotograph::coding, "how its numbers stand for light")
+      .def_readonly("exposure_time_s", &EclipsePhotograph::time_s, "None: as its header says")
+      .def_readonly("iso", &EclipsePhotograph::iso, "None: as its header says")
+      .def_readonly("f_number", &EclipsePhotograph::f_number, "None: as its header says")
+      .def("__repr__", [](const EclipsePhotograph& one) {
+        return fmt::format("<Photograph {} of {}>", one.file, almanac::utc_text(one.instant));
+      });
+  py::class_<ReadPhotograph>(package, "PhotographRead", "How a photograph was read for a fit.")
+      .def_readonly("numbers", &ReadPhotograph::numbers, "how many numbers it gave")
+      .def_readonly("exposure_known", &ReadPhotograph::exposure_known,
+                    "whether its exposure was known; else any is as likely")
+      .def_readonly("curved", &ReadPhotograph::curved,
+                    "whether its camera's tone curve was in question")
+      .def_property_readonly(
+          "mirrored",
+          [](const ReadPhotograph& read) { return read.registration.render_to_photo.mirrored; },
+          "whether it shows the Moon mirrored")
+      .def_property_readonly(
+          "correlation", [](const ReadPhotograph& read) { return read.registration.correlation; },
+          "of its markings with those of the Moon it was laid over, -1 to 1")
+      .def_readonly("left_out", &ReadPhotograph::left_out,
+                    "why it tells nothing, one line; empty when it does");
+}
+
+void add_nights(py::module_& package) {
+  PYBIND11_NUMPY_DTYPE(uses::MeasuredLight, distance_km, channel, light, model, error);
+  py::class_<FittedNight>(package, "Night", "What was found of the camera of one night.")
+      .def_readonly("photographs", &FittedNight::photographs,
+                    "which photographs, by their places in the list")
+      .def_property_readonly(
+          "clock",
+          [](const FittedNight& night) -> std::optional<std::pair<double, double>> {
+            if (!night.clock) return std::nullopt;
+            return std::pair{night.clock->seconds, night.clock->error_s};
+          },
+          "what is to be added to its instants and the standard error [s]; None when they were "
+          "right")
+      .def_property_readonly(
+          "tone_curve",
+          [](const FittedNight& night) -> std::optional<py::array_t<double>> {
+            if (!night.curve) return std::nullopt;
+            const auto& numbers = night.curve->numbers;
+            return array_of(std::vector<double>(numbers.begin(), numbers.end()));
+          },
+          "the camera's tone curve: three principal components, then sixteen levels, each in "
+          "standard "
+          "deviations over cameras; None when none was in question")
+      .def_property_readonly(
+          "light",
+          [](const FittedNight& night) {
+            const auto size = static_cast<py::ssize_t>(night.light.size());
+            return array_of<uses::MeasuredLight>(night.light, {size});
+          },
+          "light over full sunlight, in steps of 100 km: a structured array of distance_km from "
+          "the shadow's axis, channel (0 red), light, model (of the air that was found) and error "
+          "(standard, of the logarithm of light)");
+}
+
 }  // namespace
 
 void add_fit(py::module_& package) {
   using namespace py::literals;
   add_estimate(package);
+  add_photographs(package);
+  add_nights(package);
   const auto estimate = [](std::size_t unknown, bool logarithm) {
-    return [=](const AirFit& fit) { return plain(fit.posterior.estimates[unknown], logarithm); };
+    return [=](const FitReport& found) {
+      return plain(found.fit.posterior.estimates[unknown], logarithm);
+    };
   };
-  py::class_<AirFit>(package, "Fit", "The air that explains what was measured.")
+  py::class_<FitReport>(package, "Fit", "The air that explains what was measured.")
       .def_property_readonly("dust_extinction", estimate(0, true),
                              "extinction of a grey layer of dust [1/m]")
       .def_property_readonly("cloud_cover", estimate(1, false),
@@ -96,25 +196,42 @@ void add_fit(py::module_& package) {
       .def_property_readonly("correlation", correlation_of,
                              "of the logarithm of dust, cloud cover and ozone, shape (3, 3)")
       .def_property_readonly(
-          "chi_squared", [](const AirFit& fit) { return fit.posterior.least_chi_squared; },
+          "chi_squared",
+          [](const FitReport& found) { return found.fit.posterior.least_chi_squared; },
           "sum of squared differences over the errors, of the best air")
-      .def_readonly("numbers", &AirFit::numbers, "how many numbers were compared")
       .def_property_readonly(
-          "explained", [](const AirFit& fit) { return uses::explains(fit); },
-          "whether that air explains them; if not, the estimates mean little");
+          "numbers", [](const FitReport& found) { return found.fit.numbers; },
+          "how many numbers were compared")
+      .def_property_readonly(
+          "explained", [](const FitReport& found) { return uses::explains(found.fit); },
+          "whether that air explains them; if not, the estimates mean little")
+      .def_readonly("photographs", &FitReport::photographs, "how each photograph was read")
+      .def_readonly("nights", &FitReport::nights, "what was found of the camera of each night");
   package.def(
-      "fit", fit_of, "magnitudes"_a, py::kw_only(), "air"_a = py::none(), "light"_a = py::none(),
+      "fit", fit_of, "magnitudes"_a = py::tuple(), py::kw_only(),
+      "photographs"_a = std::vector<EclipsePhotograph>{}, "at"_a = py::none(), "camera"_a = "",
+      "exposure_error"_a = 0.1, "white_balance_error"_a = py::none(), "clock_error_s"_a = 0.,
+      "half_hours_free"_a = false, "air"_a = py::none(), "light"_a = py::none(),
       "albedo_map"_a = "auto", "albedo_encoding"_a = py::none(), "albedo_exponent"_a = 1.,
       "photometry"_a = surface::Photometry::lommel_seeliger_rolo, "progress"_a = py::none(),
-      R"(fit(magnitudes, *, air=None, light=None, albedo_map='auto', albedo_encoding=None, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', progress=None)
+      R"(fit(magnitudes=(), *, photographs=(), at=None, camera='', exposure_error=0.1, white_balance_error=None, clock_error_s=0.0, half_hours_free=False, air=None, light=None, albedo_map='auto', albedo_encoding=None, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', progress=None)
 
-The dust, cloud cover and ozone that explain measured magnitudes of the whole Moon, of one eclipse or several.
+The dust, cloud cover and ozone that explain photographs of the Moon and measured magnitudes of the whole Moon, of one
+eclipse or several, all at once.
 
 magnitudes: (moment, band, magnitude) or (moment, band, magnitude, error): band 'B', 'V' or 'R'; reduced to the Earth's
     centre and to above the air; error 0.001 to 0.99 mag, 0.1 unless given
+photographs: Photograph(file, when); those of one camera and eclipse share a clock, a tone curve and a factor of exposure. One of
+    several that cannot be used is left out
+at: where the photographs were taken, a city or (latitude, longitude) in degrees
+camera: whose saturation is meant, by the names of --camera; ISO 12232's unless given
+exposure_error: standard, of the exposures' logarithm, 0.001 to 10
+white_balance_error: standard, of red and blue over green, 0.001 to 10; None: 0.03, of a camera's own tone curve 0.3
+clock_error_s: standard, of each camera's clock, 0 to 3600; its own error is then found
+half_hours_free: moments may be wrong by any whole number of half hours besides
 air: all but dust, cloud cover and ozone
 light: limb_darkening, scattered_light and starlight; nothing else of it counts
-progress: called some times a second; Ctrl-C is answered when the fit ends, some ten seconds later
+progress: called with the fraction that is done, some times a second
 
 >>> when = '2018-07-27T20:21:45Z'
 >>> found = coppermoon.fit([(when, 'B', 2.55), (when, 'V', -0.47), (when, 'R', -3.20)],

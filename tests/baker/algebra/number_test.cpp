@@ -29,5 +29,14 @@ TEST(NumberIn, LeavesInfinityAndNanToWhoKnowsTheRange) {
   EXPECT_TRUE(std::isnan(*number_in("nan")));
 }
 
+TEST(NumberWithUnit, IsInTheUnitWhoseEndingItHas) {
+  const std::vector<std::pair<std::string_view, double>> units{{"min", 60}, {"s", 1}, {"", 3600}};
+  EXPECT_EQ(number_with_unit("1.5min", units), 90);
+  EXPECT_EQ(number_with_unit("-2s", units), -2);
+  EXPECT_EQ(number_with_unit("2", units), 7200);
+  for (const char* text : {"", "min", "2 min", "2h"})
+    EXPECT_EQ(number_with_unit(text, units), std::nullopt) << "'" << text << "'";
+}
+
 }  // namespace
 }  // namespace coppermoon::algebra

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Eclipsed Moons: sunlight bent, reddened and dimmed by the Earth's air, in real units.
 
-Moments are datetimes with a time zone, or ISO 8601 texts, in UTC unless they end in an offset. Names of arguments end in
-their unit; wavelengths are in nanometres. Arrays are NumPy's. What takes long lets other threads run, ends on Ctrl-C, and
+Moments are datetimes with a time zone, ISO 8601 texts, in UTC unless they end in an offset, or a day and a contact of its
+eclipse, as '2018-07-27 U2+10min'. Names of arguments end in their unit; wavelengths are in nanometres. Arrays are NumPy's. What takes long lets other threads run, ends on Ctrl-C, and
 takes a callback `progress`. Wrong input raises Error, a ValueError.
 
 >>> import coppermoon
@@ -10,13 +10,13 @@ takes a callback `progress`. Wrong input raises Error, a ValueError.
 >>> eclipse.type
 'total'
 """
-from ._coppermoon import (Air, Brightness, BrightnessSeen, Eclipse, Error, Estimate, Fit, Light, Moonlight, Region,
-                          ShadowProfile, Sky, Texture, __version__, bake, brightness, eclipses, fit, moonlight,
-                          nearest_eclipse, shadow_profile, sky)
+from ._coppermoon import (Air, Brightness, BrightnessSeen, Eclipse, Error, Estimate, Fit, Light, Moonlight, Night, Photograph,
+                          PhotographRead, Region, ShadowProfile, Sky, Texture, __version__, bake, brightness, eclipses, fit,
+                          moonlight, nearest_eclipse, shadow_profile, sky)
 
-__all__ = ["Air", "Brightness", "BrightnessSeen", "Eclipse", "Error", "Estimate", "Fit", "Light", "Moonlight", "Region",
-           "ShadowProfile", "Sky", "Texture", "__version__", "bake", "brightness", "eclipses", "fit", "moonlight",
-           "nearest_eclipse", "shadow_profile", "sky"]
+__all__ = ["Air", "Brightness", "BrightnessSeen", "Eclipse", "Error", "Estimate", "Fit", "Light", "Moonlight", "Night",
+           "Photograph", "PhotographRead", "Region", "ShadowProfile", "Sky", "Texture", "__version__", "bake", "brightness",
+           "eclipses", "fit", "moonlight", "nearest_eclipse", "shadow_profile", "sky"]
 
 for _name in __all__:
     if isinstance(globals()[_name], type):

@@ -14,6 +14,7 @@ Convention = Literal["danjon", "danjon-oblate", "chauvenet", "herald-sinnott"]
 Space = Literal["lin_rec709", "acescg", "lin_ciexyzd65_scene"]
 Encoding = Literal["image", "normal-albedo", "cgi-moon-kit-2019", "cgi-moon-kit-2025", "stellarium"]
 Photometry = Literal["lommel-seeliger-rolo", "yapo-cutler"]
+Coding = Literal["as-file-says", "srgb", "linear", "camera"]
 Stratosphere = Literal["dated", "none", "background", "moderate", "high", "extreme"] | float
 MeasuredMagnitude = tuple[Moment, Literal["B", "V", "R"], float] | tuple[Moment, Literal["B", "V", "R"], float, float]
 
@@ -370,6 +371,54 @@ class Estimate:
     @property
     def information(self) -> float: ...
 
+class Photograph:
+    def __init__(
+        self,
+        file: str,
+        when: Moment,
+        *,
+        coding: Coding = "as-file-says",
+        exposure_time_s: float | None = None,
+        iso: float | None = None,
+        f_number: float | None = None,
+    ) -> None: ...
+    @property
+    def file(self) -> str: ...
+    @property
+    def when(self) -> datetime: ...
+    @property
+    def coding(self) -> Coding: ...
+    @property
+    def exposure_time_s(self) -> float | None: ...
+    @property
+    def iso(self) -> float | None: ...
+    @property
+    def f_number(self) -> float | None: ...
+
+class PhotographRead:
+    @property
+    def numbers(self) -> int: ...
+    @property
+    def exposure_known(self) -> bool: ...
+    @property
+    def curved(self) -> bool: ...
+    @property
+    def mirrored(self) -> bool: ...
+    @property
+    def correlation(self) -> float: ...
+    @property
+    def left_out(self) -> str: ...
+
+class Night:
+    @property
+    def photographs(self) -> list[int]: ...
+    @property
+    def clock(self) -> tuple[float, float] | None: ...
+    @property
+    def tone_curve(self) -> NDArray[np.float64] | None: ...
+    @property
+    def light(self) -> NDArray[np.void]: ...
+
 class Fit:
     @property
     def dust_extinction(self) -> Estimate: ...
@@ -385,10 +434,21 @@ class Fit:
     def numbers(self) -> int: ...
     @property
     def explained(self) -> bool: ...
+    @property
+    def photographs(self) -> list[PhotographRead]: ...
+    @property
+    def nights(self) -> list[Night]: ...
 
 def fit(
-    magnitudes: Iterable[MeasuredMagnitude],
+    magnitudes: Iterable[MeasuredMagnitude] = (),
     *,
+    photographs: Sequence[Photograph] = (),
+    at: Place | None = None,
+    camera: str = "",
+    exposure_error: float = 0.1,
+    white_balance_error: float | None = None,
+    clock_error_s: float = 0.0,
+    half_hours_free: bool = False,
     air: Air | None = None,
     light: Light | None = None,
     albedo_map: str = "auto",

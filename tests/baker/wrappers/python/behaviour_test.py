@@ -5,12 +5,14 @@ import datetime
 import doctest
 import gc
 import inspect
+import json
 import pathlib
 import re
 import resource
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import typing
@@ -47,6 +49,23 @@ class Interrupts(unittest.TestCase):
 
     def test_ctrl_c_ends_the_search_for_eclipses(self):
         self.interrupted("import coppermoon\nprint('begun', flush=True)\ncoppermoon.eclipses('-1998-01-01', '2999-01-01')")
+
+    def test_ctrl_c_ends_a_fit(self):
+        self.interrupted("import coppermoon\nprint('begun', flush=True)\n"  # an hour's work
+                         "coppermoon.fit([(f'2018-07-27T{hour}:{minute:02}:{second:02}Z', 'V', -0.47) for hour in (20, 21)"
+                         " for minute in range(10) for second in range(60)], albedo_map='built-in')")
+
+    def test_a_fit_is_ended_while_it_computes(self):
+        class Enough(Exception):
+            pass
+
+        def callback(part):
+            if part > 0:
+                raise Enough(part)
+
+        with self.assertRaises(Enough) as raised:
+            coppermoon.fit([(when, "V", -0.47)], albedo_map="built-in", progress=callback)
+        self.assertLess(raised.exception.args[0], 0.9)
 
     def test_what_a_callback_raises_ends_the_work(self):
         class Enough(Exception):
@@ -157,6 +176,9 @@ class Errors(unittest.TestCase):
                 ("allowed 0 to 2", coppermoon.Air, {"stratospheric_aerosol": 3}),
                 ("stop = ", coppermoon.eclipses, {"start": "2019-01-01", "stop": "2018-01-01"}),
                 ("missing", coppermoon.fit, {"magnitudes": []}),
+                ("/nowhere.jpg: ", coppermoon.fit, {"photographs": [coppermoon.Photograph("/nowhere.jpg", when)]}),
+                ("clock error .* = -1", coppermoon.fit, {"magnitudes": [(when, "V", 1.0)], "clock_error_s": -1}),
+                ("coding = raw, allowed", coppermoon.Photograph, {"file": "a.jpg", "when": when, "coding": "raw"}),
                 ("band = U", coppermoon.fit, {"magnitudes": [(when, "U", 1.0)], "albedo_map": "built-in"}),
                 ("magnitude = nan", coppermoon.fit, {"magnitudes": [(when, "V", float("nan"))]})]:
             with self.subTest(text):
@@ -171,7 +193,7 @@ class Errors(unittest.TestCase):
                 (coppermoon.bake, {"when": when, "width": -2}), (coppermoon.bake, {"when": when, "width": 10**30}),
                 (coppermoon.bake, {"when": when, "air": 3}), (coppermoon.bake, {"when": when, "progress": 3}),
                 (coppermoon.shadow_profile, {"when": when, "wavelengths_nm": ["red"]}), (coppermoon.fit, {"magnitudes": [1]}),
-                (coppermoon.fit, {"magnitudes": [(when, "V", "bright")]})]:
+                (coppermoon.fit, {"photographs": ["a.jpg"]}), (coppermoon.fit, {"magnitudes": [(when, "V", "bright")]})]:
             with self.subTest(arguments):
                 self.refused(TypeError, "", function, **arguments)
 
@@ -279,6 +301,31 @@ class FitsThoroughly(unittest.TestCase):
         self.assertTrue(found.dust_extinction.low < 3e-6 < found.dust_extinction.high)
         self.assertTrue(found.cloud_cover.low < 0.5 < found.cloud_cover.high)
         numpy.testing.assert_allclose(found.correlation, found.correlation.T)
+
+    def test_the_air_of_a_photograph_is_found_as_by_the_command(self):
+        moment = "2018-07-27T20:40:00Z"
+        with tempfile.TemporaryDirectory() as folder:
+            file, known = f"{folder}/a.png", ["--at", "-33.9,18.4", "--atmosphere", "undated", "--albedo-map", "built-in"]
+            command("still", moment, *known, "--width", "600", "--height", "400", "--time", "2", "--iso", "800",
+                    "-o", file)
+            told = json.loads(command("fit", file, "--instants", moment, *known, "--coding", "srgb", "--json"))
+            parts = []
+            found = coppermoon.fit(photographs=[coppermoon.Photograph(file, moment, coding="srgb")], at=(-33.9, 18.4),
+                                   air=coppermoon.Air(atmosphere="undated"), albedo_map="built-in", progress=parts.append)
+        self.assertEqual(found.cloud_cover.median, told["cloud_cover"]["median"])
+        self.assertEqual(found.dust_extinction.low, told["dust_extinction_per_m"]["low_68"])
+        self.assertEqual(found.photographs[0].numbers, told["photographs"][0]["numbers"])
+        self.assertEqual((found.photographs[0].left_out, found.photographs[0].mirrored), ("", False))
+        night, = found.nights
+        self.assertEqual((night.photographs, night.clock, night.tone_curve), ([0], None, None))
+        self.assertEqual(set(night.light["channel"]), {0, 1, 2})
+        for channel in range(3):
+            distances = night.light["distance_km"][night.light["channel"] == channel]
+            self.assertTrue(numpy.all(numpy.diff(distances) > 0), channel)
+        off = numpy.abs(numpy.log(night.light["light"] / night.light["model"]))
+        self.assertLess(numpy.median(off), 0.1, "the air explains it")
+        self.assertEqual(parts[-1], 1)
+        self.assertEqual(parts, sorted(parts))
 
 
 if __name__ == "__main__":

@@ -47,6 +47,13 @@ class Shadow(unittest.TestCase):
 
 
 class Eclipses(unittest.TestCase):
+    def test_have_moments_by_their_contacts_as_for_the_command(self):
+        for text in ("2018-07-27 U2+10min", "2018-07-27 greatest", "2018-07-27 P4-0.5h"):
+            said = json.loads(command("sky", text, "--json"))["instant"]
+            self.assertEqual(coppermoon.sky(text).when, datetime.datetime.fromisoformat(said))
+        with self.assertRaisesRegex(coppermoon.Error, "allowed an instant or one of"):
+            coppermoon.sky("2018-07-27 U9")
+
     def test_have_the_published_contacts(self):
         lines = (tests_folder / "baker/eclipse/data/published_contacts.csv").read_text().splitlines()
         rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))

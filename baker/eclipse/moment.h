@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "almanac/instant.h"
+#include "eclipse/contacts.h"
+
+namespace coppermoon::eclipse {
+
+/// A moment as text: an instant, "2018-07-27T18:24:00Z", or a day and a contact of the eclipse that is
+/// greatest on it (UTC), "2018-07-27 U2", "2018-07-27 U2+10min", "2018-07-27 greatest-90s".
+///
+/// Returned  of a contact, to the full second
+/// Throws    Error  when the text is no moment; when the day has no eclipse: names the nearest
+almanac::Instant moment_in(const std::string& text,
+                           almanac::Calendar calendar = almanac::Calendar::gregorian);
+
+/// Whether a text begins as a date or a time of day does.
+bool begins_with_digit(const std::string& text);
+
+/// Whether a text is a moment that is told by a contact.
+bool is_from_contact(const std::string& text);
+
+/// An instant, or from a contact of an eclipse on: "U2", "P1-10min", "greatest+90s".
+///
+/// Throws  Error  when it is none such, or the eclipse has no such contact
+almanac::Instant moment_from(const std::string& text, const Eclipse& eclipse,
+                             almanac::Calendar calendar = almanac::Calendar::gregorian);
+
+/// The eclipse that is greatest on a day (UTC).
+///
+/// Throws  Error  when there is none: names the nearest
+Eclipse eclipse_on(const std::string& day,
+                   almanac::Calendar calendar = almanac::Calendar::gregorian);
+
+}  // namespace coppermoon::eclipse

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+
+#include "almanac/instant.h"
+#include "almanac/observer.h"
+#include "texture/image.h"
+
+namespace coppermoon::texture {
+
+/// Where the picture stands in Stellarium's folder: a PNG, recipe and all. Stellarium looks for that name
+/// and goes by what the file holds.
+inline constexpr const char* stellarium_picture = "textures/moon_4k.jpg";
+
+/// From where, and when, Stellarium looks when it starts.
+struct StellariumSight {
+  almanac::Instant when;
+  almanac::Observer observer;
+};
+
+/// Writes a folder that Stellarium takes for its user's own (`stellarium --user-dir FOLDER`, of its whole path). Its Moon is
+/// the picture as it is: no light, phase, shadow, extinction or halo of Stellarium's. It starts with the
+/// Moon in the middle, the zenith up, the time standing still, ground and air left out.
+///
+///     textures/moon_4k.jpg      the picture, of 8 bits
+///     data/shaders/planet.frag  draws the Moon as its texture is, and other bodies lit by the Sun
+///     scripts/startup.ssc       instant, place and view
+///
+/// Each file appears whole or not at all; others in the folder stay, Stellarium's own among them. A folder
+/// that was not there is not there either when it cannot be written.
+///
+/// Given     developed   display-referred: sRGB-coded, 0 to 1, grey or RGB; plate carrée, longitude 0 in
+///                       the middle, north up, 2:1
+///           attributes  written into the picture as text
+/// Accuracy  the instant to half a second
+/// Omits     rings' and satellites' shadows on other planets, their polar caps
+/// Throws    Error       as write_png; a folder that cannot be made
+/// Source    Stellarium 0.22.2 (Debian 12): data/shaders/planet.vert, data/ssystem_major.ini, its
+///           scripting engine
+void write_stellarium(const std::filesystem::path& folder, const Image& developed,
+                      const StellariumSight& sight, const Attributes& attributes);
+
+}  // namespace coppermoon::texture

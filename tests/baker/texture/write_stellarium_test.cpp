@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "texture/write_stellarium.h"
+
+#include "baker/texture/scratch_folder.h"
+#include "texture/read_image.h"
+
+namespace {
+
+using namespace coppermoon::texture;
+using coppermoon::algebra::degrees;
+using coppermoon::algebra::metres;
+
+using WriteStellarium = ScratchFolder;
+
+const StellariumSight sight{coppermoon::almanac::instant_from_utc("2018-07-27T20:21:45.4Z"),
+                            {degrees(-1.28), degrees(36.82), metres(1684)}};
+
+Image picture() {
+  Image image(4, 2, {"R", "G", "B"});
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] = static_cast<float>(i) / 255;
+  return image;
+}
+
+TEST_F(WriteStellarium, PutsPictureShaderAndScriptWhereItLooksForThem) {
+  const auto folder = in_folder("moon.stellarium");
+  write_stellarium(folder, picture(), sight, {{"coppermoon:recipe", std::string("a recipe")}});
+  const auto shown = read_image(folder / "textures/moon_4k.jpg");
+  for (std::size_t i = 0; i < shown.values.size(); ++i)
+    EXPECT_FLOAT_EQ(shown.values[i], picture().values[i]) << "a PNG: without loss";
+  EXPECT_EQ(read_attribute(folder / "textures/moon_4k.jpg", "coppermoon:recipe"), "a recipe");
+  const auto script = bytes_of(folder / "scripts/startup.ssc");
+  for (const auto* part : {"core.setObserverLocation(36.820000, -1.280000, 1684, 0,",
+                           "core.setDate(\"2018-07-27T20:21:45\", \"utc\");"})
+    EXPECT_NE(script.find(part), std::string::npos) << part;
+  EXPECT_NE(bytes_of(folder / "data/shaders/planet.frag").find("#ifdef IS_MOON"),
+            std::string::npos);
+}
+
+TEST_F(WriteStellarium, LeavesNoFolderThatItCannotFill) {
+  auto wrong = picture();
+  wrong.values[3] = 2;
+  EXPECT_ERROR(write_stellarium(in_folder("moon.stellarium"), wrong, sight, {}), "2");
+  EXPECT_EQ(files_in_folder(), 0U);
+  EXPECT_ERROR(write_stellarium(file("taken", "by a file"), picture(), sight, {}),
+               "no folder can be made there");
+  EXPECT_EQ(bytes_of(in_folder("taken")), "by a file");
+}
+
+}  // namespace
