@@ -7,6 +7,8 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "algebra/quadrature.h"
 
@@ -98,19 +100,23 @@ std::size_t parts_of_limb(const atmosphere::Atmosphere& atmosphere) {
 }
 
 WholeLimb::WholeLimb(const atmosphere::Atmosphere& atmosphere,
-                     std::span<const atmosphere::Optics> optics, int rays)
+                     std::span<const atmosphere::Optics> optics, int rays, Fans fans)
     : atmosphere_(atmosphere) {
   const auto seats = seats_of(atmosphere);
   parts_.resize(seats.size());
   for (std::size_t i = 0; i < seats.size(); ++i)
     if (seats[i].column == first_part_.size()) first_part_.push_back(i);
+  std::vector<std::optional<LimbTable>> tables(parts_.size());
   tbb::parallel_for(std::size_t{0}, parts_.size(), [&](std::size_t i) {
     const auto limb = atmosphere::limb_at(atmosphere.earth, seats[i].position_angle_rad);
     const auto& column = *atmosphere.columns()[seats[i].column];
-    const LimbTable table(column, limb.curvature_radius_m, optics, rays, atmosphere.top_m());
+    tables[i].emplace(column, limb.curvature_radius_m, optics, rays, atmosphere.top_m());
     parts_[i] = {limb.radius_m, {}, limb.curvature_radius_m, column};
-    for (const auto& o : optics) parts_[i].fans.push_back(table.fan(o));
+    if (fans == Fans::when_asked) return;
+    for (const auto& o : optics) parts_[i].fans.push_back(tables[i]->fan(o));
   });
+  if (fans == Fans::when_asked)
+    for (auto& table : tables) tables_.push_back(std::move(*table));
 }
 
 std::array<WholeLimb::Share, 2> WholeLimb::at(double position_angle_rad) const {

@@ -20,7 +20,7 @@ class WholeLimb {
  public:
   struct Part {
     double radius_m;        ///< of the limb's ground
-    std::vector<Fan> fans;  ///< by wavelength
+    std::vector<Fan> fans;  ///< by wavelength; none of a limb that makes them when asked
     double curvature_radius_m;
     atmosphere::Column column{};
   };
@@ -33,11 +33,22 @@ class WholeLimb {
     std::vector<double> cosine, sine;
   };
 
+  /// When the fans of rays are made: all at once, or each when it is asked for and by whoever asks, for
+  /// fans of hundreds of wavelengths fill memory.
+  enum class Fans { made, when_asked };
+
   /// Given  optics  of each wavelength;  rays: of each fan
   WholeLimb(const atmosphere::Atmosphere& atmosphere, std::span<const atmosphere::Optics> optics,
-            int rays);
+            int rays, Fans fans = Fans::made);
 
   const std::vector<Part>& parts() const { return parts_; }
+
+  /// The fan of one part.
+  ///
+  /// Given  optics  within those the limb was made for
+  Fan fan(std::size_t part, const atmosphere::Optics& optics) const {
+    return tables_[part].fan(optics);
+  }
 
   /// The parts that make up the limb at a position angle; their shares add to 1, the second is 0 where
   /// one part does.
@@ -56,6 +67,7 @@ class WholeLimb {
  private:
   atmosphere::Atmosphere atmosphere_;
   std::vector<Part> parts_;
+  std::vector<LimbTable> tables_;        ///< of each part, where fans are made when asked
   std::vector<std::size_t> first_part_;  ///< of each column
 };
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/by_quadrature.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numbers>
 
 #include "algebra/error.h"
@@ -65,43 +62,35 @@ struct Ring {
 /// Computes rings.
 class Solver {
  public:
-  Solver(const photons::WholeLimb& limb, const Around& around, const photons::DiscTerms& sun,
-         const Arrangement& arrangement, int rays)
-      : around_(around), waves_(sun.brightness.columns()) {
-    planes_.reserve(arrangement.depths_m.size());
-    for (const double depth : arrangement.depths_m)
-      planes_.emplace_back(limb, around, sun, arrangement, depth, bin_width_m(rays));
+  explicit Solver(const LandedPlane::Sunlit& sunlit)
+      : angles_(sunlit.around.angles()), waves_(sunlit.optics.size()) {
+    for (const double depth : sunlit.arrangement.depths_m) planes_.emplace_back(sunlit, depth);
   }
 
-  std::vector<Ring> rings(std::span<const double> gammas_m,
-                          const algebra::Progress& progress) const {
-    const std::size_t angles = around_.turns.rows();
+  /// Whether what they are computed from is kept from one time to the next, or made anew.
+  bool keeps_light() const { return std::ranges::all_of(planes_, &LandedPlane::keeps_light); }
+
+  std::vector<Ring> rings(std::span<const double> gammas_m, const algebra::Progress& progress) {
     std::vector<Ring> all;
-    for (const double gamma : gammas_m) all.push_back({gamma, {planes_.size() * angles, waves_}});
-    std::vector<LandedPlane::Place> places;  // plane by plane
-    for (std::size_t k = 0; k < planes_.size(); ++k)
+    for (const double gamma : gammas_m) all.push_back({gamma, {planes_.size() * angles_, waves_}});
+    std::mutex told;
+    double done = 0;
+    for (std::size_t k = 0; k < planes_.size(); ++k) {
+      std::vector<LandedPlane::Place> places;
       for (auto& ring : all)
         places.push_back(
-            {ring.gamma_m, ring.ratio.values().subspan(k * angles * waves_, angles * waves_)});
-    std::atomic<std::size_t> done = 0;
-    for (std::size_t k = 0; k < planes_.size(); ++k)
-      tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(k * all.size(), (k + 1) * all.size(), together()),
-          [&](const auto& range) {
-            planes_[k].light(std::span(places).subspan(range.begin(), range.size()));
-            if (progress)
-              progress(static_cast<double>(done += range.size()) /
-                       static_cast<double>(places.size()));
-          });
+            {ring.gamma_m, ring.ratio.values().subspan(k * angles_ * waves_, angles_ * waves_)});
+      planes_[k].light(places, [&](double more) {
+        if (!progress) return;
+        const std::lock_guard lock(told);
+        progress(std::min(1., done += more / static_cast<double>(planes_.size())));
+      });
+    }
     return all;
   }
 
  private:
-  /// Places computed together, so that a block's sums stay at hand.
-  std::size_t together() const { return std::max<std::size_t>(1, 64 / around_.harmonics()); }
-
-  const Around& around_;
-  std::size_t waves_;
+  std::size_t angles_, waves_;
   std::vector<LandedPlane> planes_;
 };
 
@@ -135,7 +124,7 @@ double surprise(std::span<const Ring> about, const Ring& middle, double direct) 
 /// The rings asked for, and between them as many more as it takes.
 class Refinement {
  public:
-  Refinement(const Solver& solver, const Atmosphere& atmosphere, const Arrangement& arrangement)
+  Refinement(Solver& solver, const Atmosphere& atmosphere, const Arrangement& arrangement)
       : solver_(solver), atmosphere_(atmosphere), arrangement_(arrangement) {}
 
   std::vector<Ring> rings(std::span<const double> gammas_m, double error,
@@ -178,7 +167,7 @@ class Refinement {
     open = std::move(finer_open);
   }
 
-  const Solver& solver_;
+  Solver& solver_;
   const Atmosphere& atmosphere_;
   const Arrangement& arrangement_;
 };
@@ -205,19 +194,51 @@ void fill(std::span<const Ring> rings, const Atmosphere& atmosphere,
   }
 }
 
-/// The rings asked for and those put between them. The tables that they are computed from, which
-/// are as large, are freed on return.
+/// Some of the wavelengths, evenly chosen.
+struct Wavelengths {
+  std::vector<atmosphere::Optics> optics;
+  photons::DiscTerms sun;
+};
+
+Wavelengths fewer(const Wavelengths& all, std::size_t count) {
+  Wavelengths some{{}, {all.sun.functions, {all.sun.functions.size(), count}}};
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t w = (2 * i + 1) * all.optics.size() / (2 * count);
+    some.optics.push_back(all.optics[w]);
+    for (std::size_t term = 0; term < all.sun.functions.size(); ++term)
+      some.sun.brightness(term, i) = all.sun.brightness(term, w);
+  }
+  return some;
+}
+
+/// The rings asked for and those put between them. Where light of all wavelengths does not fit into
+/// memory, some of these say where rings are put.
 std::vector<Ring> rings_of(const Atmosphere& atmosphere, const Arrangement& arrangement,
                            std::span<const double> wavelengths_nm,
                            std::span<const double> axis_distances_m,
                            const QuadratureSettings& settings, const algebra::Progress& progress) {
-  const auto sun =
-      photons::disc_terms(wavelengths_nm, arrangement.limb_darkening, settings.sun_terms);
-  const photons::WholeLimb limb(atmosphere, optics_of(atmosphere, wavelengths_nm), settings.rays);
+  constexpr std::size_t telling = 32;
+  const Wavelengths all{
+      optics_of(atmosphere, wavelengths_nm),
+      photons::disc_terms(wavelengths_nm, arrangement.limb_darkening, settings.sun_terms)};
+  const photons::WholeLimb limb(atmosphere, all.optics, settings.rays,
+                                photons::WholeLimb::Fans::when_asked);
   const Around around(limb, highest_harmonic(atmosphere), angles(atmosphere, settings));
-  const Solver solver(limb, around, sun, arrangement, settings.rays);
-  return Refinement(solver, atmosphere, arrangement)
-      .rings(axis_distances_m, settings.place_error, progress);
+  const auto sunlit = [&](const Wavelengths& waves) {
+    return LandedPlane::Sunlit{limb,         around,      waves.sun,
+                               waves.optics, arrangement, bin_width_m(settings.rays)};
+  };
+  Solver solver(sunlit(all));
+  if (settings.place_error == 0 || solver.keeps_light() || all.optics.size() <= telling)
+    return Refinement(solver, atmosphere, arrangement)
+        .rings(axis_distances_m, settings.place_error, progress);
+  const auto some = fewer(all, telling);
+  Solver quick(sunlit(some));
+  std::vector<double> distances_m;
+  for (const auto& ring :
+       Refinement(quick, atmosphere, arrangement).rings(axis_distances_m, settings.place_error, {}))
+    distances_m.push_back(ring.gamma_m);
+  return solver.rings(distances_m, progress);
 }
 
 void require_valid(const QuadratureSettings& settings) {

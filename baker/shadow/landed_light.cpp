@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/landed_light.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "shadow/irradiance.h"
-#include "shadow/weighted_rows.h"
 
 namespace coppermoon::shadow {
 namespace {
@@ -114,35 +111,21 @@ class Gatherer {
 
 }  // namespace
 
-LandedLight::LandedLight(const photons::WholeLimb::Part& limb, double sun_distance_m,
+LandedLight::LandedLight(std::span<const photons::Fan> fans, double radius_m, double sun_distance_m,
                          double depth_m, double bin_m) {
-  const std::size_t waves = limb.fans.size();
   std::vector<Rays> rays;
-  rays.reserve(waves);
   double least = std::numeric_limits<double>::max(), greatest = -least;
-  for (const auto& fan : limb.fans) {
-    const auto& of_wave =
-        rays.emplace_back(fan, limb.radius_m, sun_distance_m, depth_m, bin_m).place;
+  for (const auto& fan : fans) {
+    const auto& of_wave = rays.emplace_back(fan, radius_m, sun_distance_m, depth_m, bin_m).place;
     const auto [low, high] = std::ranges::minmax(of_wave);
     least = std::min(least, low), greatest = std::max(greatest, high);
   }
   first_ = static_cast<int>(std::floor(least));
   last_ = static_cast<int>(std::floor(greatest)) + 1;
-  const std::size_t blocks = (waves + lanes - 1) / lanes;
-  const std::size_t block_size = static_cast<std::size_t>(last_ - first_ + 1) * row_size;
-  sums_.resize(blocks * block_size);
-  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
-    double* sums = sums_.data() + block * block_size;
-    for (std::size_t w = block * lanes; w < std::min(waves, (block + 1) * lanes); ++w)
-      Gatherer(sums, first_, w % lanes).add(rays[w], limb.fans[w].filter);
-    for (std::size_t i = row_size; i < block_size; ++i) sums[i] += sums[i - row_size];
-  });
-}
-
-void LandedLight::add(std::span<const int> nodes, std::size_t block, double part,
-                      std::span<double> sums) const {
-  const std::size_t block_size = static_cast<std::size_t>(last_ - first_ + 1) * row_size;
-  add_rows_at(sums_.data() + block * block_size, first_, last_, nodes, part, sums.data());
+  sums_.resize(static_cast<std::size_t>(last_ - first_ + 1) * row_size);
+  for (std::size_t w = 0; w < rays.size(); ++w)
+    Gatherer(sums_.data(), first_, w).add(rays[w], fans[w].filter);
+  for (std::size_t i = row_size; i < sums_.size(); ++i) sums_[i] += sums_[i - row_size];
 }
 
 }  // namespace coppermoon::shadow

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/landed_plane.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "shadow/weighted_rows.h"
 
@@ -11,6 +15,10 @@ namespace coppermoon::shadow {
 namespace {
 
 using photons::WholeLimb;
+using std::numbers::pi;
+
+/// Directions around the axis that the parts of the limb are looked up in.
+constexpr int directions = 1440;
 
 /// How many of them light has that far from the axis, in radii of the projected Sun: the nearer, the
 /// more of the limb a place sees at once.
@@ -19,125 +27,262 @@ std::size_t harmonics_at(double solar_radii) {
 }
 
 /// One stretch begins where another ends: a node counts once for both.
-int place_of(int node, std::vector<int>& nodes) {
-  if (nodes.empty() || nodes.back() != node) nodes.push_back(node);
-  return static_cast<int>(nodes.size()) - 1;
-}
-
-void add(int node, const std::array<double, moments>& factors, double sign,
-         std::vector<NodeTerm>& nodes) {
-  if (nodes.empty() || nodes.back().node != node) nodes.push_back({node, {}});
-  for (std::size_t m = 0; m < moments; ++m) nodes.back().factors[m] += sign * factors[m];
+///
+/// Returned  the place of its first node
+std::size_t add_ends(int from, int to, std::vector<int>& nodes) {
+  if (nodes.empty() || nodes.back() != from) nodes.push_back(from);
+  nodes.push_back(to);
+  return nodes.size() - 2;
 }
 
 }  // namespace
 
-Around::Around(const photons::WholeLimb& limb, int highest, std::span<const double> angles_rad)
-    : parts(limb.series(highest)), turns(angles_rad.size(), 2 * parts[0].cosine.size()) {
+Around::Around(const WholeLimb& limb, int highest, std::span<const double> angles_rad)
+    : parts(limb.series(highest)),
+      turns(angles_rad.size(), 2 * parts[0].cosine.size()),
+      angles_rad_(angles_rad.begin(), angles_rad.end()),
+      here_(parts.size(), 2 * directions + 1) {
   for (std::size_t i = 0; i < angles_rad.size(); ++i)
     for (std::size_t m = 0; m < harmonics(); ++m) {
       turns(i, 2 * m) = std::cos(static_cast<double>(m) * angles_rad[i]);
       turns(i, 2 * m + 1) = std::sin(static_cast<double>(m) * angles_rad[i]);
     }
+  for (int i = 0; i < 2 * directions; ++i)
+    for (const auto& [part, share] : limb.at(2 * pi * i / directions))
+      if (share > 0) here_(part, static_cast<std::size_t>(i) + 1) = 1;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    for (std::size_t i = 1; i < here_.columns(); ++i) here_(p, i) += here_(p, i - 1);
 }
 
-LandedPlane::LandedPlane(const photons::WholeLimb& limb, const Around& around,
-                         const photons::DiscTerms& sun, const Arrangement& arrangement,
-                         double depth_m, double bin_m)
-    : around_(around), sun_(sun), bin_m_(bin_m) {
-  const double spread = 1 + depth_m / arrangement.sun_distance_m;
-  a_ = projected_solar_radius_m(arrangement, depth_m);
-  factor_ = spread * spread / (std::numbers::pi * a_ * a_);
-  landed_.reserve(limb.parts().size());
-  for (const auto& part : limb.parts())
-    landed_.emplace_back(part, arrangement.sun_distance_m, depth_m, bin_m_);
-  for (const auto& landed : landed_)
-    first_ = std::min(first_, landed.first()), last_ = std::max(last_, landed.last());
+bool Around::is_near(std::size_t part, std::size_t angle, double half_arc_rad) const {
+  constexpr double a_direction = 2 * pi / directions;
+  const int half = static_cast<int>(std::ceil(half_arc_rad / a_direction)) + 1;
+  if (2 * half >= directions / 2) return true;
+  const int middle = static_cast<int>(std::lround(angles_rad_[angle] / a_direction));
+  for (const int about : {middle, middle + directions / 2}) {
+    const int from = ((about - half) % directions + directions) % directions;
+    const auto row = here_.row(part);
+    if (row[static_cast<std::size_t>(from + 2 * half + 1)] > row[static_cast<std::size_t>(from)])
+      return true;
+  }
+  return false;
 }
 
-void LandedPlane::light(std::span<const Place> places) const {
-  std::vector<Draws> all;
-  for (const auto& place : places) all.push_back(draws(place.gamma_m));
-  for (std::size_t first = 0; first < sun_.brightness.columns(); first += lanes)
-    for (std::size_t p = 0; p < places.size(); ++p) add_block(all[p], first, places[p].ratio);
+LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m)
+    : sunlit_(sunlit), depth_m_(depth_m) {
+  const double sun_m = sunlit.arrangement.sun_distance_m, spread = 1 + depth_m / sun_m;
+  a_ = projected_solar_radius_m(sunlit.arrangement, depth_m);
+  factor_ = spread * spread / (pi * a_ * a_);
+  const auto [least, most] =
+      std::ranges::minmax(sunlit.optics, {}, &atmosphere::Optics::refractivity);
+  for (std::size_t p = 0; p < sunlit.limb.parts().size(); ++p)
+    for (const auto& optics : {least, most}) {
+      const auto fan = sunlit.limb.fan(p, optics);
+      const double radius_m = sunlit.limb.parts()[p].radius_m;
+      const auto [straightest, most_bent] = std::ranges::minmax(fan.bending_rad);
+      const auto [lowest, highest] = std::ranges::minmax(fan.impact_height_m);
+      const double from = landing_m(radius_m + lowest, most_bent, sun_m, depth_m),
+                   to = landing_m(radius_m + highest, straightest, sun_m, depth_m);
+      first_ = std::min(first_, static_cast<int>(std::floor(from / sunlit.bin_m)));
+      last_ = std::max(last_, static_cast<int>(std::floor(to / sunlit.bin_m)) + 1);
+    }
+}
+
+/// As many as fill, on all planes together, two hundred megabytes.
+std::size_t LandedPlane::blocks_at_once() const {
+  const std::size_t most_bytes = 200'000'000 / sunlit_.arrangement.depths_m.size();
+  const std::size_t a_block = sunlit_.limb.parts().size() *
+                              static_cast<std::size_t>(last_ - first_) * moments * lanes *
+                              sizeof(double);
+  return std::clamp<std::size_t>(most_bytes / std::max<std::size_t>(1, a_block), 1, blocks());
+}
+
+LandedPlane::Blocks LandedPlane::landed(std::size_t first) const {
+  Blocks some{first, std::min(blocks_at_once(), blocks() - first)};
+  const auto& parts = sunlit_.limb.parts();
+  std::vector<std::optional<LandedLight>> found(some.count * parts.size());
+  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+    const std::size_t part = i % parts.size(), wave = (first + i / parts.size()) * lanes;
+    std::vector<photons::Fan> fans;
+    for (std::size_t w = wave; w < std::min(wave + lanes, sunlit_.optics.size()); ++w)
+      fans.push_back(sunlit_.limb.fan(part, sunlit_.optics[w]));
+    found[i].emplace(fans, parts[part].radius_m, sunlit_.arrangement.sun_distance_m, depth_m_,
+                     sunlit_.bin_m);
+  });
+  for (auto& one : found) some.landed.push_back(std::move(*one));
+  return some;
+}
+
+bool LandedPlane::by_series(double gamma_m) const {
+  return sunlit_.around.harmonics() <= 3 || gamma_m <= a_;
+}
+
+void LandedPlane::light(std::span<const Place> places, const std::function<void(double)>& done) {
+  std::vector<Draws> all(places.size());
+  tbb::parallel_for(std::size_t{0}, places.size(),
+                    [&](std::size_t p) { all[p] = draws(places[p].gamma_m); });
+  const std::size_t angles = sunlit_.around.angles();
+  for (std::size_t first = 0; first < blocks();) {
+    if (landed_.landed.empty()) landed_ = landed(first);
+    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t p) {
+      const auto ratio = places[p].ratio;
+      if (by_series(places[p].gamma_m))
+        tbb::parallel_for(std::size_t{0}, landed_.count,
+                          [&](std::size_t b) { add_series(all[p], landed_, b, ratio); });
+      else
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, (angles + angles_together - 1) / angles_together),
+            [&](const auto& groups) {
+              for (std::size_t g = groups.begin(); g < groups.end(); ++g)
+                add_angles(all[p], landed_, g * angles_together, ratio);
+            });
+      if (done)
+        done(static_cast<double>(landed_.count) / static_cast<double>(blocks() * places.size()));
+    });
+    first += landed_.count;
+    if (!keeps_light()) landed_ = {};  // before there are two of them
+  }
   for (const auto& place : places)
     for (double& value : place.ratio) value = std::max(value, 0.);  // rounding
 }
 
-void LandedPlane::add_block(const Draws& ring, std::size_t first, std::span<double> ratio) const {
-  std::vector<Block> series(2 * ring.draws.back().harmonic + 2);
-  std::vector<double> rows(ring.nodes.size() * moments * lanes);
-  const std::span<const Draw> all(ring.draws);
-  for (std::size_t m = 0, terms = sun_.functions.size(); 2 * m < series.size(); ++m)
-    for (const auto part : {&WholeLimb::Series::cosine, &WholeLimb::Series::sine})
-      if (gathered(ring.nodes, first / lanes, m, part, rows))
-        add_terms(all.subspan(m * terms, terms), rows, first,
-                  series[2 * m + (part == &WholeLimb::Series::sine ? 1 : 0)]);
-  const std::size_t waves = sun_.brightness.columns(), count = std::min(lanes, waves - first);
-  for (std::size_t angle = 0; angle < around_.turns.rows(); ++angle) {
-    const auto turns = around_.turns.row(angle);
+double LandedPlane::seen(std::size_t term, std::size_t wave) const {
+  return factor_ * sunlit_.sun.brightness(term, wave);
+}
+
+void LandedPlane::add_series(const Draws& draws, const Blocks& blocks, std::size_t block,
+                             std::span<double> ratio) const {
+  const auto& around = sunlit_.around;
+  const LandedLight* parts = &blocks.landed[block * around.parts.size()];
+  const std::size_t waves = sunlit_.optics.size(), wave = (blocks.first + block) * lanes,
+                    count = std::min(lanes, waves - wave), terms = sunlit_.sun.functions.size();
+  std::vector<Block> series(2 * draws.factors.rows());
+  std::vector<double> rows(draws.nodes.size() * moments * lanes);
+  for (std::size_t m = 0; 2 * m < series.size(); ++m)
+    for (const auto part : {&WholeLimb::Series::cosine, &WholeLimb::Series::sine}) {
+      if (!gathered(draws, parts, m, part, rows)) continue;
+      auto& light = series[2 * m + (part == &WholeLimb::Series::sine ? 1 : 0)];
+      for (std::size_t term = 0; term < terms; ++term) {
+        alignas(lanes * sizeof(double)) Block sums{};
+        add_weighted_rows(rows.data(), draws.nodes.size(), &draws.factors(m, term * moments),
+                          terms * moments, sums.data());
+        for (std::size_t i = 0; i < count; ++i) light[i] += seen(term, wave + i) * sums[i];
+      }
+    }
+  for (std::size_t angle = 0; angle < around.angles(); ++angle) {
+    const auto turns = around.turns.row(angle);
     Block light{};
     for (std::size_t m = 0; m < series.size(); ++m)
       for (std::size_t i = 0; i < lanes; ++i) light[i] += turns[m] * series[m][i];
-    for (std::size_t i = 0; i < count; ++i) ratio[angle * waves + first + i] += light[i];
+    for (std::size_t i = 0; i < count; ++i) ratio[angle * waves + wave + i] += light[i];
   }
 }
 
 /// Writes the sums of the whole limb up to each node, of one harmonic's cosines or sines.
 ///
 /// Returned  whether it has any
-bool LandedPlane::gathered(std::span<const int> nodes, std::size_t block, std::size_t harmonic,
+bool LandedPlane::gathered(const Draws& draws, const LandedLight* parts, std::size_t harmonic,
                            Harmonics part, std::vector<double>& rows) const {
   bool any = false;
-  for (std::size_t p = 0; p < landed_.size(); ++p) {
-    const double weight = (around_.parts[p].*part)[harmonic];
+  for (std::size_t p = 0; p < sunlit_.around.parts.size(); ++p) {
+    const double weight = (sunlit_.around.parts[p].*part)[harmonic];
     if (weight == 0) continue;
     if (!any) std::ranges::fill(rows, 0);
-    landed_[p].add(nodes, block, weight, rows);
+    add_rows_at(parts[p].sums(), parts[p].first(), parts[p].last(), draws.nodes, weight,
+                rows.data());
     any = true;
   }
   return any;
 }
 
-/// Adds what the terms of the Sun's disc draw of that.
-void LandedPlane::add_terms(std::span<const Draw> draws, std::span<const double> rows,
-                            std::size_t first, Block& light) const {
-  for (const auto& draw : draws) {
-    alignas(lanes * sizeof(double)) Block sums{};
-    add_weighted_rows(rows.data(), draw.nodes, sums.data());
-    for (std::size_t i = 0; i < std::min(lanes, sun_.brightness.columns() - first); ++i)
-      light[i] += factor_ * sun_.brightness(draw.term, first + i) * sums[i];
+/// Adds the light of some angles that stand side by side.
+void LandedPlane::add_angles(const Draws& draws, const Blocks& blocks, std::size_t first_angle,
+                             std::span<double> ratio) const {
+  const auto& around = sunlit_.around;
+  const std::size_t all = around.parts.size(), harmonics = draws.factors.rows(),
+                    count = std::min(angles_together, around.angles() - first_angle);
+  const double half_arc = std::asin(std::min(1., a_ / draws.gamma_m));
+  std::vector<std::size_t> parts;  // that any of the angles takes in
+  std::vector<std::vector<double>> turns;
+  for (std::size_t p = 0; p < all; ++p) {
+    std::vector<double> shares(harmonics * angles_together);
+    bool any = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!around.is_near(p, first_angle + i, half_arc)) continue;
+      any = true;
+      const auto turn = around.turns.row(first_angle + i);
+      for (std::size_t m = 0; m < harmonics; ++m)
+        shares[m * angles_together + i] =
+            around.parts[p].cosine[m] * turn[2 * m] + around.parts[p].sine[m] * turn[2 * m + 1];
+    }
+    if (any) parts.push_back(p), turns.push_back(std::move(shares));
+  }
+  std::vector<double> turned;
+  turn_factors(draws.factors, turns, turned);
+  const std::size_t waves = sunlit_.optics.size(), terms = sunlit_.sun.functions.size();
+  for (std::size_t block = 0; block < blocks.count; ++block) {
+    std::vector<double> sums(terms * angles_together * lanes);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const auto& landed = blocks.landed[block * all + parts[k]];
+      add_turned_rows(landed.sums(), landed.first(), landed.last(), draws.nodes,
+                      &turned[k * draws.factors.columns() * angles_together], terms, sums.data());
+    }
+    const std::size_t wave = (blocks.first + block) * lanes;
+    for (std::size_t term = 0; term < terms; ++term)
+      for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t w = wave; w < std::min(wave + lanes, waves); ++w)
+          ratio[(first_angle + i) * waves + w] +=
+              seen(term, w) * sums[(term * angles_together + i) * lanes + w - wave];
   }
 }
 
 LandedPlane::Draws LandedPlane::draws(double gamma) const {
-  const std::size_t harmonics = std::min(around_.harmonics(), harmonics_at(gamma / a_));
-  Draws all;
-  for (std::size_t m = 0; m < harmonics; ++m)
-    for (std::size_t term = 0; term < sun_.functions.size(); ++term)
-      all.draws.push_back({term, m, {}});
-  const DiscArcs arcs(sun_, gamma / bin_m_, a_ / bin_m_, static_cast<int>(harmonics) - 1);
+  const std::size_t harmonics = std::min(sunlit_.around.harmonics(), harmonics_at(gamma / a_));
+  const DiscArcs arcs(sunlit_.sun, gamma / sunlit_.bin_m, a_ / sunlit_.bin_m,
+                      static_cast<int>(harmonics) - 1);
   const auto stretches = arcs.stretches(0, std::max(-first_, last_));
+  Draws all{gamma, {}, {}};
+  std::vector<std::size_t> places;
   for (const auto& stretch : stretches)
-    if (stretch.from < last_ && stretch.to > first_) collect(stretch, false, all);
+    if (stretch.from < last_ && stretch.to > first_)
+      places.push_back(add_ends(stretch.from, stretch.to, all.nodes));
   for (const auto& stretch : stretches)
-    if (-stretch.to < last_ && -stretch.from > first_) collect(stretch, true, all);
+    if (-stretch.to < last_ && -stretch.from > first_)
+      places.push_back(add_ends(-stretch.from, -stretch.to, all.nodes));
+  all.factors = {harmonics, all.nodes.size() * sunlit_.sun.functions.size() * moments};
+  auto place = places.begin();
+  for (const auto& stretch : stretches)
+    if (stretch.from < last_ && stretch.to > first_) collect(stretch, false, *place++, all);
+  for (const auto& stretch : stretches)
+    if (-stretch.to < last_ && -stretch.from > first_) collect(stretch, true, *place++, all);
   return all;
 }
 
 /// Light that lands on the place's side of the axis, or across it from the limb opposite.
-void LandedPlane::collect(const Stretch& stretch, bool across, Draws& all) {
-  const int inner = across ? -stretch.from : stretch.from,
-            outer = across ? -stretch.to : stretch.to;
-  const int at_inner = place_of(inner, all.nodes), at_outer = place_of(outer, all.nodes);
-  for (auto& [term, harmonic, nodes] : all.draws) {
-    const double sign = across && harmonic % 2 == 1 ? -1 : 1;
-    std::array<double, 3> light;
-    for (std::size_t n = 0; n < 3; ++n)
-      light[n] = sign * stretch.light[across ? 2 - n : n](term, harmonic);
-    const auto factors = square_through(std::min(inner, outer), std::max(inner, outer), light);
-    add(at_inner, factors, across ? 1 : -1, nodes);
-    add(at_outer, factors, across ? -1 : 1, nodes);
+///
+/// Given  node  where the stretch's inner end stands; its outer end is the next
+void LandedPlane::collect(const Stretch& stretch, bool across, std::size_t node, Draws& all) const {
+  const int low = across ? -stretch.to : stretch.from, high = across ? -stretch.from : stretch.to;
+  std::array<std::array<double, moments>, 3> squares;  // through 1 at one of Gauss's nodes
+  for (std::size_t n = 0; n < 3; ++n) {
+    std::array<double, 3> one{};
+    one[n] = 1;
+    squares[n] = square_through(low, high, one);
+  }
+  const std::size_t terms = stretch.light[0].rows();
+  for (std::size_t harmonic = 0; harmonic < all.factors.rows(); ++harmonic) {
+    const double sign = across && harmonic % 2 == 1 ? -1 : 1, inner = across ? 1 : -1;
+    for (std::size_t term = 0; term < terms; ++term) {
+      double* at_inner = &all.factors(harmonic, (node * terms + term) * moments);
+      double* at_outer = at_inner + terms * moments;
+      for (std::size_t n = 0; n < 3; ++n) {
+        const double light = sign * inner * stretch.light[across ? 2 - n : n](term, harmonic);
+        for (std::size_t m = 0; m < moments; ++m) {
+          at_inner[m] += light * squares[n][m];
+          at_outer[m] -= light * squares[n][m];
+        }
+      }
+    }
   }
 }
 

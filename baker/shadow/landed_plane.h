@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -16,17 +17,31 @@
 namespace coppermoon::shadow {
 
 /// The limb's parts around the axis, and the position angles that light is asked for at.
-struct Around {
+class Around {
+ public:
   std::vector<photons::WholeLimb::Series> parts;
   algebra::Grid<double> turns;  ///< (angle, 2 m and 2 m + 1) cos mθ and sin mθ
 
   /// Given  highest  harmonic of the parts' shares
   Around(const photons::WholeLimb& limb, int highest, std::span<const double> angles_rad);
 
+  std::size_t angles() const { return turns.rows(); }
   std::size_t harmonics() const { return parts[0].cosine.size(); }
+
+  /// Whether a part has any of the limb that is as near as this to one of the angles, or to the
+  /// opposite one.
+  bool is_near(std::size_t part, std::size_t angle, double half_arc_rad) const;
+
+ private:
+  std::vector<double> angles_rad_;
+  algebra::Grid<int> here_;  // (part, direction) how many of those up to it have some of it
 };
 
-/// Light on one plane, of the whole limb: a series in the position angle for each axis distance.
+/// Light on one plane, of the whole limb.
+///
+/// Off the axis each angle has its own: of the parts of the limb that the Sun's disc covers as seen
+/// from there, for no other sends any. Near the axis, where it covers all of them, and of air alike
+/// all around it is a series in the position angle.
 class LandedPlane {
  public:
   /// Where light is asked for, and where it is written.
@@ -35,42 +50,61 @@ class LandedPlane {
     std::span<double> ratio;  ///< [angle][wavelength]
   };
 
-  /// Given  bin_m  width of the bins that light is gathered in, of distance from the axis
-  LandedPlane(const photons::WholeLimb& limb, const Around& around, const photons::DiscTerms& sun,
-              const Arrangement& arrangement, double depth_m, double bin_m);
+  /// What all planes have in common. Each outlives them.
+  struct Sunlit {
+    const photons::WholeLimb& limb;  ///< fans are made when asked
+    const Around& around;
+    const photons::DiscTerms& sun;
+    std::span<const atmosphere::Optics> optics;  ///< by wavelength
+    const Arrangement& arrangement;
+    double bin_m;  ///< width of the bins that light is gathered in, of distance from the axis
+  };
+
+  LandedPlane(const Sunlit& sunlit, double depth_m);
+
+  /// Whether the limb's light of all wavelengths fits into memory; else it is made anew each time.
+  bool keeps_light() const { return blocks_at_once() == blocks(); }
 
   /// Adds each place's light to its rows.
-  void light(std::span<const Place> places) const;
+  ///
+  /// Given  done  is told how many places more are through, as a part of all
+  void light(std::span<const Place> places, const std::function<void(double)>& done);
 
  private:
   using Block = std::array<double, lanes>;  // one value a wavelength
   using Harmonics = std::vector<double> photons::WholeLimb::Series::*;
 
-  /// Sums that one term of the Sun's disc draws from the limb, of one harmonic.
-  struct Draw {
-    std::size_t term, harmonic;
-    std::vector<NodeTerm> nodes;  ///< of the ring's
-  };
-
-  /// All that a ring draws.
+  /// All that a place draws from the limb.
   struct Draws {
+    double gamma_m;
     std::vector<int> nodes;
-    std::vector<Draw> draws;  ///< harmonic by harmonic
+    algebra::Grid<double> factors;  ///< (harmonic, ((node, term), moment))
   };
 
-  void add_block(const Draws& ring, std::size_t first, std::span<double> ratio) const;
-  bool gathered(std::span<const int> nodes, std::size_t block, std::size_t harmonic, Harmonics part,
-                std::vector<double>& rows) const;
-  void add_terms(std::span<const Draw> draws, std::span<const double> rows, std::size_t first,
-                 Block& light) const;
-  Draws draws(double gamma_m) const;
-  static void collect(const Stretch& stretch, bool across, Draws& all);
+  /// Light of some blocks of wavelengths, by the limb's part.
+  struct Blocks {
+    std::size_t first = 0, count = 0;
+    std::vector<LandedLight> landed = {};  ///< block by block
+  };
 
-  const Around& around_;
-  const photons::DiscTerms& sun_;
-  double bin_m_, a_, factor_;
+  std::size_t blocks() const { return (sunlit_.optics.size() + lanes - 1) / lanes; }
+  std::size_t blocks_at_once() const;
+  Blocks landed(std::size_t first) const;
+  bool by_series(double gamma_m) const;
+  void add_series(const Draws& draws, const Blocks& blocks, std::size_t block,
+                  std::span<double> ratio) const;
+  bool gathered(const Draws& draws, const LandedLight* parts, std::size_t harmonic, Harmonics part,
+                std::vector<double>& rows) const;
+  void add_angles(const Draws& draws, const Blocks& blocks, std::size_t first_angle,
+                  std::span<double> ratio) const;
+  double seen(std::size_t term, std::size_t wave) const;
+  Draws draws(double gamma_m) const;
+  void collect(const Stretch& stretch, bool across, std::size_t node, Draws& all) const;
+
+  Sunlit sunlit_;
+  double depth_m_, a_, factor_;
   int first_ = std::numeric_limits<int>::max(), last_ = -first_;  // bins that light lands in
-  std::vector<LandedLight> landed_;                               // by the limb's part
+  Blocks landed_;                                                 // some, or where it is kept all
 };
 
 }  // namespace coppermoon::shadow

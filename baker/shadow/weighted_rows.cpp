@@ -2,6 +2,7 @@
 #include "shadow/weighted_rows.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #undef HWY_TARGET_INCLUDE
@@ -14,16 +15,17 @@ namespace coppermoon::shadow::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-void add_rows(const double* rows, std::span<const NodeTerm> terms, double* sums) {
+void add_rows(const double* rows, std::size_t nodes, const double* factors, std::size_t stride,
+              double* sums) {
   const hn::CappedTag<double, lanes> d;
   const std::size_t width = hn::Lanes(d);
   for (std::size_t lane = 0; lane < lanes; lane += width) {
     auto a = hn::Load(d, sums + lane), b = hn::Zero(d), c = hn::Zero(d);
-    for (const auto& term : terms) {
-      const double* row = rows + static_cast<std::size_t>(term.node) * moments * lanes + lane;
-      a = hn::MulAdd(hn::Set(d, term.factors[0]), hn::LoadU(d, row), a);
-      b = hn::MulAdd(hn::Set(d, term.factors[1]), hn::LoadU(d, row + lanes), b);
-      c = hn::MulAdd(hn::Set(d, term.factors[2]), hn::LoadU(d, row + 2 * lanes), c);
+    const double *row = rows + lane, *factor = factors;
+    for (std::size_t i = 0; i < nodes; ++i, row += moments * lanes, factor += stride) {
+      a = hn::MulAdd(hn::Set(d, factor[0]), hn::LoadU(d, row), a);
+      b = hn::MulAdd(hn::Set(d, factor[1]), hn::LoadU(d, row + lanes), b);
+      c = hn::MulAdd(hn::Set(d, factor[2]), hn::LoadU(d, row + 2 * lanes), c);
     }
     hn::Store(hn::Add(a, hn::Add(b, c)), d, sums + lane);
   }
@@ -40,6 +42,71 @@ void add_at(const double* rows, int first, int last, std::span<const int> nodes,
     for (std::size_t i = 0; i < moments * lanes; i += width, sums += width)
       hn::StoreU(hn::MulAdd(weight, hn::LoadU(d, row + i), hn::LoadU(d, sums)), d, sums);
   }
+}
+
+/// So many columns from one on, of all angles.
+template <std::size_t columns>
+void turn_columns(const algebra::Grid<double>& factors, std::size_t column, const double* turns,
+                  double* turned) {
+  const hn::CappedTag<double, angles_together> d;
+  const std::size_t width = hn::Lanes(d), apart = factors.columns();
+  const double* first = factors.values().data() + column;
+  for (std::size_t angle = 0; angle < angles_together; angle += width) {
+    std::array<hn::Vec<decltype(d)>, columns> sums;
+    for (auto& sum : sums) sum = hn::Zero(d);
+    const double *factor = first, *turn = turns + angle;
+    for (std::size_t m = 0; m < factors.rows(); ++m, factor += apart, turn += angles_together) {
+      const auto by = hn::LoadU(d, turn);
+      for (std::size_t i = 0; i < columns; ++i)
+        sums[i] = hn::MulAdd(hn::Set(d, factor[i]), by, sums[i]);
+    }
+    for (std::size_t i = 0; i < columns; ++i)
+      hn::StoreU(sums[i], d, turned + (column + i) * angles_together + angle);
+  }
+}
+
+void turn_all(const algebra::Grid<double>& factors, const std::vector<std::vector<double>>& turns,
+              double* turned) {
+  constexpr std::size_t at_once = 8;
+  const std::size_t columns = factors.columns();
+  for (std::size_t column = 0; column < columns;) {
+    const bool many = column + at_once <= columns;
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+      double* to = turned + i * columns * angles_together;
+      if (many)
+        turn_columns<at_once>(factors, column, turns[i].data(), to);
+      else
+        turn_columns<1>(factors, column, turns[i].data(), to);
+    }
+    column += many ? at_once : 1;
+  }
+}
+
+void add_turned(const double* rows, int first, int last, std::span<const int> nodes,
+                const double* factors, std::size_t terms, double* sums) {
+  const hn::CappedTag<double, lanes> d;
+  const std::size_t width = hn::Lanes(d);
+  for (std::size_t term = 0; term < terms; ++term, sums += angles_together * lanes)
+    for (std::size_t lane = 0; lane < lanes; lane += width) {
+      std::array<hn::Vec<decltype(d)>, angles_together> all;
+      for (std::size_t i = 0; i < angles_together; ++i)
+        all[i] = hn::LoadU(d, sums + i * lanes + lane);
+      const double* factor = factors + term * moments * angles_together;
+      for (const int node : nodes) {
+        const double* row =
+            rows +
+            static_cast<std::size_t>(std::clamp(node, first, last) - first) * moments * lanes +
+            lane;
+        for (std::size_t m = 0; m < moments; ++m) {
+          const auto light = hn::LoadU(d, row + m * lanes);
+          for (std::size_t i = 0; i < angles_together; ++i)
+            all[i] = hn::MulAdd(hn::Set(d, factor[m * angles_together + i]), light, all[i]);
+        }
+        factor += terms * moments * angles_together;
+      }
+      for (std::size_t i = 0; i < angles_together; ++i)
+        hn::StoreU(all[i], d, sums + i * lanes + lane);
+    }
 }
 
 /// sums[k][m][lane], each lane its share of the nodes.
@@ -70,8 +137,9 @@ namespace coppermoon::shadow {
 
 HWY_EXPORT(add_rows);
 
-void add_weighted_rows(const double* rows, std::span<const NodeTerm> terms, double* sums) {
-  HWY_DYNAMIC_DISPATCH(add_rows)(rows, terms, sums);
+void add_weighted_rows(const double* rows, std::size_t nodes, const double* factors,
+                       std::size_t stride, double* sums) {
+  HWY_DYNAMIC_DISPATCH(add_rows)(rows, nodes, factors, stride, sums);
 }
 
 HWY_EXPORT(add_at);
@@ -79,6 +147,21 @@ HWY_EXPORT(add_at);
 void add_rows_at(const double* rows, int first, int last, std::span<const int> nodes, double factor,
                  double* sums) {
   HWY_DYNAMIC_DISPATCH(add_at)(rows, first, last, nodes, factor, sums);
+}
+
+HWY_EXPORT(turn_all);
+
+void turn_factors(const algebra::Grid<double>& factors,
+                  const std::vector<std::vector<double>>& turns, std::vector<double>& turned) {
+  turned.resize(turns.size() * factors.columns() * angles_together);
+  HWY_DYNAMIC_DISPATCH(turn_all)(factors, turns, turned.data());
+}
+
+HWY_EXPORT(add_turned);
+
+void add_turned_rows(const double* rows, int first, int last, std::span<const int> nodes,
+                     const double* factors, std::size_t terms, double* sums) {
+  HWY_DYNAMIC_DISPATCH(add_turned)(rows, first, last, nodes, factors, terms, sums);
 }
 
 HWY_EXPORT(add_lanes);

@@ -14,7 +14,7 @@ namespace {
 constexpr double sun_m = 1.5e11, moon_m = 3.8e8, radius_m = 6.4e6;
 
 /// Five rays 25 m apart of one wavelength, which air neither bends nor dims.
-photons::WholeLimb::Part five_rays() {
+photons::Fan five_rays() {
   photons::Fan fan;
   for (const double height : {0., 25., 50., 75., 100.}) {
     fan.tangent_height_m.push_back(height);
@@ -23,7 +23,7 @@ photons::WholeLimb::Part five_rays() {
     fan.optical_depth.push_back(0);
     if (height > 0) fan.filter.push_back(1);
   }
-  return {radius_m, {fan}, radius_m, {}};
+  return fan;
 }
 
 double landing_bin(double impact_height_m, double bin_m) {
@@ -32,13 +32,13 @@ double landing_bin(double impact_height_m, double bin_m) {
 
 /// ∫ (r − centre)^m b db of all five, r in bins.
 double moment_about(double centre, std::size_t moment, double bin_m) {
-  const LandedLight landed(five_rays(), sun_m, moon_m, bin_m);
+  const std::array fans{five_rays()};
+  const LandedLight landed(fans, radius_m, sun_m, moon_m, bin_m);
   std::array<double, moments> factors{1, 0, 0};
   if (moment == 1) factors = {-centre, 1, 0};
   if (moment == 2) factors = {centre * centre, -2 * centre, 1};
-  const std::array nodes{landed.last()};
-  std::array<double, moments * lanes> sums{};
-  landed.add(nodes, 0, 1, sums);
+  const double* sums =
+      landed.sums() + static_cast<std::size_t>(landed.last() - landed.first()) * moments * lanes;
   return factors[0] * sums[0] + factors[1] * sums[lanes] + factors[2] * sums[2 * lanes];
 }
 
