@@ -16,7 +16,7 @@
 namespace coppermoon::shadow {
 namespace {
 
-constexpr double widest_spacing_m = 10e3, closest_spacing_m = 1e3;
+constexpr double widest_spacing_m = 10e3, most_parts = 10;
 
 /// Half a spacing beyond the last place: refracted light is held so far, for rings end there.
 double last_distance(std::span<const double> x) {
@@ -34,8 +34,28 @@ std::vector<double> row_sums(const ChannelWeights& weights) {
   return sums;
 }
 
-double in_channel(std::span<const double> weights, std::span<const double> ratios) {
-  return std::transform_reduce(weights.begin(), weights.end(), ratios.begin(), 0.);
+/// Weights of one channel, without the noughts at their ends: bands of a spectrum have few others.
+struct Weights {
+  std::size_t first;
+  std::span<const double> values;
+
+  double sum_of(std::span<const double> ratios) const {
+    return std::transform_reduce(values.begin(), values.end(),
+                                 ratios.begin() + static_cast<std::ptrdiff_t>(first), 0.);
+  }
+};
+
+std::vector<Weights> by_channel(const algebra::Grid<double>& weights) {
+  const auto counts = [](double weight) { return weight != 0; };
+  std::vector<Weights> all;
+  for (std::size_t c = 0; c < weights.rows(); ++c) {
+    const auto row = weights.row(c);
+    const auto from = std::ranges::find_if(row, counts) - row.begin();
+    const auto end = std::find_if(row.rbegin(), row.rend() - from, counts).base() - row.begin();
+    const auto first = static_cast<std::size_t>(from);
+    all.push_back({first, row.subspan(first, static_cast<std::size_t>(end) - first)});
+  }
+  return all;
 }
 
 /// Up to four places in a row, and what each counts at a point between them.
@@ -105,12 +125,12 @@ bool in_logarithm(const Rows& logs, std::size_t k) {
 }
 
 std::size_t sector_of(const LookupTable& table, std::size_t row) {
-  return (table.first_sector + row / table.nodes % table.held) % table.sectors;
+  return (table.first_sector + row / table.nodes.count() % table.held) % table.sectors;
 }
 
 /// Whether a row is of the sectors that nobody asked for.
 bool is_dark(const LookupTable& table, std::size_t row) {
-  return table.held < table.sectors && row / table.nodes % table.held == table.held - 1;
+  return table.held < table.sectors && row / table.nodes.count() % table.held == table.held - 1;
 }
 
 /// Fills a table, node by node.
@@ -121,16 +141,16 @@ struct Filling {
   LightPart part;
   BetweenPlaces between{light};
   algebra::Grid<double> direct_weights = direct.in_layers(weights);
+  std::vector<Weights> refracted_in = by_channel(weights), direct_in = by_channel(direct_weights);
 
   /// Given     row  of the table
   /// Returned  whether refracted light is known there
   bool fill(LookupTable& table, std::size_t row, std::span<double> ratios,
             std::span<double> clear) const {
-    const std::size_t plane = row / table.nodes / table.held, sector = sector_of(table, row);
+    const std::size_t nodes = table.nodes.count(), plane = row / nodes / table.held,
+                      sector = sector_of(table, row);
     const double depth_m = table.depths_m[plane];
-    const double at_m =
-        sheared(table.first_m + static_cast<double>(row % table.nodes) * table.spacing_m,
-                depth_m / table.middle_depth_m);
+    const double at_m = sheared(table.nodes.at_m[row % nodes], depth_m / table.middle_depth_m);
     const double angle =
         2 * std::numbers::pi * static_cast<double>(sector) / static_cast<double>(table.sectors);
     direct.clear_parts(at_m, angle, depth_m, clear);
@@ -138,8 +158,8 @@ struct Filling {
     if (part != LightPart::direct) between.read(plane, sector, at_m, ratios);
     const double of_direct = part == LightPart::refracted ? 0 : 1;
     for (std::size_t c = 0; c < weights.rows(); ++c)
-      table.values(row, c) =
-          in_channel(weights.row(c), ratios) + of_direct * in_channel(direct_weights.row(c), clear);
+      table.values(row, c) = static_cast<float>(refracted_in[c].sum_of(ratios) +
+                                                of_direct * direct_in[c].sum_of(clear));
     return between.knows(at_m);
   }
 };
@@ -150,7 +170,7 @@ double bend(const LookupTable& table, std::size_t middle) {
   double bent = 0, brightest = 0;
   for (std::size_t c = 0; c < table.channels; ++c) {
     const auto value = [&](std::size_t i) {
-      return table.values(i, c) / std::max(std::abs(table.sunlight[c]), 1e-300);
+      return double{table.values(i, c)} / std::max(std::abs(table.sunlight[c]), 1e-300);
     };
     const double line = (value(middle - 1) + value(middle + 1)) / 2;
     bent = std::max(bent, std::abs(value(middle) - line) / 4);
@@ -159,38 +179,58 @@ double bend(const LookupTable& table, std::size_t middle) {
   return brightest > 0 ? bent / brightest : 0;
 }
 
-/// Returned  the largest bend where refracted light is known
-double fill_table(LookupTable& table, const Filling& filling, double to_m) {
-  table.nodes = static_cast<std::size_t>(std::ceil((to_m - table.first_m) / table.spacing_m)) + 1;
-  table.nodes = std::max<std::size_t>(2, table.nodes);
-  const std::size_t rows = table.depths_m.size() * table.held * table.nodes;
+/// Fills a table of given nodes.
+///
+/// Returned  by row, whether refracted light is known there
+std::vector<char> fill_table(LookupTable& table, const Filling& filling) {
+  const std::size_t rows = table.depths_m.size() * table.held * table.nodes.count();
   table.values = {};  // those of wider nodes, before there are two of them
-  table.values = algebra::Grid<double>(rows, table.sunlight.size());
+  table.values = algebra::Grid<float>(rows, table.sunlight.size());
   std::vector<char> known(rows);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, 64), [&](const auto& part) {
     std::vector<double> ratios(filling.weights.columns()), clear(filling.direct_weights.columns());
     for (std::size_t i = part.begin(); i < part.end(); ++i)
       if (!is_dark(table, i)) known[i] = filling.fill(table, i, ratios, clear);
   });
-  double worst = 0;
-  for (std::size_t i = 1; i + 1 < rows; ++i)
-    if (i % table.nodes != 0 && (i + 1) % table.nodes != 0 && known[i - 1] && known[i + 1])
-      worst = std::max(worst, bend(table, i));
+  return known;
+}
+
+/// The largest bend at each node, in any sector, where refracted light is known.
+std::vector<double> bends(const LookupTable& table, std::span<const char> known) {
+  const std::size_t nodes = table.nodes.count();
+  std::vector<double> worst(nodes);
+  tbb::parallel_for(std::size_t{1}, nodes - 1, [&](std::size_t node) {
+    for (std::size_t i = node; i < table.values.rows(); i += nodes)
+      if (known[i - 1] && known[i + 1]) worst[node] = std::max(worst[node], bend(table, i));
+  });
   return worst;
 }
 
-/// The straight line's error falls as the square of the spacing, where direct light begins as its power
-/// of 3/2: so does the part of the Sun's disc that is clear.
-double spacing_for(double tolerance, double error) {
-  const double finer = std::pow(std::min(1., 0.8 * tolerance / error), 2. / 3);
-  return std::max(closest_spacing_m, widest_spacing_m * finer);
+/// Into how many parts a cell is cut. The straight line's error falls as the square of the spacing,
+/// where direct light begins as its power of 3/2: so does the part of the Sun's disc that is clear.
+double parts_for(double tolerance, double error) {
+  if (error <= tolerance) return 1;
+  return std::min(most_parts, std::ceil(std::pow(error / (0.8 * tolerance), 2. / 3)));
 }
 
-/// The closest at which a table is no larger than a gigabyte, if it is not at its widest.
-double spacing_in_memory(const LookupTable& table) {
-  constexpr double most_values = 1e9 / sizeof(double);
-  const auto values = static_cast<double>(table.values.rows() * table.values.columns());
-  return std::min(widest_spacing_m, table.spacing_m * values / most_values);
+/// Parts of each cell, by what its own nodes and those beside are bent by; no more of them than fill
+/// half a gigabyte.
+std::vector<double> parts_of_cells(const LookupTable& table, std::span<const double> bends,
+                                   double tolerance) {
+  constexpr double most_values = 5e8 / sizeof(float);
+  const auto cells = table.nodes.parts.size();
+  const auto most_nodes = most_values * static_cast<double>(table.nodes.count()) /
+                          static_cast<double>(table.values.values().size());
+  std::vector<double> parts(cells);
+  for (std::size_t c = 0; c < cells; ++c) {
+    const std::size_t from = std::max<std::size_t>(1, c) - 1, to = std::min(c + 3, bends.size());
+    const double error = *std::max_element(bends.begin() + static_cast<std::ptrdiff_t>(from),
+                                           bends.begin() + static_cast<std::ptrdiff_t>(to));
+    parts[c] = parts_for(tolerance, error);
+  }
+  for (double most = most_parts; most > 1 && std::reduce(parts.begin(), parts.end()) > most_nodes;)
+    for (--most; double& count : parts) count = std::min(count, most);
+  return parts;
 }
 
 }  // namespace
@@ -247,13 +287,17 @@ Lookup::Lookup(const RefractedLight& light, const DirectLight& direct,
   table_.first_sector = range.first_sector % light.sectors;
   table_.held = range.sectors < light.sectors ? range.sectors + 1 : light.sectors;
   table_.end_m = direct.penumbra_m(table_.depths_m.back());
-  table_.first_m = std::clamp(range.from_m, 0., table_.end_m);
-  table_.spacing_m = widest_spacing_m;
-  const double to_m = std::clamp(range.to_m, table_.first_m, table_.end_m);
+  const double first_m = std::clamp(range.from_m, 0., table_.end_m),
+               to_m = std::clamp(range.to_m, first_m, table_.end_m);
+  const double cells = std::max(1., std::ceil((to_m - first_m) / widest_spacing_m));
+  std::vector<double> parts(static_cast<std::size_t>(cells), 1.);
+  table_.nodes = uneven_nodes(first_m, widest_spacing_m, parts);
   const Filling filling{light, direct, weights, part};
-  if (const double error = fill_table(table_, filling, to_m); error > range.tolerance) {
-    table_.spacing_m = std::max(spacing_for(range.tolerance, error), spacing_in_memory(table_));
-    fill_table(table_, filling, to_m);
+  const auto known = fill_table(table_, filling);
+  parts = parts_of_cells(table_, bends(table_, known), range.tolerance);
+  if (std::ranges::any_of(parts, [](double count) { return count > 1; })) {
+    table_.nodes = uneven_nodes(first_m, widest_spacing_m, parts);
+    fill_table(table_, filling);
   }
   if (part == LightPart::refracted) std::ranges::fill(table_.sunlight, 0);
 }
@@ -267,8 +311,14 @@ void Lookup::read(const eclipse::ShadowPlace& place, std::span<double> values) c
 }
 
 void Lookup::transform(const std::function<void(std::span<double>)>& change) {
-  for (std::size_t i = 0; i < table_.values.rows(); ++i)
-    change(table_.values.row(i).first(channels()));
+  std::vector<double> values(channels());
+  for (std::size_t i = 0; i < table_.values.rows(); ++i) {
+    const auto row = table_.values.row(i).first(channels());
+    std::ranges::copy(row, values.begin());
+    change(values);
+    std::ranges::transform(values, row.begin(),
+                           [](double value) { return static_cast<float>(value); });
+  }
   change(std::span(table_.sunlight).first(channels()));
 }
 
@@ -279,14 +329,14 @@ double Lookup::worst_relative_error(const RefractedLight& light, const ChannelWe
   double worst = 0;
   for (std::size_t i = 0; i < table_.values.rows(); ++i) {
     if (is_dark(table_, i)) continue;
-    const std::size_t plane = i / table_.nodes / table_.held, n = i % table_.nodes;
+    const std::size_t nodes = table_.nodes.count(), plane = i / nodes / table_.held, n = i % nodes;
     const auto& known = light.standard_error[plane * table_.sectors + sector_of(table_, i)];
     if (n == 0)
       for (std::size_t p = 0; p < errors.size(); ++p)
         errors[p] = combined_error(light, known.row(p), weights.row(0));
-    const double at_m = table_.first_m + static_cast<double>(n) * table_.spacing_m;
+    const double at_m = table_.nodes.at_m[n];
     if (at_m < from_m || at_m > to_m) continue;
-    const double value = table_.values(i, 0);
+    const double value = double{table_.values(i, 0)};
     const double error =
         at_m < last_distance(places) ? algebra::interpolated(places, errors, at_m) : 0;
     worst = std::max(worst, value > 0 ? error / value : 1);

@@ -73,7 +73,7 @@ class Lookup {
   ///           range    outside of it the outermost values hold, but for sunlight
   /// Accuracy  straight lines between nodes err by less than the tolerance of the brightest channel
   ///           (each counted in its own sunlight), unless nodes were to stand closer than 1 km, or
-  ///           the table to take more than a gigabyte
+  ///           the table to take more than half a gigabyte
   /// Throws    Error    when the tolerance is outside its range
   Lookup(const RefractedLight& light, const DirectLight& direct, const ChannelWeights& weights,
          const LookupRange& range = {}, LightPart part = LightPart::all);

@@ -33,19 +33,26 @@ struct Found {
 
 template <class D, class V = hn::VFromD<D>>
 Between<V> between_nodes(D d, const LookupTable& table, V axis_distance_m) {
-  const auto last = hn::Set(d, static_cast<double>(table.nodes - 1));
-  const auto step = hn::Set(d, static_cast<double>(table.values.columns()));
-  const auto beyond_first = hn::Sub(axis_distance_m, hn::Set(d, table.first_m));
-  const auto node =
-      hn::Clamp(hn::Mul(beyond_first, hn::Set(d, 1 / table.spacing_m)), hn::Zero(d), last);
-  const auto low = hn::Min(hn::Floor(node), hn::Sub(last, hn::Set(d, 1)));
-  return {hn::Mul(low, step), hn::Sub(node, low)};
+  const hn::RebindToSigned<D> indices;
+  const auto& nodes = table.nodes;
+  const auto cells = hn::Set(d, static_cast<double>(nodes.parts.size()));
+  const auto one = hn::Set(d, 1), size = hn::Set(d, static_cast<double>(table.values.columns()));
+  const auto beyond_first = hn::Sub(axis_distance_m, hn::Set(d, nodes.first_m));
+  const auto place =
+      hn::Clamp(hn::Mul(beyond_first, hn::Set(d, 1 / nodes.cell_m)), hn::Zero(d), cells);
+  const auto cell = hn::Min(hn::Floor(place), hn::Sub(cells, one));
+  const auto index = hn::ConvertTo(indices, cell);
+  const auto first = hn::GatherIndex(d, nodes.first_node.data(), index),
+             parts = hn::GatherIndex(d, nodes.parts.data(), index);
+  const auto along = hn::Mul(hn::Sub(place, cell), parts);
+  const auto low = hn::Min(hn::Floor(along), hn::Sub(parts, one));
+  return {hn::Mul(hn::Add(first, low), size), hn::Sub(along, low)};
 }
 
 template <class D, class V = hn::VFromD<D>>
 Between<V> between_planes(D d, const LookupTable& table, V depth_m) {
   const auto& depths = table.depths_m;
-  const auto size = static_cast<double>(table.held * table.nodes * table.values.columns());
+  const auto size = static_cast<double>(table.held * table.nodes.count() * table.values.columns());
   auto low = hn::Zero(d), part = hn::Zero(d);
   for (std::size_t k = 0; k + 1 < depths.size(); ++k) {
     const auto behind = hn::Sub(depth_m, hn::Set(d, depths[k]));
@@ -99,7 +106,7 @@ void find_lanes(D d, const LookupTable& table, const Places& places, std::size_t
   hn::StoreU(plane.part, d, &found.deeper[k]);
   if (table.sectors == 1) return store_start(hn::Zero(d), &found.start[k]);
   const auto count = hn::Set(d, static_cast<double>(table.sectors));
-  const auto size = hn::Set(d, static_cast<double>(table.nodes * table.values.columns()));
+  const auto size = hn::Set(d, static_cast<double>(table.nodes.count() * table.values.columns()));
   const auto turn = hn::Mul(position_angle(d, east, north),
                             hn::Mul(count, hn::Set(d, 1 / (2 * std::numbers::pi))));
   const auto whole = hn::Floor(turn), next = hn::Add(whole, hn::Set(d, 1));
@@ -121,13 +128,15 @@ template <class D, class V = hn::VFromD<D>>
 V blended(D d, const LookupTable& table, const Found& found, std::size_t k, std::size_t channel) {
   if (found.start[k] < 0) return hn::LoadU(d, &table.sunlight[channel]);
   const std::size_t node = table.values.columns();
-  const std::size_t plane = table.depths_m.size() > 1 ? table.held * table.nodes * node : 0;
+  const std::size_t plane = table.depths_m.size() > 1 ? table.held * table.nodes.count() * node : 0;
   const auto along = hn::Set(d, found.along[k]), deeper = hn::Set(d, found.deeper[k]);
   const auto mixed = [](V a, V b, V part) { return hn::MulAdd(part, hn::Sub(b, a), a); };
+  const hn::Rebind<float, D> single;
+  const auto load = [&](const float* at) { return hn::PromoteTo(d, hn::LoadU(single, at)); };
   const auto in_sector = [&](std::int64_t start) {
-    const double* at = table.values.values().data() + start + channel;
-    return mixed(mixed(hn::LoadU(d, at), hn::LoadU(d, at + node), along),
-                 mixed(hn::LoadU(d, at + plane), hn::LoadU(d, at + plane + node), along), deeper);
+    const float* at = table.values.values().data() + start + channel;
+    return mixed(mixed(load(at), load(at + node), along),
+                 mixed(load(at + plane), load(at + plane + node), along), deeper);
   };
   const auto value = in_sector(found.start[k]);
   if (table.sectors == 1) return value;
@@ -172,11 +181,22 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace coppermoon::shadow {
 
+UnevenNodes uneven_nodes(double first_m, double cell_m, std::span<const double> parts) {
+  UnevenNodes nodes{first_m, cell_m, {}, {parts.begin(), parts.end()}, {}};
+  for (std::size_t cell = 0; cell < parts.size(); ++cell) {
+    nodes.first_node.push_back(static_cast<double>(nodes.count()));
+    for (double part = 0; part < parts[cell]; ++part)
+      nodes.at_m.push_back(first_m + (static_cast<double>(cell) + part / parts[cell]) * cell_m);
+  }
+  nodes.at_m.push_back(first_m + static_cast<double>(parts.size()) * cell_m);
+  return nodes;
+}
+
 HWY_EXPORT(read_all);
 
 void read(const LookupTable& table, const Places& places, std::span<double> values) {
   assert(values.size() == table.channels * places.depth_m.size());
-  if (table.nodes > 0) return HWY_DYNAMIC_DISPATCH(read_all)(table, places, values);
+  if (table.nodes.count() > 0) return HWY_DYNAMIC_DISPATCH(read_all)(table, places, values);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = table.sunlight[i % table.channels];
 }
 

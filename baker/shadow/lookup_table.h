@@ -16,7 +16,20 @@ struct Places {
   std::span<const double> east_m, north_m, depth_m;
 };
 
-/// Channel values over place in the shadow, at even axis distances, on planes and in sectors.
+/// Axis distances, closer where more happens: even cells, each cut into so many equal parts.
+struct UnevenNodes {
+  double first_m = 0, cell_m = 1;  ///< of the first node, and of each cell the width
+  std::vector<double> first_node;  ///< [cell] a whole number
+  std::vector<double> parts;       ///< [cell] likewise, 1 or more
+  std::vector<double> at_m;        ///< [node]
+
+  std::size_t count() const { return at_m.size(); }
+};
+
+/// Cells that are cut into so many parts each.
+UnevenNodes uneven_nodes(double first_m, double cell_m, std::span<const double> parts);
+
+/// Channel values over place in the shadow, at nodes of axis distance, on planes and in sectors.
 struct LookupTable {
   std::size_t channels = 0;
   std::vector<double> depths_m;  ///< of the planes, increasing
@@ -24,11 +37,10 @@ struct LookupTable {
   std::vector<double> sunlight;  ///< [channel], padded
   std::size_t sectors = 1, first_sector = 0;  ///< around the axis, and the first of those held
   std::size_t held = 1;                       ///< if not all, the last of them is all others, dark
-  std::size_t nodes = 0;
-  double first_m = 0, spacing_m = 1;  ///< axis distance of the first node, and between nodes
-  double end_m = 0;                   ///< beyond this axis distance all is sunlight
+  UnevenNodes nodes;
+  double end_m = 0;  ///< beyond this axis distance all is sunlight
   /// ((plane × held + sector, counted from the first held) × nodes + node, padded channel)
-  algebra::Grid<double> values;
+  algebra::Grid<float> values;
 };
 
 /// Distance from the Earth's centre at which a ray passes the limb [m].
