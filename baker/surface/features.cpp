@@ -65,7 +65,9 @@ std::vector<Ray> rays(double reach_rad, float radius_rad, std::uint64_t crater) 
     const double even =
         (static_cast<double>(i) + 1.3 * random.uniform()) / static_cast<double>(found.size());
     const double shortened = 0.4 + 0.6 * std::pow(random.uniform(), 1.4);
-    found[i] = {static_cast<float>(2 * pi * even), static_cast<float>(reach_rad * shortened),
+    const double azimuth = 2 * pi * even;
+    found[i] = {static_cast<float>(std::sin(azimuth)), static_cast<float>(std::cos(azimuth)),
+                static_cast<float>(reach_rad * shortened),
                 static_cast<float>((0.018 + 0.03 * random.uniform()) * std::sqrt(radius_rad)),
                 static_cast<float>(0.45 + 0.55 * random.uniform())};
   }

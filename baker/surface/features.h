@@ -24,7 +24,8 @@ struct Patch {
 
 /// One ray of a fresh crater.
 struct Ray {
-  float azimuth_rad, length_rad, half_width_rad, strength;
+  float east, north;  ///< where it leads to, a unit vector
+  float length_rad, half_width_rad, strength;
 };
 
 /// A fresh crater: a bright floor and halo, and rays.

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 
 namespace coppermoon::surface {
@@ -14,18 +13,22 @@ std::uint64_t hashed(std::int32_t x, std::int32_t y, std::int32_t z, std::uint32
 /// The bits of a hash as a number, 0 to 1.
 double unit_interval(std::uint64_t hash);
 
-/// Four independent noise values, each −1 to 1.
-using Noise = std::array<float, 4>;
+/// Unit vectors, coordinate by coordinate.
+struct Directions {
+  std::span<const float> x, y, z;
+};
+
+/// Four independent noise values of each of many points, each −1 to 1, value by value.
+using Noise = std::array<std::span<float>, 4>;
 
 /// Value noise in space at each of many points: random values at the corners of cubes, smoothly
 /// interpolated, so a sphere cut out of it has neither seam nor pole. Neighbouring points are
 /// quick.
 ///
-/// Given     points      unit vectors
-///           frequency   cubes to the unit of length
+/// Given     frequency   cubes to the unit of length
 ///           amplitude   what each of the four values is multiplied by before it is added
 /// Returned  added to `sums`, as many as points
-void add_noise(std::span<const glm::vec3> points, float frequency, const Noise& amplitude,
-               std::span<Noise> sums);
+void add_noise(const Directions& points, float frequency, const std::array<float, 4>& amplitude,
+               const Noise& sums);
 
 }  // namespace coppermoon::surface

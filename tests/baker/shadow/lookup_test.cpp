@@ -140,16 +140,16 @@ TEST(Lookup, TurnsWithThePositionAngle) {
   RefractedLight light{around_the_moon, {500}, {0, 1e6, 2e6}, 4, {}, {}};
   for (int plane = 0; plane < 3; ++plane)
     for (int sector = 0; sector < 4; ++sector) {
-      light.ratio.emplace_back(3, 1, 0.1 * sector);
+      light.ratio.emplace_back(3, 1, 0.125 * sector);  // whole in single precision
       light.standard_error.emplace_back(3, 1);
     }
   const Lookup lookup(light, direct({500}), one_channel(1));
   const double quarter = std::numbers::pi / 2;
-  EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, quarter)), 0.1, 1e-14,
+  EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, quarter)), 0.125, 1e-14,
                 "the middle of sector 1, to the east");
-  EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, 1.5 * quarter)), 0.15, 1e-14,
+  EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, 1.5 * quarter)), 0.1875, 1e-14,
                 "half way to sector 2");
-  EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, 3.5 * quarter)), 0.15, 1e-14,
+  EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, 3.5 * quarter)), 0.1875, 1e-14,
                 "half way from sector 3 to 0");
 }
 
@@ -298,13 +298,14 @@ TEST(Lookup, HoldsItsEndsOutsideItsRange) {
   EXPECT_EQ(read(lookup, place(1e7, 3.82e8)), 1) << "sunlight";
 }
 
-/// Ratios that are linear in depth, and by sector 0.1 + 0.01 s.
+/// Ratios that are straight between planes, 2, 3 and 4, by sector times (8 + s)/128: whole in single
+/// precision.
 RefractedLight light_by_sector(std::size_t sectors) {
   RefractedLight light{around_the_moon, {500, 600}, {0, 1e6, 2e6, 3e6}, sectors, {}, {}};
   for (std::size_t plane = 0; plane < 3; ++plane)
     for (std::size_t s = 0; s < sectors; ++s) {
-      const double depth_part = (around_the_moon.depths_m[plane] - 3.812e8) / 1.7e6;
-      light.ratio.emplace_back(4, 2, (0.1 + 0.01 * static_cast<double>(s)) * (1 + depth_part));
+      light.ratio.emplace_back(
+          4, 2, (8 + static_cast<double>(s)) / 128 * (2 + static_cast<double>(plane)));
       light.standard_error.emplace_back(4, 2);
     }
   return light;
@@ -327,10 +328,13 @@ TEST(Lookup, ReadsManyPlacesByTheClosedForm) {
     const double angle = std::atan2(east[i], north[i]), whole = 2 * std::numbers::pi;
     const double turn = (angle < 0 ? angle + whole : angle) / whole * sectors;
     const double s = turn < 23 ? turn : 23 * (24 - turn);  // from sector 23 back to 0
-    const double in_depth = 1 + std::clamp((depth[i] - 3.812e8) / 1.7e6, 0., 1.);
+    const auto& planes = around_the_moon.depths_m;
+    const double in_depth = 2 +
+                            std::clamp((depth[i] - planes[0]) / (planes[1] - planes[0]), 0., 1.) +
+                            std::clamp((depth[i] - planes[1]) / (planes[2] - planes[1]), 0., 1.);
     for (std::size_t c = 0; c < channels; ++c)
       EXPECT_WITHIN_RELATIVE(values[i * channels + c],
-                             static_cast<double>(c + 1) * (0.1 + 0.01 * s) * in_depth, 1e-12,
+                             static_cast<double>(c + 1) * (8 + s) / 128 * in_depth, 1e-12,
                              "linear in depth and angle: rounding alone");
   }
 }
