@@ -7,6 +7,7 @@
 #include <limits>
 #include <mutex>
 #include <numbers>
+#include <optional>
 
 #include "algebra/error.h"
 #include "algebra/interpolation.h"
@@ -42,14 +43,29 @@ double between(double pole, double equator, double theta) {
   return (pole + equator) / 2 + (pole - equator) / 2 * std::cos(2 * theta);
 }
 
-/// The angles that are computed: each sector's; on an ellipsoid without regions only those towards
-/// its pole and its equator.
-std::vector<double> angles(const Atmosphere& atmosphere, const QuadratureSettings& settings) {
-  if (atmosphere.symmetric()) return {0};
-  if (atmosphere.one_column()) return {0, pi / 2};
-  std::vector<double> all;
-  for (std::size_t i = 0; i < std::min(settings.sectors, settings.around); ++i)
-    all.push_back(sector_angle((settings.first_sector + i) % settings.around, settings.around));
+/// The position angles that are computed, and which of them each sector has the light of: its own, or
+/// of belts that of its mirror image. Sectors that nobody asked for have none. On an ellipsoid
+/// without regions light is computed towards its pole and its equator alone.
+struct Directions {
+  std::vector<double> angles_rad;
+  std::vector<std::optional<std::size_t>> of_sector = {};
+};
+
+Directions directions(const Atmosphere& atmosphere, const QuadratureSettings& settings) {
+  if (atmosphere.symmetric()) return {{0}};
+  if (atmosphere.one_column()) return {{0, pi / 2}};
+  Directions all{{}, std::vector<std::optional<std::size_t>>(settings.around)};
+  std::vector<std::optional<std::size_t>> computed(settings.around);
+  for (std::size_t i = 0; i < std::min(settings.sectors, settings.around); ++i) {
+    const std::size_t sector = (settings.first_sector + i) % settings.around,
+                      mirrored = (settings.around - sector) % settings.around,
+                      like = atmosphere.regions.empty() ? std::min(sector, mirrored) : sector;
+    if (!computed[like]) {
+      computed[like] = all.angles_rad.size();
+      all.angles_rad.push_back(sector_angle(like, settings.around));
+    }
+    all.of_sector[sector] = computed[like];
+  }
   return all;
 }
 
@@ -173,23 +189,20 @@ class Refinement {
 };
 
 /// Rings of angles become sectors.
-void fill(std::span<const Ring> rings, const Atmosphere& atmosphere,
-          const QuadratureSettings& settings, RefractedLight& light) {
+void fill(std::span<const Ring> rings, const Atmosphere& atmosphere, const Directions& directions,
+          RefractedLight& light) {
   const bool ellipse_alone = atmosphere.one_column() && !atmosphere.symmetric();
-  const std::size_t waves = light.wavelengths_nm.size();
-  const std::size_t a_plane = rings[0].ratio.rows() / light.arrangement.depths_m.size();
+  const std::size_t waves = light.wavelengths_nm.size(), a_plane = directions.angles_rad.size();
   for (std::size_t g = 0; g < light.ratio.size(); ++g) {
     const std::size_t plane = g / light.sectors, s = g % light.sectors;
-    const std::size_t i = (s + light.sectors - settings.first_sector) % light.sectors;
+    const auto computed = directions.of_sector.empty() ? std::size_t{0} : directions.of_sector[s];
+    if (!computed) continue;
     for (std::size_t d = 0; d < rings.size(); ++d) {
       const auto row = [&](std::size_t k) { return rings[d].ratio.row(plane * a_plane + k); };
-      for (std::size_t w = 0; w < waves; ++w) {
-        if (ellipse_alone) {
-          light.ratio[g](d, w) = between(row(0)[w], row(1)[w], sector_angle(s, light.sectors));
-        } else if (light.sectors == 1 || i < a_plane) {
-          light.ratio[g](d, w) = row(light.sectors == 1 ? 0 : i)[w];
-        }
-      }
+      for (std::size_t w = 0; w < waves; ++w)
+        light.ratio[g](d, w) = ellipse_alone
+                                   ? between(row(0)[w], row(1)[w], sector_angle(s, light.sectors))
+                                   : row(*computed)[w];
     }
   }
 }
@@ -215,7 +228,7 @@ Wavelengths fewer(const Wavelengths& all, std::size_t count) {
 /// memory, some of these say where rings are put.
 std::vector<Ring> rings_of(const Atmosphere& atmosphere, const Arrangement& arrangement,
                            std::span<const double> wavelengths_nm,
-                           std::span<const double> axis_distances_m,
+                           std::span<const double> axis_distances_m, const Directions& directions,
                            const QuadratureSettings& settings, const algebra::Progress& progress) {
   constexpr std::size_t telling = 32;
   const Wavelengths all{
@@ -223,7 +236,7 @@ std::vector<Ring> rings_of(const Atmosphere& atmosphere, const Arrangement& arra
       photons::disc_terms(wavelengths_nm, arrangement.limb_darkening, settings.sun_terms)};
   const photons::WholeLimb limb(atmosphere, all.optics, settings.rays,
                                 photons::WholeLimb::Fans::when_asked);
-  const Around around(limb, highest_harmonic(atmosphere), angles(atmosphere, settings));
+  const Around around(limb, highest_harmonic(atmosphere), directions.angles_rad);
   const auto sunlit = [&](const Wavelengths& waves) {
     return LandedPlane::Sunlit{limb,         around,      waves.sun,
                                waves.optics, arrangement, bin_width_m(settings.rays)};
@@ -263,12 +276,13 @@ RefractedLight by_quadrature(const Atmosphere& atmosphere, const Arrangement& ar
   const std::size_t sectors = atmosphere.symmetric() ? 1 : settings.around;
   if (atmosphere.top_m() <= 0 || wavelengths_nm.empty() || axis_distances_m.empty())
     return darkness(arrangement, wavelengths_nm, axis_distances_m, sectors);
-  const auto rings =
-      rings_of(atmosphere, arrangement, wavelengths_nm, axis_distances_m, settings, progress);
+  const auto around = directions(atmosphere, settings);
+  const auto rings = rings_of(atmosphere, arrangement, wavelengths_nm, axis_distances_m, around,
+                              settings, progress);
   std::vector<double> distances_m;
   for (const auto& ring : rings) distances_m.push_back(ring.gamma_m);
   auto light = darkness(arrangement, wavelengths_nm, distances_m, sectors);
-  fill(rings, atmosphere, settings, light);
+  fill(rings, atmosphere, around, light);
   return light;
 }
 

@@ -17,8 +17,8 @@ namespace {
 using photons::WholeLimb;
 using std::numbers::pi;
 
-/// Directions around the axis that the parts of the limb are looked up in.
-constexpr int directions = 1440;
+/// Position angles that the parts of the limb are looked up at.
+constexpr int looked_at = 1440;
 
 /// How many of them light has that far from the axis, in radii of the projected Sun: the nearer, the
 /// more of the limb a place sees at once.
@@ -41,26 +41,26 @@ Around::Around(const WholeLimb& limb, int highest, std::span<const double> angle
     : parts(limb.series(highest)),
       turns(angles_rad.size(), 2 * parts[0].cosine.size()),
       angles_rad_(angles_rad.begin(), angles_rad.end()),
-      here_(parts.size(), 2 * directions + 1) {
+      here_(parts.size(), 2 * looked_at + 1) {
   for (std::size_t i = 0; i < angles_rad.size(); ++i)
     for (std::size_t m = 0; m < harmonics(); ++m) {
       turns(i, 2 * m) = std::cos(static_cast<double>(m) * angles_rad[i]);
       turns(i, 2 * m + 1) = std::sin(static_cast<double>(m) * angles_rad[i]);
     }
-  for (int i = 0; i < 2 * directions; ++i)
-    for (const auto& [part, share] : limb.at(2 * pi * i / directions))
+  for (int i = 0; i < 2 * looked_at; ++i)
+    for (const auto& [part, share] : limb.at(2 * pi * i / looked_at))
       if (share > 0) here_(part, static_cast<std::size_t>(i) + 1) = 1;
   for (std::size_t p = 0; p < parts.size(); ++p)
     for (std::size_t i = 1; i < here_.columns(); ++i) here_(p, i) += here_(p, i - 1);
 }
 
 bool Around::is_near(std::size_t part, std::size_t angle, double half_arc_rad) const {
-  constexpr double a_direction = 2 * pi / directions;
+  constexpr double a_direction = 2 * pi / looked_at;
   const int half = static_cast<int>(std::ceil(half_arc_rad / a_direction)) + 1;
-  if (2 * half >= directions / 2) return true;
+  if (2 * half >= looked_at / 2) return true;
   const int middle = static_cast<int>(std::lround(angles_rad_[angle] / a_direction));
-  for (const int about : {middle, middle + directions / 2}) {
-    const int from = ((about - half) % directions + directions) % directions;
+  for (const int about : {middle, middle + looked_at / 2}) {
+    const int from = ((about - half) % looked_at + looked_at) % looked_at;
     const auto row = here_.row(part);
     if (row[static_cast<std::size_t>(from + 2 * half + 1)] > row[static_cast<std::size_t>(from)])
       return true;

@@ -23,7 +23,7 @@ using atmosphere::Column;
 using std::numbers::pi;
 
 constexpr int nodes_a_piece = 4, points_a_sight = 48;
-constexpr std::size_t angles_around = 12;  // of the ring, where the air is alike all around
+constexpr std::size_t angles_around = 12;  // that a ring's light is computed at
 
 double squared(double x) { return x * x; }
 
@@ -247,16 +247,40 @@ class Ring {
 /// By the angle between the limb's direction and the place's: half around, the other half alike.
 using AroundTheRing = std::vector<std::vector<double>>;
 
-AroundTheRing around(const Ring& ring, double axis_distance_m, double depth_m, std::size_t angles,
-                     std::size_t waves) {
-  AroundTheRing light(angles / 2 + 1, std::vector<double>(waves));
-  for (std::size_t a = 0; a < light.size(); ++a) {
-    const double psi = 2 * pi * static_cast<double>(a) / static_cast<double>(angles);
+/// What an even series in the angle has at each of some angles around, by its values at those of
+/// `angles_around` that are half around, of as many harmonics.
+Grid<double> between_angles(std::size_t angles) {
+  constexpr std::size_t half = angles_around / 2;
+  Grid<double> shares(angles / 2 + 1, half + 1);
+  for (std::size_t a = 0; a < shares.rows(); ++a)
+    for (std::size_t node = 0; node <= half; ++node) {
+      const double of_both_sides = node == 0 || node == half ? 1 : 2;
+      for (std::size_t m = 0; m <= half; ++m) {
+        const double harmonic = (m == 0 || m == half ? 1 : 2) / static_cast<double>(angles_around);
+        shares(a, node) +=
+            of_both_sides * harmonic *
+            std::cos(2 * pi * static_cast<double>(m * node) / angles_around) *
+            std::cos(2 * pi * static_cast<double>(m * a) / static_cast<double>(angles));
+      }
+    }
+  return shares;
+}
+
+/// Given  shares  of the angles asked for, as `between_angles` has them
+AroundTheRing around(const Ring& ring, double axis_distance_m, double depth_m,
+                     const Grid<double>& shares, std::size_t waves) {
+  AroundTheRing nodes(shares.columns(), std::vector<double>(waves)),
+      light(shares.rows(), std::vector<double>(waves));
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    const double psi = 2 * pi * static_cast<double>(a) / angles_around;
     if (a > 0 && axis_distance_m == 0)
-      light[a] = light[0];
+      nodes[a] = nodes[0];
     else
-      ring.add(View(axis_distance_m, depth_m, psi), light[a]);
+      ring.add(View(axis_distance_m, depth_m, psi), nodes[a]);
   }
+  for (std::size_t a = 0; a < light.size(); ++a)
+    for (std::size_t node = 0; node < nodes.size(); ++node)
+      for (std::size_t w = 0; w < waves; ++w) light[a][w] += shares(a, node) * nodes[node][w];
   return light;
 }
 
@@ -306,12 +330,13 @@ RefractedLight twilight(const Atmosphere& whole, const Arrangement& arrangement,
   auto light = darkness(arrangement, wavelengths_nm, axis_distances_m, sectors);
   if (atmosphere.top_m() <= 0 || waves == 0) return light;
   const auto rings = rings_of(atmosphere, wavelengths_nm);
+  const auto shares = between_angles(angles);
   tbb::parallel_for(std::size_t{0}, planes * distances, [&](std::size_t i) {
     const std::size_t k = i / distances, d = i % distances;
     const double depth = arrangement.depths_m[k];
     std::vector<AroundTheRing> lights;
     for (const auto& ring : rings)
-      lights.push_back(around(ring, axis_distances_m[d], depth, angles, waves));
+      lights.push_back(around(ring, axis_distances_m[d], depth, shares, waves));
     const double factor =
         squared(1 + depth / arrangement.sun_distance_m) * 2 * pi / static_cast<double>(angles);
     for (std::size_t s = 0; s < sectors; ++s)

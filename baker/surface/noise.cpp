@@ -32,7 +32,7 @@ inline Corners corners_of(const std::array<std::int32_t, 3>& at, std::uint32_t s
 /// The last cube that all points of a vector lay in.
 struct Cube {
   std::array<std::int32_t, 3> at{INT32_MIN, 0, 0};
-  Corners corners;
+  Corners corners{};
 };
 
 struct Octave {
