@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "algebra/error.h"
 #include "algebra/interpolation.h"
@@ -65,6 +66,7 @@ class Polynomial {
   explicit Polynomial(std::vector<Path> values) : values_(std::move(values)) {}
 
   int degree() const { return static_cast<int>(values_.size()) - 1; }
+  std::span<const Path> values() const { return values_; }
   const Path& at_point(int j) const { return values_[static_cast<std::size_t>(j)]; }
 
   /// Berrut & Trefethen (2004), SIAM Review 46, 501: the barycentric formula.
@@ -128,9 +130,15 @@ struct Follower {
   std::optional<ProfileTable> table =
       column.seasonal_air ? std::optional<ProfileTable>(column) : std::nullopt;
 
-  std::vector<Path> at(const HeightRange& piece, int degree, double refractivity) const {
+  /// Given  known  paths at every other point, which are those of half the degree; or none
+  std::vector<Path> at(const HeightRange& piece, int degree, double refractivity,
+                       std::span<const Path> known = {}) const {
     std::vector<Path> values(static_cast<std::size_t>(degree) + 1);
     tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t j) {
+      if (!known.empty() && j % 2 == 0) {
+        values[j] = known[j / 2];
+        return;
+      }
       const double place = chebyshev_place(static_cast<int>(j), degree);
       values[j] = parts(limb_path(piece.height_m(place), earth_radius_m, column, refractivity,
                                   table ? &*table : nullptr));
@@ -138,23 +146,24 @@ struct Follower {
     return values;
   }
 
-  /// A degree at which the polynomial of half that degree is already nearly good enough.
-  int sufficient_degree(const HeightRange& piece, double refractivity,
+  /// A polynomial of a degree that is good enough, as the half of it already nearly is.
+  Polynomial sufficient(const HeightRange& piece, double refractivity,
                         const Significance& significance, double error) const {
     constexpr int lowest = 6, highest = 48;
     constexpr double gain = 16;  // of a doubled degree, at least, where the profiles have kinks
     Polynomial coarse(at(piece, lowest, refractivity));
-    for (int degree = 2 * lowest; degree < highest; degree *= 2) {
-      const Polynomial fine(at(piece, degree, refractivity));
+    for (int degree = 2 * lowest; degree <= highest; degree *= 2) {
+      Polynomial fine(at(piece, degree, refractivity, coarse.values()));
+      if (degree == highest) return fine;
       double worst = 0;
       for (int j = 1; j < degree; j += 2)
         worst =
             std::max(worst, significance.of(fine.at_point(j), coarse(chebyshev_place(j, degree))));
-      if (worst <= error) return degree / 2;
-      if (worst <= gain * error) return degree;
-      coarse = fine;
+      if (worst <= error) return coarse;
+      if (worst <= gain * error) return fine;
+      coarse = std::move(fine);
     }
-    return highest;
+    return coarse;
   }
 };
 
@@ -233,10 +242,11 @@ LimbTable::LimbTable(const Column& column, double earth_radius_m, std::span<cons
   std::vector<std::vector<Polynomial>> polynomials(refractivities_.size());
   std::vector<double> uneven;
   for (const auto& piece : pieces) {
-    const int degree =
-        follower.sufficient_degree(piece, refractivities_.back(), significance, error);
-    for (std::size_t k = 0; k < refractivities_.size(); ++k)
+    auto last = follower.sufficient(piece, refractivities_.back(), significance, error);
+    const int degree = last.degree();
+    for (std::size_t k = 0; k + 1 < refractivities_.size(); ++k)
       polynomials[k].emplace_back(follower.at(piece, degree, refractivities_[k]));
+    polynomials.back().push_back(std::move(last));
     followed_ += refractivities_.size() * (static_cast<std::size_t>(degree) + 1);
     uneven.push_back(unevenness(polynomials.back().back(), significance));
   }

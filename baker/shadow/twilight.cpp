@@ -12,6 +12,7 @@
 
 #include "algebra/interpolation.h"
 #include "algebra/quadrature.h"
+#include "photons/bending.h"
 
 namespace coppermoon::shadow {
 namespace {
@@ -37,14 +38,15 @@ Amounts sum(const Amounts& a, const Amounts& b, double share_of_b = 1) {
 /// outwards: a table over the line's lowest altitude and the distance of the place from there.
 class Slants {
  public:
-  Slants(const Column& column, double radius_m) : top_m_(top_m(column)) {
+  Slants(const Column& column, const photons::ProfileTable& profiles, double radius_m)
+      : top_m_(top_m(column)) {
     const auto lines = static_cast<std::size_t>(std::ceil(top_m_ / height_step_m)) + 1;
     const double reach_m = std::sqrt(squared(radius_m + top_m_) - squared(radius_m));
     const auto places = static_cast<std::size_t>(std::ceil(reach_m / along_step_m)) + 1;
     outwards_ = Grid<Amounts>(lines, places);
     for (std::size_t i = 0; i < lines; ++i)
       for (std::size_t j = places - 1; j-- > 0;)
-        outwards_(i, j) = sum(outwards_(i, j + 1), between(column, radius_m, i, j));
+        outwards_(i, j) = sum(outwards_(i, j + 1), between(profiles, radius_m, i, j));
   }
 
   /// Given  along_m  0 or more; a line below the ground is taken as one along it
@@ -72,14 +74,15 @@ class Slants {
  private:
   static constexpr double height_step_m = 500, along_step_m = 10e3;
 
-  Amounts between(const Column& column, double radius_m, std::size_t i, std::size_t j) const {
+  Amounts between(const photons::ProfileTable& profiles, double radius_m, std::size_t i,
+                  std::size_t j) const {
     const double lowest_m = radius_m + static_cast<double>(i) * height_step_m;
     Amounts amounts{};
     for (const auto& [x, weight] : algebra::gauss_legendre(3)) {
       const double along_m = (static_cast<double>(j) + (1 + x) / 2) * along_step_m;
       const double altitude_m = std::hypot(lowest_m, along_m) - radius_m;
       if (altitude_m < top_m_)
-        amounts = sum(amounts, profiles(column, altitude_m), weight / 2 * along_step_m);
+        amounts = sum(amounts, profiles(altitude_m), weight / 2 * along_step_m);
     }
     return amounts;
   }
@@ -194,7 +197,7 @@ class Ring {
   Ring(const Column& column, double radius_m, std::span<const atmosphere::Optics> optics)
       : column_(column),
         radius_m_(radius_m),
-        slants_(column, radius_m),
+        slants_(column, photons::ProfileTable(column), radius_m),
         points_(points_of(column, slants_, radius_m)),
         spectra_(atmosphere::absorbers, optics.size()),
         filters_(2, optics.size()) {
@@ -209,6 +212,7 @@ class Ring {
   /// Adds the light from one direction around the Earth, a radian of it, by wavelength.
   void add(const View& view, std::span<double> ratio) const {
     const auto phase = scattering(column_, view.direction(radius_m_).z);
+    Passing passing{std::vector<double>(ratio.size()), std::vector<double>(ratio.size())};
     for (const auto& point : points_) {
       const auto here = view.at(point);
       const double lowest = std::hypot(here.x, here.y) - radius_m_;
@@ -218,22 +222,32 @@ class Ring {
       Amounts scattered = point.profile;
       for (std::size_t k = 0; k < phase.size(); ++k) scattered[k] *= phase[k];
       add_light(scattered, sum(point.onward, slants_.up_to(lowest, here.z)), filters_.row(above),
-                ratio);
+                passing, ratio);
     }
     for (double& value : ratio) value /= squared(view.distance_m());
   }
 
  private:
+  /// Light on its way, by wavelength.
+  struct Passing {
+    std::vector<double> light, depth;
+  };
+
   void add_light(const Amounts& scattered, const Amounts& passed, std::span<const double> filter,
-                 std::span<double> ratio) const {
-    for (std::size_t w = 0; w < ratio.size(); ++w) {
-      double light = 0, depth = 0;
-      for (std::size_t k = 0; k < scattered.size(); ++k) {
-        light += spectra_(k, w) * scattered[k];
-        depth += spectra_(k, w) * passed[k];
+                 Passing& passing, std::span<double> ratio) const {
+    auto& [light, depth] = passing;
+    std::ranges::fill(light, 0);
+    std::ranges::fill(depth, 0);
+    for (std::size_t k = 0; k < scattered.size(); ++k) {
+      if (scattered[k] == 0 && passed[k] == 0) continue;
+      const double* spectrum = spectra_.row(k).data();
+      for (std::size_t w = 0; w < ratio.size(); ++w) {
+        light[w] += spectrum[w] * scattered[k];
+        depth[w] += spectrum[w] * passed[k];
       }
-      ratio[w] += filter[w] * light * std::exp(-depth);
     }
+    for (std::size_t w = 0; w < ratio.size(); ++w)
+      ratio[w] += filter[w] * light[w] * std::exp(-depth[w]);
   }
 
   Column column_;
