@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -11,7 +10,6 @@ namespace coppermoon::colour {
 namespace {
 
 using Values = algebra::Grid<float>;
-using PixelTest = std::function<bool(std::size_t row, std::size_t column)>;
 
 constexpr double beside = 1.12, margin = 1.3;  // of the disc's radius; the grids end at the latter
 
@@ -69,6 +67,7 @@ Values blurred(Values grid, std::size_t reach) {
 }
 
 /// 1 where it is so.
+template <class PixelTest>
 Values where(const Values& like, const PixelTest& so) {
   Values grid(like.rows(), like.columns());
   for (std::size_t r = 0; r < grid.rows(); ++r)
@@ -118,8 +117,7 @@ Centred centred(const Values& picture, const Disc& disc, const Similarity& to_gr
   if (clipped > 0)
     for (float& value : capped.values()) value = std::min(value, cap);
   auto light = resampled(capped, to_grid, side, side);
-  const auto all = [](std::size_t, std::size_t) { return true; };
-  const auto reached = resampled(where(picture, all), to_grid, side, side);
+  const auto reached = resampled(Values(picture.rows(), picture.columns(), 1), to_grid, side, side);
   const float sky = quantile(values_between(light, there, beside, margin), 0.5);
   for (float& value : light.values()) value -= sky;
   return {there, std::move(light),

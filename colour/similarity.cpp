@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "colour/similarity.h"
 
+#include <tbb/parallel_for.h>
+
 #include <cmath>
 
 #include "algebra/error.h"
@@ -13,6 +15,33 @@ glm::dvec2 turned(const Similarity& by, const glm::dvec2& v) {
   const double c = by.scale * std::cos(by.rotation_rad), s = by.scale * std::sin(by.rotation_rad);
   const double x = by.mirrored ? -v.x : v.x;
   return {c * x - s * v.y, s * x + c * v.y};
+}
+
+/// See between_pixels.
+inline double light_at(const algebra::Grid<float>& image, const glm::dvec2& pixel) {
+  const double x = pixel.x - 0.5, y = pixel.y - 0.5;
+  const auto rows = static_cast<std::ptrdiff_t>(image.rows()),
+             columns = static_cast<std::ptrdiff_t>(image.columns());
+  if (!(x > -1 && y > -1 && x < static_cast<double>(columns) && y < static_cast<double>(rows)))
+    return 0;
+  // Above −1 all that is cut off is the part behind the point, of one more.
+  const auto column = static_cast<std::ptrdiff_t>(x + 1) - 1,
+             row = static_cast<std::ptrdiff_t>(y + 1) - 1;
+  const double across = x - static_cast<double>(column), down = y - static_cast<double>(row);
+  const auto between = [&](double a, double b, double c, double d) {
+    const double upper = a + across * (b - a), lower = c + across * (d - c);
+    return upper + down * (lower - upper);
+  };
+  if (row >= 0 && column >= 0 && row + 1 < rows && column + 1 < columns) {
+    const float* at = image.values().data() + row * columns + column;
+    return between(double{at[0]}, double{at[1]}, double{at[columns]}, double{at[columns + 1]});
+  }
+  const auto value = [&](std::ptrdiff_t r, std::ptrdiff_t c) {
+    const bool inside = r >= 0 && c >= 0 && r < rows && c < columns;
+    return inside ? double{image(static_cast<std::size_t>(r), static_cast<std::size_t>(c))} : 0;
+  };
+  return between(value(row, column), value(row, column + 1), value(row + 1, column),
+                 value(row + 1, column + 1));
 }
 
 }  // namespace
@@ -39,22 +68,7 @@ Similarity composed(const Similarity& first, const Similarity& second) {
 }
 
 double between_pixels(const algebra::Grid<float>& image, const glm::dvec2& pixel) {
-  const double x = pixel.x - 0.5, y = pixel.y - 0.5;
-  const auto rows = static_cast<std::ptrdiff_t>(image.rows()),
-             columns = static_cast<std::ptrdiff_t>(image.columns());
-  if (!(x > -1 && y > -1 && x < static_cast<double>(columns) && y < static_cast<double>(rows)))
-    return 0;
-  const double left = std::floor(x), top = std::floor(y);
-  const auto column = static_cast<std::ptrdiff_t>(left), row = static_cast<std::ptrdiff_t>(top);
-  const auto value = [&](std::ptrdiff_t r, std::ptrdiff_t c) {
-    const bool inside = r >= 0 && c >= 0 && r < rows && c < columns;
-    return inside ? double{image(static_cast<std::size_t>(r), static_cast<std::size_t>(c))} : 0;
-  };
-  const double across = x - left, down = y - top;
-  const double upper = value(row, column) + across * (value(row, column + 1) - value(row, column)),
-               lower = value(row + 1, column) +
-                       across * (value(row + 1, column + 1) - value(row + 1, column));
-  return upper + down * (lower - upper);
+  return light_at(image, pixel);
 }
 
 algebra::Grid<float> resampled(const algebra::Grid<float>& image, const Similarity& similarity,
@@ -65,15 +79,16 @@ algebra::Grid<float> resampled(const algebra::Grid<float>& image, const Similari
              down = moved(back, {0, 1}) - corner;
   const int side = static_cast<int>(std::ceil(back.scale - 1e-9));  // samples across a pixel
   algebra::Grid<float> other(rows, columns);
-  for (std::size_t r = 0; r < rows; ++r)
+  tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t r) {
     for (std::size_t c = 0; c < columns; ++c) {
       double sum = 0;
-      for (int i = 0; i < side * side; ++i)
-        sum += between_pixels(image,
-                              corner + (static_cast<double>(c) + (i % side + 0.5) / side) * across +
-                                  (static_cast<double>(r) + (i / side + 0.5) / side) * down);
+      for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i)
+          sum += light_at(image, corner + (static_cast<double>(c) + (i + 0.5) / side) * across +
+                                     (static_cast<double>(r) + (j + 0.5) / side) * down);
       other(r, c) = static_cast<float>(sum / (side * side));
     }
+  });
   return other;
 }
 

@@ -3,17 +3,48 @@
 
 #include <cassert>
 #include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <new>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace coppermoon::algebra {
+
+/// Memory that is all zero. What nobody writes into is nowhere: the system gives it when it is
+/// touched.
+template <class T>
+struct ZeroedMemory {
+  using value_type = T;
+
+  ZeroedMemory() = default;
+  template <class U>
+  explicit ZeroedMemory(const ZeroedMemory<U>&) {}
+
+  T* allocate(std::size_t count) {
+    if (auto* memory = static_cast<T*>(std::calloc(count, sizeof(T)))) return memory;
+    throw std::bad_alloc();
+  }
+  void deallocate(T* memory, std::size_t) { std::free(memory); }
+  /// Leaves a value as it is: zero.
+  void construct(T*) {}
+  template <class... Arguments>
+  void construct(T* at, Arguments&&... arguments) {
+    std::construct_at(at, std::forward<Arguments>(arguments)...);
+  }
+  bool operator==(const ZeroedMemory&) const { return true; }
+};
 
 /// Values over two indices, row by row. The one place where index arithmetic is written.
 template <class T>
 class Grid {
  public:
   Grid() = default;
-  Grid(std::size_t rows, std::size_t columns, T value = {})
+  Grid(std::size_t rows, std::size_t columns)
+      : rows_(rows), columns_(columns), values_(rows * columns) {}
+  Grid(std::size_t rows, std::size_t columns, const T& value)
       : rows_(rows), columns_(columns), values_(rows * columns, value) {}
 
   std::size_t rows() const { return rows_; }
@@ -35,7 +66,8 @@ class Grid {
     return row * columns_ + column;
   }
   std::size_t rows_ = 0, columns_ = 0;
-  std::vector<T> values_;
+  static constexpr bool numbers = std::is_arithmetic_v<T>;
+  std::vector<T, std::conditional_t<numbers, ZeroedMemory<T>, std::allocator<T>>> values_;
 };
 
 }  // namespace coppermoon::algebra

@@ -17,6 +17,8 @@ struct Costs {
   double place = 33e-6;             ///< cutting the disc into stretches
   double place_term = 6e-6;         ///< the arcs of one of the Sun's terms and one harmonic
   double place_wavelength = 74e-9;  ///< of one of these and one part of the limb
+  double angle_harmonic = 30e-9;    ///< of one term and one part, at a position angle
+  double angle_wavelength = 30e-9;  ///< likewise
   double lookup = 6e-3;
   double trial = 10e-3;  ///< at what terms matter
   double twilight = 40e-3, twilight_wavelength = 1e-3;
@@ -48,22 +50,48 @@ double distances(const Work& work, const Scene& scene) {
   return across_m / 100e3 + 2 + 26 * share * std::max(0., std::log10(0.1 / work.place_error));
 }
 
+/// Seconds on one core that the places take, of as many position angles as a plan has or fewer.
+double seconds_of_places(const Work& work, const Scene& scene, double places, double most_angles) {
+  const Costs cost;
+  const bool regions = work.regions && scene.columns > 1;
+  const double waves = 8 * std::ceil(work.bands / 8.);
+  const double terms = scene.limb_darkening ? work.sun_terms : 1;
+  const double parts = regions ? static_cast<double>(scene.parts) : 1;
+  if (!regions) {
+    const double harmonics = work.ellipsoid && scene.ellipsoid ? 2 : 1;
+    return places *
+           (cost.place +
+            terms * harmonics * (cost.place_term + cost.place_wavelength * harmonics * waves));
+  }
+  // Of regions ninety in the mean.
+  const double harmonics = scene.borders ? 90 : 49;
+  const double centre_m = (scene.nearest_m + scene.farthest_m) / 2,
+               half_m = (scene.farthest_m - scene.nearest_m) / 2;
+  const auto half_arc = [&](double radius_m) {
+    return centre_m > radius_m ? std::asin(radius_m / centre_m) / std::numbers::pi : 1;
+  };
+  constexpr double angles_around = 96, sun_m = 1.78e6;
+  const double all = scene.borders ? angles_around : angles_around / 2;  // belts are mirrored
+  const double angles = std::min({all, angles_around * half_arc(half_m) + 1, most_angles});
+  const double seen = parts * std::min(1., half_arc(sun_m) + 0.15);
+  return places * (cost.place + terms * harmonics * cost.place_term / 3 +
+                   8 * std::ceil(angles / 8) * terms * seen *
+                       (cost.angle_harmonic * harmonics + cost.angle_wavelength * waves));
+}
+
 /// Seconds that the quadrature takes on one core.
-double seconds_of_quadrature(const Work& work, const Scene& scene, double distances) {
+double seconds_of_quadrature(const Work& work, const Scene& scene, double distances,
+                             double most_angles = 96) {
   const Costs cost;
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
   const bool regions = work.regions && scene.columns > 1;
   const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // of a region one, not two
   const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
-  // Of regions ninety in the mean, which cost half: they are drawn from the same bins.
-  const double harmonics = regions ? (scene.borders ? 45 : 15) : ellipsoid ? 2 : 1;
-  const double waves = 8 * std::ceil(work.bands / 8.), rays = work.rays;
-  const double terms = scene.limb_darkening ? work.sun_terms : 1;
+  const double rays = work.rays;
   const double places = distances * work.planes * (1 + rays / 1000);  // finer, more cuts
   return cost.ray_followed * parts * (250 + 0.45 * rays) +
          parts * work.bands * rays * (cost.fan_ray + cost.landed_ray * work.planes) +
-         places * (cost.place +
-                   terms * harmonics * (cost.place_term + cost.place_wavelength * parts * waves));
+         seconds_of_places(work, scene, places, most_angles);
 }
 
 /// Seconds that it takes on one core to check the error of light, at thirty places.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/by_quadrature.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,12 +38,6 @@ int highest_harmonic(const Atmosphere& atmosphere) {
 
 /// Width of the bins that light is gathered in, of distance from the axis: finer as rays are.
 double bin_width_m(int rays) { return std::clamp(1.2e6 / rays, 100., 50e3); }
-
-/// Light at all position angles from that towards the pole and the equator: the limb is their mean by
-/// cos², so a disc's arcs of it know no more than cos 2θ.
-double between(double pole, double equator, double theta) {
-  return (pole + equator) / 2 + (pole - equator) / 2 * std::cos(2 * theta);
-}
 
 /// The position angles that are computed, and which of them each sector has the light of: its own, or
 /// of belts that of its mirror image. Sectors that nobody asked for have none. On an ellipsoid
@@ -188,23 +184,30 @@ class Refinement {
   const Arrangement& arrangement_;
 };
 
-/// Rings of angles become sectors.
+/// Rings of angles become sectors. On an ellipsoid all light is between that towards the pole and that
+/// towards the equator: the limb is their mean by cos², so a disc's arcs of it know no more than
+/// cos 2θ.
 void fill(std::span<const Ring> rings, const Atmosphere& atmosphere, const Directions& directions,
           RefractedLight& light) {
   const bool ellipse_alone = atmosphere.one_column() && !atmosphere.symmetric();
   const std::size_t waves = light.wavelengths_nm.size(), a_plane = directions.angles_rad.size();
-  for (std::size_t g = 0; g < light.ratio.size(); ++g) {
+  tbb::parallel_for(std::size_t{0}, light.ratio.size(), [&](std::size_t g) {
     const std::size_t plane = g / light.sectors, s = g % light.sectors;
     const auto computed = directions.of_sector.empty() ? std::size_t{0} : directions.of_sector[s];
-    if (!computed) continue;
+    if (!computed) return;
+    const double along = std::cos(2 * sector_angle(s, light.sectors));
     for (std::size_t d = 0; d < rings.size(); ++d) {
-      const auto row = [&](std::size_t k) { return rings[d].ratio.row(plane * a_plane + k); };
+      const auto to = light.ratio[g].row(d);
+      const std::span<const double> row = rings[d].ratio.row(plane * a_plane + *computed);
+      if (!ellipse_alone) {
+        std::ranges::copy(row, to.begin());
+        continue;
+      }
+      const auto equator = rings[d].ratio.row(plane * a_plane + 1);
       for (std::size_t w = 0; w < waves; ++w)
-        light.ratio[g](d, w) = ellipse_alone
-                                   ? between(row(0)[w], row(1)[w], sector_angle(s, light.sectors))
-                                   : row(*computed)[w];
+        to[w] = (row[w] + equator[w]) / 2 + (row[w] - equator[w]) / 2 * along;
     }
-  }
+  });
 }
 
 /// Some of the wavelengths, evenly chosen.

@@ -48,7 +48,7 @@ inline constexpr double darkness_ratio = 1e-14;
 ///     w(ψ) = Σ c_m cos mψ + s_m sin mψ        E = Σ (c_m cos mθ + s_m sin mθ) E_m
 ///
 /// with cos mψ in the integral for E_m, ψ from the place's own angle: one cut of the disc serves all
-/// angles, and light costs by the number of columns and harmonics, not by borders nor sectors. On an
+/// angles. Farther out than the Sun's radius an angle counts no part but those that the disc covers. On an
 /// ellipsoid m is 0 and 2; up to 48 between belts and 160 between regions, fewer near the axis.
 ///
 /// Given     wavelengths_nm  380 to 780; axis_distances_m: increasing, 0 or more

@@ -18,15 +18,16 @@ void require_valid(const Arrangement& arrangement) {
 
 RefractedLight darkness(const Arrangement& arrangement, std::span<const double> wavelengths_nm,
                         std::span<const double> axis_distances_m, std::size_t sectors) {
-  const std::vector<algebra::Grid<double>> dark(
-      arrangement.depths_m.size() * sectors,
-      algebra::Grid<double>(axis_distances_m.size(), wavelengths_nm.size()));
-  return {arrangement,
-          {wavelengths_nm.begin(), wavelengths_nm.end()},
-          {axis_distances_m.begin(), axis_distances_m.end()},
-          sectors,
-          dark,
-          dark};
+  RefractedLight light{arrangement,
+                       {wavelengths_nm.begin(), wavelengths_nm.end()},
+                       {axis_distances_m.begin(), axis_distances_m.end()},
+                       sectors,
+                       {},
+                       {}};
+  for (std::size_t g = 0; g < arrangement.depths_m.size() * sectors; ++g)
+    for (auto* grids : {&light.ratio, &light.standard_error})
+      grids->emplace_back(axis_distances_m.size(), wavelengths_nm.size());
+  return light;
 }
 
 algebra::Grid<double> mean_ratio(const RefractedLight& light, std::size_t plane) {

@@ -118,23 +118,21 @@ bool LandedPlane::by_series(double gamma_m) const {
 }
 
 void LandedPlane::light(std::span<const Place> places, const std::function<void(double)>& done) {
-  std::vector<Draws> all(places.size());
-  tbb::parallel_for(std::size_t{0}, places.size(),
-                    [&](std::size_t p) { all[p] = draws(places[p].gamma_m); });
   const std::size_t angles = sunlit_.around.angles();
   for (std::size_t first = 0; first < blocks();) {
     if (landed_.landed.empty()) landed_ = landed(first);
     tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t p) {
       const auto ratio = places[p].ratio;
+      const auto here = draws(places[p].gamma_m);  // anew for other blocks: many fill memory
       if (by_series(places[p].gamma_m))
         tbb::parallel_for(std::size_t{0}, landed_.count,
-                          [&](std::size_t b) { add_series(all[p], landed_, b, ratio); });
+                          [&](std::size_t b) { add_series(here, landed_, b, ratio); });
       else
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, (angles + angles_together - 1) / angles_together),
             [&](const auto& groups) {
               for (std::size_t g = groups.begin(); g < groups.end(); ++g)
-                add_angles(all[p], landed_, g * angles_together, ratio);
+                add_angles(here, landed_, g * angles_together, ratio);
             });
       if (done)
         done(static_cast<double>(landed_.count) / static_cast<double>(blocks() * places.size()));

@@ -2,6 +2,7 @@
 #include "uses/study/comparison.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -81,12 +82,13 @@ struct Sums {
 texture::Image moon_alone(texture::Image frame, const povray_scenes::Camera& camera) {
   const auto disc = disc_outline(camera);
   if (!disc) return frame;
-  for (std::size_t r = 0; r < frame.height; ++r)
+  tbb::parallel_for(std::size_t{0}, frame.height, [&](std::size_t r) {
     for (std::size_t c = 0; c < frame.width; ++c) {
       if (covered_share(*disc, static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5) > 0)
         continue;
       for (std::size_t k = 0; k < frame.channels.size(); ++k) frame(r, c, k) = 0;
     }
+  });
   return frame;
 }
 
@@ -99,12 +101,13 @@ float clipping_value(const texture::Image& photo) {
 algebra::Grid<float> luminance_of(const texture::Image& light) {
   const float most = *std::ranges::max_element(light.values), clipped = clipping_value(light);
   algebra::Grid<float> grid(light.height, light.width);
-  for (std::size_t r = 0; r < light.height; ++r)
+  tbb::parallel_for(std::size_t{0}, light.height, [&](std::size_t r) {
     for (std::size_t c = 0; c < light.width; ++c) {
       const auto pixel = pixel_of(light, r, c);
       const bool lost = std::max({pixel.r, pixel.g, pixel.b}) >= double{clipped};
       grid(r, c) = lost ? most : static_cast<float>(luminance(pixel));
     }
+  });
   return grid;
 }
 
