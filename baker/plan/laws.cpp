@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "plan/plan.h"
 
@@ -50,38 +51,36 @@ double distances(const Work& work, const Scene& scene) {
   return across_m / 100e3 + 2 + 26 * share * std::max(0., std::log10(0.1 / work.place_error));
 }
 
-/// Seconds on one core that the places take, of as many position angles as a plan has or fewer.
-double seconds_of_places(const Work& work, const Scene& scene, double places, double most_angles) {
+/// Seconds on one core that light at the places takes, from all that landed.
+double seconds_of_places(const Work& work, const Scene& scene, double places) {
   const Costs cost;
   const bool regions = work.regions && scene.columns > 1;
   const double waves = 8 * std::ceil(work.bands / 8.);
   const double terms = scene.limb_darkening ? work.sun_terms : 1;
-  const double parts = regions ? static_cast<double>(scene.parts) : 1;
-  if (!regions) {
-    const double harmonics = work.ellipsoid && scene.ellipsoid ? 2 : 1;
-    return places *
-           (cost.place +
-            terms * harmonics * (cost.place_term + cost.place_wavelength * harmonics * waves));
-  }
-  // Of regions ninety in the mean.
-  const double harmonics = scene.borders ? 90 : 49;
+  const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
+  const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // of a region one, not two
+  const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
+  // Of regions ninety in the mean, which cost half: they are drawn from the same bins.
+  const double harmonics = regions ? (scene.borders ? 45 : 15) : ellipsoid ? 2 : 1;
+  const double series =
+      cost.place + terms * harmonics * (cost.place_term + cost.place_wavelength * parts * waves);
+  if (!regions || !scene.borders) return places * series;
   const double centre_m = (scene.nearest_m + scene.farthest_m) / 2,
                half_m = (scene.farthest_m - scene.nearest_m) / 2;
   const auto half_arc = [&](double radius_m) {
     return centre_m > radius_m ? std::asin(radius_m / centre_m) / std::numbers::pi : 1;
   };
-  constexpr double angles_around = 96, sun_m = 1.78e6;
-  const double all = scene.borders ? angles_around : angles_around / 2;  // belts are mirrored
-  const double angles = std::min({all, angles_around * half_arc(half_m) + 1, most_angles});
-  const double seen = parts * std::min(1., half_arc(sun_m) + 0.15);
-  return places * (cost.place + terms * harmonics * cost.place_term / 3 +
-                   8 * std::ceil(angles / 8) * terms * seen *
-                       (cost.angle_harmonic * harmonics + cost.angle_wavelength * waves));
+  constexpr double angles_around = 96, sun_m = 1.78e6, off_axis = 90, at_once = 8;
+  const double angles = std::min(angles_around, angles_around * half_arc(half_m) + at_once),
+               covered = parts * std::min(1., half_arc(sun_m) + 1. / 12);
+  const double by_angle =
+      cost.place + terms * harmonics * cost.place_term +
+      angles * terms * covered * (cost.angle_harmonic * off_axis + cost.angle_wavelength * waves);
+  return places * std::min(series, by_angle);
 }
 
 /// Seconds that the quadrature takes on one core.
-double seconds_of_quadrature(const Work& work, const Scene& scene, double distances,
-                             double most_angles = 96) {
+double seconds_of_quadrature(const Work& work, const Scene& scene, double distances) {
   const Costs cost;
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
   const bool regions = work.regions && scene.columns > 1;
@@ -91,7 +90,7 @@ double seconds_of_quadrature(const Work& work, const Scene& scene, double distan
   const double places = distances * work.planes * (1 + rays / 1000);  // finer, more cuts
   return cost.ray_followed * parts * (250 + 0.45 * rays) +
          parts * work.bands * rays * (cost.fan_ray + cost.landed_ray * work.planes) +
-         seconds_of_places(work, scene, places, most_angles);
+         seconds_of_places(work, scene, places);
 }
 
 /// Seconds that it takes on one core to check the error of light, at thirty places.

@@ -54,6 +54,12 @@ Around::Around(const WholeLimb& limb, int highest, std::span<const double> angle
     for (std::size_t i = 1; i < here_.columns(); ++i) here_(p, i) += here_(p, i - 1);
 }
 
+bool Around::is_mirrored() const {
+  return std::ranges::all_of(parts, [](const auto& part) {
+    return std::ranges::all_of(part.sine, [](double sine) { return sine == 0; });
+  });
+}
+
 bool Around::is_near(std::size_t part, std::size_t angle, double half_arc_rad) const {
   constexpr double a_direction = 2 * pi / looked_at;
   const int half = static_cast<int>(std::ceil(half_arc_rad / a_direction)) + 1;
@@ -88,13 +94,15 @@ LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m)
     }
 }
 
-/// As many as fill, on all planes together, two hundred megabytes.
+/// All where they fill, on all planes together, half a gigabyte at most; else as many of one plane as
+/// fill 150 megabytes.
 std::size_t LandedPlane::blocks_at_once() const {
-  const std::size_t most_bytes = 200'000'000 / sunlit_.arrangement.depths_m.size();
+  constexpr std::size_t most_kept = 500'000'000, most_bytes = 150'000'000;
   const std::size_t a_block = sunlit_.limb.parts().size() *
                               static_cast<std::size_t>(last_ - first_) * moments * lanes *
                               sizeof(double);
-  return std::clamp<std::size_t>(most_bytes / std::max<std::size_t>(1, a_block), 1, blocks());
+  if (a_block * blocks() * sunlit_.arrangement.depths_m.size() <= most_kept) return blocks();
+  return std::max<std::size_t>(1, std::min(most_bytes / a_block, blocks() - 1));
 }
 
 LandedPlane::Blocks LandedPlane::landed(std::size_t first) const {
@@ -113,8 +121,21 @@ LandedPlane::Blocks LandedPlane::landed(std::size_t first) const {
   return some;
 }
 
+/// Of regions an angle's light does not depend on which others are asked for. Of belts what takes less
+/// time is done, by the steps that each takes; those of the series wait for memory.
 bool LandedPlane::by_series(double gamma_m) const {
-  return sunlit_.around.harmonics() <= 3 || gamma_m <= a_;
+  const auto& around = sunlit_.around;
+  if (around.harmonics() <= 3) return true;
+  if (!around.is_mirrored()) return gamma_m <= a_;
+  constexpr double waiting = 3, angles_at_once = 1. / 12;  // of the limb
+  const auto count = [](std::size_t n) { return static_cast<double>(n); };
+  const double parts = count(around.parts.size()), terms = count(sunlit_.sun.functions.size()),
+               harmonics = count(std::min(around.harmonics(), harmonics_at(gamma_m / a_))),
+               groups = std::ceil(count(around.angles()) / angles_together);
+  const double near =
+      gamma_m > a_ ? std::min(1., 2 * std::asin(a_ / gamma_m) / pi + angles_at_once) : 1;
+  return waiting * harmonics * (parts + terms) * count(blocks()) <=
+         groups * near * parts * terms * (angles_together * count(blocks()) + harmonics);
 }
 
 void LandedPlane::light(std::span<const Place> places, const std::function<void(double)>& done) {

@@ -28,6 +28,9 @@ class Around {
   std::size_t angles() const { return turns.rows(); }
   std::size_t harmonics() const { return parts[0].cosine.size(); }
 
+  /// Whether west of the axis all parts are as east of it.
+  bool is_mirrored() const;
+
   /// Whether a part has any of the limb that is as near as this to one of the angles, or to the
   /// opposite one.
   bool is_near(std::size_t part, std::size_t angle, double half_arc_rad) const;
@@ -40,8 +43,8 @@ class Around {
 /// Light on one plane, of the whole limb.
 ///
 /// Off the axis each angle has its own: of the parts of the limb that the Sun's disc covers as seen
-/// from there, for no other sends any. Near the axis, where it covers all of them, and of air alike
-/// all around it is a series in the position angle.
+/// from there, for no other sends any. Near the axis, where it covers all of them, of air alike all
+/// around, and of belts at many angles it is a series in the position angle.
 class LandedPlane {
  public:
   /// Where light is asked for, and where it is written.
