@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every way to the same light agrees with a fine quadrature within its stated error; and this would
 // be seen to fail had a wavelength, a region or the dust been lost on the way.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -272,6 +273,30 @@ std::string name_of(const testing::TestParamInfo<Way>& one) {
 
 INSTANTIATE_TEST_SUITE_P(ToTheLight, EveryWay, testing::ValuesIn(ways), name_of);
 INSTANTIATE_TEST_SUITE_P(ToTheLightThoroughly, EveryWay, testing::Values(to_the_letter), name_of);
+
+/// Rays so close that light of six planes does not fit into 1.25 GB, while that of one does.
+TEST(ByQuadrature, OfPlanesTogetherIsThatOfEachByItself) {
+  const atmosphere::Atmosphere air{.earth = atmosphere::ellipsoid(0.2)};
+  std::vector<double> waves;
+  for (int i = 0; i < 40; ++i) waves.push_back(400 + 8 * i);
+  const std::vector<double> gammas{3e6, 3.5e6, 4e6, 4.5e6, 5e6};
+  const std::vector<double> depths{3.79e8, 3.80e8, 3.81e8, 3.82e8, 3.83e8, 3.84e8};
+  const QuadratureSettings settings{.rays = 12000, .around = 4, .place_error = 1e-4};
+  const auto all = by_quadrature(air, {1.5e11, depths}, waves, gammas, settings);
+  EXPECT_GT(all.axis_distances_m.size(), gammas.size()) << "more places are put between";
+  for (std::size_t plane = 0; plane < depths.size(); ++plane) {
+    const auto one = by_quadrature(air, {1.5e11, {depths[plane]}}, waves, gammas,
+                                   {.rays = settings.rays, .around = 4});
+    for (std::size_t d = 0; d < gammas.size(); ++d) {
+      const auto there = std::ranges::find(all.axis_distances_m, gammas[d]);
+      ASSERT_NE(there, all.axis_distances_m.end());
+      const auto at = static_cast<std::size_t>(there - all.axis_distances_m.begin());
+      for (std::size_t s = 0; s < 4; ++s)
+        for (std::size_t w = 0; w < waves.size(); ++w)
+          EXPECT_EQ(all.ratio[plane * 4 + s](at, w), one.ratio[s](d, w));
+    }
+  }
+}
 
 }  // namespace
 }  // namespace coppermoon::shadow

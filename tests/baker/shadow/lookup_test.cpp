@@ -7,7 +7,9 @@
 #include <functional>
 #include <numbers>
 
+#include "algebra/interpolation.h"
 #include "shadow/by_quadrature.h"
+#include "shadow/lookup_table.h"
 #include "support/within.h"
 
 namespace coppermoon::shadow {
@@ -337,6 +339,49 @@ TEST(Lookup, ReadsManyPlacesByTheClosedForm) {
                              static_cast<double>(c + 1) * (8 + s) / 128 * in_depth, 1e-12,
                              "linear in depth and angle: rounding alone");
   }
+}
+
+/// A cell whole, one in four, one in two.
+TEST(LookupTable, ReadsStraightLinesBetweenUnevenNodes) {
+  const std::array parts{1., 4., 2.};
+  LookupTable table;
+  table.channels = 1;
+  table.depths_m = {3.8e8};
+  table.sunlight.assign(channel_padding, 9);
+  table.middle_depth_m = 3.8e8;
+  table.nodes = uneven_nodes(1e6, 8e3, parts);
+  table.end_m = 1e7;
+  const std::vector<double> nodes_m{1e6,     1.008e6, 1.01e6, 1.012e6,
+                                    1.014e6, 1.016e6, 1.02e6, 1.024e6};
+  EXPECT_EQ(table.nodes.at_m, nodes_m);
+  table.values = algebra::Grid<float>(nodes_m.size(), channel_padding);
+  for (std::size_t i = 0; i < nodes_m.size(); ++i)
+    table.values(i, 0) = static_cast<float>(i * i);  // whole in single precision
+  std::vector<double> east, none, depth;
+  for (double at = 0.99e6; at < 1.03e6; at += 250) {
+    east.push_back(at);
+    none.push_back(0);
+    depth.push_back(3.8e8);
+  }
+  std::vector<double> values(east.size());
+  read(table, {east, none, depth}, values);
+  std::vector<double> squares;
+  for (std::size_t i = 0; i < nodes_m.size(); ++i) squares.push_back(static_cast<double>(i * i));
+  for (std::size_t i = 0; i < east.size(); ++i)
+    EXPECT_WITHIN(values[i], algebra::interpolated(nodes_m, squares, east[i]), 1e-9,
+                  "straight lines; rounding of a distance in metres")
+        << east[i];
+}
+
+/// Light that is dark up to an edge: nodes are a tenth as far apart there, and only there.
+TEST(Lookup, KeepsItsToleranceOnBothSidesOfAnEdge) {
+  const auto ratio = [](double at_m) { return 1 + 1e-3 * std::exp((at_m - 1e6) / 40e3); };
+  const auto light = light_of(ratio, 10e3, 140);
+  const Lookup lookup(light, direct({550}), one_channel(1), {.to_m = 1.3e6, .tolerance = 1e-4});
+  for (double at = 1e5; at < 1.28e6; at += 3.7e3)
+    EXPECT_WITHIN_RELATIVE(read(lookup, place(at, 3.82e8)), ratio(at), 1.2e-4,
+                           "the tolerance, and a cubic of 10 km")
+        << at;
 }
 
 TEST(Lookup, HoldsTheSectorsAskedForAlone) {
