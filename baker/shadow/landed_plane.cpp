@@ -94,10 +94,12 @@ LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m)
     }
 }
 
-/// All where they fill, on all planes together, a gigabyte and a quarter at most, for making them anew
-/// takes half the time of all; else as many of one plane as fill 150 megabytes.
+/// All where they fill little enough on all planes together: a gigabyte and a quarter; of many
+/// wavelengths, of which it takes few to put places between places, half a gigabyte. Else as many of
+/// one plane as fill 150 megabytes.
 std::size_t LandedPlane::blocks_at_once() const {
-  constexpr std::size_t most_kept = 1'250'000'000, most_bytes = 150'000'000;
+  constexpr std::size_t many = 128, most_bytes = 150'000'000;
+  const std::size_t most_kept = sunlit_.optics.size() > many ? 500'000'000 : 1'250'000'000;
   const std::size_t a_block = sunlit_.limb.parts().size() *
                               static_cast<std::size_t>(last_ - first_) * moments * lanes *
                               sizeof(double);
