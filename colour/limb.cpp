@@ -23,16 +23,6 @@ using Luminance = algebra::Grid<float>;
 
 constexpr double least_radius_px = 6;
 
-/// Radii that a disc may have.
-struct RadiusRange {
-  double least_px = least_radius_px, most_px = std::numeric_limits<double>::infinity();
-
-  bool holds(const Disc& disc) const {
-    return disc.radius_px >= least_px && disc.radius_px <= most_px;
-  }
-  RadiusRange reduced(double by) const { return {least_px / by, most_px / by}; }
-};
-
 void require_luminance(const Luminance& image) {
   algebra::require_within("width of a picture [pixels]", static_cast<double>(image.columns()), 16,
                           65535);
@@ -271,7 +261,7 @@ bool alike(const Disc& a, const Disc& b) {
 }
 
 /// The circle with the most evidence, of those likely.
-Found found_in(const Luminance& image, const RadiusRange& radii) {
+Found found_in(const Luminance& image) {
   const Picture picture{image, 0.98 * *std::ranges::max_element(image.values())};
   std::vector<Disc> tried;
   Found best{{}, 0};
@@ -279,16 +269,12 @@ Found found_in(const Luminance& image, const RadiusRange& radii) {
     if (std::ranges::any_of(tried, [&](const Disc& disc) { return alike(disc, circle); })) continue;
     tried.push_back(circle);
     const auto found = measured(picture, circle, 0.1);
-    if (found.evidence > best.evidence && radii.holds(found.disc) &&
-        stands_alone(picture, found.disc))
-      best = found;
+    if (found.evidence > best.evidence && stands_alone(picture, found.disc)) best = found;
   }
   if (best.evidence > 0)
     for (const double share : {0.05, 0.2}) {
       const auto found = measured(picture, best.disc, share);
-      if (found.evidence > best.evidence && radii.holds(found.disc) &&
-          stands_alone(picture, found.disc))
-        best = found;
+      if (found.evidence > best.evidence && stands_alone(picture, found.disc)) best = found;
     }
   return best;
 }
@@ -323,13 +309,13 @@ std::size_t reduction_of(std::size_t rows, std::size_t columns) {
 }
 
 /// The same in a picture made as small as need be, and smaller where noise hides the limb.
-Found found_at_any_size(const Luminance& image, const RadiusRange& radii) {
+Found found_at_any_size(const Luminance& image) {
   constexpr double least_reduced_px = 20;  // a square's corners are seen
   std::size_t by = reduction_of(image.rows(), image.columns());
   for (int level = 0; level < 3; ++level, by *= 2) {
     if (std::min(image.rows(), image.columns()) / by < 16) break;
     const double scale = static_cast<double>(by);
-    const auto [disc, evidence] = found_in(reduced(image, by), radii.reduced(scale));
+    const auto [disc, evidence] = found_in(reduced(image, by));
     if (evidence > 0 && (level == 0 || disc.radius_px > least_reduced_px))
       return {{scale * disc.x_px, scale * disc.y_px, scale * disc.radius_px}, evidence};
   }
@@ -337,9 +323,9 @@ Found found_at_any_size(const Luminance& image, const RadiusRange& radii) {
 }
 
 /// The same in a part of it.
-Found found_within(const Luminance& image, const Window& window, const RadiusRange& radii) {
+Found found_within(const Luminance& image, const Window& window) {
   if (std::min(window.rows, window.columns) < 16) return {{}, 0};
-  auto found = found_at_any_size(cut_out(image, window), radii);
+  auto found = found_at_any_size(cut_out(image, window));
   found.disc.x_px += static_cast<double>(window.left);
   found.disc.y_px += static_cast<double>(window.top);
   return found;
@@ -361,24 +347,20 @@ Window about_the_brightest(const Luminance& image) {
 
 }  // namespace
 
-std::optional<Disc> limb_of(const Luminance& luminance, std::optional<double> radius_px) {
+std::optional<Disc> limb_of(const Luminance& luminance) {
   require_luminance(luminance);
-  constexpr double margin = 1.6, known_to = 0.03;
-  const auto radii = radius_px
-                         ? RadiusRange{(1 - known_to) * *radius_px, (1 + known_to) * *radius_px}
-                         : RadiusRange{};
+  constexpr double margin = 1.6;
   Window window{0, 0, luminance.columns(), luminance.rows()};
-  auto found = found_within(luminance, window, radii);
+  auto found = found_within(luminance, window);
   if (found.evidence == 0) {
     window = about_the_brightest(luminance);
-    found = found_within(luminance, window, radii);
+    found = found_within(luminance, window);
   }
   if (found.evidence == 0) return std::nullopt;
   const auto& [x, y, radius] = found.disc;
   const auto close = window_about(luminance, {x, y, margin * radius});
   if (reduction_of(close.rows, close.columns) < reduction_of(window.rows, window.columns))
-    if (const auto again = found_within(luminance, close, radii); again.evidence > 0)
-      return again.disc;
+    if (const auto again = found_within(luminance, close); again.evidence > 0) return again.disc;
   return found.disc;
 }
 

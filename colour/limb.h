@@ -23,7 +23,6 @@ struct Disc {
 /// noise hides the limb, about the brightest place where nothing else is found, and once more close up.
 ///
 /// Given     luminance  scene-linear, of any scale; what saturated the camera has the largest value
-///           radius_px  where it is known, to 3 %: other circles are not taken for the limb
 /// Returned  nothing when no circle has a limb along a quarter of it in the picture, is round and
 ///           stands before an even sky: no Moon, one cut off, one whose radius is below 6 pixels, or
 ///           one that air flattens by more than 4 %. What is as round as a Moon passes for one
@@ -36,7 +35,6 @@ struct Disc {
 ///           the blur and that bloom together; where less than half of the limb is seen, to as much
 ///           more as a short arc tells less, 1 / (1 - cos of half of it)
 /// Throws    Error      when a luminance is not finite, or a side is below 16 or above 65535 pixels
-std::optional<Disc> limb_of(const algebra::Grid<float>& luminance,
-                            std::optional<double> radius_px = {});
+std::optional<Disc> limb_of(const algebra::Grid<float>& luminance);
 
 }  // namespace coppermoon::colour

@@ -205,8 +205,8 @@ Pose refined(const Pair& pair, Pose pose, double begin, double end_px) {
   return pose;
 }
 
-Disc disc_in(const Values& picture, const char* name, std::optional<double> radius_px = {}) {
-  if (const auto disc = limb_of(picture, radius_px)) return *disc;
+Disc disc_in(const Values& picture, const char* name) {
+  if (const auto disc = limb_of(picture)) return *disc;
   throw algebra::Error(std::string(name) +
                        ": no Moon found, allowed is one with a quarter of its limb in the picture");
 }
@@ -228,11 +228,8 @@ struct Discs {
 
 }  // namespace
 
-Registration registered(const Values& photo, const Values& render, std::optional<double> scale) {
-  const auto in_render = disc_in(render, "render");
-  const auto radius_px =
-      scale ? std::optional(*scale * in_render.radius_px) : std::optional<double>{};
-  const Discs discs{photo, render, disc_in(photo, "photograph", radius_px), in_render};
+Registration registered(const Values& photo, const Values& render) {
+  const Discs discs{photo, render, disc_in(photo, "photograph"), disc_in(render, "render")};
   const auto coarse = discs.at_radius(40);
   Pose best;
   double most = -1;

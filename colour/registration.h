@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
 #include "algebra/grid.h"
 #include "colour/similarity.h"
 
@@ -25,8 +23,6 @@ struct Registration {
 /// Given     photo, render  luminance, scene-linear, each of its own scale; what saturated the
 ///                          camera has the photograph's largest value, and as much of the
 ///                          render's disc, its brightest, counts as equally bright
-///           scale          of the render in the photograph, where it is known to 3 %: a limb that
-///                          light and shadow hide is found by it
 /// Accuracy  0.2° of rotation and 0.3 % of scale, or 0.2 pixel at the limb where that is more; 0.25
 ///           pixel at the disc's centre. In the photograph: radii of 25 to 150 pixels, blur by 2,
 ///           noise of 2 % of the brightest, a clipped disc, the Earth's shadow. Where all but the
@@ -35,7 +31,6 @@ struct Registration {
 /// Throws    Error  as limb_of; when it finds no disc in either, or the correlation is below 0.4:
 ///                  nothing is seen on the Moon, or it is another (up to 0.29 by chance). A render
 ///                  of another hour may come above it, by its shadow, and lie anyhow
-Registration registered(const algebra::Grid<float>& photo, const algebra::Grid<float>& render,
-                        std::optional<double> scale = {});
+Registration registered(const algebra::Grid<float>& photo, const algebra::Grid<float>& render);
 
 }  // namespace coppermoon::colour

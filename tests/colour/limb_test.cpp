@@ -75,25 +75,6 @@ TEST(Limb, OfAClippedMoonIsFoundALittleTooLarge) {
                "a tenth of the light, half of what is left, is a blur and a half further out");
 }
 
-TEST(Limb, OfAKnownRadiusIsNoOther) {
-  Luminance photo(240, 360);  // a bright disc beside a larger, dimmer one
-  for (std::size_t r = 0; r < 240; ++r)
-    for (std::size_t c = 0; c < 360; ++c) {
-      const auto lit = [&](double x, double y, double radius, double light) {
-        const double away =
-            std::hypot(static_cast<double>(c) + 0.5 - x, static_cast<double>(r) + 0.5 - y);
-        return light * std::clamp(radius - away + 0.5, 0., 1.);
-      };
-      photo(r, c) = static_cast<float>(std::max(lit(230, 120, 100, 0.5), lit(60, 120, 50, 1)));
-    }
-  constexpr double tolerance_px = 0.25;
-  const auto any = limb_of(photo), small = limb_of(photo, 50.5), large = limb_of(photo, 99.);
-  ASSERT_TRUE(any && small && large);
-  EXPECT_WITHIN(small->radius_px, 50, tolerance_px, "Accuracy");
-  EXPECT_WITHIN(large->radius_px, 100, tolerance_px, "Accuracy");
-  EXPECT_FALSE(limb_of(photo, 75.));
-}
-
 TEST(Limb, IsNotFoundWhereThereIsNone) {
   algebra::Random random(8, 7);
   EXPECT_FALSE(limb_of(Luminance(50, 60)));

@@ -142,16 +142,6 @@ TEST(Registration, DoesNotDependOnEitherExposure) {
   EXPECT_WITHIN(one.correlation, other.correlation, 1e-6, "as before");
 }
 
-TEST(Registration, TakesNoDiscOfAnotherScaleThanIsKnown) {
-  algebra::Random random(8, 10);
-  const auto trial = random_trial(total, {.blur_px = 1}, random);
-  const auto found = registered(trial.photo, trial.render),
-             known = registered(trial.photo, trial.render, 1.01 * trial.truth.scale);
-  EXPECT_EQ(known.render_to_photo.scale, found.render_to_photo.scale);
-  EXPECT_EQ(known.correlation, found.correlation);
-  EXPECT_THROW(registered(trial.photo, trial.render, 1.3 * trial.truth.scale), algebra::Error);
-}
-
 TEST(Registration, RefusesAnotherMoon) {
   algebra::Random random(8, 4);
   const Similarity at{60, 0, 90, 90};

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <ranges>
 
 #include "algebra/error.h"
 #include "colour/camera.h"
@@ -115,7 +116,7 @@ void Night::compare() {
       std::make_unique<const ComparedNight>(known_, NightErrors{request_.clock_error_s, curve_});
 }
 
-void Night::take_one(double clock_s, std::size_t index, std::optional<double> px_per_rad) {
+void Night::take_one(double clock_s, std::size_t index) {
   const auto& photograph = *photographs_[index];
   left_out_[index].clear();
   look_(0);
@@ -124,53 +125,45 @@ void Night::take_one(double clock_s, std::size_t index, std::optional<double> px
     NightPhotograph known;
     known.scene = fit_scene(request_.moon, *groundwork_, request_.view,
                             almanac::sky_at(almanac::later(photograph.instant, clock_s)));
-    const double pixel_rad = known.scene.pixel_rad;
-    const auto registration = registration_of(
-        known.scene, photo, px_per_rad ? std::optional(*px_per_rad * pixel_rad) : std::nullopt);
+    const auto registration = registration_of(known.scene, photo);
     const auto curve = is_curved(photograph) ? std::optional(curve_) : std::nullopt;
     known.light = binned(known.scene, photo, registration.render_to_photo, curve);
     known.errors = errors_of(request_, photograph);
     known.errors.place_error_km = place_error_km(registration);
+    const double px_per_rad = registration.render_to_photo.scale / known.scene.pixel_rad;
     known_.push_back(std::move(known));
-    taken_.push_back({index,
-                      registration,
-                      {photo.width, photo.height},
-                      registration.render_to_photo.scale / pixel_rad});
+    taken_.push_back({index, registration, {photo.width, photo.height}, px_per_rad});
   } catch (const algebra::Error& error) {
     left_out_[index] = error.what();
   }
 }
 
-std::vector<std::pair<std::size_t, double>> Night::at_odds() const {
-  constexpr double alike = 0.02, beyond_doubt = 0.9;
-  std::vector<std::pair<std::size_t, double>> odd;
-  for (const auto& [index, registration, extent, px_per_rad] : taken_) {
-    if (registration.correlation >= beyond_doubt) continue;
-    // the scale that most photographs agree with, each as far as its Moon is recognised
-    double most = 0, agreed = px_per_rad;
-    for (const auto& one : taken_) {
-      double sum = 0;
-      for (const auto& other : taken_)
-        if (other.extent == extent && std::abs(other.px_per_rad / one.px_per_rad - 1) < alike)
-          sum += other.registration.correlation;
-      if (one.extent == extent && sum > most) most = sum, agreed = one.px_per_rad;
-    }
-    if (std::abs(px_per_rad / agreed - 1) > alike) odd.emplace_back(index, agreed);
+bool Night::at_odds(const Taken& taken) const {
+  constexpr double alike = 0.02;
+  // the scale that most photographs agree with, each as far as its Moon is recognised
+  double most = 0, agreed = taken.px_per_rad;
+  for (const auto& one : taken_) {
+    if (one.extent != taken.extent) continue;
+    double sum = 0;
+    for (const auto& other : taken_)
+      if (other.extent == taken.extent && std::abs(other.px_per_rad / one.px_per_rad - 1) < alike)
+        sum += other.registration.correlation;
+    if (sum > most) most = sum, agreed = one.px_per_rad;
   }
-  return odd;
+  return std::abs(taken.px_per_rad / agreed - 1) > alike;
 }
 
 void Night::take(double clock_s, std::span<const std::size_t> indices) {
   taken_.clear();
   known_.clear();
-  for (const auto index : indices) take_one(clock_s, index, {});
-  for (const auto& [index, px_per_rad] : at_odds()) {
-    const auto place = std::ranges::find(taken_, index, &Taken::index) - taken_.begin();
-    taken_.erase(taken_.begin() + place);
-    known_.erase(known_.begin() + place);
-    take_one(clock_s, index, px_per_rad);
-    if (!left_out_[index].empty())
-      left_out_[index] = "no Moon of the size that it has on the night's other photographs";
+  for (const auto index : indices) take_one(clock_s, index);
+  std::vector<std::size_t> odd;
+  for (std::size_t place = 0; place < taken_.size(); ++place)
+    if (at_odds(taken_[place])) odd.push_back(place);
+  for (const auto place : odd | std::views::reverse) {
+    left_out_[taken_[place].index] = "a Moon of another size than on the night's other photographs";
+    taken_.erase(taken_.begin() + static_cast<std::ptrdiff_t>(place));
+    known_.erase(known_.begin() + static_cast<std::ptrdiff_t>(place));
   }
 }
 

@@ -54,13 +54,11 @@ class Night {
   };
 
   std::vector<almanac::SkyState> way() const;
-  /// Reads photographs, and recognises the Moon in them. Of one camera and one size of picture they are
-  /// taken to have one scale, unless the Moon is recognised beyond doubt at another: what is at odds with
-  /// the most of them is looked at again with their scale.
+  /// Reads photographs, and recognises the Moon in them. Those of one size of picture have one scale: what is
+  /// at odds with the most of them is left out, for light and shadow hid its limb.
   void take(double clock_s, std::span<const std::size_t> indices);
-  void take_one(double clock_s, std::size_t index, std::optional<double> px_per_rad);
-  /// Photographs that are, and the scale of the most [pixels per radian].
-  std::vector<std::pair<std::size_t, double>> at_odds() const;
+  void take_one(double clock_s, std::size_t index);
+  bool at_odds(const Taken& taken) const;
   void require_any() const;
   std::vector<almanac::Instant> instants(double clock_s) const;
   BinnedPhotograph bins_of(std::size_t place) const;

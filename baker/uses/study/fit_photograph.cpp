@@ -27,11 +27,13 @@ Channel channel_of(const colour::Image& image, std::size_t k) {
 }
 
 /// Light of the sky and of a glow in a channel. Where noise is cut off at black no sky is taken off: it has
-/// at most what is left there.
+/// at most what is left there. Where the sky is darker than a tone curve is known, it tells nothing of the
+/// glow.
 SkyAndGlow light_beside(const AroundTheDisc& light, const AroundTheDisc& black,
-                        const AroundTheDisc& glow, const Uncertain& factor) {
-  constexpr double much = 0.05, of_glow = 0.25;
-  auto found = sky_and_glow(light, glow, factor);
+                        const AroundTheDisc& glow, const Uncertain& factor, bool known) {
+  constexpr double much = 0.05, of_glow = 0.25, kept = 1e-9;
+  auto found = sky_and_glow(light, glow, known ? factor : Uncertain{factor.value, kept});
+  if (!known) found.glow = factor;
   const double black_share =
       std::reduce(black.begin(), black.end()) / static_cast<double>(black.size());
   if (black_share > much) found = {{0, std::max(median_of(light), found.sky.error)}, factor};
@@ -169,8 +171,7 @@ Channel as_scene(const Channel& displayed, const colour::ToneTable& table) {
 
 }  // namespace
 
-colour::Registration registration_of(const FitScene& scene, const texture::Image& photo,
-                                     std::optional<double> scale) {
+colour::Registration registration_of(const FitScene& scene, const texture::Image& photo) {
   const auto luminance = luminance_of(photo);
   std::exception_ptr of_itself;
   for (double size = 1;; size /= 2) {
@@ -183,7 +184,7 @@ colour::Registration registration_of(const FitScene& scene, const texture::Image
           size == 1
               ? luminance
               : colour::resampled(luminance, smaller, extent(photo.height), extent(photo.width)),
-          scene.usual, scale ? std::optional(size * *scale) : scale);
+          scene.usual);
       found.render_to_photo = colour::composed(found.render_to_photo, colour::inverse(smaller));
       return found;
     } catch (const algebra::Error&) {
@@ -224,7 +225,8 @@ BinnedPhotograph binned(const FitScene& scene, const texture::Image& photo,
     Off off{median_of(around_the_disc(there.displayed)), median_of(around), 0};
     const auto usual = usual_glow(scene, k, sums_of(scene, there, clipped, off, false));
     const auto [sky, glow] =
-        light_beside(around, around_the_disc(there.black), around_the_disc(there.glow), usual);
+        light_beside(around, around_the_disc(there.black), around_the_disc(there.glow), usual,
+                     !curve || off.displayed >= colour::least_displayed);
     off.sky = sky.value;
     if (off.sky == 0) off.displayed = 0;
     off.glow = glow.value;

@@ -29,10 +29,8 @@ struct BinnedPhotograph {
 
 /// Where the scene lies in a photograph. One whose noise hides the limb is looked at from further away.
 ///
-/// Given   scale  of the scene in the photograph, where it is known to 3 %
 /// Throws  Error  as colour::registered
-colour::Registration registration_of(const FitScene& scene, const texture::Image& photo,
-                                     std::optional<double> scale = {});
+colour::Registration registration_of(const FitScene& scene, const texture::Image& photo);
 
 /// How far a registration may be off, in any direction: four fifths of a pixel, the photograph's or the
 /// scene's, for a lit crescent leads it astray by half a one.

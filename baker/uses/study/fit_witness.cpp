@@ -29,7 +29,7 @@ constexpr double unknown = 10;
 /// Relative error of a value that the map of the Moon and the computation leave open. The map is off by 1.2 %
 /// in each place of 200 km, of which a bin is the mean.
 double model_error(double value, double brightest, double bin_px) {
-  constexpr double of_place = 0.012, place_km = 200, of_computation = 0.001, of_brightest = 0.001;
+  constexpr double of_place = 0.012, place_km = 200, of_computation = 0.003, of_brightest = 0.001;
   constexpr double pixel_km =
       2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
   constexpr double place_px = place_km / pixel_km * place_km / pixel_km;

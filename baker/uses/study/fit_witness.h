@@ -57,7 +57,7 @@ struct MeasuredLight {
 ///
 /// The logarithms of what bins and channels hold are compared. Each has the error of its own noise;
 /// 1.2 % for each place of 200 km, which the map of the Moon leaves open, so 0.3 % of a whole bin; and
-/// 0.1 % of its value and of the bin's brightest, which the computation does. All share a tone curve, where one is in question, a clock and the exposure's
+/// 0.3 % of its value and 0.1 % of the bin's brightest, which the computation does. All share a tone curve, where one is in question, a clock and the exposure's
 /// error; each has 3 % of exposure of its own, as shutters and irises have, and the colours of its white
 /// balance.
 class ComparedNight {
