@@ -279,13 +279,22 @@ RefractedLight by_quadrature(const Atmosphere& atmosphere, const Arrangement& ar
   const std::size_t sectors = atmosphere.symmetric() ? 1 : settings.around;
   if (atmosphere.top_m() <= 0 || wavelengths_nm.empty() || axis_distances_m.empty())
     return darkness(arrangement, wavelengths_nm, axis_distances_m, sectors);
-  const auto around = directions(atmosphere, settings);
-  const auto rings = rings_of(atmosphere, arrangement, wavelengths_nm, axis_distances_m, around,
-                              settings, progress);
-  std::vector<double> distances_m;
-  for (const auto& ring : rings) distances_m.push_back(ring.gamma_m);
-  auto light = darkness(arrangement, wavelengths_nm, distances_m, sectors);
-  fill(rings, atmosphere, around, light);
+  RefractedLight light;
+  // an error in a loop that this is part of ends that loop's others: theirs here would be skipped, and what they
+  // fill be missing
+  tbb::task_group_context alone(tbb::task_group_context::isolated);
+  tbb::parallel_for(
+      0, 1,
+      [&](int) {
+        const auto around = directions(atmosphere, settings);
+        const auto rings = rings_of(atmosphere, arrangement, wavelengths_nm, axis_distances_m,
+                                    around, settings, progress);
+        std::vector<double> distances_m;
+        for (const auto& ring : rings) distances_m.push_back(ring.gamma_m);
+        light = darkness(arrangement, wavelengths_nm, distances_m, sectors);
+        fill(rings, atmosphere, around, light);
+      },
+      alone);
   return light;
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 #include <iterator>
@@ -251,21 +252,38 @@ texture::ExrType type_of(const TextureContent& content) {
 
 LitMoon lit_moon(const MoonRequest& request, const almanac::SkyState& sky,
                  const algebra::Progress& progress) {
+  require_map(request);
   const std::size_t width = texture_width_of(request);
   const Purpose purpose{static_cast<double>(width * (width / 2)), reads_map(request)};
   std::shared_ptr<const algebra::Grid<float>> albedo;
   std::shared_ptr<const surface::Ground> ground;
   std::shared_ptr<const Moonlight> light;
-  tbb::task_group together;  // the map and the light have nothing in common
+  // the map and the light have nothing in common; an error of the one must not cancel the loops of the other,
+  // which would go on with half of their results
+  tbb::task_group together;
+  std::exception_ptr of_map, of_light;
+  const auto kept = [](std::exception_ptr& error, const auto& work) {
+    try {
+      work();
+    } catch (...) {
+      error = std::current_exception();
+    }
+  };
   together.run([&] {
-    albedo = std::make_shared<const algebra::Grid<float>>(normal_albedo(request));
-    ground = ground_of(request, *albedo);
+    kept(of_map, [&] {
+      albedo = std::make_shared<const algebra::Grid<float>>(normal_albedo(request));
+      ground = ground_of(request, *albedo);
+    });
   });
   together.run_and_wait([&] {
-    light = std::make_shared<const Moonlight>(
-        request.unshadowed ? unshadowed_light(request.light, sky)
-                           : light_on_the_moon(request.light, sky, purpose, progress));
+    kept(of_light, [&] {
+      light = std::make_shared<const Moonlight>(
+          request.unshadowed ? unshadowed_light(request.light, sky)
+                             : light_on_the_moon(request.light, sky, purpose, progress));
+    });
   });
+  for (const auto& error : {of_light, of_map})
+    if (error) std::rethrow_exception(error);
   return {request, sky, albedo, ground, light, light->range};
 }
 
