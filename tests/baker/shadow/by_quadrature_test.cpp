@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/by_quadrature.h"
 
+#include <tbb/parallel_for.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -314,6 +316,24 @@ TEST(ByQuadrature, OfABareEarthIsNothing) {
   const std::vector<double> waves{550}, distances{0, 5e6};
   const auto light = by_quadrature(none, february_2008, waves, distances);
   for (const auto value : light.ratio[0].values()) EXPECT_EQ(value, 0);
+}
+
+TEST(ByQuadrature, IsWholeWhereALoopAboutItIsEnded) {
+  const auto air = atmosphere::preset("undated", algebra::degrees(0));
+  const std::vector<double> waves{450, 550}, distances{0, 3e6};
+  const auto whole = by_quadrature(air, february_2008, waves, distances, {.rays = 100});
+  std::vector<RefractedLight> all(8);
+  EXPECT_THROW(tbb::parallel_for(std::size_t{0}, all.size() + 1,
+                                 [&](std::size_t i) {
+                                   if (i == all.size()) throw algebra::Error("ended");
+                                   all[i] = by_quadrature(air, february_2008, waves, distances,
+                                                          {.rays = 100});
+                                 }),
+               algebra::Error);
+  for (const auto& light : all)
+    if (!light.ratio.empty()) {
+      EXPECT_EQ(light.ratio[0](0, 1), whole.ratio[0](0, 1));
+    }
 }
 
 }  // namespace
