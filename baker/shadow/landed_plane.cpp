@@ -147,10 +147,11 @@ void LandedPlane::light(std::span<const Place> places, const std::function<void(
     tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t p) {
       const auto ratio = places[p].ratio;
       const auto here = draws(places[p].gamma_m);  // anew for other blocks: many fill memory
-      if (by_series(places[p].gamma_m))
+      const bool dark = here.nodes.empty();        // no light lands there
+      if (!dark && by_series(places[p].gamma_m))
         tbb::parallel_for(std::size_t{0}, landed_.count,
                           [&](std::size_t b) { add_series(here, landed_, b, ratio); });
-      else
+      else if (!dark)
         tbb::parallel_for(
             tbb::blocked_range<std::size_t>(0, (angles + angles_together - 1) / angles_together),
             [&](const auto& groups) {
