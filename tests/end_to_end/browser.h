@@ -11,31 +11,50 @@ namespace coppermoon::end_to_end {
 
 class BrowserTest : public ProgramTest {
  protected:
-  /// JavaScript by which a page says `said`, for answer_of.
-  static constexpr const char* saying =
-      "const place = document.createElement('pre');\n"
-      "place.id = 'said';\n"
-      "place.textContent = btoa(unescape(encodeURIComponent(JSON.stringify(said))));\n"
-      "document.body.append(place);";
-
-  /// What a page says.
-  nlohmann::json answer_of(const std::filesystem::path& page, const std::string& size) const {
+  /// What a script returns that runs beside a page, within two minutes. A problem of the page's or the
+  /// script's fails; so does a script that throws. The browser holds a page to be loading while a document within
+  /// it is open, and prints it when it is loaded: so it waits as long as the script does.
+  nlohmann::json answer_of(const std::string& page, const std::string& script,
+                           const std::string& size) const {
+    const auto probe = file(
+        "probe.html",
+        "<iframe hidden id=\"asked\"></iframe>\n"
+        "<script>document.getElementById('asked').contentDocument.open();\n"
+        "window.problems = [];\n"
+        "window.onerror = (text) => problems.push(String(text));\n"
+        "window.onunhandledrejection = (event) => problems.push(String(event.reason));\n"
+        "console.error = console.warn = (...texts) => problems.push(texts.join(' '));</script>" +
+            page +
+            "<script>(async () => {\n"
+            "let answer;\n"
+            "try { answer = await (async () => {" +
+            script +
+            "})(); } catch (problem) { problems.push(String(problem.stack)); }\n"
+            "const place = document.createElement('pre');\n"
+            "place.id = 'said';\n"
+            "place.textContent = btoa(unescape(encodeURIComponent(JSON.stringify({answer, "
+            "problems}))));\n"
+            "document.body.append(place);\n"
+            "document.getElementById('asked').contentDocument.close();\n"
+            "})();</script>");
     const auto outcome =
         run({"chromium-headless-shell", "--no-sandbox", "--disable-gpu-sandbox",
              "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
              "--disable-background-networking", "--disable-component-update", "--no-first-run",
              "--user-data-dir=" + here("../tmp/browser").string(), "--window-size=" + size,
-             "--virtual-time-budget=120000", "--dump-dom", "file://" + page.string()});
-    return answer_in(outcome.out);
+             "--timeout=120000", "--dump-dom", "file://" + probe.string()});
+    const auto said = said_in(outcome.out);
+    EXPECT_EQ(said.value("problems", nlohmann::json::array()), nlohmann::json::array());
+    return said.value("answer", nlohmann::json());
   }
 
  private:
-  static nlohmann::json answer_in(const std::string& dom) {
+  static nlohmann::json said_in(const std::string& dom) {
     const std::string before = "<pre id=\"said\">";
     const auto from = dom.find(before);
     if (from == std::string::npos) {
       ADD_FAILURE() << "the browser said nothing: is chromium-headless-shell installed?";
-      return {{"problems", nlohmann::json::array()}, {"answer", {}}};
+      return nlohmann::json::object();
     }
     const auto coded =
         dom.substr(from + before.size(), dom.find('<', from + 1) - from - before.size());

@@ -68,29 +68,12 @@ class Explore : public BrowserTest {
   /// the page's or the script's fails.
   json in_browser(const std::string& script, const std::string& size = "1280,800",
                   const std::string& name = "a.html") const {
-    const auto page = text_of(here(name));
-    file("probe.html",
-         "<script>window.problems = [];\n"
-         "window.onerror = (text) => problems.push(String(text));\n"
-         "window.onunhandledrejection = (event) => problems.push(String(event.reason));\n"
-         "console.error = console.warn = (...texts) => problems.push(texts.join(' '));</script>" +
-             page +
-             "<script>(async () => {\n"
-             "const all = [...document.querySelectorAll('.coppermoon')];\n"
-             "let answer;\n"
-             "try {\n"
-             "  const pages = await Promise.all(all.map((one) => one.ready)), page = pages[0];\n"
-             "  answer = await (async () => {" +
-             script +
-             "})();\n"
-             "} catch (problem) { problems.push(String(problem.stack)); }\n"
-             "const said = {answer, problems};\n" +
-             saying +
-             "\n"
-             "})();</script>");
-    const auto said = answer_of(here("probe.html"), size);
-    EXPECT_EQ(said["problems"], json::array());
-    return said["answer"];
+    return answer_of(text_of(here(name)),
+                     "const all = [...document.querySelectorAll('.coppermoon')];\n"
+                     "const pages = await Promise.all(all.map((one) => one.ready));\n"
+                     "const page = pages[0];\n" +
+                         script,
+                     size);
   }
 
   texture::Image baked(const std::string& when, const Words& more = {}) const {
