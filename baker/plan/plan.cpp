@@ -217,6 +217,8 @@ std::string_view name(Method method) {
 
 Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine, const ByHand& by_hand) {
   constexpr double finest = 1e-4, coarsest = 0.5;
+  if (!wish.tolerance && !wish.budget_s)
+    throw algebra::Error("neither a tolerance nor a budget [s] is given, allowed one or both");
   if (wish.tolerance) algebra::require_within("tolerance", *wish.tolerance, finest, coarsest);
   if (wish.budget_s) algebra::require_within("budget [s]", *wish.budget_s, 1e-3, 1e7);
   const double asked = wish.tolerance.value_or(finest);

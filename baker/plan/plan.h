@@ -56,7 +56,7 @@ struct Scene {
   double without_refracted = 1, without_ellipsoid = 0, without_regions = 0, without_scattered = 0;
 };
 
-/// What is asked for. Without a budget time does not count; with both the budget counts first.
+/// What is asked for: one or both. Without a budget time does not count; with both the budget counts first.
 struct Wish {
   std::optional<double> tolerance{};  ///< of luminance anywhere on the disc, 1e-4 to 0.5
   std::optional<double> budget_s{};   ///< 1e-3 s or more
@@ -107,7 +107,7 @@ double predicted_error(const Work& work, const Scene& scene);
 /// the coarsest work takes longer, that.
 ///
 /// Given     by_hand  stays as it is
-/// Throws    Error    when a wish is outside its range
+/// Throws    Error    when a wish is outside its range, or asks for nothing
 Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine,
               const ByHand& by_hand = {});
 

@@ -117,32 +117,27 @@ float luminance(float red, float green, float blue) {
 struct FloatingTone {
   using Number = float;
   Curve curve;
-  float exponent;
 
-  float grey(float v) const { return raised(linear(v, curve)); }
+  float grey(float v) const { return linear(v, curve); }
   float coloured(float r, float g, float b) const {
-    return raised(luminance(linear(r, curve), linear(g, curve), linear(b, curve)));
+    return luminance(linear(r, curve), linear(g, curve), linear(b, curve));
   }
-  float raised(float v) const { return exponent == 1 || !(v > 0) ? v : std::pow(v, exponent); }
 };
 
 /// The same for 8 bits: each of their 256 values computed once.
 struct ByteTone {
   using Number = std::uint8_t;
-  explicit ByteTone(const FloatingTone& of) : tone(of) {
-    for (std::size_t i = 0; i < light.size(); ++i) {
-      light[i] = linear(static_cast<float>(i) / 255.0F, tone.curve);
-      raised_light[i] = tone.raised(light[i]);
-    }
+  explicit ByteTone(const FloatingTone& of) {
+    for (std::size_t i = 0; i < light.size(); ++i)
+      light[i] = of.grey(static_cast<float>(i) / 255.0F);
   }
-  float grey(std::uint8_t v) const { return raised_light[v]; }
+  float grey(std::uint8_t v) const { return light[v]; }
   float coloured(std::uint8_t r, std::uint8_t g, std::uint8_t b) const {
-    if (r == g && g == b) return raised_light[r];
-    return tone.raised(luminance(light[r], light[g], light[b]));
+    if (r == g && g == b) return light[r];
+    return luminance(light[r], light[g], light[b]);
   }
 
-  FloatingTone tone;
-  std::array<float, 256> light{}, raised_light{};
+  std::array<float, 256> light{};
 };
 
 template <class Tone>
@@ -279,22 +274,20 @@ std::vector<std::optional<std::string>> read_attributes(const fs::path& path,
   return values;
 }
 
-void require_albedo_map(const fs::path& path, double exponent) {
-  algebra::require_within("albedo exponent", exponent, 0.1, 10);
+void require_albedo_map(const fs::path& path) {
   const Silence silence(path);
   const auto input = opened(path);
   require_two_to_one(path, *input);
   require_light(path, input->spec());
 }
 
-algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding, double exponent) {
-  algebra::require_within("albedo exponent", exponent, 0.1, 10);
+algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding) {
   const Silence silence(path);
   const auto input = opened(path);
   const auto& spec = input->spec();
   require_two_to_one(path, *input);
   require_light(path, spec);
-  const FloatingTone tone{curve_of(spec, coding), static_cast<float>(exponent)};
+  const FloatingTone tone{curve_of(spec, coding)};
   return within_memory(path, spec, [&] {
     algebra::Grid<float> map(static_cast<std::size_t>(spec.height),
                              static_cast<std::size_t>(spec.width));

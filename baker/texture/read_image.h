@@ -100,18 +100,17 @@ bool is_raw_file(const std::filesystem::path& path);
 ///     Y = 0.2126 R + 0.7152 G + 0.0722 B        of linear R, G, B; Y alone stands for itself
 ///
 /// Given     path      of any image 2:1, longitude 0 in the middle, east to the right
-///           exponent  power of Y that undoes a tone curve, 0.1 to 10
-/// Returned  Y^exponent, linear, in the image's own scale; normalise it before use
+/// Returned  Y, linear, in the image's own scale; normalise it before use
 /// Omits     chromaticities other than Rec. 709, alpha
 /// Throws    Error     as read_light; when it is a raw file, not 2:1 or a part of a larger one, a texel is
-///                     negative, infinite or no number, or the exponent is outside its range
+///                     negative, infinite or no number
 /// Source    ITU-R BT.709, IEC 61966-2-1
 algebra::Grid<float> read_albedo_map(const std::filesystem::path& path,
-                                     Coding coding = Coding::as_file_says, double exponent = 1);
+                                     Coding coding = Coding::as_file_says);
 
 /// Refuses a map before it is read, as far as its header tells.
 ///
 /// Throws  Error  as read_albedo_map
-void require_albedo_map(const std::filesystem::path& path, double exponent = 1);
+void require_albedo_map(const std::filesystem::path& path);
 
 }  // namespace coppermoon::texture

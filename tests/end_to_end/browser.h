@@ -43,17 +43,18 @@ class BrowserTest : public ProgramTest {
              "--disable-background-networking", "--disable-component-update", "--no-first-run",
              "--user-data-dir=" + here("../tmp/browser").string(), "--window-size=" + size,
              "--timeout=120000", "--dump-dom", "file://" + probe.string()});
-    const auto said = said_in(outcome.out);
+    const auto said = said_in(outcome.out, outcome.err);
     EXPECT_EQ(said.value("problems", nlohmann::json::array()), nlohmann::json::array());
     return said.value("answer", nlohmann::json());
   }
 
  private:
-  static nlohmann::json said_in(const std::string& dom) {
+  static nlohmann::json said_in(const std::string& dom, const std::string& errors) {
     const std::string before = "<pre id=\"said\">";
     const auto from = dom.find(before);
     if (from == std::string::npos) {
-      ADD_FAILURE() << "the browser said nothing: is chromium-headless-shell installed?";
+      ADD_FAILURE() << "the browser said nothing: is chromium-headless-shell installed?\n"
+                    << errors << dom.substr(0, 1000);
       return nlohmann::json::object();
     }
     const auto coded =

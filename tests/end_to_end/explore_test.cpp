@@ -71,8 +71,8 @@ class Explore : public BrowserTest {
     return answer_of(text_of(here(name)),
                      "const all = [...document.querySelectorAll('.coppermoon')];\n"
                      "const pages = await Promise.all(all.map((one) => one.ready));\n"
-                     "const page = pages[0];\n" +
-                         script,
+                     "const page = pages[0];\n{" +
+                         script + "}",
                      size);
   }
 

@@ -102,13 +102,11 @@ Image read_light(const fs::path& path, Coding coding) { return images().read_lig
 
 bool is_raw_file(const fs::path& path) { return images().is_raw_file(path); }
 
-algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding, double exponent) {
-  return images().read_albedo_map(path, coding, exponent);
+algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding) {
+  return images().read_albedo_map(path, coding);
 }
 
-void require_albedo_map(const fs::path& path, double exponent) {
-  images().require_albedo_map(path, exponent);
-}
+void require_albedo_map(const fs::path& path) { images().require_albedo_map(path); }
 
 void write_exr(const fs::path& path, const Image& image, const Attributes& attributes,
                const ExrOptions& options) {

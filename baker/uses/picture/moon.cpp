@@ -64,7 +64,8 @@ std::string map_chosen(const MoonRequest& moon) {
 
 void require_map(const MoonRequest& moon) {
   if (!reads_map(moon)) return;
-  texture::require_albedo_map(map_chosen(moon), moon.albedo_exponent);
+  algebra::require_within("albedo exponent", moon.albedo_exponent, 0.1, 10);
+  texture::require_albedo_map(map_chosen(moon));
 }
 
 std::string map_contents(const MoonRequest& moon) {

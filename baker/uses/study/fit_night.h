@@ -3,9 +3,7 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "uses/study/fit_witness.h"
@@ -61,7 +59,6 @@ class Night {
   bool at_odds(const Taken& taken) const;
   void require_any() const;
   std::vector<almanac::Instant> instants(double clock_s) const;
-  BinnedPhotograph bins_of(std::size_t place) const;
   /// What the best of a few airs says.
   Weighed looked_at(double clock_s) const;
   void find_half_hour();

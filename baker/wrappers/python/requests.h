@@ -11,14 +11,10 @@
 namespace coppermoon::python {
 
 /// Light through some air; without either, as the library has it.
-///
-/// Throws  Error  when neither a tolerance nor a budget says when light is exact enough
 inline uses::LightRequest light_request(const std::optional<uses::Air>& air,
                                         const std::optional<uses::LightRequest>& light) {
   auto request = light.value_or(uses::LightRequest{});
   if (air) request.air = *air;
-  if (!request.wish.tolerance && !request.wish.budget_s)
-    throw algebra::Error("tolerance and budget_s are None, allowed one of the two");
   return request;
 }
 

@@ -273,6 +273,7 @@ TEST(PlanFor, RefusesWishesOutsideTheirRanges) {
     EXPECT_THROW(within(tolerance, ordinary()), algebra::Error) << tolerance;
   for (const double budget_s : {9e-4, 1.1e7, -1.})
     EXPECT_THROW(plan_for(ordinary(), {.budget_s = budget_s}, {}), algebra::Error) << budget_s;
+  EXPECT_THROW(plan_for(ordinary(), {}, {}), algebra::Error) << "nothing asked for";
   try {
     within(0.7, ordinary());
   } catch (const algebra::Error& error) {

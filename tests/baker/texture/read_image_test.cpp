@@ -249,19 +249,6 @@ TEST_F(ReadAlbedoMap, PngIsSrgb) {
                 "half a step of 16 bits");
 }
 
-TEST_F(ReadAlbedoMap, RaisesLuminanceToAPower) {
-  const auto grey = file("a.ppm", std::string("P6\n2 1\n255\n\x80\x80\x80\xFF\0\0", 17));
-  const auto map = read_albedo_map(grey, Coding::as_file_says, 0.5);
-  EXPECT_WITHIN(map(0, 0), 0.464608, 1e-6, "the root of 0.215861, as grey");
-  EXPECT_WITHIN(map(0, 1), 0.461086, 1e-6, "the root of 0.2126, of red alone");
-  const auto floats = file("a.pfm", float_map(2, 1, {0.25F, 4}));
-  EXPECT_WITHIN(read_albedo_map(floats, Coding::linear, 2)(0, 0), 0.0625, 1e-7, "a square");
-  EXPECT_ERROR(read_albedo_map(file("b.pfm", float_map(2, 1, {1, -1})), Coding::linear, 2),
-               "column 1 = -1");
-  EXPECT_ERROR(read_albedo_map(grey, Coding::linear, 0.05),
-               "albedo exponent = 0.05, allowed 0.1 to 10");
-}
-
 TEST_F(ReadAlbedoMap, MustBeTwiceAsWideAsHigh) {
   EXPECT_ERROR(read_albedo_map(file("a.pgm", "P5\n3 2\n255\nabcdef")),
                "a.pgm: cannot be read: albedo map of 3 x 2 texels, allowed 2:1");

@@ -162,7 +162,7 @@ class Errors(unittest.TestCase):
                 ("/nowhere.png", coppermoon.bake, {"when": when, "albedo_map": "/nowhere.png"}),
                 ("below the horizon", coppermoon.bake, {**small, "when": when, "at": "Honolulu"}),
                 ("photometry = x, allowed", coppermoon.brightness, {"when": when, "photometry": "x"}),
-                ("tolerance and budget_s are None", coppermoon.moonlight,
+                ("neither a tolerance nor a budget", coppermoon.moonlight,
                  {"when": when, "light": coppermoon.Light(tolerance=None)}),
                 ("tolerance = nan", coppermoon.moonlight, {"when": when, "light": coppermoon.Light(tolerance=float("nan"))}),
                 ("photons = nan", coppermoon.shadow_profile,
