@@ -215,7 +215,9 @@ colour::ToneCurve fitted_curve(const Pixels& pixels) {
         rows.size(), least));
   algebra::Grid<double> effects(rows.size(), rows.front().size());
   for (std::size_t i = 0; i < rows.size(); ++i) std::ranges::copy(rows[i], effects.row(i).begin());
-  const Nuisances nuisances(std::vector<double>(rows.size(), error), std::move(effects));
+  algebra::Grid<double> own(1, 1);
+  own(0, 0) = error * error;
+  const Nuisances nuisances(std::vector(rows.size(), own), std::move(effects));
   const auto found = nuisances.expected(residuals);
   colour::ToneCurve curve;
   for (std::size_t n = 0; n < colour::tone_numbers; ++n) curve.numbers[n] = -found[3 + n];

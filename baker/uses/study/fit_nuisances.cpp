@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "uses/study/fit_nuisances.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace coppermoon::uses {
@@ -15,16 +17,21 @@ algebra::Grid<double> cholesky(algebra::Grid<double> l) {
       double sum = l(i, j);
       for (std::size_t k = 0; k < j; ++k) sum -= l(i, k) * l(j, k);
       l(i, j) = i == j ? std::sqrt(sum) : sum / l(j, j);
+      if (i != j) l(j, i) = 0;
     }
   return l;
 }
 
 /// L⁻¹ b.
-std::vector<double> forward(const algebra::Grid<double>& l, std::vector<double> b) {
+void solve_forward(const algebra::Grid<double>& l, std::span<double> b) {
   for (std::size_t i = 0; i < b.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) b[i] -= l(i, k) * b[k];
     b[i] /= l(i, i);
   }
+}
+
+std::vector<double> forward(const algebra::Grid<double>& l, std::vector<double> b) {
+  solve_forward(l, b);
   return b;
 }
 
@@ -47,28 +54,39 @@ std::vector<double> transposed_times(const algebra::Grid<double>& a, std::span<c
 
 }  // namespace
 
-Nuisances::Nuisances(std::span<const double> own_errors, algebra::Grid<double> effects)
-    : own_errors_(own_errors.begin(), own_errors.end()), effects_(std::move(effects)) {
-  const std::size_t count = effects_.columns();
+Nuisances::Nuisances(std::span<const algebra::Grid<double>> own, algebra::Grid<double> effects)
+    : effects_(std::move(effects)), independent_(effects_.rows(), effects_.columns()) {
+  std::ranges::transform(own, std::back_inserter(own_), cholesky);
+  const std::size_t numbers = effects_.rows(), count = effects_.columns();
+  std::vector<double> column(numbers);
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t i = 0; i < numbers; ++i) column[i] = effects_(i, k);
+    column = independent(column);
+    for (std::size_t i = 0; i < numbers; ++i) independent_(i, k) = column[i];
+  }
   algebra::Grid<double> m(count, count);
   for (std::size_t k = 0; k < count; ++k) m(k, k) = 1;
-  for (std::size_t i = 0; i < own_errors_.size(); ++i) {
-    const double weight = 1 / (own_errors_[i] * own_errors_[i]);
+  for (std::size_t i = 0; i < numbers; ++i)
     for (std::size_t k = 0; k < count; ++k)
-      if (const double effect = weight * effects_(i, k); effect != 0)
-        for (std::size_t j = 0; j <= k; ++j) m(k, j) += effect * effects_(i, j);
-  }
+      if (const double effect = independent_(i, k); effect != 0)
+        for (std::size_t j = 0; j <= k; ++j) m(k, j) += effect * independent_(i, j);
   factor_ = cholesky(std::move(m));
 }
 
-Nuisances::Whitened Nuisances::whitened(std::span<const double> residuals) const {
-  Whitened result;
-  std::vector<double> weighted(residuals.size());
-  for (std::size_t i = 0; i < residuals.size(); ++i) {
-    result.own.push_back(residuals[i] / own_errors_[i]);
-    weighted[i] = result.own[i] / own_errors_[i];
+std::vector<double> Nuisances::independent(std::span<const double> numbers) const {
+  std::vector<double> result(numbers.begin(), numbers.end());
+  auto from = result.begin();
+  for (const auto& block : own_) {
+    const auto to = from + static_cast<std::ptrdiff_t>(block.rows());
+    solve_forward(block, {from, to});
+    from = to;
   }
-  result.shared = forward(factor_, transposed_times(effects_, weighted));
+  return result;
+}
+
+Nuisances::Whitened Nuisances::whitened(std::span<const double> residuals) const {
+  Whitened result{independent(residuals), {}};
+  result.shared = forward(factor_, transposed_times(independent_, result.own));
   return result;
 }
 
@@ -87,14 +105,16 @@ std::vector<double> Nuisances::explained(std::span<const double> residuals) cons
 }
 
 double Nuisances::error_of_mean(std::span<const double> weights) const {
-  double squares = 0, sum = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    squares += std::pow(weights[i] * own_errors_[i], 2);
-    sum += weights[i];
+  double squares = 0;
+  std::size_t first = 0;
+  for (const auto& block : own_) {
+    for (const double own : transposed_times(block, weights.subspan(first, block.rows())))
+      squares += own * own;
+    first += block.rows();
   }
   for (const double shared : forward(factor_, transposed_times(effects_, weights)))
     squares += shared * shared;
-  return std::sqrt(squares) / sum;
+  return std::sqrt(squares) / std::reduce(weights.begin(), weights.end());
 }
 
 double product(const Nuisances::Whitened& a, const Nuisances::Whitened& b) {

@@ -10,17 +10,18 @@ namespace coppermoon::uses {
 
 /// What else than the light sought made numbers what they are: each of some nuisances (an exposure, a
 /// colour, a number of a tone curve) is 0 ± 1 and counts in each number as much as a matrix says, beside
-/// the number's own error.
+/// the numbers' own errors.
 ///
 ///     r = A u + e        u ~ N(0, 1), e ~ N(0, D)        C = D + A Aᵀ
 ///
-/// They are marginalised: C is never made, but D⁻¹ − D⁻¹ A M⁻¹ Aᵀ D⁻¹ with M = 1 + Aᵀ D⁻¹ A.
+/// They are marginalised: C is never made, but D⁻¹ − D⁻¹ A M⁻¹ Aᵀ D⁻¹ with M = 1 + Aᵀ D⁻¹ A. Own errors of
+/// numbers that stand side by side may go together: D is of blocks.
 class Nuisances {
  public:
   Nuisances() = default;
-  /// Given  own_errors  standard, above 0
-  ///        effects     (number, nuisance): A
-  Nuisances(std::span<const double> own_errors, algebra::Grid<double> effects);
+  /// Given  own      blocks of D, in the order of the numbers, each positive definite
+  ///        effects  (number, nuisance): A
+  Nuisances(std::span<const algebra::Grid<double>> own, algebra::Grid<double> effects);
 
   /// Residuals with D⁻¹ and M⁻¹ applied by halves: products of two of them are those with C⁻¹.
   struct Whitened {
@@ -38,9 +39,13 @@ class Nuisances {
   double error_of_mean(std::span<const double> weights) const;
 
  private:
-  std::vector<double> own_errors_;
-  algebra::Grid<double> effects_;  // A
-  algebra::Grid<double> factor_;   // of M = L Lᵀ
+  /// K⁻¹ x.
+  std::vector<double> independent(std::span<const double> numbers) const;
+
+  std::vector<algebra::Grid<double>> own_;  // blocks of K, lower triangular: D = K Kᵀ
+  algebra::Grid<double> effects_;           // A
+  algebra::Grid<double> independent_;       // K⁻¹ A
+  algebra::Grid<double> factor_;            // of M = L Lᵀ
 };
 
 /// aᵀ C⁻¹ b.

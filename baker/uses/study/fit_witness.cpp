@@ -26,15 +26,44 @@ constexpr double between_tents = 0.01;
 /// An error that says that nothing is known.
 constexpr double unknown = 10;
 
-/// Relative error of a value that the map of the Moon and the computation leave open. The map is off by 1.2 %
-/// in each place of 200 km, of which a bin is the mean.
-double model_error(double value, double brightest, double bin_px) {
-  constexpr double of_place = 0.012, place_km = 200, of_computation = 0.003, of_brightest = 0.001;
-  constexpr double pixel_km =
-      2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
-  constexpr double place_px = place_km / pixel_km * place_km / pixel_km;
-  const double of_map = of_place * std::sqrt(std::min(1., place_px / bin_px));
-  return std::hypot(of_map, of_computation, of_brightest * brightest / value);
+/// Relative error of a value that the computation leaves open in each channel by itself: of FittedLight, and of what
+/// wavelengths it is a sum over.
+double error_of_computation(double value, double brightest) {
+  constexpr double of_colour = 0.002, of_brightest = 0.0003;
+  return std::hypot(of_colour, of_brightest * brightest / value);
+}
+
+/// Variance that the computation leaves open in all channels alike, and in bins so far apart: FittedLight's.
+double common_variance_of_computation(double distance_km) {
+  constexpr double of_light = 0.004, alike_km = 500;
+  return of_light * of_light * std::exp(-distance_km / alike_km);
+}
+
+/// Covariances of bins, (bin, bin), each channel by itself: the map is off by 1.2 % in each place of 200 km, of
+/// which a bin is the mean.
+algebra::Grid<double> covariances_of_map(const FitScene& scene) {
+  constexpr double error = 0.012, place_km = 200,
+                   pixel_km = 2 * algebra::in_kilometres(almanac::lunar_radius) /
+                              (fit_disc_share * fit_side_px),
+                   place_px = place_km / pixel_km;
+  constexpr auto across = static_cast<std::size_t>(fit_side_px / place_px) + 1;
+  const auto place = [](std::size_t px) {
+    return static_cast<std::size_t>(static_cast<double>(px) / place_px);
+  };
+  algebra::Grid<double> parts(scene.bins, across * across);
+  for (const auto& ground : scene.grounds)
+    parts(ground.bin, place(ground.pixel / fit_side_px) * across +
+                          place(ground.pixel % fit_side_px)) += ground.sunlit;
+  algebra::Grid<double> result(scene.bins, scene.bins);
+  const auto sum = [](const auto& row) { return std::reduce(row.begin(), row.end()); };
+  for (std::size_t b = 0; b < scene.bins; ++b)
+    for (std::size_t c = 0; c < scene.bins; ++c) {
+      const auto one = parts.row(b), other = parts.row(c);
+      if (const double all = sum(one) * sum(other); all > 0)
+        result(b, c) =
+            error * error / all * std::inner_product(one.begin(), one.end(), other.begin(), 0.);
+    }
+  return result;
 }
 
 /// How the logarithm of a bin's light grows with distance from the axis [1/km], by its neighbours.
@@ -85,16 +114,32 @@ ComparedNight::ComparedNight(std::span<const NightPhotograph> photographs,
     throw algebra::Error(fmt::format(
         "{} parts of the disc are neither clipped nor lost in noise, allowed {} or more",
         numbers_.size(), least));
-  std::vector<double> own;
-  for (const auto& number : numbers_) own.push_back(number.error);
-  nuisances_ = {own, effects(photographs)};
+  nuisances_ = {own_covariances(photographs), effects(photographs)};
+}
+
+std::vector<algebra::Grid<double>> ComparedNight::own_covariances(
+    std::span<const NightPhotograph> photographs) const {
+  std::vector<algebra::Grid<double>> all;
+  for (std::size_t p = 0, first = 0; p < photographs.size(); ++p) {
+    const auto of_map = covariances_of_map(photographs[p].scene);
+    const auto count = count_of(p);
+    auto& block = all.emplace_back(count, count);
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j < count; ++j) {
+        const auto &one = numbers_[first + i], &other = numbers_[first + j];
+        block(i, j) = common_variance_of_computation(
+            std::abs(distances_km_[p][one.bin] - distances_km_[p][other.bin]));
+        if (one.channel == other.channel) block(i, j) += of_map(one.bin, other.bin);
+        if (i == j) block(i, j) += one.error * one.error;
+      }
+    first += count;
+  }
+  return all;
 }
 
 void ComparedNight::add_numbers(const NightPhotograph& photograph, std::size_t index) {
   constexpr double too_noisy = 0.3, too_dark = 0.01;
   const auto& [values, errors, sky_errors, glow_errors, slopes] = photograph.light;
-  std::vector<double> pixels(bins_);
-  for (const auto& ground : photograph.scene.grounds) ++pixels[ground.bin];
   for (std::size_t b = 0; b < bins_; ++b) {
     const double brightest = *std::ranges::max_element(values.row(b));
     for (std::size_t k = 0; k < 3; ++k) {
@@ -106,7 +151,7 @@ void ComparedNight::add_numbers(const NightPhotograph& photograph, std::size_t i
           logarithm -= slopes(b, k)[n] * errors_.curve.numbers[n];
       const double of_curve = slopes.empty() ? 0 : between_tents;
       numbers_.push_back({index, b, k, logarithm,
-                          std::hypot(noise, model_error(value, brightest, pixels[b]), of_curve)});
+                          std::hypot(noise, error_of_computation(value, brightest), of_curve)});
     }
   }
 }

@@ -55,11 +55,11 @@ struct MeasuredLight {
 
 /// The photographs of one camera and night, as one witness of the air.
 ///
-/// The logarithms of what bins and channels hold are compared. Each has the error of its own noise;
-/// 1.2 % for each place of 200 km, which the map of the Moon leaves open, so 0.3 % of a whole bin; and
-/// 0.3 % of its value and 0.1 % of the bin's brightest, which the computation does. All share a tone curve, where one is in question, a clock and the exposure's
-/// error; each has 3 % of exposure of its own, as shutters and irises have, and the colours of its white
-/// balance.
+/// The logarithms of what bins and channels hold are compared. Each has the error of its own noise; that of
+/// the map of the Moon, 1.2 % in each place of 200 km, so about 0.3 % of a whole bin; and of the computation 0.4 %
+/// that channels and bins close by share, 0.2 % of its value and 0.03 % of the bin's brightest. All share a tone
+/// curve, where one is in question, a clock and the exposure's error; each has 3 % of exposure of its own, as
+/// shutters and irises have, and the colours of its white balance.
 class ComparedNight {
  public:
   /// Throws  Error  when fewer than six numbers are neither clipped nor lost in noise
@@ -82,7 +82,8 @@ class ComparedNight {
  private:
   struct Number {
     std::size_t photograph, bin, channel;
-    double logarithm, error;
+    double logarithm;
+    double error;  ///< of this number alone
   };
   /// Differences from an air's light, and how they grow with a second of the clock.
   struct Residuals {
@@ -90,6 +91,9 @@ class ComparedNight {
   };
   Residuals residuals(const algebra::Grid<double>& light) const;
   void add_numbers(const NightPhotograph& photograph, std::size_t index);
+  /// Of each photograph's numbers.
+  std::vector<algebra::Grid<double>> own_covariances(
+      std::span<const NightPhotograph> photographs) const;
   algebra::Grid<double> effects(std::span<const NightPhotograph> photographs) const;
 
   NightErrors errors_;

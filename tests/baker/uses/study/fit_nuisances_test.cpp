@@ -14,16 +14,26 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Three numbers, two nuisances.
+/// Three numbers, of which the first two share an error of 0.15; two nuisances.
 const std::array own_errors{0.1, 0.2, 0.05};
+constexpr double shared_error = 0.15;
 const std::array<std::array<double, 2>, 3> effects{{{1, 0}, {1, 0.3}, {1, -0.4}}};
 const std::vector<double> residuals{0.4, 0.7, -0.1};
+
+double own(std::size_t i, std::size_t j) {
+  return (i == j ? own_errors[i] * own_errors[i] : 0) +
+         (i < 2 && j < 2 ? shared_error * shared_error : 0);
+}
 
 Nuisances nuisances() {
   algebra::Grid<double> a(3, 2);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 2; ++k) a(i, k) = effects[i][k];
-  return {own_errors, a};
+  algebra::Grid<double> first(2, 2), last(1, 1);
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j) first(i, j) = own(i, j);
+  last(0, 0) = own(2, 2);
+  return {std::array{first, last}, a};
 }
 
 /// The covariance, made.
@@ -31,9 +41,8 @@ glm::dmat3 covariance() {
   glm::dmat3 c(0);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
-      c[static_cast<int>(i)][static_cast<int>(j)] = effects[i][0] * effects[j][0] +
-                                                    effects[i][1] * effects[j][1] +
-                                                    (i == j ? own_errors[i] * own_errors[i] : 0);
+      c[static_cast<int>(i)][static_cast<int>(j)] =
+          effects[i][0] * effects[j][0] + effects[i][1] * effects[j][1] + own(i, j);
   return c;
 }
 
@@ -66,9 +75,18 @@ TEST(Nuisances, ExplainWhatTheyExpect) {
 TEST(Nuisances, LeaveTheErrorOfAMeanThatIsBetterThanTheirOwnPriorSays) {
   const std::vector<double> one{1, 0, 0};
   // the number itself is known to its own error and to what remains of both nuisances, given all three
-  const double error = nuisances().error_of_mean(one);
-  EXPECT_GT(error, own_errors[0]);
-  EXPECT_LT(error, std::hypot(own_errors[0], 1));
+  const double error = nuisances().error_of_mean(one), itself = std::sqrt(own(0, 0));
+  EXPECT_GT(error, itself);
+  EXPECT_LT(error, std::hypot(itself, 1));
+}
+
+TEST(Nuisances, LeaveASharedErrorToAMean) {
+  algebra::Grid<double> block(2, 2);
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j) block(i, j) = own(i, j);
+  const Nuisances of_none(std::array{block}, algebra::Grid<double>(2, 0));
+  EXPECT_WITHIN_RELATIVE(of_none.error_of_mean(std::vector<double>{1, 1}),
+                         std::hypot(0.1 / 2, 0.2 / 2, shared_error), 1e-12, "in doubles");
 }
 
 }  // namespace
