@@ -104,7 +104,7 @@ TEST_F(FitThoroughly, OfANightOfJpegsFindsAirCurveAndAClockThatIsHoursWrong) {
   NightTruth truth;
   truth.clock_s = 130 - 3600;  // an hour of summer time, and some minutes
   truth.exposed = 1.3;
-  const auto& occasion = night_occasions().front();
+  const auto occasion = night_occasions().front();
   Words words;
   for (const auto& photograph : MadeNight(occasion, truth).request(here()).photographs)
     words.push_back(photograph.file);
