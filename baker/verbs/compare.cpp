@@ -71,14 +71,22 @@ StillFlags flags_told_by(const std::string& file) {
   return flags;
 }
 
-/// The places that a frame shows, by the recipe in its own header or its scene's texture's.
-uses::FramePlaces places_told_by(const std::string& file) {
+/// What a recipe tells of a frame: the places that it shows, and the glow of the camera that takes its picture.
+struct Told {
+  uses::FramePlaces places;
+  double glow = 0;
+};
+
+/// By the recipe in a frame's own header or its scene's texture's.
+Told told_by(const std::string& file) {
   if (!holds_recipe(file))
     throw algebra::Error(fmt::format("{}: allowed is an .exr made by coppermoon", file));
   const auto flags = flags_told_by(file);
   const auto sky = almanac::sky_at(instant_of(flags.moon.moment));
   const auto view = uses::seen_through(flags.camera, flags.view);
-  return uses::frame_places(sky, uses::view_for_frame(view, sky).view.camera);
+  const auto camera = uses::camera_of(flags.camera);
+  return {uses::frame_places(sky, uses::view_for_frame(view, sky).view.camera),
+          camera ? camera->glow : 0};
 }
 
 /// In linear Rec.709, whatever space the header says.
@@ -247,13 +255,13 @@ void run(const Options& options) {
   require_sound(options);
   const auto coding = uses::coding_of(options.photo, options.coding);
   const auto exif = exif_to_use(options, coding);
-  const auto places =
-      places_told_by(options.recipe_in.empty() ? options.render : options.recipe_in);
+  const auto [places, glow] =
+      told_by(options.recipe_in.empty() ? options.render : options.recipe_in);
   const auto photo = texture::read_light(options.photo, coding),
              frame = read_render(options, places);
-  const Found found{
-      places.sky.when, exif, coding,
-      uses::compared(photo, frame, places, exif, options.bins, coding == texture::Coding::camera)};
+  const Found found{places.sky.when, exif, coding,
+                    uses::compared(photo, frame, places,
+                                   {exif, coding == texture::Coding::camera, glow, options.bins})};
   if (!options.output.empty())
     texture::write_png(options.output,
                        uses::comparison_sheet(found.comparison.photo, found.comparison), 8);

@@ -97,12 +97,13 @@ ViewRequest seen_through(const CameraRequest& request, ViewRequest view) {
   return view;
 }
 
+double pixel_rad_of(const povray_scenes::Camera& camera) {
+  return 2 * std::tan(algebra::in_radians(camera.horizontal_field) / 2) /
+         static_cast<double>(camera.width);
+}
+
 SeenFrame seen_by(const View& view, const almanac::SkyState& sky) {
-  const auto& camera = view.camera;
-  SeenFrame seen{2 * std::tan(algebra::in_radians(camera.horizontal_field) / 2) /
-                     static_cast<double>(camera.width),
-                 {},
-                 disc_outline(camera)};
+  SeenFrame seen{pixel_rad_of(view.camera), {}, disc_outline(view.camera)};
   if (view.observer) seen.sky_cd_m2 = sky_over(*view.observer, sky);
   return seen;
 }

@@ -40,6 +40,9 @@ std::optional<colour::Camera> camera_of(const CameraRequest& request,
 /// The view through a camera: focal length and sensor are its own unless they are given.
 ViewRequest seen_through(const CameraRequest& request, ViewRequest view);
 
+/// Angle that a pixel takes in, in the middle of a frame.
+double pixel_rad_of(const povray_scenes::Camera& camera);
+
 /// What the development has to know of a frame beside its light.
 struct SeenFrame {
   double pixel_rad = 0;                  ///< in the middle; 0: as the sensor's width says

@@ -9,12 +9,12 @@
 
 namespace coppermoon::uses {
 
-/// The first three channels.
-///
-/// Throws  Error  when there are fewer
 /// Throws  Error  when an image has fewer than three channels
 void require_colours(const texture::Image& image);
 
+/// The first three channels.
+///
+/// Throws  Error  when there are fewer
 colour::Image pixels_of(const texture::Image& image);
 
 /// A scene-linear image's colours in another working space, luminance kept: channels R, G, B, or X, Y, Z.

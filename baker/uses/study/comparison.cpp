@@ -14,7 +14,9 @@
 
 #include "algebra/error.h"
 #include "colour/difference.h"
+#include "colour/glow.h"
 #include "colour/working_space.h"
+#include "uses/picture/camera.h"
 #include "uses/picture/disc_outline.h"
 #include "uses/picture/pixels.h"
 #include "uses/study/fit_nuisances.h"
@@ -90,6 +92,11 @@ texture::Image moon_alone(texture::Image frame, const povray_scenes::Camera& cam
     }
   });
   return frame;
+}
+
+texture::Image glowing(texture::Image frame, double share, const povray_scenes::Camera& camera) {
+  if (share == 0) return frame;
+  return image_of(colour::with_glow(pixels_of(frame), share, pixel_rad_of(camera)));
 }
 
 }  // namespace
@@ -241,14 +248,14 @@ bool in_highlights(const SharedPixel& pixel) {
 }  // namespace
 
 Comparison compared(const texture::Image& photo, const texture::Image& frame,
-                    const FramePlaces& places, const std::optional<colour::Exposure>& exposure,
-                    std::size_t bins, bool curved) {
+                    const FramePlaces& places, const ComparisonRequest& request) {
+  const auto& [exposure, curved, glow, bins] = request;
   algebra::require_within("bins", static_cast<double>(bins), 1, 1000);
   if (frame.width != places.camera.width || frame.height != places.camera.height)
     throw algebra::Error(fmt::format("a frame of {} x {} pixels, allowed {} x {}, as its camera's",
                                      frame.width, frame.height, places.camera.width,
                                      places.camera.height));
-  const auto moon = moon_alone(frame, places.camera);
+  const auto moon = glowing(moon_alone(frame, places.camera), glow, places.camera);
   const auto registration = colour::registered(luminance_of(photo), luminance_of(moon));
   const auto& moved = registration.render_to_photo;
   auto render = resampled(moon, moved, photo.height, photo.width);

@@ -85,17 +85,21 @@ struct Comparison {
   std::optional<colour::ToneCurve> curve{};  ///< that made the photograph's light the scene's
 };
 
-/// Registers a rendered frame in a photograph, exposes it, and compares the two.
+/// What is known of a photograph, and how finely it is compared.
+struct ComparisonRequest {
+  std::optional<colour::Exposure> exposure = {};  ///< without: the one that suits it best
+  bool curved = false;    ///< it has its camera's tone curve, which is found
+  double glow = 0;        ///< share of the light that optics and air scattered: colour::with_glow
+  std::size_t bins = 12;  ///< steps of axis distance, 1 to 1000
+};
+
+/// Registers a rendered frame in a photograph, gives it glow and exposure, and compares the two.
 ///
-/// Given   photo     linear Rec.709, 1 saturates
-///         frame     linear Rec.709 [cd/m²], rendered with the camera of its places
-///         exposure  the photograph's; without: the one that suits it best
-///         bins      steps of axis distance, 1 to 1000
-///         curved    the photograph has its camera's tone curve, which is found
-/// Throws  Error     as colour::registered, fitted_exposure and fitted_curve; when the frame's size is not its
-///                   camera's
+/// Given   photo  linear Rec.709, 1 saturates
+///         frame  linear Rec.709 [cd/m²], rendered with the camera of its places, without glow
+/// Throws  Error  as colour::registered, with_glow, fitted_exposure and fitted_curve; when the frame's size is
+///                not its camera's
 Comparison compared(const texture::Image& photo, const texture::Image& frame,
-                    const FramePlaces& places, const std::optional<colour::Exposure>& exposure,
-                    std::size_t bins = 12, bool curved = false);
+                    const FramePlaces& places, const ComparisonRequest& request = {});
 
 }  // namespace coppermoon::uses
