@@ -41,6 +41,10 @@ texture::Coding coding_of(AlbedoEncoding encoding) {
   }
 }
 
+void require_exponent(const MoonRequest& moon) {
+  algebra::require_within("albedo exponent", moon.albedo_exponent, 0.1, 10);
+}
+
 void change(algebra::Grid<float>& map, double offset, double scale, double exponent) {
   tbb::parallel_for(std::size_t{0}, map.rows(), [&](std::size_t r) {
     for (float& value : map.row(r))
@@ -64,7 +68,7 @@ std::string map_chosen(const MoonRequest& moon) {
 
 void require_map(const MoonRequest& moon) {
   if (!reads_map(moon)) return;
-  algebra::require_within("albedo exponent", moon.albedo_exponent, 0.1, 10);
+  require_exponent(moon);
   texture::require_albedo_map(map_chosen(moon));
 }
 
@@ -90,7 +94,7 @@ algebra::Grid<float> normal_albedo(const MoonRequest& moon) {
     return surface::normalised_to_geometric_albedo(
         surface::built_in_moon(std::max<std::size_t>(8, texture_width_of(moon) / 2)),
         moon.photometry);
-  algebra::require_within("albedo exponent", moon.albedo_exponent, 0.1, 10);
+  require_exponent(moon);
   const auto encoding = encoding_of(moon, map);
   auto albedo = decoded(texture::read_albedo_map(map, coding_of(encoding)), encoding);
   if (moon.albedo_exponent != 1) change(albedo, 0, 1, moon.albedo_exponent);

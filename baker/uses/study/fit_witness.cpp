@@ -50,19 +50,20 @@ algebra::Grid<double> covariances_of_map(const FitScene& scene) {
   const auto place = [](std::size_t px) {
     return static_cast<std::size_t>(static_cast<double>(px) / place_px);
   };
-  algebra::Grid<double> parts(scene.bins, across * across);
+  algebra::Grid<double> shares(scene.bins, across * across);
   for (const auto& ground : scene.grounds)
-    parts(ground.bin, place(ground.pixel / fit_side_px) * across +
-                          place(ground.pixel % fit_side_px)) += ground.sunlit;
+    shares(ground.bin, place(ground.pixel / fit_side_px) * across +
+                           place(ground.pixel % fit_side_px)) += ground.sunlit;
+  for (std::size_t b = 0; b < scene.bins; ++b) {
+    const auto row = shares.row(b);
+    const double all = std::reduce(row.begin(), row.end());
+    for (double& share : row) share *= all > 0 ? error / all : 0;
+  }
   algebra::Grid<double> result(scene.bins, scene.bins);
-  const auto sum = [](const auto& row) { return std::reduce(row.begin(), row.end()); };
   for (std::size_t b = 0; b < scene.bins; ++b)
-    for (std::size_t c = 0; c < scene.bins; ++c) {
-      const auto one = parts.row(b), other = parts.row(c);
-      if (const double all = sum(one) * sum(other); all > 0)
-        result(b, c) =
-            error * error / all * std::inner_product(one.begin(), one.end(), other.begin(), 0.);
-    }
+    for (std::size_t c = 0; c < scene.bins; ++c)
+      result(b, c) =
+          std::inner_product(shares.row(b).begin(), shares.row(b).end(), shares.row(c).begin(), 0.);
   return result;
 }
 

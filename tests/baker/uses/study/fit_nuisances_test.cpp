@@ -25,15 +25,21 @@ double own(std::size_t i, std::size_t j) {
          (i < 2 && j < 2 ? shared_error * shared_error : 0);
 }
 
+/// The block of the first two numbers.
+algebra::Grid<double> first_block() {
+  algebra::Grid<double> block(2, 2);
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j) block(i, j) = own(i, j);
+  return block;
+}
+
 Nuisances nuisances() {
   algebra::Grid<double> a(3, 2);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 2; ++k) a(i, k) = effects[i][k];
-  algebra::Grid<double> first(2, 2), last(1, 1);
-  for (std::size_t i = 0; i < 2; ++i)
-    for (std::size_t j = 0; j < 2; ++j) first(i, j) = own(i, j);
+  algebra::Grid<double> last(1, 1);
   last(0, 0) = own(2, 2);
-  return {std::array{first, last}, a};
+  return {std::array{first_block(), last}, a};
 }
 
 /// The covariance, made.
@@ -81,10 +87,7 @@ TEST(Nuisances, LeaveTheErrorOfAMeanThatIsBetterThanTheirOwnPriorSays) {
 }
 
 TEST(Nuisances, LeaveASharedErrorToAMean) {
-  algebra::Grid<double> block(2, 2);
-  for (std::size_t i = 0; i < 2; ++i)
-    for (std::size_t j = 0; j < 2; ++j) block(i, j) = own(i, j);
-  const Nuisances of_none(std::array{block}, algebra::Grid<double>(2, 0));
+  const Nuisances of_none(std::array{first_block()}, algebra::Grid<double>(2, 0));
   EXPECT_WITHIN_RELATIVE(of_none.error_of_mean(std::vector<double>{1, 1}),
                          std::hypot(0.1 / 2, 0.2 / 2, shared_error), 1e-12, "in doubles");
 }
