@@ -132,6 +132,7 @@ full_examples() {
   "$root/examples/standard_figures.sh"
   "$root/examples/paper_figures.sh"
   "$root/examples/eclipse_brightness.sh"
+  "$root/examples/beside_photographs.sh"
   "$root/examples/gallery/gallery.sh"
   cd "$root"
 }
