@@ -88,10 +88,10 @@ double refracted_reach_m(const Arrangement& arrangement, const atmosphere::Atmos
 }
 
 double covered_part(double axis_distance_m, double depth_m, double sun_distance_m,
-                    double opaque_radius_m, double disc_radius) {
+                    double opaque_radius_m) {
   const double sun = photons::solar_radius_m * depth_m / sun_distance_m;
   const double earth = landing_m(opaque_radius_m, 0, sun_distance_m, depth_m);
-  return lens_area(axis_distance_m, sun * disc_radius, earth) / (std::numbers::pi * sun * sun);
+  return lens_area(axis_distance_m, sun, earth) / (std::numbers::pi * sun * sun);
 }
 
 DirectLight::DirectLight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
@@ -104,10 +104,12 @@ void DirectLight::clear_parts(double axis_distance_m, double position_angle_rad,
                               std::span<double> parts) const {
   const double opaque =
       atmosphere::limb_at(atmosphere_.earth, position_angle_rad).radius_m + atmosphere_.top_m();
+  const double sun = projected_solar_radius_m(arrangement_, depth_m),
+               earth = landing_m(opaque, 0, arrangement_.sun_distance_m, depth_m);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const double radius = sun_.radius[k], area = radius * radius;
     const double covered =
-        covered_part(axis_distance_m, depth_m, arrangement_.sun_distance_m, opaque, radius);
+        lens_area(axis_distance_m, sun * radius, earth) / (std::numbers::pi * sun * sun);
     parts[k] = area - covered < 1e-12 ? 0 : area - covered;  // rounding
     if (parts[0] > 0) continue;
     std::ranges::fill(parts, 0);  // the whole is hidden

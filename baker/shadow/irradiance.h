@@ -83,11 +83,10 @@ double lens_area(double apart, double r, double s);
 /// area that two circles share, the projected disc and the one that the air's top throws.
 ///
 /// Given     axis_distance_m, depth_m  the place; opaque_radius_m: of the Earth with its air
-///           disc_radius               of a disc about the Sun's centre, in solar radii
-/// Returned  over the area of the whole Sun: 0 in full sunlight, disc_radius² where all is covered
+/// Returned  0 in full sunlight, 1 where all is covered
 /// Accuracy  1e-5: the planes of Sun, limb and shadow are taken as parallel
 double covered_part(double axis_distance_m, double depth_m, double sun_distance_m,
-                    double opaque_radius_m, double disc_radius = 1);
+                    double opaque_radius_m);
 
 /// Sunlight that passes clear of the Earth and its air, over unshaded sunlight, by wavelength: the
 /// closed form for a uniform disc, summed over the discs that make a limb-darkened one.

@@ -338,8 +338,8 @@ std::optional<shadow::LookupRange> range_at(const Moonlight& light, const almana
   if (distances.front() >= light.direct->penumbra_m(depth)) return std::nullopt;
   range.from_m = std::max(range.from_m, distances.front());
   range.to_m = std::min(range.to_m, distances.back());
-  if (range.sectors < light.refracted->sectors) {
-    const auto settings = quadrature_for(light.plan.work, moon);
+  const auto settings = quadrature_for(light.plan.work, moon);
+  if (light.refracted->sectors == settings.around) {
     range.first_sector = settings.first_sector;
     range.sectors = settings.sectors;
   }
