@@ -21,7 +21,7 @@ struct Planet {
 
 /// Mercury to Neptune, without the Earth.
 ///
-/// Accuracy  0.1″ of DE431 in 2018 to 2022; 1″ from 1800 to 2100. Magnitudes 0.1
+/// Accuracy  0.15″ of a worked example in 1992; the theory's own is 1″ from 1800 to 2100. Magnitudes 0.1
 /// Omits     of magnitudes: how Mars turns and has its seasons, the latitude of Uranus seen (0.1)
 /// Source    VSOP87 (Bretagnon & Francou 1988, Astron. Astrophys. 202, 309) by libnova;
 ///           magnitudes: Mallama & Hilton (2018), Astronomy and Computing 25, 10; B − V: Cox (2000),
