@@ -250,3 +250,4 @@ cat <<'EOF'
 `tests/end_to_end/paper_figures_test.cpp` asserts, in small, the order of brightness, the copper, and which parts
 saturate: those of which so much of the Sun is in view.
 EOF
+"$here/made_at.sh"

@@ -13,5 +13,5 @@ fi
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 measure -o "$scratch"
-mv "$scratch/tradeoff.md" "$here/tradeoff.md"
+{ cat "$scratch/tradeoff.md"; "$here/made_at.sh"; } >"$here/tradeoff.md"
 mv "$scratch/tradeoff.svg" "$here/pictures/tradeoff.svg"

@@ -55,3 +55,4 @@ sed -n 's/^| random recipes [0-9]* to \([0-9]*\) | \([0-9]*\) valid files, \([0-
        END { printf "| the first %d | %d | %d | %d |\n", last, files, lines, most }'
 heading "Fuzzers"
 "$here/../fuzz.sh" "$seconds_each" | sed -n '/^|/p'
+"$here/../../examples/made_at.sh"

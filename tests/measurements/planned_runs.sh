@@ -14,3 +14,4 @@ EOF
 { "$here/../../build/release/tests/end_to_end_slow_tests" planned_runs --gtest_brief=1 || true; } |
   sed -n '/^|/p; /^| random/i\
 ' | sed '/^| random/a | --- | ---: |'
+"$here/../../examples/made_at.sh"

@@ -88,3 +88,4 @@ and 99th percentile, of two stills developed at the exposure that suits the stan
 | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
 EOF
 sort -t '|' -k 9,9gr "$scratch/rows"
+"$here/../../examples/made_at.sh"
