@@ -60,10 +60,13 @@ struct Taken {
   double time_s, iso, seeing_arcsec;
 };
 
+/// Ozone is drawn from all that a fit allows: a noisy photograph tells so little of it that an interval holds
+/// the truth as often as it says over that range alone.
 Taken random_photograph(Random& random) {
   Taken taken{};
+  const auto& ozone = uses::search_range[2];
   taken.truth = {in_decades(random, 1.5e-6, 1e-5), between(random, 0, 0.9),
-                 between(random, 200, 450)};
+                 between(random, ozone.least, ozone.most)};
   taken.jpeg = random.uniform() < 0.5;
   taken.time_s = between(random, 1, 4);
   taken.iso = in_decades(random, 100, 3200);
@@ -230,7 +233,7 @@ TEST_F(Recovery, OfAHundredPhotographsFindsDustAndCloudAndKnowsHowWell) {
         const uses::NightPhotograph night{
             scene,
             binned(scene, photo, found.render_to_photo),
-            {value_per_cd_m2, 0.1, 0.03, false, uses::place_error_km(found)}};
+            {value_per_cd_m2, 0.1, 0.03, false, uses::place_error_km(scene, found)}};
         const uses::ComparedNight compared(std::span(&night, 1), {});
         const uses::Witness witness{
             &light, [&](const auto& of_air) { return compared.weighed(of_air); }, compared.count()};

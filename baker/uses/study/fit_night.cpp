@@ -129,7 +129,7 @@ void Night::take_one(double clock_s, std::size_t index) {
     const auto curve = is_curved(photograph) ? std::optional(curve_) : std::nullopt;
     known.light = binned(known.scene, photo, registration.render_to_photo, curve);
     known.errors = errors_of(request_, photograph);
-    known.errors.place_error_km = place_error_km(registration);
+    known.errors.place_error_km = place_error_km(known.scene, registration);
     const double px_per_rad = registration.render_to_photo.scale / known.scene.pixel_rad;
     known_.push_back(std::move(known));
     taken_.push_back({index, registration, {photo.width, photo.height}, px_per_rad});

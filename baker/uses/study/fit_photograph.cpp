@@ -10,6 +10,8 @@
 
 #include "algebra/error.h"
 #include "almanac/sky.h"
+#include "eclipse/shadow_axis.h"
+#include "eclipse/shadow_cone.h"
 #include "uses/picture/pixels.h"
 #include "uses/study/comparison.h"
 #include "uses/study/fit_sky.h"
@@ -163,6 +165,15 @@ Uncertain usual_glow(const FitScene& scene, std::size_t k, std::span<const Sum> 
   return {share * *middle, error * *middle};
 }
 
+/// Whether nothing is lit beyond the umbra.
+bool lies_in_umbra(const FitScene& scene) {
+  const auto axis = eclipse::shadow_axis(scene.sky);
+  const auto moon = eclipse::place_in_shadow(axis, scene.sky.moon_m);
+  const auto edge = eclipse::shadow_radii(eclipse::ShadowConvention::danjon, axis, moon).umbra;
+  return algebra::in_metres(moon.axis_distance + almanac::lunar_radius) <
+         algebra::in_metres(moon.depth) * std::sin(algebra::in_radians(edge));
+}
+
 Channel as_scene(const Channel& displayed, const colour::ToneTable& table) {
   auto light = displayed;
   for (float& value : light.values()) value = table(value);
@@ -194,10 +205,12 @@ colour::Registration registration_of(const FitScene& scene, const texture::Image
   }
 }
 
-double place_error_km(const colour::Registration& registration) {
-  constexpr double pixels = 0.8;
+double place_error_km(const FitScene& scene, const colour::Registration& registration) {
+  constexpr double of_umbra = 0.3, of_crescent = 0.8, unlike = 2;
   const double pixel_km =
       2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
+  const double pixels = std::hypot(lies_in_umbra(scene) ? of_umbra : of_crescent,
+                                   unlike * (1 - registration.correlation));
   return pixels * pixel_km / std::min(1., registration.render_to_photo.scale);
 }
 

@@ -22,6 +22,7 @@ namespace coppermoon::uses {
 namespace {
 
 using Channel = algebra::Grid<float>;
+using std::numbers::pi;
 
 constexpr std::size_t texture_rows = 512;
 
@@ -34,7 +35,7 @@ constexpr std::size_t most_bins = 16;
 ViewRequest close_view(ViewRequest view, const almanac::SkyState& sky) {
   const double disc =
       2 * std::asin(algebra::in_metres(almanac::lunar_radius) / glm::length(sky.moon_m));
-  view.field_deg = disc / fit_disc_share * 180 / std::numbers::pi;
+  view.field_deg = disc / fit_disc_share * 180 / pi;
   view.width = view.height = fit_side_px;
   return view;
 }
@@ -215,7 +216,7 @@ FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
   FitScene scene;
   scene.sky = sky;
   scene.weights = xyz_of_moonlight(seen.sightline);
-  scene.pixel_rad = 2 * std::tan(*close.field_deg / 2 * std::numbers::pi / 180) / fit_side_px;
+  scene.pixel_rad = 2 * std::tan(*close.field_deg / 2 * pi / 180) / fit_side_px;
   const auto grounds = grounds_of(seen.camera, sky);
   const auto sunlit = picture_of(sunlit_map(moon, groundwork, sky), grounds);
   bin(scene, sunlit, grounds, groundwork.ground.get());
@@ -231,17 +232,20 @@ FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
 
 namespace {
 
-/// A few places that stand for all of a bin: groups by distance, and within these by angle, of 20 degrees
+/// A few places that stand for all of a bin: groups by distance, and within these by angle, of 10 degrees
 /// at most where they are spread evenly, each where its mean is. Belts of the air make light run unevenly
 /// along wider ones.
-void add_groups(std::vector<LitPlace> all, std::vector<LitPlace>& few) {
+///
+/// Given  middle_rad  position angle of the disc's centre: opposite to it there is no ground, or ground on
+///                    both sides
+void add_groups(std::vector<LitPlace> all, double middle_rad, std::vector<LitPlace>& few) {
   constexpr std::size_t by_distance = 8;
-  constexpr double widest_rad = std::numbers::pi / 9;
+  constexpr double widest_rad = pi / 18;
   const auto distance_of = [](const LitPlace& lit) {
     return algebra::in_metres(lit.place.axis_distance);
   };
-  const auto angle_of = [](const LitPlace& lit) {
-    return algebra::in_radians(lit.place.position_angle);
+  const auto angle_of = [=](const LitPlace& lit) {
+    return std::remainder(algebra::in_radians(lit.place.position_angle) - middle_rad, 2 * pi);
   };
   std::ranges::sort(all, {}, distance_of);
   const auto part = [](std::span<LitPlace> whole, std::size_t i, std::size_t parts) {
@@ -266,9 +270,9 @@ void add_groups(std::vector<LitPlace> all, std::vector<LitPlace>& few) {
         north += lit.sunlit * std::cos(angle_of(lit));
       }
       if (sunlit == 0) continue;
-      const double angle = std::atan2(east, north);
+      const double angle = middle_rad + std::atan2(east, north);
       few.push_back({{algebra::metres(distance / sunlit),
-                      algebra::radians(angle < 0 ? angle + 2 * std::numbers::pi : angle),
+                      algebra::radians(angle - 2 * pi * std::floor(angle / (2 * pi))),
                       algebra::metres(depth / sunlit)},
                      sunlit,
                      group.front().bin,
@@ -284,9 +288,9 @@ LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky) {
   const auto axis = eclipse::shadow_axis(sky);
   std::vector<std::vector<LitPlace>> all(scene.bins);
   for (const auto& [pixel, ground, sunlit, colour, bin] : scene.grounds)
-    if (pixel % 2 == 0 && pixel / fit_side_px % 2 == 0)
-      all[bin].push_back({eclipse::place_of_ground(axis, sky, ground), sunlit, bin, colour});
-  for (auto& of_bin : all) add_groups(std::move(of_bin), lit.places);
+    all[bin].push_back({eclipse::place_of_ground(axis, sky, ground), sunlit, bin, colour});
+  const auto middle = eclipse::place_in_shadow(axis, sky.moon_m).position_angle;
+  for (auto& of_bin : all) add_groups(std::move(of_bin), algebra::in_radians(middle), lit.places);
   return lit;
 }
 

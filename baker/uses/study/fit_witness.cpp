@@ -29,13 +29,13 @@ constexpr double unknown = 10;
 /// Relative error of a value that the computation leaves open in each channel by itself: of FittedLight, and of what
 /// wavelengths it is a sum over.
 double error_of_computation(double value, double brightest) {
-  constexpr double of_colour = 0.002, of_brightest = 0.0003;
+  constexpr double of_colour = 0.001, of_brightest = 0.0003;
   return std::hypot(of_colour, of_brightest * brightest / value);
 }
 
 /// Variance that the computation leaves open in all channels alike, and in bins so far apart: FittedLight's.
 double common_variance_of_computation(double distance_km) {
-  constexpr double of_light = 0.004, alike_km = 500;
+  constexpr double of_light = 0.001, alike_km = 500;
   return of_light * of_light * std::exp(-distance_km / alike_km);
 }
 

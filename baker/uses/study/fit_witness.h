@@ -56,8 +56,8 @@ struct MeasuredLight {
 /// The photographs of one camera and night, as one witness of the air.
 ///
 /// The logarithms of what bins and channels hold are compared. Each has the error of its own noise; that of
-/// the map of the Moon, 1.2 % in each place of 200 km, so about 0.3 % of a whole bin; and of the computation 0.4 %
-/// that channels and bins close by share, 0.2 % of its value and 0.03 % of the bin's brightest. All share a tone
+/// the map of the Moon, 1.2 % in each place of 200 km, so about 0.3 % of a whole bin; and of the computation 0.1 %
+/// that channels and bins close by share, 0.1 % of its value and 0.03 % of the bin's brightest. All share a tone
 /// curve, where one is in question, a clock and the exposure's error; each has 3 % of exposure of its own, as
 /// shutters and irises have, and the colours of its white balance.
 class ComparedNight {
