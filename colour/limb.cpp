@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "colour/limb.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -14,6 +16,7 @@
 
 #include "algebra/error.h"
 #include "colour/circles.h"
+#include "colour/picture_part.h"
 #include "colour/similarity.h"
 
 namespace coppermoon::colour {
@@ -28,31 +31,17 @@ void require_luminance(const Luminance& image) {
                           65535);
   algebra::require_within("height of a picture [pixels]", static_cast<double>(image.rows()), 16,
                           65535);
-  for (const float value : image.values())
-    if (!std::isfinite(value)) throw algebra::Error("luminance that is not finite, allowed finite");
+  tbb::parallel_for(std::size_t{0}, image.rows(), [&](std::size_t r) {
+    for (const float value : image.row(r))
+      if (!std::isfinite(value))
+        throw algebra::Error("luminance that is not finite, allowed finite");
+  });
 }
 
 double quantile(std::vector<double> values, double share) {
   const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + at, values.end());
   return values[static_cast<std::size_t>(at)];
-}
-
-/// Means over so many pixels both ways; what is left over at the right and below is left out.
-Luminance reduced(const Luminance& image, std::size_t by) {
-  Luminance small(image.rows() / by, image.columns() / by);
-  std::vector<double> sums(small.columns());
-  for (std::size_t r = 0; r < small.rows(); ++r) {
-    std::ranges::fill(sums, 0);
-    for (std::size_t i = 0; i < by; ++i) {
-      const auto line = image.row(r * by + i);
-      for (std::size_t c = 0; c < small.columns(); ++c)
-        for (std::size_t k = 0; k < by; ++k) sums[c] += double{line[c * by + k]};
-    }
-    for (std::size_t c = 0; c < small.columns(); ++c)
-      small(r, c) = static_cast<float>(sums[c] / static_cast<double>(by * by));
-  }
-  return small;
 }
 
 /// Where the limb is found along a radius.
@@ -279,70 +268,39 @@ Found found_in(const Luminance& image) {
   return best;
 }
 
-/// A part of a picture.
-struct Window {
-  std::size_t left, top, columns, rows;
-};
-
-/// The square about a disc, as far as it is in the picture.
-Window window_about(const Luminance& image, const Disc& disc) {
-  const auto within = [](double at, std::size_t most) {
-    return static_cast<std::size_t>(std::clamp(at, 0., static_cast<double>(most)));
-  };
-  const auto left = within(disc.x_px - disc.radius_px, image.columns()),
-             top = within(disc.y_px - disc.radius_px, image.rows());
-  return {left, top, within(disc.x_px + disc.radius_px, image.columns()) - left,
-          within(disc.y_px + disc.radius_px, image.rows()) - top};
-}
-
-Luminance cut_out(const Luminance& image, const Window& window) {
-  Luminance part(window.rows, window.columns);
-  for (std::size_t r = 0; r < window.rows; ++r)
-    std::ranges::copy(image.row(window.top + r).subspan(window.left, window.columns),
-                      part.row(r).begin());
-  return part;
-}
-
 std::size_t reduction_of(std::size_t rows, std::size_t columns) {
   constexpr std::size_t longest_px = 400;
   return (std::max(rows, columns) + longest_px - 1) / longest_px;
 }
 
-/// The same in a picture made as small as need be, and smaller where noise hides the limb.
-Found found_at_any_size(const Luminance& image) {
+/// The same in a part of a picture, made as small as need be, and smaller where noise hides the limb.
+Found found_within(const Luminance& image, const Window& part) {
   constexpr double least_reduced_px = 20;  // a square's corners are seen
-  std::size_t by = reduction_of(image.rows(), image.columns());
+  std::size_t by = reduction_of(part.rows, part.columns);
   for (int level = 0; level < 3; ++level, by *= 2) {
-    if (std::min(image.rows(), image.columns()) / by < 16) break;
+    if (std::min(part.rows, part.columns) < 16 * by) break;
     const double scale = static_cast<double>(by);
-    const auto [disc, evidence] = found_in(reduced(image, by));
+    const auto [disc, evidence] = found_in(reduced(image, part, by));
     if (evidence > 0 && (level == 0 || disc.radius_px > least_reduced_px))
-      return {{scale * disc.x_px, scale * disc.y_px, scale * disc.radius_px}, evidence};
+      return {{static_cast<double>(part.left) + scale * disc.x_px,
+               static_cast<double>(part.top) + scale * disc.y_px, scale * disc.radius_px},
+              evidence};
   }
   return {{}, 0};
-}
-
-/// The same in a part of it.
-Found found_within(const Luminance& image, const Window& window) {
-  if (std::min(window.rows, window.columns) < 16) return {{}, 0};
-  auto found = found_at_any_size(cut_out(image, window));
-  found.disc.x_px += static_cast<double>(window.left);
-  found.disc.y_px += static_cast<double>(window.top);
-  return found;
 }
 
 /// A piece about the brightest place: where a Moon is that is small in the picture.
 Window about_the_brightest(const Luminance& image) {
   constexpr std::size_t mean_over = 4, reach = 8;
   const auto by = mean_over * reduction_of(image.rows(), image.columns());
-  const auto small = reduced(image, by);
+  const auto small = reduced(image, {0, 0, image.columns(), image.rows()}, by);
   if (small.empty()) return {0, 0, 0, 0};
   const auto at =
       static_cast<std::size_t>(std::ranges::max_element(small.values()) - small.values().begin());
   const double scale = static_cast<double>(by);
-  return window_about(image,
-                      {scale * (static_cast<double>(at % small.columns()) + 0.5),
-                       scale * (static_cast<double>(at / small.columns()) + 0.5), reach * scale});
+  return window_about({scale * (static_cast<double>(at % small.columns()) + 0.5),
+                       scale * (static_cast<double>(at / small.columns()) + 0.5), reach * scale},
+                      image.rows(), image.columns());
 }
 
 }  // namespace
@@ -358,7 +316,7 @@ std::optional<Disc> limb_of(const Luminance& luminance) {
   }
   if (found.evidence == 0) return std::nullopt;
   const auto& [x, y, radius] = found.disc;
-  const auto close = window_about(luminance, {x, y, margin * radius});
+  const auto close = window_about({x, y, margin * radius}, luminance.rows(), luminance.columns());
   if (reduction_of(close.rows, close.columns) < reduction_of(window.rows, window.columns))
     if (const auto again = found_within(luminance, close); again.evidence > 0) return again.disc;
   return found.disc;

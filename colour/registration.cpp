@@ -12,6 +12,7 @@
 #include "algebra/error.h"
 #include "colour/disc_features.h"
 #include "colour/limb.h"
+#include "colour/picture_part.h"
 
 namespace coppermoon::colour {
 namespace {
@@ -205,31 +206,51 @@ Pose refined(const Pair& pair, Pose pose, double begin, double end_px) {
   return pose;
 }
 
+/// A Moon with some sky about it, in pixels no smaller than it takes to see it well.
+struct CloseUp {
+  Values picture;
+  Disc disc;
+  Similarity to_whole;
+};
+
 Disc disc_in(const Values& picture, const char* name) {
   if (const auto disc = limb_of(picture)) return *disc;
   throw algebra::Error(std::string(name) +
                        ": no Moon found, allowed is one with a quarter of its limb in the picture");
 }
 
+CloseUp close_up(const Values& picture, const Disc& disc) {
+  constexpr double margin = 1.4, enough_px = 640;  // radii; four times that of the finest features
+  const double by = std::max(1., std::floor(disc.radius_px / enough_px));
+  const auto part = window_about({disc.x_px, disc.y_px, margin * disc.radius_px}, picture.rows(),
+                                 picture.columns());
+  const auto left = static_cast<double>(part.left), top = static_cast<double>(part.top);
+  return {reduced(picture, part, static_cast<std::size_t>(by)),
+          {(disc.x_px - left) / by, (disc.y_px - top) / by, disc.radius_px / by},
+          {by, 0, left, top}};
+}
+
 /// Markings of both discs, brought to one radius, the render with the photograph's tonal range:
 /// what is brightest on the one is so on the other.
 struct Discs {
-  const Values &photo, &render;
-  Disc in_photo, in_render;
+  CloseUp photo, render;
+  double clipped;  ///< share of the photograph's disc
 
   Pair at_radius(double most_px) const {
-    const double radius_px = std::min({most_px, in_photo.radius_px, in_render.radius_px});
-    TonalRange range{clipped_share(photo, in_photo)};
-    auto seen = features_of(photo, in_photo, radius_px, range);
+    const double radius_px = std::min({most_px, photo.disc.radius_px, render.disc.radius_px});
+    TonalRange range{clipped};
+    auto seen = features_of(photo.picture, photo.disc, radius_px, range);
     range.floor = seen.floor;
-    return {std::move(seen), features_of(render, in_render, radius_px, range), radius_px};
+    return {std::move(seen), features_of(render.picture, render.disc, radius_px, range), radius_px};
   }
 };
 
 }  // namespace
 
 Registration registered(const Values& photo, const Values& render) {
-  const Discs discs{photo, render, disc_in(photo, "photograph"), disc_in(render, "render")};
+  const auto in_photo = disc_in(photo, "photograph"), in_render = disc_in(render, "render");
+  const Discs discs{close_up(photo, in_photo), close_up(render, in_render),
+                    clipped_share(photo, in_photo)};
   const auto coarse = discs.at_radius(40);
   Pose best;
   double most = -1;
@@ -242,10 +263,11 @@ Registration registered(const Values& photo, const Values& render) {
   best = refined(fine, best, 0.003, 0.005);
   const double alike = correlation(fine, best, within_limb);
   algebra::require_within("correlation of photograph and render", alike, least_correlation, 1);
-  const auto here = composed(fine.render.from_picture, similarity_of(fine, best));
-  auto found = composed(here, inverse(fine.photo.from_picture));
+  const auto from_render = composed(inverse(discs.render.to_whole), fine.render.from_picture),
+             to_photo = composed(inverse(fine.photo.from_picture), discs.photo.to_whole);
+  auto found = composed(composed(from_render, similarity_of(fine, best)), to_photo);
   found.rotation_rad = std::remainder(found.rotation_rad, 2 * pi);
-  return {found, alike};
+  return {found, alike, in_photo};
 }
 
 }  // namespace coppermoon::colour

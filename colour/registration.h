@@ -2,6 +2,7 @@
 #pragma once
 
 #include "algebra/grid.h"
+#include "colour/limb.h"
 #include "colour/similarity.h"
 
 namespace coppermoon::colour {
@@ -10,6 +11,7 @@ namespace coppermoon::colour {
 struct Registration {
   Similarity render_to_photo;
   double correlation;  ///< of maria and other markings within 0.92 of the disc's radius, −1 to 1
+  Disc in_photo{};     ///< where the photograph's limb is
 };
 
 /// Finds a rendered Moon in a photograph of it.

@@ -71,23 +71,32 @@ double between_pixels(const algebra::Grid<float>& image, const glm::dvec2& pixel
   return light_at(image, pixel);
 }
 
-algebra::Grid<float> resampled(const algebra::Grid<float>& image, const Similarity& similarity,
-                               std::size_t rows, std::size_t columns) {
+Resampled::Resampled(const algebra::Grid<float>& image, const Similarity& similarity)
+    : image_(&image) {
   algebra::require_within("scale of a picture", similarity.scale, 1e-4, 1e4);
   const auto back = inverse(similarity);
-  const auto corner = moved(back, {0, 0}), across = moved(back, {1, 0}) - corner,
-             down = moved(back, {0, 1}) - corner;
-  const int side = static_cast<int>(std::ceil(back.scale - 1e-9));  // samples across a pixel
+  corner_ = moved(back, {0, 0});
+  across_ = moved(back, {1, 0}) - corner_;
+  down_ = moved(back, {0, 1}) - corner_;
+  side_ = static_cast<int>(std::ceil(back.scale - 1e-9));
+}
+
+float Resampled::at(std::size_t row, std::size_t column) const {
+  double sum = 0;
+  for (int j = 0; j < side_; ++j)
+    for (int i = 0; i < side_; ++i)
+      sum +=
+          light_at(*image_, corner_ + (static_cast<double>(column) + (i + 0.5) / side_) * across_ +
+                                (static_cast<double>(row) + (j + 0.5) / side_) * down_);
+  return static_cast<float>(sum / (side_ * side_));
+}
+
+algebra::Grid<float> resampled(const algebra::Grid<float>& image, const Similarity& similarity,
+                               std::size_t rows, std::size_t columns) {
+  const Resampled pixel(image, similarity);
   algebra::Grid<float> other(rows, columns);
   tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t r) {
-    for (std::size_t c = 0; c < columns; ++c) {
-      double sum = 0;
-      for (int j = 0; j < side; ++j)
-        for (int i = 0; i < side; ++i)
-          sum += light_at(image, corner + (static_cast<double>(c) + (i + 0.5) / side) * across +
-                                     (static_cast<double>(r) + (j + 0.5) / side) * down);
-      other(r, c) = static_cast<float>(sum / (side * side));
-    }
+    for (std::size_t c = 0; c < columns; ++c) other(r, c) = pixel.at(r, c);
   });
   return other;
 }

@@ -33,11 +33,26 @@ Similarity composed(const Similarity& first, const Similarity& second);
 
 /// A picture as it lies in another: bilinear between pixel centres, the mean over each pixel where
 /// it becomes smaller.
+class Resampled {
+ public:
+  /// Given   image       it must outlive this
+  ///         similarity  from the image to the other picture; scale above 0
+  /// Throws  Error       when the scale is not 1e-4 to 1e4
+  Resampled(const algebra::Grid<float>& image, const Similarity& similarity);
+
+  /// A pixel of the other picture; 0 where the image does not reach.
+  float at(std::size_t row, std::size_t column) const;
+
+ private:
+  const algebra::Grid<float>* image_;
+  glm::dvec2 corner_, across_, down_;
+  int side_;  ///< samples across a pixel
+};
+
+/// All of the other picture.
 ///
-/// Given     similarity     from the image to what is returned; scale above 0
-/// Returned  rows × columns; 0 where the image does not reach. What a grid of ones becomes is the
-///           share of each pixel that it does reach
-/// Throws    Error          when the scale is not 1e-4 to 1e4
+/// Returned  rows × columns. What a grid of ones becomes is the share of each pixel that it reaches
+/// Throws    Error  as Resampled
 algebra::Grid<float> resampled(const algebra::Grid<float>& image, const Similarity& similarity,
                                std::size_t rows, std::size_t columns);
 

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <new>
+#include <span>
 #include <stdexcept>
 
 #include "algebra/error.h"
@@ -77,8 +78,8 @@ std::array<std::size_t, 3> rgb_channels(const fs::path& path, const OIIO::ImageI
   throw cannot_read(path, names_of(spec.channelnames) + ", allowed R, G and B, or Y alone");
 }
 
-/// Reads all that a picture shows: `put` is told where in it a texel is, row by row, and the texel's
-/// numbers. Where the file has none nothing is put.
+/// Reads all that a picture shows: `put` is told where in it a texel is, and the texel's numbers, several
+/// rows at a time. Where the file has none nothing is put.
 template <class Put>
 void for_all_texels(OIIO::ImageInput& input, const fs::path& path, const Put& put) {
   const auto [data, display] = windows_of(input);
@@ -89,17 +90,16 @@ void for_all_texels(OIIO::ImageInput& input, const fs::path& path, const Put& pu
   for_all_rows<float>(input, path,
                       [&, top = data.top - display.top, data = data,
                        display = display](const RowsRead<float>& band) {
-                        for (std::size_t r = 0; r < band.rows; ++r) {
+                        tbb::parallel_for(std::size_t{0}, band.rows, [&](std::size_t r) {
                           const auto row = top + static_cast<std::ptrdiff_t>(band.first_row + r);
-                          if (row < 0 || row >= static_cast<std::ptrdiff_t>(display.height))
-                            continue;
+                          if (row < 0 || row >= static_cast<std::ptrdiff_t>(display.height)) return;
                           const float* texels = band.values.data() +
                                                 r * data.width * static_cast<std::size_t>(stride);
                           for (auto x = left; x < right; ++x)
                             put(static_cast<std::size_t>(row) * display.width +
                                     static_cast<std::size_t>(x - display.left),
                                 texels + (x - data.left) * stride);
-                        }
+                        });
                       });
 }
 
@@ -242,8 +242,11 @@ Image read_light(const fs::path& path, Coding coding) {
       for (const auto channel : rgb) *light++ = linear(texel[channel], curve);
     });
     if (raw) make_rec709(path, spec, image);
-    for (const float value : image.values)
-      if (!std::isfinite(value)) throw cannot_read(path, "light that is not finite");
+    tbb::parallel_for(std::size_t{0}, image.height, [&](std::size_t r) {
+      const auto row = std::span(image.values).subspan(3 * image.width * r, 3 * image.width);
+      if (!std::ranges::all_of(row, [](float value) { return std::isfinite(value); }))
+        throw cannot_read(path, "light that is not finite");
+    });
     return image;
   });
 }

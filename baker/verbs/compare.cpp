@@ -263,8 +263,7 @@ void run(const Options& options) {
                     uses::compared(photo, frame, places,
                                    {exif, coding == texture::Coding::camera, glow, options.bins})};
   if (!options.output.empty())
-    texture::write_png(options.output,
-                       uses::comparison_sheet(found.comparison.photo, found.comparison), 8);
+    texture::write_png(options.output, uses::comparison_sheet(photo, found.comparison), 8);
   if (options.json)
     print_json(options, found);
   else

@@ -2,7 +2,9 @@
 #include "uses/study/comparison.h"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
@@ -99,14 +101,27 @@ texture::Image glowing(texture::Image frame, double share, const povray_scenes::
   return image_of(colour::with_glow(pixels_of(frame), share, pixel_rad_of(camera)));
 }
 
-}  // namespace
+/// Light that counts as clipped, over the brightest.
+constexpr float of_brightest = 0.99F;
 
-float clipping_value(const texture::Image& photo) {
-  return 0.99F * *std::ranges::max_element(photo.values);
+float brightest_of(const texture::Image& image) {
+  constexpr std::size_t at_once = 65536;
+  const auto& values = image.values;
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, values.size(), at_once), values.front(),
+      [&](const auto& part, float most) {
+        for (std::size_t i = part.begin(); i < part.end(); ++i) most = std::max(most, values[i]);
+        return most;
+      },
+      [](float one, float other) { return std::max(one, other); });
 }
 
+}  // namespace
+
+float clipping_value(const texture::Image& photo) { return of_brightest * brightest_of(photo); }
+
 algebra::Grid<float> luminance_of(const texture::Image& light) {
-  const float most = *std::ranges::max_element(light.values), clipped = clipping_value(light);
+  const float most = brightest_of(light), clipped = of_brightest * most;
   algebra::Grid<float> grid(light.height, light.width);
   tbb::parallel_for(std::size_t{0}, light.height, [&](std::size_t r) {
     for (std::size_t c = 0; c < light.width; ++c) {
@@ -134,6 +149,10 @@ Pixels shared_pixels(const texture::Image& photo, const texture::Image& render,
   constexpr double enough = 1e6;
   const auto back = colour::inverse(render_to_photo);
   const float clipped = clipping_value(photo);
+  const std::array channels{channel_of(render, 0), channel_of(render, 1), channel_of(render, 2)};
+  const std::array there{colour::Resampled(channels[0], render_to_photo),
+                         colour::Resampled(channels[1], render_to_photo),
+                         colour::Resampled(channels[2], render_to_photo)};
   const auto width = static_cast<double>(places.camera.width),
              height = static_cast<double>(places.camera.height);
   const auto step =
@@ -148,7 +167,9 @@ Pixels shared_pixels(const texture::Image& photo, const texture::Image& render,
       const auto distance_km = axis_distance_km(places, from);
       if (!distance_km) continue;
       const auto seen = pixel_of(photo, r, c);
-      pixels.push_back({*distance_km, seen, pixel_of(render, r, c),
+      pixels.push_back({*distance_km,
+                        seen,
+                        {there[0].at(r, c), there[1].at(r, c), there[2].at(r, c)},
                         std::max({seen.r, seen.g, seen.b}) >= double{clipped}});
     }
   return pixels;
@@ -234,9 +255,8 @@ colour::ToneCurve fitted_curve(const Pixels& pixels) {
 namespace {
 
 /// Makes displayed light that of the scene.
-void undo(const colour::ToneCurve& curve, texture::Image& photo, Pixels& pixels) {
+void undo(const colour::ToneCurve& curve, Pixels& pixels) {
   const colour::ToneTable table(curve);
-  for (float& value : photo.values) value = table(value);
   for (auto& pixel : pixels)
     for (int k = 0; k < 3; ++k) pixel.photo[k] = double{table(static_cast<float>(pixel.photo[k]))};
 }
@@ -255,23 +275,20 @@ Comparison compared(const texture::Image& photo, const texture::Image& frame,
     throw algebra::Error(fmt::format("a frame of {} x {} pixels, allowed {} x {}, as its camera's",
                                      frame.width, frame.height, places.camera.width,
                                      places.camera.height));
-  const auto moon = glowing(moon_alone(frame, places.camera), glow, places.camera);
+  auto moon = glowing(moon_alone(frame, places.camera), glow, places.camera);
   const auto registration = colour::registered(luminance_of(photo), luminance_of(moon));
-  const auto& moved = registration.render_to_photo;
-  auto render = resampled(moon, moved, photo.height, photo.width);
-  auto pixels = shared_pixels(photo, render, places, moved);
-  auto light = photo;
+  auto pixels = shared_pixels(photo, moon, places, registration.render_to_photo);
   std::optional<colour::ToneCurve> curve;
   if (curved) {
     for (auto& pixel : pixels) pixel.clipped = pixel.clipped || in_highlights(pixel);
     curve = fitted_curve(pixels);
-    undo(*curve, light, pixels);
+    undo(*curve, pixels);
   }
   const double fitted = fitted_exposure(pixels);
   const double used = exposure ? colour::exposure_scale(*exposure) : fitted;
   auto found = differences(pixels, used, bins);
-  for (float& value : render.values) value *= static_cast<float>(used);
-  return {registration, used, fitted, std::move(found), std::move(light), std::move(render), curve};
+  for (float& value : moon.values) value *= static_cast<float>(used);
+  return {registration, used, fitted, std::move(found), std::move(moon), curve};
 }
 
 }  // namespace coppermoon::uses

@@ -37,8 +37,6 @@ struct SharedPixel {
 
 /// Pixels of a photograph where the disc is; of a large photograph evenly chosen ones, as if it had
 /// some million pixels in all.
-///
-/// Given  render  in the photograph's geometry
 std::vector<SharedPixel> shared_pixels(const texture::Image& photo, const texture::Image& render,
                                        const FramePlaces& places,
                                        const colour::Similarity& render_to_photo);
@@ -80,9 +78,8 @@ struct Comparison {
   colour::Registration registration;
   double exposure, fitted_exposure;     ///< photograph's value of 1 cd/m²: as used, and as fitted
   std::vector<Difference> differences;  ///< as `differences` has them
-  texture::Image photo;                 ///< the scene's light, linear Rec.709
-  texture::Image render;  ///< in the photograph's geometry and exposure, linear Rec.709
-  std::optional<colour::ToneCurve> curve{};  ///< that made the photograph's light the scene's
+  texture::Image render;                ///< with glow, of the photograph's exposure, linear Rec.709
+  std::optional<colour::ToneCurve> curve{};  ///< that makes the photograph's light the scene's
 };
 
 /// What is known of a photograph, and how finely it is compared.

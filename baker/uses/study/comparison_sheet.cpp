@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "uses/study/comparison_sheet.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "colour/limb.h"
+#include "colour/picture_part.h"
 #include "colour/similarity.h"
+#include "colour/tone_curve.h"
 #include "colour/working_space.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/development.h"
@@ -13,14 +18,42 @@
 namespace coppermoon::uses {
 namespace {
 
-/// The disc with a little sky around it.
-texture::Image cut_out(const texture::Image& picture, const colour::Disc& disc) {
-  constexpr double most_px = 640, margin = 1.12;
-  const double side = std::min(most_px, std::ceil(2 * margin * disc.radius_px));
-  const double scale = side / (2 * margin * disc.radius_px);
-  const auto pixels = static_cast<std::size_t>(side);
-  return resampled(picture, {scale, 0, side / 2 - scale * disc.x_px, side / 2 - scale * disc.y_px},
-                   pixels, pixels);
+constexpr double margin = 1.12;  // of the disc's radius, that is shown
+
+/// A square about the disc with a little sky around it, of the photograph.
+struct Square {
+  colour::Similarity from_photo;
+  std::size_t side_px;
+};
+
+Square square_about(const colour::Disc& disc) {
+  constexpr double most_px = 640;
+  const double side = std::min(most_px, std::ceil(2 * margin * disc.radius_px)),
+               scale = side / (2 * margin * disc.radius_px);
+  return {{scale, 0, side / 2 - scale * disc.x_px, side / 2 - scale * disc.y_px},
+          static_cast<std::size_t>(side)};
+}
+
+/// The scene's light in the square, of means over whole pixels first.
+texture::Image seen_in(const Square& square, const texture::Image& photo, const Comparison& found) {
+  auto disc = found.registration.in_photo;
+  disc.radius_px = margin * disc.radius_px + 1;
+  const auto part = colour::window_about(disc, photo.height, photo.width);
+  const auto by = static_cast<std::size_t>(std::max(1., std::floor(1 / square.from_photo.scale)));
+  const colour::ToneTable table(found.curve.value_or(colour::ToneCurve{}));
+  texture::Image light(part.columns / by, part.rows / by, {"R", "G", "B"});
+  tbb::parallel_for(std::size_t{0}, light.height, [&](std::size_t r) {
+    for (std::size_t c = 0; c < light.width; ++c)
+      for (std::size_t i = 0; i < by * by; ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+          const float value = photo(part.top + r * by + i / by, part.left + c * by + i % by, k);
+          light(r, c, k) += (found.curve ? table(value) : value) / static_cast<float>(by * by);
+        }
+  });
+  const colour::Similarity to_photo{static_cast<double>(by), 0, static_cast<double>(part.left),
+                                    static_cast<double>(part.top)};
+  return resampled(light, colour::composed(to_photo, square.from_photo), square.side_px,
+                   square.side_px);
 }
 
 double luminance(const texture::Image& image, std::size_t row, std::size_t column) {
@@ -52,9 +85,13 @@ texture::Image difference_of(const texture::Image& photo, const texture::Image& 
 
 }  // namespace
 
-texture::Image comparison_sheet(const texture::Image& photo, const texture::Image& render,
-                                const colour::Disc& in_photo) {
-  const auto seen = cut_out(photo, in_photo), expected = cut_out(render, in_photo);
+texture::Image comparison_sheet(const texture::Image& photo, const Comparison& found) {
+  const auto square = square_about(found.registration.in_photo);
+  const auto seen = seen_in(square, photo, found),
+             expected =
+                 resampled(found.render,
+                           colour::composed(found.registration.render_to_photo, square.from_photo),
+                           square.side_px, square.side_px);
   const std::array panels{shown({}, 1, seen, picture_space), shown({}, 1, expected, picture_space),
                           difference_of(seen, expected)};
   texture::Image sheet(3 * seen.width, seen.height, {"R", "G", "B"});
@@ -63,10 +100,6 @@ texture::Image comparison_sheet(const texture::Image& photo, const texture::Imag
       for (std::size_t c = 0; c < seen.width; ++c)
         for (std::size_t k = 0; k < 3; ++k) sheet(r, p * seen.width + c, k) = panels[p](r, c, k);
   return sheet;
-}
-
-texture::Image comparison_sheet(const texture::Image& photo, const Comparison& found) {
-  return comparison_sheet(photo, found.render, colour::limb_of(luminance_of(photo)).value());
 }
 
 }  // namespace coppermoon::uses

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "colour/limb.h"
 #include "texture/image.h"
 #include "uses/study/comparison.h"
 
@@ -11,14 +10,8 @@ namespace coppermoon::uses {
 /// red where the photograph is brighter, blue where it is darker, full at two stops; black where
 /// either is dark.
 ///
-/// Given     photo     linear Rec.709
-///           render    the same, in the photograph's geometry and exposure
-///           in_photo  the disc that is shown
+/// Given     photo  that was compared, as it was read
 /// Returned  sRGB-coded, 0 to 1: R, G, B; three squares of at most 640 pixels
-texture::Image comparison_sheet(const texture::Image& photo, const texture::Image& render,
-                                const colour::Disc& in_photo);
-
-/// The same of a photograph and what it was compared with, about the photograph's own disc.
 texture::Image comparison_sheet(const texture::Image& photo, const Comparison& found);
 
 }  // namespace coppermoon::uses
