@@ -111,9 +111,9 @@ WholeLimb::WholeLimb(const atmosphere::Atmosphere& atmosphere,
     const auto limb = atmosphere::limb_at(atmosphere.earth, seats[i].position_angle_rad);
     const auto& column = *atmosphere.columns()[seats[i].column];
     tables[i].emplace(column, limb.curvature_radius_m, optics, rays, atmosphere.top_m());
-    parts_[i] = {limb.radius_m, {}, limb.curvature_radius_m, column};
+    parts_[i] = {limb.radius_m, {}, limb.curvature_radius_m, column, seats[i].column};
     if (fans == Fans::when_asked) return;
-    for (const auto& o : optics) parts_[i].fans.push_back(tables[i]->fan(o));
+    for (const auto& o : optics) parts_[i].fans.push_back(tables[i]->fan(o, column));
   });
   if (fans == Fans::when_asked)
     for (auto& table : tables) tables_.push_back(std::move(*table));

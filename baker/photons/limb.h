@@ -23,6 +23,7 @@ class WholeLimb {
     std::vector<Fan> fans;  ///< by wavelength; none of a limb that makes them when asked
     double curvature_radius_m;
     atmosphere::Column column{};
+    std::size_t column_index = 0;  ///< among the air's
   };
   struct Share {
     std::size_t part;
@@ -46,8 +47,10 @@ class WholeLimb {
   /// The fan of one part.
   ///
   /// Given  optics  within those the limb was made for
-  Fan fan(std::size_t part, const atmosphere::Optics& optics) const {
-    return tables_[part].fan(optics);
+  ///        air     the limb's, or one that differs in amounts alone: LimbTable::fan
+  Fan fan(std::size_t part, const atmosphere::Optics& optics,
+          const atmosphere::Atmosphere& air) const {
+    return tables_[part].fan(optics, *air.columns()[parts_[part].column_index]);
   }
 
   /// The parts that make up the limb at a position angle; their shares add to 1, the second is 0 where

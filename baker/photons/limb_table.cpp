@@ -230,8 +230,7 @@ atmosphere::ValueAndSlope optical_excess_m(const Column& column, double earth_ra
 }
 
 LimbTable::LimbTable(const Column& column, double earth_radius_m, std::span<const Optics> optics,
-                     int rays, double top_m)
-    : column_(column) {
+                     int rays, double top_m) {
   const double error = 10. / rays / rays;
   const auto greatest = std::ranges::max(optics, {}, &Optics::refractivity);
   const int nodes = error < 3e-5 ? 4 : 3;
@@ -262,8 +261,8 @@ LimbTable::LimbTable(const Column& column, double earth_radius_m, std::span<cons
     }
 }
 
-Fan LimbTable::fan(const Optics& optics) const {
-  const auto wave = blend(column_, optics, refractivities_);
+Fan LimbTable::fan(const Optics& optics, const Column& column) const {
+  const auto wave = blend(column, optics, refractivities_);
   const std::size_t rays = tangent_heights_m_.size();
   Fan fan{tangent_heights_m_,
           std::vector<double>(rays),
@@ -277,7 +276,7 @@ Fan LimbTable::fan(const Optics& optics) const {
       fan.bending_rad[i] += wave.shares[k] * paths_[k][i].bending_rad;
       fan.optical_depth[i] += atmosphere::product(paths_[k][i].amounts, wave.extinction[k]);
     }
-    if (i > 0) fan.filter.push_back(h <= column_.cloud_top_m ? wave.cloudy : wave.clear);
+    if (i > 0) fan.filter.push_back(h <= column.cloud_top_m ? wave.cloudy : wave.clear);
   }
   return fan;
 }

@@ -64,13 +64,14 @@ class LimbTable {
             std::span<const atmosphere::Optics> optics, int rays, double top_m = 0);
 
   /// Given  optics  within those the table was made for
-  Fan fan(const atmosphere::Optics& optics) const;
+  ///        column  of the same profiles as the table's, and of its cloud's top, with as much of each as there
+  ///                is; the table's has some of all that it has
+  Fan fan(const atmosphere::Optics& optics, const atmosphere::Column& column) const;
 
   /// How many rays were followed through the air.
   std::size_t followed() const { return followed_; }
 
  private:
-  atmosphere::Column column_;
   std::vector<double> tangent_heights_m_, refractivities_;
   std::vector<double> optical_excess_m_;      // of each ray, ρ/ρ₀ r
   std::vector<std::vector<LimbPath>> paths_;  // [refractivity][ray]

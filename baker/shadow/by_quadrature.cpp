@@ -10,6 +10,7 @@
 #include <mutex>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "algebra/error.h"
 #include "algebra/interpolation.h"
@@ -75,7 +76,7 @@ struct Ring {
 class Solver {
  public:
   explicit Solver(const LandedPlane::Sunlit& sunlit)
-      : angles_(sunlit.around.angles()), waves_(sunlit.optics.size()) {
+      : angles_(sunlit.around.angles()), waves_(sunlit.waves.size()) {
     for (const double depth : sunlit.arrangement.depths_m) planes_.emplace_back(sunlit, depth);
   }
 
@@ -113,43 +114,47 @@ double direct_light(const Atmosphere& atmosphere, const Arrangement& arrangement
 }
 
 /// Largest relative error of a cubic through the four rings about a middle: of refracted light over
-/// all wavelengths, against all light there, with direct light taken as darkness_ratio where there
-/// is less.
-double surprise(std::span<const Ring> about, const Ring& middle, double direct) {
+/// all wavelengths of some air, against all light there.
+///
+/// Given  direct  light, or what it is taken for where there is less;  airs  whose wavelengths follow on each other, as many of each
+double surprise(std::span<const Ring> about, const Ring& middle, double direct, std::size_t airs) {
   std::vector<double> gammas_m;
   for (const auto& ring : about) gammas_m.push_back(ring.gamma_m);
   const auto shares = algebra::on_polynomial(gammas_m, middle.gamma_m);
+  const std::size_t waves = middle.ratio.columns() / airs;
   double worst = 0;
-  for (std::size_t row = 0; row < middle.ratio.rows(); ++row) {
-    double foretold = 0, found = 0;
-    for (std::size_t w = 0; w < middle.ratio.columns(); ++w) {
-      found += middle.ratio(row, w);
-      for (std::size_t i = 0; i < about.size(); ++i) foretold += shares[i] * about[i].ratio(row, w);
+  for (std::size_t row = 0; row < middle.ratio.rows(); ++row)
+    for (std::size_t air = 0; air < airs; ++air) {
+      double foretold = 0, found = 0;
+      for (std::size_t w = air * waves; w < (air + 1) * waves; ++w) {
+        found += middle.ratio(row, w);
+        for (std::size_t i = 0; i < about.size(); ++i)
+          foretold += shares[i] * about[i].ratio(row, w);
+      }
+      const double whole = found + direct * static_cast<double>(waves);
+      worst = std::max(worst, std::abs(foretold - found) / whole);
     }
-    const double whole =
-        found + std::max(direct, darkness_ratio) * static_cast<double>(middle.ratio.columns());
-    worst = std::max(worst, std::abs(foretold - found) / whole);
-  }
   return worst;
 }
 
 /// The rings asked for, and between them as many more as it takes.
 class Refinement {
  public:
-  Refinement(Solver& solver, const Atmosphere& atmosphere, const Arrangement& arrangement)
-      : solver_(solver), atmosphere_(atmosphere), arrangement_(arrangement) {}
+  Refinement(Solver& solver, std::span<const Atmosphere> airs, const Arrangement& arrangement)
+      : solver_(solver), airs_(airs), arrangement_(arrangement) {}
 
-  std::vector<Ring> rings(std::span<const double> gammas_m, double error,
+  std::vector<Ring> rings(std::span<const double> gammas_m, const QuadratureSettings& settings,
                           const algebra::Progress& progress) const {
     auto all = solver_.rings(gammas_m, progress);
-    std::vector<bool> open(all.size(), error > 0);  // the interval above each
-    while (std::ranges::count(open, true) > 0 && all.size() >= 4) halve(error, all, open);
+    std::vector<bool> open(all.size(), settings.place_error > 0);  // the interval above each
+    while (std::ranges::count(open, true) > 0 && all.size() >= 4) halve(settings, all, open);
     return all;
   }
 
  private:
   /// Halves the open intervals; those half as good as foretold stay open.
-  void halve(double error, std::vector<Ring>& all, std::vector<bool>& open) const {
+  void halve(const QuadratureSettings& settings, std::vector<Ring>& all,
+             std::vector<bool>& open) const {
     constexpr double narrowest_m = 3e3;
     std::vector<double> middles;
     for (std::size_t i = 0; i + 1 < all.size(); ++i) {
@@ -164,7 +169,9 @@ class Refinement {
       const std::size_t first = std::clamp<std::size_t>(i, 1, all.size() - 3) - 1;
       const auto& middle = found[next++];
       still[i] = surprise(std::span(all).subspan(first, 4), middle,
-                          direct_light(atmosphere_, arrangement_, middle.gamma_m)) > error;
+                          std::max(settings.dark_ratio,
+                                   direct_light(airs_.front(), arrangement_, middle.gamma_m)),
+                          airs_.size()) > settings.place_error;
     }
     std::vector<Ring> finer;
     std::vector<bool> finer_open;
@@ -180,15 +187,17 @@ class Refinement {
   }
 
   Solver& solver_;
-  const Atmosphere& atmosphere_;
+  std::span<const Atmosphere> airs_;
   const Arrangement& arrangement_;
 };
 
 /// Rings of angles become sectors. On an ellipsoid all light is between that towards the pole and that
 /// towards the equator: the limb is their mean by cos², so a disc's arcs of it know no more than
 /// cos 2θ.
-void fill(std::span<const Ring> rings, const Atmosphere& atmosphere, const Directions& directions,
-          RefractedLight& light) {
+///
+/// Given  first_wave  of the rings', where the light's begin
+void fill(std::span<const Ring> rings, std::size_t first_wave, const Atmosphere& atmosphere,
+          const Directions& directions, RefractedLight& light) {
   const bool ellipse_alone = atmosphere.one_column() && !atmosphere.symmetric();
   const std::size_t waves = light.wavelengths_nm.size(), a_plane = directions.angles_rad.size();
   tbb::parallel_for(std::size_t{0}, light.ratio.size(), [&](std::size_t g) {
@@ -198,61 +207,88 @@ void fill(std::span<const Ring> rings, const Atmosphere& atmosphere, const Direc
     const double along = std::cos(2 * sector_angle(s, light.sectors));
     for (std::size_t d = 0; d < rings.size(); ++d) {
       const auto to = light.ratio[g].row(d);
-      const std::span<const double> row = rings[d].ratio.row(plane * a_plane + *computed);
+      const auto row = rings[d].ratio.row(plane * a_plane + *computed).subspan(first_wave, waves);
       if (!ellipse_alone) {
         std::ranges::copy(row, to.begin());
         continue;
       }
-      const auto equator = rings[d].ratio.row(plane * a_plane + 1);
+      const auto equator = rings[d].ratio.row(plane * a_plane + 1).subspan(first_wave, waves);
       for (std::size_t w = 0; w < waves; ++w)
         to[w] = (row[w] + equator[w]) / 2 + (row[w] - equator[w]) / 2 * along;
     }
   });
 }
 
-/// Some of the wavelengths, evenly chosen.
+/// Wavelengths of all airs, and the Sun's brightness in them.
 struct Wavelengths {
-  std::vector<atmosphere::Optics> optics;
+  std::vector<Wave> waves;
   photons::DiscTerms sun;
 };
 
-Wavelengths fewer(const Wavelengths& all, std::size_t count) {
-  Wavelengths some{{}, {all.sun.functions, {all.sun.functions.size(), count}}};
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t w = (2 * i + 1) * all.optics.size() / (2 * count);
-    some.optics.push_back(all.optics[w]);
-    for (std::size_t term = 0; term < all.sun.functions.size(); ++term)
-      some.sun.brightness(term, i) = all.sun.brightness(term, w);
-  }
+/// Some of them, evenly chosen, in each air.
+///
+/// Given  count  of all those of one air, or fewer
+Wavelengths chosen(std::span<const Atmosphere> airs, std::span<const atmosphere::Optics> optics,
+                   const photons::DiscTerms& sun, std::size_t count) {
+  Wavelengths some{{}, {sun.functions, {sun.functions.size(), airs.size() * count}}};
+  for (const auto& air : airs)
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t w = (2 * i + 1) * optics.size() / (2 * count);
+      for (std::size_t term = 0; term < sun.functions.size(); ++term)
+        some.sun.brightness(term, some.waves.size()) = sun.brightness(term, w);
+      some.waves.push_back({optics[w], &air});
+    }
   return some;
+}
+
+/// Air that has some of all that any of those has.
+Atmosphere richest(std::span<const Atmosphere> airs) {
+  auto rich = airs.front();
+  const auto add = [](atmosphere::Column& to, const atmosphere::Column& column) {
+    to.dust_extinction_per_m = std::max(to.dust_extinction_per_m, column.dust_extinction_per_m);
+    to.ozone_du = std::max(to.ozone_du, column.ozone_du);
+    to.cloud_cover = std::max(to.cloud_cover, column.cloud_cover);
+  };
+  const auto add_belts = [&](atmosphere::Belts& to, const atmosphere::Belts& belts) {
+    for (std::size_t i = 0; i < to.size(); ++i) add(to[i].column, belts[i].column);
+  };
+  for (const auto& air : airs.subspan(1)) {
+    add(rich.column, air.column);
+    add_belts(rich.belts, air.belts);
+    for (std::size_t i = 0; i < rich.regions.size(); ++i) {
+      add(rich.regions[i].column, air.regions[i].column);
+      add_belts(rich.regions[i].belts, air.regions[i].belts);
+    }
+  }
+  return rich;
 }
 
 /// The rings asked for and those put between them. Where light of all wavelengths does not fit into
 /// memory, some of these say where rings are put.
-std::vector<Ring> rings_of(const Atmosphere& atmosphere, const Arrangement& arrangement,
+std::vector<Ring> rings_of(std::span<const Atmosphere> airs, const Arrangement& arrangement,
                            std::span<const double> wavelengths_nm,
                            std::span<const double> axis_distances_m, const Directions& directions,
                            const QuadratureSettings& settings, const algebra::Progress& progress) {
   constexpr std::size_t telling = 32;
-  const Wavelengths all{
-      optics_of(atmosphere, wavelengths_nm),
-      photons::disc_terms(wavelengths_nm, arrangement.limb_darkening, settings.sun_terms)};
-  const photons::WholeLimb limb(atmosphere, all.optics, settings.rays,
-                                photons::WholeLimb::Fans::when_asked);
-  const Around around(limb, highest_harmonic(atmosphere), directions.angles_rad);
-  const auto sunlit = [&](const Wavelengths& waves) {
-    return LandedPlane::Sunlit{limb,         around,      waves.sun,
-                               waves.optics, arrangement, bin_width_m(settings.rays)};
+  const auto optics = optics_of(airs.front(), wavelengths_nm);
+  const auto sun =
+      photons::disc_terms(wavelengths_nm, arrangement.limb_darkening, settings.sun_terms);
+  const auto rich = richest(airs);
+  const photons::WholeLimb limb(rich, optics, settings.rays, photons::WholeLimb::Fans::when_asked);
+  const Around around(limb, highest_harmonic(rich), directions.angles_rad);
+  const auto sunlit = [&](const Wavelengths& wavelengths) {
+    return LandedPlane::Sunlit{
+        limb, around, wavelengths.sun, wavelengths.waves, arrangement, bin_width_m(settings.rays)};
   };
+  const auto all = chosen(airs, optics, sun, optics.size());
   Solver solver(sunlit(all));
-  if (settings.place_error == 0 || solver.keeps_light() || all.optics.size() <= telling)
-    return Refinement(solver, atmosphere, arrangement)
-        .rings(axis_distances_m, settings.place_error, progress);
-  const auto some = fewer(all, telling);
+  if (settings.place_error == 0 || solver.keeps_light() || optics.size() <= telling)
+    return Refinement(solver, airs, arrangement).rings(axis_distances_m, settings, progress);
+  const auto some = chosen(airs, optics, sun, telling);
   Solver quick(sunlit(some));
   std::vector<double> distances_m;
   for (const auto& ring :
-       Refinement(quick, atmosphere, arrangement).rings(axis_distances_m, settings.place_error, {}))
+       Refinement(quick, airs, arrangement).rings(axis_distances_m, settings, {}))
     distances_m.push_back(ring.gamma_m);
   return solver.rings(distances_m, progress);
 }
@@ -264,38 +300,53 @@ void require_valid(const QuadratureSettings& settings) {
   algebra::require_within("sectors around", static_cast<double>(settings.around), 4, 360);
   algebra::require_within("sectors", static_cast<double>(settings.sectors), 1, 360);
   algebra::require_within("error between places", settings.place_error, 0, 1);
+  algebra::require_within("ratio of darkness", settings.dark_ratio, darkness_ratio, 1);
 }
 
 }  // namespace
 
-RefractedLight by_quadrature(const Atmosphere& atmosphere, const Arrangement& arrangement,
-                             std::span<const double> wavelengths_nm,
-                             std::span<const double> axis_distances_m,
-                             const QuadratureSettings& settings,
-                             const algebra::Progress& progress) {
-  require_valid(atmosphere);
+std::vector<RefractedLight> by_quadrature_in(std::span<const Atmosphere> airs,
+                                             const Arrangement& arrangement,
+                                             std::span<const double> wavelengths_nm,
+                                             std::span<const double> axis_distances_m,
+                                             const QuadratureSettings& settings,
+                                             const algebra::Progress& progress) {
+  for (const auto& air : airs) require_valid(air);
   require_valid(arrangement);
   require_valid(settings);
-  const std::size_t sectors = atmosphere.symmetric() ? 1 : settings.around;
-  if (atmosphere.top_m() <= 0 || wavelengths_nm.empty() || axis_distances_m.empty())
-    return darkness(arrangement, wavelengths_nm, axis_distances_m, sectors);
-  RefractedLight light;
+  const auto& first = airs.front();
+  const std::size_t sectors = first.symmetric() ? 1 : settings.around;
+  if (first.top_m() <= 0 || wavelengths_nm.empty() || axis_distances_m.empty())
+    return {airs.size(), darkness(arrangement, wavelengths_nm, axis_distances_m, sectors)};
+  std::vector<RefractedLight> all;
   // an error in a loop that this is part of ends that loop's others: theirs here would be skipped, and what they
   // fill be missing
   tbb::task_group_context alone(tbb::task_group_context::isolated);
   tbb::parallel_for(
       0, 1,
       [&](int) {
-        const auto around = directions(atmosphere, settings);
-        const auto rings = rings_of(atmosphere, arrangement, wavelengths_nm, axis_distances_m,
-                                    around, settings, progress);
+        const auto around = directions(first, settings);
+        const auto rings = rings_of(airs, arrangement, wavelengths_nm, axis_distances_m, around,
+                                    settings, progress);
         std::vector<double> distances_m;
         for (const auto& ring : rings) distances_m.push_back(ring.gamma_m);
-        light = darkness(arrangement, wavelengths_nm, distances_m, sectors);
-        fill(rings, atmosphere, around, light);
+        for (std::size_t i = 0; i < airs.size(); ++i) {
+          all.push_back(darkness(arrangement, wavelengths_nm, distances_m, sectors));
+          fill(rings, i * wavelengths_nm.size(), first, around, all.back());
+        }
       },
       alone);
-  return light;
+  return all;
+}
+
+RefractedLight by_quadrature(const Atmosphere& atmosphere, const Arrangement& arrangement,
+                             std::span<const double> wavelengths_nm,
+                             std::span<const double> axis_distances_m,
+                             const QuadratureSettings& settings,
+                             const algebra::Progress& progress) {
+  return std::move(by_quadrature_in(std::span(&atmosphere, 1), arrangement, wavelengths_nm,
+                                    axis_distances_m, settings, progress)
+                       .front());
 }
 
 }  // namespace coppermoon::shadow

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "algebra/progress.h"
 #include "shadow/irradiance.h"
 
 namespace coppermoon::shadow {
+
+/// Ratio to unshaded sunlight of light that nobody can see: a thousandth of what the smallest half float above 0 stands for on the Moon.
+inline constexpr double darkness_ratio = 1e-14;
 
 /// How finely the quadrature goes.
 struct QuadratureSettings {
@@ -20,13 +24,12 @@ struct QuadratureSettings {
   std::size_t first_sector = 0, sectors = 360;
   /// relative error of a cubic through four axis distances above which one more is put between the
   /// middle two; the error counts against all light there, over all wavelengths, with direct light
-  /// taken as darkness_ratio where there is less; 0: none is added
+  /// taken as dark_ratio where there is less; 0: none is added
   double place_error = 0;
+  /// ratio to unshaded sunlight below which light is treated as dark, 1e-14 or more: no more rings are
+  /// computed for its sake
+  double dark_ratio = darkness_ratio;
 };
-
-/// Ratio to unshaded sunlight below which light is treated as dark: no more rings are computed for
-/// its sake. A thousandth of what the smallest half float above 0 stands for on the Moon.
-inline constexpr double darkness_ratio = 1e-14;
 
 /// Refracted light without noise.
 ///
@@ -66,5 +69,17 @@ RefractedLight by_quadrature(const atmosphere::Atmosphere& atmosphere,
                              std::span<const double> axis_distances_m,
                              const QuadratureSettings& settings = {},
                              const algebra::Progress& progress = {});
+
+/// The same in several airs at once, in less time than one after the other: rays are followed once, and
+/// light is cut into arcs once for all of them.
+///
+/// Given     airs  one or more, that differ in amounts of dust, ozone and cloud cover alone
+/// Returned  light in each, at the same distances
+std::vector<RefractedLight> by_quadrature_in(std::span<const atmosphere::Atmosphere> airs,
+                                             const Arrangement& arrangement,
+                                             std::span<const double> wavelengths_nm,
+                                             std::span<const double> axis_distances_m,
+                                             const QuadratureSettings& settings = {},
+                                             const algebra::Progress& progress = {});
 
 }  // namespace coppermoon::shadow

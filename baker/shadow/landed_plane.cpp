@@ -35,6 +35,10 @@ std::size_t add_ends(int from, int to, std::vector<int>& nodes) {
   return nodes.size() - 2;
 }
 
+PartRows rows_of(const LandedLight& landed) {
+  return {landed.sums(), landed.first(), landed.last()};
+}
+
 }  // namespace
 
 Around::Around(const WholeLimb& limb, int highest, std::span<const double> angles_rad)
@@ -47,11 +51,24 @@ Around::Around(const WholeLimb& limb, int highest, std::span<const double> angle
       turns(i, 2 * m) = std::cos(static_cast<double>(m) * angles_rad[i]);
       turns(i, 2 * m + 1) = std::sin(static_cast<double>(m) * angles_rad[i]);
     }
+  for (std::size_t m = 0; m < harmonics(); ++m)
+    for (const bool sine : {false, true}) {
+      Harmonic one{m, 2 * m + (sine ? 1 : 0), {}};
+      for (const auto& part : parts) one.weights.push_back(sine ? part.sine[m] : part.cosine[m]);
+      if (std::ranges::any_of(one.weights, [](double weight) { return weight != 0; }))
+        harmonics_.push_back(std::move(one));
+    }
   for (int i = 0; i < 2 * looked_at; ++i)
     for (const auto& [part, share] : limb.at(2 * pi * i / looked_at))
       if (share > 0) here_(part, static_cast<std::size_t>(i) + 1) = 1;
   for (std::size_t p = 0; p < parts.size(); ++p)
     for (std::size_t i = 1; i < here_.columns(); ++i) here_(p, i) += here_(p, i - 1);
+}
+
+std::span<const Around::Harmonic> Around::some(std::size_t count) const {
+  const auto end = std::ranges::find_if(
+      harmonics_, [&](const Harmonic& harmonic) { return harmonic.harmonic >= count; });
+  return {harmonics_.begin(), end};
 }
 
 bool Around::is_mirrored() const {
@@ -79,11 +96,11 @@ LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m)
   const double sun_m = sunlit.arrangement.sun_distance_m, spread = 1 + depth_m / sun_m;
   a_ = projected_solar_radius_m(sunlit.arrangement, depth_m);
   factor_ = spread * spread / (pi * a_ * a_);
-  const auto [least, most] =
-      std::ranges::minmax(sunlit.optics, {}, &atmosphere::Optics::refractivity);
+  const auto [least, most] = std::ranges::minmax(
+      sunlit.waves, {}, [](const Wave& wave) { return wave.optics.refractivity; });
   for (std::size_t p = 0; p < sunlit.limb.parts().size(); ++p)
-    for (const auto& optics : {least, most}) {
-      const auto fan = sunlit.limb.fan(p, optics);
+    for (const auto& wave : {least, most}) {
+      const auto fan = sunlit.limb.fan(p, wave.optics, *wave.air);
       const double radius_m = sunlit.limb.parts()[p].radius_m;
       const auto [straightest, most_bent] = std::ranges::minmax(fan.bending_rad);
       const auto [lowest, highest] = std::ranges::minmax(fan.impact_height_m);
@@ -99,7 +116,7 @@ LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m)
 /// one plane as fill 150 megabytes.
 std::size_t LandedPlane::blocks_at_once() const {
   constexpr std::size_t many = 128, most_bytes = 150'000'000;
-  const std::size_t most_kept = sunlit_.optics.size() > many ? 500'000'000 : 1'250'000'000;
+  const std::size_t most_kept = sunlit_.waves.size() > many ? 500'000'000 : 1'250'000'000;
   const std::size_t a_block = sunlit_.limb.parts().size() *
                               static_cast<std::size_t>(last_ - first_) * moments * lanes *
                               sizeof(double);
@@ -114,8 +131,8 @@ LandedPlane::Blocks LandedPlane::landed(std::size_t first) const {
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
     const std::size_t part = i % parts.size(), wave = (first + i / parts.size()) * lanes;
     std::vector<photons::Fan> fans;
-    for (std::size_t w = wave; w < std::min(wave + lanes, sunlit_.optics.size()); ++w)
-      fans.push_back(sunlit_.limb.fan(part, sunlit_.optics[w]));
+    for (std::size_t w = wave; w < std::min(wave + lanes, sunlit_.waves.size()); ++w)
+      fans.push_back(sunlit_.limb.fan(part, sunlit_.waves[w].optics, *sunlit_.waves[w].air));
     found[i].emplace(fans, parts[part].radius_m, sunlit_.arrangement.sun_distance_m, depth_m_,
                      sunlit_.bin_m);
   });
@@ -124,48 +141,70 @@ LandedPlane::Blocks LandedPlane::landed(std::size_t first) const {
 }
 
 /// Of regions an angle's light does not depend on which others are asked for. Of belts what takes less
-/// time is done, by the steps that each takes; those of the series wait for memory.
+/// time is done, by the steps that each takes.
 bool LandedPlane::by_series(double gamma_m) const {
   const auto& around = sunlit_.around;
   if (around.harmonics() <= 3) return true;
   if (!around.is_mirrored()) return gamma_m <= a_;
-  constexpr double waiting = 3, angles_at_once = 1. / 12;  // of the limb
+  constexpr double angles_at_once = 1. / 12;  // of the limb
   const auto count = [](std::size_t n) { return static_cast<double>(n); };
   const double parts = count(around.parts.size()), terms = count(sunlit_.sun.functions.size()),
                harmonics = count(std::min(around.harmonics(), harmonics_at(gamma_m / a_))),
                groups = std::ceil(count(around.angles()) / angles_together);
   const double near =
       gamma_m > a_ ? std::min(1., 2 * std::asin(a_ / gamma_m) / pi + angles_at_once) : 1;
-  return waiting * harmonics * (parts + terms) * count(blocks()) <=
+  return harmonics * (parts + terms) * count(blocks()) <=
          groups * near * parts * terms * (angles_together * count(blocks()) + harmonics);
 }
 
 void LandedPlane::light(std::span<const Place> places, const std::function<void(double)>& done) {
-  const std::size_t angles = sunlit_.around.angles();
+  constexpr std::size_t at_once = 64;  // what they draw fits into memory
+  const auto pairs_done = [&](std::size_t blocks_by_places) {
+    if (done)
+      done(static_cast<double>(blocks_by_places) / static_cast<double>(blocks() * places.size()));
+  };
   for (std::size_t first = 0; first < blocks();) {
     if (landed_.landed.empty()) landed_ = landed(first);
-    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t p) {
-      const auto ratio = places[p].ratio;
-      const auto here = draws(places[p].gamma_m);  // anew for other blocks: many fill memory
-      const bool dark = here.nodes.empty();        // no light lands there
-      if (!dark && by_series(places[p].gamma_m))
-        tbb::parallel_for(std::size_t{0}, landed_.count,
-                          [&](std::size_t b) { add_series(here, landed_, b, ratio); });
-      else if (!dark)
-        tbb::parallel_for(
-            tbb::blocked_range<std::size_t>(0, (angles + angles_together - 1) / angles_together),
-            [&](const auto& groups) {
-              for (std::size_t g = groups.begin(); g < groups.end(); ++g)
-                add_angles(here, landed_, g * angles_together, ratio);
-            });
-      if (done)
-        done(static_cast<double>(landed_.count) / static_cast<double>(blocks() * places.size()));
-    });
+    for (std::size_t from = 0; from < places.size(); from += at_once)
+      add_light(places.subspan(from, std::min(at_once, places.size() - from)), pairs_done);
     first += landed_.count;
     if (!keeps_light()) landed_ = {};  // before there are two of them
   }
   for (const auto& place : places)
     for (double& value : place.ratio) value = std::max(value, 0.);  // rounding
+}
+
+/// Adds what has landed. A series asks little of a place and much of a block, which stays close by while
+/// all places draw from it; angles the other way round.
+void LandedPlane::add_light(std::span<const Place> places,
+                            const std::function<void(std::size_t)>& pairs_done) const {
+  constexpr std::size_t places_a_task = 8;
+  const std::size_t groups = (sunlit_.around.angles() + angles_together - 1) / angles_together;
+  std::vector<Draws> drawn(places.size());
+  tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t p) {
+    auto here = draws(places[p].gamma_m);
+    if (by_series(places[p].gamma_m)) {
+      drawn[p] = std::move(here);
+      return;
+    }
+    if (!here.nodes.empty())  // else no light lands there
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, groups), [&](const auto& some) {
+        for (std::size_t g = some.begin(); g < some.end(); ++g)
+          add_angles(here, landed_, g * angles_together, places[p].ratio);
+      });
+    pairs_done(landed_.count);
+  });
+  tbb::parallel_for(std::size_t{0}, landed_.count, [&](std::size_t block) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), places_a_task),
+                      [&](const auto& some) {
+                        for (std::size_t p = some.begin(); p < some.end(); ++p) {
+                          if (!by_series(places[p].gamma_m)) continue;
+                          if (!drawn[p].nodes.empty())
+                            add_series(drawn[p], landed_, block, places[p].ratio);
+                          pairs_done(1);
+                        }
+                      });
+  });
 }
 
 double LandedPlane::seen(std::size_t term, std::size_t wave) const {
@@ -175,46 +214,30 @@ double LandedPlane::seen(std::size_t term, std::size_t wave) const {
 void LandedPlane::add_series(const Draws& draws, const Blocks& blocks, std::size_t block,
                              std::span<double> ratio) const {
   const auto& around = sunlit_.around;
-  const LandedLight* parts = &blocks.landed[block * around.parts.size()];
-  const std::size_t waves = sunlit_.optics.size(), wave = (blocks.first + block) * lanes,
+  const std::size_t waves = sunlit_.waves.size(), wave = (blocks.first + block) * lanes,
                     count = std::min(lanes, waves - wave), terms = sunlit_.sun.functions.size();
-  std::vector<Block> series(2 * draws.factors.rows());
-  std::vector<double> rows(draws.nodes.size() * moments * lanes);
-  for (std::size_t m = 0; 2 * m < series.size(); ++m)
-    for (const auto part : {&WholeLimb::Series::cosine, &WholeLimb::Series::sine}) {
-      if (!gathered(draws, parts, m, part, rows)) continue;
-      auto& light = series[2 * m + (part == &WholeLimb::Series::sine ? 1 : 0)];
-      for (std::size_t term = 0; term < terms; ++term) {
-        alignas(lanes * sizeof(double)) Block sums{};
-        add_weighted_rows(rows.data(), draws.nodes.size(), &draws.factors(m, term * moments),
-                          terms * moments, sums.data());
-        for (std::size_t i = 0; i < count; ++i) light[i] += seen(term, wave + i) * sums[i];
-      }
-    }
+  const auto harmonics = around.some(draws.factors.rows());
+  algebra::Grid<double> sums(harmonics.size(), terms * lanes);
+  std::vector<HarmonicRows> rows;
+  for (std::size_t h = 0; h < harmonics.size(); ++h)
+    rows.push_back({harmonics[h].weights.data(), draws.factors.row(harmonics[h].harmonic).data(),
+                    sums.row(h).data()});
+  std::vector<PartRows> parts;
+  for (std::size_t p = 0; p < around.parts.size(); ++p)
+    parts.push_back(rows_of(blocks.landed[block * around.parts.size() + p]));
+  add_weighted_rows(parts, draws.nodes, terms, rows);
+  std::vector<Block> series(harmonics.size());
+  for (std::size_t h = 0; h < harmonics.size(); ++h)
+    for (std::size_t term = 0; term < terms; ++term)
+      for (std::size_t i = 0; i < count; ++i)
+        series[h][i] += seen(term, wave + i) * sums(h, term * lanes + i);
   for (std::size_t angle = 0; angle < around.angles(); ++angle) {
-    const auto turns = around.turns.row(angle);
     Block light{};
-    for (std::size_t m = 0; m < series.size(); ++m)
-      for (std::size_t i = 0; i < lanes; ++i) light[i] += turns[m] * series[m][i];
+    for (std::size_t h = 0; h < harmonics.size(); ++h)
+      for (std::size_t i = 0; i < lanes; ++i)
+        light[i] += around.turns(angle, harmonics[h].turn) * series[h][i];
     for (std::size_t i = 0; i < count; ++i) ratio[angle * waves + wave + i] += light[i];
   }
-}
-
-/// Writes the sums of the whole limb up to each node, of one harmonic's cosines or sines.
-///
-/// Returned  whether it has any
-bool LandedPlane::gathered(const Draws& draws, const LandedLight* parts, std::size_t harmonic,
-                           Harmonics part, std::vector<double>& rows) const {
-  bool any = false;
-  for (std::size_t p = 0; p < sunlit_.around.parts.size(); ++p) {
-    const double weight = (sunlit_.around.parts[p].*part)[harmonic];
-    if (weight == 0) continue;
-    if (!any) std::ranges::fill(rows, 0);
-    add_rows_at(parts[p].sums(), parts[p].first(), parts[p].last(), draws.nodes, weight,
-                rows.data());
-    any = true;
-  }
-  return any;
 }
 
 /// Adds the light of some angles that stand side by side.
@@ -241,12 +264,11 @@ void LandedPlane::add_angles(const Draws& draws, const Blocks& blocks, std::size
   }
   std::vector<double> turned;
   turn_factors(draws.factors, turns, turned);
-  const std::size_t waves = sunlit_.optics.size(), terms = sunlit_.sun.functions.size();
+  const std::size_t waves = sunlit_.waves.size(), terms = sunlit_.sun.functions.size();
   for (std::size_t block = 0; block < blocks.count; ++block) {
     std::vector<double> sums(terms * angles_together * lanes);
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      const auto& landed = blocks.landed[block * all + parts[k]];
-      add_turned_rows(landed.sums(), landed.first(), landed.last(), draws.nodes,
+      add_turned_rows(rows_of(blocks.landed[block * all + parts[k]]), draws.nodes,
                       &turned[k * draws.factors.columns() * angles_together], terms, sums.data());
     }
     const std::size_t wave = (blocks.first + block) * lanes;

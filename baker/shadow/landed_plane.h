@@ -25,6 +25,15 @@ class Around {
   /// Given  highest  harmonic of the parts' shares
   Around(const photons::WholeLimb& limb, int highest, std::span<const double> angles_rad);
 
+  /// The cosines, or the sines, of one harmonic, that some part has.
+  struct Harmonic {
+    std::size_t harmonic, turn;   ///< turn: its column of turns
+    std::vector<double> weights;  ///< by part
+  };
+
+  /// Those of so many harmonics from 0 on.
+  std::span<const Harmonic> some(std::size_t count) const;
+
   std::size_t angles() const { return turns.rows(); }
   std::size_t harmonics() const { return parts[0].cosine.size(); }
 
@@ -37,7 +46,14 @@ class Around {
 
  private:
   std::vector<double> angles_rad_;
-  algebra::Grid<int> here_;  // (part, direction) how many of those up to it have some of it
+  std::vector<Harmonic> harmonics_;  // in order
+  algebra::Grid<int> here_;          // (part, direction) how many of those up to it have some of it
+};
+
+/// A wavelength, in some air.
+struct Wave {
+  atmosphere::Optics optics;
+  const atmosphere::Atmosphere* air;  ///< as WholeLimb::fan has it
 };
 
 /// Light on one plane, of the whole limb.
@@ -58,7 +74,7 @@ class LandedPlane {
     const photons::WholeLimb& limb;  ///< fans are made when asked
     const Around& around;
     const photons::DiscTerms& sun;
-    std::span<const atmosphere::Optics> optics;  ///< by wavelength
+    std::span<const Wave> waves;
     const Arrangement& arrangement;
     double bin_m;  ///< width of the bins that light is gathered in, of distance from the axis
   };
@@ -75,11 +91,10 @@ class LandedPlane {
 
  private:
   using Block = std::array<double, lanes>;  // one value a wavelength
-  using Harmonics = std::vector<double> photons::WholeLimb::Series::*;
 
   /// All that a place draws from the limb.
   struct Draws {
-    double gamma_m;
+    double gamma_m = 0;
     std::vector<int> nodes;
     algebra::Grid<double> factors;  ///< (harmonic, ((node, term), moment))
   };
@@ -90,14 +105,14 @@ class LandedPlane {
     std::vector<LandedLight> landed = {};  ///< block by block
   };
 
-  std::size_t blocks() const { return (sunlit_.optics.size() + lanes - 1) / lanes; }
+  std::size_t blocks() const { return (sunlit_.waves.size() + lanes - 1) / lanes; }
   std::size_t blocks_at_once() const;
   Blocks landed(std::size_t first) const;
   bool by_series(double gamma_m) const;
+  void add_light(std::span<const Place> places,
+                 const std::function<void(std::size_t)>& pairs_done) const;
   void add_series(const Draws& draws, const Blocks& blocks, std::size_t block,
                   std::span<double> ratio) const;
-  bool gathered(const Draws& draws, const LandedLight* parts, std::size_t harmonic, Harmonics part,
-                std::vector<double>& rows) const;
   void add_angles(const Draws& draws, const Blocks& blocks, std::size_t first_angle,
                   std::span<double> ratio) const;
   double seen(std::size_t term, std::size_t wave) const;

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
+#include <numeric>
 
 #include "algebra/interpolation.h"
 #include "algebra/quadrature.h"
@@ -219,6 +220,8 @@ class Ring {
       if (lowest < 0 && here.z > 0) continue;
       const double lit_from = here.z < 0 ? point.altitude_m : lowest;
       const bool above = std::min(lit_from, point.lowest_m) >= column_.cloud_top_m;
+      if (std::ranges::all_of(filters_.row(above), [](double share) { return share == 0; }))
+        continue;
       Amounts scattered = point.profile;
       for (std::size_t k = 0; k < phase.size(); ++k) scattered[k] *= phase[k];
       add_light(scattered, sum(point.onward, slants_.up_to(lowest, here.z)), filters_.row(above),
@@ -363,16 +366,25 @@ void add_twilight(RefractedLight& light, const Atmosphere& atmosphere) {
   constexpr double step_nm = 5;  // of the ozone's cross-sections
   constexpr double step_m = 1000e3;
   if (light.wavelengths_nm.empty() || light.axis_distances_m.empty()) return;
-  const auto more = twilight(atmosphere, light.arrangement, coarser(light.wavelengths_nm, step_nm),
+  const auto& depths_m = light.arrangement.depths_m;
+  const double sun_m = light.arrangement.sun_distance_m,
+               middle_m = std::midpoint(depths_m.front(), depths_m.back());
+  auto on_one_plane = light.arrangement;
+  on_one_plane.depths_m = {middle_m};
+  const auto more = twilight(atmosphere, on_one_plane, coarser(light.wavelengths_nm, step_nm),
                              coarser(light.axis_distances_m, step_m));
   std::vector<double> across(more.axis_distances_m.size()), there(more.wavelengths_nm.size());
   for (std::size_t g = 0; g < light.ratio.size(); ++g) {
     const std::size_t plane = g / light.sectors, sector = g % light.sectors;
-    const auto& coarse = more.ratio[plane * more.sectors + sector * more.sectors / light.sectors];
+    const double nearer = middle_m / depths_m[plane],
+                 brighter =
+                     squared(nearer * (1 + depths_m[plane] / sun_m) / (1 + middle_m / sun_m));
+    const auto& coarse = more.ratio[sector * more.sectors / light.sectors];
     for (std::size_t d = 0; d < light.axis_distances_m.size(); ++d) {
       for (std::size_t w = 0; w < there.size(); ++w) {
         for (std::size_t i = 0; i < across.size(); ++i) across[i] = coarse(i, w);
-        there[w] = algebra::interpolated(more.axis_distances_m, across, light.axis_distances_m[d]);
+        there[w] = brighter * algebra::interpolated(more.axis_distances_m, across,
+                                                    nearer * light.axis_distances_m[d]);
       }
       for (std::size_t w = 0; w < light.wavelengths_nm.size(); ++w)
         light.ratio[g](d, w) +=

@@ -39,8 +39,9 @@ RefractedLight twilight(const atmosphere::Atmosphere& atmosphere, const Arrangem
                         std::span<const double> wavelengths_nm,
                         std::span<const double> axis_distances_m);
 
-/// Adds the twilight to light in the shadow: computed every 1000 km of axis distance and
-/// every 5 nm, with straight lines between, where more places and wavelengths are asked for.
+/// Adds the twilight to light in the shadow: computed on one plane in the middle, every 1000 km of axis
+/// distance and every 5 nm, with straight lines between, where more places and wavelengths are asked for.
+/// On other planes it falls with the square of the distance from the Earth.
 ///
 /// Given     light  its wavelengths increase
 /// Accuracy  0.5 % of the twilight

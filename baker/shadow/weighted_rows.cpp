@@ -15,32 +15,57 @@ namespace coppermoon::shadow::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-void add_rows(const double* rows, std::size_t nodes, const double* factors, std::size_t stride,
-              double* sums) {
+/// Row of a node.
+inline const double* row_at(const PartRows& part, int node) {
+  const int place = std::clamp(node, part.first, part.last) - part.first;
+  return part.rows + static_cast<std::size_t>(place) * moments * lanes;
+}
+
+/// One node's rows for so many harmonics at once.
+template <std::size_t together>
+void add_node(std::span<const double* const> rows, const HarmonicRows* harmonics,
+              std::size_t factor, std::size_t terms) {
   const hn::CappedTag<double, lanes> d;
   const std::size_t width = hn::Lanes(d);
   for (std::size_t lane = 0; lane < lanes; lane += width) {
-    auto a = hn::Load(d, sums + lane), b = hn::Zero(d), c = hn::Zero(d);
-    const double *row = rows + lane, *factor = factors;
-    for (std::size_t i = 0; i < nodes; ++i, row += moments * lanes, factor += stride) {
-      a = hn::MulAdd(hn::Set(d, factor[0]), hn::LoadU(d, row), a);
-      b = hn::MulAdd(hn::Set(d, factor[1]), hn::LoadU(d, row + lanes), b);
-      c = hn::MulAdd(hn::Set(d, factor[2]), hn::LoadU(d, row + 2 * lanes), c);
+    std::array<std::array<hn::Vec<decltype(d)>, moments>, together> light;
+    for (auto& of_harmonic : light) of_harmonic.fill(hn::Zero(d));
+    for (std::size_t p = 0; p < rows.size(); ++p) {
+      const double* row = rows[p] + lane;
+      const auto a = hn::LoadU(d, row), b = hn::LoadU(d, row + lanes),
+                 c = hn::LoadU(d, row + 2 * lanes);
+      for (std::size_t h = 0; h < together; ++h) {
+        const auto weight = hn::Set(d, harmonics[h].weights[p]);
+        light[h][0] = hn::MulAdd(weight, a, light[h][0]);
+        light[h][1] = hn::MulAdd(weight, b, light[h][1]);
+        light[h][2] = hn::MulAdd(weight, c, light[h][2]);
+      }
     }
-    hn::Store(hn::Add(a, hn::Add(b, c)), d, sums + lane);
+    for (std::size_t h = 0; h < together; ++h) {
+      const double* by = harmonics[h].factors + factor;
+      double* sum = harmonics[h].sums + lane;
+      for (std::size_t term = 0; term < terms; ++term, by += moments, sum += lanes) {
+        const auto first = hn::MulAdd(hn::Set(d, by[0]), light[h][0], hn::LoadU(d, sum)),
+                   second = hn::MulAdd(hn::Set(d, by[1]), light[h][1], first);
+        hn::StoreU(hn::MulAdd(hn::Set(d, by[2]), light[h][2], second), d, sum);
+      }
+    }
   }
 }
 
-void add_at(const double* rows, int first, int last, std::span<const int> nodes, double factor,
-            double* sums) {
-  const hn::CappedTag<double, lanes> d;
-  const std::size_t width = hn::Lanes(d);
-  const auto weight = hn::Set(d, factor);
+void add_weighted(std::span<const PartRows> parts, std::span<const int> nodes, std::size_t terms,
+                  std::span<const HarmonicRows> harmonics) {
+  constexpr std::size_t together = 4;
+  static_assert(moments == 3);
+  std::vector<const double*> rows(parts.size());
+  std::size_t factor = 0;
   for (const int node : nodes) {
-    const double* row =
-        rows + static_cast<std::size_t>(std::clamp(node, first, last) - first) * moments * lanes;
-    for (std::size_t i = 0; i < moments * lanes; i += width, sums += width)
-      hn::StoreU(hn::MulAdd(weight, hn::LoadU(d, row + i), hn::LoadU(d, sums)), d, sums);
+    for (std::size_t p = 0; p < parts.size(); ++p) rows[p] = row_at(parts[p], node);
+    std::size_t h = 0;
+    for (; h + together <= harmonics.size(); h += together)
+      add_node<together>(rows, &harmonics[h], factor, terms);
+    for (; h < harmonics.size(); ++h) add_node<1>(rows, &harmonics[h], factor, terms);
+    factor += terms * moments;
   }
 }
 
@@ -82,8 +107,8 @@ void turn_all(const algebra::Grid<double>& factors, const std::vector<std::vecto
   }
 }
 
-void add_turned(const double* rows, int first, int last, std::span<const int> nodes,
-                const double* factors, std::size_t terms, double* sums) {
+void add_turned(const PartRows& part, std::span<const int> nodes, const double* factors,
+                std::size_t terms, double* sums) {
   const hn::CappedTag<double, lanes> d;
   const std::size_t width = hn::Lanes(d);
   for (std::size_t term = 0; term < terms; ++term, sums += angles_together * lanes)
@@ -93,10 +118,7 @@ void add_turned(const double* rows, int first, int last, std::span<const int> no
         all[i] = hn::LoadU(d, sums + i * lanes + lane);
       const double* factor = factors + term * moments * angles_together;
       for (const int node : nodes) {
-        const double* row =
-            rows +
-            static_cast<std::size_t>(std::clamp(node, first, last) - first) * moments * lanes +
-            lane;
+        const double* row = row_at(part, node) + lane;
         for (std::size_t m = 0; m < moments; ++m) {
           const auto light = hn::LoadU(d, row + m * lanes);
           for (std::size_t i = 0; i < angles_together; ++i)
@@ -135,18 +157,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace coppermoon::shadow {
 
-HWY_EXPORT(add_rows);
+HWY_EXPORT(add_weighted);
 
-void add_weighted_rows(const double* rows, std::size_t nodes, const double* factors,
-                       std::size_t stride, double* sums) {
-  HWY_DYNAMIC_DISPATCH(add_rows)(rows, nodes, factors, stride, sums);
-}
-
-HWY_EXPORT(add_at);
-
-void add_rows_at(const double* rows, int first, int last, std::span<const int> nodes, double factor,
-                 double* sums) {
-  HWY_DYNAMIC_DISPATCH(add_at)(rows, first, last, nodes, factor, sums);
+void add_weighted_rows(std::span<const PartRows> parts, std::span<const int> nodes,
+                       std::size_t terms, std::span<const HarmonicRows> harmonics) {
+  HWY_DYNAMIC_DISPATCH(add_weighted)(parts, nodes, terms, harmonics);
 }
 
 HWY_EXPORT(turn_all);
@@ -159,9 +174,9 @@ void turn_factors(const algebra::Grid<double>& factors,
 
 HWY_EXPORT(add_turned);
 
-void add_turned_rows(const double* rows, int first, int last, std::span<const int> nodes,
-                     const double* factors, std::size_t terms, double* sums) {
-  HWY_DYNAMIC_DISPATCH(add_turned)(rows, first, last, nodes, factors, terms, sums);
+void add_turned_rows(const PartRows& part, std::span<const int> nodes, const double* factors,
+                     std::size_t terms, double* sums) {
+  HWY_DYNAMIC_DISPATCH(add_turned)(part, nodes, factors, terms, sums);
 }
 
 HWY_EXPORT(add_lanes);

@@ -9,18 +9,24 @@
 
 namespace coppermoon::shadow {
 
-/// sums[lane] += Σ factors[node][moment] rows[node][moment][lane], with what the machine has of SIMD.
-///
-/// Given  factors  of the first node; those of the next are `stride` behind
-///        sums     [lane]
-void add_weighted_rows(const double* rows, std::size_t nodes, const double* factors,
-                       std::size_t stride, double* sums);
+/// Rows of one part of the limb: [node − first][moment][lane]; nodes before the first and after the last
+/// count as these.
+struct PartRows {
+  const double* rows;
+  int first, last;
+};
 
-/// sums[i][moment][lane] += factor row[nodes[i]][moment][lane], likewise.
-///
-/// Given  rows  [node − first][moment][lane]; nodes before the first and after the last count as these
-void add_rows_at(const double* rows, int first, int last, std::span<const int> nodes, double factor,
-                 double* sums);
+/// One harmonic of the position angle.
+struct HarmonicRows {
+  const double* weights;  ///< [part]
+  const double* factors;  ///< [node][term][moment]
+  double* sums;           ///< [term][lane], that are added to
+};
+
+/// sums[term][lane] += Σ factors[i][term][moment] Σ weights[part] row of part[nodes[i]][moment][lane] of
+/// each harmonic, with what the machine has of SIMD.
+void add_weighted_rows(std::span<const PartRows> parts, std::span<const int> nodes,
+                       std::size_t terms, std::span<const HarmonicRows> harmonics);
 
 /// Position angles that stand side by side.
 inline constexpr std::size_t angles_together = 8;
@@ -31,9 +37,8 @@ void turn_factors(const algebra::Grid<double>& factors,
 
 /// sums[term][angle][lane] += Σ factors[i][term][moment][angle] row[nodes[i]][moment][lane], likewise.
 ///
-/// Given  rows  as add_rows_at has them
-void add_turned_rows(const double* rows, int first, int last, std::span<const int> nodes,
-                     const double* factors, std::size_t terms, double* sums);
+void add_turned_rows(const PartRows& part, std::span<const int> nodes, const double* factors,
+                     std::size_t terms, double* sums);
 
 /// Nodes come in groups of this many: what is left over has no weight.
 inline constexpr std::size_t nodes_together = 4;

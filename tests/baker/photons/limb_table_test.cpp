@@ -37,7 +37,7 @@ void expect_accuracy(const Column& column, int rays, double of_depth) {
   const auto optics = optics_of({380, 425, 510, 655, 780});
   const LimbTable table(column, radius_m, optics, rays);
   for (const auto& o : optics) {
-    const auto fan = table.fan(o);
+    const auto fan = table.fan(o, column);
     for (std::size_t i = 0; i < fan.tangent_height_m.size(); i += 3) {
       const auto path = limb_path(fan.tangent_height_m[i], radius_m, column, o.refractivity);
       const double depth = atmosphere::product(path.amounts, atmosphere::spectra(column, o));
@@ -71,8 +71,25 @@ TEST(LimbTable, FollowsMoreRaysWhereLessErrorIsAsked) {
   EXPECT_LT(followed(300), followed(3000));
 }
 
+TEST(LimbTable, KnowsTheSameAirWithOtherAmounts) {
+  constexpr int rays = 300;
+  auto other = full;
+  other.ozone_du *= 0.3;
+  other.dust_extinction_per_m = 0;
+  const auto green = optics_of({550})[0];
+  const auto fan = LimbTable(full, radius_m, optics_of({380, 780}), rays).fan(green, other);
+  for (std::size_t i = 0; i < fan.tangent_height_m.size(); i += 3) {
+    const auto path = limb_path(fan.tangent_height_m[i], radius_m, other, green.refractivity);
+    const double depth = atmosphere::product(path.amounts, atmosphere::spectra(other, green));
+    EXPECT_WITHIN(fan.bending_rad[i], path.bending_rad, 1e-3 * 10. / rays / rays,
+                  "as the header says");
+    EXPECT_WITHIN(fan.optical_depth[i], depth, 1e-3 * std::max(1., depth / 4),
+                  "as the header says");
+  }
+}
+
 TEST(LimbTable, StandsOnTheGroundTheTopAndEveryBreak) {
-  const auto fan = LimbTable(full, radius_m, optics_of({550}), 60).fan(optics_of({550})[0]);
+  const auto fan = LimbTable(full, radius_m, optics_of({550}), 60).fan(optics_of({550})[0], full);
   EXPECT_EQ(fan.tangent_height_m.front(), 0);
   EXPECT_EQ(fan.tangent_height_m.back(), 86e3);
   EXPECT_TRUE(std::ranges::is_sorted(fan.tangent_height_m));
@@ -81,7 +98,7 @@ TEST(LimbTable, StandsOnTheGroundTheTopAndEveryBreak) {
 }
 
 TEST(LimbTable, IsCloudyBelowTheCloudsTopAndNowhereElse) {
-  const auto fan = LimbTable(full, radius_m, optics_of({550}), 60).fan(optics_of({550})[0]);
+  const auto fan = LimbTable(full, radius_m, optics_of({550}), 60).fan(optics_of({550})[0], full);
   ASSERT_EQ(fan.filter.size() + 1, fan.tangent_height_m.size());
   for (std::size_t i = 0; i < fan.filter.size(); ++i)
     EXPECT_WITHIN(fan.filter[i], fan.tangent_height_m[i] < 10.4e3 ? 0.3 : 1., 1e-15, "rounding");
@@ -90,7 +107,8 @@ TEST(LimbTable, IsCloudyBelowTheCloudsTopAndNowhereElse) {
 TEST(LimbTable, WithoutRefractionBendsNothing) {
   Column straight = full;
   straight.refraction = false;
-  const auto fan = LimbTable(straight, radius_m, optics_of({550}), 60).fan(optics_of({550})[0]);
+  const auto fan =
+      LimbTable(straight, radius_m, optics_of({550}), 60).fan(optics_of({550})[0], straight);
   for (const double bending : fan.bending_rad) EXPECT_EQ(bending, 0);
   EXPECT_EQ(fan.impact_height_m, fan.tangent_height_m);
 }

@@ -214,6 +214,35 @@ TEST(ByQuadrature, OfThinRegionsIsNearlyThatOfBelts) {
           << s << " " << gammas[g];
 }
 
+TEST(ByQuadrature, InSeveralAirsIsThatInEach) {
+  auto air = atmosphere::preset("undated", algebra::degrees(0));
+  for (int i = 0; i < 5; ++i) air.belts.push_back({std::numbers::pi * i / 4, air.column});
+  std::vector<atmosphere::Atmosphere> airs;
+  for (const double ozone_du : {0., 250., 500.})
+    for (const double cover : {0., 0.4, 1.}) {
+      airs.push_back(air);
+      for (auto& belt : airs.back().belts) {
+        belt.column.ozone_du = ozone_du + 20 * belt.from_north_rad;
+        belt.column.cloud_cover = cover;
+        belt.column.dust_extinction_per_m = cover * 3e-6;
+      }
+    }
+  const std::vector<double> waves{450, 550, 600};
+  const auto distances = up_to(8e6, 4e5);
+  const auto together = by_quadrature_in(airs, february_2008, waves, distances);
+  ASSERT_EQ(together.size(), airs.size());
+  for (std::size_t i = 0; i < airs.size(); ++i) {
+    const auto alone = by_quadrature(airs[i], february_2008, waves, distances);
+    for (std::size_t s = 0; s < alone.sectors; s += 3)
+      for (std::size_t d = 0; d < distances.size(); ++d)
+        for (std::size_t w = 0; w < waves.size(); ++w)
+          EXPECT_WITHIN(together[i].ratio[s](d, w), alone.ratio[s](d, w),
+                        2 * (distances[d] <= 4.5e6 ? 1.3e-3 * alone.ratio[s](d, w) : 1e-5) + 1e-10,
+                        "two times 300 rays at other heights, as the header says")
+              << i << ": " << distances[d] << " m, " << waves[w] << " nm";
+  }
+}
+
 void expect_accuracy(const atmosphere::Atmosphere& air, bool limb_darkening, int rays, double worst,
                      double green) {
   const std::vector<double> waves{400, 450, 550, 650};

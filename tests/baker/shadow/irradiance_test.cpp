@@ -65,8 +65,7 @@ double direct_ratio(double axis_distance_m) {
 TEST(DirectLight, IsThePartOfTheSunInSight) {
   for (const double km : {4700., 5500., 6420., 7500., 8150.})
     EXPECT_WITHIN(
-        direct_ratio(km * 1e3), direct_point_by_point(km * 1e3, earth_m),
-        1e-4,
+        direct_ratio(km * 1e3), direct_point_by_point(km * 1e3, earth_m), 1e-4,
         "1.8 million points of the disc: 2e-5 of counting; the planes taken as parallel: 1e-5");
 }
 

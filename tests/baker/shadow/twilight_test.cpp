@@ -209,6 +209,21 @@ TEST(AddTwilight, AgreesWithTheRingAtEveryPlaceAndWavelength) {
                              "straight lines over 1000 km and 5 nm");
 }
 
+TEST(AddTwilight, OnPlanesOverTheMoonIsAsOnTheOneBetween) {
+  const auto air = atmosphere::preset("undated", algebra::degrees(0));
+  const std::vector<double> waves{450, 600}, distances{0, 1.3e6, 2.6e6, 4e6};
+  const Arrangement planes{1.479e11, {3.83e8, 3.848e8, 3.866e8}};
+  const auto exact = twilight(air, planes, waves, distances);
+  auto light = darkness(planes, waves, distances, 1);
+  add_twilight(light, air);
+  for (std::size_t plane = 0; plane < planes.depths_m.size(); ++plane)
+    for (std::size_t d = 0; d < distances.size(); ++d)
+      for (std::size_t w = 0; w < waves.size(); ++w)
+        EXPECT_WITHIN_RELATIVE(light.ratio[plane](d, w), exact.ratio[plane](d, w), 0.005,
+                               "as the header says")
+            << plane << " " << distances[d];
+}
+
 TEST(Starlight, IsThatOfTenthMagnitudeStars) {
   EXPECT_WITHIN_RELATIVE(starlight_ratio, 41253 * 100 / 4 * std::pow(10, -0.4 * (10 + 26.74)), 0.01,
                          "printed digits");
