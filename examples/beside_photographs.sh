@@ -15,8 +15,9 @@ V() { coppermoon brightness "$@" --json | awk '/"V"/ { printf "%.2f", $2 }'; }
 echo "| command | brightest hundredth of the disc, over saturation |"
 echo "| --- | ---: |"
 while read -r name seconds flags; do
-  still $flags -o "$scratch/auto.png"
-  still $flags --time "$seconds" --frame "$scratch/$name.exr" -o "$scratch/$name.png"
+  still $flags --frame "$scratch/$name.exr" -o "$scratch/auto.png"
+  lens=$(echo "$flags" | grep -o -e '--f-number [0-9.]*' -e '--iso [0-9]*')
+  coppermoon develop "$scratch/$name.exr" $lens --time "$seconds" -o "$scratch/$name.png" >&2 </dev/null
   auto=$(oiiotool --info -v "$scratch/auto.png" | sed -n 's/.*ExposureTime: "\(.*\)"/\1/p')
   echo "| \`still $flags --time $seconds\` | $(awk "BEGIN { printf \"%.2f\", 0.8 * $seconds / $auto }") |"
 done <<'END'

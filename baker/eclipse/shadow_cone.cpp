@@ -61,6 +61,10 @@ ShadowRadii shadow_radii(ShadowConvention convention, const ShadowAxis& axis,
   return {algebra::radians(parallaxes - semidiameter), algebra::radians(parallaxes + semidiameter)};
 }
 
+algebra::Length axis_distance_at(algebra::Angle from_axis, const ShadowPlace& moon) {
+  return algebra::metres(distance_m(moon) * std::sin(algebra::in_radians(from_axis)));
+}
+
 algebra::Angle lunar_semidiameter(const ShadowPlace& moon) {
   return algebra::radians(std::asin(lunar_radius_in_earth_radii *
                                     atmosphere::earth_equatorial_radius_m / distance_m(moon)));

@@ -24,8 +24,8 @@ namespace coppermoon::eclipse {
 ///         Herald & Sinnott (2014), J. Brit. Astron. Assoc. 124, 247
 enum class ShadowConvention { danjon, danjon_oblate, chauvenet, herald_sinnott };
 
-/// Radii of the shadow where the Moon is, as angles seen from the Earth's centre. At the distance D
-/// from there an angle ρ is D sin ρ from the axis. The umbra's is negative beyond its tip.
+/// Radii of the shadow where the Moon is, as angles seen from the Earth's centre. The umbra's is negative
+/// beyond its tip.
 struct ShadowRadii {
   algebra::Angle umbra, penumbra;
 };
@@ -33,6 +33,10 @@ struct ShadowRadii {
 /// Given   moon  a place in the shadow; its position angle matters to the oblate conventions alone
 ShadowRadii shadow_radii(ShadowConvention convention, const ShadowAxis& axis,
                          const ShadowPlace& moon);
+
+/// How far from the axis a place is that stands at an angle from it, as far from the Earth's centre as the
+/// Moon.
+algebra::Length axis_distance_at(algebra::Angle from_axis, const ShadowPlace& moon);
 
 /// Radius of the Moon in equatorial radii of the Earth. Every convention uses the same.
 inline constexpr double lunar_radius_in_earth_radii = 0.2725076;

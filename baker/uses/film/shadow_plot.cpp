@@ -116,11 +116,11 @@ std::string plot_colour(double wavelength_nm) {
 ShadowMarks marks_of(const shadow::Arrangement& cut, const std::optional<almanac::SkyState>& sky,
                      std::string title) {
   auto axis = eclipse::ShadowAxis{glm::dmat3(1), algebra::metres(cut.sun_distance_m)};
-  const auto depth = algebra::metres(cut.depths_m.front());
-  const auto radii = eclipse::shadow_radii(eclipse::ShadowConvention::danjon, axis,
-                                           {algebra::metres(0), algebra::radians(0), depth});
+  const eclipse::ShadowPlace on_axis{algebra::metres(0), algebra::radians(0),
+                                     algebra::metres(cut.depths_m.front())};
+  const auto radii = eclipse::shadow_radii(eclipse::ShadowConvention::danjon, axis, on_axis);
   const auto radius_m = [&](algebra::Angle seen) {
-    return algebra::in_metres(depth) * std::sin(algebra::in_radians(seen));
+    return algebra::in_metres(eclipse::axis_distance_at(seen, on_axis));
   };
   ShadowMarks marks{std::move(title), radius_m(radii.umbra), radius_m(radii.penumbra)};
   if (sky)

@@ -339,7 +339,7 @@ std::optional<shadow::LookupRange> range_at(const Moonlight& light, const almana
   range.from_m = std::max(range.from_m, distances.front());
   range.to_m = std::min(range.to_m, distances.back());
   const auto settings = quadrature_for(light.plan.work, moon);
-  if (light.refracted->sectors == settings.around) {
+  if (light.refracted->sectors == settings.around) {  // a plan's, not those that photons come in
     range.first_sector = settings.first_sector;
     range.sectors = settings.sectors;
   }

@@ -171,7 +171,7 @@ bool lies_in_umbra(const FitScene& scene) {
   const auto moon = eclipse::place_in_shadow(axis, scene.sky.moon_m);
   const auto edge = eclipse::shadow_radii(eclipse::ShadowConvention::danjon, axis, moon).umbra;
   return algebra::in_metres(moon.axis_distance + almanac::lunar_radius) <
-         algebra::in_metres(moon.depth) * std::sin(algebra::in_radians(edge));
+         algebra::in_metres(eclipse::axis_distance_at(edge, moon));
 }
 
 Channel as_scene(const Channel& displayed, const colour::ToneTable& table) {

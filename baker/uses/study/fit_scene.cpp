@@ -17,6 +17,7 @@
 #include "texture/bake.h"
 #include "uses/light/moonlight.h"
 #include "uses/light/spectral_bands.h"
+#include "uses/picture/camera.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -216,7 +217,7 @@ FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
   FitScene scene;
   scene.sky = sky;
   scene.weights = xyz_of_moonlight(seen.sightline);
-  scene.pixel_rad = 2 * std::tan(*close.field_deg / 2 * pi / 180) / fit_side_px;
+  scene.pixel_rad = pixel_rad_of(seen.camera);
   const auto grounds = grounds_of(seen.camera, sky);
   const auto sunlit = picture_of(sunlit_map(moon, groundwork, sky), grounds);
   bin(scene, sunlit, grounds, groundwork.ground.get());
@@ -266,11 +267,12 @@ void add_groups(std::vector<LitPlace> all, double middle_rad, std::vector<LitPla
         distance += lit.sunlit * distance_of(lit);
         depth += lit.sunlit * algebra::in_metres(lit.place.depth);
         colour += lit.sunlit * lit.colour;
-        east += lit.sunlit * std::sin(angle_of(lit));
-        north += lit.sunlit * std::cos(angle_of(lit));
+        const double angle_rad = algebra::in_radians(lit.place.position_angle);
+        east += lit.sunlit * std::sin(angle_rad);
+        north += lit.sunlit * std::cos(angle_rad);
       }
       if (sunlit == 0) continue;
-      const double angle = middle_rad + std::atan2(east, north);
+      const double angle = std::atan2(east, north);
       few.push_back({{algebra::metres(distance / sunlit),
                       algebra::radians(angle - 2 * pi * std::floor(angle / (2 * pi))),
                       algebra::metres(depth / sunlit)},

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "atmosphere/figure.h"
 #include "support/within.h"
 
@@ -31,6 +33,14 @@ TEST(ShadowRadii, DanjonsAreAHundredthOfTheLunarParallaxLarger) {
   EXPECT_WITHIN(in_arcminutes(radii.penumbra),
                 1.01 * lunar_parallax_arcmin + solar_parallax_arcmin + solar_semidiameter_arcmin,
                 1e-3, "the same");
+}
+
+TEST(ShadowRadii, AreDistancesFromTheAxis) {
+  // 5000 km off the axis of a Moon whose distance is 384400 km: asin(5000 / 384400) = 44.71701′
+  const ShadowPlace moon{algebra::kilometres(3000), radians(0),
+                         algebra::kilometres(std::sqrt(384400. * 384400. - 3000. * 3000.))};
+  EXPECT_WITHIN(algebra::in_kilometres(axis_distance_at(degrees(44.71701 / 60), moon)), 5000, 0.01,
+                "printed digits");
 }
 
 TEST(ShadowRadii, DanjonsOblateAreFlattenedByTheLimb) {
