@@ -3,6 +3,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -337,6 +338,21 @@ TEST(ByQuadrature, PutsNoPlacesIntoDarkness) {
   ASSERT_GT(light.ratio[0](0, 1), 0);
   EXPECT_LT(light.ratio[0](0, 1), darkness_ratio);
   EXPECT_LE(light.axis_distances_m.size(), 2 * distances.size());
+}
+
+TEST(ByQuadrature, PutsFewerPlacesWhereMoreIsTakenForDark) {
+  auto air = atmosphere::preset("undated", algebra::degrees(0));
+  air.earth = {};
+  air.column.dust_extinction_per_m = 1e-4;
+  const auto places = [&](double dark_ratio) {
+    return by_quadrature(air, february_2008, std::vector<double>{450, 650}, up_to(4e6, 2e5),
+                         {.rays = 200, .place_error = 0.003, .dark_ratio = dark_ratio})
+        .axis_distances_m;
+  };
+  const auto all = places(darkness_ratio), fewer = places(1e-6);
+  EXPECT_LT(fewer.size() + 10, all.size());
+  EXPECT_TRUE(std::ranges::includes(all, fewer));
+  EXPECT_THROW(places(darkness_ratio / 2), algebra::Error);
 }
 
 TEST(ByQuadrature, OfABareEarthIsNothing) {
