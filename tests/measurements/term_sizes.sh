@@ -12,7 +12,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 coppermoon() { "$build/coppermoon" "$@"; }
-knows() { coppermoon "$1" --help | grep -q -e "$2 "; }
+knows() { coppermoon "$1" --help-all | grep -q -e "$2 "; }
 shadow() {
   coppermoon shadow "$@" --json --axis-distances 0,2300,4400 \
     --wavelengths 380,400,420,440,460,480,500,520,540,560,580,600,620,640,660,680,700,720,740,760,780
