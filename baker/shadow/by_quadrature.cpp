@@ -116,7 +116,8 @@ double direct_light(const Atmosphere& atmosphere, const Arrangement& arrangement
 /// Largest relative error of a cubic through the four rings about a middle: of refracted light over
 /// all wavelengths of some air, against all light there.
 ///
-/// Given  direct  light, or what it is taken for where there is less;  airs  whose wavelengths follow on each other, as many of each
+/// Given  direct  light, or what it is taken for where there is less
+///        airs    how many: their wavelengths follow on each other, as many of each
 double surprise(std::span<const Ring> about, const Ring& middle, double direct, std::size_t airs) {
   std::vector<double> gammas_m;
   for (const auto& ring : about) gammas_m.push_back(ring.gamma_m);

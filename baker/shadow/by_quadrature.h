@@ -9,7 +9,8 @@
 
 namespace coppermoon::shadow {
 
-/// Ratio to unshaded sunlight of light that nobody can see: a thousandth of what the smallest half float above 0 stands for on the Moon.
+/// Ratio to unshaded sunlight of light that nobody can see: a thousandth of what the smallest half float
+/// above 0 stands for on the Moon.
 inline constexpr double darkness_ratio = 1e-14;
 
 /// How finely the quadrature goes.

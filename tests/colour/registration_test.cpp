@@ -81,6 +81,23 @@ void expect_all_found(const Shadow& shadow, const Camera& camera, const Toleranc
   }
 }
 
+TEST(Registration, HoldsInAPhotographThatIsEnlarged) {
+  algebra::Random random(8, 1);
+  auto trial = random_trial({}, {}, random);
+  const double larger = 1400 / trial.radius_px;
+  const auto side = [=](std::size_t pixels) {
+    return static_cast<std::size_t>(larger * static_cast<double>(pixels));
+  };
+  const Similarity enlarged{larger};
+  trial.photo =
+      resampled(trial.photo, enlarged, side(trial.photo.rows()), side(trial.photo.columns()));
+  trial.truth = composed(trial.truth, enlarged);
+  trial.radius_px *= larger;
+  expect_found(trial, {.at_limb_px = 0.2 * larger,
+                       .shift_px = 0.25 * larger,
+                       .reason = "as of the photograph that was enlarged"});
+}
+
 TEST(Registration, OfAPhotographWithoutFaultIsItsSimilarity) {
   expect_all_found(
       {}, {}, {0.05, 0.0005, 0.04, 0.05, "what bilinear pixels of 3 x 3 rays leave of places"});

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 coppermoon_tests(colour LINKS coppermoon::colour coppermoon::surface PkgConfig::OpenImageIO
-  QUICK bracket cie_observer difference display exposure glow limb photograph point_spread similarity tone_curve working_space
+  QUICK bracket cie_observer difference display exposure glow limb photograph picture_part point_spread similarity tone_curve
+        working_space
   HEAVY limb_in_jpeg registration)
 
 find_program(OCIOCHECK ociocheck)
