@@ -65,8 +65,10 @@ class Gatherer {
   void add(const Rays& rays, std::span<const double> filter) const {
     constexpr double near = 4. / 3, far = -1. / 3;
     const std::size_t last = rays.place.size() - 1;
-    for (std::size_t i = 0; i < last; ++i) add_cell(rays, i, i + 1, near * filter[i]);
-    for (std::size_t i = 0; i + 1 < last; i += 2) add_cell(rays, i, i + 2, far * filter[i]);
+    for (std::size_t i = 0; i < last; ++i)
+      if (filter[i] != 0) add_cell(rays, i, i + 1, near * filter[i]);
+    for (std::size_t i = 0; i + 1 < last; i += 2)
+      if (filter[i] != 0) add_cell(rays, i, i + 2, far * filter[i]);
   }
 
  private:
@@ -109,6 +111,14 @@ class Gatherer {
   int first_;
 };
 
+/// Where rays land, from the lowest that brings light on: a deck of cloud takes all below its top. The highest
+/// where none does.
+std::span<const double> lit(std::span<const double> places, std::span<const double> filter) {
+  const auto dark = std::ranges::find_if(filter, [](double share) { return share != 0; });
+  return places.subspan(
+      std::min(static_cast<std::size_t>(dark - filter.begin()), places.size() - 1));
+}
+
 }  // namespace
 
 LandedLight::LandedLight(std::span<const photons::Fan> fans, double radius_m, double sun_distance_m,
@@ -116,8 +126,8 @@ LandedLight::LandedLight(std::span<const photons::Fan> fans, double radius_m, do
   std::vector<Rays> rays;
   double least = std::numeric_limits<double>::max(), greatest = -least;
   for (const auto& fan : fans) {
-    const auto& of_wave = rays.emplace_back(fan, radius_m, sun_distance_m, depth_m, bin_m).place;
-    const auto [low, high] = std::ranges::minmax(of_wave);
+    const auto& places = rays.emplace_back(fan, radius_m, sun_distance_m, depth_m, bin_m).place;
+    const auto [low, high] = std::ranges::minmax(lit(places, fan.filter));
     least = std::min(least, low), greatest = std::max(greatest, high);
   }
   first_ = static_cast<int>(std::floor(least));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <tbb/scalable_allocator.h>
+
 #include <array>
 #include <span>
 #include <vector>
@@ -36,7 +38,8 @@ class LandedLight {
 
  private:
   int first_ = 0, last_ = 0;
-  std::vector<double> sums_;  // [node][moment][lane]
+  // [node][moment][lane]; memory that is kept for the next, for much of it is asked for again and again
+  std::vector<double, tbb::scalable_allocator<double>> sums_;
 };
 
 }  // namespace coppermoon::shadow

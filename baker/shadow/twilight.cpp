@@ -14,6 +14,7 @@
 #include "algebra/interpolation.h"
 #include "algebra/quadrature.h"
 #include "photons/bending.h"
+#include "shadow/scattered_row.h"
 
 namespace coppermoon::shadow {
 namespace {
@@ -200,8 +201,8 @@ class Ring {
         radius_m_(radius_m),
         slants_(column, photons::ProfileTable(column), radius_m),
         points_(points_of(column, slants_, radius_m)),
-        spectra_(atmosphere::absorbers, optics.size()),
-        filters_(2, optics.size()) {
+        spectra_(atmosphere::absorbers, whole_groups(optics.size())),
+        filters_(2, whole_groups(optics.size())) {
     for (std::size_t w = 0; w < optics.size(); ++w) {
       const auto spectra = atmosphere::spectra(column, optics[w]);
       for (std::size_t k = 0; k < spectra.size(); ++k) spectra_(k, w) = spectra[k];
@@ -210,10 +211,9 @@ class Ring {
     }
   }
 
-  /// Adds the light from one direction around the Earth, a radian of it, by wavelength.
+  /// Adds the light from one direction around the Earth, a radian of it, by wavelength: whole groups.
   void add(const View& view, std::span<double> ratio) const {
     const auto phase = scattering(column_, view.direction(radius_m_).z);
-    Passing passing{std::vector<double>(ratio.size()), std::vector<double>(ratio.size())};
     for (const auto& point : points_) {
       const auto here = view.at(point);
       const double lowest = std::hypot(here.x, here.y) - radius_m_;
@@ -224,35 +224,13 @@ class Ring {
         continue;
       Amounts scattered = point.profile;
       for (std::size_t k = 0; k < phase.size(); ++k) scattered[k] *= phase[k];
-      add_light(scattered, sum(point.onward, slants_.up_to(lowest, here.z)), filters_.row(above),
-                passing, ratio);
+      add_scattered(scattered, sum(point.onward, slants_.up_to(lowest, here.z)), spectra_,
+                    filters_.row(above), ratio);
     }
     for (double& value : ratio) value /= squared(view.distance_m());
   }
 
  private:
-  /// Light on its way, by wavelength.
-  struct Passing {
-    std::vector<double> light, depth;
-  };
-
-  void add_light(const Amounts& scattered, const Amounts& passed, std::span<const double> filter,
-                 Passing& passing, std::span<double> ratio) const {
-    auto& [light, depth] = passing;
-    std::ranges::fill(light, 0);
-    std::ranges::fill(depth, 0);
-    for (std::size_t k = 0; k < scattered.size(); ++k) {
-      if (scattered[k] == 0 && passed[k] == 0) continue;
-      const double* spectrum = spectra_.row(k).data();
-      for (std::size_t w = 0; w < ratio.size(); ++w) {
-        light[w] += spectrum[w] * scattered[k];
-        depth[w] += spectrum[w] * passed[k];
-      }
-    }
-    for (std::size_t w = 0; w < ratio.size(); ++w)
-      ratio[w] += filter[w] * light[w] * std::exp(-depth[w]);
-  }
-
   Column column_;
   double radius_m_;
   Slants slants_;
@@ -286,7 +264,7 @@ Grid<double> between_angles(std::size_t angles) {
 /// Given  shares  of the angles asked for, as `between_angles` has them
 AroundTheRing around(const Ring& ring, double axis_distance_m, double depth_m,
                      const Grid<double>& shares, std::size_t waves) {
-  AroundTheRing nodes(shares.columns(), std::vector<double>(waves)),
+  AroundTheRing nodes(shares.columns(), std::vector<double>(whole_groups(waves))),
       light(shares.rows(), std::vector<double>(waves));
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     const double psi = 2 * pi * static_cast<double>(a) / angles_around;
@@ -379,10 +357,14 @@ void add_twilight(RefractedLight& light, const Atmosphere& atmosphere) {
     const double nearer = middle_m / depths_m[plane],
                  brighter =
                      squared(nearer * (1 + depths_m[plane] / sun_m) / (1 + middle_m / sun_m));
-    const auto& coarse = more.ratio[sector * more.sectors / light.sectors];
+    const std::size_t before = sector * more.sectors / light.sectors;
+    const double further = static_cast<double>(sector * more.sectors % light.sectors) /
+                           static_cast<double>(light.sectors);
+    const auto &coarse = more.ratio[before], &next = more.ratio[(before + 1) % more.sectors];
     for (std::size_t d = 0; d < light.axis_distances_m.size(); ++d) {
       for (std::size_t w = 0; w < there.size(); ++w) {
-        for (std::size_t i = 0; i < across.size(); ++i) across[i] = coarse(i, w);
+        for (std::size_t i = 0; i < across.size(); ++i)
+          across[i] = std::lerp(coarse(i, w), next(i, w), further);
         there[w] = brighter * algebra::interpolated(more.axis_distances_m, across,
                                                     nearer * light.axis_distances_m[d]);
       }

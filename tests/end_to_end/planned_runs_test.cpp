@@ -122,7 +122,9 @@ std::string described(const Run& run) {
   say("to [km]", column.cloud_top_km);
   say("troposphere", column.tropospheric_optical_depth);
   if (column.stratosphere)
-    text += fmt::format(", stratosphere {}", static_cast<int>(std::get<atmosphere::StratosphericAerosol>(*column.stratosphere)));
+    text += fmt::format(
+        ", stratosphere {}",
+        static_cast<int>(std::get<atmosphere::StratosphericAerosol>(*column.stratosphere)));
   say("dust", column.dust_extinction_per_m);
   for (const auto& region : air.regions)
     text += fmt::format(", dust {} from {} to {} degrees", *region.column.dust_extinction_per_m,
@@ -154,7 +156,9 @@ Circle circle_on(const uses::ShadowedMoon& moon, double out, std::size_t places,
     const double phi = between(random, 0, 2 * std::numbers::pi);
     const double east = away * std::sin(towards) + radius * out * std::cos(phi),
                  north = away * std::cos(towards) + radius * out * std::sin(phi);
-    all.emplace_back(std::hypot(east, north), std::atan2(east, north));
+    const double degree = std::numbers::pi / 180;  // TrueLuminance
+    all.emplace_back(std::hypot(east, north),
+                     std::round(std::atan2(east, north) / degree) * degree);
   }
   std::ranges::sort(all);
   Circle circle{algebra::in_metres(moon.centre.depth) - radius * std::sqrt(1 - out * out), {}, {}};
@@ -206,8 +210,9 @@ struct Result {
   bool in_time() const { return taken_s <= 2 * predicted_s && predicted_s <= 2 * taken_s; }
 };
 
-Result result_of(const Run& run, std::size_t circles, std::size_t places, const Truth& truth,
+Result result_of(const Run& run, std::size_t circles, std::size_t places, Truth truth,
                  std::uint64_t index) {
+  truth.scattered = scattered_light_of(run.request) != uses::ScatteredLight::off;
   const auto sky = almanac::sky_at(run.when);
   const auto start = std::chrono::steady_clock::now();
   const auto light = light_on_the_moon(run.request, sky);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -16,6 +17,7 @@ namespace coppermoon::end_to_end {
 /// How finely the truth is computed.
 struct Truth {
   int bands = 400, rays = 2000;
+  bool scattered = true;  ///< with light that air scatters
 };
 
 /// Luminance of neutral ground on the Moon that faces the Sun, each place on a plane of its own: all
@@ -30,42 +32,50 @@ class TrueLuminance {
     for (double nm = 380; nm <= 780; nm += 5) twilight_nm_.push_back(nm);
   }
 
-  /// Luminances of places of one depth, by increasing axis distance. Air with regions is turned
-  /// until the place's position angle is that of a sector, which only a sphere allows.
+  /// Luminances of places of one depth, by increasing axis distance. In air with regions position
+  /// angles are taken to the nearest degree.
   std::vector<double> at(double depth_m, std::span<const double> distances_m,
                          std::span<const double> angles_rad) const {
-    if (moon_.air.regions.empty()) return around(moon_.air, depth_m, distances_m, angles_rad);
+    const auto around = moon_.air.one_column() ? shadow::sectors_around : sectors_of_belts;
+    if (moon_.air.regions.empty())
+      return around_all(depth_m, distances_m, angles_rad, {.rays = truth_.rays, .around = around});
     std::vector<double> all;
-    for (std::size_t i = 0; i < distances_m.size(); ++i) {
-      auto air = moon_.air;
-      for (auto& region : air.regions)
-        for (auto* angle : {&region.from, &region.to})
-          *angle = algebra::radians(algebra::in_radians(*angle) - angles_rad[i]);
-      const double north = 0;
-      all.push_back(around(air, depth_m, distances_m.subspan(i, 1), {&north, 1})[0]);
-    }
+    for (std::size_t i = 0; i < distances_m.size(); ++i)
+      all.push_back(around_all(depth_m, distances_m.subspan(i, 1), angles_rad.subspan(i, 1),
+                               {.rays = truth_.rays,
+                                .around = degrees,
+                                .first_sector = degree_of(angles_rad[i]),
+                                .sectors = 1})[0]);
     return all;
   }
 
  private:
-  std::vector<double> around(const atmosphere::Atmosphere& air, double depth_m,
-                             std::span<const double> distances_m,
-                             std::span<const double> angles_rad) const {
+  static constexpr std::size_t sectors_of_belts = 120, degrees = 360;
+
+  static std::size_t degree_of(double angle_rad) {
+    const auto degree = std::lround(angle_rad * 180 / std::numbers::pi);
+    return static_cast<std::size_t>((degree % 360 + 360) % 360);
+  }
+
+  std::vector<double> around_all(double depth_m, std::span<const double> distances_m,
+                                 std::span<const double> angles_rad,
+                                 const shadow::QuadratureSettings& settings) const {
+    const auto& air = moon_.air;
     const shadow::Arrangement arrangement{moon_.sun_distance_m, {depth_m}, moon_.limb_darkening};
-    const bool one_sector = !air.regions.empty();
-    const auto refracted = shadow::by_quadrature(
-        air, arrangement, waves_, distances_m,
-        {.rays = truth_.rays, .sectors = one_sector ? 1 : shadow::sectors_around});
+    const auto refracted = shadow::by_quadrature(air, arrangement, waves_, distances_m, settings);
     const auto scattered = shadow::twilight(air, arrangement, twilight_nm_, distances_m);
     const shadow::DirectLight direct(air, arrangement, waves_);
-    std::vector<double> all, ratios(waves_.size());
+    std::vector<double> all, ratios(waves_.size()), twilight(twilight_nm_.size());
     for (std::size_t d = 0; d < distances_m.size(); ++d) {
       direct.ratios(distances_m[d], angles_rad[d], depth_m, ratios);
+      std::ranges::fill(twilight, 0);
+      if (truth_.scattered) add_at(scattered, d, angles_rad[d], twilight);
       for (std::size_t w = 0; w < waves_.size(); ++w)
-        ratios[w] += algebra::interpolated(twilight_nm_, scattered.ratio[0].row(d), waves_[w]);
-      const std::size_t sectors = one_sector ? 1 : refracted.sectors;
-      for (std::size_t s = 0; s < sectors; ++s)
-        add(refracted.ratio[s].row(d), share(s, sectors, angles_rad[d]), ratios);
+        ratios[w] += algebra::interpolated(twilight_nm_, twilight, waves_[w]);
+      if (settings.sectors == 1)
+        add(refracted.ratio[settings.first_sector].row(d), 1, ratios);
+      else
+        add_at(refracted, d, angles_rad[d], ratios);
       double sum = 0;
       for (std::size_t w = 0; w < waves_.size(); ++w) sum += weights_(0, w) * ratios[w];
       all.push_back(sum);
@@ -73,12 +83,19 @@ class TrueLuminance {
     return all;
   }
 
+  /// Adds the light of one distance at a position angle.
+  static void add_at(const shadow::RefractedLight& light, std::size_t distance, double angle_rad,
+                     std::vector<double>& ratios) {
+    for (std::size_t s = 0; s < light.sectors; ++s)
+      add(light.ratio[s].row(distance), share(s, light.sectors, angle_rad), ratios);
+  }
+
   static void add(std::span<const double> row, double share, std::vector<double>& ratios) {
     for (std::size_t w = 0; w < ratios.size(); ++w) ratios[w] += share * row[w];
   }
 
   /// Share of a sector in the sum of waves around the axis that goes through all of them: what an
-  /// ellipsoid does has one, cos 2θ.
+  /// ellipsoid does has one, cos 2θ, what belts do 48 at most.
   static double share(std::size_t sector, std::size_t sectors, double angle_rad) {
     if (sectors == 1) return 1;
     const auto count = static_cast<double>(sectors);

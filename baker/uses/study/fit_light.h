@@ -75,8 +75,16 @@ class FittedLight {
   Mixed mixed(double dust_per_m, double ozone_du) const;
 
  private:
-  std::vector<double> dusts_per_m_, ozones_du_;
-  std::vector<Mixed> nodes_;  // logarithms, [dust × ozones + ozone]
+  /// Light of one ozone, by dust.
+  struct InOzone {
+    double ozone_du;
+    std::vector<double> dusts_per_m;
+    std::vector<Mixed> logarithms;  ///< [dust]
+  };
+
+  static std::vector<InOzone> nodes_of(FittedAirs airs);
+
+  std::vector<InOzone> nodes_;  // behind the first: over light of the first
 };
 
 }  // namespace coppermoon::uses

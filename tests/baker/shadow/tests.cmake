@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 coppermoon_tests(baker/shadow LINKS coppermoon::shadow coppermoon::colour PkgConfig::Highway TBB::tbb
   QUICK by_quadrature disc_arcs irradiance landed_light limb_landings limb_ring lookup marched_photons photon_rows photon_sums
-        twilight umbra
+        scattered_row twilight umbra
   HEAVY agreement by_photons
   SLOW convergence)

@@ -224,6 +224,22 @@ TEST(AddTwilight, OnPlanesOverTheMoonIsAsOnTheOneBetween) {
             << plane << " " << distances[d];
 }
 
+TEST(AddTwilight, RunsStraightBetweenSectors) {
+  auto air = atmosphere::preset("undated", algebra::degrees(0));
+  air.regions = {{algebra::degrees(20), algebra::degrees(140), air.column}};
+  air.regions[0].column.dust_extinction_per_m = 1e-5;
+  const std::vector<double> waves{550}, distances{2e6};
+  const Arrangement plane{1.479e11, {3.83e8}};
+  const auto exact = twilight(air, plane, waves, distances);
+  auto light = darkness(plane, waves, distances, 2 * sectors_around);
+  add_twilight(light, air);
+  for (std::size_t s = 0; s < sectors_around; ++s) {
+    const double here = exact.ratio[s](0, 0), next = exact.ratio[(s + 1) % sectors_around](0, 0);
+    EXPECT_WITHIN_RELATIVE(light.ratio[2 * s](0, 0), here, 1e-12, "rounding") << s;
+    EXPECT_WITHIN_RELATIVE(light.ratio[2 * s + 1](0, 0), (here + next) / 2, 1e-12, "rounding") << s;
+  }
+}
+
 TEST(Starlight, IsThatOfTenthMagnitudeStars) {
   EXPECT_WITHIN_RELATIVE(starlight_ratio, 41253 * 100 / 4 * std::pow(10, -0.4 * (10 + 26.74)), 0.01,
                          "printed digits");
