@@ -319,7 +319,7 @@ std::vector<RefractedLight> by_quadrature_in(std::span<const Atmosphere> airs,
   const std::size_t sectors = first.symmetric() ? 1 : settings.around;
   if (first.top_m() <= 0 || wavelengths_nm.empty() || axis_distances_m.empty())
     return {airs.size(), darkness(arrangement, wavelengths_nm, axis_distances_m, sectors)};
-  std::vector<RefractedLight> all;
+  std::vector<RefractedLight> all(airs.size());
   // an error in a loop that this is part of ends that loop's others: theirs here would be skipped, and what they
   // fill be missing
   tbb::task_group_context alone(tbb::task_group_context::isolated);
@@ -331,10 +331,10 @@ std::vector<RefractedLight> by_quadrature_in(std::span<const Atmosphere> airs,
                                     settings, progress);
         std::vector<double> distances_m;
         for (const auto& ring : rings) distances_m.push_back(ring.gamma_m);
-        for (std::size_t i = 0; i < airs.size(); ++i) {
-          all.push_back(darkness(arrangement, wavelengths_nm, distances_m, sectors));
-          fill(rings, i * wavelengths_nm.size(), first, around, all.back());
-        }
+        tbb::parallel_for(std::size_t{0}, airs.size(), [&](std::size_t i) {
+          all[i] = darkness(arrangement, wavelengths_nm, distances_m, sectors);
+          fill(rings, i * wavelengths_nm.size(), first, around, all[i]);
+        });
       },
       alone);
   return all;

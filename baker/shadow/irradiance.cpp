@@ -25,8 +25,7 @@ RefractedLight darkness(const Arrangement& arrangement, std::span<const double> 
                        {},
                        {}};
   for (std::size_t g = 0; g < arrangement.depths_m.size() * sectors; ++g)
-    for (auto* grids : {&light.ratio, &light.standard_error})
-      grids->emplace_back(axis_distances_m.size(), wavelengths_nm.size());
+    light.ratio.emplace_back(axis_distances_m.size(), wavelengths_nm.size());
   return light;
 }
 

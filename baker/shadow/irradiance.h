@@ -34,14 +34,15 @@ struct RefractedLight {
   std::size_t sectors = 1;
   /// [plane × sectors + sector](axis distance, wavelength); sector s is centred at the position angle
   /// 2π s / sectors, so [0] is the first plane's north alone: see mean_ratio
-  std::vector<algebra::Grid<double>> ratio, standard_error;
-  std::uint64_t photons = 0;  ///< traced for it
+  std::vector<algebra::Grid<double>> ratio;
+  std::vector<algebra::Grid<double>> standard_error;  ///< likewise; none where light has no noise
+  std::uint64_t photons = 0;                          ///< traced for it
   /// whether a place's wavelengths share their photons, so that their errors add up; if not, errors
   /// are independent
   bool errors_correlated = false;
 };
 
-/// No light at all, on every plane in that many sectors.
+/// No light at all, on every plane in that many sectors, without noise.
 RefractedLight darkness(const Arrangement& arrangement, std::span<const double> wavelengths_nm,
                         std::span<const double> axis_distances_m, std::size_t sectors);
 

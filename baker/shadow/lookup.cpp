@@ -324,6 +324,7 @@ void Lookup::transform(const std::function<void(std::span<double>)>& change) {
 
 double Lookup::worst_relative_error(const RefractedLight& light, const ChannelWeights& weights,
                                     double from_m, double to_m) const {
+  if (light.standard_error.empty()) return 0;
   const auto& places = light.axis_distances_m;
   std::vector<double> errors(places.size());
   double worst = 0;

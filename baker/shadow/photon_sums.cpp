@@ -284,6 +284,7 @@ RefractedLight means_over_rings(const PhotonSums& sums) {
     middles_m.push_back((static_cast<double>(r) + 0.5) * sums.ring_width_m);
   const std::uint64_t blocks = blocks_in(sums.done);
   auto light = darkness(sums.arrangement, sums.wavelengths_nm, middles_m, sums.sectors);
+  light.standard_error = light.ratio;
   light.photons = blocks * photons_a_block;
   light.errors_correlated = sums.all_wavelengths;
   if (blocks == 0) return light;

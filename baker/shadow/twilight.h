@@ -24,8 +24,7 @@ namespace coppermoon::shadow {
 ///
 /// Given     wavelengths_nm  380 to 780; axis_distances_m: 0 or more
 /// Returned  one sector for air without regions, else sectors_around; at 450 nm on the axis 1.6e-7
-///           in clear air, 3.7e-7 in standard air, 1.0e-6 under a stratosphere full of ash;
-///           standard_error is 0
+///           in clear air, 3.7e-7 in standard air, 1.0e-6 under a stratosphere full of ash
 /// Accuracy  1.5 % of this integral; of belts every third is taken
 /// Omits     multiple scattering, in our estimate some tenths of it in clear air, as much again in
 ///           ash; refraction, 20' of the 57' between sight and sunlight at 12 km; the Sun's width,

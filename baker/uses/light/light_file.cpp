@@ -101,18 +101,18 @@ void append(const Grids& grids, std::string& bytes) {
                  grid.values().size() * sizeof(double));
 }
 
-/// All grids of the light that a header describes, of the two kinds.
+/// All grids of the light that a header describes, and where it has noise those of its errors.
 bool read_grids(std::string_view bytes, shadow::RefractedLight& light) {
   const std::size_t rows = light.axis_distances_m.size(), columns = light.wavelengths_nm.size(),
                     size = rows * columns * sizeof(double),
                     grids = light.arrangement.depths_m.size() * light.sectors;
-  if (size == 0 || bytes.size() % size != 0 || bytes.size() / size != 2 * grids) return false;
-  for (auto* kinds : {&light.ratio, &light.standard_error})
-    for (std::size_t g = 0; g < grids; ++g) {
-      auto& grid = kinds->emplace_back(rows, columns);
-      std::memcpy(grid.values().data(), bytes.data(), size);
-      bytes.remove_prefix(size);
-    }
+  const std::size_t kinds = light.photons > 0 ? 2 : 1;
+  if (size == 0 || bytes.size() % size != 0 || bytes.size() / size != kinds * grids) return false;
+  for (std::size_t g = 0; g < kinds * grids; ++g) {
+    auto& grid = (g < grids ? light.ratio : light.standard_error).emplace_back(rows, columns);
+    std::memcpy(grid.values().data(), bytes.data(), size);
+    bytes.remove_prefix(size);
+  }
   return true;
 }
 

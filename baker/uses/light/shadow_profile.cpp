@@ -35,8 +35,9 @@ std::vector<double> distances_of(const ProfilePlaces& places, const ShadowCut& c
 /// Standard errors at other distances: straight lines, nothing beyond the last.
 algebra::Grid<double> errors_at(const shadow::RefractedLight& light, std::size_t sector,
                                 const std::vector<double>& distances_m) {
+  algebra::Grid<double> there(distances_m.size(), light.wavelengths_nm.size());
+  if (light.standard_error.empty()) return there;
   const auto& values = light.standard_error[sector];
-  algebra::Grid<double> there(distances_m.size(), values.columns());
   std::vector<double> column(values.rows());
   for (std::size_t w = 0; w < values.columns(); ++w) {
     for (std::size_t d = 0; d < values.rows(); ++d) column[d] = values(d, w);

@@ -80,7 +80,7 @@ void append(const RefractedLight& light, std::size_t sector, std::size_t first, 
   for (std::size_t d = first; d < first + count; ++d)
     for (std::size_t w = 0; w < light.wavelengths_nm.size(); ++w) {
       cells.value.push_back(light.ratio[sector](d, w));
-      cells.error.push_back(light.standard_error[sector](d, w));
+      cells.error.push_back(light.standard_error.empty() ? 0 : light.standard_error[sector](d, w));
     }
 }
 

@@ -189,6 +189,7 @@ RefractedLight gathered_by_quadrature(const atmosphere::Atmosphere& air, double 
     distances.push_back((static_cast<double>(i) + 0.5) / places * ring_m);
   const auto fine = by_quadrature(air, darkened, waves, distances, {.rays = 1000});
   RefractedLight light = fine;
+  light.standard_error = light.ratio;
   for (std::size_t s = 0; s < fine.sectors; ++s) {
     light.ratio[s] = light.standard_error[s] = algebra::Grid<double>(rings, waves.size());
     for (std::size_t r = 0; r < rings; ++r)
