@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Whether plans keep what they promise: planned_runs.md on stdout. Five to ten minutes on two processors.
+# Whether plans keep what they promise: planned_runs.md on stdout. Half an hour on two processors.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 "$here/../../examples/build.sh" end_to_end_slow_tests packages.tests.debian >&2
