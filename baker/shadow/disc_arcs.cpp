@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algebra/quadrature.h"
+#include "shadow/padding.h"
 #include "shadow/weighted_rows.h"
 
 namespace coppermoon::shadow {
@@ -130,7 +131,7 @@ void DiscArcs::add_arc(double r, double weight, Grid<double>& light) const {
     return;
   }
   const auto& nodes = arc_nodes(highest_, half);
-  const std::size_t whole = (nodes.size() + nodes_together - 1) / nodes_together * nodes_together;
+  const std::size_t whole = padded(nodes.size(), nodes_together);
   std::vector<double> cosines(whole);
   Grid<double> shed(sun_.functions.size(), whole);
   for (std::size_t j = 0; j < nodes.size(); ++j) {

@@ -64,7 +64,7 @@ class Gatherer {
 
   void add(const Rays& rays, std::span<const double> filter) const {
     constexpr double near = 4. / 3, far = -1. / 3;
-    const std::size_t last = rays.place.size() - 1;
+    const std::size_t last = rays.place.size() - 1;  // cells without light may lie beside the bins
     for (std::size_t i = 0; i < last; ++i)
       if (filter[i] != 0) add_cell(rays, i, i + 1, near * filter[i]);
     for (std::size_t i = 0; i + 1 < last; i += 2)
@@ -111,12 +111,12 @@ class Gatherer {
   int first_;
 };
 
-/// Where rays land, from the lowest that brings light on: a deck of cloud takes all below its top. The highest
-/// where none does.
+/// Places where rays land, from the lowest ray that carries light upwards: a deck of cloud stops all below its
+/// top. The highest ray's alone where none carries any.
 std::span<const double> lit(std::span<const double> places, std::span<const double> filter) {
-  const auto dark = std::ranges::find_if(filter, [](double share) { return share != 0; });
+  const auto lowest = std::ranges::find_if(filter, [](double share) { return share != 0; });
   return places.subspan(
-      std::min(static_cast<std::size_t>(dark - filter.begin()), places.size() - 1));
+      std::min(static_cast<std::size_t>(lowest - filter.begin()), places.size() - 1));
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ class LandedLight {
 
  private:
   int first_ = 0, last_ = 0;
-  // [node][moment][lane]; memory that is kept for the next, for much of it is asked for again and again
+  // [node][moment][lane]; the allocator keeps memory, for the next light asks for as much
   std::vector<double, tbb::scalable_allocator<double>> sums_;
 };
 

@@ -12,6 +12,7 @@
 
 #include "algebra/error.h"
 #include "algebra/interpolation.h"
+#include "shadow/padding.h"
 
 namespace coppermoon::shadow {
 namespace {
@@ -23,12 +24,8 @@ double last_distance(std::span<const double> x) {
   return x.size() < 2 ? x.back() : x.back() + (x.back() - x[x.size() - 2]) / 2;
 }
 
-std::size_t padded(std::size_t channels) {
-  return (channels + channel_padding - 1) / channel_padding * channel_padding;
-}
-
 std::vector<double> row_sums(const ChannelWeights& weights) {
-  std::vector<double> sums(padded(weights.rows()));
+  std::vector<double> sums(padded(weights.rows(), channel_padding));
   for (std::size_t c = 0; c < weights.rows(); ++c)
     sums[c] = std::reduce(weights.row(c).begin(), weights.row(c).end());
   return sums;

@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "algebra/grid.h"
+#include "shadow/padding.h"
 
 namespace coppermoon::shadow {
 
 /// Length of a row for that many wavelengths; values beyond them land nowhere.
-constexpr std::size_t padded(std::size_t waves) { return (waves + 15) / 16 * 16; }
+constexpr std::size_t padded(std::size_t waves) { return padded(waves, 16); }
 
 /// A place between two rows that follow each other, and what their mean is multiplied with.
 struct Between {

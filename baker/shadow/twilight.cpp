@@ -14,6 +14,7 @@
 #include "algebra/interpolation.h"
 #include "algebra/quadrature.h"
 #include "photons/bending.h"
+#include "shadow/padding.h"
 #include "shadow/scattered_row.h"
 
 namespace coppermoon::shadow {
@@ -201,8 +202,8 @@ class Ring {
         radius_m_(radius_m),
         slants_(column, photons::ProfileTable(column), radius_m),
         points_(points_of(column, slants_, radius_m)),
-        spectra_(atmosphere::absorbers, whole_groups(optics.size())),
-        filters_(2, whole_groups(optics.size())) {
+        spectra_(atmosphere::absorbers, padded(optics.size(), waves_together)),
+        filters_(2, padded(optics.size(), waves_together)) {
     for (std::size_t w = 0; w < optics.size(); ++w) {
       const auto spectra = atmosphere::spectra(column, optics[w]);
       for (std::size_t k = 0; k < spectra.size(); ++k) spectra_(k, w) = spectra[k];
@@ -211,7 +212,7 @@ class Ring {
     }
   }
 
-  /// Adds the light from one direction around the Earth, a radian of it, by wavelength: whole groups.
+  /// Adds the light from one direction around the Earth, a radian of it, by wavelength, padded.
   void add(const View& view, std::span<double> ratio) const {
     const auto phase = scattering(column_, view.direction(radius_m_).z);
     for (const auto& point : points_) {
@@ -264,7 +265,7 @@ Grid<double> between_angles(std::size_t angles) {
 /// Given  shares  of the angles asked for, as `between_angles` has them
 AroundTheRing around(const Ring& ring, double axis_distance_m, double depth_m,
                      const Grid<double>& shares, std::size_t waves) {
-  AroundTheRing nodes(shares.columns(), std::vector<double>(whole_groups(waves))),
+  AroundTheRing nodes(shares.columns(), std::vector<double>(padded(waves, waves_together))),
       light(shares.rows(), std::vector<double>(waves));
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     const double psi = 2 * pi * static_cast<double>(a) / angles_around;

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "algebra/random.h"
+#include "shadow/padding.h"
 #include "support/within.h"
 
 namespace coppermoon::shadow {
 namespace {
 
 TEST(ScatteredRow, IsEachAbsorbersLightDimmedByAll) {
-  constexpr std::size_t waves = 13, groups = whole_groups(waves);
+  constexpr std::size_t waves = 13, groups = padded(waves, waves_together);
   static_assert(groups == 16);
   algebra::Random random(20, 0);
   algebra::Grid<double> spectra(atmosphere::absorbers, groups);
