@@ -25,7 +25,7 @@ constexpr double scale_of_dust_per_m = 2e-6;
 double smooth(double dust_per_m) { return std::log1p(dust_per_m / scale_of_dust_per_m); }
 
 /// Dust that light is computed at.
-const std::vector<double> coarse_dusts_per_m{4e-7, 2.5e-6, 7.5e-6, 1.7e-5};
+constexpr std::array coarse_dusts_per_m{4e-7, 2.5e-6, 7.5e-6, 1.7e-5};
 std::vector<double> fine_dusts_per_m() {
   constexpr int count = 10;
   std::vector<double> even;
@@ -35,9 +35,9 @@ std::vector<double> fine_dusts_per_m() {
   return even;
 }
 
-/// Ozone that light is computed at: first that of all dust, then those of some dust. What ozone changes runs
-/// smoother in dust than light does: through five of the ten nodes it errs by another 8e-4 up to 3e-6 per
-/// metre, 1.4e-3 up to 8e-6, 3e-3 up to 1.5e-5 at 100 and 350 DU, and near 280 not at all.
+/// Ozone that light is computed at: one at all ten doses of dust, two more at five of them. The ratio of light
+/// in two ozones is smoother in dust than light is. Between the five it errs, at 100 and 350 DU, by 8e-4 up to
+/// 3e-6 per metre, by 1.4e-3 up to 8e-6, by 3e-3 up to 1.5e-5; near 280 DU not at all.
 constexpr double ozone_of_all_dust_du = 280;
 constexpr std::array<double, 2> other_ozones_du{100, 500};
 constexpr std::array<std::size_t, 5> dusts_of_other_ozone{0, 2, 5, 6, 9};
@@ -302,10 +302,12 @@ std::vector<double> shares_of_dust(std::span<const double> dusts_per_m, double d
   return shares;
 }
 
-/// Adds so many times a grid of the same size.
-void add(double times, const algebra::Grid<double>& grid, algebra::Grid<double>& sums) {
-  for (std::size_t i = 0; i < sums.values().size(); ++i)
-    sums.values()[i] += times * grid.values()[i];
+/// Adds so many times grids of the same size.
+void add(double times, const FittedLight::Mixed& light, FittedLight::Mixed& sums) {
+  for (const auto part : {&FittedLight::Mixed::clear, &FittedLight::Mixed::cloudy}) {
+    const auto values = (light.*part).values();
+    for (std::size_t i = 0; i < values.size(); ++i) (sums.*part).values()[i] += times * values[i];
+  }
 }
 
 /// The Moon at all those moments.
@@ -320,8 +322,8 @@ ShadowedMoon moon_at(const LightRequest& request, std::span<const almanac::SkySt
 }  // namespace
 
 std::vector<FittedLight::InOzone> FittedLight::nodes_of(FittedAirs airs) {
-  const auto node = [](double ozone_du, const std::vector<double>& dusts) {
-    return InOzone{ozone_du, dusts, std::vector<Mixed>(dusts.size())};
+  const auto node = [](double ozone_du, std::span<const double> dusts) {
+    return InOzone{ozone_du, {dusts.begin(), dusts.end()}, std::vector<Mixed>(dusts.size())};
   };
   if (airs == FittedAirs::coarse) return {node(300, coarse_dusts_per_m)};
   const auto dusts = fine_dusts_per_m();
@@ -356,15 +358,9 @@ FittedLight::FittedLight(const LightRequest& request, std::span<const almanac::S
       tried.push_back({dusts[d], 1, ozone, &logarithms[d].cloudy});
     }
   light(setting, tried, progress);
-  const auto& whole = nodes_.front();
   for (auto& other : std::span(nodes_).subspan(1))
-    for (std::size_t d = 0; d < other.dusts_per_m.size(); ++d) {
-      const auto same = std::ranges::find(whole.dusts_per_m, other.dusts_per_m[d]);
-      const auto& alike =
-          whole.logarithms[static_cast<std::size_t>(same - whole.dusts_per_m.begin())];
-      add(-1, alike.clear, other.logarithms[d].clear);
-      add(-1, alike.cloudy, other.logarithms[d].cloudy);
-    }
+    for (std::size_t d = 0; d < other.logarithms.size(); ++d)
+      add(-1, nodes_.front().logarithms[dusts_of_other_ozone[d]], other.logarithms[d]);
 }
 
 FittedLight::Mixed FittedLight::mixed(double dust_per_m, double ozone_du) const {
@@ -376,11 +372,8 @@ FittedLight::Mixed FittedLight::mixed(double dust_per_m, double ozone_du) const 
   Mixed result{{form.rows(), form.columns()}, {form.rows(), form.columns()}};
   for (std::size_t o = 0; o < nodes_.size(); ++o) {
     const auto of_dust = shares_of_dust(nodes_[o].dusts_per_m, dust_per_m);
-    for (std::size_t d = 0; d < of_dust.size(); ++d) {
-      if (of_dust[d] == 0) continue;
-      add(of_ozone[o] * of_dust[d], nodes_[o].logarithms[d].clear, result.clear);
-      add(of_ozone[o] * of_dust[d], nodes_[o].logarithms[d].cloudy, result.cloudy);
-    }
+    for (std::size_t d = 0; d < of_dust.size(); ++d)
+      if (of_dust[d] != 0) add(of_ozone[o] * of_dust[d], nodes_[o].logarithms[d], result);
   }
   for (auto* grid : {&result.clear, &result.cloudy})
     for (double& value : grid->values()) value = std::exp(value);

@@ -84,7 +84,7 @@ class FittedLight {
 
   static std::vector<InOzone> nodes_of(FittedAirs airs);
 
-  std::vector<InOzone> nodes_;  // behind the first: over light of the first
+  std::vector<InOzone> nodes_;  // those after the first: light over that of the first
 };
 
 }  // namespace coppermoon::uses
