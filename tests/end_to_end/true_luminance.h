@@ -63,13 +63,15 @@ class TrueLuminance {
     const auto& air = moon_.air;
     const shadow::Arrangement arrangement{moon_.sun_distance_m, {depth_m}, moon_.limb_darkening};
     const auto refracted = shadow::by_quadrature(air, arrangement, waves_, distances_m, settings);
-    const auto scattered = shadow::twilight(air, arrangement, twilight_nm_, distances_m);
+    const auto scattered = truth_.scattered
+                               ? shadow::twilight(air, arrangement, twilight_nm_, distances_m)
+                               : shadow::darkness(arrangement, twilight_nm_, distances_m, 1);
     const shadow::DirectLight direct(air, arrangement, waves_);
     std::vector<double> all, ratios(waves_.size()), twilight(twilight_nm_.size());
     for (std::size_t d = 0; d < distances_m.size(); ++d) {
       direct.ratios(distances_m[d], angles_rad[d], depth_m, ratios);
       std::ranges::fill(twilight, 0);
-      if (truth_.scattered) add_at(scattered, d, angles_rad[d], twilight);
+      add_at(scattered, d, angles_rad[d], twilight);
       for (std::size_t w = 0; w < waves_.size(); ++w)
         ratios[w] += algebra::interpolated(twilight_nm_, twilight, waves_[w]);
       if (settings.sectors == 1)
@@ -95,7 +97,7 @@ class TrueLuminance {
   }
 
   /// Share of a sector in the sum of waves around the axis that goes through all of them: what an
-  /// ellipsoid does has one, cos 2θ, what belts do 48 at most.
+  /// ellipsoid does is one, cos 2θ; belts make 48 at most.
   static double share(std::size_t sector, std::size_t sectors, double angle_rad) {
     if (sectors == 1) return 1;
     const auto count = static_cast<double>(sectors);
