@@ -14,7 +14,7 @@ processors=$(nproc)
 export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppressions=0" UBSAN_OPTIONS=print_stacktrace=1
 
 steps="compiled_alone quick_in_release heavy_under_sanitizers fuzzers libraries_thoroughly program_thoroughly
-extremes_thoroughly films_and_convergence plans_kept air_recovered nights_recovered planted_faults other_programs packages measurements
+extremes_thoroughly films_and_convergence plans_kept plans_kept_with_regions air_recovered nights_recovered planted_faults other_programs packages measurements
 small_examples full_examples full_film sweep_1 sweep_2 sweep_3 sweep_4 sweep_5"
 
 released() { sh examples/build.sh "$1" packages.tests.debian; }
@@ -72,6 +72,11 @@ films_and_convergence() {
 plans_kept() {
   released slow_tests
   test_release -L '^slow$' -R '^end_to_end/planned_runs$'
+}
+
+plans_kept_with_regions() {
+  released slow_tests
+  test_release -L '^slow$' -R '^end_to_end/planned_regions$'
 }
 
 air_recovered() {

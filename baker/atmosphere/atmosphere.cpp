@@ -173,6 +173,27 @@ Atmosphere with_fewer_belts(Atmosphere atmosphere) {
   return atmosphere;
 }
 
+Atmosphere richest(std::span<const Atmosphere> airs) {
+  auto rich = airs.front();
+  const auto add = [](Column& to, const Column& column) {
+    to.dust_extinction_per_m = std::max(to.dust_extinction_per_m, column.dust_extinction_per_m);
+    to.ozone_du = std::max(to.ozone_du, column.ozone_du);
+    to.cloud_cover = std::max(to.cloud_cover, column.cloud_cover);
+  };
+  const auto add_belts = [&](Belts& to, const Belts& belts) {
+    for (std::size_t i = 0; i < to.size(); ++i) add(to[i].column, belts[i].column);
+  };
+  for (const auto& air : airs.subspan(1)) {
+    add(rich.column, air.column);
+    add_belts(rich.belts, air.belts);
+    for (std::size_t i = 0; i < rich.regions.size(); ++i) {
+      add(rich.regions[i].column, air.regions[i].column);
+      add_belts(rich.regions[i].belts, air.regions[i].belts);
+    }
+  }
+  return rich;
+}
+
 void require_valid(const Atmosphere& atmosphere) {
   const auto& earth = atmosphere.earth;
   algebra::require_within("Earth's radius [m]", earth.equatorial_radius_m, 1e6, 1e7);

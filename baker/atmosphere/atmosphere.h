@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "algebra/quantity.h"
@@ -124,6 +125,12 @@ struct Atmosphere {
 
 /// The same air with every third of its belts, the first and the last among them: for a coarse look.
 Atmosphere with_fewer_belts(Atmosphere atmosphere);
+
+/// Air that has some of all that any of those has.
+///
+/// Given     airs  one or more, that differ in amounts of dust, ozone and cloud cover alone
+/// Returned  of each amount the largest, in every column
+Atmosphere richest(std::span<const Atmosphere> airs);
 
 /// Throws Error when a term is outside its range: names it, its unit and what is allowed.
 void require_valid(const Atmosphere& atmosphere);

@@ -242,28 +242,6 @@ Wavelengths chosen(std::span<const Atmosphere> airs, std::span<const atmosphere:
   return some;
 }
 
-/// Air that has some of all that any of those has.
-Atmosphere richest(std::span<const Atmosphere> airs) {
-  auto rich = airs.front();
-  const auto add = [](atmosphere::Column& to, const atmosphere::Column& column) {
-    to.dust_extinction_per_m = std::max(to.dust_extinction_per_m, column.dust_extinction_per_m);
-    to.ozone_du = std::max(to.ozone_du, column.ozone_du);
-    to.cloud_cover = std::max(to.cloud_cover, column.cloud_cover);
-  };
-  const auto add_belts = [&](atmosphere::Belts& to, const atmosphere::Belts& belts) {
-    for (std::size_t i = 0; i < to.size(); ++i) add(to[i].column, belts[i].column);
-  };
-  for (const auto& air : airs.subspan(1)) {
-    add(rich.column, air.column);
-    add_belts(rich.belts, air.belts);
-    for (std::size_t i = 0; i < rich.regions.size(); ++i) {
-      add(rich.regions[i].column, air.regions[i].column);
-      add_belts(rich.regions[i].belts, air.regions[i].belts);
-    }
-  }
-  return rich;
-}
-
 /// The rings asked for and those put between them. Where light of all wavelengths does not fit into
 /// memory, some of these say where rings are put.
 std::vector<Ring> rings_of(std::span<const Atmosphere> airs, const Arrangement& arrangement,
@@ -274,12 +252,18 @@ std::vector<Ring> rings_of(std::span<const Atmosphere> airs, const Arrangement& 
   const auto optics = optics_of(airs.front(), wavelengths_nm);
   const auto sun =
       photons::disc_terms(wavelengths_nm, arrangement.limb_darkening, settings.sun_terms);
-  const auto rich = richest(airs);
+  const auto rich = atmosphere::richest(airs);
   const photons::WholeLimb limb(rich, optics, settings.rays, photons::WholeLimb::Fans::when_asked);
-  const Around around(limb, highest_harmonic(rich), directions.angles_rad);
+  const Around around(limb, std::min(highest_harmonic(rich), settings.harmonics),
+                      directions.angles_rad);
   const auto sunlit = [&](const Wavelengths& wavelengths) {
-    return LandedPlane::Sunlit{
-        limb, around, wavelengths.sun, wavelengths.waves, arrangement, bin_width_m(settings.rays)};
+    return LandedPlane::Sunlit{limb,
+                               around,
+                               wavelengths.sun,
+                               wavelengths.waves,
+                               arrangement,
+                               bin_width_m(settings.rays),
+                               axis_distances_m.back()};
   };
   const auto all = chosen(airs, optics, sun, optics.size());
   Solver solver(sunlit(all));
@@ -300,6 +284,7 @@ void require_valid(const QuadratureSettings& settings) {
                           static_cast<double>(settings.around) - 1);
   algebra::require_within("sectors around", static_cast<double>(settings.around), 4, 360);
   algebra::require_within("sectors", static_cast<double>(settings.sectors), 1, 360);
+  algebra::require_within("harmonics", settings.harmonics, 2, 160);
   algebra::require_within("error between places", settings.place_error, 0, 1);
   algebra::require_within("ratio of darkness", settings.dark_ratio, darkness_ratio, 1);
 }

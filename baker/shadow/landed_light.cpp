@@ -42,16 +42,24 @@ class ExponentialShare {
   double k_, over_whole_;
 };
 
-/// One wavelength's rays: where they land, in bins, and what they carry.
+/// One wavelength's rays: where they land, in bins, and what they carry. From the ground up to the last that lands
+/// near enough, and two more, which end what lands between.
 struct Rays {
   std::vector<double> place, impact_m, depth, transmittance;
 
-  Rays(const photons::Fan& fan, double radius_m, double sun_distance_m, double depth_m,
-       double bin_m)
-      : depth(fan.optical_depth) {
-    for (std::size_t i = 0; i < depth.size(); ++i) {
+  Rays(const photons::Fan& fan, const LandingPlane& plane, double radius_m) {
+    std::size_t count = fan.bending_rad.size();
+    for (std::size_t i = 0; i < count; ++i) {
       impact_m.push_back(radius_m + fan.impact_height_m[i]);
-      place.push_back(landing_m(impact_m[i], fan.bending_rad[i], sun_distance_m, depth_m) / bin_m);
+      place.push_back(
+          landing_m(impact_m[i], fan.bending_rad[i], plane.sun_distance_m, plane.depth_m) /
+          plane.bin_m);
+    }
+    const double reach = plane.reach_m / plane.bin_m;
+    while (count > 3 && place[count - 3] > reach) --count;
+    place.resize(count), impact_m.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      depth.push_back(fan.optical_depth[i]);
       transmittance.push_back(std::exp(-depth[i]));
     }
   }
@@ -60,7 +68,9 @@ struct Rays {
 /// Gathers one wavelength's light, of a block's sums.
 class Gatherer {
  public:
-  Gatherer(double* sums, int first, std::size_t lane) : sums_(sums + lane), first_(first) {}
+  /// Given  first, last  bins that are gathered: light lands in no earlier one, and later ones are left out
+  Gatherer(double* sums, int first, int last, std::size_t lane)
+      : sums_(sums + lane), first_(first), last_(last) {}
 
   void add(const Rays& rays, std::span<const double> filter) const {
     constexpr double near = 4. / 3, far = -1. / 3;
@@ -73,6 +83,7 @@ class Gatherer {
 
  private:
   void add_cell(const Rays& rays, std::size_t i, std::size_t j, double weight) const {
+    if (std::min(rays.place[i], rays.place[j]) >= last_) return;
     const double k = rays.depth[i] - rays.depth[j], b0 = rays.impact_m[i], b1 = rays.impact_m[j];
     const double light = weight * (b1 - b0) * (b0 + b1) / 2 *
                          exponential_mean(rays.transmittance[i], rays.transmittance[j], k);
@@ -89,7 +100,7 @@ class Gatherer {
     const ExponentialShare share(steepness);
     const double width = 1 / (to - from);
     double before = 0, low = from;
-    for (; bin + 1 < to; ++bin) {
+    for (; bin + 1 < to && bin < last_; ++bin) {
       const double up_to = light * share((bin + 1 - from) * width);
       put(bin, low, bin + 1, up_to - before);
       before = up_to;
@@ -100,6 +111,7 @@ class Gatherer {
 
   /// Light spread evenly over a part of a bin, where the sum up to the bin's end will find it.
   void put(int bin, double low, double high, double light) const {
+    if (bin >= last_) return;
     const double middle = (low + high) / 2, width = high - low;
     double* row = sums_ + static_cast<std::size_t>(bin + 1 - first_) * row_size;
     row[0] += light;
@@ -108,7 +120,7 @@ class Gatherer {
   }
 
   double* sums_;
-  int first_;
+  int first_, last_;
 };
 
 /// Places where rays land, from the lowest ray that carries light upwards: a deck of cloud stops all below its
@@ -121,20 +133,21 @@ std::span<const double> lit(std::span<const double> places, std::span<const doub
 
 }  // namespace
 
-LandedLight::LandedLight(std::span<const photons::Fan> fans, double radius_m, double sun_distance_m,
-                         double depth_m, double bin_m) {
+LandedLight::LandedLight(std::span<const photons::Fan> fans, const LandingPlane& plane,
+                         double radius_m) {
   std::vector<Rays> rays;
   double least = std::numeric_limits<double>::max(), greatest = -least;
   for (const auto& fan : fans) {
-    const auto& places = rays.emplace_back(fan, radius_m, sun_distance_m, depth_m, bin_m).place;
+    const auto& places = rays.emplace_back(fan, plane, radius_m).place;
     const auto [low, high] = std::ranges::minmax(lit(places, fan.filter));
     least = std::min(least, low), greatest = std::max(greatest, high);
   }
   first_ = static_cast<int>(std::floor(least));
-  last_ = static_cast<int>(std::floor(greatest)) + 1;
+  last_ = std::max(
+      first_, static_cast<int>(std::floor(std::min(greatest, plane.reach_m / plane.bin_m))) + 1);
   sums_.resize(static_cast<std::size_t>(last_ - first_ + 1) * row_size);
   for (std::size_t w = 0; w < rays.size(); ++w)
-    Gatherer(sums_.data(), first_, w).add(rays[w], fans[w].filter);
+    Gatherer(sums_.data(), first_, last_, w).add(rays[w], fans[w].filter);
   for (std::size_t i = row_size; i < sums_.size(); ++i) sums_[i] += sums_[i - row_size];
 }
 

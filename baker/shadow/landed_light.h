@@ -17,6 +17,13 @@ inline constexpr std::size_t moments = 3;
 /// Wavelengths whose sums stand side by side: a block of them.
 inline constexpr std::size_t lanes = 8;
 
+/// A plane that light lands on.
+struct LandingPlane {
+  double sun_distance_m, depth_m;
+  double bin_m;    ///< width of the bins that light is gathered in, of distance from the axis
+  double reach_m;  ///< distance from the axis beyond which light, on its own side, is left out
+};
+
 /// ∫ r^m T b db over the rays of one part of the limb that land nearer than each of evenly spaced
 /// signed distances r from the axis, on one plane, of a block of wavelengths; r in bins.
 ///
@@ -25,11 +32,11 @@ inline constexpr std::size_t lanes = 8;
 /// order in the rays' spacing (Richardson).
 class LandedLight {
  public:
-  /// Given  fans  of the block's wavelengths, as many as `lanes` at most
-  LandedLight(std::span<const photons::Fan> fans, double radius_m, double sun_distance_m,
-              double depth_m, double bin_m);
+  /// Given  fans      of the block's wavelengths, as many as `lanes` at most
+  ///        radius_m  of the limb's ground
+  LandedLight(std::span<const photons::Fan> fans, const LandingPlane& plane, double radius_m);
 
-  /// Up to the first node no light lands, up to the last all does.
+  /// Up to the first node no light lands, up to the last all that is not left out.
   int first() const { return first_; }
   int last() const { return last_; }
 

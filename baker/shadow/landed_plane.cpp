@@ -91,10 +91,10 @@ bool Around::is_near(std::size_t part, std::size_t angle, double half_arc_rad) c
   return false;
 }
 
-LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m)
-    : sunlit_(sunlit), depth_m_(depth_m) {
+LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m) : sunlit_(sunlit) {
   const double sun_m = sunlit.arrangement.sun_distance_m, spread = 1 + depth_m / sun_m;
   a_ = projected_solar_radius_m(sunlit.arrangement, depth_m);
+  plane_ = {sun_m, depth_m, sunlit.bin_m, sunlit.farthest_m + a_};
   factor_ = spread * spread / (pi * a_ * a_);
   const auto [least, most] = std::ranges::minmax(
       sunlit.waves, {}, [](const Wave& wave) { return wave.optics.refractivity; });
@@ -109,6 +109,7 @@ LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m)
       first_ = std::min(first_, static_cast<int>(std::floor(from / sunlit.bin_m)));
       last_ = std::max(last_, static_cast<int>(std::floor(to / sunlit.bin_m)) + 1);
     }
+  last_ = std::max(first_, std::min(last_, static_cast<int>(plane_.reach_m / sunlit.bin_m) + 1));
 }
 
 /// All where they fill little enough on all planes together: a gigabyte and a quarter; of many
@@ -133,8 +134,7 @@ LandedPlane::Blocks LandedPlane::landed(std::size_t first) const {
     std::vector<photons::Fan> fans;
     for (std::size_t w = wave; w < std::min(wave + lanes, sunlit_.waves.size()); ++w)
       fans.push_back(sunlit_.limb.fan(part, sunlit_.waves[w].optics, *sunlit_.waves[w].air));
-    found[i].emplace(fans, parts[part].radius_m, sunlit_.arrangement.sun_distance_m, depth_m_,
-                     sunlit_.bin_m);
+    found[i].emplace(fans, plane_, parts[part].radius_m);
   });
   for (auto& one : found) some.landed.push_back(std::move(*one));
   return some;

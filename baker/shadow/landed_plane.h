@@ -76,7 +76,8 @@ class LandedPlane {
     const photons::DiscTerms& sun;
     std::span<const Wave> waves;
     const Arrangement& arrangement;
-    double bin_m;  ///< width of the bins that light is gathered in, of distance from the axis
+    double bin_m;       ///< width of the bins that light is gathered in, of distance from the axis
+    double farthest_m;  ///< of all places, from the axis
   };
 
   LandedPlane(const Sunlit& sunlit, double depth_m);
@@ -120,7 +121,8 @@ class LandedPlane {
   void collect(const Stretch& stretch, bool across, std::size_t node, Draws& all) const;
 
   Sunlit sunlit_;
-  double depth_m_, a_, factor_;
+  LandingPlane plane_;
+  double a_, factor_;
   int first_ = std::numeric_limits<int>::max(), last_ = -first_;  // bins that light lands in
   Blocks landed_;                                                 // some, or where it is kept all
 };

@@ -10,8 +10,8 @@
 #include <glm/vec3.hpp>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
-#include "algebra/interpolation.h"
 #include "algebra/quadrature.h"
 #include "photons/bending.h"
 #include "shadow/padding.h"
@@ -194,53 +194,73 @@ class View {
   glm::dvec3 outwards_, aside_;
 };
 
-/// The twilight of one column of air.
+/// The twilight of one column of air, in all airs, which differ there in amounts alone.
 class Ring {
  public:
-  Ring(const Column& column, double radius_m, std::span<const atmosphere::Optics> optics)
-      : column_(column),
+  /// Given  richest  the column that has some of all that any air's has
+  ///        columns  that of each air
+  Ring(const Column& richest, std::span<const Column* const> columns, double radius_m,
+       std::span<const atmosphere::Optics> optics)
+      : column_(richest),
         radius_m_(radius_m),
-        slants_(column, photons::ProfileTable(column), radius_m),
-        points_(points_of(column, slants_, radius_m)),
-        spectra_(atmosphere::absorbers, padded(optics.size(), waves_together)),
-        filters_(2, padded(optics.size(), waves_together)) {
-    for (std::size_t w = 0; w < optics.size(); ++w) {
-      const auto spectra = atmosphere::spectra(column, optics[w]);
-      for (std::size_t k = 0; k < spectra.size(); ++k) spectra_(k, w) = spectra[k];
-      filters_(0, w) = limb_filter(column, optics[w], column.cloud_top_m - 1);
-      filters_(1, w) = limb_filter(column, optics[w], column.cloud_top_m);
-    }
+        slants_(richest, photons::ProfileTable(richest), radius_m),
+        points_(points_of(richest, slants_, radius_m)) {
+    for (const auto* column : columns) airs_.push_back(in_air(*column, optics));
   }
 
-  /// Adds the light from one direction around the Earth, a radian of it, by wavelength, padded.
+  /// Adds the light from one direction around the Earth, a radian of it, by wavelength, padded, air after air.
   void add(const View& view, std::span<double> ratio) const {
     const auto phase = scattering(column_, view.direction(radius_m_).z);
+    const std::size_t waves = ratio.size() / airs_.size();
     for (const auto& point : points_) {
       const auto here = view.at(point);
       const double lowest = std::hypot(here.x, here.y) - radius_m_;
       if (lowest < 0 && here.z > 0) continue;
       const double lit_from = here.z < 0 ? point.altitude_m : lowest;
       const bool above = std::min(lit_from, point.lowest_m) >= column_.cloud_top_m;
-      if (std::ranges::all_of(filters_.row(above), [](double share) { return share == 0; }))
-        continue;
+      if (std::ranges::all_of(airs_, [&](const InAir& air) { return air.dark[above]; })) continue;
       Amounts scattered = point.profile;
       for (std::size_t k = 0; k < phase.size(); ++k) scattered[k] *= phase[k];
-      add_scattered(scattered, sum(point.onward, slants_.up_to(lowest, here.z)), spectra_,
-                    filters_.row(above), ratio);
+      const auto passed = sum(point.onward, slants_.up_to(lowest, here.z));
+      for (std::size_t i = 0; i < airs_.size(); ++i)
+        if (!airs_[i].dark[above])
+          add_scattered(scattered, passed, airs_[i].spectra, airs_[i].filters.row(above),
+                        ratio.subspan(i * waves, waves));
     }
     for (double& value : ratio) value /= squared(view.distance_m());
   }
 
  private:
+  struct InAir {
+    Grid<double> spectra;        ///< (absorber, wavelength)
+    Grid<double> filters;        ///< (below or above the cloud's top, wavelength)
+    std::array<bool, 2> dark{};  ///< of filters: whether nothing passes
+  };
+
+  static InAir in_air(const Column& column, std::span<const atmosphere::Optics> optics) {
+    const std::size_t waves = padded(optics.size(), waves_together);
+    InAir air{{atmosphere::absorbers, waves}, {2, waves}};
+    for (std::size_t w = 0; w < optics.size(); ++w) {
+      const auto spectra = atmosphere::spectra(column, optics[w]);
+      for (std::size_t k = 0; k < spectra.size(); ++k) air.spectra(k, w) = spectra[k];
+      air.filters(0, w) = limb_filter(column, optics[w], column.cloud_top_m - 1);
+      air.filters(1, w) = limb_filter(column, optics[w], column.cloud_top_m);
+    }
+    for (const std::size_t above : {0, 1})
+      air.dark[above] =
+          std::ranges::all_of(air.filters.row(above), [](double share) { return share == 0; });
+    return air;
+  }
+
   Column column_;
   double radius_m_;
   Slants slants_;
   std::vector<Point> points_;
-  Grid<double> spectra_;  // (absorber, wavelength)
-  Grid<double> filters_;  // (below or above the cloud's top, wavelength)
+  std::vector<InAir> airs_;
 };
 
-/// By the angle between the limb's direction and the place's: half around, the other half alike.
+/// By the angle between the limb's direction and the place's, half around, the other half alike: light by
+/// wavelength, padded, air after air.
 using AroundTheRing = std::vector<std::vector<double>>;
 
 /// What an even series in the angle has at each of some angles around, by its values at those of
@@ -263,9 +283,10 @@ Grid<double> between_angles(std::size_t angles) {
 }
 
 /// Given  shares  of the angles asked for, as `between_angles` has them
+///        waves   padded, of all airs
 AroundTheRing around(const Ring& ring, double axis_distance_m, double depth_m,
                      const Grid<double>& shares, std::size_t waves) {
-  AroundTheRing nodes(shares.columns(), std::vector<double>(padded(waves, waves_together))),
+  AroundTheRing nodes(shares.columns(), std::vector<double>(waves)),
       light(shares.rows(), std::vector<double>(waves));
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     const double psi = 2 * pi * static_cast<double>(a) / angles_around;
@@ -280,24 +301,35 @@ AroundTheRing around(const Ring& ring, double axis_distance_m, double depth_m,
   return light;
 }
 
-std::vector<Ring> rings_of(const Atmosphere& atmosphere, std::span<const double> wavelengths_nm) {
-  const double radius = (atmosphere::limb_at(atmosphere.earth, 0).radius_m +
-                         atmosphere::limb_at(atmosphere.earth, pi / 2).radius_m) /
+std::vector<Ring> rings_of(std::span<const Atmosphere> airs,
+                           std::span<const double> wavelengths_nm) {
+  const auto rich = atmosphere::richest(airs);
+  const double radius = (atmosphere::limb_at(rich.earth, 0).radius_m +
+                         atmosphere::limb_at(rich.earth, pi / 2).radius_m) /
                         2;
-  const auto optics = optics_of(atmosphere, wavelengths_nm);
+  const auto optics = optics_of(rich, wavelengths_nm);
+  const auto richest = rich.columns();
   std::vector<Ring> rings;
-  for (const auto* column : atmosphere.columns()) rings.emplace_back(*column, radius, optics);
+  for (std::size_t c = 0; c < richest.size(); ++c) {
+    std::vector<const Column*> columns;
+    for (const auto& air : airs) columns.push_back(air.columns()[c]);
+    rings.emplace_back(*richest[c], columns, radius, optics);
+  }
   return rings;
 }
 
 /// The ring as one sector sees it, each part with the air that stands there.
+///
+/// Given  first_wave  of the rings', where this air's begin
 void gather(const Atmosphere& atmosphere, const std::vector<AroundTheRing>& rings,
-            std::size_t sector, std::size_t angles, double factor, std::span<double> ratio) {
+            std::size_t sector, std::size_t angles, double factor, std::size_t first_wave,
+            std::span<double> ratio) {
   for (std::size_t a = 0; a < angles; ++a) {
     const double phi = 2 * pi * static_cast<double>(a + sector) / static_cast<double>(angles);
     for (const auto& [column, share] : atmosphere.shares_at(phi)) {
       const auto& light = rings[column][std::min(a, angles - a)];
-      for (std::size_t w = 0; w < ratio.size(); ++w) ratio[w] += share * factor * light[w];
+      for (std::size_t w = 0; w < ratio.size(); ++w)
+        ratio[w] += share * factor * light[first_wave + w];
     }
   }
 }
@@ -311,69 +343,120 @@ std::vector<double> coarser(const std::vector<double>& list, double step) {
   return coarse;
 }
 
+/// Where a value lies among others: the one below, and how far towards the next; held at both ends.
+struct Among {
+  std::size_t below, above;
+  double further;
+};
+
+std::vector<Among> among(std::span<const double> all, std::span<const double> values) {
+  std::vector<Among> places;
+  for (const double value : values) {
+    const auto above = static_cast<std::size_t>(std::ranges::upper_bound(all, value) - all.begin());
+    if (above == 0 || above == all.size()) {
+      const std::size_t end = above == 0 ? 0 : above - 1;
+      places.push_back({end, end, 0});
+    } else {
+      places.push_back(
+          {above - 1, above, (value - all[above - 1]) / (all[above] - all[above - 1])});
+    }
+  }
+  return places;
+}
+
+/// Adds twilight that was computed on one plane, at some sectors, distances and wavelengths.
+void add_between(const RefractedLight& more, RefractedLight& light) {
+  const double sun_m = light.arrangement.sun_distance_m, from_m = more.arrangement.depths_m.front();
+  const auto waves = among(more.wavelengths_nm, light.wavelengths_nm);
+  std::vector<double> there(more.wavelengths_nm.size());
+  for (std::size_t plane = 0; plane < light.arrangement.depths_m.size(); ++plane) {
+    const double depth_m = light.arrangement.depths_m[plane], nearer = from_m / depth_m,
+                 brighter = squared(nearer * (1 + depth_m / sun_m) / (1 + from_m / sun_m));
+    std::vector<double> distances_m;
+    for (const double distance_m : light.axis_distances_m)
+      distances_m.push_back(nearer * distance_m);
+    const auto distances = among(more.axis_distances_m, distances_m);
+    for (std::size_t sector = 0; sector < light.sectors; ++sector) {
+      const std::size_t before = sector * more.sectors / light.sectors;
+      const double further = static_cast<double>(sector * more.sectors % light.sectors) /
+                             static_cast<double>(light.sectors);
+      const auto &coarse = more.ratio[before], &next = more.ratio[(before + 1) % more.sectors];
+      auto& ratio = light.ratio[plane * light.sectors + sector];
+      for (std::size_t d = 0; d < distances.size(); ++d) {
+        const auto& [below, above, farther] = distances[d];
+        for (std::size_t w = 0; w < there.size(); ++w)
+          there[w] =
+              brighter * std::lerp(std::lerp(coarse(below, w), next(below, w), further),
+                                   std::lerp(coarse(above, w), next(above, w), further), farther);
+        for (std::size_t w = 0; w < waves.size(); ++w)
+          ratio(d, w) += std::lerp(there[waves[w].below], there[waves[w].above], waves[w].further);
+      }
+    }
+  }
+}
+
 }  // namespace
 
-RefractedLight twilight(const Atmosphere& whole, const Arrangement& arrangement,
-                        std::span<const double> wavelengths_nm,
-                        std::span<const double> axis_distances_m) {
-  require_valid(whole);
-  const auto atmosphere = with_fewer_belts(whole);
+std::vector<RefractedLight> twilight_in(std::span<const Atmosphere> airs,
+                                        const Arrangement& arrangement,
+                                        std::span<const double> wavelengths_nm,
+                                        std::span<const double> axis_distances_m) {
   require_valid(arrangement);
+  std::vector<Atmosphere> all;
+  for (const auto& air : airs) {
+    require_valid(air);
+    all.push_back(with_fewer_belts(air));
+  }
   const std::size_t planes = arrangement.depths_m.size(), distances = axis_distances_m.size(),
-                    waves = wavelengths_nm.size();
-  const std::size_t sectors = atmosphere.one_column() ? 1 : sectors_around;
+                    waves = wavelengths_nm.size(), waves_apart = padded(waves, waves_together);
+  const std::size_t sectors = all.front().one_column() ? 1 : sectors_around;
   const std::size_t angles = std::max(angles_around, sectors);
-  auto light = darkness(arrangement, wavelengths_nm, axis_distances_m, sectors);
-  if (atmosphere.top_m() <= 0 || waves == 0) return light;
-  const auto rings = rings_of(atmosphere, wavelengths_nm);
+  std::vector<RefractedLight> lights(
+      all.size(), darkness(arrangement, wavelengths_nm, axis_distances_m, sectors));
+  if (all.front().top_m() <= 0 || waves == 0) return lights;
+  const auto rings = rings_of(all, wavelengths_nm);
   const auto shares = between_angles(angles);
   tbb::parallel_for(std::size_t{0}, planes * distances, [&](std::size_t i) {
     const std::size_t k = i / distances, d = i % distances;
     const double depth = arrangement.depths_m[k];
-    std::vector<AroundTheRing> lights;
+    std::vector<AroundTheRing> around_rings;
     for (const auto& ring : rings)
-      lights.push_back(around(ring, axis_distances_m[d], depth, shares, waves));
+      around_rings.push_back(
+          around(ring, axis_distances_m[d], depth, shares, all.size() * waves_apart));
     const double factor =
         squared(1 + depth / arrangement.sun_distance_m) * 2 * pi / static_cast<double>(angles);
-    for (std::size_t s = 0; s < sectors; ++s)
-      gather(atmosphere, lights, s, angles, factor, light.ratio[k * sectors + s].row(d));
+    for (std::size_t air = 0; air < all.size(); ++air)
+      for (std::size_t s = 0; s < sectors; ++s)
+        gather(all[air], around_rings, s, angles, factor, air * waves_apart,
+               lights[air].ratio[k * sectors + s].row(d));
   });
-  return light;
+  return lights;
+}
+
+RefractedLight twilight(const Atmosphere& atmosphere, const Arrangement& arrangement,
+                        std::span<const double> wavelengths_nm,
+                        std::span<const double> axis_distances_m) {
+  return std::move(
+      twilight_in(std::span(&atmosphere, 1), arrangement, wavelengths_nm, axis_distances_m)
+          .front());
+}
+
+void add_twilight_in(std::span<RefractedLight> lights, std::span<const Atmosphere> airs) {
+  constexpr double step_nm = 5;  // of the ozone's cross-sections
+  constexpr double step_m = 1000e3;
+  const auto& first = lights.front();
+  if (first.wavelengths_nm.empty() || first.axis_distances_m.empty()) return;
+  const auto& depths_m = first.arrangement.depths_m;
+  auto on_one_plane = first.arrangement;
+  on_one_plane.depths_m = {std::midpoint(depths_m.front(), depths_m.back())};
+  const auto more = twilight_in(airs, on_one_plane, coarser(first.wavelengths_nm, step_nm),
+                                coarser(first.axis_distances_m, step_m));
+  tbb::parallel_for(std::size_t{0}, lights.size(),
+                    [&](std::size_t i) { add_between(more[i], lights[i]); });
 }
 
 void add_twilight(RefractedLight& light, const Atmosphere& atmosphere) {
-  constexpr double step_nm = 5;  // of the ozone's cross-sections
-  constexpr double step_m = 1000e3;
-  if (light.wavelengths_nm.empty() || light.axis_distances_m.empty()) return;
-  const auto& depths_m = light.arrangement.depths_m;
-  const double sun_m = light.arrangement.sun_distance_m,
-               middle_m = std::midpoint(depths_m.front(), depths_m.back());
-  auto on_one_plane = light.arrangement;
-  on_one_plane.depths_m = {middle_m};
-  const auto more = twilight(atmosphere, on_one_plane, coarser(light.wavelengths_nm, step_nm),
-                             coarser(light.axis_distances_m, step_m));
-  std::vector<double> across(more.axis_distances_m.size()), there(more.wavelengths_nm.size());
-  for (std::size_t g = 0; g < light.ratio.size(); ++g) {
-    const std::size_t plane = g / light.sectors, sector = g % light.sectors;
-    const double nearer = middle_m / depths_m[plane],
-                 brighter =
-                     squared(nearer * (1 + depths_m[plane] / sun_m) / (1 + middle_m / sun_m));
-    const std::size_t before = sector * more.sectors / light.sectors;
-    const double further = static_cast<double>(sector * more.sectors % light.sectors) /
-                           static_cast<double>(light.sectors);
-    const auto &coarse = more.ratio[before], &next = more.ratio[(before + 1) % more.sectors];
-    for (std::size_t d = 0; d < light.axis_distances_m.size(); ++d) {
-      for (std::size_t w = 0; w < there.size(); ++w) {
-        for (std::size_t i = 0; i < across.size(); ++i)
-          across[i] = std::lerp(coarse(i, w), next(i, w), further);
-        there[w] = brighter * algebra::interpolated(more.axis_distances_m, across,
-                                                    nearer * light.axis_distances_m[d]);
-      }
-      for (std::size_t w = 0; w < light.wavelengths_nm.size(); ++w)
-        light.ratio[g](d, w) +=
-            algebra::interpolated(more.wavelengths_nm, there, light.wavelengths_nm[w]);
-    }
-  }
+  add_twilight_in(std::span(&light, 1), std::span(&atmosphere, 1));
 }
 
 void add_starlight(RefractedLight& light) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "atmosphere/atmosphere.h"
 #include "shadow/irradiance.h"
@@ -38,6 +39,15 @@ RefractedLight twilight(const atmosphere::Atmosphere& atmosphere, const Arrangem
                         std::span<const double> wavelengths_nm,
                         std::span<const double> axis_distances_m);
 
+/// The same in several airs at once, in less time than one after the other: lines through the air are
+/// followed once.
+///
+/// Given  airs  one or more, that differ in amounts of dust, ozone and cloud cover alone
+std::vector<RefractedLight> twilight_in(std::span<const atmosphere::Atmosphere> airs,
+                                        const Arrangement& arrangement,
+                                        std::span<const double> wavelengths_nm,
+                                        std::span<const double> axis_distances_m);
+
 /// Adds the twilight to light in the shadow: computed on one plane in the middle, every 1000 km of axis
 /// distance and every 5 nm, with straight lines between, where more places and wavelengths are asked for.
 /// On other planes it falls with the square of the distance from the Earth.
@@ -45,6 +55,13 @@ RefractedLight twilight(const atmosphere::Atmosphere& atmosphere, const Arrangem
 /// Given     light  its wavelengths increase
 /// Accuracy  0.5 % of the twilight
 void add_twilight(RefractedLight& light, const atmosphere::Atmosphere& atmosphere);
+
+/// The same in several airs at once.
+///
+/// Given  lights  one in each air, at the same places and wavelengths
+///        airs    as twilight_in has them
+void add_twilight_in(std::span<RefractedLight> lights,
+                     std::span<const atmosphere::Atmosphere> airs);
 
 /// Ratio to sunlight at 1 au of the light that the stars of half the sky shed on a surface: a mean
 /// of 100 stars of tenth magnitude a square degree, under a Sun of V = −26.74. Its spectrum is

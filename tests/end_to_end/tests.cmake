@@ -4,7 +4,7 @@ coppermoon_tests(end_to_end LINKS coppermoon::verbs PkgConfig::OpenImageIO
   HEAVY animate bad_input brightness camera compare craters eclipses explore exposure film_files film_folder film_pictures fit high_range image_reader json
         lost_files low_moon merge night orientation outputs paper_figures personal_settings plans recipes refusals ring scene_folder shadow_strip start terms texture_files
         tradeoff
-  SLOW film nights planned_runs recovery)
+  SLOW film nights planned_regions planned_runs recovery)
 # where the installed program looks for its module
 target_compile_definitions(end_to_end_heavy_tests PRIVATE
                            $<TARGET_PROPERTY:coppermoon_loaded_images,COMPILE_DEFINITIONS>)

@@ -66,9 +66,7 @@ std::vector<double> evenly(Range range, int intervals) {
   return all;
 }
 
-/// Straight lines are drawn between sectors: 24 leave half a percent at the umbra's edge on an
-/// ellipsoid.
-constexpr std::size_t sectors_of_a_plan = 96, sectors_of_a_trial = 24;
+constexpr std::size_t sectors_of_a_trial = 24;
 
 /// Sectors that the disc takes in, going round from the first.
 struct Sectors {
@@ -274,11 +272,12 @@ atmosphere::Atmosphere air_for(const plan::Work& work, const ShadowedMoon& moon)
   return air;
 }
 
-shadow::QuadratureSettings quadrature_for(const plan::Work& work, const ShadowedMoon& moon) {
-  const auto sectors = sectors_of(moon, sectors_of_a_plan);
+shadow::QuadratureSettings quadrature_for(const plan::Work& work, const ShadowedMoon& moon,
+                                          std::size_t around) {
+  const auto sectors = sectors_of(moon, around);
   return {.rays = work.rays,
           .sun_terms = work.sun_terms,
-          .around = sectors_of_a_plan,
+          .around = around,
           .first_sector = sectors.first,
           .sectors = sectors.count,
           .place_error = work.place_error};

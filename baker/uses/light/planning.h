@@ -43,8 +43,15 @@ std::vector<double> distances_over_the_disc(const ShadowedMoon& moon);
 /// The air with some terms left out: see plan::Work.
 atmosphere::Atmosphere air_for(const plan::Work& work, const ShadowedMoon& moon);
 
+/// Sectors of all position angles, between which straight lines are drawn: 24 leave half a percent at the umbra's
+/// edge on an ellipsoid.
+inline constexpr std::size_t sectors_of_a_plan = 96;
+
 /// The quadrature's settings, and the sectors that the disc takes in.
-shadow::QuadratureSettings quadrature_for(const plan::Work& work, const ShadowedMoon& moon);
+///
+/// Given  around  sectors of all position angles
+shadow::QuadratureSettings quadrature_for(const plan::Work& work, const ShadowedMoon& moon,
+                                          std::size_t around = sectors_of_a_plan);
 
 /// What work depends on; how much each term matters is tried at a few places, coarsely.
 plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose);

@@ -280,5 +280,22 @@ TEST(Atmosphere, OfTheDefaultsIsThePapersSphere) {
   EXPECT_EQ(Atmosphere{}.top_radius_m(), 6.42e6);
 }
 
+TEST(Richest, HasTheMostOfEachAmountInEveryColumn) {
+  Atmosphere air;
+  air.belts = {{0, {}}, {3, {}}};
+  air.regions = {{algebra::degrees(20), algebra::degrees(40), {}}};
+  auto dusty = air, cloudy = air;
+  dusty.belts[1].column.dust_extinction_per_m = 1e-6;
+  dusty.regions[0].column.ozone_du = 500;
+  cloudy.column.cloud_cover = 0.7;
+  cloudy.belts[1].column.dust_extinction_per_m = 1e-7;
+  const std::array airs{air, dusty, cloudy};
+  const auto rich = richest(airs);
+  EXPECT_EQ(rich.column.cloud_cover, 0.7);
+  EXPECT_EQ(rich.belts[0].column.dust_extinction_per_m, air.column.dust_extinction_per_m);
+  EXPECT_EQ(rich.belts[1].column.dust_extinction_per_m, 1e-6);
+  EXPECT_EQ(rich.regions[0].column.ozone_du, 500);
+}
+
 }  // namespace
 }  // namespace coppermoon::atmosphere

@@ -280,6 +280,26 @@ TEST(ByQuadrature, ComputesOnlyTheSectorsAskedFor) {
       EXPECT_EQ(some.ratio[s](d, 0), s >= 22 || s < 2 ? all.ratio[s](d, 0) : 0) << s;
 }
 
+TEST(ByQuadrature, OfFewerHarmonicsIsNearlyThatOfAllInBelts) {
+  auto air = atmosphere::preset("paper", algebra::degrees(10));
+  for (int i = 0; i < 13; ++i) {
+    air.belts.push_back({std::numbers::pi * i / 12, air.column});
+    air.belts.back().column.dust_extinction_per_m = i * 5e-7;
+  }
+  const std::vector<double> waves{550};
+  const auto distances = up_to(4e6, 1e6);
+  const auto all = by_quadrature(air, february_2008, waves, distances);
+  const auto fewer = by_quadrature(air, february_2008, waves, distances, {.harmonics = 24});
+  for (std::size_t s = 0; s < sectors_around; ++s)
+    for (std::size_t d = 0; d < distances.size(); ++d)
+      EXPECT_WITHIN_RELATIVE(fewer.ratio[s](d, 0), all.ratio[s](d, 0), 1e-3,
+                             "belts are wider than 7.5 degrees; more beyond the umbra")
+          << s << " " << distances[d];
+  EXPECT_NE(fewer.ratio[3](4, 0), all.ratio[3](4, 0));
+  EXPECT_THROW(by_quadrature(air, february_2008, waves, distances, {.harmonics = 1}),
+               algebra::Error);
+}
+
 /// An ellipsoid's position angles come from two of them; air with a region has each computed.
 TEST(ByQuadrature, OfAnEllipsoidIsTheSameByTwoPositionAnglesAsByEach) {
   atmosphere::Atmosphere air{.earth = atmosphere::ellipsoid(0.2)};

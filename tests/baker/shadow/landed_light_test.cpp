@@ -33,7 +33,7 @@ double landing_bin(double impact_height_m, double bin_m) {
 /// ∫ (r − centre)^m b db of all five, r in bins.
 double moment_about(double centre, std::size_t moment, double bin_m) {
   const std::array fans{five_rays()};
-  const LandedLight landed(fans, radius_m, sun_m, moon_m, bin_m);
+  const LandedLight landed(fans, {sun_m, moon_m, bin_m, 1e8}, radius_m);
   std::array<double, moments> factors{1, 0, 0};
   if (moment == 1) factors = {-centre, 1, 0};
   if (moment == 2) factors = {centre * centre, -2 * centre, 1};
@@ -54,6 +54,21 @@ TEST(LandedLight, HasTheMomentsOfAnEvenSpread) {
                            "closed form; of a bin 1e6 m wide, 6 digits of 16 are left")
         << bin_m;
   }
+}
+
+TEST(LandedLight, LeavesOutWhatLandsBeyondItsReach) {
+  const std::array fans{five_rays()};
+  const double bin_m = 7, reach_m = (landing_bin(0, bin_m) + landing_bin(60, bin_m)) / 2 * bin_m;
+  const LandedLight whole(fans, {sun_m, moon_m, bin_m, 1e8}, radius_m),
+      near(fans, {sun_m, moon_m, bin_m, reach_m}, radius_m),
+      none(fans, {sun_m, moon_m, bin_m, 1e3}, radius_m);
+  ASSERT_EQ(near.first(), whole.first());
+  EXPECT_LT(near.last(), whole.last());
+  EXPECT_GE(near.last() * bin_m, reach_m);
+  const auto count = static_cast<std::size_t>(near.last() - near.first() + 1) * moments * lanes;
+  for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(near.sums()[i], whole.sums()[i]) << i;
+  EXPECT_EQ(none.last(), none.first());
+  EXPECT_EQ(none.sums()[0], 0);
 }
 
 }  // namespace

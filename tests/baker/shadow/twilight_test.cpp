@@ -188,6 +188,34 @@ TEST(Twilight, ComesFromTheRegionsOnItsOwnSide) {
   EXPECT_GT(std::abs(light.ratio[0](1, 0) - light.ratio[12](1, 0)), 0.1 * light.ratio[0](1, 0));
 }
 
+TEST(Twilight, InSeveralAirsIsThatInEach) {
+  auto air = atmosphere::preset("undated", algebra::degrees(0));
+  for (int i = 0; i < 5; ++i) air.belts.push_back({pi * i / 4, air.column});
+  std::vector<Atmosphere> airs;
+  for (const double ozone_du : {100., 500.})
+    for (const double cover : {0.01, 0.4, 1.}) {
+      airs.push_back(air);
+      for (auto& belt : airs.back().belts) {
+        belt.column.ozone_du = ozone_du + 20 * belt.from_north_rad;
+        belt.column.cloud_cover = cover;
+        belt.column.dust_extinction_per_m = cover * 3e-6;
+      }
+    }
+  const std::vector<double> waves{400, 500, 600}, distances{0, 3e6};
+  const Arrangement arrangement{sun_m, {moon_m, 1.01 * moon_m}};
+  const auto together = twilight_in(airs, arrangement, waves, distances);
+  ASSERT_EQ(together.size(), airs.size());
+  for (std::size_t i = 0; i < airs.size(); ++i) {
+    const auto alone = twilight(airs[i], arrangement, waves, distances);
+    for (std::size_t g = 0; g < alone.ratio.size(); ++g)
+      for (std::size_t d = 0; d < distances.size(); ++d)
+        for (std::size_t w = 0; w < waves.size(); ++w)
+          EXPECT_WITHIN_RELATIVE(together[i].ratio[g](d, w), alone.ratio[g](d, w), 1e-12,
+                                 "rounding: all have some dust and some cloud")
+              << i << ": sector " << g << ", " << distances[d] << " m, " << waves[w] << " nm";
+  }
+}
+
 TEST(Twilight, OfNoAirIsNothing) {
   EXPECT_EQ(ratio_at(atmosphere::preset("none", algebra::degrees(0)), 0, 500), 0);
 }
