@@ -12,10 +12,10 @@
 #include <numeric>
 #include <utility>
 
-#include "algebra/quadrature.h"
 #include "photons/bending.h"
 #include "shadow/padding.h"
 #include "shadow/scattered_row.h"
+#include "shadow/sights.h"
 
 namespace coppermoon::shadow {
 namespace {
@@ -26,124 +26,9 @@ using atmosphere::Atmosphere;
 using atmosphere::Column;
 using std::numbers::pi;
 
-constexpr int nodes_a_piece = 4, points_a_sight = 48;
 constexpr std::size_t angles_around = 12;  // that a ring's light is computed at
 
 double squared(double x) { return x * x; }
-
-Amounts sum(const Amounts& a, const Amounts& b, double share_of_b = 1) {
-  Amounts both = a;
-  for (std::size_t k = 0; k < both.size(); ++k) both[k] += share_of_b * b[k];
-  return both;
-}
-
-/// Amounts of what stands on straight lines through a column of air, from a place on the line
-/// outwards: a table over the line's lowest altitude and the distance of the place from there.
-class Slants {
- public:
-  Slants(const Column& column, const photons::ProfileTable& profiles, double radius_m)
-      : top_m_(top_m(column)) {
-    const auto lines = static_cast<std::size_t>(std::ceil(top_m_ / height_step_m)) + 1;
-    const double reach_m = std::sqrt(squared(radius_m + top_m_) - squared(radius_m));
-    const auto places = static_cast<std::size_t>(std::ceil(reach_m / along_step_m)) + 1;
-    outwards_ = Grid<Amounts>(lines, places);
-    for (std::size_t i = 0; i < lines; ++i)
-      for (std::size_t j = places - 1; j-- > 0;)
-        outwards_(i, j) = sum(outwards_(i, j + 1), between(profiles, radius_m, i, j));
-  }
-
-  /// Given  along_m  0 or more; a line below the ground is taken as one along it
-  Amounts beyond(double lowest_m, double along_m) const {
-    const double row = std::max(0., lowest_m) / height_step_m, place = along_m / along_step_m;
-    const auto i = static_cast<std::size_t>(row), j = static_cast<std::size_t>(place);
-    if (i + 1 >= outwards_.rows() || j + 1 >= outwards_.columns()) return {};
-    const double v = row - static_cast<double>(i), u = place - static_cast<double>(j);
-    Amounts amounts{};
-    for (std::size_t k = 0; k < amounts.size(); ++k)
-      amounts[k] = (1 - v) * std::lerp(outwards_(i, j)[k], outwards_(i, j + 1)[k], u) +
-                   v * std::lerp(outwards_(i + 1, j)[k], outwards_(i + 1, j + 1)[k], u);
-    return amounts;
-  }
-
-  /// The same, the whole line up to a place.
-  ///
-  /// Given  along_m  below 0 where the line still sinks
-  Amounts up_to(double lowest_m, double along_m) const {
-    if (along_m < 0) return beyond(lowest_m, -along_m);
-    const auto half = beyond(lowest_m, 0);
-    return sum(sum(half, half), beyond(lowest_m, along_m), -1);
-  }
-
- private:
-  static constexpr double height_step_m = 500, along_step_m = 10e3;
-
-  Amounts between(const photons::ProfileTable& profiles, double radius_m, std::size_t i,
-                  std::size_t j) const {
-    const double lowest_m = radius_m + static_cast<double>(i) * height_step_m;
-    Amounts amounts{};
-    for (const auto& [x, weight] : algebra::gauss_legendre(3)) {
-      const double along_m = (static_cast<double>(j) + (1 + x) / 2) * along_step_m;
-      const double altitude_m = std::hypot(lowest_m, along_m) - radius_m;
-      if (altitude_m < top_m_)
-        amounts = sum(amounts, profiles(altitude_m), weight / 2 * along_step_m);
-    }
-    return amounts;
-  }
-
-  double top_m_;
-  Grid<Amounts> outwards_;  // (line, place)
-};
-
-/// A point on a sight, and all that does not depend on where the sight leads.
-struct Point {
-  double impact_m, along_m;  ///< from the sight's lowest point, positive towards the shadow
-  double altitude_m;
-  double lowest_m;          ///< from here on
-  Amounts profile, onward;  ///< profile: times b db ds
-};
-
-/// Where sights are cut: what air, cloud and dust there is changes there.
-std::vector<double> stations(const Column& column) {
-  const double top = top_m(column);
-  std::vector<double> heights{0, 5e3, 10e3, 15e3, 20e3, 25e3, 30e3, 40e3, 55e3, top};
-  if (column.cloud_cover > 0) heights.push_back(column.cloud_top_m);
-  if (column.dust_extinction_per_m > 0)
-    heights.insert(heights.end(), {column.dust_bottom_m, column.dust_top_m});
-  std::erase_if(heights, [&](double h) { return h > top; });
-  std::sort(heights.begin(), heights.end());
-  return heights;
-}
-
-/// Sights that pass at nearly one height.
-struct Layer {
-  double height_m, width_m;
-};
-
-void add_sight(const Column& column, const Slants& slants, double radius_m, const Layer& layer,
-               std::vector<Point>& points) {
-  const double impact = radius_m + layer.height_m;
-  const double reach = std::sqrt(squared(radius_m + top_m(column)) - squared(impact));
-  const double step = 2 * reach / points_a_sight;
-  for (int i = 0; i < points_a_sight; ++i) {
-    const double along = (i + 0.5) * step - reach;
-    const double altitude = std::hypot(impact, along) - radius_m;
-    points.push_back({impact, along, altitude, along < 0 ? layer.height_m : altitude,
-                      sum({}, profiles(column, altitude), impact * layer.width_m * step),
-                      slants.up_to(layer.height_m, -along)});
-  }
-}
-
-std::vector<Point> points_of(const Column& column, const Slants& slants, double radius_m) {
-  std::vector<Point> points;
-  const auto ends = stations(column);
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-    for (const auto& [x, weight] : algebra::gauss_legendre(nodes_a_piece)) {
-      const double width = (ends[i + 1] - ends[i]) / 2;
-      if (width > 0)
-        add_sight(column, slants, radius_m, {ends[i] + (1 + x) * width, weight * width}, points);
-    }
-  return points;
-}
 
 /// ω P(χ) / (4π) of each absorber.
 Amounts scattering(const Column& column, double cosine) {
@@ -183,7 +68,7 @@ class View {
     return std::sqrt(1 - sine * sine) * outwards_ - sine * aside_;
   }
 
-  glm::dvec3 at(const Point& point) const {
+  glm::dvec3 at(const SightPoint& point) const {
     const double sine = point.impact_m / distance_m_;
     const auto lowest = std::sqrt(1 - sine * sine) * aside_ + sine * outwards_;
     return point.impact_m * lowest + point.along_m * direction(point.impact_m);
@@ -204,7 +89,7 @@ class Ring {
       : column_(richest),
         radius_m_(radius_m),
         slants_(richest, photons::ProfileTable(richest), radius_m),
-        points_(points_of(richest, slants_, radius_m)) {
+        points_(points_on_sights(richest, slants_, radius_m)) {
     for (const auto* column : columns) airs_.push_back(in_air(*column, optics));
   }
 
@@ -221,7 +106,8 @@ class Ring {
       if (std::ranges::all_of(airs_, [&](const InAir& air) { return air.dark[above]; })) continue;
       Amounts scattered = point.profile;
       for (std::size_t k = 0; k < phase.size(); ++k) scattered[k] *= phase[k];
-      const auto passed = sum(point.onward, slants_.up_to(lowest, here.z));
+      auto passed = slants_.up_to(lowest, here.z);
+      for (std::size_t k = 0; k < passed.size(); ++k) passed[k] += point.onward[k];
       for (std::size_t i = 0; i < airs_.size(); ++i)
         if (!airs_[i].dark[above])
           add_scattered(scattered, passed, airs_[i].spectra, airs_[i].filters.row(above),
@@ -255,7 +141,7 @@ class Ring {
   Column column_;
   double radius_m_;
   Slants slants_;
-  std::vector<Point> points_;
+  std::vector<SightPoint> points_;
   std::vector<InAir> airs_;
 };
 
