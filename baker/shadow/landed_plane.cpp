@@ -109,7 +109,8 @@ LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m) : sunlit_(sunlit)
       first_ = std::min(first_, static_cast<int>(std::floor(from / sunlit.bin_m)));
       last_ = std::max(last_, static_cast<int>(std::floor(to / sunlit.bin_m)) + 1);
     }
-  last_ = std::max(first_, std::min(last_, static_cast<int>(plane_.reach_m / sunlit.bin_m) + 1));
+  const double reach = std::min<double>(last_, std::floor(plane_.reach_m / sunlit.bin_m) + 1);
+  last_ = std::max(first_, static_cast<int>(reach));
 }
 
 /// All where they fill little enough on all planes together: a gigabyte and a quarter; of many
