@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <ranges>
 
 #include "algebra/error.h"
 #include "colour/camera.h"
@@ -74,9 +73,9 @@ Night::Night(const FitRequest& request, std::vector<const EclipsePhotograph*> ph
   take(clock_s_, all);
   require_any();
   // the shadow leads registrations a tenth of its own way astray, so they are made anew
-  constexpr int most_readings = 3;
+  constexpr int most_registrations = 3;
   constexpr double near_s = 15;
-  for (int reading = 0; request.clock_error_s > 0 && reading < most_readings; ++reading) {
+  for (int reading = 0; request.clock_error_s > 0 && reading < most_registrations; ++reading) {
     const double before_s = clock_s_;
     find_clock();
     if (std::abs(clock_s_ - before_s) < near_s) break;
@@ -160,7 +159,8 @@ void Night::take(double clock_s, std::span<const std::size_t> indices) {
   std::vector<std::size_t> odd;
   for (std::size_t place = 0; place < taken_.size(); ++place)
     if (at_odds(taken_[place])) odd.push_back(place);
-  for (const auto place : odd | std::views::reverse) {
+  std::ranges::reverse(odd);  // what is erased moves what follows
+  for (const auto place : odd) {
     left_out_[taken_[place].index] = "a Moon of another size than on the night's other photographs";
     taken_.erase(taken_.begin() + static_cast<std::ptrdiff_t>(place));
     known_.erase(known_.begin() + static_cast<std::ptrdiff_t>(place));

@@ -150,9 +150,9 @@ void ComparedNight::add_numbers(const NightPhotograph& photograph, std::size_t i
       if (!slopes.empty())  // as the mean of cameras has it, to first order
         for (std::size_t n = 0; n < colour::tone_numbers; ++n)
           logarithm -= slopes(b, k)[n] * errors_.curve.numbers[n];
-      const double of_curve = slopes.empty() ? 0 : between_tents;
+      const double of_tents = slopes.empty() ? 0 : between_tents;
       numbers_.push_back({index, b, k, logarithm,
-                          std::hypot(noise, error_of_computation(value, brightest), of_curve)});
+                          std::hypot(noise, error_of_computation(value, brightest), of_tents)});
     }
   }
 }

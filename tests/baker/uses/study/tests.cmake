@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: MIT
 coppermoon_tests(baker/uses/study LINKS coppermoon::study
-  QUICK refracted_at
-  HEAVY fit_magnitudes fit_nuisances fit_posterior fit_scene fit_sky
+  HEAVY fit_magnitudes fit_nuisances fit_posterior fit_scene fit_sky refracted_at
   SLOW fit_light)
