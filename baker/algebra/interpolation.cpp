@@ -31,14 +31,18 @@ double least_distance(std::span<const double> x) {
 
 }  // namespace
 
+OnLine on_line(std::span<const double> x, double at) {
+  assert(!x.empty());
+  const auto above = static_cast<std::size_t>(std::ranges::upper_bound(x, at) - x.begin());
+  if (above == 0) return {0, 0, 0};
+  if (above == x.size()) return {above - 1, above - 1, 0};
+  return {above - 1, above, (at - x[above - 1]) / (x[above] - x[above - 1])};
+}
+
 double interpolated(std::span<const double> x, std::span<const double> y, double at) {
-  assert(!x.empty() && x.size() == y.size());
-  const auto above = std::upper_bound(x.begin(), x.end(), at);
-  if (above == x.begin()) return y.front();
-  if (above == x.end()) return y.back();
-  const auto i = static_cast<std::size_t>(above - x.begin());
-  const double t = (at - x[i - 1]) / (x[i] - x[i - 1]);
-  return y[i - 1] + t * (y[i] - y[i - 1]);
+  assert(x.size() == y.size());
+  const auto [below, above, further] = on_line(x, at);
+  return y[below] + further * (y[above] - y[below]);
 }
 
 double mean_between(std::span<const double> x, std::span<const double> y, double from, double to) {

@@ -8,6 +8,16 @@
 
 namespace coppermoon::algebra {
 
+/// Where a value lies among increasing ones: those on either side, and how far it is from the one below to the one
+/// above; outside, the end alone.
+struct OnLine {
+  std::size_t below, above;
+  double further;  ///< 0 to 1
+};
+
+/// Given  x  increasing, one or more
+OnLine on_line(std::span<const double> x, double at);
+
 /// Straight lines between the points (x, y), the end values held outside.
 ///
 /// Given  x  increasing; y: as many; at: where

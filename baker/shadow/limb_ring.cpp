@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "algebra/error.h"
+#include "algebra/interpolation.h"
 #include "photons/solar_disc.h"
 
 namespace coppermoon::shadow {
@@ -23,11 +24,10 @@ std::optional<Passage> passage(const photons::Fan& fan, double impact_height_m) 
   const auto& heights = fan.impact_height_m;
   if (impact_height_m < heights.front()) return std::nullopt;
   if (impact_height_m >= heights.back()) return Passage{};
-  const auto above = std::ranges::upper_bound(heights, impact_height_m) - heights.begin();
-  const auto i = static_cast<std::size_t>(above) - 1;
-  const double along = (impact_height_m - heights[i]) / (heights[i + 1] - heights[i]);
-  return Passage{std::lerp(fan.bending_rad[i], fan.bending_rad[i + 1], along),
-                 std::lerp(fan.optical_depth[i], fan.optical_depth[i + 1], along), fan.filter[i]};
+  const auto [below, above, along] = algebra::on_line(heights, impact_height_m);
+  return Passage{std::lerp(fan.bending_rad[below], fan.bending_rad[above], along),
+                 std::lerp(fan.optical_depth[below], fan.optical_depth[above], along),
+                 fan.filter[below]};
 }
 
 /// Between the parts of the limb that make up a position angle.

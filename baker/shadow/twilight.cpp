@@ -12,6 +12,7 @@
 #include <numeric>
 #include <utility>
 
+#include "algebra/interpolation.h"
 #include "photons/bending.h"
 #include "shadow/padding.h"
 #include "shadow/scattered_row.h"
@@ -229,31 +230,17 @@ std::vector<double> coarser(const std::vector<double>& list, double step) {
   return coarse;
 }
 
-/// Where a value lies among others: the one below, and how far towards the next; held at both ends.
-struct Among {
-  std::size_t below, above;
-  double further;
-};
-
-std::vector<Among> among(std::span<const double> all, std::span<const double> values) {
-  std::vector<Among> places;
-  for (const double value : values) {
-    const auto above = static_cast<std::size_t>(std::ranges::upper_bound(all, value) - all.begin());
-    if (above == 0 || above == all.size()) {
-      const std::size_t end = above == 0 ? 0 : above - 1;
-      places.push_back({end, end, 0});
-    } else {
-      places.push_back(
-          {above - 1, above, (value - all[above - 1]) / (all[above] - all[above - 1])});
-    }
-  }
-  return places;
+std::vector<algebra::OnLine> all_on_line(std::span<const double> x,
+                                         std::span<const double> values) {
+  std::vector<algebra::OnLine> all;
+  for (const double value : values) all.push_back(algebra::on_line(x, value));
+  return all;
 }
 
 /// Adds twilight that was computed on one plane, at some sectors, distances and wavelengths.
 void add_between(const RefractedLight& more, RefractedLight& light) {
   const double sun_m = light.arrangement.sun_distance_m, from_m = more.arrangement.depths_m.front();
-  const auto waves = among(more.wavelengths_nm, light.wavelengths_nm);
+  const auto waves = all_on_line(more.wavelengths_nm, light.wavelengths_nm);
   std::vector<double> there(more.wavelengths_nm.size());
   for (std::size_t plane = 0; plane < light.arrangement.depths_m.size(); ++plane) {
     const double depth_m = light.arrangement.depths_m[plane], nearer = from_m / depth_m,
@@ -261,7 +248,7 @@ void add_between(const RefractedLight& more, RefractedLight& light) {
     std::vector<double> distances_m;
     for (const double distance_m : light.axis_distances_m)
       distances_m.push_back(nearer * distance_m);
-    const auto distances = among(more.axis_distances_m, distances_m);
+    const auto distances = all_on_line(more.axis_distances_m, distances_m);
     for (std::size_t sector = 0; sector < light.sectors; ++sector) {
       const std::size_t before = sector * more.sectors / light.sectors;
       const double further = static_cast<double>(sector * more.sectors % light.sectors) /

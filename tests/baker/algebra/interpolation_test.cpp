@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "support/within.h"
@@ -35,6 +37,25 @@ TEST(Interpolated, IsConstantThroughASinglePoint) {
   constexpr std::array one{7.0};
   EXPECT_EQ(interpolated(one, one, 6), 7);
   EXPECT_EQ(interpolated(one, one, 8), 7);
+}
+
+TEST(OnLine, TellsThePointsOnEitherSide) {
+  for (const auto& [at, below, above, further] :
+       {std::tuple{1., 0U, 1U, 0.}, {3.5, 1U, 2U, 0.75}, {4., 2U, 3U, 0.}}) {
+    const auto found = on_line(x, at);
+    EXPECT_EQ(found.below, below) << at;
+    EXPECT_EQ(found.above, above) << at;
+    EXPECT_EQ(found.further, further) << at;
+  }
+}
+
+TEST(OnLine, IsAnEndOutside) {
+  for (const auto& [at, end] : {std::pair{0.9, 0U}, {5., 3U}, {1e9, 3U}}) {
+    const auto found = on_line(x, at);
+    EXPECT_EQ(found.below, end) << at;
+    EXPECT_EQ(found.above, end) << at;
+    EXPECT_EQ(found.further, 0) << at;
+  }
 }
 
 TEST(OnPolynomial, IsExactForACubicThroughFourNodes) {
