@@ -4,11 +4,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "algebra/error.h"
 #include "atmosphere/presets.h"
+#include "baker/shadow/airs_in_belts.h"
 #include "photons/bending.h"
 #include "photons/limb_darkening.h"
 #include "support/within.h"
@@ -216,18 +218,7 @@ TEST(ByQuadrature, OfThinRegionsIsNearlyThatOfBelts) {
 }
 
 TEST(ByQuadrature, InSeveralAirsIsThatInEach) {
-  auto air = atmosphere::preset("undated", algebra::degrees(0));
-  for (int i = 0; i < 5; ++i) air.belts.push_back({std::numbers::pi * i / 4, air.column});
-  std::vector<atmosphere::Atmosphere> airs;
-  for (const double ozone_du : {0., 250., 500.})
-    for (const double cover : {0., 0.4, 1.}) {
-      airs.push_back(air);
-      for (auto& belt : airs.back().belts) {
-        belt.column.ozone_du = ozone_du + 20 * belt.from_north_rad;
-        belt.column.cloud_cover = cover;
-        belt.column.dust_extinction_per_m = cover * 3e-6;
-      }
-    }
+  const auto airs = airs_in_belts(std::array{0., 250., 500.}, std::array{0., 0.4, 1.});
   const std::vector<double> waves{450, 550, 600};
   const auto distances = up_to(8e6, 4e5);
   const auto together = by_quadrature_in(airs, february_2008, waves, distances);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/twilight.h"
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -8,6 +9,7 @@
 
 #include "algebra/error.h"
 #include "atmosphere/presets.h"
+#include "baker/shadow/airs_in_belts.h"
 #include "photons/bending.h"
 #include "shadow/by_quadrature.h"
 #include "support/within.h"
@@ -189,18 +191,7 @@ TEST(Twilight, ComesFromTheRegionsOnItsOwnSide) {
 }
 
 TEST(Twilight, InSeveralAirsIsThatInEach) {
-  auto air = atmosphere::preset("undated", algebra::degrees(0));
-  for (int i = 0; i < 5; ++i) air.belts.push_back({pi * i / 4, air.column});
-  std::vector<Atmosphere> airs;
-  for (const double ozone_du : {100., 500.})
-    for (const double cover : {0.01, 0.4, 1.}) {
-      airs.push_back(air);
-      for (auto& belt : airs.back().belts) {
-        belt.column.ozone_du = ozone_du + 20 * belt.from_north_rad;
-        belt.column.cloud_cover = cover;
-        belt.column.dust_extinction_per_m = cover * 3e-6;
-      }
-    }
+  const auto airs = airs_in_belts(std::array{100., 500.}, std::array{0.01, 0.4, 1.});
   const std::vector<double> waves{400, 500, 600}, distances{0, 3e6};
   const Arrangement arrangement{sun_m, {moon_m, 1.01 * moon_m}};
   const auto together = twilight_in(airs, arrangement, waves, distances);
