@@ -23,7 +23,7 @@ struct QuadratureSettings {
   /// sectors that are computed, going round from the first; the others stay dark. They count only
   /// where the air has regions
   std::size_t first_sector = 0, sectors = 360;
-  /// the highest of the position angle that light is computed to, 2 to 160; air may need fewer
+  /// highest harmonic of the position angle that light is computed to, 2 to 160; some air needs fewer
   int harmonics = 160;
   /// relative error of a cubic through four axis distances above which one more is put between the
   /// middle two; the error counts against all light there, over all wavelengths, with direct light

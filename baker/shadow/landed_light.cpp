@@ -106,12 +106,11 @@ class Gatherer {
       before = up_to;
       low = bin + 1;
     }
-    put(bin, low, to, light - before);
+    if (bin < last_) put(bin, low, to, light - before);
   }
 
   /// Light spread evenly over a part of a bin, where the sum up to the bin's end will find it.
   void put(int bin, double low, double high, double light) const {
-    if (bin >= last_) return;
     const double middle = (low + high) / 2, width = high - low;
     double* row = sums_ + static_cast<std::size_t>(bin + 1 - first_) * row_size;
     row[0] += light;
@@ -133,6 +132,10 @@ std::span<const double> lit(std::span<const double> places, std::span<const doub
 
 }  // namespace
 
+int LandingPlane::end_of(double farthest) const {
+  return static_cast<int>(std::floor(std::min(farthest, reach_m / bin_m))) + 1;
+}
+
 LandedLight::LandedLight(std::span<const photons::Fan> fans, const LandingPlane& plane,
                          double radius_m) {
   std::vector<Rays> rays;
@@ -143,8 +146,7 @@ LandedLight::LandedLight(std::span<const photons::Fan> fans, const LandingPlane&
     least = std::min(least, low), greatest = std::max(greatest, high);
   }
   first_ = static_cast<int>(std::floor(least));
-  last_ = std::max(
-      first_, static_cast<int>(std::floor(std::min(greatest, plane.reach_m / plane.bin_m))) + 1);
+  last_ = std::max(first_, plane.end_of(greatest));
   sums_.resize(static_cast<std::size_t>(last_ - first_ + 1) * row_size);
   for (std::size_t w = 0; w < rays.size(); ++w)
     Gatherer(sums_.data(), first_, last_, w).add(rays[w], fans[w].filter);

@@ -22,6 +22,9 @@ struct LandingPlane {
   double sun_distance_m, depth_m;
   double bin_m;    ///< width of the bins that light is gathered in, of distance from the axis
   double reach_m;  ///< distance from the axis beyond which light, on its own side, is left out
+
+  /// First bin that nothing is gathered in, of light that lands up to so many bins from the axis.
+  int end_of(double farthest) const;
 };
 
 /// ∫ r^m T b db over the rays of one part of the limb that land nearer than each of evenly spaced

@@ -107,10 +107,9 @@ LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m) : sunlit_(sunlit)
       const double from = landing_m(radius_m + lowest, most_bent, sun_m, depth_m),
                    to = landing_m(radius_m + highest, straightest, sun_m, depth_m);
       first_ = std::min(first_, static_cast<int>(std::floor(from / sunlit.bin_m)));
-      last_ = std::max(last_, static_cast<int>(std::floor(to / sunlit.bin_m)) + 1);
+      last_ = std::max(last_, plane_.end_of(to / sunlit.bin_m));
     }
-  const double reach = std::min<double>(last_, std::floor(plane_.reach_m / sunlit.bin_m) + 1);
-  last_ = std::max(first_, static_cast<int>(reach));
+  last_ = std::max(first_, last_);
 }
 
 /// All where they fill little enough on all planes together: a gigabyte and a quarter; of many

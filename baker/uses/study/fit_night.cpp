@@ -75,7 +75,7 @@ Night::Night(const FitRequest& request, std::vector<const EclipsePhotograph*> ph
   // the shadow leads registrations a tenth of its own way astray, so they are made anew
   constexpr int most_registrations = 3;
   constexpr double near_s = 15;
-  for (int reading = 0; request.clock_error_s > 0 && reading < most_registrations; ++reading) {
+  for (int made = 0; request.clock_error_s > 0 && made < most_registrations; ++made) {
     const double before_s = clock_s_;
     find_clock();
     if (std::abs(clock_s_ - before_s) < near_s) break;
