@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -70,6 +71,18 @@ std::vector<double> on_polynomial(std::span<const double> nodes, double at) {
   std::vector<double> weights(nodes.size());
   on_polynomial(nodes, at, weights);
   return weights;
+}
+
+OnCircle on_circle(std::size_t count, double turn) {
+  if (count == 1) return {{}, {1}};
+  constexpr std::array<double, 4> nodes{-1, 0, 1, 2};
+  const double before = std::floor(turn), all = static_cast<double>(count);
+  OnCircle some{{}, on_polynomial(std::span(nodes), turn - before)};
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const double place = before + nodes[i];
+    some.at[i] = static_cast<std::size_t>(place - std::floor(place / all) * all);
+  }
+  return some;
 }
 
 MonotoneCubic::MonotoneCubic(std::span<const double> x, std::span<const double> y)

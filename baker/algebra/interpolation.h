@@ -46,6 +46,17 @@ std::array<double, size> on_polynomial(std::span<const double, size> nodes, doub
   return weights;
 }
 
+/// Some of the values that stand evenly around a circle, and how much each counts.
+struct OnCircle {
+  std::array<std::size_t, 4> at;
+  std::array<double, 4> share;  ///< their sum is 1
+};
+
+/// The cubic through two values on either side; where all around is one value, that alone.
+///
+/// Given  count  values around the circle; turn: where between them, 0 at the first, `count` all around
+OnCircle on_circle(std::size_t count, double turn);
+
 /// A smooth curve through points: cubics whose slopes agree where they meet, between two points
 /// never above the higher nor below the lower one. Outside, straight on with the end slopes.
 ///

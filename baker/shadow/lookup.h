@@ -28,7 +28,8 @@ struct LookupRange {
   double from_m = 0;
   double to_m = std::numeric_limits<double>::infinity();  ///< at most to the penumbra's end
   double tolerance = 1e-4;                                ///< see Lookup's Accuracy; 1e-6 to 0.1
-  /// sectors that are read, going round from the first; the others may stay dark
+  /// sectors that are read, going round from the first, those on either side of a place's two among them; the others
+  /// may stay dark
   std::size_t first_sector = 0, sectors = std::numeric_limits<std::size_t>::max();
 };
 
@@ -60,7 +61,7 @@ class BetweenPlaces {
 };
 
 /// All light in the shadow, refracted and direct, in a few channels: a table over place that is
-/// read once a texel. Linear in depth, axis distance and position angle; sunlight beyond the
+/// read once a texel. Linear in depth and axis distance, cubic in position angle; sunlight beyond the
 /// penumbra. Planes are compared along lines from the limb (`sheared`), on which light hardly
 /// changes with depth.
 ///

@@ -25,10 +25,14 @@ struct Between {
 
 constexpr std::size_t places_at_once = 64;
 
+/// Sectors that a cubic around the axis goes through: two on either side of a place.
+constexpr std::size_t sectors_about = 4;
+
 /// Some places found in the table.
 struct Found {
-  std::array<std::int64_t, places_at_once> start, start_of_next_sector;  ///< -1 in sunlight
-  std::array<double, places_at_once> along, deeper, around;
+  std::array<std::array<std::int64_t, places_at_once>, sectors_about> start;  ///< -1 in sunlight
+  std::array<double, places_at_once> along, deeper;
+  std::array<std::array<double, places_at_once>, sectors_about> share;
 };
 
 template <class D, class V = hn::VFromD<D>>
@@ -85,6 +89,19 @@ V sheared_by(D d, V axis_distance_m, V deeper) {
   return hn::MulAdd(shift, part, axis_distance_m);
 }
 
+/// How much each of four sectors counts: Lagrange's weights of -1, 0, 1 and 2.
+///
+/// Given  t  from the second to the third, 0 to 1
+template <class D, class V = hn::VFromD<D>>
+std::array<V, sectors_about> cubic_shares(D d, V t) {
+  const auto one = hn::Set(d, 1), half = hn::Set(d, 0.5), sixth = hn::Set(d, 1. / 6);
+  const auto before = hn::Add(t, one), behind = hn::Sub(t, one), farther = hn::Sub(behind, one);
+  const auto inner = hn::Mul(hn::Mul(t, behind), sixth),
+             outer = hn::Mul(hn::Mul(before, farther), half);
+  return {hn::Neg(hn::Mul(inner, farther)), hn::Mul(outer, behind), hn::Neg(hn::Mul(outer, t)),
+          hn::Mul(inner, before)};
+}
+
 /// Finds as many places as D has lanes, from the i-th on; the first becomes `found`'s k-th.
 template <class D>
 void find_lanes(D d, const LookupTable& table, const Places& places, std::size_t i, std::size_t k,
@@ -104,29 +121,31 @@ void find_lanes(D d, const LookupTable& table, const Places& places, std::size_t
   };
   hn::StoreU(node.part, d, &found.along[k]);
   hn::StoreU(plane.part, d, &found.deeper[k]);
-  if (table.sectors == 1) return store_start(hn::Zero(d), &found.start[k]);
+  if (table.sectors == 1) return store_start(hn::Zero(d), &found.start[0][k]);
   const auto count = hn::Set(d, static_cast<double>(table.sectors));
   const auto size = hn::Set(d, static_cast<double>(table.nodes.count() * table.values.columns()));
   const auto turn = hn::Mul(position_angle(d, east, north),
                             hn::Mul(count, hn::Set(d, 1 / (2 * std::numbers::pi))));
-  const auto whole = hn::Floor(turn), next = hn::Add(whole, hn::Set(d, 1));
-  const auto first = hn::Set(d, static_cast<double>(table.first_sector));
-  const auto dark = hn::Set(d, static_cast<double>(table.held - 1));
-  const auto start_of = [&](auto sector) {  // a turn may round up to `count`
+  const auto whole = hn::Floor(turn), first = hn::Set(d, static_cast<double>(table.first_sector)),
+             dark = hn::Set(d, static_cast<double>(table.held - 1));
+  const auto start_of = [&](auto sector) {  // -1 to `count` + 2: a turn may round up to `count`
     auto after = hn::Sub(sector, first);
-    after = hn::IfThenElse(hn::Ge(after, count), hn::Sub(after, count), after);
     after = hn::IfThenElse(hn::Lt(after, hn::Zero(d)), hn::Add(after, count), after);
+    after = hn::IfThenElse(hn::Ge(after, count), hn::Sub(after, count), after);
     return hn::Mul(hn::Min(after, dark), size);
   };
-  store_start(start_of(whole), &found.start[k]);
-  store_start(start_of(next), &found.start_of_next_sector[k]);
-  hn::StoreU(hn::Sub(turn, whole), d, &found.around[k]);
+  const auto shares = cubic_shares(d, hn::Sub(turn, whole));
+  for (std::size_t s = 0; s < sectors_about; ++s) {
+    store_start(start_of(hn::Add(whole, hn::Set(d, static_cast<double>(s) - 1))),
+                &found.start[s][k]);
+    hn::StoreU(shares[s], d, &found.share[s][k]);
+  }
 }
 
 /// Some channels of a place: D has as many lanes.
 template <class D, class V = hn::VFromD<D>>
 V blended(D d, const LookupTable& table, const Found& found, std::size_t k, std::size_t channel) {
-  if (found.start[k] < 0) return hn::LoadU(d, &table.sunlight[channel]);
+  if (found.start[0][k] < 0) return hn::LoadU(d, &table.sunlight[channel]);
   const std::size_t node = table.values.columns();
   const std::size_t plane = table.depths_m.size() > 1 ? table.held * table.nodes.count() * node : 0;
   const auto along = hn::Set(d, found.along[k]), deeper = hn::Set(d, found.deeper[k]);
@@ -138,9 +157,16 @@ V blended(D d, const LookupTable& table, const Found& found, std::size_t k, std:
     return mixed(mixed(load(at), load(at + node), along),
                  mixed(load(at + plane), load(at + plane + node), along), deeper);
   };
-  const auto value = in_sector(found.start[k]);
+  auto value = in_sector(found.start[0][k]);
   if (table.sectors == 1) return value;
-  return mixed(value, in_sector(found.start_of_next_sector[k]), hn::Set(d, found.around[k]));
+  auto lowest = hn::Min(value, hn::Zero(d));
+  value = hn::Mul(hn::Set(d, found.share[0][k]), value);
+  for (std::size_t s = 1; s < sectors_about; ++s) {
+    const auto there = in_sector(found.start[s][k]);
+    lowest = hn::Min(lowest, there);
+    value = hn::MulAdd(hn::Set(d, found.share[s][k]), there, value);
+  }
+  return hn::Max(value, lowest);
 }
 
 /// A place's channels; whole vectors where there is room behind them: the next place comes later.

@@ -102,6 +102,12 @@ Sectors sectors_of(const ShadowedMoon& moon, std::size_t all) {
   return {(widest.first + widest.count) % all, all - widest.count};
 }
 
+/// With those on either side, which cubics between sectors go through.
+Sectors with_neighbours(Sectors some, std::size_t all) {
+  if (some.count + 2 >= all) return {0, all};
+  return {(some.first + all - 1) % all, some.count + 2};
+}
+
 /// The air alike all around: of belts that which stands where the Moon is, from the axis.
 atmosphere::Atmosphere of_one_column(const atmosphere::Atmosphere& air,
                                      const eclipse::ShadowPlace& moon) {
@@ -274,7 +280,7 @@ atmosphere::Atmosphere air_for(const plan::Work& work, const ShadowedMoon& moon)
 
 shadow::QuadratureSettings quadrature_for(const plan::Work& work, const ShadowedMoon& moon,
                                           std::size_t around) {
-  const auto sectors = sectors_of(moon, around);
+  const auto sectors = with_neighbours(sectors_of(moon, around), around);
   return {.rays = work.rays,
           .sun_terms = work.sun_terms,
           .around = around,
@@ -353,10 +359,11 @@ double error_found(const ShadowedMoon& moon, const plan::Work& work,
   const auto waves = wavelengths_nm(finer.bands);
   auto settings = quadrature_for(finer, moon);
   constexpr std::size_t between = 29;  // sectors, no multiple of a plan's: off their middles
-  const std::size_t last = settings.first_sector + settings.sectors - 1, around = settings.around;
-  if (settings.sectors < around) {  // those within what was computed
-    settings.first_sector = (settings.first_sector * between + around - 1) / around;
-    const std::size_t end = last * between / around + 1;
+  const std::size_t around = settings.around;
+  const auto taken_in = sectors_of(moon, around);
+  if (taken_in.count < around) {
+    settings.first_sector = (taken_in.first * between + around - 1) / around;
+    const std::size_t end = (taken_in.first + taken_in.count - 1) * between / around + 1;
     settings.sectors = end > settings.first_sector ? end - settings.first_sector : 1;
     settings.first_sector %= between;
   } else {

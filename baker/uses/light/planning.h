@@ -47,7 +47,7 @@ atmosphere::Atmosphere air_for(const plan::Work& work, const ShadowedMoon& moon)
 /// edge on an ellipsoid.
 inline constexpr std::size_t sectors_of_a_plan = 96;
 
-/// The quadrature's settings, and the sectors that the disc takes in.
+/// The quadrature's settings, and the sectors that the disc takes in, with one more on either side.
 ///
 /// Given  around  sectors of all position angles
 shadow::QuadratureSettings quadrature_for(const plan::Work& work, const ShadowedMoon& moon,

@@ -48,15 +48,13 @@ algebra::Grid<double> errors_at(const shadow::RefractedLight& light, std::size_t
   return there;
 }
 
-/// The sectors' mean, or the two nearest to a position angle.
+/// How much each sector counts: all alike, or on a cubic through those about a position angle.
 std::vector<double> sector_shares(std::size_t sectors, std::optional<double> position_angle_deg) {
   if (!position_angle_deg) return std::vector<double>(sectors, 1 / static_cast<double>(sectors));
-  const double at = *position_angle_deg / 360 * static_cast<double>(sectors);
-  const double part = at - std::floor(at);
-  const auto first = static_cast<std::size_t>(std::floor(at)) % sectors;
   std::vector<double> shares(sectors);
-  shares[first] += 1 - part;
-  shares[(first + 1) % sectors] += part;
+  const auto some =
+      algebra::on_circle(sectors, *position_angle_deg / 360 * static_cast<double>(sectors));
+  for (std::size_t i = 0; i < some.at.size(); ++i) shares[some.at[i]] += some.share[i];
   return shares;
 }
 

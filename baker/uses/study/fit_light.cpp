@@ -155,9 +155,6 @@ std::vector<shadow::RefractedLight> refracted_in(const Setting& setting,
   auto finely =
       quadrature_for(work_of_fits, moon, sharp_borders ? sectors_of_a_plan : sectors_of_fits);
   if (!sharp_borders) finely.harmonics = harmonics_of_fits;
-  finely.first_sector = (finely.first_sector + finely.around - 1) % finely.around;
-  finely.sectors =
-      std::min(finely.around, finely.sectors + 2);  // cubics reach one farther at either end
   finely.dark_ratio = some_of_the_twilight;
   return shadow::by_quadrature_in(airs, setting.arrangement, setting.waves, setting.distances_m,
                                   finely);

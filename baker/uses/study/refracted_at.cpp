@@ -11,23 +11,11 @@
 namespace coppermoon::uses {
 namespace {
 
-/// How much a plane or a sector counts.
+/// How much a plane counts.
 struct Share {
   std::size_t index;
   double share;
 };
-
-/// The two sectors on either side, and how much each counts.
-std::array<Share, 4> sectors_about(double sector, std::size_t sectors) {
-  if (sectors == 1) return {{{0, 1}}};
-  constexpr std::array<double, 4> nodes{-1, 0, 1, 2};
-  const double before = std::floor(sector);
-  const auto shares = algebra::on_polynomial(std::span(nodes), sector - before);
-  std::array<Share, 4> all;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    all[i] = {(static_cast<std::size_t>(before) + sectors + i - 1) % sectors, shares[i]};
-  return all;
-}
 
 }  // namespace
 
@@ -43,11 +31,12 @@ void RefractedAt::read(const eclipse::ShadowPlace& place, std::span<double> rati
   const auto [nearer, farther, deeper] = algebra::on_line(depths_m, depth_m);
   const std::array planes{Share{nearer, 1 - deeper}, Share{farther, deeper}};
   std::ranges::fill(ratios, 0);
-  for (const auto& [near_sector, of_sector] : sectors_about(sector, light_.sectors))
+  const auto sectors = algebra::on_circle(light_.sectors, sector);
+  for (std::size_t i = 0; i < sectors.at.size(); ++i)
     for (const auto& [plane, of_plane] : planes) {
-      const double share = of_plane * of_sector;
+      const double share = of_plane * sectors.share[i];
       if (share == 0) continue;
-      between_places_.read(plane, near_sector, shadow::sheared(at_m, depths_m[plane] / depth_m),
+      between_places_.read(plane, sectors.at[i], shadow::sheared(at_m, depths_m[plane] / depth_m),
                            some_);
       for (std::size_t w = 0; w < some_.size(); ++w) ratios[w] += share * some_[w];
     }

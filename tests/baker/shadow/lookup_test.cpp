@@ -150,9 +150,34 @@ TEST(Lookup, TurnsWithThePositionAngle) {
   EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, quarter)), 0.125, 1e-14,
                 "the middle of sector 1, to the east");
   EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, 1.5 * quarter)), 0.1875, 1e-14,
-                "half way to sector 2");
+                "half way to sector 2, on a line");
   EXPECT_WITHIN(read(lookup, place(5e5, 3.82e8, 3.5 * quarter)), 0.1875, 1e-14,
-                "half way from sector 3 to 0");
+                "half way from sector 3 to 0: (9 (0 + 3) - (1 + 2)) / 16 of 0.125");
+}
+
+TEST(Lookup, RunsOnCubicsAroundTheAxis) {
+  constexpr std::size_t sectors = 24;
+  const auto wave = [](double turn) { return 2 + std::cos(2 * turn) + 0.5 * std::sin(turn); };
+  const double a_sector = 2 * std::numbers::pi / sectors;
+  RefractedLight light{around_the_moon, {500}, {0, 1e6, 2e6}, sectors, {}, {}};
+  for (std::size_t grid = 0; grid < 3 * sectors; ++grid)
+    light.ratio.emplace_back(3, 1, wave(a_sector * static_cast<double>(grid % sectors)));
+  const Lookup lookup(light, direct({500}), one_channel(1));
+  for (double turn = 0; turn < 2 * std::numbers::pi; turn += 0.01)
+    EXPECT_WITHIN(
+        read(lookup, place(5e5, 3.82e8, turn)), wave(turn), 2e-3,
+        "3/128 of a sector's fourth power, times 16.5: 1.8e-3; straight lines err by 0.04")
+        << turn;
+}
+
+TEST(Lookup, OfOneBrightSectorIsNeverDarkerThanBlack) {
+  constexpr std::size_t sectors = 24;
+  RefractedLight light{around_the_moon, {500}, {0, 1e6, 2e6}, sectors, {}, {}};
+  for (std::size_t grid = 0; grid < 3 * sectors; ++grid)
+    light.ratio.emplace_back(3, 1, grid % sectors == 5 ? 0.5 : 0);
+  const Lookup lookup(light, direct({500}), one_channel(1));
+  for (double turn = 0; turn < 2 * std::numbers::pi; turn += 0.01)
+    EXPECT_GE(read(lookup, place(5e5, 3.82e8, turn)), 0) << turn;
 }
 
 /// Light of one wavelength on one plane, the same around the axis.
@@ -313,6 +338,17 @@ RefractedLight light_by_sector(std::size_t sectors) {
   return light;
 }
 
+/// A cubic through whole numbers that count 24 sectors, and begin anew.
+double around_the_axis(double turn) {
+  const std::array<double, 4> nodes{-1, 0, 1, 2};
+  const double before = std::floor(turn);
+  const auto shares = algebra::on_polynomial(std::span(nodes), turn - before);
+  double value = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    value += shares[i] * std::fmod(before + nodes[i] + 24, 24);
+  return value;
+}
+
 TEST(Lookup, ReadsManyPlacesByTheClosedForm) {
   constexpr std::size_t sectors = 24, count = 151, channels = 5;
   ChannelWeights weights(channels, 2, 1);
@@ -329,7 +365,7 @@ TEST(Lookup, ReadsManyPlacesByTheClosedForm) {
   for (std::size_t i = 0; i < count; ++i) {
     const double angle = std::atan2(east[i], north[i]), whole = 2 * std::numbers::pi;
     const double turn = (angle < 0 ? angle + whole : angle) / whole * sectors;
-    const double s = turn < 23 ? turn : 23 * (24 - turn);  // from sector 23 back to 0
+    const double s = around_the_axis(turn);
     const auto& planes = around_the_moon.depths_m;
     const double in_depth = 2 +
                             std::clamp((depth[i] - planes[0]) / (planes[1] - planes[0]), 0., 1.) +
@@ -337,7 +373,7 @@ TEST(Lookup, ReadsManyPlacesByTheClosedForm) {
     for (std::size_t c = 0; c < channels; ++c)
       EXPECT_WITHIN_RELATIVE(values[i * channels + c],
                              static_cast<double>(c + 1) * (8 + s) / 128 * in_depth, 1e-12,
-                             "linear in depth and angle: rounding alone");
+                             "linear in depth, cubic in angle: rounding alone");
   }
 }
 
@@ -402,12 +438,13 @@ TEST(Lookup, HoldsTheSectorsAskedForAlone) {
   for (const std::size_t first : {0, 5, 20, 23}) {  // of six, which may go on past the north
     const auto some = lookup(first, 6);
     const auto begin = static_cast<double>(first);
-    for (const double after : {0., 0.25, 1., 3.5, 4.999, 5.})
+    for (const double after : {1., 1.25, 2., 3.5, 3.999, 4.})
       EXPECT_WITHIN_RELATIVE(value(some, begin + after), value(all, begin + after), 1e-12,
                              "an angle is rounded to either side of its sector");
-    EXPECT_WITHIN_RELATIVE(value(some, begin + 5.5), value(all, begin + 5) / 2, 1e-12,
+    EXPECT_WITHIN_RELATIVE(value(some, begin + 5.5),
+                           (9 * value(all, begin + 5) - value(all, begin + 4)) / 16, 1e-12,
                            "half way into the dark");
-    for (const double after : {6.001, 12.5, 22.99}) EXPECT_EQ(value(some, begin + after), 0);
+    for (const double after : {7.001, 12.5, 21.99}) EXPECT_EQ(value(some, begin + after), 0);
   }
 }
 
