@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <compare>
 #include <numbers>
 
@@ -43,6 +44,13 @@ constexpr Angle degrees(double x) { return Angle(x * std::numbers::pi / 180); }
 constexpr double in_radians(Angle x) { return x.in_kept_unit(); }
 constexpr double in_degrees(Angle x) { return x.in_kept_unit() * 180 / std::numbers::pi; }
 constexpr double in_arcminutes(Angle x) { return in_degrees(x) * 60; }
+
+/// The same direction, by an angle from 0 to a circle (the circle itself by rounding alone).
+inline Angle within_circle(Angle x) {
+  const Angle circle = radians(2 * std::numbers::pi);
+  const Angle rest = radians(std::fmod(in_radians(x), in_radians(circle)));
+  return rest < Angle() ? rest + circle : rest;
+}
 
 constexpr Wavelength nanometres(double x) { return Wavelength(x); }
 constexpr double in_nanometres(Wavelength x) { return x.in_kept_unit(); }

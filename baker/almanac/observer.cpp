@@ -7,7 +7,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
 
 #include "algebra/error.h"
 #include "almanac/erfa_matrix.h"
@@ -69,8 +68,7 @@ ObserverView view_from(const Observer& observer, const SkyState& sky) {
   view.moon_distance = algebra::metres(glm::length(to_moon_m));
   const glm::dvec3 horizon = glm::transpose(gcrs_from_horizon) * direction;
   view.altitude = algebra::radians(std::atan2(horizon.z, std::hypot(horizon.x, horizon.y)));
-  const double azimuth = std::atan2(horizon.y, horizon.x);
-  view.azimuth = algebra::radians(azimuth < 0 ? azimuth + 2 * std::numbers::pi : azimuth);
+  view.azimuth = algebra::within_circle(algebra::radians(std::atan2(horizon.y, horizon.x)));
   view.parallactic_angle = position_angle(direction, view.zenith, view.north);
   view.sub_observer = selenographic_point(sky.selenographic_from_gcrs * -to_moon_m);
   return view;

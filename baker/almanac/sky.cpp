@@ -6,7 +6,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
 
 #include "almanac/erfa_matrix.h"
 
@@ -43,9 +42,7 @@ SkyState sky_at(const Instant& instant, LunarTheory theory) {
 
 EquatorialPlace equatorial_place(const SkyState& sky, const glm::dvec3& position_m) {
   const glm::dvec3 p = sky.equator_from_gcrs * position_m;
-  const double right_ascension = std::atan2(p.y, p.x);
-  return {algebra::radians(right_ascension < 0 ? right_ascension + 2 * std::numbers::pi
-                                               : right_ascension),
+  return {algebra::within_circle(algebra::radians(std::atan2(p.y, p.x))),
           algebra::radians(std::atan2(p.z, std::hypot(p.x, p.y))), algebra::metres(glm::length(p))};
 }
 

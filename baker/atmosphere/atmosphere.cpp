@@ -18,13 +18,6 @@
 namespace coppermoon::atmosphere {
 namespace {
 
-/// Turned by whole circles into [0, 2π).
-double turned(double angle_rad) {
-  const double circle = 2 * std::numbers::pi;
-  const double rest = std::fmod(angle_rad, circle);
-  return rest < 0 ? rest + circle : rest;
-}
-
 void require_valid(const Column& column) {
   algebra::require_within("ozone [DU]", column.ozone_du, 0, 1000);
   algebra::require_within("dust extinction [1/m]", column.dust_extinction_per_m, 0, 0.01);
@@ -74,6 +67,9 @@ std::vector<double> density_breaks(const Column& column) {
 bool holds(const Region& region, double position_angle_rad) {
   const double from = algebra::in_radians(region.from),
                width = algebra::in_radians(region.to) - from;
+  const auto turned = [](double angle_rad) {
+    return algebra::within_circle(algebra::radians(angle_rad));
+  };
   return width >= 2 * std::numbers::pi || turned(position_angle_rad - from) < turned(width);
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
 
 namespace coppermoon::eclipse {
 
@@ -23,9 +22,8 @@ ShadowAxis shadow_axis(const glm::dvec3& sun_m, const glm::dvec3& celestial_pole
 
 ShadowPlace place_in_shadow(const ShadowAxis& axis, const glm::dvec3& position_m) {
   const glm::dvec3 p = axis.shadow_from_gcrs * position_m;
-  const double angle = std::atan2(p.x, p.y);
   return {algebra::metres(std::hypot(p.x, p.y)),
-          algebra::radians(angle < 0 ? angle + 2 * std::numbers::pi : angle), algebra::metres(p.z)};
+          algebra::within_circle(algebra::radians(std::atan2(p.x, p.y))), algebra::metres(p.z)};
 }
 
 ShadowPlace place_of_ground(const ShadowAxis& axis, const almanac::SkyState& sky,

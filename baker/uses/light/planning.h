@@ -43,8 +43,8 @@ std::vector<double> distances_over_the_disc(const ShadowedMoon& moon);
 /// The air with some terms left out: see plan::Work.
 atmosphere::Atmosphere air_for(const plan::Work& work, const ShadowedMoon& moon);
 
-/// Sectors of all position angles, between which straight lines are drawn: 24 leave half a percent at the umbra's
-/// edge on an ellipsoid.
+/// Sectors of all position angles, between which light runs on cubics. Of a plan of reference quality, deep in the
+/// umbra, 48 leave 7e-4, 64 3e-4, 96 2e-4, other errors among them.
 inline constexpr std::size_t sectors_of_a_plan = 96;
 
 /// The quadrature's settings, and the sectors that the disc takes in, with one more on either side.

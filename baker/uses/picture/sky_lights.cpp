@@ -140,7 +140,7 @@ class Dome {
                      north = glm::cross(seen_.zenith, east);
     const double azimuth = std::atan2(glm::dot(direction, east), glm::dot(direction, north));
     return {atmosphere::apparent_altitude(altitude(direction)),
-            algebra::radians(azimuth < 0 ? azimuth + 2 * std::numbers::pi : azimuth)};
+            algebra::within_circle(algebra::radians(azimuth))};
   }
 
  private:

@@ -272,9 +272,8 @@ void add_groups(std::vector<LitPlace> all, double middle_rad, std::vector<LitPla
         north += lit.sunlit * std::cos(angle_rad);
       }
       if (sunlit == 0) continue;
-      const double angle = std::atan2(east, north);
       few.push_back({{algebra::metres(distance / sunlit),
-                      algebra::radians(angle - 2 * pi * std::floor(angle / (2 * pi))),
+                      algebra::within_circle(algebra::radians(std::atan2(east, north))),
                       algebra::metres(depth / sunlit)},
                      sunlit,
                      group.front().bin,

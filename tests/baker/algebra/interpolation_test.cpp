@@ -133,6 +133,28 @@ TEST(MonotoneCubic, HasASlopeWithoutJumps) {
   }
 }
 
+TEST(OnCircle, IsTheCubicThroughTwoValuesOnEitherSide) {
+  constexpr std::size_t count = 12;
+  for (double turn = 0; turn <= count; turn += 0.125) {
+    const auto some = on_circle(count, turn);
+    double sum = 0, place = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double after = std::remainder(static_cast<double>(some.at[i]) - turn, count);
+      sum += some.share[i];
+      place += some.share[i] * after * after * after;
+      EXPECT_LE(std::abs(after), 2) << turn;
+    }
+    EXPECT_WITHIN(sum, 1., 1e-15, "rounding");
+    EXPECT_WITHIN(place, 0., 1e-14, "rounding: a cubic's own") << turn;
+  }
+}
+
+TEST(OnCircle, OfOneValueIsThatAlone) {
+  const auto all = on_circle(1, 0.7);
+  EXPECT_EQ(all.at, (std::array<std::size_t, 4>{}));
+  EXPECT_EQ(all.share, (std::array<double, 4>{1}));
+}
+
 // At 2 between secants 1 (one wide) and 3 (two wide): 3·3/((2·2 + 1)/1 + (2 + 2·1)/3) = 27/19.
 TEST(MonotoneCubic, HasTheSlopeOfFritschAndButland) {
   constexpr std::array rising{0.0, 1.0, 7.0, 8.0};

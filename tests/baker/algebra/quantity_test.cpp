@@ -55,5 +55,15 @@ TEST(Quantity, AddsScalesAndCompares) {
   EXPECT_EQ(Length{}, metres(0));
 }
 
+TEST(Quantity, OfADirectionIsAnAngleWithinACircle) {
+  constexpr double circle = 2 * std::numbers::pi;
+  for (const double angle : {0.1, 1., 3.5, 6.2}) {
+    EXPECT_EQ(in_radians(within_circle(radians(angle))), angle);
+    for (const double circles : {-2., -1., 1., 3.})
+      EXPECT_WITHIN(in_radians(within_circle(radians(angle + circles * circle))), angle, 1e-14,
+                    "rounding of three circles");
+  }
+}
+
 }  // namespace
 }  // namespace coppermoon::algebra
