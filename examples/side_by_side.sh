@@ -37,3 +37,4 @@ Luminance: of the pixels more than 2 px inside the limb. Centroid: of all light.
 3 × 3 rays are what `coppermoon scene` asks for: to a pixel's middle, edges and corners, which are another's too, so that each
 pixel reaches a little into the next; with more rays (`povray eclipse.ini +R5`) that is gone.
 EOF
+"$here/made_at.sh"
