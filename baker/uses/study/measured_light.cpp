@@ -56,7 +56,8 @@ std::string plot_script(Nights nights) {
         k == 0 ? "plot" : ",", channel_names[k], channel_colours[k]);
   }
   return data +
-         "set encoding utf8\nset logscale y\nset format y '10^{%L}'\nset grid\nset key below\n"
+         "set encoding utf8\nset logscale y\nset format y '10^{%L}'\nset grid\nset key outside "
+         "right top\n"
          "set xlabel \"distance from the shadow's axis [km]\"\n"
          "set ylabel 'light over full sunlight'\n" +
          plot + '\n';
