@@ -4,6 +4,7 @@
 #
 #   tests/faults.sh             all faults of tests/faults.txt
 #   tests/faults.sh FOLDER …    those in files of these folders, as baker/shadow
+#   tests/faults.sh --apply     whether each still changes its file, and no more
 #
 # Prints each fault as caught or SURVIVES; one at which the tests do not end in ten minutes is caught. Exits 1 where one
 # survives, no longer applies or does not compile. The copy stays in build/faults, for the next time.
@@ -17,6 +18,25 @@ chosen() {
   [ $# -gt 0 ] || set -- ''
   for folder; do grep -v '^#' "$list" | grep "^$folder" || { echo "tests/faults.sh $folder: no fault there" >&2; exit 1; }; done
 }
+
+# What a fault is: its file, how it is planted, what is wrong then.
+file_of() { printf '%s\n' "${1%% :: *}"; }
+plant_of() { rest=${1#* :: } && printf '%s\n' "${rest%% :: *}"; }
+harm_of() { printf '%s\n' "${1##* :: }"; }
+
+if [ "${1:-}" = --apply ]; then
+  grep -v '^#' "$list" | {
+    stale=0
+    while read -r fault; do
+      file=$(file_of "$fault")
+      if [ -f "$file" ] && ! sed "$(plant_of "$fault")" "$file" | cmp -s - "$file"; then continue; fi
+      echo "tests/faults.txt: no longer applies: $fault"
+      stale=1
+    done
+    exit "$stale"
+  }
+  exit
+fi
 faults=$(chosen "$@")
 
 # Files that did not change keep their time: what was built before stays built.
@@ -64,9 +84,9 @@ verdict() {
 printf '%s\n' "$faults" | {
   count=0 caught=0
   while read -r fault; do
-    file=${fault%% :: *} rest=${fault#* :: }
-    result=$(verdict "$file" "${rest%% :: *}")
-    printf '%-8s  %s: %s\n' "$result" "$file" "${rest##* :: }"
+    file=$(file_of "$fault")
+    result=$(verdict "$file" "$(plant_of "$fault")")
+    printf '%-8s  %s: %s\n' "$result" "$file" "$(harm_of "$fault")"
     count=$((count + 1))
     [ "$result" != caught ] || caught=$((caught + 1))
   done
