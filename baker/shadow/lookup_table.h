@@ -63,8 +63,9 @@ inline double sheared(double axis_distance_m, double deeper) {
 /// read.
 inline constexpr std::size_t channel_padding = 4;
 
-/// Reads the table: straight lines between planes and between nodes, cubics around the axis (none below
-/// 0 where all sectors are above); the outermost planes and nodes hold outside, but sunlight begins at `end_m` and on the Sun's side of Earth.
+/// Reads the table: straight lines between planes and between nodes, cubics around the axis that do not
+/// fall below 0 between sectors above it. The outermost planes and nodes hold outside, but sunlight
+/// begins at `end_m` and on the Sun's side of Earth.
 ///
 /// Given     table   with two nodes or more, or none: sunlight everywhere
 /// Returned  values  [place × channels + channel]

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -95,6 +96,7 @@ ShadowProfile shadow_profile(const LightRequest& request, const ShadowCut& cut,
       }
     }
   }
+  for (double& value : profile.ratio.values()) value = std::max(value, 0.);  // noise
   return profile;
 }
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "uses/light/shadow_profile.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "almanac/instant.h"
+#include "support/within.h"
+
+namespace coppermoon::uses {
+namespace {
+
+ShadowProfile profile_at(const LightRequest& request, double position_angle_deg) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:21:45Z"));
+  return shadow_profile(request, shadow_at_the_moon(request, sky),
+                        {.wavelengths_nm = {550},
+                         .axis_distances_m = {1e6, 2e6, 3e6, 4e6},
+                         .position_angle_deg = position_angle_deg});
+}
+
+LightRequest in_undated_air() {
+  LightRequest request;
+  request.air.atmosphere = "undated";
+  return request;
+}
+
+TEST(ShadowProfile, OfAnEllipsoidIsAWaveAroundTheAxis) {
+  const auto request = in_undated_air();
+  const auto pole = profile_at(request, 0), equator = profile_at(request, 90);
+  for (const double angle : {7.5, 50., 187.5, 352.}) {
+    const auto here = profile_at(request, angle);
+    for (std::size_t d = 0; d < here.axis_distances_m.size(); ++d) {
+      const double mean = (pole.ratio(d, 0) + equator.ratio(d, 0)) / 2,
+                   wave = (pole.ratio(d, 0) - equator.ratio(d, 0)) / 2;
+      EXPECT_WITHIN(here.ratio(d, 0), mean + wave * std::cos(angle * std::numbers::pi / 90),
+                    2e-3 * std::abs(wave) + 1e-15,
+                    "3/128 of the fourth power of a sector of 15 degrees, twice: 1.8e-3")
+          << angle << " degrees, " << here.axis_distances_m[d] << " m";
+    }
+  }
+}
+
+TEST(ShadowProfile, OfFewPhotonsIsNeverDarkerThanBlack) {
+  auto request = in_undated_air();
+  request.solver = Solver::photons;
+  request.photons = 3000;
+  for (const double angle : {7.5, 22.5, 97.5})
+    for (const double ratio : profile_at(request, angle).ratio.values()) EXPECT_GE(ratio, 0);
+}
+
+}  // namespace
+}  // namespace coppermoon::uses
