@@ -65,12 +65,10 @@ std::vector<double> density_breaks(const Column& column) {
 }
 
 bool holds(const Region& region, double position_angle_rad) {
-  const double from = algebra::in_radians(region.from),
-               width = algebra::in_radians(region.to) - from;
-  const auto turned = [](double angle_rad) {
-    return algebra::within_circle(algebra::radians(angle_rad));
-  };
-  return width >= 2 * std::numbers::pi || turned(position_angle_rad - from) < turned(width);
+  const auto width = region.to - region.from,
+             after = algebra::radians(position_angle_rad) - region.from;
+  return width >= algebra::radians(2 * std::numbers::pi) ||
+         algebra::within_circle(after) < algebra::within_circle(width);
 }
 
 /// Of one column, or of belts.
