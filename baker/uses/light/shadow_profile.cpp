@@ -83,6 +83,7 @@ ShadowProfile shadow_profile(const LightRequest& request, const ShadowCut& cut,
   const shadow::BetweenPlaces between(light);
   std::vector<double> clear(profile.wavelengths_nm.size()), refracted(clear);
   for (std::size_t s = 0; s < shares.size(); ++s) {
+    if (shares[s] == 0) continue;
     const double angle =
         2 * std::numbers::pi * static_cast<double>(s) / static_cast<double>(shares.size());
     const auto error = errors_at(light, s, distances);
