@@ -105,6 +105,10 @@ std::optional<Eclipse> eclipse_of_full_moon(int number, ShadowConvention convent
   return eclipse_near(middle, convention, theory);
 }
 
+/// Half a second: a contact that is written to the second belongs to its eclipse, and the greatest phase to
+/// the day that is written.
+constexpr double rounding_s = 0.5 + 1e-3;  // and what days as numbers are rounded to
+
 double seconds_apart(const Instant& a, const Instant& b) {
   return std::abs(almanac::seconds_between(a, b));
 }
@@ -132,8 +136,8 @@ std::optional<Eclipse> eclipse_at(const Instant& instant, ShadowConvention conve
   const int number = full_moon_number(instant);
   const auto eclipse = eclipse_of_full_moon(number, convention, theory);
   if (!eclipse) return std::nullopt;
-  const bool under_way = almanac::seconds_between(*eclipse->contacts.P1, instant) >= 0 &&
-                         almanac::seconds_between(instant, *eclipse->contacts.P4) >= 0;
+  const bool under_way = almanac::seconds_between(*eclipse->contacts.P1, instant) >= -rounding_s &&
+                         almanac::seconds_between(instant, *eclipse->contacts.P4) >= -rounding_s;
   return under_way ? eclipse : std::nullopt;
 }
 
@@ -165,7 +169,8 @@ std::vector<std::pair<std::string, Instant>> contacts_of(const Eclipse& eclipse)
 
 std::optional<Eclipse> eclipse_of_day(const Instant& midnight, ShadowConvention convention) {
   constexpr double day_s = 86400;
-  const auto all = eclipses_between(midnight, almanac::later(midnight, day_s), convention);
+  const auto first = almanac::later(midnight, -0.5);
+  const auto all = eclipses_between(first, almanac::later(first, day_s), convention);
   return all.empty() ? std::nullopt : std::optional(all.front());
 }
 

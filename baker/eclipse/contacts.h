@@ -44,11 +44,13 @@ std::vector<Eclipse> eclipses_between(
 /// Contacts and the greatest phase by their names ("P1" … "greatest" … "P4"), in order of time.
 std::vector<std::pair<std::string, almanac::Instant>> contacts_of(const Eclipse& eclipse);
 
-/// The eclipse whose greatest phase falls on the day of 24 h that begins at a moment, if there is one.
+/// The eclipse whose greatest phase, to the second, falls on the day of 24 h that begins at a moment, if
+/// there is one.
 std::optional<Eclipse> eclipse_of_day(const almanac::Instant& midnight,
                                       ShadowConvention convention);
 
-/// The eclipse that is under way, from P1 to P4, if there is one.
+/// The eclipse that is under way, from P1 to P4, if there is one. Contacts count as they are written, to
+/// the second: either may be half a second away.
 std::optional<Eclipse> eclipse_at(const almanac::Instant& instant, ShadowConvention convention,
                                   almanac::LunarTheory theory = almanac::LunarTheory::elp_2000_82b);
 

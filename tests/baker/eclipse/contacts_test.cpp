@@ -246,6 +246,32 @@ TEST(EclipseAt, IsThereFromFirstContactToLastOnly) {
   EXPECT_FALSE(at("2018-08-26T12:00:00Z"));  // a full Moon without an eclipse
 }
 
+TEST(EclipseAt, IsThereAtContactsAsTheyAreWritten) {
+  for (const char* day : {"2018-07-27", "2025-03-14", "2026-08-28", "2020-01-10", "1504-03-11"}) {
+    const Eclipse e = nearest_eclipse(instant_from_utc(day), ShadowConvention::danjon);
+    for (const auto& contact : {*e.contacts.P1, *e.contacts.P4}) {
+      const auto written = almanac::utc_text(contact);
+      EXPECT_TRUE(eclipse_at(instant_from_utc(written), ShadowConvention::danjon)) << written;
+    }
+    for (const double away_s : {-0.49, 0.49})
+      EXPECT_TRUE(eclipse_at(almanac::later(*e.contacts.P1, away_s), ShadowConvention::danjon))
+          << "what rounding to a second moves";
+    EXPECT_FALSE(eclipse_at(almanac::later(*e.contacts.P1, -0.6), ShadowConvention::danjon));
+    EXPECT_FALSE(eclipse_at(almanac::later(*e.contacts.P4, 0.6), ShadowConvention::danjon));
+  }
+}
+
+TEST(EclipseOfDay, IsOfTheDayThatItsGreatestPhaseIsWrittenWith) {
+  const Eclipse e = nearest_eclipse(instant_from_utc("2018-07-27"), ShadowConvention::danjon);
+  const auto day = [&](double after_s) {
+    return eclipse_of_day(almanac::later(e.greatest, after_s), ShadowConvention::danjon);
+  };
+  EXPECT_TRUE(day(0.4)) << "0.4 s before midnight is written as midnight";
+  EXPECT_FALSE(day(0.6));
+  EXPECT_FALSE(day(-86400 + 0.4)) << "and 0.4 s before the next midnight is of the next day";
+  EXPECT_TRUE(day(-86400 + 0.6));
+}
+
 TEST(NearestEclipse, LooksBothWays) {
   const auto nearest = [](const char* text) {
     const auto e =
