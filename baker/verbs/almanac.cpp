@@ -12,7 +12,7 @@
 #include "almanac/instant.h"
 #include "eclipse/contacts.h"
 #include "eclipse/feature.h"
-#include "uses/picture/view.h"
+#include "uses/night/circumstances.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
@@ -48,7 +48,7 @@ eclipse::ShadowConvention convention_from(const std::string& name) {
 struct Listed {
   eclipse::Eclipse eclipse;
   std::optional<eclipse::FeatureTimes> feature;
-  std::optional<std::string> seen;  ///< its contacts with the Moon above the horizon
+  std::optional<std::string> seen;  ///< from which contact to which, with the Moon above the horizon
 };
 
 using Contact = std::pair<const char*, std::optional<almanac::Instant>>;
@@ -83,17 +83,6 @@ std::string time_of_day(const std::optional<almanac::Instant>& when) {
   if (!when) return "-";
   const std::string text = almanac::utc_text(*when);
   return text.substr(text.find('T') + 1, 8);
-}
-
-/// "all", "none", or the contacts at which the Moon is above a place's horizon: "P1 to U2".
-std::string seen_from(const almanac::Observer& place, const eclipse::Eclipse& e) {
-  std::vector<std::string> seen;
-  const auto contacts = contacts_of(e);
-  for (const auto& [name, when] : contacts)
-    if (uses::moon_is_up({.observer = place}, almanac::sky_at(when))) seen.push_back(name);
-  if (seen.empty()) return "none";
-  if (seen.size() == contacts.size()) return "all";
-  return seen.size() == 1 ? seen.front() : seen.front() + " to " + seen.back();
 }
 
 /// The day that the clock shows, and ten years later.
@@ -134,7 +123,7 @@ std::vector<Listed> listed(const Options& options,
   std::vector<Listed> list;
   for (const auto& e : eclipse::eclipses_between(from, to, convention_from(options.convention))) {
     Listed& last = list.emplace_back(Listed{e, {}, {}});
-    if (!options.at.empty()) last.seen = seen_from(observer_from(options.at), e);
+    if (!options.at.empty()) last.seen = uses::contacts_seen(e, observer_from(options.at));
     if (place) last.feature = eclipse::feature_times(e, *place);
   }
   return list;
@@ -167,8 +156,8 @@ void add_almanac(CLI::App& program) {
   add_flag(*verb, "--to", options->to, "last day; ten years from today unless given");
   add_flag(
       *verb, "--at", options->at,
-      "place of an observer: a city, as Honolulu, or LAT,LON [degrees north and east]; adds at "
-      "which contacts the Moon is above the horizon");
+      "place of an observer: a city, as Honolulu, or LAT,LON [degrees north and east]; adds from "
+      "which contact to which some of the Moon is above the horizon");
   add_flag(*verb, "--shadow-convention", options->convention,
            "how the air enlarges the shadow: danjon, danjon-oblate, chauvenet or "
            "herald-sinnott")

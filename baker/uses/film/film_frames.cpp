@@ -128,6 +128,7 @@ void render(const Film& film, Frames frames, int threads, const Told& told) {
   povray_scenes::Sequence sequence{.cameras = {}, .textures = texture_stem};
   std::vector<Rendered> batch;
   std::vector<std::vector<SkyLight>> lights;
+  std::vector<View> views;
   for (const std::size_t frame : frames) {
     const auto sky = film.sky(frame);
     const auto view = view_of(film, sky);
@@ -142,11 +143,13 @@ void render(const Film& film, Frames frames, int threads, const Told& told) {
     sequence.cameras.push_back(view.camera);
     batch.push_back({frame, moon.attributes, seen_by(view, sky)});
     lights.push_back(sky_lights(view, sky));
+    views.push_back(view);
   }
   write_sequence(folder.path(), sequence);
   const auto in_film_space = [&](std::size_t number, const std::filesystem::path& rendered) {
     auto image = texture::read_image(rendered);
     add_lights(image, sequence.cameras[number - 1], lights[number - 1]);
+    hide_below_horizon(image, views[number - 1], film.sky(batch[number - 1].frame));
     const auto space = space_of(film.content);
     return space == picture_space ? image : in_space(image, picture_space, space);
   };

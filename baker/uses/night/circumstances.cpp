@@ -2,10 +2,12 @@
 #include "uses/night/circumstances.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "uses/picture/view.h"
 
@@ -14,46 +16,77 @@ namespace {
 
 using almanac::Instant;
 
-constexpr double longest_night_s = 13 * 3600., step_s = 600;
+constexpr double longest_night_s = 13 * 3600., step_s = 1800;
 
-/// Altitude of the upper limb over where it rises and sets [rad].
-double limb_altitude(const almanac::Observer& place, const Instant& when) {
-  constexpr auto refraction = algebra::degrees(34. / 60);
-  const auto view = almanac::view_from(place, almanac::sky_at(when));
-  const double semidiameter = std::asin(almanac::lunar_radius / view.moon_distance);
-  return algebra::in_radians(view.altitude) + semidiameter + algebra::in_radians(refraction);
+double height(const almanac::Observer& place, const Instant& when) {
+  return algebra::in_radians(above_horizon(place, almanac::sky_at(when)));
 }
 
+/// When the Moon comes up, or goes down.
+struct Crossing {
+  Instant when;
+  bool rises;
+};
+
 /// Where the altitude goes through 0 between two moments, by bisection to 0.02 s.
-Instant crossing(const almanac::Observer& place, Instant from, double seconds) {
-  const bool up = limb_altitude(place, from) > 0;
+Crossing crossing(const almanac::Observer& place, Instant from, double seconds) {
+  const bool up = height(place, from) > 0;
   while (seconds > 0.02) {
     seconds /= 2;
     const auto middle = almanac::later(from, seconds);
-    if ((limb_altitude(place, middle) > 0) == up) from = middle;
+    if ((height(place, middle) > 0) == up) from = middle;
   }
-  return from;
+  return {from, !up};
+}
+
+/// Moments from one to another, with the heights there: every half hour, and where a Moon that grazes the
+/// horizon is highest or lowest.
+std::vector<std::pair<double, double>> heights(const almanac::Observer& place, const Instant& from,
+                                               double seconds) {
+  constexpr double grazing = 3e-3;  // (2π / a day · half a step)² / 2: most that it rises between steps
+  const auto steps = static_cast<int>(std::ceil(seconds / step_s));
+  const double step = seconds / steps;
+  const auto at = [&](double s) {
+    return std::pair{s, height(place, almanac::later(from, s))};
+  };
+  std::vector<std::pair<double, double>> all;
+  for (int i = 0; i <= steps; ++i) all.push_back(at(i * step));
+  for (int i = 1; i < steps; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    const double before = all[n - 1].second, here = all[n].second, after = all[n + 1].second;
+    const double bend = before - 2 * here + after;
+    if (std::abs(here) < grazing && (here - before) * (here - after) > 0)
+      all.push_back(at(i * step + step * (before - after) / (2 * bend)));
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+std::vector<Crossing> crossings(const almanac::Observer& place, const Instant& from,
+                                const Instant& to) {
+  std::vector<Crossing> found;
+  const auto all = heights(place, from, almanac::seconds_between(from, to));
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if ((all[i - 1].second > 0) != (all[i].second > 0))
+      found.push_back(crossing(place, almanac::later(from, all[i - 1].first),
+                               all[i].first - all[i - 1].first));
+  return found;
 }
 
 NightMoment moment_at(const almanac::Observer& place, std::string name, const Instant& when) {
   return {std::move(name), when, apparent_place(place, almanac::sky_at(when)),
-          limb_altitude(place, when) > 0};
+          height(place, when) > 0};
 }
 
 /// Rise and set around the greatest phase.
 std::vector<NightMoment> horizon_crossings(const Circumstances& night) {
   std::vector<NightMoment> all;
-  const auto first = almanac::later(night.eclipse.greatest, -longest_night_s);
-  bool up = limb_altitude(night.place, first) > 0;
-  for (double s = 0; s < 2 * longest_night_s; s += step_s) {
-    const bool then = limb_altitude(night.place, almanac::later(first, s + step_s)) > 0;
-    if (then != up) {
-      auto found = moment_at(night.place, then ? "moonrise" : "moonset",
-                             crossing(night.place, almanac::later(first, s), step_s));
-      found.up = true;
-      all.push_back(std::move(found));
-    }
-    up = then;
+  const auto& greatest = night.eclipse.greatest;
+  for (const auto& [when, rises] :
+       crossings(night.place, almanac::later(greatest, -longest_night_s),
+                 almanac::later(greatest, longest_night_s))) {
+    all.push_back(moment_at(night.place, rises ? "moonrise" : "moonset", when));
+    all.back().up = true;
   }
   return all;
 }
@@ -77,7 +110,7 @@ struct Share {
 };
 
 Share up_between(const Circumstances& night, const Instant& from, const Instant& to) {
-  const bool up = limb_altitude(night.place, from) > 0;
+  const bool up = height(night.place, from) > 0;
   const bool changes = std::ranges::any_of(night.moments, [&](const NightMoment& moment) {
     return moment.name.starts_with("moon") && almanac::seconds_between(from, moment.when) > 0 &&
            almanac::seconds_between(moment.when, to) > 0;
@@ -116,6 +149,33 @@ std::string what_is_seen(const Circumstances& night) {
   if (c.U2) return text + part_seen(up_between(night, *c.U2, *c.U3), "totality") + ".";
   if (c.U1) return text + part_seen(up_between(night, *c.U1, *c.U4), "the partial phase") + ".";
   return text + "some of the penumbral phase is seen.";
+}
+
+std::string contacts_seen(const eclipse::Eclipse& eclipse, const almanac::Observer& place) {
+  const auto contacts = contacts_of(eclipse);
+  const auto changes = crossings(place, contacts.front().second, contacts.back().second);
+  auto change = changes.begin();
+  bool up = height(place, contacts.front().second) > 0;
+  if (changes.empty()) return up ? "all" : "none";
+  std::vector<std::string> parts, names;
+  const auto end_part = [&](const std::string& before, const std::string& after) {
+    if (names.empty())
+      parts.push_back(fmt::format("between {} and {}", before, after));
+    else
+      parts.push_back(names.size() == 1 ? names.front() : names.front() + " to " + names.back());
+    names.clear();
+  };
+  std::string last;
+  for (const auto& [name, when] : contacts) {
+    for (; change != changes.end() && almanac::seconds_between(change->when, when) > 0; ++change) {
+      if (!change->rises) end_part(last, name);
+      up = change->rises;
+    }
+    if (up) names.push_back(name);
+    last = name;
+  }
+  if (up) end_part(last, last);
+  return fmt::format("{}", fmt::join(parts, " and "));
 }
 
 }  // namespace coppermoon::uses

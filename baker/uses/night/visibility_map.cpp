@@ -59,8 +59,14 @@ std::string curve_text(const std::vector<std::pair<double, double>>& points) {
   return text;
 }
 
-/// 0: nothing of the eclipse is seen there, 1: some of its contacts, 2: all.
-std::string shade_text(const std::vector<UnderMoon>& moons) {
+/// 0: nothing of the eclipse is seen there, 1: some of it, 2: all.
+std::string shade_text(const eclipse::Eclipse& eclipse) {
+  constexpr int steps = 48;  // of an eclipse of six hours at most: the Moon goes less than a cell
+  const auto& [first, last] = std::pair(*eclipse.contacts.P1, *eclipse.contacts.P4);
+  std::vector<UnderMoon> moons;
+  for (int i = 0; i <= steps; ++i)
+    moons.push_back(
+        under_moon(almanac::later(first, almanac::seconds_between(first, last) * i / steps)));
   std::string text;
   for (int latitude = -89; latitude <= 89; latitude += 2) {
     for (int longitude = -179; longitude <= 179; longitude += 2) {
@@ -88,11 +94,9 @@ std::string map_script(const eclipse::Eclipse& eclipse,
   constexpr const char* colours[] = {"#9c9c9c", "#c88a3a", "#b0432b", "#701f1f",
                                      "#b0432b", "#c88a3a", "#9c9c9c"};
   std::string data, plots, labels;
-  std::vector<UnderMoon> moons;
   const auto contacts = contacts_of(eclipse);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto& [name, when] = contacts[i];
-    moons.push_back(under_moon(when));
     const auto circle = horizon_circle(when, 361);
     data += fmt::format("$c{} << EOD\n{}EOD\n", i, curve_text(circle));
     plots += fmt::format(", $c{} using 1:2 with lines lw 2 lc rgb '{}' title '{} {}'", i,
@@ -120,7 +124,7 @@ set cbrange [0:2]
 unset colorbox
 {}plot $shade using 1:2:3 with image notitle, $land using 1:2 with lines lw 1 lc rgb '#7d8894' notitle{}
 )~",
-                     night::tables::coastlines(), shade_text(moons), data, name_of(eclipse), labels,
+                     night::tables::coastlines(), shade_text(eclipse), data, name_of(eclipse), labels,
                      plots);
 }
 

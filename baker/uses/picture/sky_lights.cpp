@@ -109,6 +109,7 @@ class Dome {
  public:
   Dome(const View& view, const almanac::SkyState& sky)
       : seen_(almanac::view_from(*view.observer, sky)),
+        lowest_(horizon_altitude(*view.observer)),
         lights_(view.sightline ? std::optional(view.sightline->air) : std::nullopt) {}
 
   const almanac::ObserverView& seen() const { return seen_; }
@@ -118,11 +119,12 @@ class Dome {
   }
 
   bool shows(const glm::dvec3& direction) const {
-    return algebra::in_radians(atmosphere::apparent_altitude(altitude(direction))) > 0;
+    return algebra::in_radians(altitude(direction) - lowest_) > 0;
   }
 
   std::array<double, 3> light_of(const Source& source) const {
-    return lights_.lux(source.magnitude, source.b_minus_v, altitude(source.direction));
+    return lights_.lux(source.magnitude, source.b_minus_v,
+                       std::max(altitude(source.direction), atmosphere::lowest_true_altitude));
   }
 
   /// Raises a direction towards the zenith, as far as refraction does; or down, by another's refraction.
@@ -153,6 +155,7 @@ class Dome {
   }
 
   almanac::ObserverView seen_;
+  algebra::Angle lowest_;  ///< of what is seen
   StarLights lights_;
 };
 
@@ -304,7 +307,8 @@ std::vector<povray_scenes::StarInSky> lights_over(const View& view, const almana
   constexpr double naked_eye = 6.5;
   if (!view.stars.shown) return {};
   const Dome dome(view, sky);
-  const Cone above{dome.seen().zenith, -0.02};  // refraction raises what is up to 0.6 degrees below
+  const Cone above{dome.seen().zenith,
+                   std::sin(algebra::in_radians(horizon_altitude(*view.observer)))};
   auto sources =
       sources_in(above, view.stars.faintest.value_or(naked_eye), sky, dome.seen().position_m);
   std::ranges::stable_sort(sources, {}, &Source::magnitude);

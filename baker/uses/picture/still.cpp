@@ -28,6 +28,7 @@ texture::Image rendered(const LitScene& scene, const algebra::Progress& progress
                             folder.path(), {.window = window}, progress);
   beside.wait();
   add_lights(frame, scene.view.camera, lights);
+  hide_below_horizon(frame, scene.view, scene.moon.sky);
   return frame;
 }
 

@@ -5,31 +5,49 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "algebra/error.h"
+#include "almanac/gazetteer.h"
 #include "atmosphere/astronomical_refraction.h"
+#include "povray_scenes/sight.h"
 
 namespace coppermoon::uses {
 namespace {
 
-bool is_up(const almanac::ObserverView& seen) {
-  return algebra::in_radians(atmosphere::apparent_altitude(seen.altitude)) > 0;
+algebra::Angle semidiameter(const almanac::ObserverView& seen) {
+  return algebra::radians(std::asin(almanac::lunar_radius / seen.moon_distance));
 }
 
-void require_up(const almanac::ObserverView& seen, const almanac::Observer& observer,
-                const almanac::SkyState& sky) {
-  if (is_up(seen)) return;
+algebra::Angle above_horizon(const almanac::Observer& observer,
+                             const almanac::ObserverView& seen) {
+  return seen.altitude + semidiameter(seen) - horizon_altitude(observer);
+}
+
+/// The name of a city where its place is meant, else numbers.
+std::string place_name(const almanac::Observer& observer) {
+  const auto city = almanac::nearest_city(observer);
+  const bool same = place_text(city.place) == place_text(observer);
+  return same ? city.name : place_text(observer);
+}
+
+void require_up(const almanac::ObserverView& seen, const almanac::Observer& observer) {
+  const double below_deg = -algebra::in_degrees(above_horizon(observer, seen));
+  if (below_deg < 0) return;
   throw algebra::Error(fmt::format(
-      "the Moon is {:.2f} degrees below the horizon of {} at {}, allowed {:.2f}, which refraction "
-      "lifts it",
-      -algebra::in_degrees(seen.altitude), place_text(observer), almanac::utc_text(sky.when),
-      -algebra::in_degrees(atmosphere::lowest_true_altitude)));
+      "from {} the Moon is {:.{}f}° below the horizon then; choose another moment or place, or none",
+      place_name(observer), below_deg, below_deg < 10 ? 1 : 0));
+}
+
+/// The Moon's altitude, or that of the apparent horizon where a high place sees it lower: its air holds from
+/// there on.
+algebra::Angle altitude_in_air(const almanac::ObserverView& seen) {
+  return std::max(seen.altitude, atmosphere::lowest_true_altitude);
 }
 
 double flattening_of(const almanac::ObserverView& seen) {
-  const double sine = almanac::lunar_radius / seen.moon_distance;
-  return atmosphere::refracted_flattening(seen.altitude, algebra::radians(2 * std::asin(sine)));
+  return atmosphere::refracted_flattening(altitude_in_air(seen), 2 * semidiameter(seen));
 }
 
 /// Across the frame: what is told, or else so that the shorter side takes in the largest Moon there is,
@@ -72,8 +90,51 @@ povray_scenes::HorizonPlace apparent_place(const almanac::Observer& observer,
   return {atmosphere::apparent_altitude(seen.altitude), seen.azimuth};
 }
 
+algebra::Angle horizon_altitude(const almanac::Observer& observer) {
+  const double elevation_m = std::max(algebra::in_metres(observer.elevation), 0.);
+  return algebra::degrees(-(34 + 2.12 * std::sqrt(elevation_m)) / 60);
+}
+
+algebra::Angle above_horizon(const almanac::Observer& observer, const almanac::SkyState& sky) {
+  return above_horizon(observer, almanac::view_from(observer, sky));
+}
+
 bool moon_is_up(const ViewRequest& request, const almanac::SkyState& sky) {
-  return !request.observer || is_up(almanac::view_from(*request.observer, sky));
+  return !request.observer || algebra::in_radians(above_horizon(*request.observer, sky)) > 0;
+}
+
+void hide_below_horizon(texture::Image& frame, const View& view, const almanac::SkyState& sky) {
+  if (!view.observer) return;
+  const auto seen = almanac::view_from(*view.observer, sky);
+  // The frame has the Moon where it stands without air: all that is seen is turned down by its refraction.
+  const auto moon = glm::normalize(sky.moon_m - seen.position_m);
+  const double sine = glm::dot(moon, seen.zenith),
+               refraction = algebra::in_radians(atmosphere::astronomical_refraction(seen.altitude));
+  const auto upward = moon - sine * seen.zenith;
+  const double cosine = glm::length(upward);
+  const auto zenith = sky.selenographic_from_gcrs *
+                      (std::cos(refraction) * seen.zenith +
+                       (cosine > 0 ? std::sin(refraction) / cosine : 0) * upward);
+  const double horizon =
+      algebra::in_radians(atmosphere::apparent_altitude(horizon_altitude(*view.observer)));
+  const auto altitude = [&](const glm::dvec3& ray) {
+    return std::asin(std::clamp(glm::dot(ray, zenith) / glm::length(ray), -1., 1.));
+  };
+  const auto sight = povray_scenes::sight_of(view.camera);
+  const auto middle = sight.corner + 0.5 * static_cast<double>(frame.width) * sight.across +
+                      0.5 * static_cast<double>(frame.height) * sight.down;
+  const double reach = std::atan2(glm::length(sight.corner - middle), glm::length(middle));
+  if (altitude(middle) - reach > horizon) return;
+  const double pixel = glm::length(sight.across);
+  for (std::size_t row = 0; row < frame.height; ++row)
+    for (std::size_t column = 0; column < frame.width; ++column) {
+      const auto ray = sight.corner + (static_cast<double>(column) + 0.5) * sight.across +
+                       (static_cast<double>(row) + 0.5) * sight.down;
+      const double pixels = (altitude(ray) - horizon) * glm::length(ray) / pixel,
+                   share = std::clamp(0.5 + pixels, 0., 1.);
+      for (std::size_t k = 0; share < 1 && k < frame.channels.size(); ++k)
+        frame(row, column, k) *= static_cast<float>(share);
+    }
 }
 
 View view_of(const ViewRequest& request, const almanac::SkyState& sky) {
@@ -84,12 +145,12 @@ View view_of(const ViewRequest& request, const almanac::SkyState& sky) {
     return {povray_scenes::camera_at(sky, request.up, picture), {}, {}, request.stars};
   const auto& observer = *request.observer;
   const auto seen = almanac::view_from(observer, sky);
-  require_up(seen, observer, sky);
+  require_up(seen, observer);
   const auto camera = request.aim ? povray_scenes::camera_fixed(sky, seen, *request.aim, picture)
                                   : povray_scenes::camera_at(sky, seen, request.up, picture);
   View view{camera, observer, {}, request.stars, request.flattening};
   if (request.flattening) view.camera.flattening = flattening_of(seen);
-  if (request.reddening) view.sightline = {air_over(observer, request), seen.altitude};
+  if (request.reddening) view.sightline = {air_over(observer, request), altitude_in_air(seen)};
   return view;
 }
 

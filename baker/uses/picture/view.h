@@ -7,6 +7,7 @@
 #include "almanac/observer.h"
 #include "atmosphere/observer_air.h"
 #include "povray_scenes/camera.h"
+#include "texture/image.h"
 
 namespace coppermoon::uses {
 
@@ -52,11 +53,28 @@ std::string place_text(const almanac::Observer& observer);
 povray_scenes::HorizonPlace apparent_place(const almanac::Observer& observer,
                                            const almanac::SkyState& sky);
 
-/// Whether the Moon is above the observer's horizon, refraction counted; true without an observer.
+/// True altitude of a light that a place sees on its horizon: that of the sea, with refraction.
+///
+///     h = −34′ − 2.12′ √(H / m)        H: the place's elevation; one below the sea counts as 0
+///
+/// Omits   mountains, and that land around a high place may be high too; weather, which changes refraction
+///         by some minutes. Above 10 km it is too low: by 0.6 degrees at 100 km
+/// Source  Explanatory Supplement to the Ephemeris (1961), on rising and setting: 34′, and 1.17′ √(H / ft)
+algebra::Angle horizon_altitude(const almanac::Observer& observer);
+
+/// How far the Moon's upper limb is above a place's horizon; below 0 nothing of the Moon is seen.
+algebra::Angle above_horizon(const almanac::Observer& observer, const almanac::SkyState& sky);
+
+/// Whether some of the Moon is above the observer's horizon; true without an observer.
 bool moon_is_up(const ViewRequest& request, const almanac::SkyState& sky);
 
-/// Throws Error when the Moon is below the observer's horizon, refraction counted: says by how much;
-///        or when the observer's air is not sound
+/// Takes out of a frame what the horizon hides, by the part of each pixel that is below it.
+///
+/// Given  frame  of the view's camera; from space nothing is hidden
+void hide_below_horizon(texture::Image& frame, const View& view, const almanac::SkyState& sky);
+
+/// Throws Error when nothing of the Moon is above the observer's horizon: says by how much; or when the
+///        observer's air is not sound
 View view_of(const ViewRequest& request, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::uses

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/view.h"
 
+#include <algorithm>
+
 #include "algebra/error.h"
+#include "almanac/gazetteer.h"
 #include "almanac/instant.h"
+#include "atmosphere/astronomical_refraction.h"
 #include "support/within.h"
 
 namespace coppermoon::uses {
@@ -18,7 +22,7 @@ almanac::Observer at(double latitude, double longitude, double elevation_m = 0) 
   return {algebra::degrees(latitude), algebra::degrees(longitude), algebra::metres(elevation_m)};
 }
 
-const auto low_moon = at(42, 47.3), just_set = at(42, 50.3), set = at(42, 51);
+const auto low_moon = at(42, 47.3), just_set = at(42, 50.3), half_set = at(42, 50.6), set = at(42, 52);
 
 ViewRequest from(const almanac::Observer& observer) { return {.observer = observer}; }
 
@@ -96,9 +100,82 @@ TEST(ViewOf, SaysHowFarBelowTheHorizonTheMoonIs) {
     view_of(from(at(-30, 150)), mid_eclipse());
     FAIL() << "the Moon of one in the afternoon was seen";
   } catch (const algebra::Error& error) {
-    EXPECT_NE(std::string(error.what()).find("degrees below the horizon of -30,150"),
-              std::string::npos);
+    const std::string said = error.what();
+    EXPECT_TRUE(said.starts_with("from -30,150 the Moon is ")) << said;
+    EXPECT_TRUE(said.ends_with(
+        "° below the horizon then; choose another moment or place, or none"))
+        << said;
   }
+  const auto tokyo = almanac::city_named("Tokyo")->place;
+  try {
+    view_of(from(tokyo), mid_eclipse());
+    FAIL() << "the Moon of one in the afternoon was seen";
+  } catch (const algebra::Error& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("from Tokyo the Moon")) << error.what();
+  }
+}
+
+/// A frame of ones.
+texture::Image bright_frame(const View& view) {
+  texture::Image frame(view.camera.width, view.camera.height, {"R", "G", "B"});
+  std::ranges::fill(frame.values, 1.F);
+  return frame;
+}
+
+TEST(TheHorizon, IsLoweredAsTheObserverIsHigher) {
+  // 1.17' times the square root of feet above the sea: 3 degrees lower at 7218 m, 23681 ft
+  EXPECT_WITHIN(in_arcminutes(horizon_altitude(at(0, 0))), -34, 1e-9, reason);
+  EXPECT_WITHIN(in_arcminutes(horizon_altitude(at(0, 0, 7218))), -34 - 180, 0.2,
+                "arcminutes: 1.17 and 2.12 are of three digits");
+  EXPECT_EQ(horizon_altitude(at(0, 0, -430)), horizon_altitude(at(0, 0)));
+  EXPECT_FALSE(moon_is_up(from(at(42, 53)), mid_eclipse()));
+  EXPECT_TRUE(moon_is_up(from(at(42, 53, 4000)), mid_eclipse()));
+  EXPECT_NO_THROW(view_of(from(at(42, 53, 4000)), mid_eclipse()))
+      << "two degrees below where the air's formulas end";
+}
+
+TEST(TheHorizon, HidesTheLowerPartOfARisingMoon) {
+  const auto sky = mid_eclipse();
+  auto request = from(half_set);
+  request.width = request.height = 100;
+  request.up = povray_scenes::Up::zenith;
+  const auto view = view_of(request, sky);
+  auto frame = bright_frame(view);
+  hide_below_horizon(frame, view, sky);
+  const auto seen = almanac::view_from(half_set, sky);
+  // refraction lifts the Moon over the horizon by so much; the field is of 0.6 degrees
+  const double above_deg =
+      in_degrees(seen.altitude + atmosphere::astronomical_refraction(seen.altitude));
+  const double row = 50 + above_deg / 0.6 * 100;
+  ASSERT_TRUE(row > 55 && row < 95) << row;
+  EXPECT_EQ(frame(0, 50, 0), 1);
+  EXPECT_EQ(frame(static_cast<std::size_t>(row) - 3, 50, 0), 1);
+  EXPECT_EQ(frame(static_cast<std::size_t>(row) + 3, 50, 1), 0)
+      << "3 pixels are 1': between almanacs' 34' and the formula of refraction are 0.4'";
+  EXPECT_EQ(frame(99, 0, 2), 0);
+  double column = 0;
+  for (std::size_t r = 0; r < 100; ++r) column += static_cast<double>(frame(r, 10, 0));
+  EXPECT_WITHIN(column, row, 1.5, "pixels: the same 0.4', 1.1 pixels, and the angle's tangent");
+  auto high = from(at(42.86, -73.77));
+  auto untouched = bright_frame(view_of(high, sky));
+  hide_below_horizon(untouched, view_of(high, sky), sky);
+  EXPECT_TRUE(std::ranges::all_of(untouched.values, [](float v) { return v == 1; }));
+}
+
+TEST(TheHorizon, StandsWhereAFixedCameraHasItToo) {
+  const auto sky = mid_eclipse();
+  auto request = from(low_moon);
+  request.width = request.height = 100;
+  request.field_deg = 10;
+  const auto seen = apparent_place(low_moon, sky);
+  request.aim = povray_scenes::HorizonPlace{algebra::degrees(0), seen.azimuth};
+  const auto view = view_of(request, sky);
+  auto frame = bright_frame(view);
+  hide_below_horizon(frame, view, sky);
+  EXPECT_EQ(frame(45, 50, 0), 1);
+  EXPECT_EQ(frame(54, 50, 0), 0) << "the picture's middle is on the horizon";
+  EXPECT_EQ(frame(45, 5, 0), 1);
+  EXPECT_EQ(frame(54, 95, 0), 0) << "which is level";
 }
 
 TEST(PlaceText, IsWhatWasToldInSevenDigits) {
