@@ -35,7 +35,7 @@ endmacro()
 set(coppermoon_known)
 set(coppermoon_missing)
 # target, then PACKAGE and the name of a CMake package, MODULE and pkg-config's name, or a header and a library's name
-coppermoon_library(date::date-tz PACKAGE date)
+coppermoon_library(absl::time PACKAGE absl)
 coppermoon_library(fmt::fmt PACKAGE fmt)
 coppermoon_library(glm::glm PACKAGE glm)
 coppermoon_library(nlohmann_json::nlohmann_json PACKAGE nlohmann_json)

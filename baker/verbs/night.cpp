@@ -38,7 +38,7 @@ struct Options {
   MoonOptions moon;
   uses::ViewRequest view;
   uses::Development develop;
-  std::string place;
+  std::string place, zone;  ///< without a zone: that of the place
   std::vector<std::string> outputs;
   bool danjon = true, json = false, csv = false;
 };
@@ -47,8 +47,9 @@ struct Options {
 struct Night {
   uses::Circumstances circumstances;
   uses::NightLights lights;
-  almanac::City city;  ///< whose clocks are shown
+  almanac::City city;  ///< the place, or the nearest one
   bool own_clocks;     ///< the place is that city
+  std::string zone;    ///< of the clocks that are shown
 };
 
 constexpr const char* winds[] = {"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
@@ -60,7 +61,7 @@ std::string wind(algebra::Angle azimuth) {
 }
 
 std::string clock_of(const Night& night, const almanac::Instant& when) {
-  const auto local = uses::local_time(when, night.city.time_zone);
+  const auto local = uses::local_time(when, night.zone);
   return local.date + " " + local.time + " " + local.abbreviation;
 }
 
@@ -108,7 +109,7 @@ void print(const Night& night) {
   fmt::print("{}\n{}: {}\n", uses::name_of(night.circumstances.eclipse),
              night.own_clocks ? night.city.name : uses::place_text(place),
              what_is_seen(night.circumstances));
-  if (!night.own_clocks)
+  if (!night.own_clocks && night.zone == night.city.time_zone)
     fmt::print("Local times are those of {} ({}), the nearest city that is known.\n",
                night.city.name, night.city.time_zone);
   fmt::print("\n");
@@ -124,14 +125,14 @@ nlohmann::ordered_json as_json(const Night& night) {
   const auto& place = night.circumstances.place;
   nlohmann::ordered_json all{{"eclipse", uses::name_of(night.circumstances.eclipse)},
                              {"at", uses::place_text(place)},
-                             {"time_zone", night.city.time_zone},
+                             {"time_zone", night.zone},
                              {"seen", what_is_seen(night.circumstances)},
                              {"f_number", night.lights.f_number},
                              {"iso", night.lights.iso},
                              {"moments", nlohmann::ordered_json::array()},
                              {"exposures", nlohmann::ordered_json::array()}};
   for (const auto& moment : night.circumstances.moments) {
-    const auto local = uses::local_time(moment.when, night.city.time_zone);
+    const auto local = uses::local_time(moment.when, night.zone);
     nlohmann::ordered_json row{{"name", moment.name},
                                {"utc", almanac::utc_text(moment.when)},
                                {"local", local.date + "T" + local.time},
@@ -178,7 +179,8 @@ void require_sound(const Options& options) {
     const auto ending = file.extension();
     if (!holds({".ics", ".csv", ".json", ".png", ".svg", ".pdf"}, ending.string()))
       throw algebra::Error(fmt::format(
-          "{}: a night ends in .ics, .csv or .json, its map in .png, .svg or .pdf", file.string()));
+          "{}: night writes .ics, .csv and .json, and its map as .png, .svg or .pdf",
+          file.string()));
     files::require_place_for(file);
   }
 }
@@ -203,7 +205,10 @@ Night night_of(const Options& options) {
   Night night{uses::circumstances(eclipse, *options.view.observer),
               {},
               named ? *named : almanac::nearest_city(*options.view.observer),
-              named.has_value()};
+              named.has_value(),
+              options.zone};
+  if (night.zone.empty()) night.zone = night.city.time_zone;
+  uses::local_time(eclipse.greatest, night.zone);  // refuses what is no zone
   ProgressBar bar("light");
   auto development = options.develop;
   development.focal_length_mm = seen_through(development.camera, options.view).focal_length_mm;
@@ -243,6 +248,9 @@ void add_night(CLI::App& program) {
       },
       "place of the observer: a city, as Honolulu, or LAT,LON[,ELEV] [degrees north and east, "
       "metres]");
+  add_flag(*verb, "--zone", options->zone,
+           "time zone of the local times: an IANA name, as Europe/Berlin, or an offset, as +02:00; "
+           "that of the city unless given");
   add_flag(*verb, "-o,--output", options->outputs,
            "file: .ics for a calendar, .csv, .json, or a map of where the eclipse is seen, .png, "
            ".svg or .pdf. May be given again")

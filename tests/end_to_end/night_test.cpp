@@ -31,6 +31,7 @@ TEST_F(Night, IsToldInATableADocumentAndFiles) {
   const auto document = nlohmann::json::parse(text_of(here("a.json")));
   EXPECT_EQ(document["time_zone"], "Europe/London") << "of the nearest city";
   EXPECT_EQ(document["f_number"], 8);
+  EXPECT_EQ(document["moments"][0]["zone"], "BST");
   ASSERT_EQ(document["moments"].size(), 9U) << "seven contacts, Moonrise and Moonset";
   for (const auto& moment : document["moments"])
     EXPECT_EQ(moment["up"].get<bool>(), moment["utc"] >= "2018-07-27T19:49") << moment;
@@ -41,7 +42,10 @@ TEST_F(Night, OfNoPlaceOrOfAnotherFileIsRefused) {
             "coppermoon: --at: missing; a place is needed, as Honolulu\n");
   EXPECT_EQ(
       coppermoon({"night", "2018-07-27", "--at", "London", "-o", "a.gif"}).err,
-      "coppermoon: a.gif: a night ends in .ics, .csv or .json, its map in .png, .svg or .pdf\n");
+      "coppermoon: a.gif: night writes .ics, .csv and .json, and its map as .png, .svg or .pdf\n");
+  EXPECT_NE(coppermoon({"night", "2018-07-27", "--at", "London", "--zone", "Moon/Tycho"})
+                .err.find("time zone = Moon/Tycho: not in this system's zoneinfo"),
+            std::string::npos);
   EXPECT_EQ(listing(), std::set<std::string>{});
 }
 

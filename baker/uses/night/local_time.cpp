@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "uses/night/local_time.h"
 
-#include <date/tz.h>
+#include <absl/time/civil_time.h>
+#include <absl/time/time.h>
 #include <fmt/format.h>
 
-#include <chrono>
+#include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <exception>
+#include <cstdlib>
 
 #include "algebra/error.h"
 
@@ -14,45 +16,64 @@ namespace coppermoon::uses {
 
 namespace {
 
-/// Days and seconds that a text as "2018-07-27T23:21:45" tells, on whatever clock.
-std::chrono::seconds told_by(const std::string& text) {
+/// What a clock of UTC shows, without leap seconds, as system clocks count.
+absl::CivilSecond civil_time(const almanac::Instant& when) {
+  const auto text = almanac::utc_text(when);
+  const std::size_t sign = text.starts_with('-');
   const auto part = [&](std::size_t from, std::size_t count) {
-    return std::stoi(text.substr(from, count));
+    return std::stoi(text.substr(sign + from, count));
   };
-  const auto day = date::year(part(0, 4)) / part(5, 2) / part(8, 2);
-  return date::sys_days(day).time_since_epoch() + std::chrono::hours(part(11, 2)) +
-         std::chrono::minutes(part(14, 2)) + std::chrono::seconds(part(17, 2));
+  return absl::CivilSecond((sign ? -1 : 1) * part(0, 4), part(5, 2), part(8, 2), part(11, 2),
+                           part(14, 2), part(17, 2));
 }
 
-algebra::Error no_such_zone(const std::string& zone, const std::exception& error) {
-  return algebra::Error(
-      fmt::format("time zone {}: not in this system's zoneinfo ({})", zone, error.what()));
+std::string date_text(const absl::CivilSecond& time) {
+  return fmt::format("{}{:04}-{:02}-{:02}", time.year() < 0 ? "-" : "", std::abs(time.year()),
+                     time.month(), time.day());
+}
+
+std::string clock_text(const absl::CivilSecond& time) {
+  return fmt::format("{:02}:{:02}:{:02}", time.hour(), time.minute(), time.second());
+}
+
+/// Names of the IANA's data are of these letters; others would be files.
+bool is_plain(const std::string& name) {
+  return std::ranges::all_of(name, [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '-' || c == '+' || c == '/';
+  });
+}
+
+absl::TimeZone zone_named(const std::string& zone) {
+  absl::TimeZone found;
+  if (zone.starts_with('+') || zone.starts_with('-')) {
+    const auto there = almanac::instant_from_utc("2000-01-01T00:00" + zone),
+               here = almanac::instant_from_utc("2000-01-01T00:00");
+    return absl::FixedTimeZone(
+        static_cast<int>(std::lround(almanac::seconds_between(there, here))));
+  }
+  if (zone.empty() || zone.starts_with('/') || !is_plain(zone) ||
+      !absl::LoadTimeZone(zone, &found))
+    throw algebra::Error(
+        fmt::format("time zone = {}: not in this system's zoneinfo (tzdata), allowed a name of the "
+                    "IANA's data, as Africa/Nairobi, or an offset, as +03:00",
+                    zone));
+  return found;
 }
 
 }  // namespace
 
 LocalTime local_time(const almanac::Instant& when, const std::string& zone) {
-  // Seconds of UTC without leap seconds, as system clocks count them.
-  const auto text = almanac::utc_text(when);
-  if (text.starts_with('-'))
-    throw algebra::Error(fmt::format("{}: local times are known from the year 1 on", text));
-  try {
-    const auto local = date::make_zoned(zone, date::sys_seconds(told_by(text)));
-    return {date::format("%F", local), date::format("%T", local), local.get_info().abbrev};
-  } catch (const std::exception& error) {
-    throw no_such_zone(zone, error);
-  }
+  const auto utc = absl::FromCivil(civil_time(when), absl::UTCTimeZone());
+  const auto local = zone_named(zone).At(utc);
+  return {date_text(local.cs), clock_text(local.cs), local.zone_abbr};
 }
 
 almanac::Instant instant_of_local(const std::string& local, const std::string& zone) {
-  almanac::instant_from_utc(local);  // refuses what is no date
-  try {
-    const auto zoned =
-        date::make_zoned(zone, date::local_seconds(told_by(local)), date::choose::earliest);
-    return almanac::instant_from_utc(date::format("%FT%TZ", zoned.get_sys_time()));
-  } catch (const std::exception& error) {
-    throw no_such_zone(zone, error);
-  }
+  const auto time = civil_time(almanac::instant_from_utc(local));
+  const auto found = zone_named(zone).At(time);
+  const bool leapt = found.kind == absl::TimeZone::TimeInfo::SKIPPED;
+  const auto utc = absl::ToCivilSecond(leapt ? found.trans : found.pre, absl::UTCTimeZone());
+  return almanac::instant_from_utc(date_text(utc) + "T" + clock_text(utc) + "Z");
 }
 
 }  // namespace coppermoon::uses
