@@ -16,6 +16,7 @@
 #include "uses/light/shadow_profile.h"
 #include "uses/light/shadow_strip.h"
 #include "verbs/command_line.h"
+#include "verbs/flags/air_options.h"
 #include "verbs/flags/light_options.h"
 #include "verbs/flags/moments.h"
 #include "verbs/flags/number_list.h"
@@ -128,14 +129,13 @@ void require_sound(const Options& options) {
   }
 }
 
-/// When, how far away, and through what air.
-std::string title_of(const Cut& cut, const uses::LightRequest& light) {
+/// When and how far away; through what air, on a line of gnuplot's by itself.
+std::string title_of(const Cut& cut, const std::string& air) {
   const auto distance = fmt::format("{:.0f} km from the Earth", cut.depth_m / 1e3);
-  const auto air = fmt::format("{} air", light.air.atmosphere);
-  if (!cut.sky) return fmt::format("The Earth's shadow {}, {}", distance, air);
+  if (!cut.sky) return fmt::format("The Earth's shadow {}\\n{}", distance, air);
   auto when = almanac::utc_text(cut.sky->when).substr(0, 19);
   std::ranges::replace(when, 'T', ' ');
-  return fmt::format("The Earth's shadow on {} UTC, {}, {}", when, distance, air);
+  return fmt::format("The Earth's shadow on {} UTC, {}\\n{}", when, distance, air);
 }
 
 void write(const std::filesystem::path& file, const uses::ShadowProfile& result,
@@ -166,14 +166,14 @@ void make_lookup(const Options& options, uses::StripShadow shadow, const uses::L
 }
 
 void make_profile(const Options& options, const Cut& cut, const uses::ShadowCut& shadow,
-                  const uses::LightRequest& light) {
+                  const uses::LightRequest& light, const std::string& air_in_words) {
   const auto start = std::chrono::steady_clock::now();
   const auto result = [&] {
     ProgressBar bar("light");
     return uses::shadow_profile(light, shadow, places_of(options), bar.progress());
   }();
   auto document = as_json(result, light, shadow.arrangement);
-  const auto marks = uses::marks_of(shadow.arrangement, cut.sky, title_of(cut, light));
+  const auto marks = uses::marks_of(shadow.arrangement, cut.sky, title_of(cut, air_in_words));
   for (const auto& file : options.outputs) write(file, result, document, marks);
   if (options.json) {
     if (!options.outputs.empty()) document["files"] = options.outputs;
@@ -196,7 +196,7 @@ void run(const CLI::App& verb, const Options& options) {
   const uses::ShadowCut shadow{air, uses::arrangement_of(light, cut.sun_distance_m, {cut.depth_m})};
   if (!options.lookup.empty())
     return make_lookup(options, {shadow, cut.sky}, light, recipe_of(verb));
-  make_profile(options, cut, shadow, light);
+  make_profile(options, cut, shadow, light, air_in_words(verb));
 }
 
 }  // namespace

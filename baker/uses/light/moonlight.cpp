@@ -136,7 +136,10 @@ shadow::RefractedLight refracted_light(const LightRequest& request,
         air, arrangement, grid.wavelengths_nm, grid.axis_distances_m,
         {.rays = work.rays, .sun_terms = work.sun_terms, .around = grid.around}, progress);
   }();
-  if (request.scattered_light == ScatteredLight::on) shadow::add_twilight(light, air);
+  const auto& terms = request.by_hand.terms;
+  const bool left_out = terms && !terms->scattered_light;
+  if (!left_out && scattered_light_of(request) != ScatteredLight::off)
+    shadow::add_twilight(light, air);
   if (request.starlight) shadow::add_starlight(light);
   return light;
 }
@@ -183,7 +186,10 @@ plan::Plan plan_of(const LightRequest& request, const ShadowedMoon& moon, const 
   const auto scattered = scattered_light_of(request);
   auto scene = scene_of(moon, purpose);
   auto hand = request.by_hand;
-  if (scattered == ScatteredLight::off) scene.without_scattered = 0;
+  if (scattered == ScatteredLight::off) {
+    scene.without_scattered = 0;
+    if (hand.terms) hand.terms->scattered_light = false;
+  }
   hand.scattered_light = scattered == ScatteredLight::on;
   hand.photons = request.photons;
   if (request.solver == Solver::quadrature) hand.method = plan::Method::quadrature;

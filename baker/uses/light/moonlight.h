@@ -75,9 +75,9 @@ struct LightGrid {
   std::size_t around = shadow::sectors_around;  ///< sectors, where light differs around the axis
 };
 
-/// Refracted light by the solver asked for; scattered light and starlight are added to it where they
-/// are on. Its rays and the terms of the Sun are those that 0.1 % of light asks for, or a finer
-/// tolerance.
+/// Refracted light by the solver asked for, with scattered light unless it is off or left out (each
+/// wavelength counts by itself, so `automatic` has it), and starlight where it is on. Its rays and the
+/// terms of the Sun are those that 0.1 % of light asks for, or a finer tolerance.
 ///
 /// Throws  Error  when photons are asked for, and not how many
 shadow::RefractedLight refracted_light(const LightRequest& request,

@@ -27,8 +27,8 @@ struct ProfilePlaces {
   std::optional<double> position_angle_deg{};
 };
 
-/// Irradiance across the shadow over unobstructed sunlight, direct light included, and its standard
-/// error: (axis distance, wavelength).
+/// Irradiance across the shadow over unobstructed sunlight, of light refracted, scattered and direct, and
+/// its standard error: (axis distance, wavelength).
 struct ShadowProfile {
   std::vector<double> wavelengths_nm, axis_distances_m;
   algebra::Grid<double> ratio, standard_error;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -146,6 +147,17 @@ void add_regions(CLI::App& verb, uses::Air& air) {
       .one_value_each_time();
 }
 
+/// "ozone 300 DU", "stratospheric aerosol extreme".
+std::string in_words(const std::string& flag, const std::string& value) {
+  static const std::map<std::string, std::string> units{{"-km", " km"}, {"-du", " DU"}};
+  auto name = flag;
+  std::string unit;
+  for (const auto& [ending, its_unit] : units)
+    if (name.ends_with(ending)) name.resize(name.size() - ending.size()), unit = its_unit;
+  std::ranges::replace(name, '-', ' ');
+  return name + ' ' + value + unit;
+}
+
 }  // namespace
 
 void add_air_but_sought(CLI::App& verb, uses::Air& air) {
@@ -158,6 +170,24 @@ void add_air_options(CLI::App& verb, uses::Air& air) {
   add_sought(verb, air.column);
   add_layers(verb, air.column);
   add_regions(verb, air);
+}
+
+std::string air_in_words(const CLI::App& verb) {
+  std::string air = "standard air", changes;
+  for (const auto* option : verb.get_options()) {
+    if (option->get_group() != air_group || option->count() == 0) continue;
+    const auto& flag = option->get_lnames().front();
+    const auto& value = option->results().back();
+    const auto usual = option->get_default_str();
+    if (flag == "atmosphere")
+      air = value == "none" ? "no air"
+                            : (value == atmosphere::lasting_name(usual) ? usual : value) + " air";
+    else if (flag == "region")
+      changes += option->count() == 1 ? ", 1 region" : fmt::format(", {} regions", option->count());
+    else if (value != usual)
+      changes += ", " + in_words(flag, value);
+  }
+  return air + changes;
 }
 
 RegionReader::RegionReader() : app_(std::make_unique<CLI::App>("", "a region")) {

@@ -18,6 +18,9 @@ void add_air_but_sought(CLI::App& verb, uses::Air& air);
 /// All of the air: also dust, cloud cover, ozone, Danjon's scale, regions.
 void add_air_options(CLI::App& verb, uses::Air& air);
 
+/// The air that was asked for, as titles name it: "standard air, stratospheric aerosol extreme".
+std::string air_in_words(const CLI::App& verb);
+
 /// What a region may say, and what it said once it was read.
 class RegionReader {
  public:

@@ -327,6 +327,9 @@ TEST(LightOnTheMoon, KeepsScatteredLightOffWhenItIsLeftOut) {
   EXPECT_FALSE(light.plan.work.scattered_light);
   const auto& left_out = light.plan.left_out;
   EXPECT_NE(std::ranges::find(left_out, "scattered light", &plan::LeftOut::term), left_out.end());
+  request.by_hand.terms = plan::Work{.ellipsoid = false, .scattered_light = true};
+  request.scattered_light = ScatteredLight::off;
+  EXPECT_FALSE(planned_light(request, sky).work.scattered_light) << "off, whatever is left out";
 }
 
 }  // namespace

@@ -42,6 +42,28 @@ TEST(ShadowProfile, OfAnEllipsoidIsAWaveAroundTheAxis) {
   }
 }
 
+/// At 450 nm on the axis, over sunlight.
+double blue_on_the_axis(LightRequest request, ScatteredLight scattered) {
+  request.scattered_light = scattered;
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:21:45Z"));
+  return shadow_profile(request, shadow_at_the_moon(request, sky),
+                        {.wavelengths_nm = {450}, .axis_distances_m = {0}})
+      .ratio(0, 0);
+}
+
+TEST(ShadowProfile, HasScatteredLightUnlessItIsOffOrLeftOut) {
+  using enum ScatteredLight;
+  auto request = in_undated_air();
+  request.air.column.stratosphere = atmosphere::StratosphericAerosol::extreme;
+  const double as_usual = blue_on_the_axis(request, automatic),
+               without = blue_on_the_axis(request, off);
+  EXPECT_EQ(as_usual, blue_on_the_axis(request, on));
+  EXPECT_GT(as_usual, 5e-7) << "1e-6 under a stratosphere full of ash: shadow::twilight";
+  EXPECT_LT(without, 1e-10) << "nothing else gets through it";
+  request.by_hand.terms = plan::Work{.scattered_light = false};
+  EXPECT_EQ(blue_on_the_axis(request, on), without);
+}
+
 TEST(ShadowProfile, OfFewPhotonsIsNeverDarkerThanBlack) {
   auto request = in_undated_air();
   request.solver = Solver::photons;

@@ -136,7 +136,8 @@ class Texture(unittest.TestCase):
 
 class Moonlight(unittest.TestCase):
     def test_is_the_shadows_where_the_moon_stands_in_it(self):
-        light = coppermoon.moonlight(when, air=clear, light=draft)
+        scattered = {"scattered_light": "on"}  # the profile has it always, moonlight where luminance asks for it
+        light = coppermoon.moonlight(when, air=clear, light=coppermoon.Light(bands=4, rays=60, **scattered))
         ratio = light.ratio(*numpy.meshgrid([-60, -30, 0, 30, 60], [-60, 0, 60], indexing="ij"))
         self.assertEqual(ratio.shape, (5, 3, len(light.wavelengths_nm)))
         # the farthest ground is 745 + 1737 km from the axis. The profile is the mean around the axis: an ellipsoid's light
