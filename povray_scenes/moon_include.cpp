@@ -35,10 +35,13 @@ std::string moon_include(const MoonInSky& moon) {
 //   object {{ Eclipsed_Moon(1, 1e6) }}
 //   Eclipsed_Moonlight(1)
 //
-// stars.inc beside it has the stars.
+// eclipse_stars.inc beside it has the stars.
 //
 // y is up, z north, x east. Luminance is in cd/m2: render to OpenEXR and develop it with `coppermoon develop`.
 #include "coppermoon.inc"
+
+// POV-Ray's usual ambient light is 0.1 cd/m2 on white, more than the full Moon gives. From here on there is none.
+#default {{ finish {{ ambient 0 }} }}
 
 #declare Moon_Altitude = {:.6f};           // [degrees] as it is seen
 #declare Moon_Azimuth = {:.6f};            // [degrees] from north through east
@@ -49,7 +52,8 @@ std::string moon_include(const MoonInSky& moon) {
 #declare Moon_Parallactic_Angle = {:.6f};  // [degrees] of the zenith
 #declare Moon_Illuminance = rgb <{:.6g}, {:.6g}, {:.6g}>;  // [lux] linear Rec.709, on what faces the Moon
 
-// The Moon in the sky of the origin; translate it by your camera's place.
+// The Moon in the sky of the origin; translate it by your camera's place. It lights nothing, not even by
+// radiosity: its light is Eclipsed_Moonlight.
 //   Enlarged  how many times as large as it was; 1: as it was
 //   Distance  of its centre, in your scene's units; larger than the scene
 #macro Eclipsed_Moon(Enlarged, Distance)
@@ -57,10 +61,12 @@ std::string moon_include(const MoonInSky& moon) {
     Coppermoon_Moon("{}", 1)
     Coppermoon_In_Sky(Moon_Latitude, Moon_Longitude, Moon_Axis_Angle, Moon_Parallactic_Angle,
                       Moon_Altitude, Moon_Azimuth, Enlarged*Moon_Diameter, Distance)
+    no_radiosity
   }}
 #end
 
-// The Moon's light on the scene: a white wall that faces it gets the luminance of illuminance over pi.
+// The Moon's light on the scene: a wall of `pigment {{ rgb 1 }} finish {{ diffuse 1 }}` that faces it gets the
+// luminance of illuminance over pi.
 //   Factor  how many times as bright as it was; 1: as it was
 #macro Eclipsed_Moonlight(Factor)
   light_source {{
@@ -80,7 +86,7 @@ std::string star_include(const std::string& title, std::span<const StarInSky> st
   auto text = fmt::format(
       R"(// Stars and planets of {}, made by coppermoon: for POV-Ray scenes of your own.
 //
-//   #include "stars.inc"
+//   #include "eclipse_stars.inc"
 //   object {{ Eclipsed_Moon(1, 1e5) }}
 //   Eclipsed_Stars(0, 0.1, 2e5)
 //

@@ -45,7 +45,7 @@ void add_scene(CLI::App& program) {
   add_view_options(*verb, options->view);
   add_flag(*verb, "-o,--output", options->output,
            "folder for texture and scene, which `povray eclipse.ini` in it renders, and for "
-           "moon.inc and stars.inc, Moon and stars for scenes of your own")
+           "moon.inc and eclipse_stars.inc, Moon and stars for scenes of your own")
       .writes_folder()
       .required();
   add_switch(*verb, "--json", options->json, "prints one JSON document");

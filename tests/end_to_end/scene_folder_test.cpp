@@ -25,11 +25,16 @@ TEST_F(SceneFolder, HoldsSceneSettingsAndTexture) {
                                        "here/scene/coppermoon.inc",
                                        "here/scene/eclipse.ini",
                                        "here/scene/eclipse.pov",
+                                       "here/scene/eclipse_stars.inc",
                                        "here/scene/moon.inc",
-                                       "here/scene/moon_lin_rec709.exr",
-                                       "here/scene/stars.inc"};
+                                       "here/scene/moon_lin_rec709.exr"};
   std::set<std::string> found = listing();
   EXPECT_EQ(found, expected);
+  const std::filesystem::path of_povray = "/usr/share/povray-3.7/include";
+  ASSERT_TRUE(std::filesystem::exists(of_povray / "stars.inc"));
+  for (const std::filesystem::path file : expected)
+    EXPECT_FALSE(std::filesystem::exists(of_povray / file.filename()))
+        << file << ": from another folder `#include` would read POV-Ray's own";
 }
 
 TEST_F(SceneFolder, RendersWithPovrayAloneWhereverItIsMoved) {

@@ -29,6 +29,14 @@ inline OIIO::ImageBuf texture_with(const std::vector<Texel>& bright, float lumin
   return texture;
 }
 
+inline OIIO::ImageBuf uniform_texture(float luminance) {
+  OIIO::ImageBuf texture(OIIO::ImageSpec(64, 32, 3, OIIO::TypeHalf));
+  const float light[] = {luminance, luminance, luminance};
+  for (int row = 0; row < 32; ++row)
+    for (int column = 0; column < 64; ++column) texture.setpixel(column, row, light);
+  return texture;
+}
+
 struct Luminance {
   OIIO::ImageBuf image;
 

@@ -28,14 +28,6 @@ namespace {
 using algebra::degrees;
 using algebra::Error;
 
-OIIO::ImageBuf uniform_texture(float luminance) {
-  OIIO::ImageBuf texture(OIIO::ImageSpec(64, 32, 3, OIIO::TypeHalf));
-  const float light[] = {luminance, luminance, luminance};
-  for (int row = 0; row < 32; ++row)
-    for (int column = 0; column < 64; ++column) texture.setpixel(column, row, light);
-  return texture;
-}
-
 std::filesystem::path rendered(const std::filesystem::path& folder, const Camera& camera,
                                const OIIO::ImageBuf& texture, double moon_radius = 1) {
   write_scene(folder, {.camera = camera, .texture = "moon.exr", .moon_radius = moon_radius});

@@ -81,7 +81,7 @@ void write_moon_include(const std::filesystem::path& folder, const LitScene& sce
       .illuminance_lux = {lux[0], lux[1], lux[2]}};
   files::write_whole(folder / "moon.inc", povray_scenes::moon_include(moon));
   if (const auto stars = lights_over(scene.view, sky); !stars.empty())
-    files::write_whole(folder / "stars.inc", povray_scenes::star_include(moon.title, stars));
+    files::write_whole(folder / "eclipse_stars.inc", povray_scenes::star_include(moon.title, stars));
   files::write_whole(folder / "coppermoon.inc", std::string(povray_scenes::coppermoon_inc()));
 }
 

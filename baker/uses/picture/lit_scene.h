@@ -42,7 +42,7 @@ struct SceneBaking {
 LitScene lit_scene(const MoonRequest& moon, const ViewRequest& view, const almanac::SkyState& sky,
                    const SceneBaking& baking = {});
 
-/// Writes moon.inc, stars.inc and coppermoon.inc beside a scene that has an observer: the Moon and the
+/// Writes moon.inc, eclipse_stars.inc and coppermoon.inc beside a scene that has an observer: the Moon and the
 /// stars of it, ready for a scene written by hand (povray_scenes::moon_include, star_include). Nothing
 /// without an observer.
 ///
