@@ -156,10 +156,11 @@ nlohmann::ordered_json as_json(const Night& night) {
 }
 
 std::string as_csv(const Night& night) {
+  const auto document = as_json(night);
   std::string text =
       "moment,utc,local,zone,altitude_deg,azimuth_deg,up,V_magnitude,mean_luminance_cd_m2,"
       "faintest_star\n";
-  for (const auto& row : as_json(night)["moments"]) {
+  for (const auto& row : document["moments"]) {
     text += fmt::format("{},{},{},{},{:.3f},{:.3f},{}", row["name"].get<std::string>(),
                         row["utc"].get<std::string>(), row["local"].get<std::string>(),
                         row["zone"].get<std::string>(), row["altitude_deg"].get<double>(),

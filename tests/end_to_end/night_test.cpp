@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "end_to_end/program.h"
+#include "support/csv_rows.h"
+#include "support/within.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -14,6 +16,28 @@ class Night : public ProgramTest {
                  "--albedo-map", "built-in",   "--danjon-spread", "off"} +
            more;
   }
+
+  /// Each moment of a document is a row of the table.
+  static void expect_rows_of(const nlohmann::json& moments,
+                             const std::vector<std::map<std::string, std::string>>& rows) {
+    ASSERT_EQ(rows.size(), moments.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const auto& moment = moments[i];
+      const auto& row = rows[i];
+      EXPECT_EQ(row.at("moment"), moment["name"]);
+      for (const char* text : {"utc", "local", "zone"}) EXPECT_EQ(row.at(text), moment[text]);
+      EXPECT_EQ(row.at("up") == "yes", moment["up"].get<bool>());
+      for (const char* angle : {"altitude_deg", "azimuth_deg"})
+        EXPECT_WITHIN(std::stod(row.at(angle)), moment[angle].get<double>(), 6e-4, "three decimals");
+      for (const char* light : {"V_magnitude", "mean_luminance_cd_m2", "faintest_star"}) {
+        EXPECT_EQ(row.at(light).empty(), !moment.contains(light)) << light << " of " << moment;
+        if (!moment.contains(light)) continue;
+        const double number = moment[light];
+        EXPECT_WITHIN(std::stod(row.at(light)), number, 6e-3 + 1e-5 * std::abs(number),
+                      "two decimals, or six digits");
+      }
+    }
+  }
 };
 
 TEST_F(Night, IsToldInATableADocumentAndFiles) {
@@ -23,11 +47,13 @@ TEST_F(Night, IsToldInATableADocumentAndFiles) {
             std::string::npos)
       << table.out;
   EXPECT_NE(table.out.find("Exposure times at f/12.1, ISO 800"), std::string::npos);
-  const auto files = coppermoon(night({"--at", "51.5,-0.1", "--f-number", "8", "--json", "-o",
+  const auto files = coppermoon(night({"--at", "51.5,-0.1", "--f-number", "8", "--csv", "-o",
                                        "a.ics", "-o", "a.csv", "-o", "a.json"}));
   expect_done(files);
   EXPECT_TRUE(text_of(here("a.ics")).starts_with("BEGIN:VCALENDAR\r\n"));
-  EXPECT_TRUE(text_of(here("a.csv")).starts_with("moment,utc,local,"));
+  const auto csv = text_of(here("a.csv"));
+  EXPECT_TRUE(csv.starts_with("moment,utc,local,"));
+  EXPECT_TRUE(files.out.ends_with("\n" + csv)) << "--csv prints the same, below the files' names";
   const auto document = nlohmann::json::parse(text_of(here("a.json")));
   EXPECT_EQ(document["time_zone"], "Europe/London") << "of the nearest city";
   EXPECT_EQ(document["f_number"], 8);
@@ -35,6 +61,7 @@ TEST_F(Night, IsToldInATableADocumentAndFiles) {
   ASSERT_EQ(document["moments"].size(), 9U) << "seven contacts, Moonrise and Moonset";
   for (const auto& moment : document["moments"])
     EXPECT_EQ(moment["up"].get<bool>(), moment["utc"] >= "2018-07-27T19:49") << moment;
+  expect_rows_of(document["moments"], csv_rows(csv));
 }
 
 TEST_F(Night, OfNoPlaceOrOfAnotherFileIsRefused) {

@@ -4,6 +4,7 @@
 
 #include "colour/working_space.h"
 #include "end_to_end/program.h"
+#include "support/csv_rows.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
@@ -47,6 +48,12 @@ TEST_F(Outputs, OfTheShadowGoIntoFilesByTheirEnding) {
   EXPECT_EQ(text_of(here("a.csv")), printed);
   EXPECT_EQ(json::parse(text_of(here("a.json")))["irradiance_ratio"],
             json::parse(document)["irradiance_ratio"]);
+  const auto rows = csv_rows(printed);
+  const auto ratios = json::parse(document)["irradiance_ratio"];
+  ASSERT_EQ(rows.size(), ratios.size());
+  for (std::size_t d = 0; d < rows.size(); ++d)
+    EXPECT_WITHIN_RELATIVE(std::stod(rows[d].at("irradiance_ratio_450nm")),
+                           ratios[d][0].get<double>(), 1e-5, "six digits");
   const auto plot = text_of(here("a.svg"));
   for (const char* text : {"2018-07-27 20:21:45 UTC", "406098 km from the Earth", "standard air",
                            "edge of the umbra", "edge of the penumbra", "Moon", "450 nm"})

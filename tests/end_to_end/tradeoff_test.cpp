@@ -3,9 +3,9 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "end_to_end/program.h"
+#include "support/csv_rows.h"
 #include "support/within.h"
 
 namespace coppermoon::end_to_end {
@@ -13,39 +13,13 @@ namespace {
 
 using Row = std::map<std::string, std::string>;
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells(1);
-  for (const char c : line)
-    if (c == ',')
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  return cells;
-}
-
-std::vector<Row> rows_of(const std::filesystem::path& csv) {
-  std::istringstream text(text_of(csv));
-  std::string line;
-  std::getline(text, line);
-  const auto names = cells_of(line);
-  std::vector<Row> rows;
-  while (std::getline(text, line)) {
-    const auto cells = cells_of(line);
-    EXPECT_EQ(cells.size(), names.size()) << line;
-    Row row;
-    for (std::size_t i = 0; i < std::min(cells.size(), names.size()); ++i) row[names[i]] = cells[i];
-    rows.push_back(row);
-  }
-  return rows;
-}
-
 class Tradeoff : public ProgramTest {
  protected:
   std::vector<Row> quick(std::vector<std::string> words = {}) const {
     words.insert(words.begin(),
                  {"tradeoff", "--quick", "--albedo-map", "built-in", "-o", "measured"});
     expect_done(coppermoon(words));
-    return rows_of(here("measured/tradeoff.csv"));
+    return csv_rows(text_of(here("measured/tradeoff.csv")));
   }
 };
 
@@ -144,7 +118,7 @@ TEST_F(Tradeoff, SaysItsRowsAsOneDocument) {
                                    "built-in", "-o", "measured", "--json"});
   expect_done(outcome);
   const auto said = nlohmann::json::parse(outcome.out, nullptr, false);
-  const auto written = rows_of(here("measured/tradeoff.csv"));
+  const auto written = csv_rows(text_of(here("measured/tradeoff.csv")));
   ASSERT_TRUE(said.is_array());
   ASSERT_EQ(said.size(), written.size());
   for (std::size_t i = 0; i < said.size(); ++i) {
