@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -186,11 +188,15 @@ void require_sound(const Options& options) {
   }
 }
 
+almanac::Instant now() {
+  return almanac::instant_from_utc(fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))));
+}
+
 void write(const Night& night, const fs::path& file) {
   const auto place =
       night.own_clocks ? night.city.name : uses::place_text(night.circumstances.place);
   if (file.extension() == ".ics")
-    files::write_whole(file, as_calendar(night.circumstances, place));
+    files::write_whole(file, as_calendar(night.circumstances, place, now()));
   else if (file.extension() == ".csv")
     files::write_whole(file, as_csv(night));
   else if (file.extension() == ".json")

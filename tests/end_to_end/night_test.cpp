@@ -51,6 +51,22 @@ TEST_F(Night, IsToldInATableADocumentAndFiles) {
                                        "a.ics", "-o", "a.csv", "-o", "a.json"}));
   expect_done(files);
   EXPECT_TRUE(text_of(here("a.ics")).starts_with("BEGIN:VCALENDAR\r\n"));
+  // as a reader of calendars that is not ours has it: python3-icalendar
+  const auto events = run(
+      {"/usr/bin/python3", "-c",
+       "import datetime, icalendar\n"
+       "now = datetime.datetime.now(datetime.timezone.utc)\n"
+       "for e in icalendar.Calendar.from_ical(open('a.ics', 'rb').read()).walk('VEVENT'):\n"
+       "  assert e.errors == [] and abs(now - e['DTSTAMP'].dt) < datetime.timedelta(minutes=9)\n"
+       "  end = e['DTEND'].dt.strftime('%H:%M') if 'DTEND' in e else '-'\n"
+       "  print(e['UID'], e['DTSTART'].dt.strftime('%d %H:%M'), end)"});
+  expect_done(events);
+  EXPECT_EQ(events.out,
+            "2018-07-27-eclipse+51.5000-0.1000@coppermoon 27 17:14 23:28\n"
+            "2018-07-27-greatest+51.5000-0.1000@coppermoon 27 20:21 -\n"
+            "2018-07-27-U3+51.5000-0.1000@coppermoon 27 21:13 -\n"
+            "2018-07-27-U4+51.5000-0.1000@coppermoon 27 22:19 -\n"
+            "2018-07-27-P4+51.5000-0.1000@coppermoon 27 23:28 -\n");
   const auto csv = text_of(here("a.csv"));
   EXPECT_TRUE(csv.starts_with("moment,utc,local,"));
   EXPECT_TRUE(files.out.ends_with("\n" + csv)) << "--csv prints the same, below the files' names";

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "uses/film/film_times.h"
 
@@ -46,12 +47,19 @@ std::string escaped(const std::string& text) {
   return value;
 }
 
-std::string event(const std::string& id, const almanac::Instant& from, const almanac::Instant& to,
-                  const std::string& title, const std::string& text, const std::string& place) {
-  return line("BEGIN:VEVENT") + line(fmt::format("UID:{}@coppermoon", id)) +
-         line("DTSTAMP:" + stamp(from)) + line("DTSTART:" + stamp(from)) +
-         line("DTEND:" + stamp(to)) + line("SUMMARY:" + escaped(title)) +
-         line("DESCRIPTION:" + escaped(text)) + line("LOCATION:" + escaped(place)) +
+/// What all events of a file share.
+struct Shared {
+  std::string place, where, made;
+};
+
+/// An event; of no length where it has no end.
+std::string event(const Shared& shared, const std::string& id, const almanac::Instant& from,
+                  const std::optional<almanac::Instant>& to, const std::string& title,
+                  const std::string& text) {
+  return line("BEGIN:VEVENT") + line(fmt::format("UID:{}{}@coppermoon", id, shared.where)) +
+         line("DTSTAMP:" + shared.made) + line("DTSTART:" + stamp(from)) +
+         (to ? line("DTEND:" + stamp(*to)) : "") + line("SUMMARY:" + escaped(title)) +
+         line("DESCRIPTION:" + escaped(text)) + line("LOCATION:" + escaped(shared.place)) +
          line("END:VEVENT");
 }
 
@@ -67,20 +75,26 @@ const char* meaning(const std::string& name) {
 
 }  // namespace
 
-std::string as_calendar(const Circumstances& night, const std::string& place_name) {
+std::string as_calendar(const Circumstances& night, const std::string& place_name,
+                        const almanac::Instant& made) {
   const auto& contacts = night.eclipse.contacts;
   const auto day = almanac::utc_text(night.eclipse.greatest).substr(0, 10);
+  const Shared shared{
+      place_name,
+      fmt::format("{:+.4f}{:+.4f}", algebra::in_degrees(night.place.latitude),
+                  algebra::in_degrees(night.place.longitude)),
+      stamp(made)};
   std::string text = line("BEGIN:VCALENDAR") + line("VERSION:2.0") +
                      line("PRODID:-//coppermoon//night//EN") + line("CALSCALE:GREGORIAN");
-  text += event(day + "-eclipse", *contacts.P1, *contacts.P4, name_of(night.eclipse),
-                what_is_seen(night), place_name);
+  text += event(shared, day + "-eclipse", *contacts.P1, *contacts.P4, name_of(night.eclipse),
+                what_is_seen(night));
   for (const auto& moment : night.moments) {
     if (!moment.up || moment.name.starts_with("moon")) continue;
     const auto where = fmt::format("The Moon is {:.0f} degrees high, in azimuth {:.0f}.",
                                    algebra::in_degrees(moment.moon.altitude),
                                    algebra::in_degrees(moment.moon.azimuth));
-    text += event(day + "-" + moment.name, moment.when, moment.when,
-                  fmt::format("{}: {}", moment.name, meaning(moment.name)), where, place_name);
+    text += event(shared, day + "-" + moment.name, moment.when, {},
+                  fmt::format("{}: {}", moment.name, meaning(moment.name)), where);
   }
   return text + line("END:VCALENDAR");
 }

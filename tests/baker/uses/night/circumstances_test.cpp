@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "algebra/error.h"
 #include "almanac/gazetteer.h"
@@ -172,9 +175,11 @@ TEST(LocalTime, IsReadAsWell) {
   EXPECT_THROW(utc("yesterday", "Europe/London"), algebra::Error);
 }
 
+const auto made_then = almanac::instant_from_utc("2018-07-01T12:00:00Z");
+
 TEST(CalendarFile, IsOfLinesThatCalendarsRead) {
   const auto night = at("2018-07-27", "London");
-  const auto text = as_calendar(night, "London, England");
+  const auto text = as_calendar(night, "London, England", made_then);
   std::size_t begun = 0, ended = 0;
   for (std::size_t from = 0; from < text.size();) {
     const auto end = text.find("\r\n", from);
@@ -190,7 +195,31 @@ TEST(CalendarFile, IsOfLinesThatCalendarsRead) {
   EXPECT_EQ(begun, 5U) << "the eclipse; greatest, U3, U4 and P4, which are seen from there";
   EXPECT_NE(text.find("DTSTART:20180727T202145Z"), std::string::npos);
   EXPECT_NE(text.find("LOCATION:London\\, England"), std::string::npos);
-  EXPECT_EQ(text, as_calendar(night, "London, England"));
+  EXPECT_EQ(text, as_calendar(night, "London, England", made_then));
+}
+
+/// What follows a name at the beginning of each line.
+std::vector<std::string> values_of(const std::string& text, const std::string& name) {
+  std::vector<std::string> values;
+  for (std::size_t at = text.find("\n" + name + ":"); at != std::string::npos;
+       at = text.find("\n" + name + ":", at + 1))
+    values.push_back(text.substr(at + name.size() + 2, text.find('\r', at) - at - name.size() - 2));
+  return values;
+}
+
+TEST(CalendarFile, HasAnEndForTheEclipseAloneAndNamesOfItsPlace) {
+  const auto london = as_calendar(at("2018-07-27", "London"), "London", made_then),
+             madrid = as_calendar(at("2018-07-27", "Madrid"), "Madrid", made_then);
+  EXPECT_EQ(values_of(london, "DTEND").size(), 1U)
+      << "RFC 5545, 3.8.2.2: an end is later than its start";
+  for (const auto& stamp : values_of(london, "DTSTAMP")) EXPECT_EQ(stamp, "20180701T120000Z");
+  auto names = values_of(london, "UID");
+  const auto others = values_of(madrid, "UID");
+  EXPECT_EQ(names.size(), 5U);
+  EXPECT_FALSE(others.empty());
+  names.insert(names.end(), others.begin(), others.end());
+  EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size())
+      << "a calendar takes the second event of one name for the first, changed";
 }
 
 }  // namespace
