@@ -28,7 +28,8 @@ algebra::Angle astronomical_refraction(algebra::Angle true_altitude) {
 }
 
 algebra::Angle apparent_altitude(algebra::Angle true_altitude) {
-  return true_altitude + astronomical_refraction(true_altitude);
+  const double seen = std::clamp(algebra::in_degrees(true_altitude) + 2, 0., 1.);
+  return true_altitude + seen * astronomical_refraction(true_altitude);
 }
 
 double refracted_flattening(algebra::Angle true_altitude, algebra::Angle diameter) {

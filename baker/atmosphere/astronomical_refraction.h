@@ -23,7 +23,8 @@ algebra::Angle astronomical_refraction(algebra::Angle true_altitude);
 /// The true altitude of what is seen on the horizon of the sea: h + R(h) = 0.
 inline constexpr algebra::Angle lowest_true_altitude = algebra::degrees(-0.5739);
 
-/// Altitude at which a light is seen: its true altitude and what refraction adds.
+/// Altitude at which a light is seen: its true altitude and what refraction adds. Of a light that is not
+/// seen, below −2 degrees, its true altitude, as almanacs print it; from −1 to −2 degrees refraction fades.
 ///
 /// Throws  Error  as astronomical_refraction
 algebra::Angle apparent_altitude(algebra::Angle true_altitude);

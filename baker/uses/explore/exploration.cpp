@@ -203,9 +203,10 @@ ordered_json photometry_of(surface::Photometry photometry) {
 void add_names(PageArrays& arrays) {
   std::string text;
   for (const auto& city : almanac::largest_cities(cities))
-    text += fmt::format("{}\t{}\t{:.2f}\t{:.2f}\t{}\n", city.name, city.region,
+    text += fmt::format("{}\t{}\t{:.2f}\t{:.2f}\t{:.0f}\t{}\n", city.name, city.region,
                         algebra::in_degrees(city.place.latitude),
-                        algebra::in_degrees(city.place.longitude), city.time_zone);
+                        algebra::in_degrees(city.place.longitude),
+                        algebra::in_metres(city.place.elevation), city.time_zone);
   arrays.add("cities", text);
   text.clear();
   for (const auto& feature : almanac::lunar_features())

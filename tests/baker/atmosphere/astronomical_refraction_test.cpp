@@ -62,6 +62,17 @@ TEST(ApparentAltitude, OfWhatIsJustVisibleIsTheHorizon) {
   EXPECT_WITHIN(in_arcminutes(lowest_true_altitude), -34, 1, "the almanacs' convention: 34'");
 }
 
+TEST(ApparentAltitude, BelowTheHorizonIsTheTrueOne) {
+  for (const double altitude : {-2., -12.5, -42., -90.})
+    EXPECT_EQ(in_degrees(apparent_altitude(degrees(altitude))), in_degrees(degrees(altitude)));
+  for (double altitude = -3; altitude < 1; altitude += 0.01)
+    EXPECT_LT(in_degrees(apparent_altitude(degrees(altitude))),
+              in_degrees(apparent_altitude(degrees(altitude + 0.01))))
+        << "what is higher appears higher";
+  EXPECT_EQ(in_degrees(apparent_altitude(degrees(-1))),
+            in_degrees(degrees(-1) + astronomical_refraction(degrees(-1))));
+}
+
 TEST(RefractedFlattening, IsThatOfTheSettingSunInMeeusExample16a) {
   // The lower limb of a disc of 32' at apparent altitude 30': true limbs at 1.246' and 33.246'.
   EXPECT_WITHIN(refracted_flattening(arcminutes(17.246), arcminutes(32)), 0.871, 0.002,

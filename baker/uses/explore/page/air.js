@@ -11,6 +11,14 @@ export const airAsItWas = {
   clearness: 0,  // 1: no cloud, no aerosol; below 0: as much is added to the stratosphere's depth
 };
 
+/** The same air, its clearness in cloud, haze and dust: what sliders show. The dust is even then. */
+export function withoutClearness(air, meanDepth) {
+  if (air.clearness === 0) return air;
+  const left = 1 - Math.max(0, air.clearness);
+  return {...air, cloud: air.cloud * left, haze: air.haze * left,
+    dust: Math.min(2, aerosolDepth({...air, aerosol: true}, {aerosolDepth: meanDepth})), clearness: 0};
+}
+
 /** Optical depth of the stratosphere's aerosol over one part of the limb. */
 export function aerosolDepth(air, part) {
   if (!air.aerosol) return 0;

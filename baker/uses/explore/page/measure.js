@@ -26,10 +26,10 @@ export function brightness(picture, facts, sky, shadowed = true) {
 /** Exposure of 1 s: saturation is 1, for 1 cd/m². */
 export const scaleOfOneSecond = (facts, {iso, fNumber}) => facts.exposureScale * iso / 100 / fNumber ** 2;
 
-/** The time [s] that follows the eclipse: the cube of the cube roots' mean comes to a quarter of saturation,
- * as uses::ExposureTime::Rule::follow. */
+/** The time [s] that follows the eclipse in the air as it was: the cube of the cube roots' mean comes to a
+ * quarter of saturation, as uses::ExposureTime::Rule::follow. So another air is seen brighter or dimmer. */
 export function followedTime(picture, facts, sky, view, exposure) {
-  const pixels = picture.read(sky, view, whole);
+  const pixels = picture.read(sky, view, whole, {light: 'asItWas'});
   let roots = 0, count = 0;
   for (let i = 0; i < pixels.length; i += 4) {
     const y = luminance(pixels, i);

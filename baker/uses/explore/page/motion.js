@@ -59,10 +59,10 @@ function placeOnEarth(sky, place) {
   return {position: times(sky.equatorFrame, position), zenith: times(sky.equatorFrame, up)};
 }
 
-/** Refraction at a true altitude [degrees], after Saemundsson (1986), Sky and Telescope 72, 70. */
-function refraction(altitude) {
-  const lowest = Math.max(altitude, -2);
-  return 1.02 / 60 / Math.tan((lowest + 10.3 / (lowest + 5.11)) * degree);
+/** What refraction adds to a true altitude [degrees], as atmosphere::apparent_altitude. */
+export function refraction(altitude) {
+  const lowest = Math.max(altitude, -1), fades = Math.min(1, Math.max(0, altitude + 2));
+  return fades * (1.02 / Math.tan((lowest + 10.3 / (lowest + 5.11)) * degree) + 0.0019279) / 60;
 }
 
 /** Altitude, refraction included, and azimuth from north through east [degrees]. */

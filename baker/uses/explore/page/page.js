@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One eclipse on one page: the state, and everything that shows it.
 
+import {airAsItWas} from './air.js';
 import {rowsOf} from './arrays.js';
 import {drawCurve, drawRing, drawSpectrum} from './charts.js';
 import {brightness, followedTime, scaleOfOneSecond} from './measure.js';
@@ -29,7 +30,9 @@ export class Page {
     this.picture = new Picture(this.find('moon'), facts, arrays);
     this.panel = new Panel(root, facts, new Places(arrays.cities.data), this.state, (what) => this.changed(what));
     this.find('eclipse').querySelector('h1').textContent = facts.title;
-    this.setAir();
+    this.setAir(airAsItWas);
+    this.picture.setLight('asItWas', this.picture.tables.now, this.shadow);
+    this.airIsOld = JSON.stringify(this.state.air) !== JSON.stringify(airAsItWas);
     const unshadowed = brightness(this.picture, facts, greatest, false);
     this.fullMoon = unshadowed.luminance;
     this.listen();
@@ -48,9 +51,9 @@ export class Page {
     this.waiting = requestAnimationFrame(() => { this.waiting = 0; this.draw(); });
   }
 
-  setAir() {
-    this.shadow.setAir(this.state.air);
-    this.picture.setLight(this.shadow.table(), this.shadow);
+  setAir(air) {
+    this.shadow.setAir(air);
+    this.picture.setLight('now', this.shadow.table(), this.shadow);
     this.airIsOld = false;
     this.curve = null;
   }
@@ -74,7 +77,7 @@ export class Page {
 
   draw() {
     if (this.picture.gl.isContextLost()) return;
-    if (this.airIsOld) this.setAir();
+    if (this.airIsOld) this.setAir(this.state.air);
     const {state, facts, picture} = this, scene = this.scene(), {sky, view, frame} = scene;
     this.seconds = state.exposure.rule === 'fixed' ? state.exposure.time
       : followedTime(picture, facts, sky, view, state.exposure);
@@ -103,6 +106,7 @@ export class Page {
     this.find('moment').value = state.ms;
     this.find('moment').setAttribute('aria-valuetext', utc(state.ms));
     this.find('command').textContent = commandOf(state, facts, this.seconds);
+    this.find('readout').textContent = this.marked ? this.told(this.marked) : '';
   }
 
   /** What takes a tenth of a second: the curve, the place that is marked, the link. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The controls. Each shows what the state says, and tells of what is changed.
 
-import {airAsItWas} from './air.js';
+import {airAsItWas, withoutClearness} from './air.js';
 import {rowsOf} from './arrays.js';
 import {exposureTime, meanings, number, switches} from './words.js';
 
@@ -14,8 +14,8 @@ function element(name, properties = {}, ...children) {
 /** The cities of the page, by name. */
 export class Places {
   constructor(text) {
-    this.cities = rowsOf(text).map(([name, region, latitude, longitude, timeZone]) => (
-      {name, region, latitude: Number(latitude), longitude: Number(longitude), timeZone, elevationKm: 0}));
+    this.cities = rowsOf(text).map(([name, region, latitude, longitude, metres, timeZone]) => ({
+      name, region, latitude: Number(latitude), longitude: Number(longitude), timeZone, elevationKm: metres / 1e3}));
   }
 
   /** What was typed: a city, or "-1.28, 36.82"; nothing where it is neither. */
@@ -142,18 +142,29 @@ export class Panel {
     this.changed('air');
   }
 
+  /** The air as sliders show it: a step of Danjon's scale is cloud, haze and dust. */
+  plainAir() {
+    return withoutClearness(this.state.air, this.mean('aerosolDepth'));
+  }
+
+  /** Moves a slider: no step of Danjon's scale is pressed any more. */
+  slide(change) {
+    this.setAir({...this.plainAir(), ...change});
+    for (const button of this.root.querySelectorAll('.steps button')) pressed(button, false);
+  }
+
   air() {
-    const {facts} = this, {air} = this.state;
+    const {facts} = this, air = this.plainAir();
     const asItWas = (value) => (value === null ? 'as it was' : number(value));
     return [this.presets(), ...(facts.danjon.length ? [this.danjon()] : []),
       slider({title: 'Cloud', meaning: meanings.cloud, low: 0.05, high: 4, value: air.cloud,
-        show: (x) => `× ${number(x)}`, set: (cloud) => this.setAir({cloud})}),
+        show: (x) => `× ${number(x)}`, set: (cloud) => this.slide({cloud})}),
       slider({title: 'Haze', meaning: meanings.haze, low: 0.05, high: 10, value: air.haze,
-        show: (x) => `× ${number(x)}`, set: (haze) => this.setAir({haze})}),
+        show: (x) => `× ${number(x)}`, set: (haze) => this.slide({haze})}),
       slider({title: 'Volcanic dust', meaning: meanings.dust, low: 0.001, high: 1,
-        value: air.dust ?? this.mean('aerosolDepth'), show: (x) => number(x), set: (dust) => this.setAir({dust})}),
+        value: air.dust ?? this.mean('aerosolDepth'), show: (x) => number(x), set: (dust) => this.slide({dust})}),
       slider({title: 'Ozone', meaning: meanings.ozone, low: 20, high: 600, value: air.ozoneDu ?? this.mean('ozoneDu'),
-        show: (x) => `${asItWas(Math.round(x))} DU`, set: (ozoneDu) => this.setAir({ozoneDu})}),
+        show: (x) => `${asItWas(Math.round(x))} DU`, set: (ozoneDu) => this.slide({ozoneDu})}),
     ];
   }
 
@@ -178,7 +189,7 @@ export class Panel {
 
   danjon() {
     const {facts, state} = this;
-    const row = element('div', {className: 'danjon'}, element('span', {title: meanings.danjon, textContent: 'Danjon'}));
+    const row = element('div', {className: 'danjon steps'}, element('span', {title: meanings.danjon, textContent: 'Danjon'}));
     facts.danjon.forEach((clearness, l) => {
       const button = element('button', {textContent: String(l), title: meanings.danjon});
       pressed(button, state.air.clearness === clearness && clearness !== 0);

@@ -35,6 +35,7 @@ export class Picture {
     this.canvas = canvas;
     this.facts = facts;
     this.arrays = arrays;
+    this.tables = {};
     this.gl = canvas.getContext('webgl2', {alpha: false, antialias: false, preserveDrawingBuffer: true});
     if (!this.gl) throw new Error('This browser has no WebGL 2, which the picture needs.');
     this.build();
@@ -62,10 +63,10 @@ export class Picture {
     }
     this.noView = this.texture(gl.TEXTURE_3D, gl.NEAREST);
     gl.texImage3D(gl.TEXTURE_3D, 0, gl.RGB8, 1, 1, 1, 0, gl.RGB, gl.UNSIGNED_BYTE, new Uint8Array(3));
-    this.light = this.texture(gl.TEXTURE_2D, gl.NEAREST);
+    this.lights = {now: this.texture(gl.TEXTURE_2D, gl.NEAREST), asItWas: this.texture(gl.TEXTURE_2D, gl.NEAREST)};
     this.places = this.texture(gl.TEXTURE_2D, gl.NEAREST);
     this.frame = gl.createFramebuffer();
-    if (this.table) this.setLight(this.table, this.shadow);
+    for (const [name, table] of Object.entries(this.tables)) this.setLight(name, table, this.shadow);
   }
 
   texture(kind, filter) {
@@ -78,18 +79,18 @@ export class Picture {
     return texture;
   }
 
-  /** The light that the Moon is lit by: Shadow.table. */
-  setLight(table, shadow) {
+  /** The light that the Moon is lit by, Shadow.table: 'now', or in the air 'asItWas'. */
+  setLight(name, table, shadow) {
     const {gl} = this;
-    this.table = table;
+    this.tables[name] = table;
     this.shadow = shadow;
-    gl.bindTexture(gl.TEXTURE_2D, this.light);
+    gl.bindTexture(gl.TEXTURE_2D, this.lights[name]);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 2 * table.nodes, table.rows, 0, gl.RGBA, gl.FLOAT, table.values);
   }
 
   /** What both programs are told. */
-  tell({program, at}, sky, view, frame, shadowed) {
-    const {gl, facts, table, shadow} = this, {map, photometry} = facts;
+  tell({program, at}, sky, view, frame, {shadowed = true, light = 'now'} = {}) {
+    const {gl, facts, shadow} = this, {map, photometry} = facts, table = this.tables[light];
     gl.useProgram(program);
     gl.uniform3fv(at('centre'), sky.centre);
     gl.uniform1f(at('sunDistance'), sky.sunDistance);
@@ -118,7 +119,7 @@ export class Picture {
     gl.uniform2fv(at('middle'), frame.middle);
     gl.uniform1f(at('pixel'), frame.pixel);
     gl.uniform2f(at('size'), frame.width, frame.height);
-    [['light', this.light], ['map', this.map], ['ground', this.ground]].forEach(([name, texture], i) => {
+    [['light', this.lights[light]], ['map', this.map], ['ground', this.ground]].forEach(([name, texture], i) => {
       gl.activeTexture(gl.TEXTURE0 + i);
       gl.bindTexture(gl.TEXTURE_2D, texture);
       gl.uniform1i(at(name), i);
@@ -133,7 +134,7 @@ export class Picture {
    */
   draw(sky, view, frame, look) {
     const {gl, facts} = this, {at} = this.screen;
-    this.tell(this.screen, sky, view, frame, true);
+    this.tell(this.screen, sky, view, frame);
     const table = this.views[look.view];
     gl.activeTexture(gl.TEXTURE3);
     gl.bindTexture(gl.TEXTURE_3D, table ?? this.noView);
@@ -149,9 +150,9 @@ export class Picture {
   }
 
   /** Numbers of a picture, or of `places`: [pixel × 4], luminance as red, green, blue, and V's radiance. */
-  read(sky, view, frame, {shadowed = true, places = null} = {}) {
+  read(sky, view, frame, {shadowed = true, light = 'now', places = null} = {}) {
     const {gl} = this, {at} = this.raw, {width, height} = frame;
-    this.tell(this.raw, sky, view, frame, shadowed);
+    this.tell(this.raw, sky, view, frame, {shadowed, light});
     gl.activeTexture(gl.TEXTURE3);
     gl.bindTexture(gl.TEXTURE_2D, this.places);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, places ? width : 1, places ? height : 1, 0, gl.RGBA, gl.FLOAT,

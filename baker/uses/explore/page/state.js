@@ -31,7 +31,8 @@ export function linkOf(state, facts) {
   const first = firstState(facts), words = new URLSearchParams();
   if (Math.abs(state.ms - first.ms) >= 500) words.set('t', utc(state.ms));
   const {place} = state;
-  if (place !== first.place) words.set('at', place ? [place.latitude, place.longitude, place.name ?? '', place.timeZone ?? ''].join('|') : '');
+  if (place !== first.place) words.set('at', place
+    ? [place.latitude, place.longitude, place.name ?? '', place.timeZone ?? '', place.elevationKm ?? 0].join('|') : '');
   if (state.up !== first.up) words.set('up', state.up);
   if (state.exposure.rule === 'fixed') words.set('time', state.exposure.time);
   if (state.exposure.iso !== first.exposure.iso) words.set('iso', state.exposure.iso);
@@ -52,10 +53,10 @@ export function stateOf(link, facts) {
   const ms = Date.parse(words.get('t') ?? '');
   if (!Number.isNaN(ms)) state.ms = ms;
   if (words.has('at')) {
-    const [latitude, longitude, name, timeZone] = words.get('at').split('|');
+    const [latitude, longitude, name, timeZone, elevationKm] = words.get('at').split('|');
     const at = {latitude: numberIn(latitude, -90, 90), longitude: numberIn(longitude, -360, 360)};
     state.place = at.latitude === undefined || at.longitude === undefined ? null
-      : {...at, name: name ?? '', timeZone: zoneNamed(timeZone), elevationKm: 0};
+      : {...at, name: name ?? '', timeZone: zoneNamed(timeZone), elevationKm: numberIn(elevationKm ?? null, -0.5, 100) ?? 0};
   }
   if (['north', 'zenith', 'moon'].includes(words.get('up'))) state.up = words.get('up');
   const time = numberIn(words.get('time'), 1e-6, 1e6);
@@ -116,7 +117,11 @@ const quoted = (word) => (/^[\w.,:+/-]+$/.test(word) ? word : `'${word.replaceAl
 /** The command line that makes the picture that is seen. */
 export function commandOf(state, facts, seconds) {
   const {place, exposure} = state, words = ['still', utc(state.ms)];
-  if (place) words.push('--at', [place.latitude, place.longitude].map((x) => x.toFixed(4)).join(','));
+  if (place) {
+    const metres = Math.round(1000 * (place.elevationKm ?? 0));
+    words.push('--at', [place.latitude.toFixed(4), place.longitude.toFixed(4), ...(metres ? [metres] : [])].join(','));
+    words.push('--reddening', 'off', '--flattening', 'off');  // the page leaves the observer's air out
+  }
   if (state.up !== 'north') words.push('--up', {zenith: 'zenith', moon: 'moon-north'}[state.up]);
   words.push('--time', exposure.rule === 'follow' ? short(seconds) : short(exposure.time));
   words.push('--iso', short(exposure.iso), '--f-number', short(exposure.fNumber));
