@@ -369,7 +369,8 @@ TEST_F(Explore, LinksKeysAndALostContextBringBackWhatWasSeen) {
       "const key = (name, shiftKey = false) => page.find('moon').dispatchEvent(\n"
       "  new KeyboardEvent('keydown', {key: name, shiftKey, bubbles: true, composed: true}));\n"
       "key('ArrowRight');\n"
-      "key('ArrowRight', true);\n"
+      "document.body.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', shiftKey: true, "
+      "bubbles: true}));\n"
       "page.marked = {longitude: -11.2, latitude: -43.3};\n"
       "page.find('nearer').click();\n"
       "const nearer = page.pixelOf(page.marked).map((x, i) => x - [page.frame().width, "
@@ -378,7 +379,12 @@ TEST_F(Explore, LinksKeysAndALostContextBringBackWhatWasSeen) {
       "const whole = [page.state.zoom, ...page.state.middle];\n"
       "page.marked = null;\n"
       "const moved = page.state.ms - Date.parse('2018-07-27T19:05:00Z');\n"
-      "page.set({ms: Date.parse('2018-07-27T19:05:00Z')});\n"
+      "location.hash = '#t=1900-01-01T00:00:00Z';\n"
+      "await until(() => page.state.ms < Date.parse('2018-07-27T17:30:00Z'));\n"
+      "const first = page.state.ms - page.motion.fromMs;\n"
+      "location.hash = hash;\n"
+      "await until(() => JSON.stringify(page.state) === before);\n"
+      "page.draw();\n"
       "const lose = page.picture.gl.getExtension('WEBGL_lose_context');\n"
       "lose.loseContext();\n"
       "await until(() => page.picture.gl.isContextLost());\n"
@@ -386,12 +392,13 @@ TEST_F(Explore, LinksKeysAndALostContextBringBackWhatWasSeen) {
       "await until(() => { try { lose.restoreContext(); } catch {} return "
       "!page.picture.gl.isContextLost(); });\n"
       "await until(() => picture() === seen);\n"
-      "return {before, again, other, restored, moved, nearer, whole, lost, back: picture() === "
+      "return {before, again, other, restored, moved, first, nearer, whole, lost, back: picture() === "
       "seen};");
   EXPECT_EQ(said["before"], said["again"]) << "a link keeps all settings";
   EXPECT_TRUE(said["other"].get<bool>());
   EXPECT_TRUE(said["restored"].get<bool>());
-  EXPECT_EQ(said["moved"], 11 * 60000);
+  EXPECT_EQ(said["moved"], 11 * 60000) << "keys work on the Moon, and where nothing has the focus";
+  EXPECT_EQ(said["first"], 0) << "before the eclipse there is nothing to show";
   for (const auto& away : said["nearer"])
     EXPECT_WITHIN(away.get<double>(), 0, 1e-6, "the place that is marked comes to the middle");
   EXPECT_EQ(said["whole"], json({1, 0, 0}));
@@ -450,7 +457,7 @@ TEST_F(Explore, AnotherAirIsSeenAsItIsAndSaidAsItIs) {
       "bright.slid = page.find('steps').querySelectorAll('[aria-pressed=true]').length;\n"
       "page.set({place: page.panel.places.named('Mexico City')});\n"
       "page.drawBeside();\n"
-      "return {london, follows, before, later, told, dark, bright, below: command(), link: "
+      "return {london, follows, before, later, told, dark, bright, link: "
       "decodeURIComponent(location.hash)};");
   EXPECT_NE(said["london"].get<std::string>().find(
                 " --at 51.5100,-0.1300,25 --reddening off --flattening off "),
@@ -470,15 +477,47 @@ TEST_F(Explore, AnotherAirIsSeenAsItIsAndSaidAsItIs) {
       << "the elevation: " << said["link"];
 }
 
-TEST_F(Explore, PagesAreOneFileAndNeedNoNetwork) {
+TEST_F(Explore, PagesAreOneFileNeedNoNetworkAndFitAPhone) {
   make("2018-07-27");
   const auto page = text_of(here("a.html"));
   EXPECT_LT(page.size(), 4e6);
   for (const char* fetched : {"http://", "https://", "src=", "@import", "import("})
     EXPECT_EQ(page.find(fetched), std::string::npos) << fetched;
   EXPECT_EQ(listing(), std::set<std::string>{"here/a.html"});
-  const auto width = in_browser("return document.documentElement.scrollWidth;", "500,900");
-  EXPECT_LE(width.get<int>(), 500) << "on a phone nothing stands beside the screen";
+  const auto said = in_browser(
+      "const frame = () => new Promise(requestAnimationFrame), box = (part) => "
+      "part.getBoundingClientRect();\n"
+      "const wide = document.documentElement.scrollWidth;\n"
+      "document.body.style.width = '358px';\n"
+      "page.set({place: page.panel.places.named('Honolulu'), look: 'stops'});\n"
+      "for (let i = 0; i < 4; ++i) await frame();\n"
+      "const slider = box(page.find('moment'));\n"
+      "let covered = 0;\n"
+      "for (let x = slider.left + 1; x < slider.right; ++x)\n"
+      "  for (const y of [slider.top + 1, slider.bottom - 1])\n"
+      "    if (page.root.elementFromPoint(x, y) !== page.find('moment')) ++covered;\n"
+      "const marks = [...page.find('marks').children].map(box);\n"
+      "const meet = (a, b) => Math.min(a.right, b.right) > Math.max(a.left, b.left) + 0.01 &&\n"
+      "  Math.min(a.bottom, b.bottom) > Math.max(a.top, b.top) + 0.01;\n"
+      "const legend = page.find('legend'), steps = legend.querySelectorAll('li').length, shown = "
+      "box(legend).height > 0;\n"
+      "page.set({look: page.facts.views[0]});\n"
+      "return {wide, covered, width: slider.width, legend: shown && steps, hidden: "
+      "box(legend).height,\n"
+      "  meeting: marks.filter((a, i) => marks.some((b, j) => j > i && meet(a, b))).length,\n"
+      "  title: meet(box(page.root.querySelector('header')), box(page.find('moon'))),\n"
+      "  when: page.find('when').textContent, lines: [...page.find('when').children].map((part) => "
+      "part.getClientRects().length)};",
+      "500,900");
+  EXPECT_LE(said["wide"].get<int>(), 500) << "on a phone nothing stands beside the screen";
+  EXPECT_GT(said["width"], 300);
+  EXPECT_EQ(said["covered"], 0) << "all of the slider can be grabbed";
+  EXPECT_EQ(said["meeting"], 0) << "the contacts stand beside each other";
+  EXPECT_FALSE(said["title"].get<bool>()) << "the title lies over no Moon";
+  EXPECT_NE(said["when"].get<std::string>().find("GMT-10"), std::string::npos);
+  EXPECT_EQ(said["lines"], json({1, 1})) << "no zone is broken";
+  EXPECT_EQ(said["legend"], 10) << "false colours say what they are";
+  EXPECT_EQ(said["hidden"], 0);
 }
 
 TEST_F(Explore, FragmentsStandBesideEachOther) {
@@ -488,12 +527,24 @@ TEST_F(Explore, FragmentsStandBesideEachOther) {
   file("a.html", "<body><style>canvas { border: 9px solid red; }</style>" +
                      text_of(here("one.html")) + text_of(here("other.html")));
   const auto said = in_browser(
-      "return pages.map((one) => [one.find('eclipse').querySelector('h1').textContent, "
+      "history.replaceState(null, '', '#anchor');\n"
+      "const before = page.state.ms;\n"
+      "document.body.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', bubbles: "
+      "true}));\n"
+      "const own = page.state.ms - before;\n"
+      "page.find('moon').dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', bubbles: "
+      "true, composed: true}));\n"
+      "pages.forEach((one) => one.drawBeside());\n"
+      "const host = [location.hash, own, page.state.ms - before, pages[1].state.ms - "
+      "pages[1].facts.contacts.find(({name}) => name === 'greatest').ms];\n"
+      "return [...pages.map((one) => [one.find('eclipse').querySelector('h1').textContent, "
       "one.facts.options,\n"
-      "  getComputedStyle(one.find('moon')).borderTopWidth]);");
+      "  getComputedStyle(one.find('moon')).borderTopWidth]), host];");
   EXPECT_EQ(said[0], json({"Total eclipse of the Moon, 2018-07-27", "", "0px"}));
   EXPECT_EQ(said[1],
             json({"Total eclipse of the Moon, 2025-03-14", "--atmosphere undated", "0px"}));
+  EXPECT_EQ(said[2], json({"#anchor", 0, 60000, 0}))
+      << "the address is the host's, and so are keys but those on the Moon";
 }
 
 TEST_F(Explore, NamesOfFilesBreakNoPage) {

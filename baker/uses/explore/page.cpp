@@ -35,17 +35,17 @@ std::string within_html(const std::string& text) {
   return safe;
 }
 
-std::string fragment_of(const Exploration& exploration) {
+std::string fragment_of(const Exploration& exploration, PageExtent extent) {
   auto facts = exploration.facts;
   facts["arrays"] = exploration.arrays.index();
   return fmt::format(
-      "<div class=\"coppermoon\" style=\"height: 100%\">\n"
+      "<div class=\"coppermoon\"{} style=\"height: 100%\">\n"
       "<div class=\"shown\" style=\"height: 100%\"></div>\n"
       "<script type=\"application/json\" class=\"facts\">{}</script>\n"
       "<script type=\"text/plain\" class=\"arrays\">{}</script>\n"
       "<script>{}</script>\n"
       "</div>\n",
-      within_script(facts.dump()), exploration.arrays.text(), explore::tables::page());
+      extent == PageExtent::fragment ? " data-embedded" : "", within_script(facts.dump()), exploration.arrays.text(), explore::tables::page());
 }
 
 std::string whole_page(const std::string& title, const std::string& style,
@@ -65,7 +65,7 @@ const char* kind_of(eclipse::EclipseType type) {
 }  // namespace
 
 std::string page_of(const Exploration& exploration, PageExtent extent) {
-  const auto fragment = fragment_of(exploration);
+  const auto fragment = fragment_of(exploration, extent);
   if (extent == PageExtent::fragment) return fragment;
   return whole_page(exploration.title, "html, body { height: 100%; margin: 0; background: #000; }",
                     fragment);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Drawings beside the Moon: the curve of its brightness, the spectrum of its light, the Earth's ring of sunsets.
 
+import {darker, stopColours} from './picture.js';
 import {signed} from './words.js';
 
 /** A canvas cleared and scaled to the screen's own pixels. */
@@ -43,6 +44,18 @@ export function drawCurve(canvas, curve, facts, nowMs) {
   pen.strokeStyle = '#fff';
   pen.lineWidth = 1;
   line(pen, [[x(nowMs), 0], [x(nowMs), height]]);
+}
+
+/** What the colours of "stops below a full Moon" stand for. */
+export function fillLegend(legend) {
+  const steps = document.createElement('ol');
+  stopColours.forEach((colour, i) => {
+    const css = (factor) => `rgb(${colour.map((c) => Math.round(255 * c * factor)).join(' ')})`;
+    const step = Object.assign(document.createElement('li'), {textContent: 2 * i});
+    step.style.setProperty('--steps', `linear-gradient(90deg, ${css(1)} 50%, ${css(darker)} 50%)`);
+    steps.append(step);
+  });
+  legend.replaceChildren('Stops below a full Moon', steps);
 }
 
 /** A colour of the spectrum, about. */

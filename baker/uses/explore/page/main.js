@@ -17,7 +17,7 @@ async function begin() {
   try {
     if (typeof DecompressionStream === 'undefined')
       throw new Error('This browser is too old for the page: it has no DecompressionStream. Browsers from 2023 on have.');
-    host.page = new Page(root, facts, await readArrays(text, facts.arrays));
+    host.page = new Page(root, facts, await readArrays(text, facts.arrays), 'embedded' in host.dataset);
   } catch (problem) {
     root.querySelector('.note').textContent = problem.message;
     throw problem;

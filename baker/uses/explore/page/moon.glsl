@@ -151,6 +151,8 @@ uniform sampler3D view;
 uniform vec2 viewCode;       // gain, stops
 uniform float viewSize;
 uniform float fullMoon;      // luminance of a full Moon [cd/m²]
+uniform vec3 stopColours[10];
+uniform float darker;        // of the lower of two stops
 out vec4 colour;
 
 vec3 srgb(vec3 light) {
@@ -170,11 +172,8 @@ vec3 viewed(vec3 light) {
 // Stops below a full Moon: a colour for every two, darker in the lower of them.
 vec3 stops(vec3 light) {
   float below = log2(fullMoon / max(dot(light, vec3(0.2126, 0.7152, 0.0722)), 1e-12));
-  vec3 steps[10] = vec3[10](vec3(1.0), vec3(1.0, 0.95, 0.5), vec3(1.0, 0.75, 0.2), vec3(0.95, 0.45, 0.15),
-    vec3(0.8, 0.2, 0.25), vec3(0.6, 0.2, 0.55), vec3(0.35, 0.3, 0.75), vec3(0.2, 0.5, 0.75),
-    vec3(0.15, 0.55, 0.5), vec3(0.2, 0.25, 0.25));
   int step = clamp(int(floor(below / 2.0)), 0, 9);
-  return steps[step] * (fract(below / 2.0) < 0.5 ? 1.0 : 0.85);
+  return stopColours[step] * (fract(below / 2.0) < 0.5 ? 1.0 : darker);
 }
 
 float noise(vec2 at) { return fract(52.9829189 * fract(dot(at, vec2(0.06711056, 0.00583715)))) - 0.5; }

@@ -3,7 +3,7 @@
 
 import {airAsItWas} from './air.js';
 import {rowsOf} from './arrays.js';
-import {drawCurve, drawRing, drawSpectrum} from './charts.js';
+import {drawCurve, drawRing, drawSpectrum, fillLegend} from './charts.js';
 import {brightness, followedTime, scaleOfOneSecond} from './measure.js';
 import {groundAt, groundOf, Motion, pictureOf, placeInShadow, selenographic, viewFrom} from './motion.js';
 import {drawOver} from './over.js';
@@ -18,8 +18,9 @@ const curveMoments = 72;
 const playedRate = 600;  // seconds of the eclipse in one
 
 export class Page {
-  constructor(root, facts, arrays) {
-    Object.assign(this, {root, facts, arrays});
+  /** Given  embedded  in a page of somebody's own, whose address and keys are not ours */
+  constructor(root, facts, arrays, embedded = false) {
+    Object.assign(this, {root, facts, arrays, embedded});
     this.find = (name) => root.querySelector(`.${name}`);
     this.state = stateOf(location.hash.slice(1), facts);
     this.motion = new Motion(facts);
@@ -37,6 +38,7 @@ export class Page {
     this.fullMoon = unshadowed.luminance;
     this.listen();
     this.marks();
+    fillLegend(this.find('legend'));
     this.draw();
   }
 
@@ -78,6 +80,7 @@ export class Page {
   draw() {
     if (this.picture.gl.isContextLost()) return;
     if (this.airIsOld) this.setAir(this.state.air);
+    this.placeMarks();
     const {state, facts, picture} = this, scene = this.scene(), {sky, view, frame} = scene;
     this.seconds = state.exposure.rule === 'fixed' ? state.exposure.time
       : followedTime(picture, facts, sky, view, state.exposure);
@@ -94,7 +97,10 @@ export class Page {
   say({sky, view}) {
     const {state, facts} = this, {place} = state;
     const local = localTime(state.ms, place?.timeZone);
-    this.find('when').textContent = `${utc(state.ms).replace('T', ' ').replace('Z', ' UTC')} · ${local}`;
+    const unbroken = (textContent) => Object.assign(document.createElement('span'), {textContent});
+    this.find('when').replaceChildren(
+      unbroken(utc(state.ms).replace('T', ' ').replace('Z', ' UTC')), ' · ', unbroken(local));
+    this.find('legend').hidden = state.look !== 'stops';
     this.find('where').textContent = place
       ? `${place.name || placeText(place)}: altitude ${signed(view.altitude, 1)}°, azimuth ${view.azimuth.toFixed(0)}°`
       : 'from the Earth’s centre';
@@ -119,7 +125,7 @@ export class Page {
     });
     drawCurve(this.find('curve'), this.curve, facts, this.state.ms);
     this.drawPlace();
-    if (!this.playing) history.replaceState(null, '', `#${linkOf(this.state, facts)}`);
+    if (!this.playing && !this.embedded) history.replaceState(null, '', `#${linkOf(this.state, facts)}`);
   }
 
   /** Light at the place that is marked: its ring of sunsets and its spectrum. */
@@ -225,6 +231,20 @@ export class Page {
     this.find('marks').replaceChildren(...marks);
   }
 
+  /** Each contact in the first row that has room for it. */
+  placeMarks() {
+    const marks = this.find('marks'), ends = [];
+    if (marks.clientWidth === this.marksWidth) return;
+    this.marksWidth = marks.clientWidth;
+    const boxes = [...marks.children].map((mark) => mark.getBoundingClientRect());
+    boxes.forEach(({left, right, height}, i) => {
+      const free = ends.findIndex((end) => end <= left), row = free < 0 ? ends.length : free;
+      ends[row] = right;
+      marks.children[i].style.top = `${row * height}px`;
+    });
+    marks.style.height = `${ends.length * boxes[0].height}px`;
+  }
+
   listen() {
     const moment = this.find('moment'), canvas = this.picture.canvas;
     Object.assign(moment, {min: this.motion.fromMs, max: this.motion.toMs});
@@ -238,12 +258,12 @@ export class Page {
     this.find('link').addEventListener('click', () => navigator.clipboard?.writeText(
       `${location.href.split('#')[0]}#${linkOf(this.state, this.facts)}`));
     this.find('place-in-shadow').addEventListener('toggle', () => this.drawPlace());
-    this.root.addEventListener('keydown', (event) => this.key(event));
+    (this.embedded ? this.root : document).addEventListener('keydown', (event) => this.key(event));
     this.pointers(canvas);
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
     canvas.addEventListener('webglcontextrestored', () => { this.picture.build(); this.draw(); });
     new ResizeObserver(() => this.redraw()).observe(canvas);
-    window.addEventListener('hashchange', () => {
+    if (!this.embedded) window.addEventListener('hashchange', () => {
       Object.assign(this.state, stateOf(location.hash.slice(1), this.facts));
       this.changed('air');
       this.panel.show();
@@ -287,7 +307,7 @@ export class Page {
   key(event) {
     const target = event.composedPath()[0];
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (target.matches('input, select, textarea, pre') || (target.matches('button, summary') && event.key === ' ')) return;
+    if (target.matches?.('input, select, textarea, pre') || (target.matches?.('button, summary') && event.key === ' ')) return;
     const {state} = this, step = event.shiftKey ? 6e5 : 6e4;
     const brighter = (stops) => {
       Object.assign(state.exposure, {rule: 'fixed', time: Math.min(1e5, Math.max(1e-6, this.seconds * 2 ** stops))});

@@ -7,6 +7,13 @@ import {transposed} from './vectors.js';
 const corners = `#version 300 es
 void main() { gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0); }`;
 
+/** The colours of "stops below a full Moon", one for every two, as the display has them; the lower of the
+ * two is darker. */
+export const stopColours = [
+  [1, 1, 1], [1, 0.95, 0.5], [1, 0.75, 0.2], [0.95, 0.45, 0.15], [0.8, 0.2, 0.25],
+  [0.6, 0.2, 0.55], [0.35, 0.3, 0.75], [0.2, 0.5, 0.75], [0.15, 0.55, 0.5], [0.2, 0.25, 0.25]];
+export const darker = 0.85;
+
 const widest = 1024;  // row of the texture that places stand in
 
 function compiled(gl, kind, text) {
@@ -144,6 +151,8 @@ export class Picture {
     gl.uniform2f(at('viewCode'), facts.viewTable.gain, facts.viewTable.stops);
     gl.uniform1f(at('viewSize'), facts.viewTable.size);
     gl.uniform1f(at('fullMoon'), look.fullMoon ?? 1);
+    gl.uniform3fv(at('stopColours'), stopColours.flat());
+    gl.uniform1f(at('darker'), darker);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, frame.width, frame.height);
     gl.drawArrays(gl.TRIANGLES, 0, 3);

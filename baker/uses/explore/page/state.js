@@ -51,7 +51,8 @@ export function linkOf(state, facts) {
 export function stateOf(link, facts) {
   const state = firstState(facts), words = new URLSearchParams(link);
   const ms = Date.parse(words.get('t') ?? '');
-  if (!Number.isNaN(ms)) state.ms = ms;
+  const {fromMs, motion} = facts;
+  if (!Number.isNaN(ms)) state.ms = Math.min(Math.max(ms, fromMs), fromMs + 1e3 * motion.seconds);
   if (words.has('at')) {
     const [latitude, longitude, name, timeZone, elevationKm] = words.get('at').split('|');
     const at = {latitude: numberIn(latitude, -90, 90), longitude: numberIn(longitude, -360, 360)};
