@@ -50,7 +50,7 @@ uses::Film film_of(const Options& options) {
   if (film.products.framed() && (film.content.passes || film.content.spectral_nm))
     throw algebra::Error("passes and spectra need --make textures alone");
   film.fps = options.film.fps;
-  film.moments = moments_of(times_of(options.film));
+  film.moments = moments_of(times_of(options.film, options.view));
   film.moon = moon_request(options.moon);
   film.view = options.view;
   film.development = options.development;

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "algebra/error.h"
 
@@ -30,7 +32,37 @@ std::size_t count_of(const FilmTimes& times, double seconds) {
   return frames;
 }
 
+/// The moment between one at which the Moon is up and one at which it is not, and still up.
+Instant edge_of(const ViewRequest& view, Instant up, Instant down) {
+  while (std::abs(almanac::seconds_between(up, down)) > 1) {
+    const auto middle = almanac::later(up, almanac::seconds_between(up, down) / 2);
+    (moon_is_up(view, almanac::sky_at(middle)) ? up : down) = middle;
+  }
+  return up;
+}
+
 }  // namespace
+
+std::pair<Instant, Instant> while_up(const ViewRequest& view, const Instant& from,
+                                     const Instant& to) {
+  constexpr double step_s = 120;
+  const double seconds = almanac::seconds_between(from, to);
+  std::optional<std::pair<Instant, Instant>> found;
+  Instant before = from;
+  for (double passed = 0; passed < seconds + step_s; passed += step_s) {
+    const auto now = almanac::later(from, std::min(passed, seconds));
+    const bool up = moon_is_up(view, almanac::sky_at(now));
+    if (up && !found) found = {passed == 0 ? from : edge_of(view, now, before), now};
+    if (up) found->second = now;
+    if (!up && found) return {found->first, edge_of(view, before, now)};
+    before = now;
+  }
+  if (!found)
+    throw algebra::Error(fmt::format("the Moon is below the horizon of {} from {} to {}",
+                                     place_text(*view.observer), almanac::utc_text(from),
+                                     almanac::utc_text(to)));
+  return *found;
+}
 
 std::string name_of(const eclipse::Eclipse& eclipse) {
   using enum eclipse::EclipseType;

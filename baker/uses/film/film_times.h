@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "almanac/instant.h"
 #include "eclipse/contacts.h"
+#include "uses/picture/view.h"
 
 namespace coppermoon::uses {
 
@@ -32,6 +34,14 @@ struct Moments {
 /// Throws  Error  when a number is outside its range, the last moment is before the first or more than
 ///                a day after it, or the number of frames and the time scale are both given
 Moments moments_of(const FilmTimes& times);
+
+/// The first and the last moment between two at which the Moon is up, to a second: moonrise and moonset,
+/// or the two moments themselves. A Moon that sets and rises between them is up until it sets.
+///
+/// Throws  Error  when it is below the horizon all the time
+std::pair<almanac::Instant, almanac::Instant> while_up(const ViewRequest& view,
+                                                       const almanac::Instant& from,
+                                                       const almanac::Instant& to);
 
 /// "Total eclipse of the Moon, 2018-07-27".
 std::string name_of(const eclipse::Eclipse& eclipse);

@@ -30,10 +30,14 @@ void add_times(CLI::App& verb, FilmOptions& options) {
            "day of the eclipse, as 2018-07-27; or a file of a film, to go on with it")
       .in(film_group);
   add_calendar_option(verb, options.calendar);
-  const char* moments =
-      "moment in UTC, or a contact: P1, U1, U2, greatest, U3, U4, P4, as P1-10min or U2+90s";
-  add_flag(verb, "--from", options.from, moments).in(film_group);
-  add_flag(verb, "--to", options.to, moments).in(film_group);
+  const std::string moments =
+      "moment in UTC, or a contact: P1, U1, U2, greatest, U3, U4, P4, as P1-10min or U2+90s; or ";
+  add_flag(verb, "--from", options.from,
+           moments + "moonrise: P1, or where the Moon rises later at the place of --at, its rise")
+      .in(film_group);
+  add_flag(verb, "--to", options.to,
+           moments + "moonset: P4, or where the Moon sets before at the place of --at, its set")
+      .in(film_group);
   add_flag(
       verb, "--frames", options.frames,
       "number of frames, 1 to 1000000, evenly from the first moment to the last; 240 unless given")
@@ -144,6 +148,20 @@ uses::FilmTimes times_of(const FilmOptions& options) {
           .frames = options.frames,
           .fps = options.fps,
           .time_scale = options.time_scale};
+}
+
+uses::FilmTimes times_of(const FilmOptions& options, const uses::ViewRequest& view) {
+  const bool rise = options.from == "moonrise", set = options.to == "moonset";
+  if (!rise && !set) return times_of(options);
+  if (!view.observer) throw algebra::Error("moonrise and moonset are those of a place: needs --at");
+  auto whole = options;
+  if (rise) whole.from = "P1";
+  if (set) whole.to = "P4";
+  auto times = times_of(whole);
+  const auto [first, last] = uses::while_up(view, times.from, times.to);
+  if (rise) times.from = first;
+  if (set) times.to = last;
+  return times;
 }
 
 uses::Products products_of(const FilmOptions& options) {

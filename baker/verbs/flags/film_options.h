@@ -38,6 +38,12 @@ void add_film_options(CLI::App& verb, FilmOptions& options);
 /// Throws  Error  when a moment is none, or no eclipse is meant
 uses::FilmTimes times_of(const FilmOptions& options);
 
+/// With "moonrise" and "moonset" too: of the part from P1 to P4, or to the other moment, in which the
+/// observer's Moon is up (uses::while_up).
+///
+/// Throws  Error  as above; for those two without an observer, or where the Moon is never up
+uses::FilmTimes times_of(const FilmOptions& options, const uses::ViewRequest& view);
+
 /// "light" alone, or "textures", "scenes" (with their textures), "frames", "pictures", with commas
 /// between; pictures of high dynamic range too.
 ///

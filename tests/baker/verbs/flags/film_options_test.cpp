@@ -52,6 +52,30 @@ TEST(FilmOptions, CountFromAContact) {
                 "s: rounding of a day");
 }
 
+TEST(FilmOptions, BeginAtMoonriseAndEndAtMoonset) {
+  uses::ViewRequest view;
+  const auto spans = [&](double north, double east) {
+    view.observer = almanac::Observer{algebra::degrees(north), algebra::degrees(east), {}};
+    const auto times =
+        times_of({.eclipse = july_2018, .from = "moonrise", .to = "moonset"}, view);
+    return std::pair(times.from, times.to);
+  };
+  const auto is_up = [&](const almanac::Instant& when, double later_s) {
+    return moon_is_up(view, almanac::sky_at(almanac::later(when, later_s)));
+  };
+  const auto whole = times_of({.eclipse = july_2018});
+  const auto [rise, end] = spans(42.3, 13.4);
+  EXPECT_TRUE(is_up(rise, 0) && !is_up(rise, -1));
+  EXPECT_EQ(seconds_between(end, whole.to), 0) << "it is up at P4";
+  const auto [begin, set] = spans(-35, 149);
+  EXPECT_EQ(seconds_between(begin, whole.from), 0) << "it is up at P1";
+  EXPECT_TRUE(is_up(set, 0) && !is_up(set, 1));
+  EXPECT_EQ(message_of([&] { spans(40, -100); }).substr(0, 45),
+            "the Moon is below the horizon of 40,-100 from");
+  EXPECT_EQ(message_of([&] { times_of({.eclipse = july_2018, .from = "moonrise"}, {}); }),
+            "moonrise and moonset are those of a place: needs --at");
+}
+
 TEST(FilmOptions, BetweenInstantsAreOfTheNearestEclipse) {
   const auto moments = moments_of({.from = "2018-07-27T19:00Z", .to = "U2"});
   EXPECT_EQ(almanac::utc_text(moments.eclipse.greatest).substr(0, 10), july_2018);
