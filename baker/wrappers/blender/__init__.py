@@ -10,7 +10,7 @@ bl_info = {
     "category": "Add Mesh",
 }
 
-from . import operators, panel, preferences, values
+from . import operators, panel, preferences, saving, values
 
 
 def register():
@@ -18,9 +18,11 @@ def register():
     values.register()
     operators.register()
     panel.register()
+    saving.register()
 
 
 def unregister():
+    saving.unregister()
     panel.unregister()
     operators.unregister()
     values.unregister()

@@ -5,13 +5,14 @@ import json
 import os
 
 from . import film, moon, moonlight, observer, preferences, program, values
-from .texture import Texture, textures_of
+from .texture import Texture, second_of_day, textures_of
 
 
 class Baked:
     """Textures in the order of their frames, the light of each disc, and contacts by name.
 
-    Given  measured  illuminance by path, as far as it is known already
+    Given  contacts  moments in UTC
+           measured  illuminance by path, as far as it is known already
     """
 
     def __init__(self, textures, contacts=None, measured=None):
@@ -23,17 +24,14 @@ def light_of(texture):
     return moonlight.illuminance(texture, moon.set_colours(texture))
 
 
-def seconds_of(contact):
-    """The time of day of 2018-07-27T19:30:17Z."""
-    hours, minutes, seconds = contact.rstrip("Z").split("T")[-1].split(":")
-    return 3600 * int(hours) + 60 * int(minutes) + float(seconds)
-
-
-def parts_of(contacts):
-    """The part of the time from P1 to P4 that has passed at each contact, of an eclipse shorter than a day."""
-    since_first = {name: (seconds_of(time) - seconds_of(contacts["P1"])) % 86400
-                   for name, time in contacts.items()}
-    return {name: since / since_first["P4"] for name, since in since_first.items()}
+def parts_of(contacts, textures):
+    """The part of the time from the first texture to the last, less than a day, that has passed at each
+    contact between them."""
+    first = textures[0].second()
+    length = (textures[-1].second() - first) % 86400
+    # A header has whole seconds: the first and the last contact may be half of one outside.
+    since = {name: (second_of_day(moment) - first + 1) % 86400 - 1 for name, moment in contacts.items()}
+    return {name: min(max(s / length, 0), 1) for name, s in since.items() if length and s <= length + 1}
 
 
 def eclipses(first, last):
@@ -45,24 +43,29 @@ def eclipses(first, last):
 
 def bake_moment(wanted):
     lines = []
-    yield from program.run(["bake", values.moment(wanted), *values.options(wanted),
+    yield from program.run(["bake", f"--instant={values.moment(wanted)}", *values.options(wanted),
                             f"--cache={preferences.texture_folder()}"], lines.append)
     return Baked([Texture(lines[-1])])
 
 
-def film_folder(words):
+def film_folder(day, words):
     """Its name says what the film is made from."""
     name = hashlib.sha256("\n".join(words).encode()).hexdigest()[:12]
-    return os.path.join(preferences.texture_folder(), f"{words[1]}_{name}")
+    return os.path.join(preferences.texture_folder(), f"{day}_{name}")
+
+
+def film_words(wanted):
+    return ["animate", f"--eclipse={values.day_of(wanted)}", *values.options(wanted), *values.span(wanted),
+            f"--frames={wanted.frames}", "--make=textures"]
 
 
 def bake_film(wanted):
     day = values.day_of(wanted)
     contacts = {}
     for eclipse in (yield from eclipses(day, f"{day}T23:59:59Z")):
-        contacts = parts_of(eclipse["contacts"])
-    words = ["animate", day, *values.options(wanted), f"--frames={wanted.frames}", "--make=textures"]
-    folder = film_folder(words)
+        contacts = eclipse["contacts"]
+    words = film_words(wanted)
+    folder = film_folder(day, words)
     os.makedirs(folder, exist_ok=True)
     measured = {}  # as they come, so that it takes no time at the end
 
@@ -76,7 +79,10 @@ def bake_film(wanted):
         if frames:
             what, part = f"frame {frames} of {wanted.frames}", frames / wanted.frames
         yield what, part
-    return Baked(textures_of(folder), contacts, measured)
+    textures = textures_of(folder)
+    for texture in textures:
+        texture.frames_later = wanted.start_frame - textures[0].number()
+    return Baked(textures, contacts, measured)
 
 
 def bake(wanted):
@@ -92,14 +98,17 @@ def show(of_moon, baked):
     """Has the Moon, its light, its observer and its scene be those of these textures."""
     wanted = of_moon.coppermoon
     moon.put_textures(of_moon, baked.textures)
+    for scene in of_moon.users_scene:
+        moonlight.keep_dim_light(scene)
     if wanted.lamp:
         moonlight.place_lamp(wanted.lamp, baked.textures, baked.lights)
     if wanted.scene:
         film.set_exposure(wanted.scene, baked.textures, baked.lights)
-        film.set_time(wanted.scene, baked.textures, baked.contacts)
+        film.set_time(wanted.scene, baked.textures, parts_of(baked.contacts, baked.textures), wanted)
     if wanted.camera:
         render = (wanted.scene or wanted.camera.users_scene[0]).render
-        observer.place_camera(wanted.camera, baked.textures, wanted.up, wanted.field, render)
+        observer.place_camera(wanted.camera, baked.textures, wanted, render)
+    values.remember(wanted, "field")
 
 
 def new_eclipse(context, own_scene):

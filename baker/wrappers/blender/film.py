@@ -4,6 +4,7 @@ import math
 
 import bpy
 
+from . import values
 from .moon import first_known
 
 VIEWS = ("Un-tone-mapped", "Standard")  # colours as they are: ours, Blender's
@@ -35,10 +36,11 @@ def set_render(scene):
     first_known(scene.view_settings, "view_transform", VIEWS)
 
 
-def set_time(scene, textures, contacts):
+def set_time(scene, textures, parts, wanted):
     """The time line from the first texture to the last, with a marker at each contact.
 
-    Given  contacts  by name, in the order of the eclipse, the part of its time that has passed
+    Given  parts   by name of the contact, the part of the time from the first to the last texture
+           wanted  the Moon's values
     """
     for name in ("P1", "U1", "U2", "U3", "U4", "P4"):
         marker = scene.timeline_markers.get(name)
@@ -46,15 +48,29 @@ def set_time(scene, textures, contacts):
             scene.timeline_markers.remove(marker)
     if len(textures) == 1:
         return
-    scene.frame_start, scene.frame_end = textures[0].frame(), textures[-1].frame()
-    for name, part in contacts.items():
-        frame = scene.frame_start + part * (len(textures) - 1)
-        scene.timeline_markers.new(name, frame=round(frame))
+    first, last = textures[0].frame(), textures[-1].frame()
+    if values.put(wanted, scene, frame_start=first, frame_end=last):
+        scene.frame_set(first)
+    for name, part in parts.items():
+        scene.timeline_markers.new(name, frame=round(first + part * (last - first)))
     rate = textures[0].header.get("framesPerSecond")
     if rate:
-        scene.render.fps = max(1, round(rate))
-        scene.render.fps_base = scene.render.fps / rate
-    scene.frame_set(scene.frame_start)
+        fps = max(1, round(rate))
+        values.put(wanted, scene.render, fps=fps, fps_base=fps / rate)
+
+
+def remove_curve(owner, path):
+    """Removes all keys of a property; in Blender 4.4 and later an action has curves by slot."""
+    animation = owner.animation_data
+    action = animation.action if animation else None
+    if not action:
+        return
+    holders = [action] if hasattr(action, "fcurves") else [
+        strip.channelbag(animation.action_slot) for layer in action.layers for strip in layer.strips]
+    for holder in holders:
+        curve = holder.fcurves.find(path) if holder else None
+        if curve:
+            holder.fcurves.remove(curve)
 
 
 def set_exposure(scene, textures, lights):
@@ -63,11 +79,7 @@ def set_exposure(scene, textures, lights):
     Given  lights  illuminance by channel [lux], of each texture
     """
     path = "view_settings.exposure"
-    for frame in range(scene.frame_start, scene.frame_end + 1) if scene.animation_data else ():
-        try:
-            scene.keyframe_delete(path, frame=frame)
-        except RuntimeError:  # it has no such key
-            pass
+    remove_curve(scene, path)
     for texture, lux in zip(textures, lights):
         strongest = max(lux) * texture.distance ** 2 / math.pi  # cd/m², over the disc
         if strongest > 0:

@@ -85,7 +85,7 @@ def texture_node(moon):
 
 
 def put_textures(moon, textures):
-    """Has the Moon shine by these; the number of a file is that of its frame."""
+    """Has the Moon shine by these; of a film by one in each frame."""
     node = texture_node(moon)
     first = textures[0]
     image = bpy.data.images.load(first.path)
@@ -102,6 +102,6 @@ def put_textures(moon, textures):
         image.source = "SEQUENCE"
         user = node.image_user
         user.frame_start = first.frame()
-        user.frame_offset = first.frame() - 1
+        user.frame_offset = first.number() - 1
         user.frame_duration = len(textures)
         user.use_auto_refresh = True

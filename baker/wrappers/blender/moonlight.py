@@ -69,6 +69,12 @@ def new_lamp(scene, moon):
     return lamp
 
 
+def keep_dim_light(scene):
+    """Cycles drops light below this threshold at random, and moonlight is below its default."""
+    if hasattr(scene, "cycles"):
+        scene.cycles.light_sampling_threshold = 0
+
+
 def place_lamp(lamp, textures, lights):
     """Has it shine from the Moon to the observer, as bright as the disc is, of a film in each frame.
 

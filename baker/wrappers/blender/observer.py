@@ -6,6 +6,8 @@ import math
 import bpy
 from mathutils import Matrix, Vector
 
+from . import values
+
 
 def axes_of(texture, up):
     """Right, up and back (towards the observer) of the camera, each a unit vector."""
@@ -37,21 +39,27 @@ def new_camera(scene, moon):
     return camera
 
 
-def place_camera(camera, textures, up, field, render):
+def set_lens(data, render, wanted):
+    """Has the shorter side of the picture hold the field, unless the user has chosen another lens since."""
+    wide = render.resolution_x * render.pixel_aspect_x > render.resolution_y * render.pixel_aspect_y
+    # By the lens: an angle that is set directly is at least 0.37 degrees in Blender.
+    side = data.sensor_height if wide else data.sensor_width
+    values.put(wanted, data, anew=values.changed(wanted, "field"),
+               sensor_fit="VERTICAL" if wide else "HORIZONTAL", lens=side / 2 / math.tan(wanted.field / 2))
+
+
+def place_camera(camera, textures, wanted, render):
     """Has the camera stand where the observer does, of a film in each frame.
 
-    Given  field  angle across the shorter side of the picture [radians]
+    Given  wanted  the Moon's values
     """
     data = camera.data
-    wide = render.resolution_x * render.pixel_aspect_x > render.resolution_y * render.pixel_aspect_y
-    data.sensor_fit = "VERTICAL" if wide else "HORIZONTAL"
-    # By the lens: an angle that is set directly is at least 0.37 degrees in Blender.
-    data.lens = (data.sensor_height if wide else data.sensor_width) / 2 / math.tan(field / 2)
-    data.clip_start = min(texture.distance for texture in textures) - 1
-    data.clip_end = max(texture.distance for texture in textures) + 1
+    set_lens(data, render, wanted)
+    distances = [texture.distance for texture in textures]
+    values.put(wanted, data, clip_start=min(distances) - 1, clip_end=max(distances) + 1)
     camera.animation_data_clear()
     for texture in textures:
-        axes = axes_of(texture, up)
+        axes = axes_of(texture, wanted.up)
         camera.location = texture.distance * axes[2]
         turn(camera, axes)
         if len(textures) > 1:

@@ -2,7 +2,7 @@
 """What one sees: Add > Eclipse, File > Import, and the panel of a Moon in the viewport's sidebar."""
 import bpy
 
-from . import operators, values
+from . import operators, saving, values
 
 
 def draw_values(layout, of):
@@ -13,6 +13,9 @@ def draw_values(layout, of):
     column.prop(of, "film")
     if of.film:
         column.prop(of, "frames")
+        column.prop(of, "begin")
+        column.prop(of, "end")
+        column.prop(of, "start_frame")
     else:
         moment = column.column()
         moment.active = values.is_day(of)
@@ -56,6 +59,8 @@ class EclipsePanel(bpy.types.Panel):
                 lamp.label(text=f"Illuminance {wanted.lamp.data.energy:.3g} lux", icon="LIGHT_SUN")
         else:
             layout.operator("coppermoon.add_eclipse", text="Add Eclipse", icon="LIGHT_HEMI")
+        if saving.left_in_cache():
+            layout.label(text="Textures are still in the cache: save again", icon="ERROR")
         if running:
             row = layout.row()
             row.label(text=running.text(), icon="TIME")

@@ -17,7 +17,7 @@ class CoppermoonPreferences(bpy.types.AddonPreferences):
     textures: bpy.props.StringProperty(
         name="Textures", subtype="DIR_PATH",
         description="Folder for baked textures; empty: the folder coppermoon beside the .blend file, "
-                    "or ~/.cache/coppermoon as long as that is not saved")
+                    "or ~/.cache/coppermoon until that is saved")
 
     def draw(self, context):
         self.layout.prop(self, "program")
@@ -43,8 +43,16 @@ def texture_folder():
     """The folder of baked textures."""
     if chosen("textures"):
         return os.path.abspath(chosen("textures"))
-    if bpy.data.filepath:
-        return bpy.path.abspath("//coppermoon")
+    return beside_file() if bpy.data.filepath else cache_folder()
+
+
+def beside_file():
+    """The folder of textures beside the .blend file."""
+    return bpy.path.abspath("//coppermoon")
+
+
+def cache_folder():
+    """The folder of textures as long as the scene is not saved."""
     cache = os.environ.get("XDG_CACHE_HOME", "")
     return os.path.join(cache if os.path.isabs(cache) else os.path.expanduser("~/.cache"), "coppermoon")
 

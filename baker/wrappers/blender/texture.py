@@ -74,6 +74,7 @@ class Texture:
         self.distance = self.told("distance_km") / MOON_RADIUS_KM
         if not self.distance > 1:
             raise Wrong(f"{path}: coppermoon:distance_km is within the Moon")
+        self.frames_later = 0
 
     def told(self, name):
         value = self.header.get("coppermoon:" + name)
@@ -82,11 +83,27 @@ class Texture:
         return value
 
     def frame(self):
+        """The frame of the scene that shows it."""
+        return self.number() + self.frames_later
+
+    def second(self):
+        """The time of day of its moment [s]."""
+        return second_of_day(self.header.get("capDate", ""))
+
+    def number(self):
         """The number that the name ends in, as 1 of moon_lin_rec709.0001.exr."""
         number = re.search(r"(\d+)\.exr$", self.path)
         if not number:
             raise Wrong(f"{self.path}: its name has no frame number, as .0001.exr")
         return int(number[1])
+
+
+def second_of_day(text):
+    """The time of day [s] of 2018-07-27T19:30:17Z, or of a header's 2018:07:27 19:30:17."""
+    time = re.search(r"[T ](\d+):(\d+):(\d+(?:\.\d+)?)", text)
+    if not time:
+        raise Wrong(f"{text}: is no moment, as 2018-07-27T19:30:17Z")
+    return 3600 * int(time[1]) + 60 * int(time[2]) + float(time[3])
 
 
 def stem_of(path):
@@ -107,11 +124,11 @@ def textures_of(path):
     textures = [Texture(os.path.join(path, name)) for name in names]
     if len(textures) == 1:
         return textures
-    textures.sort(key=Texture.frame)
+    textures.sort(key=Texture.number)
     first = textures[0]
-    for number, texture in enumerate(textures, first.frame()):
-        if texture.frame() != number:
-            raise Wrong(f"{texture.path}: frame {texture.frame()}, where {number} should follow")
+    for number, texture in enumerate(textures, first.number()):
+        if texture.number() != number:
+            raise Wrong(f"{texture.path}: frame {texture.number()}, where {number} should follow")
         if stem_of(texture.path) != stem_of(first.path):
             raise Wrong(f"{texture.path}: is not of one film with {first.path}")
         if texture.colour_space != first.colour_space:

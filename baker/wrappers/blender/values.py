@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What an eclipse is made from: the values that its Moon keeps, and the program's words for them."""
+import json
 import math
 import re
 from types import SimpleNamespace
@@ -51,10 +52,21 @@ class Values:
         description="Day of greatest eclipse (UTC), as 2018-07-27; or a moment in UTC, as "
                     "2018-07-27T20:40Z")
     film: BoolProperty(
-        name="Whole eclipse", description="A texture for each frame, from P1 to P4; otherwise one moment")
+        name="Whole eclipse", description="A texture for each frame; otherwise one moment")
     frames: IntProperty(
         name="Frames", default=240, min=2, max=1000000, soft_max=5000,
-        description="Number of frames from P1 to P4")
+        description="Number of frames, evenly from the first moment to the last")
+    begin: StringProperty(
+        name="From",
+        description="First moment of the film: a contact, as U1 or P1-10min, or a time in UTC; empty: P1, "
+                    "or moonrise where a place is given and the Moon rises later")
+    end: StringProperty(
+        name="To",
+        description="Last moment of the film: a contact, as U4 or P4+10min, or a time in UTC; empty: P4, "
+                    "or moonset where a place is given and the Moon sets before")
+    start_frame: IntProperty(
+        name="Start Frame", default=1, min=0, max=1000000,
+        description="Frame of the scene that shows the first moment, as 1001")
     contact: EnumProperty(
         name="Contact", items=CONTACTS, default="greatest", description="What the moment is counted from")
     offset: FloatProperty(
@@ -97,11 +109,42 @@ class MoonValues(Values, bpy.types.PropertyGroup):
     camera: PointerProperty(type=bpy.types.Object, description="The observer; moved when baked again")
     lamp: PointerProperty(type=bpy.types.Object, description="The light; changed when baked again")
     scene: PointerProperty(type=bpy.types.Scene, description="The scene of this eclipse alone, if any")
+    last_set: StringProperty(
+        default="{}", description="What was set in scene and camera, by name, as JSON: a setting that "
+                                  "is another now was changed by the user, and stays")
 
 
 def copy(source, target):
     for name in NAMES:
         setattr(target, name, getattr(source, name))
+
+
+def changed(wanted, name):
+    """Whether a value of the Moon is another than at the last bake."""
+    return json.loads(wanted.last_set).get(name, getattr(wanted, name)) != getattr(wanted, name)
+
+
+def put(wanted, owner, anew=False, **settings):
+    """Sets them together, unless the user has changed one of them since they were last set.
+
+    Given     wanted  the Moon's values, which remember what was set
+              anew    whatever the user has changed
+    Returned  whether they were set
+    """
+    known = json.loads(wanted.last_set)
+    now = {name: getattr(owner, name) for name in settings}
+    if not anew and any(known.get(name, value) != value for name, value in now.items()):
+        return False
+    for name, value in settings.items():
+        setattr(owner, name, value)
+    known.update({name: getattr(owner, name) for name in settings})
+    wanted.last_set = json.dumps(known)
+    return True
+
+
+def remember(wanted, name):
+    """Has `changed` compare with the value as it is now."""
+    wanted.last_set = json.dumps(json.loads(wanted.last_set) | {name: getattr(wanted, name)})
 
 
 def plain(source):
@@ -118,8 +161,10 @@ def is_day(values):
 
 
 def require_sound(values):
-    if not values.date.strip():
-        raise Wrong("date: is empty; allowed is a day, as 2018-07-27")
+    # The date of a stranger's file must be neither an option nor a path.
+    if not re.fullmatch(r"[+-]?\d[\w:.+ -]*", values.date.strip(), re.ASCII):
+        raise Wrong(f"date = {values.date.strip()}; allowed is a day, as 2018-07-27, or a moment in UTC, "
+                    "as 2018-07-27T20:40Z")
     if values.texture_width % 2:
         raise Wrong(f"texture width = {values.texture_width}, allowed is an even number")
     if values.up == "zenith" and not values.place.strip():
@@ -145,6 +190,13 @@ def options(values):
     if values.place.strip():
         words.append(f"--at={values.place.strip()}")
     return words
+
+
+def span(values):
+    """The program's options for the first and the last moment of a film."""
+    observed = bool(values.place.strip())
+    first, last = values.begin.strip() or (observed and "moonrise"), values.end.strip() or (observed and "moonset")
+    return [f"--{name}={moment}" for name, moment in (("from", first), ("to", last)) if moment]
 
 
 def register():

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: MIT
+"""A cache may be emptied: what a saved scene shows stands in the folder coppermoon beside the .blend file."""
+import os
+import shutil
+import sys
+
+import bpy
+
+from . import preferences
+
+
+def name_in_cache(path):
+    """A path from the cache folder on; nothing where it leads elsewhere."""
+    path = os.path.abspath(bpy.path.abspath(path))
+    cache = os.path.join(os.path.abspath(preferences.cache_folder()), "")
+    return path.removeprefix(cache) if path.startswith(cache) else None
+
+
+def left_in_cache():
+    """Images whose files stand in the cache, of a scene that is saved elsewhere."""
+    if not bpy.data.filepath or name_in_cache(bpy.data.filepath):
+        return []
+    return [image for image in bpy.data.images if image.filepath and name_in_cache(image.filepath)]
+
+
+def link_or_copy(source, target):
+    """A second name for the file, which takes no space and no time; a copy where there is no such thing."""
+    try:
+        os.link(source, target)
+    except OSError:
+        shutil.copy2(source, target + ".part")
+        os.replace(target + ".part", target)
+
+
+def bring(image):
+    """Has the image's file, of a film all of its folder, stand beside the .blend file too."""
+    name = name_in_cache(image.filepath)
+    first = name.split(os.sep)[0]
+    source, folder = os.path.join(preferences.cache_folder(), first), preferences.beside_file()
+    os.makedirs(folder, exist_ok=True)
+    target = os.path.join(folder, first)
+    if os.path.isdir(source):
+        shutil.copytree(source, target, copy_function=link_or_copy, dirs_exist_ok=True)
+    elif not os.path.exists(target):
+        link_or_copy(source, target)
+    image.filepath = bpy.path.relpath(os.path.join(folder, name))
+
+
+@bpy.app.handlers.persistent
+def keep_textures(*_):
+    """Called when a scene has been saved, for only then is it known where; so it is saved again."""
+    images = left_in_cache()
+    try:
+        for image in images:
+            bring(image)
+    except OSError as error:
+        print(f"Eclipse: textures are still in the cache: {error}", file=sys.stderr)
+        return
+    if images:
+        bpy.ops.wm.save_mainfile()
+
+
+def register():
+    bpy.app.handlers.save_post.append(keep_textures)
+
+
+def unregister():
+    bpy.app.handlers.save_post.remove(keep_textures)
