@@ -96,12 +96,13 @@ void run(const CLI::App& verb, const Options& options) {
                       .map_contents = map_contents(film.moon),
                       .view_contents = fingerprint(film.development, space_of(film.content))};
   film.record = record_of(account);
-  if (std::filesystem::exists(film.folder)) require_own(film, options.replace);
   const auto files = files_of(options.film, film.products);
   require_makeable(files, film);
   const bool part_of_light = light_alone && shard.parts > 1;
   if (part_of_light) require_photons(film, shard);
   std::filesystem::create_directory(film.folder);
+  const uses::FilmClaim claim(film);
+  require_own(film, options.replace);
   FilmProgress progress(film, light_alone ? 0 : frames.size(), options.json);
   if (part_of_light) {
     trace(film, shard);

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "end_to_end/program.h"
+#include "files/folder_lock.h"
 #include "texture/image.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
@@ -93,6 +94,16 @@ TEST_F(FilmFolder, OfAnotherSceneIsRefusedOrMadeAnew) {
   expect_done(coppermoon(film({"--frames", "3", "--replace"})));
   expect_done(coppermoon(film({"--frames", "3"}, "fresh")));
   EXPECT_TRUE(files() == files("fresh")) << "the fourth frame is gone: it is of no film here";
+}
+
+TEST_F(FilmFolder, IsNotSharedWithAnotherFilmThatIsBeingMade) {
+  fs::create_directory(here("film"));
+  const files::FolderClaim another(here("film"), 1);
+  const auto outcome = coppermoon(film({"--frames", "2", "--replace"}));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err,
+            "coppermoon: film: another film is being made in it, allowed another folder\n");
+  EXPECT_TRUE(files().empty());
 }
 
 TEST_F(FilmFolder, MayHaveMoreMadeOfItsFilm) {

@@ -39,6 +39,7 @@ struct FilmRecord {
   texture::Attributes film_header;   ///< attributes in each file made of many frames
   std::string
       light_key;  ///< lines, as "ozone-du = 200", that name all the light depends on but time
+  std::string film_key;  ///< tells the film from others, whatever is made of it
 
   /// Whether a file was made from the same, as far as that file depends on it.
   std::function<bool(const std::filesystem::path& file)> made_alike = {};

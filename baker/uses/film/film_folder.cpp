@@ -8,6 +8,7 @@
 #include <set>
 
 #include "algebra/error.h"
+#include "files/fingerprint.h"
 #include "texture/read_image.h"
 #include "texture/seal.h"
 
@@ -75,6 +76,13 @@ bool is_whole_of(const fs::path& file, std::size_t frame, const auto& alike) try
 }
 
 }  // namespace
+
+FilmClaim::FilmClaim(const Film& film)
+    : claim_(film.folder, files::fingerprint(film.record.film_key)) {
+  if (!claim_.alone())
+    throw algebra::Error(fmt::format("{}: another film is being made in it, allowed another folder",
+                                     film.folder.string()));
+}
 
 void require_own(const Film& film, bool replace) {
   const auto foreign = foreign_files(film);

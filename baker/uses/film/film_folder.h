@@ -4,9 +4,22 @@
 #include <cstddef>
 #include <filesystem>
 
+#include "files/folder_lock.h"
 #include "uses/film/film.h"
 
 namespace coppermoon::uses {
+
+/// Keeps the film's folder, which is there, to the film for as long as this lives: all who make some of
+/// it share the folder.
+///
+/// Throws  Error  while another film is made in it
+class FilmClaim {
+ public:
+  explicit FilmClaim(const Film& film);
+
+ private:
+  files::FolderClaim claim_;
+};
 
 /// A folder holds one film: files of another are not overwritten unless that is asked for.
 ///

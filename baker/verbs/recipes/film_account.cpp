@@ -173,6 +173,7 @@ uses::FilmRecord record_of(const FilmAccount& account) {
             account.view_contents};
   uses::FilmRecord record;
   record.light_key = of_light(account_of(said));
+  record.film_key = without_work(account_of(said));
   if (account.work) said.recipe = with_work(account.recipe, *account.work);
   record.frame_header = {{recipe_attribute, said.recipe},
                          {version_attribute, said.version},

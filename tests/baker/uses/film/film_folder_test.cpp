@@ -64,6 +64,17 @@ TEST_F(FolderOfAFilm, IsOneFilms) {
   }
 }
 
+TEST_F(FolderOfAFilm, IsOneFilmsForAsLongAsItIsMade) {
+  auto another = film_;
+  another.record.film_key = "iso = 100\n";
+  {
+    const FilmClaim first_shard(film_), second_shard(film_);
+    EXPECT_THROW(FilmClaim{another}, algebra::Error);
+    EXPECT_NO_THROW(FilmClaim{film_}) << "who was refused keeps nobody out";
+  }
+  EXPECT_NO_THROW(FilmClaim{another});
+}
+
 TEST_F(FolderOfAFilm, LosesFramesOfAnotherThatItHasNoNumberFor) {
   foreign_ = film_.folder / "frame.0004.png";
   write(film_.picture(1), 1);
