@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "algebra/error.h"
+#include "colour/config_depth.h"
 #include "colour/lut_files.h"
 #include "colour/tables.h"
 
@@ -34,6 +35,11 @@ ocio::ConstConfigRcPtr config_at(const std::filesystem::path& path) try {
   if (path.empty()) return built_in_config();
   const auto config = ocio::Config::CreateFromFile(path.c_str());
   require_regular_luts(*config);
+  try {
+    require_end(*config);
+  } catch (const Error& error) {
+    throw Error(fmt::format("{}: {}", path.string(), error.what()));
+  }
   return config;
 } catch (const ocio::Exception& problem) {
   throw Error(fmt::format("{}: {}", path.empty() ? "config.ocio" : path.string(), problem.what()));

@@ -31,7 +31,8 @@ struct Development {
 /// Throws    Error  when a scaled channel is not finite (names the pixel), the scale is not above
 ///                  0, the configuration cannot be read, has no such view or display (names those it
 ///                  has) or does not know the working space, or a look-up table of it has an entry
-///                  that is not finite (names file and line) or is no regular file
+///                  that is not finite (names file and line) or is no regular file, or names such a
+///                  file; when what it describes is made of itself, or has no reasonable end
 Image developed(Image scene_linear, WorkingSpace space, const Development& development = {});
 
 /// A text that tells apart what two developments do to colours, whatever their files are called; it

@@ -2,13 +2,17 @@
 #include "colour/lut_files.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "algebra/error.h"
 #include "algebra/number.h"
@@ -18,7 +22,45 @@ namespace ocio = OCIO_NAMESPACE;
 namespace coppermoon::colour {
 namespace {
 
-void require_regular(const ocio::Config& config, const char* name) {
+/// Files that a look-up table in CTF names, `<Reference path="…"/>`; none in any other format.
+///
+/// Throws  Error  for a name written in other ways than plainly, in parts or with entities
+std::vector<std::string> files_named_in(const std::string& path) {
+  constexpr std::streamsize head = 16384;  // OpenColorIO looks for the mark of CTF in 5 kB
+  std::ifstream file(path, std::ios::binary);
+  std::string text(head, ' ');
+  file.read(text.data(), head);
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.find("<ProcessList") == text.npos) return {};
+  text.append(std::istreambuf_iterator<char>(file), {});
+  auto small = text;  // for names of elements and attributes are heeded in either case
+  std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
+  constexpr std::string_view element = "<reference";
+  std::vector<std::string> names;
+  for (auto at = small.find(element); at != small.npos; at = small.find(element, at)) {
+    std::string attribute;
+    for (at += element.size(); at < text.size() && text[at] != '>'; ++at) {
+      const char c = small[at];
+      if (c == '"' || c == '\'') {
+        const auto end = std::min(text.find(c, at + 1), text.size());
+        if (attribute == "basepath")
+          throw algebra::Error(fmt::format("{}: a file named by a basePath, allowed a path", path));
+        if (attribute == "path") names.push_back(text.substr(at + 1, end - at - 1));
+        attribute.clear();
+        at = end;
+      } else if (c >= 'a' && c <= 'z') {
+        attribute += c;
+      }
+    }
+  }
+  if (std::ranges::any_of(names, [](const auto& name) { return name.find('&') != name.npos; }))
+    throw algebra::Error(fmt::format("{}: a file's name with & in it, allowed without", path));
+  return names;
+}
+
+/// Given  from  how many files lead there, one by the other
+void require_regular(const ocio::Config& config, const char* name, int from = 0) {
+  constexpr int most = 16;
   std::string path;
   try {
     path = config.getCurrentContext()->resolveFileLocation(name);
@@ -29,6 +71,11 @@ void require_regular(const ocio::Config& config, const char* name) {
   const auto kind = std::filesystem::status(path, failed).type();
   if (kind != std::filesystem::file_type::not_found && kind != std::filesystem::file_type::regular)
     throw algebra::Error(fmt::format("{}: cannot be read: it is no regular file", path));
+  if (kind != std::filesystem::file_type::regular) return;
+  if (from > most)
+    throw algebra::Error(
+        fmt::format("{}: {} files that name one another, allowed to {}", path, from, most));
+  for (const auto& file : files_named_in(path)) require_regular(config, file.c_str(), from + 1);
 }
 
 void require_regular_in(const ocio::Config& config, const ocio::ConstTransformRcPtr& transform) {

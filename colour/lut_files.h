@@ -5,10 +5,10 @@
 
 namespace coppermoon::colour {
 
-/// Refuses a configuration that names a look-up table which is no regular file: to read a pipe would
-/// take for ever.
+/// Refuses a configuration that names a look-up table which is no regular file, or which names such a file in
+/// its turn, as CTF can: to read a pipe would take for ever.
 ///
-/// Throws  Error  with the file's name
+/// Throws  Error  with the file's name; where more than 16 files name one another
 void require_regular_luts(const OCIO_NAMESPACE::Config& config);
 
 /// Refuses look-up tables with an entry that is infinite or no number, of which OpenColorIO makes some

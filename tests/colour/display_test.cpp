@@ -347,6 +347,96 @@ TEST_F(LookUpTable, ThatIsAPipeIsRefused) {
   EXPECT_EQ(refusal(), table().string() + ": cannot be read: it is no regular file");
 }
 
+TEST_F(LookUpTable, ThatNamesAPipeIsRefused) {
+  const auto pipe = table().parent_path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0666), 0);
+  for (const std::string attributes :
+       {"path=\"pipe\"", "inBitDepth='32f>' PATH = 'pipe'", "alias=\"a\"\n\tpath\n=\"pipe\""}) {
+    std::ofstream(table()) << "<?xml version=\"1.0\"?>\n<ProcessList id=\"a\" version=\"1.5\">\n"
+                              "<Reference " + attributes + " />\n</ProcessList>\n";
+    EXPECT_EQ(refusal(), pipe.string() + ": cannot be read: it is no regular file");
+  }
+  std::ofstream(table()) << "<ProcessList id=\"a\" version=\"1.5\"><Reference path=\"&#112;ipe\"/>";
+  EXPECT_EQ(refusal(), table().string() + ": a file's name with & in it, allowed without");
+  std::ofstream(table()) << "<ProcessList><Reference basePath=\".\" path=\"pipe\"/>";
+  EXPECT_EQ(refusal(), table().string() + ": a file named by a basePath, allowed a path");
+}
+
+TEST_F(LookUpTable, ThatNamesItselfIsRefused) {
+  std::ofstream(table()) << "<ProcessList id=\"a\" version=\"1.5\"><Reference path=\"a.cube\"/>";
+  EXPECT_EQ(refusal(),
+            table().string() + ": 17 files that name one another, allowed to 16");
+}
+
+/// What is said of a configuration of some colour spaces and looks.
+std::string fault_of(const std::string& spaces, const std::string& more = "",
+                     const std::string& views = "- !<View> {name: Un-tone-mapped, colorspace: a}") {
+  const auto path = std::filesystem::temp_directory_path() /
+                    ("coppermoon_loop_" + std::to_string(std::random_device{}()) + ".ocio");
+  std::ofstream(path) << "ocio_profile_version: 2\nroles: {default: lin_rec709_scene}\n"
+                         "displays:\n  sRGB:\n    " + views + "\n" + more +
+                             "colorspaces:\n  - !<ColorSpace> {name: lin_rec709_scene}\n" + spaces;
+  std::string fault;
+  try {
+    grey_shown(0.5F, {.config = path});
+  } catch (const algebra::Error& error) {
+    fault = error.what();
+  }
+  std::filesystem::remove(path);
+  return fault.substr(std::min(fault.size(), fault.find(": ") + 2));
+}
+
+std::string space(const std::string& name, const std::string& transform) {
+  return "  - !<ColorSpace> {name: " + name + ", from_scene_reference: " + transform + "}\n";
+}
+
+const std::string to_a = "!<ColorSpaceTransform> {src: lin_rec709_scene, dst: a}",
+                  nothing = "!<ExponentTransform> {value: 2}";
+
+TEST(Configuration, ThatLeadsBackToItselfIsRefused) {
+  EXPECT_EQ(fault_of(space("a", nothing)), "");
+  EXPECT_EQ(fault_of(space("a", to_a)), "colour space \"a\" is made of itself");
+  EXPECT_EQ(fault_of(space("a", "!<GroupTransform> {children: [" + nothing +
+                                    ", !<ColorSpaceTransform> {src: b, dst: b}]}") +
+                     space("b", to_a)),
+            "colour space \"a\" is made of itself");
+  EXPECT_EQ(fault_of(space("a", "!<LookTransform> {src: a, dst: lin_rec709_scene, looks: +l}"),
+                     "looks:\n  - !<Look> {name: l, process_space: lin_rec709_scene, transform: " +
+                         nothing + "}\n"),
+            "colour space \"a\" is made of itself");
+  EXPECT_EQ(
+      fault_of(space("a", nothing),
+               "looks:\n  - !<Look> {name: l, process_space: lin_rec709_scene, transform: "
+               "!<LookTransform> {src: a, dst: a, looks: \"x, -L\"}}\n",
+               "- !<View> {name: Un-tone-mapped, colorspace: a, looks: l}"),
+      "look \"l\" is made of itself");
+  EXPECT_EQ(fault_of(space("a", "!<DisplayViewTransform> {src: lin_rec709_scene, display: sRGB, "
+                                "view: Un-tone-mapped}")),
+            "colour space \"a\" is made of itself");
+  const std::string display = "display_colorspaces:\n  - !<ColorSpace> {name: d}\n";
+  EXPECT_EQ(fault_of(space("a", nothing),
+                     "view_transforms:\n  - !<ViewTransform> {name: v, from_scene_reference: "
+                     "!<ColorSpaceTransform> {src: lin_rec709_scene, dst: d}}\n" +
+                         display),
+            "view transform \"v\" is made of itself")
+      << "it is the one between scene and display";
+}
+
+TEST(Configuration, WithoutAReasonableEndIsRefused) {
+  std::string chain = space("a", nothing), doubled = space("s0", nothing);
+  for (int i = 0; i < 30; ++i) {
+    const auto twice = fmt::format("!<ColorSpaceTransform> {{src: s{0}, dst: s{0}}}", i);
+    doubled += space(fmt::format("s{}", i + 1), twice);
+  }
+  EXPECT_EQ(fault_of(chain + doubled),
+            "colour space \"s12\" is made of 8191 transforms, allowed to 4096");
+  for (int i = 100; i > 0; --i)
+    chain += space(fmt::format("c{}", i),
+                   fmt::format("!<ColorSpaceTransform> {{src: lin_rec709_scene, dst: c{}}}", i - 1));
+  EXPECT_EQ(fault_of(chain + space("c0", nothing)),
+            "colour space \"c36\" is made of more than 64 others, allowed to 64");
+}
+
 TEST_F(LookUpTable, OfAUsersConfigurationHasTheActiveViewsAlone) {
   const auto all = views(), shown = displays();
   ::setenv("OCIO_ACTIVE_VIEWS", "Raw", 1);
