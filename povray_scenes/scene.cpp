@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "algebra/error.h"
+#include "files/own_file.h"
 #include "files/whole_file.h"
 #include "povray_scenes/scene_text.h"
 
@@ -167,8 +168,8 @@ void write_texts(const std::filesystem::path& folder, const std::string& pov,
   std::filesystem::create_directory(folder, failure);
   if (!std::filesystem::is_directory(folder, failure))
     throw algebra::Error(fmt::format("{}: cannot be made a folder", folder.string()));
-  files::write_whole(folder / scene_file, pov);
-  files::write_whole(folder / settings_file, ini);
+  files::write_whole(folder / scene_file, files::stamped(pov, "//"));
+  files::write_whole(folder / settings_file, files::stamped(ini, ";"));
 }
 
 std::string to_pov(const Scene& scene) {
@@ -188,6 +189,10 @@ std::string to_pov(const Scene& scene) {
 std::string to_ini(const Scene& scene) {
   require_renderable(scene);
   return ini_text(scene, frame_file, {});
+}
+
+void require_scene_place(const std::filesystem::path& folder) {
+  for (const char* file : {scene_file, settings_file}) files::require_stamped(folder / file);
 }
 
 void write_scene(const std::filesystem::path& folder, const Scene& scene) {

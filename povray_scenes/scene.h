@@ -58,8 +58,15 @@ std::string to_pov(const Scene& scene);
 /// Throws  Error  as to_pov
 std::string to_ini(const Scene& scene);
 
+/// Refuses a folder in which a scene would overwrite an eclipse.pov or eclipse.ini of somebody's own: one
+/// that was changed, or is a link. None at all may be there.
+///
+/// Throws  Error
+void require_scene_place(const std::filesystem::path& folder);
+
 /// Writes eclipse.pov and eclipse.ini, each whole or not at all; with the texture put beside them,
-/// `povray eclipse.ini` in that folder makes frame.exr.
+/// `povray eclipse.ini` in that folder makes frame.exr. The last line of each tells whether it was changed
+/// since.
 ///
 /// Given   folder  made when only its last part is missing
 /// Throws  Error   as to_pov, before anything is written; or when the folder or a file cannot be

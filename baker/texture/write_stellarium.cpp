@@ -9,13 +9,18 @@
 
 #include "algebra/error.h"
 #include "files/folder_lock.h"
+#include "files/own_file.h"
 #include "files/whole_file.h"
+#include "texture/own_image.h"
 #include "texture/write_image.h"
 
 namespace coppermoon::texture {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char *shader_file = "data/shaders/planet.frag",
+                     *script_file = "scripts/startup.ssc";
 
 // Stellarium compiles it several times, with IS_MOON for the Moon, and IS_OBJ for bodies that are no spheres.
 constexpr std::string_view shader = R"(// The light of the Moon is in its texture.
@@ -75,17 +80,25 @@ void make_folder(const fs::path& folder) {
 
 }  // namespace
 
+void require_stellarium_place(const fs::path& folder) {
+  for (const char* part : {"textures", "data", "data/shaders", "scripts"})
+    files::require_no_link(folder / part);
+  for (const char* file : {shader_file, script_file}) files::require_stamped(folder / file);
+  require_own_image(folder / stellarium_picture);
+}
+
 void write_stellarium(const fs::path& folder, const Image& developed, const StellariumSight& sight,
                       const Attributes& attributes) {
   std::error_code ignored;
   const bool made = !fs::exists(folder, ignored);
   make_folder(folder);
   const files::FolderLock alone(folder);
+  require_stellarium_place(folder);
   try {
     for (const char* part : {"textures", "data/shaders", "scripts"}) make_folder(folder / part);
     write_png(folder / stellarium_picture, developed, 8, attributes);
-    files::write_whole(folder / "data/shaders/planet.frag", shader);
-    files::write_whole(folder / "scripts/startup.ssc", script_of(sight));
+    files::write_whole(folder / shader_file, files::stamped(shader, "//"));
+    files::write_whole(folder / script_file, files::stamped(script_of(sight), "//"));
   } catch (...) {
     if (made) fs::remove_all(folder, ignored);
     throw;

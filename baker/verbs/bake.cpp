@@ -79,7 +79,7 @@ const Output& texture_for(const Output& scene, const std::vector<Output>& output
 /// A folder may be there already; a file is replaced.
 void require_place_for(const Output& output) {
   const bool folder = std::filesystem::is_directory(output.path);
-  if (output.for_stellarium() && folder) return;
+  if (output.for_stellarium() && folder) return texture::require_stellarium_place(output.path);
   if (output.for_stellarium() && std::filesystem::exists(output.path))
     throw algebra::Error(
         fmt::format("{}: is a file, allowed a folder or a new name", output.path.string()));

@@ -7,6 +7,7 @@
 
 #include "algebra/error.h"
 #include "files/whole_file.h"
+#include "texture/own_image.h"
 #include "texture/read_image.h"
 #include "uses/picture/photo_file.h"
 #include "verbs/command_line.h"
@@ -82,7 +83,9 @@ void require_place(const Options& options, const std::vector<Job>& jobs) {
         "{} frames: a raw file or a photograph can be written for one frame alone", jobs.size()));
   if (jobs.front().picture == output) {
     files::require_place_for(output);
-  } else if (!fs::is_directory(output)) {
+  } else if (fs::is_directory(output)) {
+    for (const auto& job : jobs) texture::require_own_image(job.picture);
+  } else {
     if (fs::exists(output)) throw algebra::Error(output.string() + ": is no directory");
     const auto plain = output.has_filename() ? output : output.parent_path();
     files::require_place_for(plain);

@@ -27,6 +27,7 @@ void run(const CLI::App& verb, const Options& options) {
   if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
     throw algebra::Error(fmt::format("{}: is no directory", folder.string()));
   if (!std::filesystem::is_directory(folder)) files::require_place_for(folder);
+  uses::require_scene_folder(folder, options.view);
   const auto start = std::chrono::steady_clock::now();
   ProgressBar bar("bake");
   const auto scene = lit_scene(verb, options.moon, options.view, {.progress = bar.progress()});

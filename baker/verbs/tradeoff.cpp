@@ -9,6 +9,7 @@
 #include "algebra/error.h"
 #include "almanac/instant.h"
 #include "almanac/sky.h"
+#include "files/own_file.h"
 #include "files/whole_file.h"
 #include "uses/picture/gnuplot.h"
 #include "uses/study/tradeoff_runs.h"
@@ -86,10 +87,22 @@ void write_folder(const Options& options, const ReferenceSettings& reference,
   }
 }
 
+/// Refuses a folder where one of the files would be written over somebody's own, or through a link.
+void require_own_files(const std::filesystem::path& folder) {
+  const auto text = folder / "tradeoff.md";
+  const bool ours = std::filesystem::exists(text) &&
+                    files::beginning_of(text, 64).starts_with("Made by `coppermoon tradeoff");
+  for (const char* name : {"tradeoff.csv", "tradeoff.md", "tradeoff.svg"}) {
+    files::require_no_link(folder / name);
+    if (!ours && std::filesystem::exists(folder / name))
+      throw algebra::Error(files::not_as_written(folder / name));
+  }
+}
+
 void require_sound(const Options& options) {
   algebra::require_within("longest run [s]", options.limits.longest_s, 0, 1e6);
   algebra::require_within("repeat", options.limits.repeat, 1, 100);
-  if (std::filesystem::is_directory(options.output)) return;
+  if (std::filesystem::is_directory(options.output)) return require_own_files(options.output);
   files::require_place_for(options.output);
   if (std::filesystem::exists(options.output))
     throw algebra::Error(fmt::format("{}: is not a directory", options.output));

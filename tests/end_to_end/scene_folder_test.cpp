@@ -50,6 +50,26 @@ TEST_F(SceneFolder, RendersWithPovrayAloneWhereverItIsMoved) {
   EXPECT_EQ(frame(0, 0, 0), 0.F);
 }
 
+TEST_F(SceneFolder, LosesNoFileOfSomebodyElse) {
+  std::filesystem::create_directory(here("scene"));
+  file("precious.txt", "mine");
+  for (const char* name : {"eclipse.pov", "moon.inc", "moon_lin_rec709.exr"})
+    for (const bool link : {false, true}) {
+      const auto path = here("scene") / name;
+      if (link)
+        std::filesystem::create_symlink("../precious.txt", path);
+      else
+        file(std::string("scene/") + name, "mine");
+      const auto outcome = coppermoon({"scene", "2018-07-27", "--at", "Nairobi", "-o", "scene"});
+      EXPECT_EQ(outcome.status, 1);
+      EXPECT_TRUE(outcome.err.starts_with("coppermoon: scene/" + std::string(name) + ": is "))
+          << outcome.err;
+      EXPECT_EQ(text_of(path), "mine");
+      EXPECT_EQ(listing().size(), 3U) << "nothing else was written";
+      std::filesystem::remove(path);
+    }
+}
+
 /// The numbers behind a name in moon.inc.
 std::vector<double> declared(const std::string& text, const std::string& name) {
   auto from = text.find("#declare " + name + " =");

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "algebra/error.h"
+#include "files/own_file.h"
 #include "povray_scenes/folder.h"
 #include "povray_scenes/meridian.h"
 #include "support/within.h"
@@ -134,8 +135,8 @@ TEST(WriteScene, MakesTheFolderAndLeavesTwoFilesInIt) {
   const TemporaryFolder parent;
   const auto folder = parent.path / "ä scene";
   write_scene(folder, plain_scene());
-  EXPECT_EQ(contents(folder / "eclipse.pov"), to_pov(plain_scene()));
-  EXPECT_EQ(contents(folder / "eclipse.ini"), to_ini(plain_scene()));
+  EXPECT_EQ(contents(folder / "eclipse.pov"), files::stamped(to_pov(plain_scene()), "//"));
+  EXPECT_EQ(contents(folder / "eclipse.ini"), files::stamped(to_ini(plain_scene()), ";"));
   EXPECT_EQ(files_in(folder), 2);
 }
 
@@ -146,6 +147,15 @@ TEST(WriteScene, WritesOverAnEarlierScene) {
   other.camera.width = 123;
   write_scene(parent.path, other);
   EXPECT_TRUE(says(contents(parent.path / "eclipse.ini"), "Width=123\n"));
+}
+
+TEST(WriteScene, KnowsASceneThatWasChanged) {
+  const TemporaryFolder parent;
+  EXPECT_NO_THROW(require_scene_place(parent.path / "none"));
+  write_scene(parent.path, plain_scene());
+  EXPECT_NO_THROW(require_scene_place(parent.path));
+  std::ofstream(parent.path / "eclipse.ini", std::ios::app) << "Width=1920\n";
+  EXPECT_THROW(require_scene_place(parent.path), Error);
 }
 
 TEST(WriteScene, RefusesAFolderWithoutAParent) {

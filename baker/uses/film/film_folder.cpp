@@ -9,8 +9,12 @@
 
 #include "algebra/error.h"
 #include "files/fingerprint.h"
+#include "files/own_file.h"
+#include "povray_scenes/scene.h"
 #include "texture/read_image.h"
 #include "texture/seal.h"
+#include "uses/film/film_light.h"
+#include "uses/light/light_file.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -47,8 +51,26 @@ struct Foreign {
 };
 
 std::string contents_of(const Film& film, const fs::path& file) {
+  if (fs::is_symlink(file)) return "a link";  // to write through it would change a file elsewhere
   if (!film.record.foreign_contents) return "what is not known to be of this film";
   return film.record.foreign_contents(file);
+}
+
+/// Files of a film's folder that are of no frame, as far as they are written over.
+std::vector<fs::path> files_beside_frames(const Film& film) {
+  std::vector<fs::path> files{film.folder / light_file};
+  if (film.products.scenes)
+    for (const char* name : {povray_scenes::scene_file, povray_scenes::settings_file})
+      files.push_back(film.folder / name);
+  std::erase_if(files, [](const auto& file) { return !fs::exists(fs::symlink_status(file)); });
+  return files;
+}
+
+/// Another film's light is told apart where it is read.
+std::string contents_beside_frames(const fs::path& file) {
+  if (fs::is_symlink(file)) return "a link";
+  const bool ours = file.filename() == light_file ? is_light(file) : files::is_stamped(file);
+  return ours ? "" : "what is not as coppermoon wrote it";
 }
 
 std::vector<Foreign> foreign_files(const Film& film) {
@@ -57,6 +79,9 @@ std::vector<Foreign> foreign_files(const Film& film) {
   tbb::parallel_for(std::size_t{0}, all.size(),
                     [&](std::size_t i) { all[i].contents = contents_of(film, all[i].file); });
   std::erase_if(all, [](const auto& one) { return one.contents.empty(); });
+  for (const auto& file : files_beside_frames(film))
+    if (const auto contents = contents_beside_frames(file); !contents.empty())
+      all.push_back({file, contents});
   return all;
 }
 
@@ -68,7 +93,7 @@ bool is_whole(const fs::path& file) {
 
 /// Whether a file is of that frame, whole, and made from what the film is, as the record's `alike` says.
 bool is_whole_of(const fs::path& file, std::size_t frame, const auto& alike) try {
-  return alike && fs::is_regular_file(file) &&
+  return alike && fs::is_regular_file(fs::symlink_status(file)) &&
          texture::read_attribute(file, "coppermoon:frame") == fmt::format("{}", frame) &&
          alike(file) && is_whole(file);
 } catch (const algebra::Error&) {
@@ -97,7 +122,7 @@ void require_own(const Film& film, bool replace) {
   for (std::size_t frame = 1; frame <= film.moments.frames.size(); ++frame)
     for (const auto& file : film.files(frame)) own.insert(file.filename());
   for (const auto& one : foreign)
-    if (!own.contains(one.file.filename())) fs::remove(one.file);
+    if (fs::is_symlink(one.file) || !own.contains(one.file.filename())) fs::remove(one.file);
 }
 
 bool is_own(const Film& film, const fs::path& file, std::size_t frame) {

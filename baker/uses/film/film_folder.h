@@ -21,10 +21,11 @@ class FilmClaim {
   files::FolderClaim claim_;
 };
 
-/// A folder holds one film: files of another are not overwritten unless that is asked for.
+/// A folder holds one film: files of another are not overwritten unless that is asked for, nor links, nor a
+/// scene that was changed.
 ///
 /// Given   replace  files of another film may be overwritten: those that this one has no frame for are
-///                  removed
+///                  removed, and links
 /// Throws  Error    where files of another film, or of nobody's, have the names of this one's: says
 ///                  what they hold, in the record's words
 void require_own(const Film& film, bool replace);

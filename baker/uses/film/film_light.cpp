@@ -9,12 +9,11 @@
 
 #include "algebra/error.h"
 #include "files/folder_lock.h"
+#include "files/own_file.h"
 #include "uses/light/light_file.h"
 
 namespace coppermoon::uses {
 namespace {
-
-constexpr const char* light_file = "eclipse.light";
 
 /// Moments of the Moon's way through a film, at most three minutes apart: it leaves a straight line by
 /// 0.1 km.
@@ -95,6 +94,7 @@ void trace_shard(const Film& film, const Shard& shard, const algebra::Progress& 
   request.photon_files.shard = shard;
   request.photon_files.keep =
       film.folder / fmt::format("eclipse.{}-of-{}.sums", shard.part, shard.parts);
+  files::require_no_link(request.photon_files.keep);
   light_on_the_way(request, moon_on_its_way(request, skies_of(film.moments)), {}, progress);
 }
 

@@ -7,6 +7,9 @@
 
 namespace coppermoon::uses {
 
+/// The name of a film's light in its folder.
+inline constexpr const char* light_file = "eclipse.light";
+
 /// The light of a whole film, and whether a run before this one had computed it.
 struct FilmLight {
   Moonlight light;

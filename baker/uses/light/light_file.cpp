@@ -175,6 +175,12 @@ void write_light(const std::filesystem::path& path, const std::string& key,
   files::write_whole(path, bytes + stamp_of(bytes));
 }
 
+bool is_light(const std::filesystem::path& path) {
+  constexpr std::string_view head = "{\"kind\":\"coppermoon light ";
+  const auto begins = files::beginning_of(path, head.size());
+  return head.starts_with(begins);
+}
+
 std::optional<KeptLight> read_light(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) return std::nullopt;
   const auto all = files::bytes_of(path);

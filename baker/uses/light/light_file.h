@@ -16,6 +16,12 @@ namespace coppermoon::uses {
 /// Throws  Error  one line with the path, when it cannot
 void write_light(const std::filesystem::path& path, const std::string& key, const Moonlight& light);
 
+/// Whether a file is light that write_light left, or was so before it was damaged: it begins as such, or is
+/// empty.
+///
+/// Throws  Error  as files::beginning_of
+bool is_light(const std::filesystem::path& path);
+
 /// Light that was read, and the key it was written for.
 struct KeptLight {
   std::string key;

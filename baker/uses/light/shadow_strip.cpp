@@ -10,6 +10,7 @@
 #include "algebra/error.h"
 #include "almanac/instant.h"
 #include "eclipse/shadow_axis.h"
+#include "files/own_file.h"
 #include "files/whole_file.h"
 #include "texture/write_image.h"
 #include "uses/light/header.h"
@@ -153,6 +154,7 @@ void require_kind(const std::filesystem::path& file, const atmosphere::Atmospher
 
 /// What stands beside a strip is overwritten if it tells of the strip, and is somebody else's if not.
 void require_ours(const fs::path& beside, const fs::path& strip) {
+  files::require_no_link(beside);
   if (!fs::exists(beside)) return;
   const auto facts = ordered_json::parse(files::bytes_of(beside), nullptr, false);
   const bool tells = facts.is_object() && facts.contains("texture") && facts["texture"].is_string();

@@ -9,15 +9,18 @@
 #include <numbers>
 
 #include "files/folder_lock.h"
+#include "files/own_file.h"
 #include "files/whole_file.h"
 #include "povray_scenes/moon_include.h"
+#include "texture/own_image.h"
 #include "uses/light/disc_brightness.h"
 #include "uses/picture/sky_lights.h"
 
 namespace coppermoon::uses {
 namespace {
 
-constexpr const char* texture_file = "moon_lin_rec709.exr";
+constexpr const char *texture_file = "moon_lin_rec709.exr", *moon_file = "moon.inc",
+                     *stars_file = "eclipse_stars.inc", *macros_file = "coppermoon.inc";
 
 /// Diameter of the disc [pixels].
 double diameter(const povray_scenes::Camera& camera) {
@@ -60,6 +63,17 @@ LitScene lit_scene(const MoonRequest& request, const ViewRequest& view,
   return {std::move(moon), seen, std::move(texture)};
 }
 
+void require_scene_folder(const std::filesystem::path& folder, const ViewRequest& view) {
+  povray_scenes::require_scene_place(folder);
+  texture::require_own_image(folder / texture_file);
+  if (!view.observer) return;
+  for (const char* file : {moon_file, stars_file}) files::require_stamped(folder / file);
+  const auto copied = folder / macros_file;  // by hand perhaps, as it is installed
+  files::require_no_link(copied);
+  if (std::filesystem::exists(copied) && files::bytes_of(copied) != povray_scenes::coppermoon_inc())
+    files::require_stamped(copied);
+}
+
 void write_moon_include(const std::filesystem::path& folder, const LitScene& scene) {
   if (!scene.view.observer) return;
   constexpr std::size_t rows = 360;
@@ -79,10 +93,13 @@ void write_moon_include(const std::filesystem::path& folder, const LitScene& sce
       .axis_position_angle = sky.axis_position_angle,
       .place = apparent_place(*scene.view.observer, sky),
       .illuminance_lux = {lux[0], lux[1], lux[2]}};
-  files::write_whole(folder / "moon.inc", povray_scenes::moon_include(moon));
+  const auto write = [&](const char* file, std::string_view text) {
+    files::write_whole(folder / file, files::stamped(text, "//"));
+  };
+  write(moon_file, povray_scenes::moon_include(moon));
   if (const auto stars = lights_over(scene.view, sky); !stars.empty())
-    files::write_whole(folder / "eclipse_stars.inc", povray_scenes::star_include(moon.title, stars));
-  files::write_whole(folder / "coppermoon.inc", std::string(povray_scenes::coppermoon_inc()));
+    write(stars_file, povray_scenes::star_include(moon.title, stars));
+  write(macros_file, povray_scenes::coppermoon_inc());
 }
 
 void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,

@@ -42,6 +42,12 @@ struct SceneBaking {
 LitScene lit_scene(const MoonRequest& moon, const ViewRequest& view, const almanac::SkyState& sky,
                    const SceneBaking& baking = {});
 
+/// Refuses a folder in which a scene would overwrite a file of somebody's own, or one that was changed; or
+/// a link. The folder need not be there.
+///
+/// Throws  Error
+void require_scene_folder(const std::filesystem::path& folder, const ViewRequest& view);
+
 /// Writes moon.inc, eclipse_stars.inc and coppermoon.inc beside a scene that has an observer: the Moon and the
 /// stars of it, ready for a scene written by hand (povray_scenes::moon_include, star_include). Nothing
 /// without an observer.

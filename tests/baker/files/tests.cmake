@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: MIT
 coppermoon_tests(baker/files LINKS coppermoon::files
-  QUICK fingerprint whole_file)
+  QUICK fingerprint own_file whole_file)

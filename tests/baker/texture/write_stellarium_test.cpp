@@ -3,6 +3,7 @@
 
 #include "baker/texture/scratch_folder.h"
 #include "texture/read_image.h"
+#include "texture/write_image.h"
 
 namespace {
 
@@ -35,6 +36,37 @@ TEST_F(WriteStellarium, PutsPictureShaderAndScriptWhereItLooksForThem) {
     EXPECT_NE(script.find(part), std::string::npos) << part;
   EXPECT_NE(bytes_of(folder / "data/shaders/planet.frag").find("#ifdef IS_MOON"),
             std::string::npos);
+}
+
+TEST_F(WriteStellarium, OverwritesItsOwnFilesAlone) {
+  const auto folder = in_folder("moon.stellarium");
+  const auto write = [&] {
+    write_stellarium(folder, picture(), sight, {{"coppermoon:recipe", std::string("a recipe")}});
+  };
+  write();
+  EXPECT_NO_THROW(write());
+  for (const char* name : {"scripts/startup.ssc", "data/shaders/planet.frag"}) {
+    std::filesystem::rename(folder / name, folder / "ours");
+    file(std::string("moon.stellarium/") + name, "// my own\n");
+    EXPECT_ERROR(write(), std::string(name) + ": is not as coppermoon wrote it");
+    EXPECT_EQ(bytes_of(folder / name), "// my own\n");
+    std::filesystem::rename(folder / "ours", folder / name);
+  }
+  write_png(in_folder("mine.png"), picture(), 8);
+  std::filesystem::rename(in_folder("mine.png"), folder / stellarium_picture);
+  EXPECT_ERROR(write(), "moon_4k.jpg: is not as coppermoon wrote it");
+}
+
+TEST_F(WriteStellarium, FollowsNoLinkToAnotherFolder) {
+  std::filesystem::create_directories(in_folder("mine"));
+  std::filesystem::create_directories(in_folder("moon.stellarium"));
+  for (const char* part : {"scripts", "data"}) {
+    std::filesystem::create_symlink("../mine", in_folder("moon.stellarium") / part);
+    EXPECT_ERROR(write_stellarium(in_folder("moon.stellarium"), picture(), sight, {}),
+                 std::string(part) + ": is a link");
+    std::filesystem::remove(in_folder("moon.stellarium") / part);
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(in_folder("mine")));
 }
 
 TEST_F(WriteStellarium, LeavesNoFolderThatItCannotFill) {

@@ -4,9 +4,11 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "algebra/error.h"
+#include "files/own_file.h"
 #include "texture/write_image.h"
 
 namespace coppermoon::uses {
@@ -82,6 +84,32 @@ TEST_F(FolderOfAFilm, LosesFramesOfAnotherThatItHasNoNumberFor) {
   require_own(film_, true);
   EXPECT_FALSE(fs::exists(foreign_));
   EXPECT_TRUE(fs::exists(film_.picture(1)));
+}
+
+TEST_F(FolderOfAFilm, IsNotWrittenThroughLinks) {
+  const auto precious = film_.folder / "precious.txt";
+  std::ofstream(precious) << "mine";
+  for (const auto& link : {film_.picture(2), film_.folder / "eclipse.light"}) {
+    fs::create_symlink("precious.txt", link);
+    EXPECT_FALSE(is_made(film_, 2));
+    EXPECT_THROW(require_own(film_, false), algebra::Error) << link;
+    EXPECT_TRUE(fs::is_symlink(link));
+    require_own(film_, true);
+    EXPECT_FALSE(fs::is_symlink(link));
+    EXPECT_TRUE(fs::exists(precious));
+  }
+  write(film_.folder / "elsewhere.png", 1);
+  fs::create_symlink("elsewhere.png", film_.picture(1));
+  EXPECT_FALSE(is_made(film_, 1)) << "whatever stands there";
+}
+
+TEST_F(FolderOfAFilm, KeepsASceneThatWasChanged) {
+  film_.products = {.textures = true, .scenes = true};
+  const auto scene = film_.folder / "eclipse.pov";
+  std::ofstream(scene) << "// my own\n";
+  EXPECT_THROW(require_own(film_, false), algebra::Error);
+  std::ofstream(scene) << files::stamped("// a scene\n", "//");
+  EXPECT_NO_THROW(require_own(film_, false));
 }
 
 TEST_F(FolderOfAFilm, WithoutARecordHoldsNothingOfIt) {
