@@ -2,6 +2,7 @@
 #include "files/temporary_folder.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,13 +17,13 @@
 namespace coppermoon::files {
 namespace {
 
-/// Removes the folder once nobody holds the other end of its standard input; signals to the program's
+/// Removes a file or a folder once nobody holds the other end of its standard input; signals to the program's
 /// group do not reach it.
 ///
 /// Returned  0 when there is no shell
-pid_t remover_of(std::string folder, int input) {
+pid_t remover_of(std::string path, int input) {
   std::string shell = "sh", command = "-c", script = "cat && rm -rf -- \"$0\"";
-  std::array<char*, 5> words{shell.data(), command.data(), script.data(), folder.data(), nullptr};
+  std::array<char*, 5> words{shell.data(), command.data(), script.data(), path.data(), nullptr};
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
@@ -49,6 +50,22 @@ void require_temporary_folder() {
                                    told != nullptr ? told : "/tmp"));
 }
 
+RemovalAtEnd::RemovalAtEnd(const std::filesystem::path& path) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) return;
+  alive_ = ends[1];
+  remover_ = remover_of(std::filesystem::absolute(path).string(), ends[0]);
+  ::close(ends[0]);
+}
+
+RemovalAtEnd::~RemovalAtEnd() {
+  if (remover_ > 0) {
+    ::kill(-remover_, SIGKILL);  // and all that it runs: it is the first of its own group
+    ::waitpid(remover_, nullptr, 0);
+  }
+  if (alive_ >= 0) ::close(alive_);
+}
+
 TemporaryFolder::TemporaryFolder() {
   require_temporary_folder();
   std::string name = (std::filesystem::temp_directory_path() / "coppermoon-XXXXXX").string();
@@ -56,18 +73,12 @@ TemporaryFolder::TemporaryFolder() {
     throw algebra::Error(
         fmt::format("{}: cannot be made: {}", name, std::generic_category().message(errno)));
   path_ = name;
-  int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) return;
-  alive_ = ends[1];
-  remover_ = remover_of(name, ends[0]);
-  ::close(ends[0]);
+  removal_.emplace(path_);
 }
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
-  if (alive_ >= 0) ::close(alive_);
-  if (remover_ > 0) ::waitpid(remover_, nullptr, 0);
 }
 
 }  // namespace coppermoon::files

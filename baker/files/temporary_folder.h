@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <optional>
 
 namespace coppermoon::files {
 
@@ -12,8 +13,21 @@ namespace coppermoon::files {
 /// Throws  Error  with the name that TMPDIR gives
 void require_temporary_folder();
 
-/// A folder that is there for as long as this is, and no longer than the program, whatever ends it: a
-/// shell waits beside the program for its end, by kill -9 too, and then removes the folder.
+/// Has a file or a folder removed when the program ends while this lives, by kill -9 too: a shell waits beside
+/// the program for its end. Without a shell it stays.
+class RemovalAtEnd {
+ public:
+  explicit RemovalAtEnd(const std::filesystem::path& path);
+  ~RemovalAtEnd();
+  RemovalAtEnd(const RemovalAtEnd&) = delete;
+  RemovalAtEnd& operator=(const RemovalAtEnd&) = delete;
+
+ private:
+  int alive_ = -1;  ///< closed by the end of the program
+  pid_t remover_ = 0;
+};
+
+/// A folder that is there for as long as this is, and no longer than the program, whatever ends it.
 ///
 /// Throws  Error  when the system's temporary folder takes none
 class TemporaryFolder {
@@ -27,8 +41,7 @@ class TemporaryFolder {
 
  private:
   std::filesystem::path path_;
-  int alive_ = -1;  ///< closed by the end of the program
-  pid_t remover_ = 0;
+  std::optional<RemovalAtEnd> removal_;
 };
 
 }  // namespace coppermoon::files

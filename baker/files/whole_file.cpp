@@ -2,16 +2,20 @@
 #include "files/whole_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "algebra/error.h"
+#include "files/temporary_folder.h"
 
 namespace coppermoon::files {
 namespace {
@@ -30,10 +34,13 @@ class TemporaryFile {
   explicit TemporaryFile(const fs::path& final_path) : final_(final_path) {
     if (fs::exists("/proc/self/fd"))
       descriptor_ = ::open(final_.parent_path().c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
-    if (descriptor_ < 0)
+    if (descriptor_ < 0) {
       descriptor_ = with_a_name([](const char* name) {
         return ::open(name, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       });
+      removal_.emplace(path_);
+    }
+    keep_permissions();
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -56,13 +63,22 @@ class TemporaryFile {
   /// Makes a name that nobody has.
   template <typename Make>
   int with_a_name(Make make) {
-    for (int n = 0;; ++n) {
-      path_ = final_.parent_path() / fmt::format(".coppermoon.{}-{}.tmp", ::getpid(), n);
+    static std::atomic<unsigned> names = 0;
+    for (;;) {
+      path_ = final_.parent_path() / fmt::format(".coppermoon.{}-{}.tmp", ::getpid(), names++);
       const int made = make(path_.c_str());
       if (made >= 0) return made;
       path_.clear();
       if (errno != EEXIST) throw cannot_write(final_, errno);
     }
+  }
+
+  /// Those of the file that is replaced, as far as they are ours to give.
+  void keep_permissions() const {
+    struct stat replaced{};
+    constexpr mode_t permissions = 0777;
+    if (::stat(final_.c_str(), &replaced) == 0)
+      ::fchmod(descriptor_, replaced.st_mode & permissions);
   }
 
   void name_it() {
@@ -74,6 +90,7 @@ class TemporaryFile {
 
   fs::path final_, path_;
   int descriptor_ = -1;
+  std::optional<RemovalAtEnd> removal_;
 };
 
 /// Where the file will stand: links resolved, the folder made explicit.

@@ -11,7 +11,7 @@ namespace coppermoon::files {
 
 /// Writes a file that appears whole or not at all: under a temporary name in the same folder,
 /// flushed to the disk, then renamed. Whatever stops it, the temporary file goes and the old file
-/// stays.
+/// stays. One that is replaced keeps its permissions.
 ///
 /// Given   path   of a file, new or to be replaced; a symbolic link is followed
 ///         fill   told a file descriptor open for writing; whatever it throws ends the writing

@@ -1,13 +1,41 @@
 // SPDX-License-Identifier: MIT
 #include "files/whole_file.h"
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
+#include <cstdarg>
+#include <thread>
 
 #include "baker/texture/scratch_folder.h"
+
+namespace {
+
+bool files_without_names = true;  ///< whether the file system has them
+
+}  // namespace
+
+/// The system's, in whose place the linker puts it.
+extern "C" int open(const char* path, int flags, ...) {
+  const bool unnamed = (flags & O_TMPFILE) == O_TMPFILE;
+  mode_t mode = 0;
+  if (unnamed || (flags & O_CREAT) != 0) {
+    std::va_list more;
+    va_start(more, flags);
+    mode = va_arg(more, mode_t);
+    va_end(more);
+  }
+  if (unnamed && !files_without_names) {
+    errno = EOPNOTSUPP;
+    return -1;
+  }
+  return ::openat(AT_FDCWD, path, flags, mode);
+}
 
 namespace {
 
@@ -52,6 +80,37 @@ TEST_F(WholeFile, HasThePermissionsOfAnOrdinaryNewFile) {
   ASSERT_EQ(::stat(in_folder("a").c_str(), &ours), 0);
   ASSERT_EQ(::stat(in_folder("b").c_str(), &ordinary), 0);
   EXPECT_EQ(ours.st_mode, ordinary.st_mode);
+}
+
+TEST_F(WholeFile, KeepsThePermissionsOfTheOneItReplaces) {
+  using std::filesystem::perms;
+  for (const auto mode : {perms::owner_read | perms::owner_write, perms::all, perms::owner_read}) {
+    const auto path = file("a.txt", "old");
+    std::filesystem::permissions(path, mode);
+    write_whole(path, "new");
+    EXPECT_EQ(std::filesystem::status(path).permissions(), mode);
+    EXPECT_EQ(bytes_of(path), "new");
+    std::filesystem::remove(path);
+  }
+}
+
+/// One that has a name before it is whole, on a file system that can do no better.
+TEST_F(WholeFile, LeavesNothingHalfWrittenWhateverEndsTheProgram) {
+  files_without_names = false;
+  const auto path = in_folder("a.txt");
+  write_whole(path, "old");
+  for (const int signal : {SIGTERM, SIGKILL}) {
+    const auto child = ::fork();
+    if (child == 0) write_whole(path, [&](int) { std::raise(signal); });
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal);
+    for (int tries = 0; tries < 1000 && files_in_folder() > 1; ++tries)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_EQ(files_in_folder(), 1) << "beside the old one, which stays";
+  }
+  EXPECT_EQ(bytes_of(path), "old");
+  files_without_names = true;
 }
 
 TEST_F(WholeFile, FollowsASymbolicLink) {
