@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -82,6 +83,12 @@ std::string last_line(std::string text) {
   return text.substr(text.rfind('\n') + 1);
 }
 
+/// The first line of a text that is not empty.
+std::string first_line(std::string text) {
+  text.erase(0, text.find_first_not_of('\n'));
+  return text.substr(0, text.find('\n'));
+}
+
 /// Throws  Error  when it ended otherwise than well: why
 void require_success(const Program& program, int status, const std::string& why) {
   if (WIFSIGNALED(status))
@@ -143,14 +150,17 @@ void start(Child& child, const Program& program, int standard_error,
   throw Error(fmt::format("{}: cannot be run: {}", words[0], std::strerror(failure)));
 }
 
-void run_program(const Program& program) {
+void run_program(const Program& program, std::optional<int> result) {
   Pipe words;
   Child child;
-  start(child, program, words.in.number);
+  start(child, program, words.in.number, result);
   words.in.close();
   const auto said = all_said(words.out.number);
   require_success(program, child.status(),
-                  fmt::format("{}: {}", program.words[0], said.substr(0, said.find('\n'))));
+                  fmt::format("{}: {}", program.words[0], first_line(said)));
+  struct stat made{};
+  if (result && (::fstat(*result, &made) != 0 || made.st_size == 0))
+    throw Error(fmt::format("{}: ended without a result", program.words[0]));
 }
 
 std::string output_of(const Program& program) {

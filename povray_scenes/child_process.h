@@ -62,8 +62,9 @@ void start(Child& child, const Program& program, int standard_error,
 
 /// Runs it to its end.
 ///
-/// Throws  Error  as start; when it fails: its own first words
-void run_program(const Program& program);
+/// Given   result  a file's descriptor, 3 or above, as its standard output; without: nobody hears it
+/// Throws  Error   as start; when it fails: its own first words; when it ends well, and the file is empty
+void run_program(const Program& program, std::optional<int> result = {});
 
 /// Runs it to its end.
 ///

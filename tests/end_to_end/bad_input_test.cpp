@@ -298,7 +298,7 @@ TEST_F(BadInput, AMissingGnuplotIsSaid) {
   for (int i = 1; i < 100; ++i) many += fmt::format(",{}", 400 + i);
   expect_refused(
       {"shadow", "2008-02-21T03:08:26Z", "--rays", "20", "--wavelengths", many, "-o", "shadow.png"},
-      could_not, {"gnuplot failed", "install"}, {.path = here("bin")});
+      could_not, {"gnuplot: not found", "install"}, {.path = here("bin")});
 }
 
 TEST_F(BadInput, AFailingPovrayHasTheLastWord) {

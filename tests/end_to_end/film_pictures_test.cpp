@@ -49,11 +49,11 @@ class FilmPictures : public ProgramTest {
   }
 
   /// A folder with a program named ffmpeg that says its version, and else some words, and fails.
-  std::string path_of_failing_ffmpeg() const {
+  std::string path_of_failing_ffmpeg(const std::string& status = "1") const {
     std::filesystem::create_directory(here("bin"));
     file("bin/ffmpeg",
          "#!/bin/sh\n[ \"$1\" = -version ] && exit 0\necho 'out of moonlight' >&2\necho end >&2\n"
-         "exit 1\n");
+         "exit " + status + "\n");
     std::filesystem::permissions(here("bin/ffmpeg"), std::filesystem::perms::owner_all);
     return here("bin").string() + ":/usr/bin:/bin";
   }
@@ -142,6 +142,9 @@ TEST_F(FilmPictures, LeaveNoMovieThatFailed) {
       coppermoon(film({"--movie", "film.mp4"}), {.path = path_of_failing_ffmpeg()});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err, "coppermoon: ffmpeg: out of moonlight\n");
+  const auto silent =
+      coppermoon(film({"--movie", "film.mp4"}), {.path = path_of_failing_ffmpeg("0")});
+  EXPECT_EQ(silent.err, "coppermoon: ffmpeg: ended without a result\n");
   EXPECT_EQ(text_of(here("film.mp4")), "an earlier film");
   for (const auto& name : listing())
     EXPECT_TRUE(name.starts_with("here")) << name << " was left behind";

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,13 +59,13 @@ std::string high_range_coding(const LightLevels& levels) {
       1e4 * whole(levels.brightest), whole(levels.brightest), whole(levels.brightest_mean));
 }
 
-/// Given  film  a descriptor that ffmpeg inherits: it needs a file in which it can go back
-std::vector<std::string> command(double fps, const std::string& coding, int film) {
+/// Into its standard output by name: it needs a file in which it can go back.
+std::vector<std::string> command(double fps, const std::string& coding) {
   std::istringstream words(
       fmt::format("ffmpeg -nostdin -loglevel error -xerror -y -framerate {} -f image2 -i %07d.png "
                   "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2,{} "
-                  "-color_range tv -movflags +faststart -f mp4 /dev/fd/{}",
-                  fps, coding, film));
+                  "-color_range tv -movflags +faststart -f mp4 /dev/fd/1",
+                  fps, coding));
   return {std::istream_iterator<std::string>(words), {}};
 }
 
@@ -94,11 +93,9 @@ void write_movie(const fs::path& path, const Film& film, const std::vector<std::
   const auto coding =
       film.products.high_range ? high_range_coding(light_levels(pictures)) : usual_coding();
   files::write_whole(path, [&](int descriptor) {
-    povray_scenes::FileDescriptor inherited;
-    inherited.number = ::dup(descriptor);  // what is opened here is closed to other programs
-    povray_scenes::run_program({.words = command(film.fps, coding, inherited.number),
-                                .package = package,
-                                .folder = folder.path()});
+    povray_scenes::run_program(
+        {.words = command(film.fps, coding), .package = package, .folder = folder.path()},
+        descriptor);
   });
 }
 

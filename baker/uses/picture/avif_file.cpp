@@ -127,7 +127,11 @@ void write_avif(const std::filesystem::path& file, const texture::Image& picture
                                         "picture.avif"},
                               .package = "libavif-bin",
                               .folder = folder.path()});
-  files::write_whole(file, files::bytes_of(folder.path() / "picture.avif"));
+  const auto made = folder.path() / "picture.avif";
+  std::error_code none;
+  if (std::filesystem::file_size(made, none) == 0 || none)
+    throw algebra::Error("avifenc: ended without a result");
+  files::write_whole(file, files::bytes_of(made));
 }
 
 std::optional<std::string> recipe_in_avif(const std::filesystem::path& path) {
