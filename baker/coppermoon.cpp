@@ -38,6 +38,19 @@ void hold_standard_descriptors() {
       ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
+/// Standard error that never fails: who does not hear what is said beside the results loses nothing else.
+void speak_to_whoever_hears() {
+  cookie_io_functions_t voice{};
+  voice.write = [](void*, const char* words, std::size_t size) -> ssize_t {
+    const auto heard = ::write(STDERR_FILENO, words, size);
+    return heard > 0 ? heard : static_cast<ssize_t>(size);
+  };
+  FILE* const error = ::fopencookie(nullptr, "w", voice);
+  if (error == nullptr) return;
+  std::setvbuf(error, nullptr, _IONBF, 0);
+  stderr = error;
+}
+
 /// What a thread that cannot begin, or a library's promise not to throw, make of too little memory.
 [[noreturn]] void end_at_once() {
   constexpr std::string_view why = "coppermoon: not enough memory\n";
@@ -76,6 +89,7 @@ int run(CLI::App& program, int count, char** words) {
 
 int main(int count, char** words) {
   hold_standard_descriptors();
+  speak_to_whoever_hears();
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error like any other, said in one line
   std::set_terminate(end_at_once);
   CLI::App program{"coppermoon bakes eclipsed Moons", "coppermoon"};

@@ -131,6 +131,13 @@ TEST_F(Faults, FullStandardOutputsAreNoCrash) {
   const auto outcome = shell("2008-02-21T03:26:05Z > /dev/full");
   expect_one_line(outcome, "stdout full");
   EXPECT_EQ(shell("2008-02-99 2> /dev/full").status, 1);
+  const auto heard = shell("'2008-02-21 U2'");
+  EXPECT_FALSE(heard.err.empty()) << "the moment is said beside the result";
+  for (const char* unheard : {"2> /dev/full", "2>&-"}) {
+    const auto result = shell(fmt::format("'2008-02-21 U2' {}", unheard));
+    EXPECT_EQ(result.status, 0) << unheard;
+    EXPECT_EQ(result.out, heard.out) << unheard;
+  }
   refused("`sky`, the disk of its standard output full", said(outcome));
 }
 
