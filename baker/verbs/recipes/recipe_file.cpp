@@ -182,12 +182,17 @@ void require_key(const Reading& reading, const Table& table, const Told& told) {
                                          : "the nearest is " + nearest(told.flag, table.keys)));
 }
 
-/// A recipe may be a stranger's.
+/// A recipe may be a stranger's: it says neither where files go and what they replace, nor how this run is
+/// made and told.
 void require_no_output(const Reading& reading, const Told& told) {
+  static constexpr std::array of_the_run{"csv",    "help",    "help-all", "json",
+                                         "recipe", "replace", "threads"};
   const auto* flag = reading.verb.get_option_no_throw("--" + told.flag);
-  if (flag != nullptr && says_where_results_go(*flag))
-    throw WrongUsage(fmt::format("{}{}: where files go is said on the command line alone",
-                                 reading.where(*told.value), told.flag));
+  const bool place = flag != nullptr && says_where_results_go(*flag);
+  if (place || std::ranges::find(of_the_run, told.flag) != of_the_run.end())
+    throw WrongUsage(fmt::format("{}{}: {} is said on the command line alone",
+                                 reading.where(*told.value), told.flag,
+                                 place ? "where files go" : "how a run goes"));
 }
 
 /// The table's keys as they stand.
@@ -196,9 +201,9 @@ std::vector<Told> told_in(const Reading& reading, const toml::table& entries, co
   for (const auto& [key, value] : entries) {
     const Told told{std::string(key.str()), &value};
     if (reading.lenient && !reading.heeds(table.keys, told.flag)) continue;
+    require_no_output(reading, told);
     if (is_anothers(reading, table, told.flag)) continue;
     require_key(reading, table, told);
-    require_no_output(reading, told);
     all.push_back(told);
   }
   return all;

@@ -122,6 +122,15 @@ TEST_F(Recipe, NamesFileAndLineOfAnUnknownKey) {
   EXPECT_NE(error.find("the nearest is rays"), std::string::npos) << error;
 }
 
+TEST_F(Recipe, SaysNothingOfTheRunItself) {
+  for (const char* key : {"help", "help-all", "json", "csv", "threads", "recipe", "replace"}) {
+    write(std::string("rays = 5\n") + key + " = 1\n");
+    const auto error = error_of(program.app, {"bake", "--recipe", path});
+    EXPECT_EQ(error,
+              path + ":2: " + key + ": how a run goes is said on the command line alone");
+  }
+}
+
 TEST_F(Recipe, NamesFileAndLineOfASyntaxError) {
   write("rays = 5\nseed = \n");
   EXPECT_TRUE(error_of(program.app, {"bake", "--recipe", path}).starts_with(path + ":2: "));
