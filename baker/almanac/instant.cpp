@@ -151,7 +151,7 @@ Instant instant_from_utc(std::string_view text, Calendar calendar) {
   if (status != 0 && status != dubious_year)
     throw algebra::Error(
         fmt::format("date \"{}\": allowed is an ISO 8601 date of the years -1999 to 3000, such as "
-                    "2008-02-21T03:26:05Z or 2008-02-21T07:26:05+04:00",
+                    "2026-03-03, 2026-03-03T11:33:43Z or 2026-03-03T13:33:43+02:00",
                     text));
   const auto there =
       scale_in(c->year) == Scale::utc ? from_utc(day, fraction) : from_ut1(day, fraction);

@@ -88,7 +88,8 @@ std::optional<Eclipse> eclipse_near(const Instant& middle, ShadowConvention conv
   const Contacts contacts = contacts_in({lunation, convention, greatest_s});
   return Eclipse{
       almanac::later(middle, greatest_s),           type_of(contacts), signed_gamma(sighting.moon),
-      magnitude(sighting, convention, Edge::umbra), penumbral,         contacts};
+      magnitude(sighting, convention, Edge::umbra), penumbral,         contacts,
+      almanac::Calendar::gregorian};
 }
 
 /// Spares the slow theory where moon98 leaves no doubt: 0.05 of the Moon's diameter is 90″.

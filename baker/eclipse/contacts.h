@@ -26,6 +26,7 @@ struct Eclipse {
   double gamma = 0;  ///< its distance from the axis then, in Earth radii, north positive
   double umbral_magnitude = 0, penumbral_magnitude = 0;  ///< share of the Moon's diameter immersed
   Contacts contacts;
+  almanac::Calendar calendar = almanac::Calendar::gregorian;  ///< in which its dates are told
 };
 
 /// The eclipses whose greatest phase lies between two moments, in their order.

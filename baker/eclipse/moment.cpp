@@ -10,6 +10,7 @@
 
 #include "algebra/error.h"
 #include "algebra/number.h"
+#include "almanac/calendar.h"
 
 namespace coppermoon::eclipse {
 namespace {
@@ -65,17 +66,20 @@ Instant moment_from(const std::string& text, const Eclipse& eclipse, almanac::Ca
   }
   throw algebra::Error(fmt::format(
       "moment = {}, allowed an instant or one of {} of the eclipse of {}, as {}-10min", text,
-      fmt::join(names, ", "), almanac::utc_text(eclipse.greatest).substr(0, 10), names.front()));
+      fmt::join(names, ", "), almanac::date_text(eclipse.greatest, calendar), names.front()));
 }
 
 Eclipse eclipse_on(const std::string& day, almanac::Calendar calendar) {
   const auto midnight = almanac::instant_from_utc(day, calendar);
-  if (const auto eclipse = eclipse_of_day(midnight, usual)) return *eclipse;
+  if (auto eclipse = eclipse_of_day(midnight, usual)) {
+    eclipse->calendar = calendar;
+    return *eclipse;
+  }
   const auto nearest = nearest_eclipse(almanac::later(midnight, 43200), usual);
   throw algebra::Error(
       fmt::format("{}: no lunar eclipse is greatest on that day (UTC); the nearest is at {}. Any "
                   "other moment needs a time of day, as {}T21:30Z",
-                  day, almanac::utc_text(nearest.greatest), day));
+                  day, almanac::utc_text(nearest.greatest, calendar), day));
 }
 
 }  // namespace coppermoon::eclipse

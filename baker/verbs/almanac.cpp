@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "algebra/error.h"
-#include "almanac/instant.h"
+#include "almanac/calendar.h"
 #include "eclipse/contacts.h"
 #include "eclipse/feature.h"
 #include "uses/night/circumstances.h"
 #include "verbs/command_line.h"
+#include "verbs/flags/moments.h"
 #include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 
@@ -23,6 +24,7 @@ namespace {
 struct Options {
   std::string from, to, at, convention = "danjon";
   std::optional<std::string> feature;
+  almanac::Calendar calendar = almanac::Calendar::gregorian;
   bool json = false;
 };
 
@@ -61,8 +63,8 @@ std::vector<Contact> contact_columns(const eclipse::Eclipse& e) {
 nlohmann::ordered_json as_json(const eclipse::Eclipse& e) {
   nlohmann::ordered_json contacts = nlohmann::ordered_json::object();
   for (const auto& [key, when] : contact_columns(e))
-    if (when) contacts[key] = almanac::utc_text(*when);
-  return {{"greatest", almanac::utc_text(e.greatest)},
+    if (when) contacts[key] = almanac::utc_text(*when, e.calendar);
+  return {{"greatest", almanac::utc_text(e.greatest, e.calendar)},
           {"type", name(e.type)},
           {"gamma", e.gamma},
           {"umbral_magnitude", e.umbral_magnitude},
@@ -71,27 +73,27 @@ nlohmann::ordered_json as_json(const eclipse::Eclipse& e) {
 }
 
 nlohmann::ordered_json as_json(const almanac::SelenographicPoint& place,
-                               const eclipse::FeatureTimes& times) {
+                               const eclipse::FeatureTimes& times,
+                               almanac::Calendar calendar) {
   nlohmann::ordered_json feature{{"latitude_deg", algebra::in_degrees(place.latitude)},
                                  {"longitude_deg", algebra::in_degrees(place.longitude)}};
-  if (times.immersion) feature["immersion"] = almanac::utc_text(*times.immersion);
-  if (times.emersion) feature["emersion"] = almanac::utc_text(*times.emersion);
+  if (times.immersion) feature["immersion"] = almanac::utc_text(*times.immersion, calendar);
+  if (times.emersion) feature["emersion"] = almanac::utc_text(*times.emersion, calendar);
   return feature;
 }
 
 std::string time_of_day(const std::optional<almanac::Instant>& when) {
-  if (!when) return "-";
-  const std::string text = almanac::utc_text(*when);
-  return text.substr(text.find('T') + 1, 8);
+  return when ? almanac::time_of_day_text(*when) : "-";
 }
 
 /// The day that the clock shows, and ten years later.
-std::string today(int years_later) {
+std::string today(int years_later, almanac::Calendar calendar) {
   const auto now = std::chrono::year_month_day(
       std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
-  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(now.year()) + years_later,
-                     static_cast<unsigned>(now.month()),
-                     std::min(28U, static_cast<unsigned>(now.day())));
+  return almanac::date_in(
+      calendar, fmt::format("{:04}-{:02}-{:02}", static_cast<int>(now.year()) + years_later,
+                            static_cast<unsigned>(now.month()),
+                            std::min(28U, static_cast<unsigned>(now.day()))));
 }
 
 void print_heading(bool feature, bool seen) {
@@ -104,8 +106,9 @@ void print_heading(bool feature, bool seen) {
 
 void print(const Listed& listed) {
   const auto& e = listed.eclipse;
-  fmt::print("{:<21}{:<10}{:>8.4f}{:>9.4f}{:>9.4f}", almanac::utc_text(e.greatest), name(e.type),
-             e.gamma, e.umbral_magnitude, e.penumbral_magnitude);
+  fmt::print("{:<21}{:<10}{:>8.4f}{:>9.4f}{:>9.4f}",
+             almanac::utc_text(e.greatest, e.calendar), name(e.type), e.gamma, e.umbral_magnitude,
+             e.penumbral_magnitude);
   for (const auto& [key, when] : contact_columns(e)) fmt::print("  {:<8}", time_of_day(when));
   if (const auto& times = listed.feature)
     fmt::print("  {:<10}  {:<11}", time_of_day(times->immersion), time_of_day(times->emersion));
@@ -115,16 +118,18 @@ void print(const Listed& listed) {
 
 std::vector<Listed> listed(const Options& options,
                            const std::optional<almanac::SelenographicPoint>& place) {
-  const auto from = almanac::instant_from_utc(options.from.empty() ? today(0) : options.from),
-             to = almanac::instant_from_utc(options.to.empty() ? today(10) : options.to);
+  const auto first = options.from.empty() ? today(0, options.calendar) : options.from,
+             last = options.to.empty() ? today(10, options.calendar) : options.to;
+  const auto from = almanac::instant_from_utc(first, options.calendar),
+             to = almanac::instant_from_utc(last, options.calendar);
   if (almanac::seconds_between(from, to) < 0)
-    throw algebra::Error(fmt::format("--to = {}, allowed {} or later", options.to,
-                                     options.from.empty() ? today(0) : options.from));
+    throw algebra::Error(fmt::format("--to = {}, allowed {} or later", last, first));
   std::vector<Listed> list;
   for (const auto& e : eclipse::eclipses_between(from, to, convention_from(options.convention))) {
-    Listed& last = list.emplace_back(Listed{e, {}, {}});
-    if (!options.at.empty()) last.seen = uses::contacts_seen(e, observer_from(options.at));
-    if (place) last.feature = eclipse::feature_times(e, *place);
+    Listed& one = list.emplace_back(Listed{e, {}, {}});
+    one.eclipse.calendar = options.calendar;
+    if (!options.at.empty()) one.seen = uses::contacts_seen(e, observer_from(options.at));
+    if (place) one.feature = eclipse::feature_times(e, *place);
   }
   return list;
 }
@@ -141,8 +146,9 @@ void run(const Options& options) {
   auto all = nlohmann::ordered_json::array();
   for (const auto& each : list) {
     all.push_back(as_json(each.eclipse));
+    say_calendar(all.back(), options.calendar);
     if (each.seen) all.back()["seen"] = *each.seen;
-    if (place) all.back()["feature"] = as_json(*place, *each.feature);
+    if (place) all.back()["feature"] = as_json(*place, *each.feature, options.calendar);
   }
   fmt::print("{}\n", all.dump(2));
 }
@@ -154,6 +160,7 @@ void add_almanac(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   add_flag(*verb, "--from", options->from, "first day, as 2026-01-01; today unless given");
   add_flag(*verb, "--to", options->to, "last day; ten years from today unless given");
+  add_calendar_option(*verb, options->calendar);
   add_flag(
       *verb, "--at", options->at,
       "place of an observer: a city, as Honolulu, or LAT,LON [degrees north and east]; adds from "

@@ -6,7 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "almanac/instant.h"
+#include "almanac/calendar.h"
 #include "uses/light/photometric_bands.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moon_options.h"
@@ -47,10 +47,12 @@ nlohmann::ordered_json described(const Options& options) {
   const auto sky = eclipsed_sky(options.moon);
   ProgressBar bar("light");
   const auto brightness = uses::brightness_of(request, sky, options.view, bar.progress());
-  nlohmann::ordered_json all{{"instant", almanac::utc_text(sky.when)},
+  const auto calendar = options.moon.moment.calendar;
+  nlohmann::ordered_json all{{"instant", almanac::utc_text(sky.when, calendar)},
                              {"magnitudes", by_band(brightness.disc.magnitudes)},
                              {"mean_luminance_cd_m2", brightness.disc.mean_luminance_cd_m2},
                              {"danjon", nullptr}};
+  say_calendar(all, calendar);
   if (brightness.danjon) all["danjon"] = *brightness.danjon;
   if (brightness.seen) all["seen"] = as_json(*brightness.seen, options);
   return all;

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "algebra/error.h"
+#include "almanac/calendar.h"
 #include "almanac/gazetteer.h"
 #include "files/whole_file.h"
 #include "uses/film/film_times.h"
@@ -64,7 +65,8 @@ std::string wind(algebra::Angle azimuth) {
 
 std::string clock_of(const Night& night, const almanac::Instant& when) {
   const auto local = uses::local_time(when, night.zone);
-  return local.date + " " + local.time + " " + local.abbreviation;
+  return almanac::date_in(night.circumstances.eclipse.calendar, local.date) + " " + local.time +
+         " " + local.abbreviation;
 }
 
 const uses::NightLight* light_of(const Night& night, const std::string& name) {
@@ -85,7 +87,7 @@ void print_moments(const Night& night) {
              "altitude", "azimuth", "", "V", "cd/m²", "stars");
   for (const auto& moment : night.circumstances.moments) {
     fmt::print("{:<10}{:<10}{:<26}{:>8.1f}°{:>9.1f}° {:<5}", moment.name,
-               almanac::utc_text(moment.when).substr(11, 8), clock_of(night, moment.when),
+               almanac::time_of_day_text(moment.when), clock_of(night, moment.when),
                algebra::in_degrees(moment.moon.altitude), algebra::in_degrees(moment.moon.azimuth),
                wind(moment.moon.azimuth));
     const auto* light = light_of(night, moment.name);
@@ -125,6 +127,7 @@ nlohmann::ordered_json or_null(const std::optional<double>& number) {
 
 nlohmann::ordered_json as_json(const Night& night) {
   const auto& place = night.circumstances.place;
+  const auto calendar = night.circumstances.eclipse.calendar;
   nlohmann::ordered_json all{{"eclipse", uses::name_of(night.circumstances.eclipse)},
                              {"at", uses::place_text(place)},
                              {"time_zone", night.zone},
@@ -133,11 +136,12 @@ nlohmann::ordered_json as_json(const Night& night) {
                              {"iso", night.lights.iso},
                              {"moments", nlohmann::ordered_json::array()},
                              {"exposures", nlohmann::ordered_json::array()}};
+  say_calendar(all, calendar);
   for (const auto& moment : night.circumstances.moments) {
     const auto local = uses::local_time(moment.when, night.zone);
     nlohmann::ordered_json row{{"name", moment.name},
-                               {"utc", almanac::utc_text(moment.when)},
-                               {"local", local.date + "T" + local.time},
+                               {"utc", almanac::utc_text(moment.when, calendar)},
+                               {"local", almanac::date_in(calendar, local.date) + "T" + local.time},
                                {"zone", local.abbreviation},
                                {"altitude_deg", algebra::in_degrees(moment.moon.altitude)},
                                {"azimuth_deg", algebra::in_degrees(moment.moon.azimuth)},
@@ -151,7 +155,7 @@ nlohmann::ordered_json as_json(const Night& night) {
   }
   for (const auto& exposure : night.lights.exposures)
     all["exposures"].push_back({{"phase", exposure.phase},
-                                {"utc", almanac::utc_text(exposure.when)},
+                                {"utc", almanac::utc_text(exposure.when, calendar)},
                                 {"lit_s", or_null(exposure.lit_s)},
                                 {"umbra_s", or_null(exposure.shadow_s)}});
   return all;

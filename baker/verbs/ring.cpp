@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "algebra/error.h"
+#include "almanac/calendar.h"
 #include "files/whole_file.h"
 #include "texture/write_image.h"
 #include "uses/light/ring_strip.h"
@@ -36,7 +37,10 @@ void require_sound(const Options& options) {
 
 void print_json(const Options& options, const almanac::SkyState& sky,
                 const uses::RingStrip& strip) {
-  nlohmann::ordered_json all{{"file", options.output}, {"instant", almanac::utc_text(sky.when)}};
+  const auto calendar = options.moment.calendar;
+  nlohmann::ordered_json all{{"file", options.output},
+                             {"instant", almanac::utc_text(sky.when, calendar)}};
+  say_calendar(all, calendar);
   for (const auto& [name, value] : strip.figures) all[name] = value;
   fmt::print("{}\n", all.dump(2));
 }
@@ -44,6 +48,7 @@ void print_json(const Options& options, const almanac::SkyState& sky,
 void run(const CLI::App& verb, const Options& options) {
   require_sound(options);
   const auto sky = almanac::sky_at(instant_of(options.moment));
+  uses::require_eclipse(sky.when, {}, options.moment.calendar);
   auto strip = uses::ring_strip(options.light, sky, options.on, options.scale);
   strip.attributes["coppermoon:recipe"] = recipe_of(verb);
   texture::write_exr(options.output, strip.light, strip.attributes, {texture::ExrType::floating});

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "algebra/error.h"
-#include "almanac/instant.h"
+#include "almanac/calendar.h"
 #include "eclipse/shadow_axis.h"
 #include "files/whole_file.h"
 #include "uses/film/shadow_plot.h"
@@ -130,11 +130,11 @@ void require_sound(const Options& options) {
 }
 
 /// When and how far away; through what air, on a line of gnuplot's by itself.
-std::string title_of(const Cut& cut, const std::string& air) {
+std::string title_of(const Cut& cut, const std::string& air, almanac::Calendar calendar) {
   const auto distance = fmt::format("{:.0f} km from the Earth", cut.depth_m / 1e3);
   if (!cut.sky) return fmt::format("The Earth's shadow {}\\n{}", distance, air);
-  auto when = almanac::utc_text(cut.sky->when).substr(0, 19);
-  std::ranges::replace(when, 'T', ' ');
+  const auto when = almanac::date_text(cut.sky->when, calendar) + " " +
+                    almanac::time_of_day_text(cut.sky->when);
   return fmt::format("The Earth's shadow on {} UTC, {}\\n{}", when, distance, air);
 }
 
@@ -173,7 +173,8 @@ void make_profile(const Options& options, const Cut& cut, const uses::ShadowCut&
     return uses::shadow_profile(light, shadow, places_of(options), bar.progress());
   }();
   auto document = as_json(result, light, shadow.arrangement);
-  const auto marks = uses::marks_of(shadow.arrangement, cut.sky, title_of(cut, air_in_words));
+  const auto marks = uses::marks_of(shadow.arrangement, cut.sky,
+                                    title_of(cut, air_in_words, options.moment.calendar));
   for (const auto& file : options.outputs) write(file, result, document, marks);
   if (options.json) {
     if (!options.outputs.empty()) document["files"] = options.outputs;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "almanac/instant.h"
+#include "almanac/calendar.h"
 #include "almanac/observer.h"
 #include "almanac/sky.h"
 #include "eclipse/shadow_axis.h"
@@ -41,7 +41,7 @@ nlohmann::ordered_json described(const Options& options) {
   const auto moon = almanac::equatorial_place(sky, sky.moon_m);
   const auto shadow = eclipse::place_in_shadow(eclipse::shadow_axis(sky), sky.moon_m);
   nlohmann::ordered_json all{
-      {"instant", almanac::utc_text(sky.when, 3)},
+      {"instant", almanac::utc_text(sky.when, options.moment.calendar, 3)},
       {"delta_t_s", almanac::delta_t_s(sky.when)},
       {"moon_ra_deg", in_degrees(moon.right_ascension)},
       {"moon_dec_deg", in_degrees(moon.declination)},
@@ -53,6 +53,7 @@ nlohmann::ordered_json described(const Options& options) {
       {"sub_solar_longitude_deg", in_degrees(sky.sub_solar.longitude)},
       {"axis_position_angle_deg", in_degrees(sky.axis_position_angle)},
       {"axis_distance_km", in_kilometres(shadow.axis_distance)}};
+  say_calendar(all, options.moment.calendar);
   if (!options.at.empty()) add_view(all, options.at, sky);
   return all;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "algebra/error.h"
+#include "almanac/calendar.h"
 #include "files/whole_file.h"
 #include "texture/bake.h"
 #include "texture/resize.h"
@@ -52,7 +53,7 @@ std::string number(double value, int decimals) {
 std::string as_csv(const eclipse::Eclipse& eclipse, const Curve& curve) {
   std::string text = "frame,instant,hours_from_greatest,V_magnitude,mean_luminance_cd_m2\n";
   for (const auto& point : curve)
-    text += fmt::format("{},{},{:.6f},{},{:.6g}\n", point.frame, almanac::utc_text(point.when, 3),
+    text += fmt::format("{},{},{:.6f},{},{:.6g}\n", point.frame, almanac::utc_text(point.when, eclipse.calendar, 3),
                         hours(eclipse, point.when), number(point.V_magnitude, 4),
                         point.mean_luminance_cd_m2);
   return text;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "algebra/error.h"
+#include "almanac/calendar.h"
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
 #include "uses/light/spectral_bands.h"
@@ -70,7 +71,8 @@ void require_up(const Film& film, const std::vector<std::size_t>& frames) {
   const auto [first, last] = std::ranges::minmax(up);
   throw algebra::Error(fmt::format(
       "the Moon is below the horizon of {} in frame {}; it is up from frame {} ({}) to {}", place,
-      std::ranges::min(down), first, almanac::utc_text(film.moments.frames[first - 1]), last));
+      std::ranges::min(down), first, almanac::utc_text(film.moments.frames[first - 1], film.moments.eclipse.calendar),
+      last));
 }
 
 /// Width of all textures [texels]: as the frame needs it where the Moon is nearest.

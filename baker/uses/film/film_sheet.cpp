@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "almanac/calendar.h"
 #include "texture/contact_sheet.h"
 #include "texture/write_image.h"
 
@@ -60,12 +61,6 @@ std::vector<std::size_t> some_of(const std::vector<std::size_t>& frames) {
   return some;
 }
 
-/// "20:21:44" of a moment.
-std::string time_of_day(const almanac::Instant& when) {
-  const auto text = almanac::utc_text(when);
-  return text.substr(text.find('T') + 1, 8);
-}
-
 std::string title_of(const Film& film) {
   return fmt::format("{}, seen from {}; times in UTC", name_of(film.moments.eclipse),
                      film.view.observer ? place_text(*film.view.observer) : "the Earth's centre");
@@ -101,7 +96,8 @@ void write_contact_sheet(const std::filesystem::path& path, const Film& film,
                               texture::sheet_font()};
   for (const auto& [frame, moment, at_contact] : shown)
     sheet.pictures.push_back(
-        {film.picture(frame), time_of_day(film.moments.frames[frame - 1]), moment, at_contact});
+        {film.picture(frame), almanac::time_of_day_text(film.moments.frames[frame - 1]), moment,
+         at_contact});
   texture::write_png(path, texture::drawn(sheet), 8, film.record.film_header);
 }
 

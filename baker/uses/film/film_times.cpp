@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "algebra/error.h"
+#include "almanac/calendar.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -66,11 +67,11 @@ std::pair<Instant, Instant> while_up(const ViewRequest& view, const Instant& fro
 
 std::string name_of(const eclipse::Eclipse& eclipse) {
   using enum eclipse::EclipseType;
-  const auto day = almanac::utc_text(eclipse.greatest);
   const char* type = eclipse.type == total     ? "Total"
                      : eclipse.type == partial ? "Partial"
                                                : "Penumbral";
-  return fmt::format("{} eclipse of the Moon, {}", type, day.substr(0, day.find('T')));
+  return fmt::format("{} eclipse of the Moon, {}", type,
+                     almanac::date_text(eclipse.greatest, eclipse.calendar));
 }
 
 Moments moments_of(const FilmTimes& times) {

@@ -43,7 +43,7 @@ std::pair<almanac::Instant, almanac::Instant> while_up(const ViewRequest& view,
                                                        const almanac::Instant& from,
                                                        const almanac::Instant& to);
 
-/// "Total eclipse of the Moon, 2018-07-27".
+/// "Total eclipse of the Moon, 2018-07-27", in the eclipse's calendar.
 std::string name_of(const eclipse::Eclipse& eclipse);
 
 }  // namespace coppermoon::uses

@@ -4,15 +4,16 @@
 #include <algorithm>
 #include <vector>
 
+#include "almanac/calendar.h"
+
 namespace coppermoon::uses {
 
 std::string_view version() { return COPPERMOON_VERSION; }
 
 std::string capture_date(const almanac::Instant& instant) {
-  std::string text = almanac::utc_text(instant).substr(0, 19);
-  std::ranges::replace(text, '-', ':');
-  std::ranges::replace(text, 'T', ' ');
-  return text;
+  std::string date = almanac::date_text(instant);
+  std::replace(date.begin() + 1, date.end(), '-', ':');
+  return date + " " + almanac::time_of_day_text(instant);
 }
 
 texture::Attributes scene_linear_header(colour::WorkingSpace space, const almanac::Instant& when) {

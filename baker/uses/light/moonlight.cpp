@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "algebra/error.h"
-#include "almanac/instant.h"
+#include "almanac/calendar.h"
 #include "eclipse/contacts.h"
 #include "eclipse/shadow_axis.h"
 #include "shadow/by_quadrature.h"
@@ -102,12 +102,14 @@ ScatteredLight scattered_light_of(const LightRequest& request) {
   return counted && automatic ? ScatteredLight::off : request.scattered_light;
 }
 
-void require_eclipse(const almanac::Instant& when, const std::string& way_out) {
+void require_eclipse(const almanac::Instant& when, const std::string& way_out,
+                     almanac::Calendar calendar) {
   const auto convention = eclipse::ShadowConvention::danjon;
   if (eclipse::eclipse_at(when, convention)) return;
   throw algebra::Error(fmt::format(
-      "no lunar eclipse at {}; the nearest is greatest at {}{}", almanac::utc_text(when),
-      almanac::utc_text(eclipse::nearest_eclipse(when, convention).greatest), way_out));
+      "no lunar eclipse at {}; the nearest is greatest at {}{}",
+      almanac::utc_text(when, calendar),
+      almanac::utc_text(eclipse::nearest_eclipse(when, convention).greatest, calendar), way_out));
 }
 
 shadow::Arrangement arrangement_of(const LightRequest& request, double sun_distance_m,

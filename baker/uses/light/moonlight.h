@@ -106,7 +106,8 @@ struct Moonlight {
 /// Refuses a moment without an eclipse.
 ///
 /// Throws  Error  names the nearest eclipse, and then a way out of it
-void require_eclipse(const almanac::Instant& when, const std::string& way_out = {});
+void require_eclipse(const almanac::Instant& when, const std::string& way_out = {},
+                     almanac::Calendar calendar = almanac::Calendar::gregorian);
 
 /// Light on the Moon of one moment, planned and computed.
 ///

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "algebra/error.h"
+#include "almanac/calendar.h"
 #include "almanac/lunar_orientation.h"
 #include "night/tables.h"
 #include "uses/film/film_times.h"
@@ -101,7 +102,7 @@ std::string map_script(const eclipse::Eclipse& eclipse,
     data += fmt::format("$c{} << EOD\n{}EOD\n", i, curve_text(circle));
     plots += fmt::format(", $c{} using 1:2 with lines lw 2 lc rgb '{}' title '{} {}'", i,
                          colours[contacts.size() == 7 ? i : (i * 6) / (contacts.size() - 1)], name,
-                         almanac::utc_text(when).substr(11, 5));
+                         almanac::time_of_day_text(when).substr(0, 5));
   }
   if (place)
     labels =

@@ -10,6 +10,7 @@
 
 #include "algebra/error.h"
 #include "algebra/number.h"
+#include "almanac/calendar.h"
 #include "eclipse/moment.h"
 #include "verbs/flags/moments.h"
 #include "verbs/flags/view_options.h"
@@ -104,11 +105,12 @@ constexpr double half_a_month_s = 15 * 86400.;
 /// The eclipse nearest to a moment, which is half a month away at most: another Moon's is not meant.
 eclipse::Eclipse eclipse_near(const std::string& text, almanac::Calendar calendar) {
   const auto moment = almanac::instant_from_utc(text, calendar);
-  const auto nearest = eclipse::nearest_eclipse(moment, eclipse::ShadowConvention::danjon);
+  auto nearest = eclipse::nearest_eclipse(moment, eclipse::ShadowConvention::danjon);
   if (std::abs(almanac::seconds_between(moment, nearest.greatest)) > half_a_month_s)
     throw algebra::Error(
         fmt::format("no lunar eclipse within 15 days of {}; the nearest is greatest at {}", text,
-                    almanac::utc_text(nearest.greatest)));
+                    almanac::utc_text(nearest.greatest, calendar)));
+  nearest.calendar = calendar;
   return nearest;
 }
 
@@ -142,9 +144,14 @@ void add_film_options(CLI::App& verb, FilmOptions& options) {
 
 uses::FilmTimes times_of(const FilmOptions& options) {
   const auto eclipse = eclipse_of(options);
+  const auto from = eclipse::moment_from(options.from, eclipse, options.calendar),
+             to = eclipse::moment_from(options.to, eclipse, options.calendar);
+  if (almanac::seconds_between(from, to) < 0)
+    throw algebra::Error(
+        fmt::format("--from {} is later than --to {}", options.from, options.to));
   return {.eclipse = eclipse,
-          .from = eclipse::moment_from(options.from, eclipse, options.calendar),
-          .to = eclipse::moment_from(options.to, eclipse, options.calendar),
+          .from = from,
+          .to = to,
           .frames = options.frames,
           .fps = options.fps,
           .time_scale = options.time_scale};

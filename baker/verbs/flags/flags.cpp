@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "algebra/number.h"
+#include "verbs/flags/moments.h"
 #include "verbs/flags/named_files.h"
 
 namespace coppermoon::verbs {
@@ -173,6 +174,7 @@ CLI::App* add_verb(CLI::App& program, const std::string& name, const std::string
 void on_run(CLI::App& verb, std::function<void()> run) {
   verb.callback([&verb, run = std::move(run)] {
     require_files_apart(verb);
+    say_what_is_utc(verb);
     run();
   });
 }

@@ -39,7 +39,7 @@ const std::vector<GuideGroup>& guides() {
          {"coppermoon almanac --at Honolulu",
           "coppermoon almanac --from 2026-01-01 --to 2030-01-01 --feature Tycho"}},
         {"night",
-         {"at", "output", "camera", "iso", "f-number", "danjon-spread", "csv", "json"},
+         {"at", "zone", "output", "camera", "iso", "f-number", "danjon-spread", "csv", "json"},
          {"coppermoon night 2026-03-03 --at Honolulu",
           "coppermoon night 2026-03-03 --at Honolulu --camera 400mm --iso 800 -o night.ics"}},
         {"explore",

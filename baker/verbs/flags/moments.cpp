@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 
 #include "algebra/error.h"
 #include "algebra/number.h"
+#include "almanac/calendar.h"
 #include "eclipse/moment.h"
 
 namespace coppermoon::verbs {
@@ -37,13 +39,18 @@ bool is_contact_or_time(std::string_view text) {
 }
 
 /// A moment to the full second, said to whoever asked for it by another name.
-Instant said(const std::string& asked, const Instant& when) {
-  auto text = almanac::utc_text(when);
-  const auto instant = almanac::instant_from_utc(text);
-  std::ranges::replace(text, 'T', ' ');
-  text.pop_back();
-  fmt::print(stderr, "coppermoon: {} is {} UTC\n", asked, text);
-  return instant;
+Instant said(const std::string& asked, const Instant& when, almanac::Calendar calendar) {
+  fmt::print(stderr, "coppermoon: {} is {} {} UTC\n", asked, almanac::date_text(when, calendar),
+             almanac::time_of_day_text(when));
+  return almanac::instant_from_utc(almanac::utc_text(when));
+}
+
+/// Whether a text has a time of day, and nothing that says on which clock.
+bool is_silently_utc(std::string_view text) {
+  const auto colon = text.find(':');
+  if (colon == std::string_view::npos || !eclipse::begins_with_digit(std::string(text)))
+    return false;
+  return text.find_first_not_of("0123456789:.", colon) == std::string_view::npos;
 }
 
 }  // namespace
@@ -62,16 +69,29 @@ void add_calendar_option(CLI::App& verb, almanac::Calendar& calendar) {
   add_choice<almanac::Calendar>(
       verb, "--calendar", calendar,
       {{"gregorian", almanac::Calendar::gregorian}, {"julian", almanac::Calendar::julian}},
-      "calendar of the date; historians give Julian dates before October 1582");
+      "calendar of all dates, also of what is printed; historians give Julian dates before October "
+      "1582");
+}
+
+void say_calendar(nlohmann::ordered_json& document, almanac::Calendar calendar) {
+  if (calendar == almanac::Calendar::julian) document["calendar"] = "julian";
 }
 
 Instant instant_of(const MomentOptions& options) {
   const auto& text = options.text;
   if (is_day(text))
     return said("the greatest eclipse of " + text,
-                eclipse::eclipse_on(text, options.calendar).greatest);
+                eclipse::eclipse_on(text, options.calendar).greatest, options.calendar);
   const auto moment = eclipse::moment_in(text, options.calendar);
-  return eclipse::is_from_contact(text) ? said(text, moment) : moment;
+  return eclipse::is_from_contact(text) ? said(text, moment, options.calendar) : moment;
+}
+
+void say_what_is_utc(const CLI::App& verb) {
+  if (!is_given(verb, "--at")) return;
+  for (const auto& moment : words_given(verb, {"instant", "from", "to"}))
+    if (is_silently_utc(moment))
+      fmt::print(stderr, "coppermoon: {} is read as UTC; an offset, as {}+02:00, says otherwise\n",
+                 moment, moment);
 }
 
 std::vector<std::string> with_moments_joined(const std::vector<std::string>& arguments) {

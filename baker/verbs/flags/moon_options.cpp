@@ -67,7 +67,7 @@ uses::MoonRequest moon_request(const MoonOptions& options) {
 almanac::SkyState eclipsed_sky(const MoonOptions& options) {
   const auto sky = almanac::sky_at(instant_of(options.moment));
   if (!options.request.unshadowed)
-    uses::require_eclipse(sky.when, " (--unshadowed goes on without one)");
+    uses::require_eclipse(sky.when, " (--unshadowed goes on without one)", options.moment.calendar);
   return sky;
 }
 

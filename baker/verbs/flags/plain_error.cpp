@@ -66,6 +66,13 @@ std::optional<Text> of_range(const Text& error) {
   return fmt::format("{} = {}, allowed {}", value->before, range->before, allowed);
 }
 
+/// What is missing, by the name that the help has for what stands without a flag.
+Text missing(const Text& flag) {
+  if (flag == "--instant") return "INSTANT: missing; a moment is needed, as 2026-03-03";
+  if (flag == "--eclipse") return "ECLIPSE: missing; a day is needed, as 2026-03-03";
+  return flag + ": missing";
+}
+
 }  // namespace
 
 Text plain_error(const Text& error) {
@@ -73,7 +80,7 @@ Text plain_error(const Text& error) {
   if (const auto text = of_range(error)) return *text;
   if (const auto text = of_words(error)) return *text;
   if (error.ends_with(" is required"))
-    return error.substr(0, error.size() - Text(" is required").size()) + ": missing";
+    return missing(error.substr(0, error.size() - Text(" is required").size()));
   if (const auto cut = cut_at(error, ": 1 required "); cut && cut->behind.ends_with(" missing"))
     return cut->before + ": a value is missing";
   if (const auto cut = cut_at(error, " excludes "))

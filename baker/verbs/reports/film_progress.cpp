@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "almanac/instant.h"
+#include "almanac/calendar.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
 
@@ -60,7 +60,8 @@ void FilmProgress::made(const uses::MadeFrame& frame) {
 
 void FilmProgress::tell(const uses::MadeFrame& frame, bool kept) {
   ++done_;
-  const auto instant = almanac::utc_text(film_.moments.frames[frame.frame - 1]);
+  const auto instant = almanac::utc_text(film_.moments.frames[frame.frame - 1],
+                                         film_.moments.eclipse.calendar);
   if (json_) {
     ordered_json event{{"event", "frame"}, {"frame", frame.frame}, {"instant", instant},
                        {"kept", kept},     {"done", done_},        {"of", frames_}};

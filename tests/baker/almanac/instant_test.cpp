@@ -90,7 +90,7 @@ TEST(Instant, ATextThatIsNoDateIsNamedWithAnExample) {
   EXPECT_EQ(
       message_for("next Tuesday"),
       "date \"next Tuesday\": allowed is an ISO 8601 date of the years -1999 to 3000, such as "
-      "2008-02-21T03:26:05Z or 2008-02-21T07:26:05+04:00");
+      "2026-03-03, 2026-03-03T11:33:43Z or 2026-03-03T13:33:43+02:00");
 }
 
 TEST(Instant, DatesThatDoNotExistAreRefused) {

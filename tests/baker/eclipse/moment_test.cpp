@@ -47,6 +47,20 @@ TEST(Moment, OfAJulianDayIsOfThatDaysEclipse) {
   EXPECT_EQ(text_of("1110-05-05 greatest", almanac::Calendar::julian).substr(0, 10), "1110-05-12");
 }
 
+TEST(Moment, OfAJulianDayIsRefusedInJulianDates) {
+  try {
+    eclipse_on("1504-03-02", almanac::Calendar::julian);
+    FAIL() << "an eclipse on the day after Columbus'";
+  } catch (const algebra::Error& error) {
+    EXPECT_NE(std::string(error.what()).find("1504-03-02: no lunar eclipse"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("the nearest is at 1504-03-01T00:"),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_EQ(eclipse_on("1504-03-01", almanac::Calendar::julian).calendar,
+            almanac::Calendar::julian);
+}
+
 TEST(Moment, OfNothingIsRefusedWithWhatIsAllowed) {
   EXPECT_NE(refusal_of("2018-07-28 U2").find("the nearest is at 2018-07-27T20:2"),
             std::string::npos);

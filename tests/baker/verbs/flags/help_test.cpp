@@ -139,6 +139,8 @@ TEST(PlainError, SaysTheValueAndWhatIsAllowed) {
   EXPECT_EQ(plain_error("--width: -5, allowed whole numbers, 0 or more"),
             "--width = -5, allowed whole numbers, 0 or more");
   EXPECT_EQ(plain_error("--output is required"), "--output: missing");
+  EXPECT_EQ(plain_error("--instant is required"),
+            "INSTANT: missing; a moment is needed, as 2026-03-03");
   EXPECT_EQ(plain_error("--at: 1 required TEXT missing"), "--at: a value is missing");
   EXPECT_EQ(plain_error("--plot excludes --lookup"), "--plot and --lookup: allowed one of the two");
   EXPECT_EQ(plain_error("The following argument was not expected: x"), "x: unexpected argument");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/flags/moments.h"
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <string>
 
 #include "algebra/error.h"
@@ -60,6 +62,39 @@ TEST(Moments, OfAJulianDayAreThatDays) {
   // the Peterborough Chronicle's eclipse of 5 May 1110
   EXPECT_EQ(text_of({"1110-05-05", almanac::Calendar::julian}).substr(0, 10), "1110-05-12");
   EXPECT_NE(refusal_of({"1110-05-05"}), "");
+}
+
+TEST(Moments, OfAJulianDayAreSaidInItsCalendar) {
+  testing::internal::CaptureStderr();
+  instant_of({"1110-05-05", almanac::Calendar::julian});
+  const auto said = testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(said.starts_with("coppermoon: the greatest eclipse of 1110-05-05 is 1110-05-05 "))
+      << said;
+}
+
+TEST(Moments, WithAPlaceAndNoOffsetAreSaidToBeUtc) {
+  const auto said = [](const Words& words) {
+    CLI::App program;
+    auto* verb = add_verb(program, "sky", "");
+    MomentOptions options;
+    std::string at;
+    add_moment_options(*verb, options);
+    add_flag(*verb, "--at", at, "");
+    auto reversed = words;
+    std::ranges::reverse(reversed);
+    program.parse(reversed);
+    testing::internal::CaptureStderr();
+    say_what_is_utc(*verb);
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_EQ(said({"sky", "2018-07-27 20:22", "--at", "London"}),
+            "coppermoon: 2018-07-27 20:22 is read as UTC; an offset, as 2018-07-27 20:22+02:00, says "
+            "otherwise\n");
+  EXPECT_NE(said({"sky", "2018-07-27T20:22:01.5", "--at", "London"}), "");
+  for (const char* clear : {"2018-07-27 20:22Z", "2018-07-27T20:22:00-04:00", "2018-07-27",
+                            "2018-07-27 U2+10min"})
+    EXPECT_EQ(said({"sky", clear, "--at", "London"}), "") << clear;
+  EXPECT_EQ(said({"sky", "2018-07-27 20:22"}), "") << "without a place nobody expects its clocks";
 }
 
 TEST(Moments, OfADayWithoutAnEclipseAreRefusedWithTheNearest) {
