@@ -94,13 +94,8 @@ double seconds_of_quadrature(const Work& work, const Scene& scene, double distan
 }
 
 /// Seconds that it takes on one core to check the error of light, at thirty places.
-double seconds_of_check(Work work, const Scene& scene) {
-  work.bands = std::min(400, 2 * work.bands);
-  work.rays *= 2;
-  work.sun_terms = 6;
-  work.planes = 1;
-  work.ellipsoid = work.regions = true;
-  return seconds_of_quadrature(work, scene, 8);
+double seconds_of_check(const Work& work, const Scene& scene) {
+  return seconds_of_quadrature(finer(work), scene, 8);
 }
 
 /// How much of a scene's parallel work one more core takes off.
@@ -140,7 +135,7 @@ double predicted_seconds(const Work& work, const Scene& scene, const Machine& ma
   double light = cost.trial + cost.lookup;
   if (work.scattered_light)
     light += cost.twilight + cost.twilight_wavelength * std::min(work.bands, 80);
-  if (!work.refracted || work.method == Method::quadrature) light += seconds_of_check(work, scene);
+  light += seconds_of_check(work, scene);
   if (work.refracted && work.method == Method::quadrature) {
     light += seconds_of_quadrature(work, scene, distances(work, scene));
   } else if (work.refracted) {

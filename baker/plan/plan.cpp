@@ -215,6 +215,16 @@ std::string_view name(Method method) {
   }
 }
 
+Work finer(const Work& work) {
+  constexpr int fine_bands = 80, most_bands = 400, fine_rays = 600, most_rays = 10'000'000;
+  Work finer;
+  finer.bands = std::clamp(2 * work.bands, fine_bands, most_bands);
+  finer.rays = std::clamp(work.rays, fine_rays / 2, most_rays / 2) * 2;
+  finer.planes = 1;
+  finer.place_error = 0.01;  // at these places light is exact; they stand closer where it bends
+  return finer;
+}
+
 Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine, const ByHand& by_hand) {
   constexpr double finest = 1e-4, coarsest = 0.5;
   if (!wish.tolerance && !wish.budget_s)

@@ -162,15 +162,15 @@ bool leaves_scattered_light(const plan::Plan& plan) {
   return scattered != all.end() && scattered->size > plan.error / 20;
 }
 
-/// Relative error of luminance that is found of the quadrature; two standard errors of photons.
+/// Relative error of luminance that is found; of photons two standard errors at least.
 double found_error(const ShadowedMoon& moon, const Moonlight& light) {
   const auto weights = at_wavelengths(luminance_weights(), light.plan.work.bands);
   const auto luminance = light.in_sums(weights, light.range);
-  if (light.plan.work.method == plan::Method::quadrature || !light.plan.work.refracted)
-    return error_found(moon, light.plan.work, luminance, leaves_scattered_light(light.plan));
+  const double found =
+      error_found(moon, light.plan.work, luminance, leaves_scattered_light(light.plan));
   const auto distances = distances_over_the_disc(moon);
-  return 2 * luminance.worst_relative_error(*light.refracted, weights, distances.front(),
-                                            distances.back());
+  return std::max(found, 2 * luminance.worst_relative_error(*light.refracted, weights,
+                                                            distances.front(), distances.back()));
 }
 
 plan::Method method_of(shadow::Trace trace) {
@@ -204,8 +204,9 @@ shadow::RefractedLight light_of_work(const LightRequest& request, const Shadowed
                                      const algebra::Progress& progress) {
   const auto waves = wavelengths_nm(plan.work.bands);
   const auto distances = distances_over_the_disc(moon);
-  if (!plan.work.refracted) return shadow::darkness(arrangement, waves, distances, 1);
   const auto air = air_for(plan.work, moon);
+  if (!plan.work.refracted)
+    return shadow::darkness(arrangement, waves, distances, air.symmetric() ? 1 : sectors_of_a_plan);
   if (plan.work.method == plan::Method::quadrature)
     return shadow::by_quadrature(air, arrangement, waves, distances,
                                  quadrature_for(plan.work, moon), progress);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <optional>
 #include <thread>
 
 #include "algebra/error.h"
@@ -172,7 +174,10 @@ double largest_change(const CoarseLight& all, const CoarseLight& without) {
       const std::size_t k = s % without.refracted.size();
       const double there = all.refracted[s][d] + all.direct[s][d],
                    left = without.refracted[k][d] + without.direct[k][d];
-      if (there > 0) worst = std::max(worst, std::abs(there - left) / there);
+      if (there > 0)
+        worst = std::max(worst, std::abs(there - left) / there);
+      else if (left > 0)
+        worst = std::max(worst, 1.);
     }
   return worst;
 }
@@ -311,7 +316,7 @@ plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose) {
     work.*term = false;
     return margin * largest_change(coarse, tried(moon, air_for(work, moon), places));
   };
-  if (scene.without_refracted > 0 && scene.ellipsoid)
+  if (scene.ellipsoid)
     scene.without_ellipsoid = change_without(&plan::Work::ellipsoid);
   if (scene.without_refracted > 0 && scene.columns > 1)
     scene.without_regions = change_without(&plan::Work::regions);
@@ -343,64 +348,121 @@ shadow::ChannelWeights luminance_weights() {
   return moonlight_weights(luminance);
 }
 
+namespace {
+
+/// The depth that is farthest from all planes of some work.
+double depth_between_planes(const ShadowedMoon& moon, int planes) {
+  if (planes == 1) return mean_depth_m(moon) + lunar_radius_m / 2;
+  const auto depths = depths_of(moon, planes);
+  return std::midpoint(depths[depths.size() - 2], depths.back());
+}
+
+/// Sectors that errors are found in, those that the disc takes in: no divisor of a plan's, so that they
+/// lie off its middles. Between regions, where each takes time, there are fewer.
+shadow::QuadratureSettings settings_of_check(const plan::Work& finer, const ShadowedMoon& moon) {
+  const std::size_t around = moon.air.regions.empty() ? 29 : 13;
+  auto settings = quadrature_for(finer, moon, around);
+  const auto taken_in = sectors_of(moon, sectors_of_a_plan);
+  if (taken_in.count == sectors_of_a_plan) return settings;
+  settings.first_sector = (taken_in.first * around + sectors_of_a_plan - 1) / sectors_of_a_plan;
+  const std::size_t end =
+      (taken_in.first + taken_in.count - 1) * around / sectors_of_a_plan + 1;
+  settings.sectors = end > settings.first_sector ? end - settings.first_sector : 1;
+  settings.first_sector %= around;
+  return settings;
+}
+
+/// Light that a look-up is held against.
+class ExactLight {
+ public:
+  ExactLight(const ShadowedMoon& moon, const plan::Work& work, double depth_m,
+             bool scattered_counts)
+      : depth_m_(depth_m),
+        settings_(settings_of_check(finer(work), moon)),
+        weights_(at_wavelengths(luminance_weights(), finer(work).bands)) {
+    constexpr double off_nodes = 0.07;  // of the disc: between the places light was computed at
+    const auto disc = disc_of(moon);
+    auto places =
+        evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, places_over(disc, 23));
+    const shadow::Arrangement arrangement{moon.sun_distance_m, {depth_m}, moon.limb_darkening};
+    add_edge_of_the_umbra(moon, arrangement, disc, places);
+    const auto waves = wavelengths_nm(finer(work).bands);
+    light_ = shadow::by_quadrature(moon.air, arrangement, waves, places, settings_);
+    left_out_.resize(light_.axis_distances_m.size());
+    if (work.scattered_light)
+      shadow::add_twilight(light_, moon.air);
+    else if (scattered_counts)
+      left_out_ = scattered_at(light_.axis_distances_m, moon.air, arrangement);
+    clear_.emplace(moon.air, arrangement, waves);
+    for (const double weight : weights_.row(0)) sunlight_ += weight;
+    middle_rad_ = algebra::in_radians(moon.centre.position_angle);
+  }
+
+  std::size_t sectors() const { return std::min(light_.sectors, settings_.sectors); }
+  std::span<const double> places_m() const { return light_.axis_distances_m; }
+  double sunlight() const { return sunlight_; }
+
+  double angle_rad(std::size_t i) const {
+    return light_.sectors == 1 ? middle_rad_
+                               : 2 * pi * static_cast<double>(sector(i)) /
+                                     static_cast<double>(light_.sectors);
+  }
+
+  double luminance(std::size_t i, std::size_t place) const {
+    double sum = direct(i, places_m()[place]);
+    const auto ratio = light_.ratio[sector(i)].row(place);
+    for (std::size_t w = 0; w < ratio.size(); ++w)
+      sum += weights_(0, w) * (ratio[w] + left_out_[place]);
+    return sum;
+  }
+
+  double direct(std::size_t i, double place_m) const {
+    std::vector<double> ratios(weights_.columns());
+    clear_->ratios(place_m, angle_rad(i), depth_m_, ratios);
+    double sum = 0;
+    for (std::size_t w = 0; w < ratios.size(); ++w) sum += weights_(0, w) * ratios[w];
+    return sum;
+  }
+
+ private:
+  std::size_t sector(std::size_t i) const {
+    return (settings_.first_sector + i) % light_.sectors;
+  }
+
+  double depth_m_;
+  shadow::QuadratureSettings settings_;
+  shadow::ChannelWeights weights_;
+  shadow::RefractedLight light_;
+  std::vector<double> left_out_;
+  std::optional<shadow::DirectLight> clear_;
+  double sunlight_ = 0, middle_rad_;
+};
+
+}  // namespace
+
 double error_found(const ShadowedMoon& moon, const plan::Work& work,
                    const shadow::Lookup& luminance, bool scattered_counts) {
-  plan::Work finer;
-  finer.bands = std::min(400, 2 * work.bands);
-  finer.rays = 2 * work.rays;
-  finer.place_error = 0;
-  constexpr double off_nodes = 0.07;  // of the disc: between the places light was computed at
-  const auto disc = disc_of(moon);
-  auto places =
-      evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, places_over(disc, 23));
-  const double depth = mean_depth_m(moon) + lunar_radius_m / 4;
-  const shadow::Arrangement arrangement{moon.sun_distance_m, {depth}, moon.limb_darkening};
-  add_edge_of_the_umbra(moon, arrangement, disc, places);
-  const auto waves = wavelengths_nm(finer.bands);
-  auto settings = quadrature_for(finer, moon);
-  constexpr std::size_t between = 29;  // sectors, no multiple of a plan's: off their middles
-  const std::size_t around = settings.around;
-  const auto taken_in = sectors_of(moon, around);
-  if (taken_in.count < around) {
-    settings.first_sector = (taken_in.first * between + around - 1) / around;
-    const std::size_t end = (taken_in.first + taken_in.count - 1) * between / around + 1;
-    settings.sectors = end > settings.first_sector ? end - settings.first_sector : 1;
-    settings.first_sector %= between;
-  } else {
-    settings.first_sector = 0;
-    settings.sectors = between;
-  }
-  settings.around = between;
-  if (!moon.air.one_column()) settings.sectors = std::min<std::size_t>(settings.sectors, 3);
-  settings.place_error = 0;
-  auto light = shadow::by_quadrature(moon.air, arrangement, waves, places, settings);
-  if (work.scattered_light) shadow::add_twilight(light, moon.air);
-  const auto left_out = scattered_counts && !work.scattered_light
-                            ? scattered_at(places, moon.air, arrangement)
-                            : std::vector<double>(places.size());
-  const auto weights = at_wavelengths(luminance_weights(), finer.bands);
-  const shadow::DirectLight clear(moon.air, arrangement, waves);
-  const std::size_t sectors = std::min(light.sectors, settings.sectors);
-  std::vector<double> ratios(waves.size());
+  constexpr double a_node_m = 1e3;
+  const double depth = depth_between_planes(moon, work.planes);
+  const ExactLight light(moon, work, depth, scattered_counts);
+  const double dark = shadow::darkness_ratio * light.sunlight();
   std::array<double, 1> found;
   double worst = 0;
-  for (std::size_t i = 0; i < sectors; ++i) {
-    const std::size_t s = (settings.first_sector + i) % light.sectors;
-    const double angle = light.sectors == 1
-                             ? algebra::in_radians(moon.centre.position_angle)
-                             : 2 * pi * static_cast<double>(s) / static_cast<double>(light.sectors);
-    for (std::size_t d = 0; d < places.size(); ++d) {
-      clear.ratios(places[d], angle, depth, ratios);
-      double exact = 0;
-      for (std::size_t w = 0; w < ratios.size(); ++w)
-        exact += weights(0, w) * (ratios[w] + light.ratio[s](d, w) + left_out[d]);
-      luminance.read({.axis_distance = algebra::metres(places[d]),
-                      .position_angle = algebra::radians(angle),
+  for (std::size_t i = 0; i < light.sectors(); ++i)
+    for (std::size_t d = 0; d < light.places_m().size(); ++d) {
+      const double place = light.places_m()[d], exact = light.luminance(i, d);
+      luminance.read({.axis_distance = algebra::metres(place),
+                      .position_angle = algebra::radians(light.angle_rad(i)),
                       .depth = algebra::metres(depth)},
                      found);
-      if (exact > 0) worst = std::max(worst, std::abs(found[0] / exact - 1));
+      const double lit = exact > dark ? exact : std::max(found[0], dark),
+                   error = std::abs(found[0] - exact) / lit;
+      if (error <= worst) continue;
+      const bool from_nothing = exact - light.direct(i, place) <= dark;
+      const auto begins_at = [&](double m) { return light.direct(i, std::max(0., m)) <= dark; };
+      if (from_nothing && begins_at(place - a_node_m) && !begins_at(place + a_node_m)) continue;
+      worst = error;
     }
-  }
   return worst;
 }
 

@@ -62,8 +62,10 @@ plan::Machine this_machine();
 /// The luminance that weights of wavelengths make.
 shadow::ChannelWeights luminance_weights();
 
-/// The largest error of luminance that is found at some places of the disc, those where direct light
-/// begins among them, against all terms computed twice as finely.
+/// The largest error of luminance that is found at some places of the disc, against all terms computed
+/// more finely (plan::finer): evenly over it, where direct light begins, and where light is least smooth;
+/// at the depth that is farthest from all planes. A node of the look-up, 1 km, from where all light begins,
+/// it is no measure.
 ///
 /// Given  luminance         one channel, luminance_weights
 ///        scattered_counts  where it was left out, scattered light is part of the error

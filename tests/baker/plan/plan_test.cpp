@@ -299,5 +299,17 @@ TEST(WorkOfRays, GrowsWithWhatIsAskedFor) {
   EXPECT_THROW(work_of_rays(1, true), algebra::Error);
 }
 
+TEST(Finer, IsFinerInEveryKnobAndNeverCoarse) {
+  const Work coarse{.ellipsoid = false, .regions = false, .bands = 2, .rays = 2, .sun_terms = 1};
+  const auto fine = finer(coarse);
+  EXPECT_GE(fine.bands, 60) << "4e-4: law_of_bands";
+  EXPECT_GE(fine.rays, 600) << "3e-4: law_of_rays";
+  EXPECT_EQ(fine.sun_terms, 6);
+  EXPECT_TRUE(fine.refracted && fine.ellipsoid && fine.regions);
+  EXPECT_EQ(finer({.bands = 100, .rays = 500}).bands, 200);
+  EXPECT_EQ(finer({.bands = 100, .rays = 500}).rays, 1000);
+  EXPECT_LE(finer({.bands = 400, .rays = 10'000'000}).rays, 10'000'000) << "what is allowed";
+}
+
 }  // namespace
 }  // namespace coppermoon::plan

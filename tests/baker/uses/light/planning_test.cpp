@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numbers>
 
 #include "almanac/instant.h"
@@ -144,6 +145,11 @@ TEST(SceneOf, OfABareEarthHasNone) {
   EXPECT_EQ(scene.without_scattered, 0);
 }
 
+TEST(SceneOf, OfABareEarthKnowsThatTheEllipsoidCastsTheShadow) {
+  EXPECT_GT(scene_of(moon_at("2008-02-21T02:10:00Z", "none"), {}).without_ellipsoid, 0.05)
+      << "the umbra's edge is on the disc, kilometres from a sphere's";
+}
+
 TEST(SceneOf, OfASphereHasNoEllipsoid) {
   const auto scene = scene_of(moon_at("2008-02-21T03:26:05Z", "paper"), {});
   EXPECT_FALSE(scene.ellipsoid);
@@ -271,6 +277,38 @@ TEST(ErrorFound, OfCoarseWorkIsFarAboveThatOfFine) {
   EXPECT_GT(coarse_error, 5e-3);
   EXPECT_LT(fine_error, 1e-3);
   EXPECT_GT(coarse_error, 10 * fine_error);
+}
+
+/// Of clear air, deep in the shadow, but for what a test says.
+double found_when(const std::function<void(LightRequest&)>& changed,
+                  const char* utc = "2018-07-27T20:00:00Z") {
+  LightRequest request;
+  request.air.atmosphere = "clear";
+  changed(request);
+  return light_on_the_moon(request, almanac::sky_at(almanac::instant_from_utc(utc))).error_found;
+}
+
+TEST(ErrorFound, SeesEveryCoarseKnob) {
+  EXPECT_LT(found_when([](LightRequest&) {}), 0.01);
+  EXPECT_GT(found_when([](LightRequest& request) { request.by_hand.rays = 5; }), 0.02);
+  EXPECT_GT(found_when([](LightRequest& request) { request.by_hand.bands = 2; }), 1);
+  EXPECT_GT(found_when([](LightRequest& request) { request.by_hand.planes = 1; }), 0.005);
+  const auto photons = [](double ring_km, double smoothing_km) {
+    return found_when([&](LightRequest& request) {
+      request.photons = 3e5;
+      request.ring_km = ring_km;
+      request.smoothing_km = smoothing_km;
+    });
+  };
+  EXPECT_GT(photons(500, 0), 0.1);
+  EXPECT_GT(photons(50, 1000), 0.1);
+}
+
+TEST(ErrorFound, OfABareEarthIsThatOfTheLookUpAlone) {
+  EXPECT_LT(found_when([](LightRequest& request) { request.air.atmosphere = "none"; },
+                       "2008-02-21T02:10:00Z"),
+            0.06)
+      << "straight lines over a kilometre, of the power of 3/2 that light begins with: 5 %";
 }
 
 TEST(ErrorFound, IsFoundWhereverTheDiscLiesAroundTheAxis) {
