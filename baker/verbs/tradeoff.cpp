@@ -60,7 +60,8 @@ std::string document(const Options& options, const ReferenceSettings& reference,
       "Steps are in km; their own error hides under the noise of so few photons. Seconds include "
       "the "
       "making of tables; those of\na texture's width are the bake's alone, and its ΔE that against "
-      "the widest texture. Extrapolated: time as the number of\nphotons and of steps, errors as "
+      "the widest texture. Extrapolated: time on a straight line\nover the number of photons and of "
+      "steps, errors as "
       "N^(−1/2); a ΔE extrapolated from more than 10 is too small, by up to two times.\n\n{}",
       options.instant, options.quick ? " --quick" : "", reference.rays, reference.bands,
       reference.spacing_m / 1e3, as_markdown(all));

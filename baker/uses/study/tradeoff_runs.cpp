@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "shadow/by_photons.h"
 #include "shadow/by_quadrature.h"
@@ -74,12 +75,12 @@ const Measured* nearest_smaller(const Trial& trial, std::span<const Measured> ma
   return nearest;
 }
 
-/// A larger trial by a smaller one: time as the work, errors as N^(-1/2).
-Measured extrapolated(const Measured& from, const Trial& trial) {
+/// A larger trial by a smaller one: errors as N^(-1/2).
+Measured extrapolated(const Measured& from, const Trial& trial, double seconds) {
   Measured far = from;
   far.trial = trial;
   far.extrapolated = true;
-  far.seconds *= work_of(trial) / work_of(from.trial);
+  far.seconds = seconds;
   const double fewer = std::sqrt(from.trial.photons / trial.photons);
   auto& [umbra, penumbra, picture] = far.errors;
   for (double* error : {&umbra.rms, &umbra.worst, &penumbra.rms, &penumbra.worst, &picture.mean,
@@ -117,13 +118,53 @@ class Run {
   Measured measured(const Trial& trial) {
     if (const auto* smaller = nearest_smaller(trial, made_)) {
       if (smaller->trial == trial) return *smaller;
-      auto far = extrapolated(*smaller, trial);
-      if (far.seconds > limits_.longest_s) return far;
+      const double foretold_s = foretold_seconds(trial);
+      if (foretold_s > limits_.longest_s) return extrapolated(*smaller, trial, foretold_s);
     }
     shadow::RefractedLight light;
+    const double seconds = timed(trial, light);
+    return {trial, {}, 0, seconds, yardstick_.errors_of(light, trial.photons > 0), false};
+  }
+
+  double timed(const Trial& trial, shadow::RefractedLight& light) {
     const double seconds =
         least_seconds(limits_.repeat, [&] { light = light_by(trial, yardstick_, progress_); });
-    return {trial, {}, 0, seconds, yardstick_.errors_of(light, trial.photons > 0), false};
+    timed_.push_back({trial, seconds});
+    return seconds;
+  }
+
+  /// On the line through the smallest and the largest trial that were timed, of those like it in all but
+  /// work and no larger. Where what grows with the work is lost in what does not, larger ones are timed.
+  double foretold_seconds(const Trial& trial) {
+    constexpr double shows = 1.5, larger = 4;
+    for (;;) {
+      const auto [least, most] = least_and_most(trial);
+      const double more = work_of(trial) - work_of(most.trial);
+      if (more <= 0) return most.seconds;
+      if (most.seconds > shows * least.seconds)
+        return most.seconds + more * (most.seconds - least.seconds) /
+                                  (work_of(most.trial) - work_of(least.trial));
+      Trial probe = trial;
+      probe.photons *= std::min(1., larger * work_of(most.trial) / work_of(trial));
+      shadow::RefractedLight unused;
+      timed(probe, unused);
+    }
+  }
+
+  struct Timed {
+    Trial trial;
+    double seconds;
+  };
+
+  /// Of those timed: there is one.
+  std::pair<Timed, Timed> least_and_most(const Trial& trial) const {
+    std::vector<Timed> alike;
+    for (const auto& one : timed_)
+      if (differ_in_work_alone(one.trial, trial) && work_of(one.trial) <= work_of(trial))
+        alike.push_back(one);
+    const auto [least, most] = std::ranges::minmax(
+        alike, {}, [](const Timed& one) { return work_of(one.trial); });
+    return {least, most};
   }
 
   /// The bake's own time, and the picture's difference from the widest texture's.
@@ -149,6 +190,7 @@ class Run {
   algebra::Progress progress_;
   std::size_t trials_ = 0;
   std::vector<Measured> made_;
+  std::vector<Timed> timed_;
 };
 
 }  // namespace

@@ -31,8 +31,8 @@ struct RunLimits {
 ///
 /// Seconds are those of the solver, tables included; of a texture's width those of the bake, and
 /// then the picture's error is that against the widest texture. A trial of photons that would take
-/// longer than the limit, by the largest smaller one that differs in photons and step alone, is
-/// extrapolated from that: time as photons over step, errors as N^(-1/2).
+/// longer than the limit is extrapolated from smaller ones that differ in photons and step alone: time
+/// on a straight line over photons by step, which has what photons do not change, errors as N^(-1/2).
 ///
 /// Omits  that a difference of pictures beyond 10 or so grows slower than the light's error: those
 ///        extrapolated from it are too small by up to two times
