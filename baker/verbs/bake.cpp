@@ -5,9 +5,10 @@
 
 #include "algebra/error.h"
 #include "almanac/instant.h"
+#include "files/cache_folder.h"
 #include "files/fingerprint.h"
-#include "files/folder_lock.h"
 #include "files/whole_file.h"
+#include "texture/seal.h"
 #include "texture/write_glb.h"
 #include "texture/write_image.h"
 #include "texture/write_stellarium.h"
@@ -201,18 +202,26 @@ Output place_in_cache(const CLI::App& verb, const Options& options) {
           content};
 }
 
-/// Tells where the texture stands; whoever comes first bakes it, and others wait.
+/// Whether a texture is there, whole, and no other user's.
+bool is_kept(const std::filesystem::path& texture) {
+  return files::is_users_own(texture) && texture::is_sealed(texture);
+}
+
+/// Tells where the texture stands; whoever comes first bakes it, and others wait. The map is read before
+/// the lock is taken: reading it may bake another texture of that folder.
 void run_with_cache(const CLI::App& verb, const Options& options) {
   require_sound(options.texture);
+  files::make_private_folder(options.cache);
   const auto output = place_in_cache(verb, options);
-  std::error_code failed;
-  std::filesystem::create_directories(options.cache, failed);
-  if (failed)
-    throw algebra::Error(
-        fmt::format("{}: no folder can be made there: {}", options.cache, failed.message()));
-  if (!std::filesystem::exists(output.path)) {
-    const files::FolderLock lock(options.cache);
-    if (!std::filesystem::exists(output.path)) make(verb, options, {output});
+  if (!is_kept(output.path)) {
+    const files::FileLock lock(output.path, [&] {
+      fmt::print(stderr, "coppermoon: waiting for another process, which bakes {}\n",
+                 output.path.string());
+    });
+    if (!is_kept(output.path)) {
+      std::filesystem::remove(output.path);  // or a link would be followed
+      make(verb, options, {output});
+    }
   }
   fmt::print("{}\n", output.path.string());
 }
@@ -247,7 +256,10 @@ void add_bake(CLI::App& program) {
       *verb, "--cache", options->cache,
       "folder of textures: the texture is baked into it as .tx, unless it is there already, and "
       "its path is printed")
-      .writes_folder();
+      .writes_folder()
+      .excludes("--shard")  // what is traced, and what is written, depends on them
+      .excludes("--keep")
+      .excludes("--add");
   add_observer_options(*verb, options->view);
   add_texture_options(*verb, options->texture);
   add_develop_options(*verb, options->develop);

@@ -6,6 +6,7 @@
 #include <OpenImageIO/texture.h>
 
 #include <cstdlib>
+#include <functional>
 #include <thread>
 
 #include "end_to_end/program.h"
@@ -34,7 +35,7 @@ std::vector<float> texels_of(const std::string& name, int level = 0) {
 class ImageReader : public ProgramTest {
  protected:
   ImageReader() {
-    ::setenv("XDG_CACHE_HOME", here("cache").c_str(), 1);
+    ::setenv("COPPERMOON_CACHE", here("cache/coppermoon").c_str(), 1);
     ::setenv("OIIO_LIBRARY_PATH", COPPERMOON_READERS, 1);
     OIIO::attribute("plugin_searchpath", COPPERMOON_READERS);
     moon = file("moon.eclipse", recipe).string();
@@ -43,9 +44,9 @@ class ImageReader : public ProgramTest {
   std::size_t textures_kept() const {
     std::error_code none;
     std::size_t count = 0;
-    for ([[maybe_unused]] const auto& entry :
+    for (const auto& entry :
          std::filesystem::directory_iterator(here("cache/coppermoon"), none))
-      ++count;
+      if (entry.path().extension() == ".tx") ++count;
     return count;
   }
 
@@ -54,6 +55,23 @@ class ImageReader : public ProgramTest {
     OIIO::geterror();
     EXPECT_FALSE(OIIO::ImageInput::open(name)) << name;
     return OIIO::geterror();
+  }
+
+  /// A small recipe that takes another image for its map.
+  std::string with_map(std::string_view name, const std::string& map) const {
+    const std::string rest =
+        "instant = \"2018-07-27T19:40:17Z\"\nunshadowed = true\ntexture-width = 64\n";
+    return file(name, "albedo-map = \"" + map + "\"\n" + rest).string();
+  }
+
+  /// A grey map, the half of it that is brighter to the west or to the east.
+  void write_map(std::string_view name, bool west) const {
+    const auto output = OIIO::ImageOutput::create("png");
+    std::vector<float> texels(16 * 8);
+    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = (i % 16 < 8) == west ? 0.8F : 0.4F;
+    const OIIO::ImageSpec spec(16, 8, 1, OIIO::TypeDesc::UINT8);
+    ASSERT_TRUE(output && output->open(here(name), spec) &&
+                output->write_image(OIIO::TypeDesc::FLOAT, texels.data()) && output->close());
   }
 
   std::string moon;
@@ -103,6 +121,30 @@ TEST_F(ImageReader, BakesAnewWhatDependsOnSomethingElse) {
   EXPECT_EQ(textures_kept(), 3u);
 }
 
+/// A recipe whose map is a recipe: reading the one bakes the other, into the same folder.
+TEST_F(ImageReader, BakesFromARecipeThatIsAMap) {
+  const auto first = with_map("first.eclipse", "second.eclipse");
+  with_map("second.eclipse", "map.png");
+  write_map("map.png", true);
+  const auto texels = texels_of(first);
+  ASSERT_EQ(texels.size(), 64u * 32 * 3);
+  EXPECT_EQ(textures_kept(), 2u);
+  write_map("map.png", false);  // both recipes are as they were
+  EXPECT_NE(texels_of(first), texels);
+  EXPECT_EQ(textures_kept(), 4u);
+}
+
+TEST_F(ImageReader, RefusesARecipeThatIsMadeFromItself) {
+  const auto first = with_map("first.eclipse", "second.eclipse");
+  with_map("second.eclipse", "first.eclipse");
+  const auto why = why_not(first);
+  const auto path = std::filesystem::canonical(first).string();
+  EXPECT_NE(why.find(path + ": its map is made from itself: " + path + " -> "), std::string::npos)
+      << why;
+  EXPECT_EQ(why.find('\n'), std::string::npos) << why;
+  EXPECT_EQ(textures_kept(), 0u);
+}
+
 TEST_F(ImageReader, HeedsOptionsBehindTheName) {
   const auto input = OIIO::ImageInput::open(moon + "?texture-width=128&space=acescg");
   ASSERT_TRUE(input) << OIIO::geterror();
@@ -122,6 +164,33 @@ TEST_F(ImageReader, StandsOnACommandThatSaysTheMomentOnce) {
   EXPECT_EQ(again.err, "") << "nothing is computed";
   EXPECT_EQ(again.out, first.out);
   EXPECT_EQ(coppermoon({"bake", "2018-08-27", "--cache", "kept"}).status, 1);
+  for (const char* part : {"--shard=1/8", "--keep=sums.json", "--add=sums.json"})
+    EXPECT_EQ(coppermoon(words + Words{part}).status, 2)
+        << part << ": another number of photons, or a file that a kept texture would not bring";
+}
+
+TEST_F(ImageReader, KeepsNoTextureThatIsBrokenOrALink) {
+  const Words words{"bake", "2018-07-27T19:40:17Z", "--unshadowed", "--albedo-map", "built-in",
+                    "--texture-width", "64", "--cache", "kept"};
+  const auto said = coppermoon(words).out;
+  const auto texture = here(said.substr(0, said.find('\n')));
+  const auto whole = text_of(texture);
+  ASSERT_FALSE(whole.empty());
+  const auto precious = file("precious.txt", "mine");
+  const std::vector<std::function<void()>> harm{
+      [&] { std::filesystem::resize_file(texture, whole.size() / 2); },
+      [&] { std::filesystem::resize_file(texture, 0); },
+      [&] {
+        std::filesystem::remove(texture);
+        std::filesystem::create_symlink(precious, texture);
+      }};
+  for (std::size_t i = 0; i < harm.size(); ++i) {
+    harm[i]();
+    expect_done(coppermoon(words));
+    EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::symlink_status(texture))) << i;
+    EXPECT_EQ(text_of(texture), whole) << i;
+  }
+  EXPECT_EQ(text_of(precious), "mine");
 }
 
 TEST_F(ImageReader, LetsNoNameWriteAFile) {
@@ -172,6 +241,18 @@ TEST_F(ImageReader, ServesTextureSystems) {
   OIIO::TextureSystem::destroy(system);
 }
 
+/// oiiotool itself says "File does not exist" of any name with options that cannot be opened.
+TEST_F(ImageReader, SaysWhatIsWrongBehindANameWhereTheHostDoesNot) {
+  const auto of_width = run({"oiiotool", "--info", moon + "?texture-width=127"});
+  EXPECT_NE(of_width.err.find("coppermoon: texture width [texels] = 127, allowed even numbers"),
+            std::string::npos)
+      << of_width.err;
+  const auto of_name = run({"oiiotool", "--info", moon + "?width=128"});
+  const auto said = of_name.err.find("has an option width, allowed at, instant");
+  EXPECT_NE(said, std::string::npos) << of_name.err;
+  EXPECT_EQ(of_name.err.find("has an option", said + 1), std::string::npos) << "said once";
+}
+
 /// OpenImageIO's writers drop attributes that begin with the name of another format.
 TEST_F(ImageReader, KeepsTheRecipeInFilesThatHostsWrite) {
   expect_done(run({"oiiotool", moon, "-o", "copy.exr"}));
@@ -184,8 +265,13 @@ TEST_F(ImageReader, KeepsTheRecipeInFilesThatHostsWrite) {
 }
 
 TEST_F(ImageReader, ServesMaketx) {
-  expect_done(run({"maketx", moon, "-o", "moon.tx"}));
+  expect_done(run({"maketx", "--swrap", "periodic", "--twrap", "clamp", moon, "-o", "moon.tx"}));
   EXPECT_EQ(texels_of(here("moon.tx")), texels_of(moon));
+  for (const auto& texture : {moon, here("moon.tx").string()}) {
+    const auto input = OIIO::ImageInput::open(texture);
+    ASSERT_TRUE(input) << texture;
+    EXPECT_EQ(input->spec().get_string_attribute("wrapmodes"), "periodic,clamp") << texture;
+  }
 }
 
 }  // namespace

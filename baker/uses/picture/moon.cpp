@@ -14,6 +14,7 @@
 #include "surface/albedo_map.h"
 #include "surface/built_in_moon.h"
 #include "texture/read_image.h"
+#include "texture/seal.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -74,7 +75,10 @@ void require_map(const MoonRequest& moon) {
 
 std::string map_contents(const MoonRequest& moon) {
   const auto map = map_chosen(moon);
-  return map == "built-in" ? map : fmt::format("{:016x}", files::fingerprint(files::bytes_of(map)));
+  if (map == "built-in") return map;
+  const auto contents = fmt::format("{:016x}", files::fingerprint(files::bytes_of(map)));
+  if (std::filesystem::path(map).extension() != ".eclipse") return contents;
+  return contents + texture::read_attribute(map, texture::seal_attribute).value_or("");
 }
 
 std::size_t texture_width_of(const MoonRequest& moon) {

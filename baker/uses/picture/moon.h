@@ -65,7 +65,8 @@ std::string map_chosen(const MoonRequest& moon);
 /// Throws Error as normal_albedo, as far as that map's header tells
 void require_map(const MoonRequest& moon);
 
-/// A fingerprint of that map's file; "built-in" without one.
+/// A fingerprint of that map's file; "built-in" without one. Of a recipe that OpenImageIO reads as an
+/// image (.eclipse) also that of the texture, which depends on a map of its own.
 ///
 /// Throws Error when it cannot be read
 std::string map_contents(const MoonRequest& moon);

@@ -52,7 +52,9 @@ def beside_file():
 
 
 def cache_folder():
-    """The folder of textures as long as the scene is not saved."""
+    """The folder of textures as long as the scene is not saved: that of OpenImageIO's reader."""
+    if os.environ.get("COPPERMOON_CACHE"):
+        return os.path.abspath(os.environ["COPPERMOON_CACHE"])
     cache = os.environ.get("XDG_CACHE_HOME", "")
     return os.path.join(cache if os.path.isabs(cache) else os.path.expanduser("~/.cache"), "coppermoon")
 

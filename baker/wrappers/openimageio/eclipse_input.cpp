@@ -8,13 +8,18 @@
 #include <OpenImageIO/sysutil.h>
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <pwd.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "algebra/error.h"
@@ -37,6 +42,9 @@ struct Request {
   fs::path recipe;
   std::map<std::string, std::string> options;
 };
+
+/// The file that a name begins with, whether or not the options behind it can be read.
+fs::path file_in(const std::string& name) { return name.substr(0, name.find('?')); }
 
 /// Throws  Error  for options that cannot be read, or that are not allowed
 Request request_of(const std::string& name) {
@@ -68,13 +76,49 @@ std::string program() {
   return "coppermoon";
 }
 
-/// Where baked textures are kept: as the XDG Base Directory Specification has it.
+/// Where baked textures are kept: a folder of our own variable, or as the XDG Base Directory
+/// Specification has it.
+///
+/// Throws  Error  when the user has no home
 fs::path cache() {
-  const std::string xdg(OIIO::Sysutil::getenv("XDG_CACHE_HOME"));
-  if (fs::path(xdg).is_absolute()) return fs::path(xdg) / "coppermoon";
-  const std::string home(OIIO::Sysutil::getenv("HOME"));
-  if (fs::path(home).is_absolute()) return fs::path(home) / ".cache" / "coppermoon";
-  return fs::temp_directory_path() / "coppermoon";
+  const auto variable = [](const char* name) {
+    return fs::path(std::string(OIIO::Sysutil::getenv(name)));
+  };
+  if (const auto own = variable("COPPERMOON_CACHE"); !own.empty()) return fs::absolute(own);
+  if (const auto xdg = variable("XDG_CACHE_HOME"); xdg.is_absolute()) return xdg / "coppermoon";
+  auto home = variable("HOME");
+  if (const auto* user = ::getpwuid(::geteuid()); home.empty() && user) home = user->pw_dir;
+  if (home.is_absolute()) return home / ".cache" / "coppermoon";
+  throw algebra::Error("no folder for textures: the variable COPPERMOON_CACHE may name one");
+}
+
+/// The variable that tells the program, and a reader in it, which recipes are being read, one a line: each
+/// is the map of the one before.
+constexpr const char* variable_of_recipes = "COPPERMOON_RECIPES_BEING_READ";
+
+/// That list with one more.
+///
+/// Throws  Error  when it is there already
+std::string recipes_read_with(const fs::path& recipe) {
+  const std::string before(OIIO::Sysutil::getenv(variable_of_recipes));
+  const auto name = fs::weakly_canonical(recipe).string();
+  const auto all = before.empty() ? name : before + "\n" + name;
+  if (const auto first = ("\n" + before + "\n").find("\n" + name + "\n"); first != all.npos)
+    throw algebra::Error(fmt::format("{}: its map is made from itself: {}", name,
+                                     OIIO::Strutil::replace(all.substr(first), "\n", " -> ", true)));
+  return all;
+}
+
+/// What a program that bakes prints.
+///
+/// Throws  Error  as povray_scenes::output_of; what the program says is wrong, without its name
+std::string said_by(const povray_scenes::Program& program) {
+  try {
+    return povray_scenes::output_of(program);
+  } catch (const algebra::Error& error) {
+    const std::string text(error.what()), name("coppermoon: ");
+    throw algebra::Error(text.starts_with(name) ? text.substr(name.size()) : text);
+  }
 }
 
 /// The texture of a recipe, baked unless it was before. Files that a recipe names stand beside it.
@@ -84,10 +128,22 @@ fs::path texture_of(const Request& request) {
                                  "--cache=" + cache().string()};
   for (const auto& [option, value] : request.options)
     words.push_back(fmt::format("--{}={}", option, value));
-  auto path = povray_scenes::output_of(
-      {.words = words, .package = "coppermoon", .folder = recipe.parent_path()});
+  auto path =
+      said_by({.words = words,
+               .package = "coppermoon",
+               .folder = recipe.parent_path(),
+               .variables = {fmt::format("{}={}", variable_of_recipes, recipes_read_with(recipe))}});
   path.resize(std::min(path.find('\n'), path.size()));
   return path;
+}
+
+/// Says on stderr what is wrong with options behind a file's name: oiiotool tries several times, loses what
+/// the reader says of it, and ends with "File does not exist".
+void say_once(const std::string& wrong) {
+  static std::mutex alone;
+  static std::string last;
+  const std::scoped_lock lock(alone);
+  if (std::exchange(last, wrong) != wrong) fmt::print(stderr, "coppermoon: {}\n", wrong);
 }
 
 /// Reads the texture of a recipe.
@@ -100,13 +156,9 @@ class EclipseInput final : public OIIO::ImageInput {
   }
 
   bool valid_file(const std::string& name) const override {
-    try {
-      std::error_code failed;
-      const auto recipe = request_of(name).recipe;
-      return recipe.extension() == ending && fs::is_regular_file(recipe, failed);
-    } catch (const algebra::Error&) {
-      return false;
-    }
+    std::error_code failed;
+    const auto recipe = file_in(name);
+    return recipe.extension() == ending && fs::is_regular_file(recipe, failed);
   }
 
   bool open(const std::string& name, OIIO::ImageSpec& spec) override {
@@ -122,6 +174,7 @@ class EclipseInput final : public OIIO::ImageInput {
         throw algebra::Error(fmt::format("{}: {}", texture.string(), OIIO::geterror()));
     } catch (const std::exception& error) {
       errorfmt("{}", error.what());
+      if (name.find('?') != name.npos) say_once(error.what());
       return false;
     }
     spec = m_spec = texture_->spec();
