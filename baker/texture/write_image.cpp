@@ -61,6 +61,7 @@ void write_exr(const std::filesystem::path& path, std::span<const Part> parts,
   for (const auto& part : parts) {
     specs.push_back(exr_spec(part.layout, options.type, attributes));
     specs.back().attribute("compression", !options.packed ? "none" : half ? "piz" : "zip");
+    for (const auto& name : part.left_out) specs.back().erase_attribute(oiio_name(name));
     if (!part.name.empty()) specs.back().attribute("oiio:subimagename", part.name);
     if (specs.size() > 1) specs.back().erase_attribute(seal_attribute);  // one seal for all parts
   }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "texture/image.h"
 
@@ -41,9 +42,11 @@ struct Part {
   std::string name;
   Layout layout;
   Rows rows;
+  std::vector<std::string> left_out = {};  ///< attributes of the file that are not true of this part
 };
 
-/// Several images in one OpenEXR file of as many parts, as above; the attributes stand in each.
+/// Several images in one OpenEXR file of as many parts, as above; the attributes stand in each,
+/// but for those that it leaves out.
 ///
 /// Throws  Error  also when there is none, or two have one name
 void write_exr(const std::filesystem::path& path, std::span<const Part> parts,

@@ -191,6 +191,15 @@ TEST_F(TextureFiles, IrradianceIsTheSunsWhereNoShadowIs) {
   for (const float value : parts.at("refracted").values) ASSERT_EQ(value, 0);
   EXPECT_GT(parts.at("reflectance")(16, 32, 0), parts.at("reflectance")(16, 32, 2))
       << "the Moon is redder than grey";
+  const auto input = OIIO::ImageInput::open(here("moon.exr"));
+  for (int i = 0; input->seek_subimage(i, 0); ++i) {
+    const auto& spec = input->spec();
+    const auto name = spec.get_string_attribute("oiio:subimagename");
+    const bool light = name != "reflectance" && name != "albedo";
+    EXPECT_EQ(spec.get_string_attribute("coppermoon:unit"), light ? "cd/m^2" : "") << name;
+    EXPECT_EQ(spec.get_float_attribute("whiteLuminance"), light ? 1 : 0) << name;
+    EXPECT_NE(spec.get_string_attribute("coppermoon:version"), "") << name;
+  }
 }
 
 /// The channels that the reader of Fichet, Pacanowski & Wilkie (2021) takes, by their names: each

@@ -12,6 +12,7 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <iterator>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "algebra/error.h"
@@ -317,6 +318,8 @@ BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking
   std::ranges::copy(grounds, sunlit.values().begin());
   add("reflectance", colour, shadow::Lookup(sunlit), {reflectance});
   made.parts.push_back(albedo_part(moon));
+  for (auto& share : std::span(made.parts).last(2))  // of light: it has no unit
+    share.left_out = {"whiteLuminance", "coppermoon:unit"};
   return made;
 }
 
