@@ -32,6 +32,8 @@ coppermoon --version
 coppermoon bake 2018-07-27T20:00:00Z --unshadowed --albedo-map built-in --texture-width 256 -o moon.exr
 test -s /usr/share/man/man1/coppermoon-bake.1.gz
 test -s /usr/share/bash-completion/completions/coppermoon
+install zsh
+test "$(zsh -fc 'autoload -U compinit; compinit -D; print $_comps[coppermoon]')" = _coppermoon
 test -s /usr/share/coppermoon/coppermoon_blender.zip
 
 install /packages/coppermoon-openimageio_*.deb openimageio-tools
