@@ -32,6 +32,14 @@ namespace {
 
 using Frames = std::span<const std::size_t>;
 
+/// What the header of each file of a frame says of it.
+texture::Attributes header_of(const Film& film, std::size_t frame) {
+  auto header = film.record.frame_header;
+  header["coppermoon:frame"] = fmt::format("{}", frame);
+  header["coppermoon:instant"] = almanac::utc_text(film.moments.frames[frame - 1], 3);
+  return header;
+}
+
 BakedMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& view,
                   std::size_t frame) {
   const auto extent =
@@ -42,8 +50,7 @@ BakedMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& vi
   auto content = film.content;
   if (film.products.framed()) content.space = picture_space;  // that POV-Ray renders
   auto moon = baked(lit, content, {extent});
-  for (const auto& [name, value] : film.record.frame_header) moon.attributes[name] = value;
-  moon.attributes["coppermoon:frame"] = fmt::format("{}", frame);
+  for (const auto& [name, value] : header_of(film, frame)) moon.attributes[name] = value;
   moon.attributes["framesPerSecond"] = static_cast<float>(film.fps);
   return moon;
 }
@@ -84,8 +91,7 @@ Exposures exposures_of(const Film& film, const Rendered& rendered, const texture
 void write_pictures(const Film& film, const Rendered& rendered, const texture::Image& image,
                     const Exposures& exposures) {
   const auto frame = rendered.frame;
-  auto attributes = film.record.frame_header;
-  attributes["coppermoon:frame"] = fmt::format("{}", frame);
+  const auto attributes = header_of(film, frame);
   const Frame whole{image, space_of(film.content), rendered.seen, frame};
   const auto write = [&](const std::filesystem::path& path, double stops) {
     auto exposed = exposures;

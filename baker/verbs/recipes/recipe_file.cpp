@@ -327,6 +327,33 @@ std::vector<std::string> glow_of_0_1(const Reading& reading, const std::vector<T
   return {"--glow=0"};
 }
 
+/// The recipe of a film's file is that of all frames: flags that make it the one of the file's own frame,
+/// in place of the recipe's.
+std::vector<std::string> frame_of_film(const Reading& reading, const toml::table& recipe,
+                                       const std::vector<std::string>& mine) {
+  const auto& verb = reading.verb;
+  const auto flag_there = [&](const char* flag) {
+    return verb.get_option_no_throw(std::string("--") + flag) != nullptr && !names(mine, flag);
+  };
+  const auto instant = reading.lenient && flag_there("instant") && !recipe.contains("instant")
+                           ? texture::read_attribute(reading.path, "coppermoon:instant")
+                           : std::nullopt;
+  if (!instant) return {};
+  std::vector<std::string> flags{"--instant=" + *instant};
+  if (flag_there("calendar")) flags.emplace_back("--calendar=gregorian");
+  const auto mount = recipe["mount"].value_or(std::string());
+  if (mount == "fixed" && flag_there("up"))
+    throw algebra::Error(fmt::format(
+        "{}: shows where a fixed camera pointed, which `coppermoon animate` alone makes again",
+        reading.path));
+  if (mount == "horizon" && flag_there("up")) flags.emplace_back("--up=zenith");
+  const auto time = recipe["time"].value_or(std::string());
+  if (flag_there("time") && time.find(':') != std::string::npos)
+    flags.push_back("--time=" +
+                    texture::read_attribute(reading.path, "expTime").value_or("follow"));
+  return flags;
+}
+
 }  // namespace
 
 bool holds_recipe(const std::filesystem::path& path) {
@@ -353,6 +380,11 @@ std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string
   for (const auto& told : all)
     for (auto& flag : flags_of(reading, told))
       if (!names(mine, told.flag)) flags.push_back(std::move(flag));
+  for (const auto& own : frame_of_film(reading, recipe, mine)) {
+    const auto name = own.substr(0, own.find('=') + 1);
+    std::erase_if(flags, [&](const std::string& flag) { return flag.starts_with(name); });
+    flags.push_back(own);
+  }
   return flags;
 }
 

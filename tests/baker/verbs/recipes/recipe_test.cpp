@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "algebra/error.h"
+#include "texture/write_image.h"
 #include "verbs/flags/air_options.h"
 
 namespace coppermoon::verbs {
@@ -129,6 +130,32 @@ TEST_F(Recipe, SaysNothingOfTheRunItself) {
     EXPECT_EQ(error,
               path + ":2: " + key + ": how a run goes is said on the command line alone");
   }
+}
+
+TEST_F(Recipe, OfAFilmsFileIsThatOfItsFrame) {
+  const auto frame = testing::TempDir() + "frame_" + std::to_string(::getpid()) + ".png";
+  const auto words_for = [&](const std::string& mount) {
+    texture::write_png(
+        frame, texture::Image(2, 2, {"Y"}), 8,
+        {{"coppermoon:recipe", "eclipse = '2018-07-27'\ncalendar = 'julian'\nfield = 1\nmount = '" + mount +
+                                   "'\nup = 'celestial-north'\ntime = 'U1:1/100,U2:1'\n"},
+         {"coppermoon:instant", std::string("2018-07-27T18:57:22.399Z")},
+         {"expTime", 0.5F}});
+    return with_recipes(program.app, {"bake", frame});
+  };
+  for (const char* flag : {"--calendar", "--field", "--up", "--time"})
+    program.verb->add_option(flag, program.waves);
+  EXPECT_EQ(words_for("horizon"),
+            Words({"bake", "--field=1", "--instant=2018-07-27T18:57:22.399Z",
+                   "--calendar=gregorian", "--up=zenith", "--time=0.5"}));
+  EXPECT_EQ(words_for("tracking"),
+            Words({"bake", "--field=1", "--up=celestial-north",
+                   "--instant=2018-07-27T18:57:22.399Z", "--calendar=gregorian", "--time=0.5"}));
+  EXPECT_THROW(words_for("fixed"), algebra::Error);
+  EXPECT_EQ(with_recipes(program.app, {"bake", "--recipe", frame, "2020-01-10"}),
+            Words({"bake", "--calendar=julian", "--field=1", "--time=U1:1/100,U2:1",
+                   "--up=celestial-north", "--instant=2020-01-10"}));
+  std::filesystem::remove(frame);
 }
 
 TEST_F(Recipe, NamesFileAndLineOfASyntaxError) {
