@@ -13,6 +13,7 @@
 #include "verbs/command_line.h"
 #include "verbs/flags/camera_options.h"
 #include "verbs/flags/develop_options.h"
+#include "verbs/flags/named_files.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
@@ -68,7 +69,7 @@ std::vector<Job> jobs_of(const Options& options) {
                         picture.string(), other.frame, frame));
     jobs.push_back({frame, picture, space_of(options, frame)});
   }
-  if (folder && fs::path(options.output).extension() == ".png" && !fs::exists(options.output))
+  if (folder && ends_as_a_file(options.output) && !fs::exists(options.output))
     throw algebra::Error(fmt::format("{}: {} frames are developed into a folder, allowed its name",
                                      options.output, jobs.size()));
   return jobs;

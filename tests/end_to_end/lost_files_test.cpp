@@ -99,6 +99,17 @@ TEST_F(LostFiles, OfTwoOutputsAreNotOne) {
               "film/frame.0002.png: is the name of a frame, allowed another");
 }
 
+TEST_F(LostFiles, AreNoFoldersOfTheirNames) {
+  picture("a.exr");
+  picture("b.exr");
+  expect_kept({"animate", "2018-07-27", "-o", "film.mp4"},
+              "film.mp4: --output names a folder, allowed a name without .mp4");
+  expect_kept({"bake", "2018-07-27", "--cache", "tex.tx"},
+              "tex.tx: --cache names a folder, allowed a name without .tx");
+  expect_kept({"develop", "a.exr", "b.exr", "-o", "c.avif"}, "c.avif: 2 frames are developed");
+  EXPECT_EQ(listing().size(), 2U);
+}
+
 TEST_F(LostFiles, InAFilmsFolderAreNotItsMap) {
   fs::create_directory(here("film"));
   picture("film/frame.0001.png");

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <system_error>
 
@@ -55,6 +56,13 @@ bool stands_in(const fs::path& file, const fs::path& folder) {
 
 }  // namespace
 
+bool ends_as_a_file(const fs::path& name) {
+  static constexpr std::array endings{".avif", ".csv", ".exr", ".glb", ".html", ".ics", ".jpg",
+                                      ".json", ".mov", ".mp4", ".pdf", ".png",  ".pov", ".svg",
+                                      ".tif",  ".tx",  ".usda"};
+  return std::ranges::find(endings, name.extension()) != endings.end();
+}
+
 bool says_where_results_go(const CLI::Option& flag) {
   return flag.get_type_name() == written_file || flag.get_type_name() == written_folder;
 }
@@ -73,12 +81,17 @@ void require_files_apart(const CLI::App& verb) {
         throw algebra::Error(fmt::format("{}: {} and {} write one file, allowed two",
                                          file->path.string(), other->flag, file->flag));
   }
-  for (const auto& folder : files_called(written_folder, verb))
+  for (const auto& folder : files_called(written_folder, verb)) {
+    if (ends_as_a_file(folder.path) && !fs::exists(folder.path))
+      throw algebra::Error(fmt::format("{}: {} names a folder, allowed a name without {}",
+                                       folder.path.string(), folder.flag,
+                                       folder.path.extension().string()));
     for (const auto& file : read)
       if (file.flag != "--recipe" && file.flag != "--add" && stands_in(file.path, folder.path))
         throw algebra::Error(
             fmt::format("{}: {} reads a file of the folder that {} writes, allowed elsewhere",
                         file.path.string(), file.flag, folder.flag));
+  }
 }
 
 }  // namespace coppermoon::verbs

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
+
 #include "verbs/flags/flags.h"
 
 namespace coppermoon::verbs {
@@ -12,12 +14,16 @@ inline constexpr const char *read_file = "FILE", *written_file = "NEW-FILE",
 /// Whether a flag says where results go. Only the command line does; no recipe may.
 bool says_where_results_go(const CLI::Option& flag);
 
+/// Whether a name ends as those of files do that coppermoon or others make, as "film.mp4".
+bool ends_as_a_file(const std::filesystem::path& name);
+
 /// Refuses a command line by which one file would be lost to another, before any work is done.
 ///
 /// Throws  algebra::Error  when a file that is written is also one that is read (the same file by any
 ///                         name or link), two that are written are one, or one that is read stands in
 ///                         a folder that is written; the recipe may stand there. When one that is
-///                         read is no regular file
+///                         read is no regular file. When a folder that is not there yet has a file's
+///                         name
 void require_files_apart(const CLI::App& verb);
 
 }  // namespace coppermoon::verbs
