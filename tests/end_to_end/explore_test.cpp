@@ -473,6 +473,7 @@ TEST_F(Explore, AnotherAirIsSeenAsItIsAndSaidAsItIs) {
   EXPECT_NE(said["bright"]["cloud"], "× 1");
   EXPECT_EQ(said["bright"]["pressed"], 1);
   EXPECT_EQ(said["bright"]["slid"], 0) << "the air is that of a step no more";
+  EXPECT_EQ(said["below"], "none: from that place the Moon is below the horizon");
   EXPECT_NE(said["link"].get<std::string>().find("|America/Mexico_City|2.2"), std::string::npos)
       << "the elevation: " << said["link"];
 }

@@ -104,14 +104,16 @@ export class Page {
     this.find('where').textContent = place
       ? `${place.name || placeText(place)}: altitude ${signed(view.altitude, 1)}°, azimuth ${view.azimuth.toFixed(0)}°`
       : 'from the Earth’s centre';
-    this.find('note').textContent = place && view.altitude < -0.3 ? 'The Moon is below the horizon there.' : '';
+    const below = place && view.altitude < -0.3;
+    this.find('note').textContent = below ? 'The Moon is below the horizon there.' : '';
     const whole = brightness(this.picture, facts, sky);
     this.find('whole').textContent = `V ${signed(whole.V, 2)} · mean ${number(whole.luminance)} cd/m² · ` +
       `${exposureTime(this.seconds)} at f/${state.exposure.fNumber}, ISO ${state.exposure.iso}`;
     this.find('whole').title = meanings.V;
     this.find('moment').value = state.ms;
     this.find('moment').setAttribute('aria-valuetext', utc(state.ms));
-    this.find('command').textContent = commandOf(state, facts, this.seconds);
+    this.find('command').textContent = below
+      ? 'none: from that place the Moon is below the horizon' : commandOf(state, facts, this.seconds);
     this.find('readout').textContent = this.marked ? this.told(this.marked) : '';
   }
 
