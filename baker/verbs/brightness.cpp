@@ -39,7 +39,8 @@ nlohmann::ordered_json as_json(const uses::BrightnessSeen& seen, const Options& 
           {"magnitudes", by_band(seen.disc.magnitudes)},
           {"extinction_mag", by_band(lost)},
           {"reddening_b_v", lost[0] - lost[1]},
-          {"mean_luminance_cd_m2", seen.disc.mean_luminance_cd_m2}};
+          {"mean_luminance_cd_m2", seen.disc.mean_luminance_cd_m2},
+          {"illuminance_lx", seen.disc.illuminance_lx}};
 }
 
 nlohmann::ordered_json described(const Options& options) {
@@ -51,11 +52,18 @@ nlohmann::ordered_json described(const Options& options) {
   nlohmann::ordered_json all{{"instant", almanac::utc_text(sky.when, calendar)},
                              {"magnitudes", by_band(brightness.disc.magnitudes)},
                              {"mean_luminance_cd_m2", brightness.disc.mean_luminance_cd_m2},
+                             {"illuminance_lx", brightness.disc.illuminance_lx},
                              {"danjon", nullptr}};
   say_calendar(all, calendar);
   if (brightness.danjon) all["danjon"] = *brightness.danjon;
   if (brightness.seen) all["seen"] = as_json(*brightness.seen, options);
   return all;
+}
+
+void print_light(const nlohmann::ordered_json& disc) {
+  fmt::print("mean luminance  {:8.3g} cd/m²\n", disc["mean_luminance_cd_m2"].get<double>());
+  fmt::print("illuminance     {:8.3g} lx, on a surface that faces the Moon\n",
+             disc["illuminance_lx"].get<double>());
 }
 
 void print_seen(const nlohmann::ordered_json& seen) {
@@ -64,7 +72,7 @@ void print_seen(const nlohmann::ordered_json& seen) {
   for (const auto& [band, magnitude] : seen["magnitudes"].items())
     fmt::print("{}               {:8.2f} mag, dimmed by {:.2f}\n", band, magnitude.get<double>(),
                seen["extinction_mag"][band].get<double>());
-  fmt::print("mean luminance  {:8.3g} cd/m²\n", seen["mean_luminance_cd_m2"].get<double>());
+  print_light(seen);
 }
 
 void run(const Options& options) {
@@ -75,7 +83,7 @@ void run(const Options& options) {
   }
   for (const auto& [band, magnitude] : all["magnitudes"].items())
     fmt::print("{}               {:8.2f} mag\n", band, magnitude.get<double>());
-  fmt::print("mean luminance  {:8.3g} cd/m²\n", all["mean_luminance_cd_m2"].get<double>());
+  print_light(all);
   if (all["danjon"].is_null())
     fmt::print("Danjon                 - (not in totality)\n");
   else
@@ -87,8 +95,8 @@ void run(const Options& options) {
 
 void add_brightness(CLI::App& program) {
   auto* verb = add_verb(program, "brightness",
-                        "computes magnitudes and mean luminance of the whole Moon, above the air "
-                        "and seen from a place");
+                        "computes magnitudes, mean luminance and illuminance of the whole Moon, "
+                        "above the air and seen from a place");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   add_observer_options(*verb, options->view);

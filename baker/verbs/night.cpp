@@ -207,7 +207,6 @@ void write(const Night& night, const fs::path& file) {
     files::write_whole(file, as_json(night).dump(2) + "\n");
   else
     uses::write_visibility_map(file, night.circumstances.eclipse, night.circumstances.place);
-  fmt::print("{}\n", one_line(file.string()));
 }
 
 Night night_of(const Options& options) {
@@ -232,12 +231,15 @@ void run(const Options& options) {
   require_sound(options);
   const auto night = night_of(options);
   for (const auto& file : options.outputs) write(night, file);
-  if (options.json)
-    fmt::print("{}\n", as_json(night).dump(2));
-  else if (options.csv)
-    fmt::print("{}", as_csv(night));
-  else if (options.outputs.empty())
-    print(night);
+  if (options.json) {
+    auto document = as_json(night);
+    if (!options.outputs.empty()) document["files"] = options.outputs;
+    return fmt::print("{}\n", document.dump(2));
+  }
+  if (options.csv) return fmt::print("{}", as_csv(night));
+  print(night);
+  if (!options.outputs.empty()) fmt::print("\n");
+  for (const auto& file : options.outputs) fmt::print("{}\n", one_line(file));
 }
 
 }  // namespace

@@ -145,7 +145,7 @@ TEST_F(Json, ShadowIsATableOfDistanceAndWavelength) {
 TEST_F(Json, BrightnessHasMagnitudesLuminanceAndDanjon) {
   const auto all = said(
       {"brightness", "2008-02-21T03:26:05Z", "--rays", "50", "--albedo-map", "built-in", "--json"});
-  expect_keys(all, {"magnitudes", "mean_luminance_cd_m2", "danjon"});
+  expect_keys(all, {"magnitudes", "mean_luminance_cd_m2", "illuminance_lx", "danjon"});
   EXPECT_EQ(keys_of(all["magnitudes"]), Names({"B", "V", "R"}));
   EXPECT_TRUE(all["danjon"].is_number());
   EXPECT_GT(all["mean_luminance_cd_m2"], 0);

@@ -41,12 +41,13 @@ class Night : public ProgramTest {
 };
 
 TEST_F(Night, IsToldInATableADocumentAndFiles) {
-  const auto table = coppermoon(night({"--at", "London"}));
+  const auto table = coppermoon(night({"--at", "London", "-o", "night.ics"}));
   expect_done(table);
   EXPECT_NE(table.out.find("Total eclipse of the Moon, 2018-07-27\nLondon: The Moon rises"),
             std::string::npos)
       << table.out;
   EXPECT_NE(table.out.find("Exposure times at f/12.1, ISO 800"), std::string::npos);
+  EXPECT_TRUE(table.out.ends_with("\n\nnight.ics\n")) << "below the table, what was written";
   const auto files = coppermoon(night({"--at", "51.5,-0.1", "--f-number", "8", "--csv", "-o",
                                        "a.ics", "-o", "a.csv", "-o", "a.json"}));
   expect_done(files);
@@ -69,7 +70,7 @@ TEST_F(Night, IsToldInATableADocumentAndFiles) {
             "2018-07-27-P4+51.5000-0.1000@coppermoon 27 23:28 -\n");
   const auto csv = text_of(here("a.csv"));
   EXPECT_TRUE(csv.starts_with("moment,utc,local,"));
-  EXPECT_TRUE(files.out.ends_with("\n" + csv)) << "--csv prints the same, below the files' names";
+  EXPECT_EQ(files.out, csv) << "--csv prints it, and nothing beside";
   const auto document = nlohmann::json::parse(text_of(here("a.json")));
   EXPECT_EQ(document["time_zone"], "Europe/London") << "of the nearest city";
   EXPECT_EQ(document["f_number"], 8);

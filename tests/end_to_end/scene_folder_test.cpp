@@ -102,6 +102,7 @@ TEST_F(SceneFolder, MoonIncHasTheMoonAndItsLightForAnotherScene) {
                    seen["mean_luminance_cd_m2"].get<double>() * std::numbers::pi * radius * radius,
                found = 0.2126 * lux[0] + 0.7152 * lux[1] + 0.0722 * lux[2];
   EXPECT_NEAR(found / expected, 1, 0.01) << "360 and 720 texels around, half a percent each";
+  EXPECT_NEAR(found / seen["illuminance_lx"].get<double>(), 1, 0.01) << "the same texels";
   EXPECT_GT(lux[0], lux[2]) << "an eclipsed Moon's light is red";
 }
 

@@ -27,6 +27,7 @@ Photometer photometer(const std::optional<atmosphere::Sightline>& sightline = {}
 struct DiscBrightness {
   std::vector<double> magnitudes;  ///< [band]; infinite when nothing is lit
   double mean_luminance_cd_m2;
+  double illuminance_lx;  ///< on a surface that faces the Moon
 };
 
 /// Given  texture  plate carrée, the photometer's channels

@@ -208,6 +208,12 @@ std::vector<almanac::SkyState> skies_from(const eclipse::Eclipse& eclipse) {
   return skies;
 }
 
+/// What makes one part of a whole tells this, in fractions of its own.
+algebra::Progress part_of(const algebra::Progress& whole, double from, double to) {
+  if (!whole) return {};
+  return [whole, from, to](double fraction) { whole(std::lerp(from, to, fraction)); };
+}
+
 /// What a whole eclipse is lit by, or its greatest phase.
 Survey survey_of(const MoonRequest& moon, const algebra::Grid<float>& albedo,
                  const Moonlight& light) {
@@ -227,7 +233,10 @@ NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
   small.texture_width = 2 * rows;
   const auto albedo = texture::resized(normal_albedo(small), rows);
   const auto skies = skies_from(night.eclipse);
-  const auto light = light_on_the_way(moon.light, moon_on_its_way(moon.light, skies), {}, progress);
+  const bool steps = danjon && night.eclipse.contacts.U2;
+  double done = steps ? 0.25 : 1;
+  const auto light = light_on_the_way(moon.light, moon_on_its_way(moon.light, skies), {},
+                                      part_of(progress, 0, done));
   const auto survey = survey_of(moon, albedo, light);
   const Exposer exposer(view, development);
   NightLights lights{.f_number = exposer.f_number(), .iso = development.iso};
@@ -236,12 +245,15 @@ NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
       lights.moments.push_back(light_at(survey, moment, night.place));
   for (const auto& [phase, when] : phases_of(night.eclipse))
     lights.exposures.push_back(exposure_of(survey, exposer, phase, when));
-  if (!danjon || !night.eclipse.contacts.U2) return lights;
+  if (!steps) return lights;
   const auto sky = almanac::sky_at(night.eclipse.greatest);
   for (const int l : {4, 3, 2, 1, 0}) {
     auto other = moon;
     other.light.air.column.danjon = l;
-    const auto its_light = light_on_the_moon(other.light, sky);
+    const auto its_light =
+        light_on_the_moon(other.light, sky, {}, part_of(progress, done, done + 0.15));
+    done += 0.15;
+    if (progress) progress(done);
     lights.exposures.push_back(exposure_of(survey_of(other, albedo, its_light), exposer,
                                            fmt::format("middle of totality, L = {}", l),
                                            night.eclipse.greatest));

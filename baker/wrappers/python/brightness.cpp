@@ -2,7 +2,6 @@
 #include "uses/picture/brightness.h"
 
 #include "almanac/sky.h"
-#include "uses/light/disc_brightness.h"
 #include "uses/light/photometric_bands.h"
 #include "wrappers/python/arguments.h"
 #include "wrappers/python/computing.h"
@@ -12,23 +11,6 @@
 namespace coppermoon::python {
 namespace {
 
-/// How bright the Moon is, and on what solid angle.
-struct Disc {
-  uses::DiscBrightness measured;
-  double solid_angle_sr;
-};
-
-struct Seen {
-  uses::BrightnessSeen by_place;
-  Disc disc;
-};
-
-struct Brightness {
-  Disc disc;
-  std::optional<double> danjon;
-  std::optional<Seen> seen;
-};
-
 py::dict by_band(const std::vector<double>& numbers) {
   const auto bands = uses::photometric_bands();
   py::dict all;
@@ -36,10 +18,7 @@ py::dict by_band(const std::vector<double>& numbers) {
   return all;
 }
 
-/// As many rows as brightness is summed over.
-constexpr std::size_t rows_of_a_disc = 360;
-
-Brightness brightness_at(const Moment& when, const std::optional<uses::Air>& air,
+uses::MoonBrightness brightness_at(const Moment& when, const std::optional<uses::Air>& air,
                          const std::optional<uses::LightRequest>& light,
                          const std::string& albedo_map,
                          std::optional<uses::AlbedoEncoding> albedo_encoding,
@@ -51,35 +30,23 @@ Brightness brightness_at(const Moment& when, const std::optional<uses::Air>& air
   uses::require_map(request);
   return computed(told, [&](const algebra::Progress& progress) {
     const auto sky = almanac::sky_at(when.instant);
-    const auto found = uses::brightness_of(request, sky, view_request(at, reddening), progress);
-    Brightness all{{found.disc, uses::solid_angle_of_disc(rows_of_a_disc, sky)}, found.danjon, {}};
-    if (found.seen) {
-      const auto from_m = almanac::view_from(at->observer, sky).position_m;
-      all.seen = Seen{*found.seen,
-                      {found.seen->disc, uses::solid_angle_of_disc(rows_of_a_disc, sky, from_m)}};
-    }
-    return all;
+    return uses::brightness_of(request, sky, view_request(at, reddening), progress);
   });
 }
 
-double illuminance_lx(const Disc& disc) {
-  return disc.measured.mean_luminance_cd_m2 * disc.solid_angle_sr;
-}
-
 /// What both have.
-template <class Class, class Find>
-void add_disc(Class& brightness, Find disc_in) {
+template <class Class>
+void add_disc(Class& brightness) {
   using Bright = typename Class::type;
   brightness
       .def_property_readonly(
-          "magnitudes", [=](const Bright& b) { return by_band(disc_in(b).measured.magnitudes); },
+          "magnitudes", [](const Bright& b) { return by_band(b.disc.magnitudes); },
           "magnitudes of the whole Moon by band: B and V (Johnson), R (Cousins)")
       .def_property_readonly(
-          "mean_luminance_cd_m2",
-          [=](const Bright& b) { return disc_in(b).measured.mean_luminance_cd_m2; },
+          "mean_luminance_cd_m2", [](const Bright& b) { return b.disc.mean_luminance_cd_m2; },
           "luminance, the mean over the disc [cd/m²]")
       .def_property_readonly(
-          "illuminance_lx", [=](const Bright& b) { return illuminance_lx(disc_in(b)); },
+          "illuminance_lx", [](const Bright& b) { return b.disc.illuminance_lx; },
           "illuminance on a surface that faces the Moon [lx]");
 }
 
@@ -87,22 +54,23 @@ void add_disc(Class& brightness, Find disc_in) {
 
 void add_brightness(py::module_& package) {
   using namespace py::literals;
+  using Seen = uses::BrightnessSeen;
+  using Brightness = uses::MoonBrightness;
   py::class_<Seen> seen(package, "BrightnessSeen",
                         "The whole Moon as a place on the Earth sees it, through its air.");
-  add_disc(seen, [](const Seen& s) -> const Disc& { return s.disc; });
+  add_disc(seen);
   seen.def_property_readonly(
-          "altitude_deg",
-          [](const Seen& s) { return algebra::in_degrees(s.by_place.moon.altitude); },
+          "altitude_deg", [](const Seen& s) { return algebra::in_degrees(s.moon.altitude); },
           "altitude of the Moon, refraction counted [degrees]")
       .def_property_readonly(
-          "azimuth_deg", [](const Seen& s) { return algebra::in_degrees(s.by_place.moon.azimuth); },
+          "azimuth_deg", [](const Seen& s) { return algebra::in_degrees(s.moon.azimuth); },
           "azimuth of the Moon, from north through east [degrees]")
       .def_property_readonly(
-          "extinction_mag", [](const Seen& s) { return by_band(s.by_place.extinction_mag); },
+          "extinction_mag", [](const Seen& s) { return by_band(s.extinction_mag); },
           "magnitudes by which the air dims the Moon, by band");
   py::class_<Brightness> brightness(package, "Brightness",
                                     "The whole Moon, above the air and from the Earth's centre.");
-  add_disc(brightness, [](const Brightness& b) -> const Disc& { return b.disc; });
+  add_disc(brightness);
   brightness
       .def_readonly("danjon", &Brightness::danjon,
                     "step of Danjon's scale, 0 to 4, in totality; else None")

@@ -3,12 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <vector>
 
 #include "almanac/gazetteer.h"
 #include "support/within.h"
 
 namespace coppermoon::uses {
 namespace {
+
+std::mutex telling;
+std::vector<double> fractions_told;  ///< while the lights were computed
 
 const NightLights& of_july_2018() {
   static const auto lights = [] {
@@ -17,7 +22,11 @@ const NightLights& of_july_2018() {
     const auto place = almanac::city_named("Nairobi")->place;
     MoonRequest moon{.albedo_map = "built-in"};
     moon.light.wish.tolerance = 0.05;
-    return night_lights(circumstances(eclipse, place), moon, {.observer = place}, {}, true);
+    return night_lights(circumstances(eclipse, place), moon, {.observer = place}, {}, true,
+                        [](double fraction) {
+                          const std::lock_guard lock(telling);
+                          fractions_told.push_back(fraction);
+                        });
   }();
   return lights;
 }
@@ -73,6 +82,15 @@ TEST(NightLight, TheMoonIsBrightestOutsideTheShadow) {
     EXPECT_LT(moment.faintest_star, 7) << moment.name;
   }
   EXPECT_GT(moments[3].faintest_star, moments.front().faintest_star + 1.5) << "stars come out";
+}
+
+TEST(NightLight, ProgressIsToldThroughoutDanjonsScale) {
+  of_july_2018();
+  EXPECT_TRUE(std::ranges::all_of(fractions_told, [](double f) { return f >= 0 && f < 1.0001; }));
+  for (const double end : {0.25, 0.4, 0.55, 0.7, 0.85, 1.}) {
+    const auto near = [&](double fraction) { return std::abs(fraction - end) < 1e-6; };
+    EXPECT_TRUE(std::ranges::any_of(fractions_told, near)) << end;
+  }
 }
 
 TEST(CameraTime, IsTheNearestThatACameraHas) {

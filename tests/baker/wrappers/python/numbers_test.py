@@ -154,6 +154,7 @@ class Brightness(unittest.TestCase):
         moon = coppermoon.brightness(when, albedo_map="built-in", air=clear, **keywords)
         self.assertEqual(moon.magnitudes, told["magnitudes"])
         self.assertEqual(moon.mean_luminance_cd_m2, told["mean_luminance_cd_m2"])
+        self.assertEqual(moon.illuminance_lx, told["illuminance_lx"])
         self.assertEqual(moon.danjon, told["danjon"])
         return moon, told
 
