@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "almanac/gazetteer.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "algebra/number.h"
 #include "algebra/table.h"
@@ -51,21 +55,68 @@ bool holds_words(const std::string& name, const std::string& words) {
   return (" " + name + " ").find(" " + words + " ") != std::string::npos;
 }
 
-/// The first row of that name, or else the first that holds it as whole words.
+/// A name with ae, oe and ue for ä, ö and ü.
+std::string without_umlauts(std::string_view name) {
+  constexpr std::pair<std::string_view, std::string_view> umlauts[] = {
+      {"ä", "ae"}, {"ö", "oe"}, {"ü", "ue"}, {"Ä", "ae"}, {"Ö", "oe"}, {"Ü", "ue"}};
+  std::string text(name);
+  for (const auto& [letter, spelt] : umlauts)
+    for (auto at = text.find(letter); at != std::string::npos; at = text.find(letter))
+      text.replace(at, letter.size(), spelt);
+  return text;
+}
+
+bool is_name(const std::string& known, std::string_view name) {
+  const auto plain = plain_name(known);
+  return plain == plain_name(name) || plain == plain_name(without_umlauts(name));
+}
+
+/// The rows of that name, or else those that hold it as whole words.
 ///
-/// Given  region  the second cell that the row must have; empty: any
-const std::vector<std::string>* row_named(const Rows& rows, std::string_view name,
-                                          std::string_view region = {}) {
-  const auto wanted = plain_name(name), in = plain_name(region);
-  if (wanted.empty()) return nullptr;
-  const std::vector<std::string>* part = nullptr;
+/// Given  region  the second cell that a row must have; empty: any
+Rows rows_named(const Rows& rows, std::string_view name, std::string_view region = {}) {
+  const auto wanted = plain_name(name), spelt = plain_name(without_umlauts(name)),
+             in = plain_name(region);
+  if (wanted.empty()) return {};
+  Rows all, parts;
   for (const auto& row : rows) {
     if (!in.empty() && plain_name(row[1]) != in) continue;
     const auto plain = plain_name(row[0]);
-    if (plain == wanted) return &row;
-    if (part == nullptr && holds_words(plain, wanted)) part = &row;
+    if (plain == wanted || plain == spelt) all.push_back(row);
+    if (holds_words(plain, wanted)) parts.push_back(row);
   }
-  return part;
+  return all.empty() ? parts : all;
+}
+
+/// The name that cities() has for a city, also where it goes by another.
+std::string known_name(std::string_view name) {
+  static const Rows others = rows_of(tables::city_other_names());
+  for (const auto& row : others)
+    if (plain_name(row[1]) == plain_name(name)) return row[0];
+  return std::string(name);
+}
+
+std::string_view without_spaces(std::string_view text) {
+  const auto first = std::min(text.find_first_not_of(' '), text.size());
+  return text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
+/// A city's name, and the region behind a slash or comma; empty: any.
+std::pair<std::string_view, std::string_view> name_and_region(std::string_view text) {
+  const auto end = text.find_first_of("/,");
+  if (end == std::string_view::npos) return {without_spaces(text), {}};
+  return {without_spaces(text.substr(0, end)), without_spaces(text.substr(end + 1))};
+}
+
+std::string as_written(const City& city) { return city.name + "/" + city.region; }
+
+/// Some words of many, with commas between.
+std::string listed(std::vector<std::string> words) {
+  constexpr std::size_t most = 5;
+  const auto left = words.size() > most ? words.size() - most : 0;
+  words.resize(words.size() - left);
+  return fmt::format("{}{}", fmt::join(words, ", "),
+                     left > 0 ? fmt::format(" and {} more", left) : "");
 }
 
 std::vector<std::string> names_in(const Rows& rows) {
@@ -96,6 +147,10 @@ std::string plain_name(std::string_view name) {
     if (byte >= 0xC3 && byte <= 0xC5 && i + 1 < name.size()) {
       const auto next = static_cast<unsigned char>(name[++i]);
       text += plain.substr((byte - 0xC3U) * 64 + (next & 0x3FU)).front();
+    } else if (byte == 0xC8 && i + 1 < name.size() && name[i + 1] >= '\x98' && name[i + 1] <= '\x9B') {
+      text += "sstt"[static_cast<unsigned char>(name[++i]) - 0x98];  // Romanian: a comma below
+    } else if ((byte == 0xCC || byte == 0xCD) && i + 1 < name.size()) {
+      ++i;  // an accent that stands behind its letter
     } else {
       text += byte >= 'A' && byte <= 'Z' ? static_cast<char>(byte - 'A' + 'a') : name[i];
     }
@@ -103,11 +158,36 @@ std::string plain_name(std::string_view name) {
   return text;
 }
 
+std::vector<City> cities_named(std::string_view name) {
+  const auto [city, region] = name_and_region(name);
+  std::vector<City> all;
+  for (const auto& row : rows_named(cities(), known_name(city), region))
+    all.push_back(city_in(row));
+  return all;
+}
+
 std::optional<City> city_named(std::string_view name) {
-  const auto slash = std::min(name.find('/'), name.size());
-  const auto region = slash < name.size() ? name.substr(slash + 1) : std::string_view();
-  const auto* row = row_named(cities(), name.substr(0, slash), region);
-  return row != nullptr ? std::optional(city_in(*row)) : std::nullopt;
+  const auto all = cities_named(name);
+  return all.empty() ? std::nullopt : std::optional(all.front());
+}
+
+std::string city_taken(std::string_view name) {
+  const auto all = cities_named(name);
+  if (all.empty()) return {};
+  const auto known = known_name(name_and_region(name).first);
+  if (all.size() == 1 && is_name(all.front().name, known)) return {};
+  std::vector<std::string> others;
+  for (std::size_t i = 1; i < all.size(); ++i) others.push_back(as_written(all[i]));
+  return fmt::format("{} is {}{}", name, as_written(all.front()),
+                     others.empty() ? "" : "; others are " + listed(others));
+}
+
+std::string no_such_city(std::string_view name) {
+  const auto [city, region] = name_and_region(name);
+  std::vector<std::string> regions;
+  for (const auto& known : cities_named(city)) regions.push_back(known.region);
+  return regions.empty() ? "no such city"
+                         : fmt::format("no such city; {} is known in {}", city, listed(regions));
 }
 
 City nearest_city(const Observer& place) {
@@ -116,8 +196,8 @@ City nearest_city(const Observer& place) {
 }
 
 std::optional<LunarFeature> lunar_feature_named(std::string_view name) {
-  const auto* row = row_named(features(), name);
-  return row != nullptr ? std::optional(feature_in(*row)) : std::nullopt;
+  const auto rows = rows_named(features(), name);
+  return rows.empty() ? std::nullopt : std::optional(feature_in(rows.front()));
 }
 
 std::vector<City> largest_cities(std::size_t count) {

@@ -26,13 +26,25 @@ struct LunarFeature {
   algebra::Length diameter;
 };
 
-/// The city of that name, the most populous where several bear it: of those with more than 100 000
-/// inhabitants, all capitals, and capitals of provinces. Case and accents do not count. Where no city has
-/// that very name, it is one whose name holds it as whole words: "New York" is New York City.
+/// The cities of that name, the most populous first: of those with more than 100 000 inhabitants, all
+/// capitals, and capitals of provinces. Case and accents do not count, ä, ö and ü may be ae, oe and ue, and
+/// some cities have other names too: "Wien" is Vienna. Where no city has that very name, they are those
+/// whose names hold it as whole words: "New York" is New York City.
 ///
-/// Given   name  "Chicago", or with the region behind a slash: "Springfield/Illinois"
+/// Given   name  "Chicago", or with the region behind a slash or comma: "Springfield/Illinois"
 /// Source  GeoNames, CC BY 4.0 (data/cities.csv), places to 0.01°
+std::vector<City> cities_named(std::string_view name);
+
+/// The first of them.
 std::optional<City> city_named(std::string_view name);
+
+/// "Springfield is Springfield/Missouri; others are Springfield/Massachusetts, Springfield/Illinois", where
+/// several cities are meant by the name, or one whose name is longer; empty where there is no doubt.
+std::string city_taken(std::string_view name);
+
+/// Why there is no such city: "no such city; Springfield is known in Missouri, Massachusetts, Illinois" where
+/// the region is wrong, "no such city" otherwise.
+std::string no_such_city(std::string_view name);
 
 /// The city that is the fewest degrees away.
 City nearest_city(const Observer& place);
@@ -52,7 +64,7 @@ std::vector<LunarFeature> lunar_features();
 std::vector<std::string> city_names();
 std::vector<std::string> lunar_feature_names();
 
-/// A name in small letters of the Latin alphabet, without accents: "Sao Paulo" for "São Paulo".
+/// A name in small letters of the Latin alphabet, without accents: "sao paulo" for "São Paulo".
 std::string plain_name(std::string_view name);
 
 }  // namespace coppermoon::almanac

@@ -124,11 +124,13 @@ std::vector<Listed> listed(const Options& options,
              to = almanac::instant_from_utc(last, options.calendar);
   if (almanac::seconds_between(from, to) < 0)
     throw algebra::Error(fmt::format("--to = {}, allowed {} or later", last, first));
+  std::optional<almanac::Observer> observer;
+  if (!options.at.empty()) observer = observer_from(options.at);
   std::vector<Listed> list;
   for (const auto& e : eclipse::eclipses_between(from, to, convention_from(options.convention))) {
     Listed& one = list.emplace_back(Listed{e, {}, {}});
     one.eclipse.calendar = options.calendar;
-    if (!options.at.empty()) one.seen = uses::contacts_seen(e, observer_from(options.at));
+    if (observer) one.seen = uses::contacts_seen(e, *observer);
     if (place) one.feature = eclipse::feature_times(e, *place);
   }
   return list;

@@ -18,6 +18,9 @@ std::vector<std::string> flags_added_by(const std::function<void(CLI::App&)>& ad
 
 bool holds(const std::vector<std::string>& words, std::string_view word);
 
+/// Number of letters to insert, drop or change to make one word of the other (Levenshtein).
+std::size_t letters_apart(std::string_view a, std::string_view b);
+
 /// The word of those known that takes the fewest letters to insert, drop or change (Levenshtein).
 ///
 /// Given  known  one or more

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <sstream>
 #include <vector>
@@ -55,16 +56,34 @@ std::vector<double> place_numbers(const std::string& text) {
   return number_list(signed_text).value_or(std::vector<double>{});
 }
 
+/// The name that is spelt most alike, whatever case and accents. A first letter is seldom mistaken: it
+/// counts as three.
+std::string name_like(std::string_view text, const std::vector<std::string>& names) {
+  const auto wanted = almanac::plain_name(text.substr(0, 100));
+  return *std::ranges::min_element(names, {}, [&](const std::string& name) {
+    const auto plain = almanac::plain_name(name);
+    return letters_apart(wanted, plain) + (plain.substr(0, 1) == wanted.substr(0, 1) ? 0 : 2);
+  });
+}
+
+[[noreturn]] void throw_no_city(const std::string& text) {
+  auto why = almanac::no_such_city(text);
+  const auto name = text.substr(0, text.find_first_of("/,"));
+  if (almanac::cities_named(name).empty())
+    why += "; the nearest name is " + name_like(name, almanac::city_names());
+  throw algebra::Error(fmt::format(
+      "place = {}: {}. Allowed is LATITUDE,LONGITUDE too, as 42.86,-73.77", text, why));
+}
+
 }  // namespace
 
 almanac::Observer observer_from(const std::string& text) {
   if (!text.empty() && text.find_first_of("0123456789") == std::string::npos) {
-    if (const auto city = almanac::city_named(text)) return city->place;
-    const auto city = text.substr(0, text.find('/'));
-    throw algebra::Error(fmt::format(
-        "place = {}: no such city; the nearest name is {}. Allowed is LATITUDE,LONGITUDE "
-        "too, as 42.86,-73.77",
-        text, nearest(city, almanac::city_names())));
+    const auto city = almanac::city_named(text);
+    if (!city) throw_no_city(text);
+    if (const auto taken = almanac::city_taken(text); !taken.empty())
+      fmt::print(stderr, "coppermoon: {}\n", taken);
+    return city->place;
   }
   const auto numbers = place_numbers(text);
   if (numbers.size() < 2 || numbers.size() > 3)
@@ -84,7 +103,7 @@ almanac::SelenographicPoint feature_from(const std::string& text) {
     throw algebra::Error(
         fmt::format("place on the Moon = {}: no such feature; the nearest name is {}. Allowed is "
                     "LATITUDE,LONGITUDE too, as -43.3,-11.2",
-                    text, nearest(text, almanac::lunar_feature_names())));
+                    text, name_like(text, almanac::lunar_feature_names())));
   }
   const auto numbers = place_numbers(text);
   if (numbers.size() != 2)

@@ -12,7 +12,10 @@ namespace coppermoon::verbs {
 /// A place on Earth as written on the command line: a city's name (almanac::city_named), or "LAT,LON" or
 /// "LAT,LON,ELEVATION" in degrees and metres, as "42.86,-73.77" or "42.86N,73.77W".
 ///
-/// Throws Error when the text is no such place: names the city whose name is nearest
+/// Where the name leaves a doubt, the program says on stderr which city it takes (almanac::city_taken).
+///
+/// Throws Error when the text is no such place: names the regions that have such a city, or the city whose
+///              name is nearest
 almanac::Observer observer_from(const std::string& text);
 
 /// A place on the Moon: a feature's name (almanac::lunar_feature_named), or "LAT,LON" in degrees.

@@ -52,9 +52,15 @@ py::object datetime_of(const almanac::Instant& instant) {
 almanac::Observer observer_of(py::handle place) {
   if (py::isinstance<py::str>(place)) {
     const auto name = place.cast<std::string>();
-    if (const auto city = almanac::city_named(name)) return city->place;
-    throw algebra::Error(fmt::format(
-        "place = {}: no such city, allowed (latitude, longitude) too, as (42.86, -73.77)", name));
+    const auto city = almanac::city_named(name);
+    if (!city)
+      throw algebra::Error(
+          fmt::format("place = {}: {}, allowed (latitude, longitude) too, as (42.86, -73.77)", name,
+                      almanac::no_such_city(name)));
+    const auto taken = almanac::city_taken(name);
+    if (!taken.empty() && PyErr_WarnEx(PyExc_UserWarning, taken.c_str(), 1) != 0)
+      throw py::error_already_set();
+    return city->place;
   }
   const auto numbers = numbers_of("place", place);
   if (numbers.size() < 2 || numbers.size() > 3)

@@ -49,6 +49,39 @@ TEST(Gazetteer, TheMostPopulousOfANameIsMeantUnlessItsRegionIsSaid) {
   EXPECT_FALSE(city_named("Chicago/Texas"));
 }
 
+TEST(Gazetteer, CitiesAreFoundByOtherNamesAndUmlautsThatAreSpelt) {
+  for (const auto& [name, english] :
+       {std::pair{"München", "Munich"}, {"Mu\u0308nchen", "Munich"}, {"MUENCHEN", "Munich"},
+        {"Köln", "Koeln"}, {"Nürnberg", "Nuernberg"}, {"Göteborg", "Goeteborg"},
+        {"wien", "Vienna"}, {"București", "Bucharest"}, {"Geneva", "Geneve"}}) {
+    const auto city = city_named(name);
+    ASSERT_TRUE(city) << name;
+    EXPECT_EQ(city->name, english);
+  }
+  EXPECT_EQ(city_taken("München"), "");
+}
+
+TEST(Gazetteer, WhichCityIsTakenIsSaidWhereThereIsADoubt) {
+  EXPECT_EQ(city_taken("Springfield"),
+            "Springfield is Springfield/Missouri; others are Springfield/Massachusetts, "
+            "Springfield/Illinois");
+  EXPECT_EQ(city_taken("New York"),
+            "New York is New York City/New York; others are East New York/New York");
+  EXPECT_TRUE(city_taken("san").ends_with(" more")) << "not all of hundreds";
+  for (const char* name : {"Springfield, Illinois", "Springfield/Illinois", "Nairobi", "Nowhere"})
+    EXPECT_EQ(city_taken(name), "") << name;
+}
+
+TEST(Gazetteer, ARegionMayStandBehindAComma) {
+  EXPECT_EQ(city_named("Springfield, illinois")->region, "Illinois");
+  EXPECT_FALSE(city_named("Paris, France"));
+  EXPECT_FALSE(city_named(", Illinois"));
+  EXPECT_EQ(no_such_city("Paris, France"), "no such city; Paris is known in Ile-de-France");
+  EXPECT_EQ(no_such_city("Springfield, IL"),
+            "no such city; Springfield is known in Missouri, Massachusetts, Illinois");
+  EXPECT_EQ(no_such_city("Atlantis"), "no such city");
+}
+
 TEST(Gazetteer, TimeZonesAreThoseOfTheSystem) {
   std::set<std::string> zones;
   const auto names = city_names();

@@ -34,15 +34,32 @@ TEST(ObserverFrom, ReadsLettersOfTheCompass) {
     EXPECT_THROW(observer_from(text), algebra::Error) << text;
 }
 
+std::string refusal(const char* place) {
+  try {
+    observer_from(place);
+  } catch (const algebra::Error& error) {
+    return error.what();
+  }
+  return "none";
+}
+
 TEST(ObserverFrom, KnowsCitiesByName) {
   EXPECT_EQ(in_metres(observer_from("Chicago").elevation), 180);
-  try {
-    observer_from("Chigaco");
-    FAIL();
-  } catch (const algebra::Error& error) {
-    EXPECT_NE(std::string(error.what()).find("nearest name is Chicago"), std::string::npos)
-        << error.what();
-  }
+  for (const auto& [text, said] : {std::pair{"Chigaco", "nearest name is Chicago"},
+                                   {"Münchn", "nearest name is Munich"},
+                                   {"Lisbonne", "nearest name is Lisbon"},
+                                   {"Paris, France", "Paris is known in Ile-de-France."}})
+    EXPECT_NE(refusal(text).find(said), std::string::npos) << refusal(text);
+}
+
+TEST(ObserverFrom, SaysWhichOfSeveralCitiesItTakes) {
+  testing::internal::CaptureStderr();
+  observer_from("Springfield");
+  EXPECT_TRUE(testing::internal::GetCapturedStderr().starts_with(
+      "coppermoon: Springfield is Springfield/Missouri; others are "));
+  testing::internal::CaptureStderr();
+  observer_from("Springfield/Illinois");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(FeatureFrom, KnowsCratersByName) {
