@@ -12,8 +12,11 @@
 #include <new>
 #include <span>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
 
 #include "algebra/error.h"
+#include "texture/openimageio/how_stored.h"
 #include "texture/openimageio/image_input.h"
 #include "texture/openimageio/oiio_attributes.h"
 #include "texture/openimageio/raw_input.h"
@@ -38,9 +41,10 @@ auto within_memory(const fs::path& path, const OIIO::ImageSpec& spec, Make make)
 struct Curve {
   bool srgb;
   float power;
+  bool white_is_zero = false;
 };
 
-Curve curve_of(const OIIO::ImageSpec& spec, Coding coding) {
+Curve curve_said(const OIIO::ImageSpec& spec, Coding coding) {
   const std::string says = spec.get_string_attribute("oiio:ColorSpace");
   if (coding == Coding::srgb || coding == Coding::camera) return {true, 1};
   if (coding == Coding::linear || says == "linear" || says == "Linear") return {false, 1};
@@ -48,7 +52,14 @@ Curve curve_of(const OIIO::ImageSpec& spec, Coding coding) {
   return {says == "sRGB" || !spec.format.is_floating_point(), 1};
 }
 
+Curve curve_of(const OIIO::ImageSpec& spec, Coding coding, const Storage& storage) {
+  auto curve = curve_said(spec, coding);
+  curve.white_is_zero = storage.white_is_zero;
+  return curve;
+}
+
 float linear(float v, Curve curve) {
+  if (curve.white_is_zero) v = 1 - v;
   if (curve.srgb) return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
   return curve.power == 1 ? v : std::pow(v, curve.power);
 }
@@ -61,10 +72,23 @@ std::string names_of(const std::vector<std::string>& channels) {
                      channels.size() > most ? ", …" : "");
 }
 
+/// Bands of another kind than OpenEXR are grey, or red, green and blue; alpha may follow. A TIFF of
+/// colours may have more: it says that the first three are they.
+void require_bands(const fs::path& path, const OIIO::ImageSpec& spec) {
+  constexpr int colours = 2;
+  const int bands = spec.nchannels - (spec.alpha_channel >= 0 ? 1 : 0);
+  if (bands == 1 || bands == 3) return;
+  if (bands > 3 && spec.get_int_attribute("tiff:PhotometricInterpretation") == colours) return;
+  throw cannot_read(
+      path, fmt::format("{} bands, and nothing says which of them are colours, allowed 1 or 3",
+                        bands));
+}
+
 /// Which channels are red, green and blue, by name; all the same for grey. Only OpenEXR's names are the
 /// file's own: of other kinds the order says it.
 std::array<std::size_t, 3> rgb_channels(const fs::path& path, const OIIO::ImageInput& input) {
   const auto& spec = input.spec();
+  if (!is_openexr(input)) require_bands(path, spec);
   const auto has = [&](const char* name) { return spec.channelindex(name) >= 0; };
   const auto at = [&](const char* name) {
     return static_cast<std::size_t>(spec.channelindex(name));
@@ -140,15 +164,64 @@ struct ByteTone {
   std::array<float, 256> light{};
 };
 
+/// Colours by a profile of the file's.
+struct ProfiledTone {
+  using Number = float;
+  const ColourProfile& profile;
+
+  float grey(float v) const { return light(&v); }
+  float coloured(float r, float g, float b) const {
+    const std::array<float, 3> coded{r, g, b};
+    return light(coded.data());
+  }
+  float light(const float* coded) const {
+    std::array<float, 3> rgb{};
+    profile.light(coded, rgb.data(), 1);
+    return luminance(rgb[0], rgb[1], rgb[2]);
+  }
+};
+
+/// Texels of a map that show no ground: transparent, or GDAL's number for no data.
+template <class Number>
+struct Holes {
+  int alpha;
+  std::optional<Number> no_data;
+
+  Holes(const OIIO::ImageSpec& spec, const Storage& storage) : alpha(spec.alpha_channel) {
+    const bool whole = !spec.format.is_floating_point();
+    const double most = whole ? std::exp2(8 * static_cast<double>(spec.format.size()) -
+                                          (spec.format.is_signed() ? 1 : 0)) -
+                                    1
+                              : 1;
+    if (storage.no_data)
+      no_data = std::is_floating_point_v<Number> ? static_cast<Number>(*storage.no_data / most)
+                                                 : static_cast<Number>(*storage.no_data);
+  }
+
+  const char* at(const Number* texel, std::size_t channel) const {
+    constexpr Number opaque = std::is_floating_point_v<Number> ? 1 : 255;
+    if (alpha >= 0 && texel[alpha] < opaque) return "is transparent";
+    const auto near = std::is_floating_point_v<Number> ? static_cast<Number>(1e-6) : Number{0};
+    if (no_data && std::abs(texel[channel] - *no_data) <= near * std::abs(*no_data))
+      return "has no data (GDAL_NODATA)";
+    return nullptr;
+  }
+};
+
 template <class Tone>
 void read_luminance(OIIO::ImageInput& input, const fs::path& path, const Tone& tone,
-                    algebra::Grid<float>& map) {
+                    const Storage& storage, algebra::Grid<float>& map) {
   const auto [r, g, b] = rgb_channels(path, input);
   const auto stride = static_cast<std::size_t>(input.spec().nchannels);
+  const Holes<typename Tone::Number> holes(input.spec(), storage);
   const auto add = [&, r = r, g = g, b = b](const auto& band) {
     tbb::parallel_for(std::size_t{0}, band.rows, [&](std::size_t row) {
       const auto* texel = band.values.data() + row * map.columns() * stride;
       for (float& value : map.row(band.first_row + row)) {
+        if (const auto* why = holes.at(texel, r))
+          throw cannot_read(path, fmt::format("the albedo map {} at row {}, allowed ground "
+                                              "everywhere",
+                                              why, band.first_row + row));
         value = r == g ? tone.grey(texel[r]) : tone.coloured(texel[r], texel[g], texel[b]);
         texel += stride;
       }
@@ -157,13 +230,16 @@ void read_luminance(OIIO::ImageInput& input, const fs::path& path, const Tone& t
   for_all_rows<typename Tone::Number>(input, path, add);
 }
 
-void require_two_to_one(const fs::path& path, const OIIO::ImageInput& input) {
+void require_two_to_one(const fs::path& path, const OIIO::ImageInput& input,
+                        const Storage& storage) {
   const auto& spec = input.spec();
   const auto [data, display] = windows_of(input);
   if (is_raw(input)) throw cannot_read(path, "albedo map in a raw file, allowed other images");
-  if (spec.width != 2 * spec.height)
-    throw cannot_read(
-        path, fmt::format("albedo map of {} x {} texels, allowed 2:1", spec.width, spec.height));
+  const auto [width, height] = storage.on_its_side() ? std::pair(spec.height, spec.width)
+                                                     : std::pair(spec.width, spec.height);
+  if (width != 2 * height)
+    throw cannot_read(path,
+                      fmt::format("albedo map of {} x {} texels, allowed 2:1", width, height));
   if (spec.full_width != spec.width || spec.full_height != spec.height || data != display)
     throw cannot_read(path,
                       fmt::format("albedo map cropped from {} x {} texels, allowed whole ones",
@@ -224,6 +300,11 @@ Image read_channels(const fs::path& path, const std::vector<std::string>& names)
   });
 }
 
+/// Whether the file's own colours count: not where the user says what the numbers are.
+bool heeds_colours(Coding coding) {
+  return coding == Coding::as_file_says || coding == Coding::camera;
+}
+
 Image read_light(const fs::path& path, Coding coding) {
   const Silence silence(path);
   const auto input = opened(path);
@@ -233,13 +314,17 @@ Image read_light(const fs::path& path, Coding coding) {
   if (raw && (coding == Coding::srgb || coding == Coding::camera))
     throw cannot_read(
         path, "a raw file coded as sRGB or by a tone curve, allowed as the file says, or linear");
-  const auto curve = raw ? Curve{false, 1} : curve_of(spec, coding);
+  const auto storage = storage_of(path, *input);
+  const auto curve = raw ? Curve{false, 1} : curve_of(spec, coding, storage);
+  const auto* profile = storage.colours && heeds_colours(coding) ? &*storage.colours : nullptr;
   const auto rgb = rgb_channels(path, *input);
   return within_memory(path, spec, [&] {
     auto image = black(*input, {"R", "G", "B"});
     for_all_texels(*input, path, [&](std::size_t place, const float* texel) {
       float* light = image.values.data() + 3 * place;
-      for (const auto channel : rgb) *light++ = linear(texel[channel], curve);
+      const std::array coded{texel[rgb[0]], texel[rgb[1]], texel[rgb[2]]};
+      if (profile) return profile->light(coded.data(), light, 1);
+      for (const float v : coded) *light++ = linear(v, curve);
     });
     if (raw) make_rec709(path, spec, image);
     tbb::parallel_for(std::size_t{0}, image.height, [&](std::size_t r) {
@@ -247,7 +332,11 @@ Image read_light(const fs::path& path, Coding coding) {
       if (!std::ranges::all_of(row, [](float value) { return std::isfinite(value); }))
         throw cannot_read(path, "light that is not finite");
     });
-    return image;
+    if (storage.orientation == 1) return image;
+    Image turned(image.width, image.height, image.channels);
+    if (storage.on_its_side()) std::swap(turned.width, turned.height);
+    turn_upright(image.values, image.width, image.height, storage.orientation, turned.values);
+    return turned;
   });
 }
 
@@ -280,7 +369,7 @@ std::vector<std::optional<std::string>> read_attributes(const fs::path& path,
 void require_albedo_map(const fs::path& path) {
   const Silence silence(path);
   const auto input = opened(path);
-  require_two_to_one(path, *input);
+  require_two_to_one(path, *input, storage_of(path, *input));
   require_light(path, input->spec());
 }
 
@@ -288,18 +377,25 @@ algebra::Grid<float> read_albedo_map(const fs::path& path, Coding coding) {
   const Silence silence(path);
   const auto input = opened(path);
   const auto& spec = input->spec();
-  require_two_to_one(path, *input);
+  const auto storage = storage_of(path, *input);
+  require_two_to_one(path, *input, storage);
   require_light(path, spec);
-  const FloatingTone tone{curve_of(spec, coding)};
+  const FloatingTone tone{curve_of(spec, coding, storage)};
   return within_memory(path, spec, [&] {
     algebra::Grid<float> map(static_cast<std::size_t>(spec.height),
                              static_cast<std::size_t>(spec.width));
-    if (spec.format == OIIO::TypeDesc::UINT8)
-      read_luminance(*input, path, ByteTone(tone), map);
+    if (storage.colours && heeds_colours(coding))
+      read_luminance(*input, path, ProfiledTone{*storage.colours}, storage, map);
+    else if (spec.format == OIIO::TypeDesc::UINT8)
+      read_luminance(*input, path, ByteTone(tone), storage, map);
     else
-      read_luminance(*input, path, tone, map);
+      read_luminance(*input, path, tone, storage, map);
     require_albedo(path, map);
-    return map;
+    if (storage.orientation == 1) return map;
+    auto turned = storage.on_its_side() ? algebra::Grid<float>(map.columns(), map.rows())
+                                        : algebra::Grid<float>(map.rows(), map.columns());
+    turn_upright(map.values(), map.columns(), map.rows(), storage.orientation, turned.values());
+    return turned;
   });
 }
 

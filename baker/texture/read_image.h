@@ -21,9 +21,10 @@ inline constexpr double most_texels_a_side = 1 << 20, most_numbers = 8589934592.
                         most_numbers_of_any_file = 1 << 24, most_numbers_a_byte = 8192;
 
 /// Every texel of an image file of any kind: floating-point formats as they are, integer formats 0
-/// to 1, still coded as in the file; of a camera's raw file its own three channels, linear. EXR, TIFF, PNG
-/// and JPEG are known by their first bytes, others, and raw files, by their names' endings. Of an EXR file the display window, black where its data window does not
-/// reach; this and the next two functions.
+/// to 1, still coded and turned as in the file; of a camera's raw file its own three channels, linear. EXR,
+/// TIFF, PNG, JPEG, FITS, GIF, PSD, HDR, JPEG 2000, HEIF and WebP are known by their first bytes, others,
+/// and raw files, by their names' endings. Of an EXR file the display window, black where its data window
+/// does not reach; this and the next two functions.
 ///
 /// Throws  Error  one line with the path: no such file, not permitted, a directory, empty, no
 ///                image, an image that ends early; a side of more than most_texels_a_side, more
@@ -73,8 +74,11 @@ enum class Coding {
   camera,  ///< by its camera's own tone curve (colour/tone_curve.h): read as sRGB, for what it displays
 };
 
-/// The light of an image of any kind: channels R, G, B, all the same for grey. Of an EXR file they are
-/// taken by name, R, G and B, or Y alone.
+/// The light of an image of any kind: channels R, G, B, all the same for grey, upright. Of an EXR file they
+/// are taken by name, R, G and B, or Y alone.
+///
+/// Colour profiles, primaries, orientation, and whether white is zero are heeded; colours only where the
+/// coding is as the file says, or the camera's.
 ///
 /// Of a camera's raw file (CR2, NEF, ARW, DNG, …, whatever LibRaw reads) it is linear Rec. 709 by the
 /// camera's colour matrix for D65, upright: white under D65 is neutral, whatever white balance the camera
@@ -82,11 +86,12 @@ enum class Coding {
 /// neighbours, are 1 in all three; no other number is above 1. Pixels are interpolated linearly.
 ///
 /// Returned  linear; integer formats 0 to 1; a raw file's colours outside the gamut below 0
-/// Omits     chromaticities other than Rec. 709, colour profiles, alpha; of raw files noise below black,
-///           which LibRaw cuts off, lens corrections, sensors without colours
-/// Throws    Error  as read_image; when channels have other names, as of luminance and chroma; when
-///                  one is not finite; when no colour matrix of a raw file's camera is known, or it is
-///                  to be coded as sRGB
+/// Omits     alpha: what is transparent is black; of raw files noise below black, which LibRaw cuts off, lens
+///           corrections, sensors without colours
+/// Throws    Error  as read_image; when the header says something of the numbers that cannot be heeded:
+///                  names it; when channels have other names, as of luminance and chroma, or nothing says
+///                  which of them are colours; when one is not finite; when no colour matrix of a raw
+///                  file's camera is known, or it is to be coded as sRGB
 /// Source    IEC 61966-2-1
 Image read_light(const std::filesystem::path& path, Coding coding = Coding::as_file_says);
 
@@ -101,9 +106,8 @@ bool is_raw_file(const std::filesystem::path& path);
 ///
 /// Given     path      of any image 2:1, longitude 0 in the middle, east to the right
 /// Returned  Y, linear, in the image's own scale; normalise it before use
-/// Omits     chromaticities other than Rec. 709, alpha
 /// Throws    Error     as read_light; when it is a raw file, not 2:1 or a part of a larger one, a texel is
-///                     negative, infinite or no number
+///                     negative, infinite or no number, transparent, or without data as GDAL marks it
 /// Source    ITU-R BT.709, IEC 61966-2-1
 algebra::Grid<float> read_albedo_map(const std::filesystem::path& path,
                                      Coding coding = Coding::as_file_says);

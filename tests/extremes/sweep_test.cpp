@@ -109,6 +109,7 @@ const std::vector<Key>& keys() {
       {"ring-km", "l", 0.2, number(10, 2000)},
       {"smoothing-km", "l", 0.2, number(0, 2000)},
       {"photometry", "m", 0.3, word("lommel-seeliger-rolo", "yapo-cutler")},
+      {"albedo-map-centre", "m", 0.1, word("0", "180")},
       {"albedo-exponent", "m", 0.1, number(0.1, 10)},
       {"albedo-encoding", "m", 0.1,
        word("image", "normal-albedo", "cgi-moon-kit-2019", "cgi-moon-kit-2025", "stellarium")},

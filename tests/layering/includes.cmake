@@ -56,6 +56,7 @@ set(owner_toml++ "^verbs$")
 set(owner_verbs "^verbs$")
 set(owner_OpenImageIO "^(files|texture|wrappers)$")
 set(owner_tiffio.h "^texture$")
+set(owner_lcms2.h "^texture$")
 set(owner_OpenColorIO "^colour$")
 set(owner_povray "^povray_scenes$")
 

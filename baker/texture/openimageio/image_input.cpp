@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "files/whole_file.h"
+#include "texture/openimageio/fits_input.h"
 #include "texture/openimageio/image_claims.h"
 #include "texture/openimageio/raw_input.h"
 
@@ -69,27 +70,46 @@ void require_size(const fs::path& path, const OIIO::ImageInput& input) {
   within("numbers of a tile in a file so small", tile, of_this_file);
 }
 
+/// First bytes of a kind of files, from some byte on.
+struct Sign {
+  std::size_t at;
+  std::string_view bytes;
+  const char* format;
+};
+
 /// OpenImageIO's name for what reads a file: by its first bytes, else by its name's ending. Left alone
 /// it would hand a file that one reader refuses to all of its others, films and medicine included. Most
 /// cameras' raw files begin as a TIFF does: the ending tells them apart.
 std::string format_of(const fs::path& path) {
   using namespace std::string_view_literals;
-  constexpr std::array<std::pair<std::string_view, const char*>, 7> known{
-      {{"v/1\x01"sv, "openexr"},
-       {"II*\0"sv, "tiff"},
-       {"MM\0*"sv, "tiff"},
-       {"II+\0"sv, "tiff"},
-       {"MM\0+"sv, "tiff"},
-       {"\x89PNG"sv, "png"},
-       {"\xFF\xD8\xFF"sv, "jpeg"}}};
-  std::array<char, 4> bytes{};
+  constexpr std::array<Sign, 18> known{{{0, "v/1\x01"sv, "openexr"},
+                                        {0, "II*\0"sv, "tiff"},
+                                        {0, "MM\0*"sv, "tiff"},
+                                        {0, "II+\0"sv, "tiff"},
+                                        {0, "MM\0+"sv, "tiff"},
+                                        {0, "\x89PNG"sv, "png"},
+                                        {0, "\xFF\xD8\xFF"sv, "jpeg"},
+                                        {0, "SIMPLE  ="sv, "fits"},
+                                        {0, "GIF8"sv, "gif"},
+                                        {0, "8BPS"sv, "psd"},
+                                        {0, "#?RADIANCE"sv, "hdr"},
+                                        {0, "#?RGBE"sv, "hdr"},
+                                        {0, "\0\0\0\x0CjP  "sv, "jpeg2000"},
+                                        {4, "ftypheic"sv, "heif"},
+                                        {4, "ftypheix"sv, "heif"},
+                                        {4, "ftypmif1"sv, "heif"},
+                                        {4, "ftypavif"sv, "heif"},
+                                        {8, "WEBPVP8"sv, "webp"}}};
+  std::array<char, 16> bytes{};
   std::ifstream(path, std::ios::binary).read(bytes.data(), bytes.size());
   const std::string_view beginning(bytes.data(), bytes.size());
-  for (const auto& [sign, format] : known)
-    if (beginning.starts_with(sign))
+  for (const auto& [at, sign, format] : known)
+    if (beginning.substr(at).starts_with(sign))
       return std::string_view(format) == "tiff" && has_raw_ending(path) ? "raw" : format;
   const auto ending = path.extension().string();
-  return ending.empty() ? ending : ending.substr(1);
+  const auto kind = ending.empty() ? ending : ending.substr(1);
+  const bool fits = OIIO::Strutil::iequals(kind, "fit") || OIIO::Strutil::iequals(kind, "fts");
+  return fits ? "fits" : kind;
 }
 
 }  // namespace
@@ -103,7 +123,9 @@ std::unique_ptr<OIIO::ImageInput> opened(const fs::path& path) {
   require_readable_file(path);
   const auto format = format_of(path);
   require_honest_claims(path, format);
-  auto input = format.empty() ? nullptr : OIIO::ImageInput::create(format);
+  auto input = format.empty()    ? nullptr
+               : format == "fits" ? fits_input()
+                                  : OIIO::ImageInput::create(format);
   OIIO::ImageSpec spec;
   if (!input || !input->open(path.string(), spec, raw_hints()))
     throw cannot_read(path, reason_of(input.get()));

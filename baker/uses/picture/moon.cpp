@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "algebra/error.h"
 #include "files/fingerprint.h"
@@ -42,8 +43,33 @@ texture::Coding coding_of(AlbedoEncoding encoding) {
   }
 }
 
-void require_exponent(const MoonRequest& moon) {
+void require_sound(const MoonRequest& moon) {
   algebra::require_within("albedo exponent", moon.albedo_exponent, 0.1, 10);
+  if (const int centre = moon.albedo_map_centre_deg; centre != 0 && centre != 180)
+    throw algebra::Error(
+        fmt::format("albedo map's centre [degrees] = {}, allowed 0 or 180", centre));
+}
+
+/// A map with longitude 180 in its middle, turned to have longitude 0 there.
+void turn_round(algebra::Grid<float>& map) {
+  for (std::size_t r = 0; r < map.rows(); ++r)
+    std::ranges::rotate(map.row(r), map.row(r).begin() + map.columns() / 2);
+}
+
+/// The mean of a map's near side over that of its far side.
+double near_over_far(const algebra::Grid<float>& map) {
+  double near = 0, far = 0;
+  const std::size_t columns = map.columns();
+  for (std::size_t r = 0; r < map.rows(); ++r) {
+    const auto row = map.row(r);
+    const double all = std::reduce(row.begin(), row.end(), 0.);
+    const auto west = row.begin() + columns / 4;
+    const double middle = std::reduce(west, west + columns / 2, 0.);
+    const double area =
+        std::cos(algebra::in_radians(surface::texel_centre(r, 0, map.rows()).latitude));
+    near += area * middle, far += area * (all - middle);
+  }
+  return near / far;
 }
 
 void change(algebra::Grid<float>& map, double offset, double scale, double exponent) {
@@ -69,7 +95,7 @@ std::string map_chosen(const MoonRequest& moon) {
 
 void require_map(const MoonRequest& moon) {
   if (!reads_map(moon)) return;
-  require_exponent(moon);
+  require_sound(moon);
   texture::require_albedo_map(map_chosen(moon));
 }
 
@@ -98,10 +124,15 @@ algebra::Grid<float> normal_albedo(const MoonRequest& moon) {
     return surface::normalised_to_geometric_albedo(
         surface::built_in_moon(std::max<std::size_t>(8, texture_width_of(moon) / 2)),
         moon.photometry);
-  require_exponent(moon);
+  require_sound(moon);
   const auto encoding = encoding_of(moon, map);
   auto albedo = decoded(texture::read_albedo_map(map, coding_of(encoding)), encoding);
+  if (moon.albedo_map_centre_deg != 0) turn_round(albedo);
   if (moon.albedo_exponent != 1) change(albedo, 0, 1, moon.albedo_exponent);
+  constexpr double as_it_should_be = 1.03;
+  if (const double ratio = near_over_far(albedo);
+      moon.when_near_side_brighter && ratio > as_it_should_be)
+    moon.when_near_side_brighter(ratio);
   return surface::normalised_to_geometric_albedo(std::move(albedo), moon.photometry);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +24,9 @@ enum class AlbedoEncoding {
   cgi_moon_kit_2025,  ///< sRGB's curve over that I/F
 };
 
+/// Told by how much a map's near side is brighter than its far side, which has fewer maria.
+using WhenNearSideIsBrighter = std::function<void(double near_over_far)>;
+
 /// Which Moon is baked, and under what light.
 struct MoonRequest {
   LightRequest light{};
@@ -31,6 +35,8 @@ struct MoonRequest {
   std::optional<AlbedoEncoding>
       albedo_encoding{};        ///< without: Stellarium's for its map, else `image`
   double albedo_exponent = 1;   ///< power of what is decoded, 0.1 to 10
+  int albedo_map_centre_deg = 0;  ///< longitude in the map's middle: 0, or 180 of maps from 0 to 360
+  WhenNearSideIsBrighter when_near_side_brighter{};  ///< by more than 3 %; without, nobody is told
   bool ground_by_place = true;  ///< colour and surge of each place; or those of the mean Moon
   std::optional<std::size_t> texture_width{};  ///< without: 4096, or what the frame can show
   double texels_per_pixel = 1;  ///< of a texture whose width the frame says, in the disc's middle
@@ -50,7 +56,8 @@ bool reads_map(const MoonRequest& moon);
 /// rms of cells of one degree over the near side. The poles of that of 2019 are mended: see
 /// surface::with_polar_contrast.
 ///
-/// Throws Error as texture::read_albedo_map; when the exponent is outside 0.1 to 10
+/// Throws Error as texture::read_albedo_map; when the exponent is outside 0.1 to 10, or the centre is
+///        neither 0 nor 180
 algebra::Grid<float> normal_albedo(const MoonRequest& moon);
 
 /// What of the ground differs by place under that albedo; nothing where all is to be the mean Moon's.

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/flags/moon_options.h"
 
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <utility>
+
 namespace coppermoon::verbs {
 
 void add_map_options(CLI::App& verb, uses::MoonRequest& request) {
@@ -9,6 +15,17 @@ void add_map_options(CLI::App& verb, uses::MoonRequest& request) {
            "albedo map: an image of 2:1 with longitude 0 in the middle; auto: Stellarium's where "
            "it is installed, else built-in")
       .reads_file();
+  add_choice<int>(verb, "--albedo-map-centre", request.albedo_map_centre_deg,
+                  {{"0", 0}, {"180", 180}},
+                  "longitude in the middle of the albedo map [degrees]: 0, or 180 for a map from 0 "
+                  "to 360");
+  request.when_near_side_brighter = [said = std::make_shared<bool>()](double ratio) {
+    if (std::exchange(*said, true)) return;
+    fmt::print(stderr,
+               "coppermoon: the albedo map's near side is {:.0f} % brighter than its far side: if "
+               "the map is from 0 to 360 degrees, add --albedo-map-centre 180\n",
+               100 * (ratio - 1));
+  };
   add_choice<surface::Photometry>(
       verb, "--photometry", request.photometry,
       {{"lommel-seeliger-rolo", lommel_seeliger_rolo}, {"yapo-cutler", yapo_cutler}},

@@ -75,6 +75,7 @@ const Names sightline_flags{"at", "reddening", "observer-ozone-du", "observer-ae
 
 /// Flags of the map, of a texture's file and of time.
 const Names other_flags{"albedo-map",
+                        "albedo-map-centre",
                         "albedo-map-contents",
                         "photometry",
                         "albedo-exponent",

@@ -65,12 +65,14 @@ Baked baked_of(const uses::MoonRequest& request, const almanac::Instant& when,
 Texture texture_of(const Moment& when, std::size_t width, const std::string& space,
                    const std::optional<uses::Air>& air,
                    const std::optional<uses::LightRequest>& light, const std::string& albedo_map,
-                   std::optional<uses::AlbedoEncoding> albedo_encoding, double albedo_exponent,
+                   std::optional<uses::AlbedoEncoding> albedo_encoding, int albedo_map_centre,
+                   double albedo_exponent,
                    surface::Photometry photometry, bool unshadowed, const std::optional<Place>& at,
                    bool reddening, std::optional<double> spectral_nm, bool passes,
                    const Told& told) {
-  auto request = moon_request(light_request(air, light), {albedo_map, albedo_encoding,
-                                                          albedo_exponent, photometry, unshadowed});
+  auto request = moon_request(light_request(air, light),
+                              {albedo_map, albedo_encoding, albedo_map_centre, albedo_exponent,
+                               photometry, unshadowed});
   request.texture_width = width;
   const uses::TextureContent content{
       .space = colour::working_space(space), .spectral_nm = spectral_nm, .passes = passes};
@@ -122,11 +124,11 @@ void add_bake(py::module_& package) {
   package.def(
       "bake", texture_of, "when"_a, py::kw_only(), "width"_a = 4096, "space"_a = "lin_rec709",
       "air"_a = py::none(), "light"_a = py::none(), "albedo_map"_a = "auto",
-      "albedo_encoding"_a = py::none(), "albedo_exponent"_a = 1.,
+      "albedo_encoding"_a = py::none(), "albedo_map_centre"_a = 0, "albedo_exponent"_a = 1.,
       "photometry"_a = surface::Photometry::lommel_seeliger_rolo, "unshadowed"_a = false,
       "at"_a = py::none(), "reddening"_a = true, "spectral_nm"_a = py::none(), "passes"_a = false,
       "progress"_a = py::none(),
-      R"(bake(when, *, width=4096, space='lin_rec709', air=None, light=None, albedo_map='auto', albedo_encoding=None, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', unshadowed=False, at=None, reddening=True, spectral_nm=None, passes=False, progress=None)
+      R"(bake(when, *, width=4096, space='lin_rec709', air=None, light=None, albedo_map='auto', albedo_encoding=None, albedo_map_centre=0, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', unshadowed=False, at=None, reddening=True, spectral_nm=None, passes=False, progress=None)
 
 The lit texture of the Moon at a moment of an eclipse: luminances of a scene-linear colour space [cd/m²].
 
@@ -134,6 +136,7 @@ width: of the texture [texels], even, 4 to 32768
 space: 'lin_rec709', 'acescg' or 'lin_ciexyzd65_scene'
 albedo_map: an image file of 2:1, 'built-in', or 'auto': Stellarium's where it is installed, else the built-in one
 albedo_encoding: how the map's numbers stand for albedo, by the words of --albedo-encoding; None: as the map needs
+albedo_map_centre: longitude in the map's middle [degrees], 0, or 180 of a map from 0 to 360
 albedo_exponent: power of what is decoded, 0.1 to 10
 photometry: of the ground, 'lommel-seeliger-rolo' or 'yapo-cutler'
 unshadowed: lit as if the Earth were away

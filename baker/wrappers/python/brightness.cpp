@@ -22,11 +22,13 @@ uses::MoonBrightness brightness_at(const Moment& when, const std::optional<uses:
                          const std::optional<uses::LightRequest>& light,
                          const std::string& albedo_map,
                          std::optional<uses::AlbedoEncoding> albedo_encoding,
-                         double albedo_exponent, surface::Photometry photometry, bool unshadowed,
+                         int albedo_map_centre, double albedo_exponent,
+                         surface::Photometry photometry, bool unshadowed,
                          const std::optional<Place>& at, bool reddening, const Told& told) {
   const auto request =
       moon_request(light_request(air, light),
-                   {albedo_map, albedo_encoding, albedo_exponent, photometry, unshadowed});
+                   {albedo_map, albedo_encoding, albedo_map_centre, albedo_exponent, photometry,
+                    unshadowed});
   uses::require_map(request);
   return computed(told, [&](const algebra::Progress& progress) {
     const auto sky = almanac::sky_at(when.instant);
@@ -78,9 +80,10 @@ void add_brightness(py::module_& package) {
   package.def(
       "brightness", brightness_at, "when"_a, py::kw_only(), "air"_a = py::none(),
       "light"_a = py::none(), "albedo_map"_a = "auto", "albedo_encoding"_a = py::none(),
+      "albedo_map_centre"_a = 0,
       "albedo_exponent"_a = 1., "photometry"_a = surface::Photometry::lommel_seeliger_rolo,
       "unshadowed"_a = false, "at"_a = py::none(), "reddening"_a = true, "progress"_a = py::none(),
-      R"(brightness(when, *, air=None, light=None, albedo_map='auto', albedo_encoding=None, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', unshadowed=False, at=None, reddening=True, progress=None)
+      R"(brightness(when, *, air=None, light=None, albedo_map='auto', albedo_encoding=None, albedo_map_centre=0, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', unshadowed=False, at=None, reddening=True, progress=None)
 
 Magnitudes, luminance and illuminance of the whole Moon at a moment of an eclipse. Arguments are those of bake.
 

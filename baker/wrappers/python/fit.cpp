@@ -56,13 +56,15 @@ FitReport fit_of(const py::iterable& magnitudes, std::vector<EclipsePhotograph> 
                  std::optional<double> white_balance_error, double clock_error_s,
                  bool half_hours_free, const std::optional<uses::Air>& air,
                  const std::optional<uses::LightRequest>& light, const std::string& albedo_map,
-                 std::optional<uses::AlbedoEncoding> albedo_encoding, double albedo_exponent,
+                 std::optional<uses::AlbedoEncoding> albedo_encoding, int albedo_map_centre,
+                 double albedo_exponent,
                  surface::Photometry photometry, const Told& told) {
   const uses::FitRequest request{
       .photographs = std::move(photographs),
       .magnitudes = measured_by(magnitudes),
       .moon = moon_request(light_request(air, light),
-                           {albedo_map, albedo_encoding, albedo_exponent, photometry, false}),
+                           {albedo_map, albedo_encoding, albedo_map_centre, albedo_exponent,
+                            photometry, false}),
       .view = view_request(at, true),
       .camera = camera,
       .exposure_error = exposure_error,
@@ -212,9 +214,10 @@ void add_fit(py::module_& package) {
       "photographs"_a = std::vector<EclipsePhotograph>{}, "at"_a = py::none(), "camera"_a = "",
       "exposure_error"_a = 0.1, "white_balance_error"_a = py::none(), "clock_error_s"_a = 0.,
       "half_hours_free"_a = false, "air"_a = py::none(), "light"_a = py::none(),
-      "albedo_map"_a = "auto", "albedo_encoding"_a = py::none(), "albedo_exponent"_a = 1.,
+      "albedo_map"_a = "auto", "albedo_encoding"_a = py::none(), "albedo_map_centre"_a = 0,
+      "albedo_exponent"_a = 1.,
       "photometry"_a = surface::Photometry::lommel_seeliger_rolo, "progress"_a = py::none(),
-      R"(fit(magnitudes=(), *, photographs=(), at=None, camera='', exposure_error=0.1, white_balance_error=None, clock_error_s=0.0, half_hours_free=False, air=None, light=None, albedo_map='auto', albedo_encoding=None, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', progress=None)
+      R"(fit(magnitudes=(), *, photographs=(), at=None, camera='', exposure_error=0.1, white_balance_error=None, clock_error_s=0.0, half_hours_free=False, air=None, light=None, albedo_map='auto', albedo_encoding=None, albedo_map_centre=0, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', progress=None)
 
 The dust, cloud cover and ozone that explain photographs of the Moon and measured magnitudes of the whole Moon, of one
 eclipse or several, all at once.

@@ -22,6 +22,7 @@ inline uses::LightRequest light_request(const std::optional<uses::Air>& air,
 struct MoonArguments {
   std::string albedo_map;
   std::optional<uses::AlbedoEncoding> albedo_encoding;
+  int albedo_map_centre;
   double albedo_exponent;
   surface::Photometry photometry;
   bool unshadowed;
@@ -33,6 +34,7 @@ inline uses::MoonRequest moon_request(const uses::LightRequest& light, const Moo
           .photometry = told.photometry,
           .albedo_encoding = told.albedo_encoding,
           .albedo_exponent = told.albedo_exponent,
+          .albedo_map_centre_deg = told.albedo_map_centre,
           .unshadowed = told.unshadowed};
 }
 

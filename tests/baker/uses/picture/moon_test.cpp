@@ -60,6 +60,48 @@ TEST_F(AlbedoEncodings, OfTheKitOf2019IsARootBetweenTwoEnds) {
   EXPECT_WITHIN_RELATIVE(contrast, std::pow(at_60_degrees, 1 / 1.56), 1e-5, "floats");
 }
 
+/// A map whose first and last quarter are twice as bright as its middle half.
+class MapCentre : public testing::Test {
+ protected:
+  MapCentre() {
+    std::ofstream(moon.albedo_map = path_, std::ios::binary)
+        << "P5\n8 4\n255\n" << row << row << row << row;
+    moon.albedo_encoding = AlbedoEncoding::normal_albedo;
+    moon.when_near_side_brighter = [this](double ratio) { told = ratio; };
+  }
+  void TearDown() override { std::filesystem::remove(path_); }
+
+  const std::string row{"\x64\x66\x32\x32\x32\x32\x64\x64"};
+  MoonRequest moon;
+  double told = 0;
+
+ private:
+  std::string path_ = testing::TempDir() + "map_from_zero.pgm";
+};
+
+TEST_F(MapCentre, Of180BringsTheEdgesOfAMapToItsMiddle) {
+  const auto as_stored = normal_albedo(moon);
+  EXPECT_EQ(told, 0);
+  moon.albedo_map_centre_deg = 180;
+  const auto turned = normal_albedo(moon);
+  for (std::size_t c = 0; c < 8; ++c)
+    EXPECT_WITHIN_RELATIVE(turned(1, (c + 4) % 8) / turned(1, 4),
+                           as_stored(1, c) / as_stored(1, 0), 1e-6, "floats");
+  moon.albedo_map_centre_deg = 90;
+  EXPECT_THROW(normal_albedo(moon), algebra::Error);
+}
+
+/// Maria lie on the near side: a map whose near side is the brighter one is likely to be turned round.
+TEST_F(MapCentre, IsAskedAboutWhereTheNearSideIsTheBrighterOne) {
+  moon.albedo_map_centre_deg = 180;
+  normal_albedo(moon);
+  EXPECT_WITHIN(told, (100 + 102 + 100 + 100) / 200., 1e-6, "floats");
+  moon.albedo_map = "built-in";
+  told = 0;
+  normal_albedo(moon);
+  EXPECT_EQ(told, 0);
+}
+
 MoonRequest built_in(bool by_place) {
   MoonRequest moon;
   moon.albedo_map = "built-in";

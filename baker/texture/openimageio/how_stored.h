@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+
+#include "texture/openimageio/colour_profile.h"
+#include "texture/openimageio/oiio.h"
+
+namespace coppermoon::texture {
+
+/// What a file says of how its numbers are stored, beyond what OpenImageIO heeds.
+struct Storage {
+  int orientation = 1;              ///< EXIF's: 1 upright, 2 to 4 flipped or turned, 5 to 8 on a side
+  bool white_is_zero = false;       ///< black is the largest number
+  std::optional<double> no_data{};  ///< GDAL's: in the file's own numbers
+  std::optional<ColourProfile> colours{};  ///< without: Rec. 709, with sRGB's curve or as curve_of says
+
+  bool on_its_side() const { return orientation >= 5; }
+};
+
+/// Reads it from the header of an open image.
+///
+/// Throws  Error  with the path and the tag's name, where what it says can not be heeded: photometric
+///                interpretations but grey, colours of light, palettes and CMYK; a page that is a
+///                thumbnail; a raw file that ends in .tif; a transfer function; primaries in a TIFF
+///                other than Rec. 709; GDAL's offset; a broken profile; the curves of PQ and HLG
+Storage storage_of(const std::filesystem::path& path, const OIIO::ImageInput& input);
+
+/// Turns texels as EXIF's orientation says.
+///
+/// Given  stored   [row][column][channel], of that width and height
+///        turned   as many numbers; of an image on its side width and height change places
+void turn_upright(std::span<const float> stored, std::size_t width, std::size_t height,
+                  int orientation, std::span<float> turned);
+
+}  // namespace coppermoon::texture
