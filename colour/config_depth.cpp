@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "colour/config_depth.h"
 
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <set>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "algebra/error.h"
 
@@ -144,7 +149,32 @@ class Unfolding {
   std::set<std::string> under_way_{};
 };
 
+/// Aliases in a line of YAML, as "*name"; some that stand in a text are counted too.
+std::ptrdiff_t aliases_in(const std::string& line) {
+  const auto begin = line.find_first_not_of(" \t");
+  if (begin == std::string::npos || line[begin] == '#') return 0;
+  std::ptrdiff_t count = 0;
+  for (auto at = line.find('*'); at != std::string::npos; at = line.find('*', at + 1))
+    count += at + 1 < line.size() && std::isalnum(static_cast<unsigned char>(line[at + 1])) != 0 &&
+             (at == 0 || std::string_view(" \t,:[{-").find(line[at - 1]) != std::string_view::npos);
+  return count;
+}
+
 }  // namespace
+
+void require_readable(const std::filesystem::path& config) {
+  constexpr std::ptrdiff_t most = 16;
+  std::error_code none;
+  if (std::filesystem::exists(config, none) && !std::filesystem::is_regular_file(config, none))
+    throw algebra::Error(
+        fmt::format("{}: cannot be read: it is no regular file", config.string()));
+  std::ifstream file(config);
+  std::ptrdiff_t aliases = 0;
+  for (std::string line; std::getline(file, line);) aliases += aliases_in(line);
+  if (aliases > most)
+    throw algebra::Error(
+        fmt::format("{}: {} aliases of YAML, allowed to {}", config.string(), aliases, most));
+}
 
 void require_end(const ocio::Config& config) {
   Unfolding unfolding(config);

@@ -33,6 +33,7 @@ ocio::ConstConfigRcPtr built_in_config() {
 
 ocio::ConstConfigRcPtr config_at(const std::filesystem::path& path) try {
   if (path.empty()) return built_in_config();
+  require_readable(path);
   const auto config = ocio::Config::CreateFromFile(path.c_str());
   require_regular_luts(*config);
   try {

@@ -7,8 +7,8 @@
 
 namespace coppermoon::files {
 
-/// A text that tells later whether somebody has changed it: its last line is a fingerprint of the lines
-/// before, in a comment.
+/// A text that tells later whether somebody has changed it: its last line is a fingerprint of the
+/// lines before, in a comment.
 ///
 /// Given  text     whole lines
 ///        comment  begins a comment in the text's language, as "//"
@@ -17,8 +17,8 @@ std::string stamped(std::string_view text, std::string_view comment);
 /// Whether a file ends in its own fingerprint. A link does not count, wherever it leads.
 bool is_stamped(const std::filesystem::path& file);
 
-/// Refuses a link where a file or a folder gets its name from us: where the user named it alone, links are
-/// followed.
+/// Refuses a link where a file or a folder gets its name from us: links are followed only where the
+/// user named them.
 ///
 /// Throws  Error
 void require_no_link(const std::filesystem::path& path);

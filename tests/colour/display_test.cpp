@@ -437,6 +437,23 @@ TEST(Configuration, WithoutAReasonableEndIsRefused) {
             "colour space \"c36\" is made of more than 64 others, allowed to 64");
 }
 
+/// Twenty-five lines would be 33 million transforms.
+TEST(Configuration, ThatRepeatsItselfWithoutEndIsRefused) {
+  std::string bomb = "!<GroupTransform>\n      children:\n        - &t0 " + nothing + "\n";
+  for (int i = 1; i <= 25; ++i)
+    bomb += fmt::format("        - &t{} !<GroupTransform> {{children: [*t{}, *t{}]}}\n", i, i - 1,
+                        i - 1);
+  EXPECT_EQ(fault_of("  - !<ColorSpace>\n    name: a\n    from_scene_reference: " + bomb),
+            "50 aliases of YAML, allowed to 16");
+  EXPECT_EQ(fault_of(space("a", nothing) + "# *no *alias\n"), "");
+}
+
+TEST_F(LookUpTable, OfAConfigurationThatIsAPipeIsRefused) {
+  std::filesystem::remove(config());
+  ASSERT_EQ(::mkfifo(config().c_str(), 0666), 0);
+  EXPECT_EQ(refusal(), config().string() + ": cannot be read: it is no regular file");
+}
+
 TEST_F(LookUpTable, OfAUsersConfigurationHasTheActiveViewsAlone) {
   const auto all = views(), shown = displays();
   ::setenv("OCIO_ACTIVE_VIEWS", "Raw", 1);

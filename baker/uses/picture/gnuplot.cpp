@@ -9,12 +9,13 @@
 
 namespace coppermoon::uses {
 
-/// Nobody's own settings count (-d), and no file's name comes into the script, where a line of it could be
-/// taken for an order.
+/// Nobody's own settings count (-d), and no file's name comes into the script, where a line of it could
+/// be taken for an order.
 void write_plot(const std::filesystem::path& picture, const std::string& terminal,
                 const std::string& script) {
   const files::TemporaryFolder folder;
-  files::write_whole(folder.path() / "plot.gp", fmt::format("set terminal {}\n{}", terminal, script));
+  files::write_whole(folder.path() / "plot.gp",
+                     fmt::format("set terminal {}\n{}", terminal, script));
   files::write_whole(picture, [&](int descriptor) {
     povray_scenes::run_program({.words = {"gnuplot", "-d", "plot.gp"},
                                 .package = "gnuplot-nox",

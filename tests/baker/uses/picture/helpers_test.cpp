@@ -51,7 +51,8 @@ TEST_F(Helpers, ThatEndWellWithoutAResultAreSaid) {
   for (const char* name : {"gnuplot", "avifenc"}) stand_in(name, "exit 0");
   EXPECT_EQ(refusal([&] { write_plot(here() / "a.svg", "svg", "plot x"); }),
             "gnuplot: ended without a result");
-  EXPECT_EQ(refusal([&] { write_avif(here() / "a.avif", texture::Image(2, 2, {"R", "G", "B"}), {}); }),
+  const texture::Image picture(2, 2, {"R", "G", "B"});
+  EXPECT_EQ(refusal([&] { write_avif(here() / "a.avif", picture, {}); }),
             "avifenc: ended without a result");
   for (const char* name : {"a.svg", "a.avif"}) EXPECT_FALSE(fs::exists(here() / name));
 }
@@ -63,7 +64,8 @@ TEST_F(Helpers, ThatFailHaveTheFirstWord) {
 }
 
 TEST_F(Helpers, ThatHangAreNotLeftBehind) {
-  stand_in("gnuplot", "cd " + here().string() + "; echo $$ > pid.tmp; mv pid.tmp pid; exec sleep 20");
+  stand_in("gnuplot",
+           "cd " + here().string() + "; echo $$ > pid.tmp; mv pid.tmp pid; exec sleep 20");
   EXPECT_EQ(povray_scenes::signal_after_our_death(
                 here() / "pid", [&] { write_plot(here() / "a.svg", "svg", "plot x"); }),
             SIGKILL);
