@@ -87,7 +87,8 @@ fs::path cache() {
   if (const auto own = variable("COPPERMOON_CACHE"); !own.empty()) return fs::absolute(own);
   if (const auto xdg = variable("XDG_CACHE_HOME"); xdg.is_absolute()) return xdg / "coppermoon";
   auto home = variable("HOME");
-  if (const auto* user = ::getpwuid(::geteuid()); home.empty() && user) home = user->pw_dir;
+  if (home.empty())
+    if (const auto* user = ::getpwuid(::geteuid())) home = user->pw_dir;
   if (home.is_absolute()) return home / ".cache" / "coppermoon";
   throw algebra::Error("no folder for textures: the variable COPPERMOON_CACHE may name one");
 }
@@ -143,7 +144,8 @@ void say_once(const std::string& wrong) {
   static std::mutex alone;
   static std::string last;
   const std::scoped_lock lock(alone);
-  if (std::exchange(last, wrong) != wrong) fmt::print(stderr, "coppermoon: {}\n", wrong);
+  if (std::exchange(last, wrong) == wrong) return;
+  std::fputs(fmt::format("coppermoon: {}\n", wrong).c_str(), stderr);
 }
 
 /// Reads the texture of a recipe.
