@@ -12,6 +12,7 @@
 #include "verbs/flags/moon_options.h"
 #include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
+#include "verbs/reports/in_words.h"
 #include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
@@ -61,7 +62,8 @@ nlohmann::ordered_json described(const Options& options) {
 }
 
 void print_light(const nlohmann::ordered_json& disc) {
-  fmt::print("mean luminance  {:8.3g} cd/m²\n", disc["mean_luminance_cd_m2"].get<double>());
+  fmt::print("mean luminance  {:>8} cd/m²\n",
+             three_digits(disc["mean_luminance_cd_m2"].get<double>()));
   fmt::print("illuminance     {:8.3g} lx, on a surface that faces the Moon\n",
              disc["illuminance_lx"].get<double>());
 }

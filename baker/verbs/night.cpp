@@ -92,7 +92,8 @@ void print_moments(const Night& night) {
                wind(moment.moon.azimuth));
     const auto* light = light_of(night, moment.name);
     if (light != nullptr && moment.up)
-      fmt::print("{:>8.2f}{:>11.3g}{:>7}", light->V_magnitude, light->mean_luminance_cd_m2,
+      fmt::print("{:>8.2f}{:>11}{:>7}", light->V_magnitude,
+                 three_digits(light->mean_luminance_cd_m2),
                  light->faintest_star > 0 ? fmt::format("{:.1f}", light->faintest_star) : "-");
     else if (light != nullptr)
       fmt::print("   not seen");

@@ -4,19 +4,30 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 namespace coppermoon::verbs {
 namespace {
 
-/// To two digits, without an exponent: "1200", "0.31".
-std::string two_digits(double number) {
-  const double rounded = std::stod(fmt::format("{:.1e}", number));
-  return std::abs(rounded) >= 10 ? fmt::format("{:.0f}", rounded) : fmt::format("{}", rounded);
+/// To some digits, without an exponent.
+std::string plain(double number, int digits) {
+  const double rounded = std::stod(fmt::format("{:.{}e}", number, digits - 1));
+  if (rounded == 0) return "0";
+  const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(rounded))));
+  auto text = fmt::format("{:.{}f}", rounded, std::max(0, decimals));
+  if (decimals > 0) text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
 }
 
+/// "1200", "0.31".
+std::string two_digits(double number) { return plain(number, 2); }
+
 }  // namespace
+
+std::string three_digits(double number) { return plain(number, 3); }
 
 std::string in_percent(double share) { return two_digits(100 * share) + " %"; }
 

@@ -15,6 +15,9 @@ std::string within(double relative_error);
 /// A share in percent, to two digits: "0.3 %".
 std::string in_percent(double share);
 
+/// A number to three digits, without an exponent: "5180", "0.0123".
+std::string three_digits(double number);
+
 /// How long something takes, in the unit that people would use: "1.2 s", "14 min", "3 h", "1.3 years".
 std::string duration(double seconds);
 

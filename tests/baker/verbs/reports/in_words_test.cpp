@@ -14,6 +14,16 @@ TEST(InWords, ErrorsAreInPercent) {
   EXPECT_EQ(within(210), "in places wrong by more than the light itself");
 }
 
+TEST(InWords, NumbersHaveThreeDigitsAndNoExponent) {
+  EXPECT_EQ(three_digits(5180.4), "5180");
+  EXPECT_EQ(three_digits(99960), "100000");
+  EXPECT_EQ(three_digits(999.6), "1000");
+  EXPECT_EQ(three_digits(12.34), "12.3");
+  EXPECT_EQ(three_digits(0.5), "0.5");
+  EXPECT_EQ(three_digits(1.234e-5), "0.0000123");
+  EXPECT_EQ(three_digits(0), "0");
+}
+
 TEST(InWords, DurationsAreInTheUnitThatPeopleWouldUse) {
   EXPECT_EQ(duration(0.014), "0.014 s");
   EXPECT_EQ(duration(1.23), "1.2 s");
