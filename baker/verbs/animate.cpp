@@ -18,6 +18,7 @@
 #include "uses/film/make_film.h"
 #include "uses/light/spectral_bands.h"
 #include "verbs/command_line.h"
+#include "verbs/flags/air_options.h"
 #include "verbs/flags/camera_options.h"
 #include "verbs/flags/develop_options.h"
 #include "verbs/flags/film_options.h"
@@ -108,6 +109,8 @@ void run(const CLI::App& verb, const Options& options) {
     trace(film, shard);
   } else if (light_alone || !frames.empty()) {
     light_up(film, options.replace, progress);
+    say_unless_danjon_is_reached(film.moon.light.air,
+                                 almanac::sky_at(film.moments.eclipse.greatest));
     account.work = film.light->plan.work;
     film.record = record_of(account);
     make_film(film, frames,

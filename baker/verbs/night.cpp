@@ -19,6 +19,7 @@
 #include "uses/night/night_light.h"
 #include "uses/night/visibility_map.h"
 #include "verbs/command_line.h"
+#include "verbs/flags/air_options.h"
 #include "verbs/flags/camera_options.h"
 #include "verbs/flags/develop_options.h"
 #include "verbs/flags/film_options.h"
@@ -231,6 +232,8 @@ Night night_of(const Options& options) {
 void run(const Options& options) {
   require_sound(options);
   const auto night = night_of(options);
+  say_unless_danjon_is_reached(options.moon.light.request.air,
+                               almanac::sky_at(night.circumstances.eclipse.greatest));
   for (const auto& file : options.outputs) write(night, file);
   if (options.json) {
     auto document = as_json(night);

@@ -50,6 +50,7 @@ void run(const CLI::App& verb, const Options& options) {
   const auto sky = almanac::sky_at(instant_of(options.moment));
   uses::require_eclipse(sky.when, {}, options.moment.calendar);
   auto strip = uses::ring_strip(options.light, sky, options.on, options.scale);
+  say_unless_danjon_is_reached(options.light.air, sky);
   strip.attributes["coppermoon:recipe"] = recipe_of(verb);
   texture::write_exr(options.output, strip.light, strip.attributes, {texture::ExrType::floating});
   if (options.json) return print_json(options, sky, strip);

@@ -194,6 +194,7 @@ void run(const CLI::App& verb, const Options& options) {
   const auto light = light_request(options.light);
   const auto air = cut.sky ? uses::atmosphere_of(light.air, *cut.sky)
                            : uses::atmosphere_of(light.air, cut.sun_declination, an_equinox);
+  if (cut.sky) say_unless_danjon_is_reached(light.air, *cut.sky);
   const uses::ShadowCut shadow{air, uses::arrangement_of(light, cut.sun_distance_m, {cut.depth_m})};
   if (!options.lookup.empty())
     return make_lookup(options, {shadow, cut.sky}, light, recipe_of(verb));

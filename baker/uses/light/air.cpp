@@ -247,13 +247,26 @@ class Found {
   std::vector<One> all_;
 };
 
+double clearness_found(const Danjon& danjon, const almanac::SkyState& sky) {
+  static Found found;
+  return found.clearness(danjon, sky);
+}
+
 atmosphere::Belts cleared_belts(const Danjon& danjon, const almanac::SkyState& sky,
                                 const atmosphere::Belts& belts) {
-  static Found found;
-  return cleared({.belts = belts}, found.clearness(danjon, sky)).belts;
+  return cleared({.belts = belts}, clearness_found(danjon, sky)).belts;
 }
 
 }  // namespace
+
+bool reaches_danjon(const Air& asked, const almanac::SkyState& sky) {
+  if (!asked.column.danjon) return true;
+  const auto moment = moment_of(sky);
+  if (atmosphere_of(asked, moment.sun_declination, moment.year).belts.empty()) return true;
+  const double clearness = clearness_found({asked, nullptr, *asked.column.danjon}, sky);
+  return clearness > darkest_clearness + clearness_error &&
+         clearness < brightest_clearness - clearness_error / 2;
+}
 
 atmosphere::Atmosphere atmosphere_of(const Air& asked, const almanac::SkyState& sky) {
   const auto moment = moment_of(sky);

@@ -79,4 +79,8 @@ atmosphere::Atmosphere atmosphere_of(const Air& air, algebra::Angle sun_declinat
 /// The same of a sky, for the air over the limb that the Moon sees.
 atmosphere::Atmosphere atmosphere_of(const Air& air, const almanac::SkyState& sky);
 
+/// Whether there is air that makes the eclipse of that night one of the step of Danjon's scale that is asked
+/// for; true where none is, or the air has no belts to clear. Without, the clearest or the darkest is taken.
+bool reaches_danjon(const Air& asked, const almanac::SkyState& sky);
+
 }  // namespace coppermoon::uses

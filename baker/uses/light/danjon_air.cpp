@@ -130,7 +130,7 @@ double danjon_clearness(int l, const atmosphere::Atmosphere& air, const almanac:
   constexpr int halvings = 10;
   const double asked = 4.2 - 3. * l + l * l / 4.;
   const Totality totality(sky);
-  double dark = -2, bright = 1;
+  double dark = darkest_clearness, bright = brightest_clearness;
   if (totality.magnitude(air) > asked)
     dark = 0;
   else

@@ -13,6 +13,9 @@ namespace coppermoon::uses {
 /// Returned  the air, of belts, with all its columns changed so
 atmosphere::Atmosphere cleared(atmosphere::Atmosphere air, double clearness);
 
+/// The ends between which clearness is sought; how near to them it is where none does.
+inline constexpr double darkest_clearness = -2, brightest_clearness = 1, clearness_error = 2. / 1024;
+
 /// The clearness that makes the eclipse nearest to that moment one of Danjon's scale: its Moon, at the
 /// greatest phase, of the visual magnitude that goes with L.
 ///

@@ -190,6 +190,13 @@ std::string air_in_words(const CLI::App& verb) {
   return air + changes;
 }
 
+void say_unless_danjon_is_reached(const uses::Air& air, const almanac::SkyState& sky) {
+  if (reaches_danjon(air, sky)) return;
+  fmt::print(stderr,
+             "coppermoon: no air makes this eclipse {} on Danjon's scale; the nearest is taken\n",
+             *air.column.danjon);
+}
+
 RegionReader::RegionReader() : app_(std::make_unique<CLI::App>("", "a region")) {
   app_->set_help_flag();
   app_->add_option("--from-latitude", region_.from_latitude);

@@ -21,6 +21,9 @@ void add_air_options(CLI::App& verb, uses::Air& air);
 /// The air that was asked for, as titles name it: "standard air, stratospheric aerosol extreme".
 std::string air_in_words(const CLI::App& verb);
 
+/// Tells who waits when no air makes the eclipse as dark or as bright as --danjon asks.
+void say_unless_danjon_is_reached(const uses::Air& air, const almanac::SkyState& sky);
+
 /// What a region may say, and what it said once it was read.
 class RegionReader {
  public:

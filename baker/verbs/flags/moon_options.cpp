@@ -7,6 +7,8 @@
 #include <memory>
 #include <utility>
 
+#include "verbs/flags/air_options.h"
+
 namespace coppermoon::verbs {
 
 void add_map_options(CLI::App& verb, uses::MoonRequest& request) {
@@ -83,8 +85,9 @@ uses::MoonRequest moon_request(const MoonOptions& options) {
 
 almanac::SkyState eclipsed_sky(const MoonOptions& options) {
   const auto sky = almanac::sky_at(instant_of(options.moment));
-  if (!options.request.unshadowed)
-    uses::require_eclipse(sky.when, " (--unshadowed goes on without one)", options.moment.calendar);
+  if (options.request.unshadowed) return sky;
+  uses::require_eclipse(sky.when, " (--unshadowed goes on without one)", options.moment.calendar);
+  say_unless_danjon_is_reached(options.light.request.air, sky);
   return sky;
 }
 

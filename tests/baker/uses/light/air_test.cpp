@@ -109,5 +109,13 @@ TEST(DanjonClearness, IsTheSameForAllMomentsOfANightAndRefusesOtherDegrees) {
   EXPECT_THROW(atmosphere_of(five, at("2018-07-27T19:00:00Z")), algebra::Error);
 }
 
+TEST(ReachesDanjon, UnlessNoAirIsClearEnough) {
+  const auto deep = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:21:45Z"));
+  EXPECT_TRUE(reaches_danjon({}, deep));
+  EXPECT_TRUE(reaches_danjon({.column = {.danjon = 2}}, deep));
+  EXPECT_TRUE(reaches_danjon({.atmosphere = "undated", .column = {.danjon = 4}}, deep));
+  EXPECT_FALSE(reaches_danjon({.column = {.danjon = 4}}, deep)) << "by air alone it has no −3.8 mag";
+}
+
 }  // namespace
 }  // namespace coppermoon::uses
