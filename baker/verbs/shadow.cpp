@@ -192,8 +192,9 @@ void run(const CLI::App& verb, const Options& options) {
   require_sound(options);
   const auto cut = cut_of(options);
   const auto light = light_request(options.light);
-  const auto air = cut.sky ? uses::atmosphere_of(light.air, *cut.sky)
-                           : uses::atmosphere_of(light.air, cut.sun_declination, an_equinox);
+  auto air = cut.sky ? uses::shadow_at_the_moon(light, *cut.sky).air
+                     : uses::atmosphere_of(light.air, cut.sun_declination, an_equinox);
+  if (light.by_hand.terms && !cut.sky) air = uses::air_for(*light.by_hand.terms, {.air = air});
   if (cut.sky) say_unless_danjon_is_reached(light.air, *cut.sky);
   const uses::ShadowCut shadow{air, uses::arrangement_of(light, cut.sun_distance_m, {cut.depth_m})};
   if (!options.lookup.empty())

@@ -123,7 +123,11 @@ shadow::RefractedLight refracted_light(const LightRequest& request,
                                        const shadow::Arrangement& arrangement,
                                        const LightGrid& grid, const algebra::Progress& progress) {
   require_sound(request);
+  const auto& terms = request.by_hand.terms;
   auto light = [&] {
+    if (terms && !terms->refracted)
+      return shadow::darkness(arrangement, grid.wavelengths_nm, grid.axis_distances_m,
+                              air.symmetric() ? 1 : grid.around);
     if (request.solver == Solver::photons) {
       if (!request.photons)
         throw algebra::Error(
@@ -138,7 +142,6 @@ shadow::RefractedLight refracted_light(const LightRequest& request,
         air, arrangement, grid.wavelengths_nm, grid.axis_distances_m,
         {.rays = work.rays, .sun_terms = work.sun_terms, .around = grid.around}, progress);
   }();
-  const auto& terms = request.by_hand.terms;
   const bool left_out = terms && !terms->scattered_light;
   if (!left_out && scattered_light_of(request) != ScatteredLight::off)
     shadow::add_twilight(light, air);

@@ -62,10 +62,9 @@ std::vector<double> sector_shares(std::size_t sectors, std::optional<double> pos
 }  // namespace
 
 ShadowCut shadow_at_the_moon(const LightRequest& request, const almanac::SkyState& sky) {
-  const auto axis = eclipse::shadow_axis(sky);
-  const double depth_m = algebra::in_metres(eclipse::place_in_shadow(axis, sky.moon_m).depth);
-  return {atmosphere_of(request.air, sky),
-          arrangement_of(request, algebra::in_metres(axis.sun_distance), {depth_m})};
+  const auto moon = shadowed_moon(request, sky);
+  return {request.by_hand.terms ? air_for(*request.by_hand.terms, moon) : moon.air,
+          arrangement_of(request, moon.sun_distance_m, {algebra::in_metres(moon.centre.depth)})};
 }
 
 ShadowProfile shadow_profile(const LightRequest& request, const ShadowCut& cut,

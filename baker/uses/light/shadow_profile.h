@@ -16,7 +16,7 @@ struct ShadowCut {
   shadow::Arrangement arrangement;  ///< one plane
 };
 
-/// The shadow cut where the Moon's centre is at one moment.
+/// The shadow cut where the Moon's centre is at one moment, in air without the terms that are left out.
 ShadowCut shadow_at_the_moon(const LightRequest& request, const almanac::SkyState& sky);
 
 /// What is asked of a cut.

@@ -64,12 +64,26 @@ TEST(ShadowProfile, HasScatteredLightUnlessItIsOffOrLeftOut) {
   EXPECT_EQ(blue_on_the_axis(request, on), without);
 }
 
+TEST(ShadowProfile, IsWithoutTheTermsThatAreLeftOut) {
+  auto request = in_undated_air();
+  request.scattered_light = ScatteredLight::off;
+  request.by_hand.terms = plan::Work{.ellipsoid = false};
+  const auto pole = profile_at(request, 0), equator = profile_at(request, 90);
+  for (std::size_t d = 0; d < pole.axis_distances_m.size(); ++d)
+    EXPECT_EQ(pole.ratio(d, 0), equator.ratio(d, 0)) << "a sphere's shadow is alike all around";
+  request.by_hand.terms = plan::Work{.refracted = false};
+  const auto dark = profile_at(request, 0);
+  for (const double ratio : dark.ratio.values()) EXPECT_EQ(ratio, 0);
+}
+
 TEST(ShadowProfile, OfFewPhotonsIsNeverDarkerThanBlack) {
   auto request = in_undated_air();
   request.solver = Solver::photons;
   request.photons = 3000;
-  for (const double angle : {7.5, 22.5, 97.5})
-    for (const double ratio : profile_at(request, angle).ratio.values()) EXPECT_GE(ratio, 0);
+  for (const double angle : {7.5, 22.5, 97.5}) {
+    const auto here = profile_at(request, angle);
+    for (const double ratio : here.ratio.values()) EXPECT_GE(ratio, 0);
+  }
 }
 
 }  // namespace
