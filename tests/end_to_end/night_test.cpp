@@ -105,6 +105,13 @@ TEST_F(Night, OfTheAlmanacSaysWhichContactsAreSeen) {
   EXPECT_EQ(seen("London"), "greatest to P4");
   EXPECT_EQ(seen("Chicago"), "none");
   EXPECT_EQ(coppermoon({"almanac"}).status, 0) << "from today, for ten years";
+  const auto columbus = coppermoon(
+      {"almanac", "--from", "1504-01-01", "--to", "1504-06-01", "--calendar", "julian", "--json"});
+  expect_done(columbus);
+  const auto listed = nlohmann::json::parse(columbus.out);
+  EXPECT_EQ(listed[0]["calendar"], "julian");
+  EXPECT_EQ(listed[0]["contacts"]["P1"].get<std::string>().substr(0, 10), "1504-02-29");
+  EXPECT_EQ(listed[0]["contacts"]["U2"].get<std::string>().substr(0, 10), "1504-03-01");
 }
 
 }  // namespace
