@@ -274,7 +274,8 @@ TEST_F(BadInput, AnInstantWithoutEclipseIsAnsweredWithTheNearest) {
 
 TEST_F(BadInput, AMoonBelowTheHorizonIsRefused) {
   // At 150 east it is one in the afternoon, and the Moon is full.
-  expect_refused(still({"--at", "-30,150"}), could_not, {"from -30,150 the Moon is", "below the horizon"});
+  expect_refused(still({"--at", "-30,150"}), could_not,
+                 {"from -30,150 the Moon is", "below the horizon"});
 }
 
 TEST_F(BadInput, DustThatNoAirHoldsIsRefused) {

@@ -71,8 +71,8 @@ void require_up(const Film& film, const std::vector<std::size_t>& frames) {
   const auto [first, last] = std::ranges::minmax(up);
   throw algebra::Error(fmt::format(
       "the Moon is below the horizon of {} in frame {}; it is up from frame {} ({}) to {}", place,
-      std::ranges::min(down), first, almanac::utc_text(film.moments.frames[first - 1], film.moments.eclipse.calendar),
-      last));
+      std::ranges::min(down), first,
+      almanac::utc_text(film.moments.frames[first - 1], film.moments.eclipse.calendar), last));
 }
 
 /// Width of all textures [texels]: as the frame needs it where the Moon is nearest.
