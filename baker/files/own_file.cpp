@@ -22,8 +22,8 @@ bool is_taken(const fs::path& path) {
 
 }  // namespace
 
-std::string stamped(std::string_view text, std::string_view comment) {
-  return fmt::format("{}{}{}{:016x}\n", text, comment, mark, fingerprint(text));
+std::string stamped(std::string_view text, std::string_view comment, std::string_view end) {
+  return fmt::format("{}{}{}{:016x}{}\n", text, comment, mark, fingerprint(text), end);
 }
 
 bool is_stamped(const fs::path& file) {
@@ -33,7 +33,8 @@ bool is_stamped(const fs::path& file) {
   const auto at = bytes.rfind(mark);
   if (at == std::string::npos) return false;
   const auto text = bytes.substr(0, bytes.rfind('\n', at) + 1);
-  return bytes == stamped(text, bytes.substr(text.size(), at - text.size()));
+  const std::string_view end = bytes.ends_with(" -->\n") ? " -->" : "";
+  return bytes == stamped(text, bytes.substr(text.size(), at - text.size()), end);
 }
 
 void require_no_link(const fs::path& path) {

@@ -12,7 +12,8 @@ namespace coppermoon::files {
 ///
 /// Given  text     whole lines
 ///        comment  begins a comment in the text's language, as "//"
-std::string stamped(std::string_view text, std::string_view comment);
+///        end      ends it where the line does not: " -->"
+std::string stamped(std::string_view text, std::string_view comment, std::string_view end = {});
 
 /// Whether a file ends in its own fingerprint. A link does not count, wherever it leads.
 bool is_stamped(const std::filesystem::path& file);

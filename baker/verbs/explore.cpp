@@ -7,6 +7,7 @@
 
 #include "algebra/error.h"
 #include "almanac/gazetteer.h"
+#include "files/own_file.h"
 #include "files/whole_file.h"
 #include "uses/explore/exploration.h"
 #include "verbs/command_line.h"
@@ -42,7 +43,9 @@ void require_sound(const Options& options) {
   const fs::path file = options.output;
   if (!many && file.extension() != ".html")
     throw algebra::Error(fmt::format("{}: a page ends in .html", one_line(options.output)));
-  if (!many) files::require_place_for(file);
+  if (!many) return files::require_place_for(file);
+  if (fs::exists(file) && !fs::is_directory(file))
+    throw algebra::Error(fmt::format("{}: is no directory", one_line(options.output)));
 }
 
 /// A word as a shell takes it: in quotes where it needs them.
@@ -66,13 +69,16 @@ std::string options_shown(const CLI::App& verb) {
   return fmt::to_string(fmt::join(words, " "));
 }
 
+std::string stamped(const std::string& page) { return files::stamped(page, "<!--", " -->"); }
+
 void write_page(const eclipse::Eclipse& eclipse, const uses::ExploreRequest& request,
                 uses::PageExtent extent, const fs::path& file) {
   const auto exploration = [&] {
     ProgressBar bar("page");
     return uses::exploration_of(eclipse, request, bar.progress());
   }();
-  const auto page = uses::page_of(exploration, extent);
+  auto page = uses::page_of(exploration, extent);
+  if (extent == uses::PageExtent::whole) page = stamped(page);
   files::write_whole(file, page);
   fmt::print("{}: {}, {:.1f} MB\n", one_line(file.string()), exploration.title,
              static_cast<double>(page.size()) / 1e6);
@@ -90,15 +96,16 @@ void write_calendar(const Options& options) {
   if (eclipses.empty())
     throw algebra::Error(
         fmt::format("from {} to {}: no eclipse of the Moon", options.from, options.to));
-  const fs::path folder = options.output;
-  fs::create_directories(folder);
+  const fs::path folder = options.output, list = folder / "index.html";
   std::vector<std::string> pages;
-  for (const auto& eclipse : eclipses) {
-    pages.push_back(page_name(eclipse));
-    write_page(eclipse, options.request, uses::PageExtent::whole, folder / pages.back());
-  }
-  files::write_whole(folder / "index.html", uses::calendar_page(eclipses, pages));
-  fmt::print("{}: {} eclipses\n", one_line((folder / "index.html").string()), eclipses.size());
+  for (const auto& eclipse : eclipses) pages.push_back(page_name(eclipse));
+  files::require_stamped(list);
+  for (const auto& page : pages) files::require_stamped(folder / page);
+  fs::create_directories(folder);
+  for (std::size_t i = 0; i < eclipses.size(); ++i)
+    write_page(eclipses[i], options.request, uses::PageExtent::whole, folder / pages[i]);
+  files::write_whole(list, stamped(uses::calendar_page(eclipses, pages)));
+  fmt::print("{}: {} eclipses\n", one_line(list.string()), eclipses.size());
 }
 
 void run(const CLI::App& verb, Options options) {

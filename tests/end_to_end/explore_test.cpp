@@ -457,7 +457,7 @@ TEST_F(Explore, AnotherAirIsSeenAsItIsAndSaidAsItIs) {
       "bright.slid = page.find('steps').querySelectorAll('[aria-pressed=true]').length;\n"
       "page.set({place: page.panel.places.named('Mexico City')});\n"
       "page.drawBeside();\n"
-      "return {london, follows, before, later, told, dark, bright, link: "
+      "return {london, follows, before, later, told, dark, bright, below: command(), link: "
       "decodeURIComponent(location.hash)};");
   EXPECT_NE(said["london"].get<std::string>().find(
                 " --at 51.5100,-0.1300,25 --reddening off --flattening off "),
@@ -557,6 +557,8 @@ TEST_F(Explore, NamesOfFilesBreakNoPage) {
   make("2018-07-27", {"--albedo-map", map.string()});
   const auto said = in_browser("return page.facts.options;");
   EXPECT_NE(said.get<std::string>().find("<!--<script> & "), std::string::npos);
+  EXPECT_EQ(text_of(here("a.html")).find(here().string()), std::string::npos)
+      << "a page for all shows no folder of its maker's";
 }
 
 TEST_F(Explore, ACalendarListsItsPages) {
@@ -570,6 +572,18 @@ TEST_F(Explore, ACalendarListsItsPages) {
   EXPECT_NE(index.find("<a href=\"2025-03-14.html\">2025-03-14</a></td><td>06:58</td><td>total"),
             std::string::npos)
       << index;
+  const Words year{"explore", "--from", "2025-01-01", "--to", "2025-12-31", "-o", "year"};
+  file("year/2025-09-07.html", "<p>my own</p>\n");
+  EXPECT_EQ(coppermoon(year).err,
+            "coppermoon: year/2025-09-07.html: is not as coppermoon wrote it, and would be "
+            "overwritten; move it, or choose another folder\n");
+  file("year/index.html", "<h1>my own</h1>\n");
+  EXPECT_EQ(coppermoon(year).status, 1);
+  EXPECT_EQ(text_of(here("year/index.html")), "<h1>my own</h1>\n");
+  std::filesystem::remove(here("year/2025-09-07.html"));
+  file("year/index.html", index);
+  const auto again = coppermoon({"explore", "--from", "2025-03-01", "--to", "2025-03-31", "-o", "year"});
+  EXPECT_EQ(again.status, 0) << "its own pages and list are made anew: " << again.err;
 }
 
 TEST_F(Explore, WhatIsNoPageIsRefused) {

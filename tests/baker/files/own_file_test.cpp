@@ -21,6 +21,8 @@ TEST_F(OwnFile, EndsInItsFingerprint) {
   EXPECT_TRUE(is_stamped(path));
   EXPECT_NO_THROW(require_stamped(path));
   EXPECT_NO_THROW(require_stamped(in_folder("none.inc")));
+  EXPECT_TRUE(is_stamped(file("a.html", stamped("one\n", "<!--", " -->"))));
+  EXPECT_FALSE(is_stamped(file("a.html", stamped("one\n", "<!--", " -->") + "two\n")));
 }
 
 TEST_F(OwnFile, ThatWasChangedIsNotOurs) {
