@@ -21,7 +21,7 @@ using Values = algebra::Grid<float>;
 using std::numbers::pi;
 
 constexpr double within_limb = 0.92, beyond_limb = 1.2;  // of the disc's radius
-constexpr double least_correlation = 0.4;
+constexpr double least_correlation = 0.4, least_of_markings = 0.3;  // by chance up to 0.29
 
 /// Sums that a weighted correlation is made of.
 struct Sums {
@@ -69,13 +69,13 @@ Similarity similarity_of(const Pair& pair, const Pose& pose) {
   return similarity;
 }
 
-/// How alike the discs are in a pose, out to a part of their radius.
-double correlation(const Pair& pair, const Pose& pose, double out_to) {
+/// Acts on all pixels of the photograph's disc that the render shows too, out to a part of the radius: on
+/// the share of that part, the weight, and the contrasts in the photograph and in the render.
+void for_all_shared(const Pair& pair, const Pose& pose, double out_to, const auto& act) {
   const auto back = inverse(similarity_of(pair, pose));
   const auto corner = moved(back, {0.5, 0.5}), across = moved(back, {1.5, 0.5}) - corner,
              down = moved(back, {0.5, 1.5}) - corner;
   const double middle = middle_of(pair.photo), reach = out_to * pair.radius_px;
-  Sums sums;
   for (std::size_t r = 0; r < pair.photo.contrast.rows(); ++r)
     for (std::size_t c = 0; c < pair.photo.contrast.columns(); ++c) {
       const double x = static_cast<double>(c), y = static_cast<double>(r);
@@ -85,9 +85,36 @@ double correlation(const Pair& pair, const Pose& pose, double out_to) {
       const auto there = corner + x * across + y * down;
       const double weight = here * between_pixels(pair.render.weight, there);
       if (weight > 0)
-        sums.add(weight, pair.photo.contrast(r, c), between_pixels(pair.render.contrast, there));
+        act(glm::length(out) / reach, weight, double{pair.photo.contrast(r, c)},
+            between_pixels(pair.render.contrast, there));
     }
+}
+
+/// How alike the discs are in a pose, out to a part of their radius.
+double correlation(const Pair& pair, const Pose& pose, double out_to) {
+  Sums sums;
+  for_all_shared(pair, pose, out_to, [&](double, double weight, double a, double b) {
+    sums.add(weight, a, b);
+  });
   return sums.correlation();
+}
+
+/// How alike the markings are: the mean of each ring about the disc's middle is taken off both, since any
+/// bright ball darkens towards its limb.
+double correlation_of_markings(const Pair& pair, const Pose& pose) {
+  constexpr std::size_t count = 24;
+  std::array<Sums, count> rings;
+  for_all_shared(pair, pose, within_limb, [&](double share, double weight, double a, double b) {
+    rings[std::min(count - 1, static_cast<std::size_t>(share * count))].add(weight, a, b);
+  });
+  Sums all{.w = 1};
+  for (const auto& ring : rings) {
+    if (!(ring.w > 0)) continue;
+    all.xx += ring.xx - ring.x * ring.x / ring.w;
+    all.yy += ring.yy - ring.y * ring.y / ring.w;
+    all.xy += ring.xy - ring.x * ring.y / ring.w;
+  }
+  return all.correlation();
 }
 
 /// Rings of a disc, a value each degree.
@@ -263,6 +290,8 @@ Registration registered(const Values& photo, const Values& render) {
   best = refined(fine, best, 0.003, 0.005);
   const double alike = correlation(fine, best, within_limb);
   algebra::require_within("correlation of photograph and render", alike, least_correlation, 1);
+  algebra::require_within("correlation of markings on photograph and render",
+                          correlation_of_markings(fine, best), least_of_markings, 1);
   const auto from_render = composed(inverse(discs.render.to_whole), fine.render.from_picture),
              to_photo = composed(inverse(fine.photo.from_picture), discs.photo.to_whole);
   auto found = composed(composed(from_render, similarity_of(fine, best)), to_photo);

@@ -80,7 +80,8 @@ struct Told {
 /// By the recipe in a frame's own header or its scene's texture's.
 Told told_by(const std::string& file) {
   if (!holds_recipe(file))
-    throw algebra::Error(fmt::format("{}: allowed is an .exr made by coppermoon", file));
+    throw algebra::Error(
+        fmt::format("{}: has no recipe, allowed are .exr files made by coppermoon", file));
   const auto flags = flags_told_by(file);
   const auto sky = almanac::sky_at(instant_of(flags.moon.moment));
   const auto view = uses::seen_through(flags.camera, flags.view);
@@ -137,6 +138,7 @@ Json as_json(const uses::Difference& difference) {
           {"axis_distance_to_km", difference.to_km},
           {"pixels", difference.pixels},
           {"clipped_pixels", difference.clipped},
+          {"black_pixels", difference.black},
           {"difference_stops", or_null(difference.stops)},
           {"photo_u", part(difference.photo_uv, 0)},
           {"photo_v", part(difference.photo_uv, 1)},
@@ -220,8 +222,11 @@ void print_table(const Options& options, const Found& found) {
       "correlation {:.3f}\n",
       one_line(options.photo), is.scale, is.rotation_rad * 180 / std::numbers::pi, is.x_px, is.y_px,
       is.mirrored ? ", mirrored" : "", registration.correlation);
-  fmt::print("exposure by {}: {:.4g} per cd/m2; a fit says {:+.3f} stops\n",
-             found.exif ? "exif" : "fit", found.comparison.exposure, found.stops_of_fit());
+  fmt::print("exposure {}: {:.4g} per cd/m2{}\n", found.exif ? "by the header" : "fitted",
+             found.comparison.exposure,
+             found.exif ? fmt::format("; the fitted one differs by {:+.3f} stops",
+                                      found.stops_of_fit())
+                        : "");
   fmt::print("tone curve: {}\n", coding_in_words(found));
   fmt::print("{:>15} {:>9} {:>8} {:>8}  {:>13}  {:>13} {:>8}\n", "axis [km]", "pixels", "clipped",
              "stops", "photo u' v'", "render u' v'", "dE2000");
@@ -245,8 +250,8 @@ std::optional<colour::Exposure> exif_to_use(const Options& options, texture::Cod
   const auto exif = uses::exif_of(options.photo);
   if (!exif && options.exposure == "exif")
     throw algebra::Error(fmt::format(
-        "{}: its header has not all of exposure time, f-number and ISO speed; allowed is "
-        "--exposure fit",
+        "{}: its header has not all of exposure time, f-number and ISO speed; --exposure fit "
+        "does without it",
         options.photo));
   return exif;
 }
@@ -264,6 +269,9 @@ void run(const Options& options) {
                                    {exif, coding == texture::Coding::camera, glow, options.bins})};
   if (!options.output.empty())
     texture::write_png(options.output, uses::comparison_sheet(photo, found.comparison), 8);
+  if (const auto& curve = found.comparison.curve)
+    if (const auto doubt = doubt_of(*curve); !doubt.empty())
+      fmt::print(stderr, "coppermoon: {}\n", doubt);
   if (options.json)
     print_json(options, found);
   else

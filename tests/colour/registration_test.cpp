@@ -177,5 +177,32 @@ TEST(Registration, RefusesPicturesWithoutAMoon) {
   EXPECT_THROW(registered(moon, noise), algebra::Error);
 }
 
+/// A Sun of 100 pixels: darker towards its limb or, as in hydrogen's light, brighter; with two spots.
+Luminance sun(double limb, const Camera& camera, algebra::Random& random) {
+  constexpr std::size_t side = 260;
+  constexpr double radius_px = 100, middle = 0.5 * side;
+  Luminance light(side, side);
+  for (std::size_t r = 0; r < side; ++r)
+    for (std::size_t c = 0; c < side; ++c) {
+      const double x = (static_cast<double>(c) + 0.5 - middle) / radius_px,
+                   y = (static_cast<double>(r) + 0.5 - middle) / radius_px;
+      if (x * x + y * y >= 1) continue;
+      const bool spot = std::hypot(x - 0.3, y - 0.2) < 0.04 || std::hypot(x + 0.4, y + 0.3) < 0.03;
+      light(r, c) =
+          static_cast<float>(std::lerp(limb, 1, std::sqrt(1 - x * x - y * y)) * (spot ? 0.3 : 1));
+    }
+  return photographed(light, camera, random);
+}
+
+/// In the middle of totality light grows from the disc's middle to its limb, as on such a Sun.
+TEST(Registration, RefusesTheSun) {
+  algebra::Random random(8, 5);
+  const auto moon = drawn(Moon({{0.1, 0}, 0.1}), {60, 0, 90, 90}, 180, 180);
+  for (const double limb : {0.4, 1.6, 3.})
+    EXPECT_THROW(registered(sun(limb, {.blur_px = 1, .noise = 0.005}, random), moon),
+                 algebra::Error)
+        << limb;
+}
+
 }  // namespace
 }  // namespace coppermoon::colour

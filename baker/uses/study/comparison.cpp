@@ -65,6 +65,7 @@ struct Sums {
       return;
     }
     ++difference.pixels;
+    if (!(luminance(pixel.photo) > 0)) ++difference.black;
     photo += pixel.photo;
     render += exposure * pixel.render_cd_m2;
     delta_e +=
@@ -72,7 +73,7 @@ struct Sums {
   }
   Difference result() const {
     auto made = difference;
-    if (made.pixels == 0) return made;
+    if (made.pixels == 0 || 2 * made.black > made.pixels) return made;
     const double seen = luminance(photo), expected = luminance(render);
     if (seen > 0 && expected > 0) made.stops = std::log2(seen / expected);
     made.photo_uv = uv_of(photo);

@@ -48,10 +48,12 @@ std::vector<SharedPixel> shared_pixels(const texture::Image& photo, const textur
 /// Throws    Error  when there is no such pixel
 double fitted_exposure(const std::vector<SharedPixel>& pixels);
 
-/// Difference between pixels of a photograph and those of a render, clipped ones left out.
+/// Difference between pixels of a photograph and those of a render, clipped ones left out. Where more than
+/// half of the photograph's pixels are black nothing is said: its numbers end above the light.
 struct Difference {
   double from_km = 0, to_km = 0;  ///< axis distances
   std::size_t pixels = 0, clipped = 0;
+  std::size_t black = 0;             ///< of the pixels, those without light in the photograph
   std::optional<double> stops = {};  ///< mean luminance of the photograph over the render's
   std::optional<std::array<double, 2>> photo_uv = {},
                                        render_uv = {};  ///< CIE 1976 u', v' of the mean light

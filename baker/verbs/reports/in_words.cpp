@@ -56,7 +56,19 @@ std::string exposure_in_words(const uses::Exposures& exposures) {
 }
 
 std::string in_words(const colour::ToneCurve& curve) {
-  return fmt::format("{:+.2f} of what cameras differ by", fmt::join(components_of(curve), ", "));
+  return fmt::format("{:+.2f} standard deviations of cameras", fmt::join(components_of(curve), ", "));
+}
+
+std::string doubt_of(const colour::ToneCurve& curve) {
+  constexpr double most_deviations = 4;  // one camera in ten thousand
+  double most = 0;
+  for (const double number : components_of(curve))
+    if (std::abs(number) > std::abs(most)) most = number;
+  if (std::abs(most) <= most_deviations) return {};
+  return fmt::format(
+      "no camera has the tone curve that was found, {:+.0f} standard deviations from their mean: "
+      "likely another moment or air, or no camera's JPEG (--coding srgb or linear)",
+      most);
 }
 
 std::vector<double> components_of(const colour::ToneCurve& curve) {

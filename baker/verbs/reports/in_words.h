@@ -27,8 +27,12 @@ std::string exposure_in_words(double seconds);
 /// The same for a picture; of a composite "1/500 s and 4 s".
 std::string exposure_in_words(const uses::Exposures& exposures);
 
-/// How a camera's tone curve differs from the mean one: "+0.40, +0.13, +0.23 of what cameras differ by".
+/// How a camera's tone curve differs from the mean one: "+0.40, +0.13, +0.23 standard deviations of
+/// cameras".
 std::string in_words(const colour::ToneCurve& curve);
+
+/// A line of warning about a tone curve that no camera has; empty for others.
+std::string doubt_of(const colour::ToneCurve& curve);
 
 /// The same numbers.
 std::vector<double> components_of(const colour::ToneCurve& curve);
