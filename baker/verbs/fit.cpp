@@ -74,18 +74,23 @@ std::optional<double> number_told(const std::string& list, std::size_t i, std::s
   return one_of(*numbers, i);
 }
 
+/// A photograph whose header does not say when it was taken.
+struct Undated {
+  std::string file, why;
+};
+
 /// What is to be explained, and the instants of its photographs as they were told.
 struct Told {
   uses::FitRequest request;
   std::vector<std::string> instants;
+  std::vector<Undated> undated{};
 };
 
 constexpr const char* from_header = "from-header";
 
 /// What a camera's clock said, in UTC as far as its zone is known: that told, the header's, or that of the
 /// place.
-std::string instant_in_header(const Options& options, const std::string& photo) {
-  const auto clock = uses::clock_of(photo);
+std::string instant_by(const uses::HeaderClock& clock, const Options& options) {
   const auto zone = options.zone.empty() ? clock.offset.value_or("") : options.zone;
   if (zone.starts_with('+') || zone.starts_with('-')) return clock.local + zone;
   const auto& observer = options.request.view.observer;
@@ -94,39 +99,49 @@ std::string instant_in_header(const Options& options, const std::string& photo) 
                        : almanac::utc_text(uses::instant_of_local(clock.local, named));
 }
 
-/// Texts of all photographs' instants.
-std::vector<std::string> all_instants(const Options& options) {
-  std::vector<std::string> all;
-  if (options.photos.empty()) return all;
-  const auto told =
-      options.instants == from_header ? std::vector<std::string>{} : instants_of(options);
-  for (std::size_t i = 0; i < options.photos.size(); ++i)
-    all.push_back(told.empty() ? instant_in_header(options, options.photos[i]) : one_of(told, i));
-  return all;
+/// Adds the i-th photograph, taken at an instant.
+void add_photograph(const Options& options, std::size_t i, const std::string& instant, Told& told) {
+  const auto photos = options.photos.size();
+  told.request.photographs.push_back({.file = options.photos[i],
+                                      .instant = almanac::instant_from_utc(instant),
+                                      .coding = options.coding,
+                                      .time_s = number_told(options.times, i, photos, "times"),
+                                      .iso = number_told(options.isos, i, photos, "ISO speeds"),
+                                      .f_number = options.f_number});
+  told.instants.push_back(instant);
 }
 
-/// Whether nothing says in which zone the cameras' clocks are.
-bool zone_is_open(const Options& options) {
-  return options.instants == from_header && options.zone.empty() &&
-         std::ranges::any_of(options.photos,
-                             [](const auto& photo) { return !uses::clock_of(photo).offset; });
+/// Adds photographs by their headers' clocks; those without are left out while there are others.
+void add_by_headers(const Options& options, Told& told) {
+  for (std::size_t i = 0; i < options.photos.size(); ++i) {
+    std::optional<uses::HeaderClock> clock;
+    try {
+      clock = uses::clock_of(options.photos[i]);
+    } catch (const algebra::Error& error) {
+      told.undated.push_back(
+          {options.photos[i], uses::reason_without_name(options.photos[i], error)});
+      continue;
+    }
+    add_photograph(options, i, instant_by(*clock, options), told);
+    told.request.half_hours_free |= options.zone.empty() && !clock->offset;
+  }
+  if (told.request.photographs.empty() && !told.undated.empty())
+    throw algebra::Error(
+        fmt::format("{}: {}", told.undated.front().file, told.undated.front().why));
 }
 
 Told told_by(const Options& options) {
   constexpr double usual_clock_error_min = 10;
-  Told told{options.request, all_instants(options)};
+  const bool by_headers = options.instants == from_header;
+  Told told{options.request, {}};
   told.request.clock_error_s =
-      60 *
-      options.clock_error_min.value_or(options.instants == from_header ? usual_clock_error_min : 0);
-  told.request.half_hours_free = zone_is_open(options);
-  const auto photos = options.photos.size();
-  for (std::size_t i = 0; i < photos; ++i) {
-    told.request.photographs.push_back({.file = options.photos[i],
-                                        .instant = almanac::instant_from_utc(told.instants[i]),
-                                        .coding = options.coding,
-                                        .time_s = number_told(options.times, i, photos, "times"),
-                                        .iso = number_told(options.isos, i, photos, "ISO speeds"),
-                                        .f_number = options.f_number});
+      60 * options.clock_error_min.value_or(by_headers ? usual_clock_error_min : 0);
+  if (by_headers) {
+    add_by_headers(options, told);
+  } else if (!options.photos.empty()) {
+    const auto instants = instants_of(options);
+    for (std::size_t i = 0; i < options.photos.size(); ++i)
+      add_photograph(options, i, one_of(instants, i), told);
   }
   if (!options.magnitudes.empty())
     told.request.magnitudes = uses::read_magnitudes(options.magnitudes);
@@ -188,6 +203,8 @@ void print_json(const Told& told, const uses::FitReport& found) {
   for (std::size_t i = 0; i < photographs.size(); ++i)
     all["photographs"].push_back(
         as_json(photographs[i], told.request.photographs[i].file, told.instants[i]));
+  for (const auto& [file, why] : told.undated)
+    all["photographs"].push_back({{"file", file}, {"instant", Json()}, {"left_out", why}});
   for (const auto& night : nights) all["nights"].push_back(as_json(night, told));
   fmt::print("{}\n", all.dump(2));
 }
@@ -219,10 +236,12 @@ void print_table(const Told& told, const uses::FitReport& found) {
   const auto& p = fit.posterior;
   for (std::size_t i = 0; i < photographs.size(); ++i)
     print_photograph(photographs[i], told.request.photographs[i].file);
+  for (const auto& [file, why] : told.undated)
+    fmt::print("{}: left out: {}\n", one_line(file), one_line(why));
   const auto print = [](const char* name, const Estimate& e, bool logarithm, const char* unit) {
     const auto value = [&](double x) { return logarithm ? std::exp(x) : x; };
     fmt::print("{:<12} {:>9.3g}  {:.3g} to {:.3g} {}{}\n", name, value(e.median), value(e.low),
-               value(e.high), unit, e.information < no_information ? " (nothing told)" : "");
+               value(e.high), unit, e.information < no_information ? " (not determined)" : "");
   };
   print("dust", p.estimates[0], true, "1/m");
   print("cloud cover", p.estimates[1], false, "");
@@ -276,6 +295,9 @@ void run(const Options& options) {
   std::vector<std::vector<uses::MeasuredLight>> nights;
   for (const auto& night : found.nights) nights.push_back(night.light);
   for (const auto& file : options.outputs) uses::write_measured_light(file, nights);
+  for (const auto& night : found.nights)
+    if (const auto doubt = night.curve ? doubt_of(*night.curve) : ""; !doubt.empty())
+      fmt::print(stderr, "coppermoon: {}\n", doubt);
   options.json ? print_json(told, found) : print_table(told, found);
 }
 

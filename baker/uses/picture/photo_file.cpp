@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <regex>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -38,18 +39,43 @@ std::optional<std::string> text_in_header(const std::string& photo, Names names)
 std::optional<double> number_in_header(const std::string& photo, Names names) {
   for (const auto& text : all_in_header(photo, names)) {
     const auto value = algebra::number_in(text.value_or(""));
-    if (value && *value > 0) return value;
+    if (value && *value > 0 && std::isfinite(*value)) return value;
   }
   return std::nullopt;
 }
 
-/// As seconds_of_date; its error names the photograph.
-std::optional<double> seconds_of(const std::string& photo, const std::string& date) {
-  try {
-    return seconds_of_date(date);
-  } catch (const algebra::Error& error) {
-    throw algebra::Error(fmt::format("{}: {}", photo, error.what()));
-  }
+/// A clock by a header's texts; its error names the photograph.
+std::optional<HeaderClock> clock_named(const std::string& photo, const std::string& date,
+                                       const std::string& offset = {}) try {
+  return clock_in(date, offset);
+} catch (const algebra::Error& error) {
+  throw algebra::Error(fmt::format("{}: {}", photo, error.what()));
+}
+
+/// Whether a text is blank as EXIF writes what is unknown: its separators alone.
+bool is_unknown(std::string_view text) {
+  return text.find_first_not_of(std::string_view(" :\0", 3)) == text.npos;
+}
+
+/// An offset from UTC as "+03:00"; nothing when it is unknown.
+std::optional<std::string> offset_in(const std::string& text) {
+  static const std::regex known(R"(\s*([+-])(\d{1,2})(?::?(\d{2}))?[\s\0]*)");
+  if (is_unknown(text)) return std::nullopt;
+  if (text == "Z" || text == "z") return "+00:00";
+  std::smatch part;
+  constexpr std::size_t longest = 16;
+  constexpr int most_hours = 15;
+  if (text.size() > longest || !std::regex_match(text, part, known) ||
+      std::stoi(part[2]) > most_hours)
+    throw algebra::Error(
+        fmt::format("its header's offset from UTC = {}, allowed as +03:00", text));
+  return fmt::format("{}{:0>2}:{}", part[1].str(), part[2].str(),
+                     part[3].matched ? part[3].str() : "00");
+}
+
+double seconds_at(const HeaderClock& clock) {
+  const auto when = almanac::instant_from_utc(clock.local + clock.offset.value_or("Z"));
+  return (when.tt_day + when.tt_fraction) * 86400;
 }
 
 /// EXIF's first tag for it holds 16 bits: of faster speeds it says 65535, and another tag says how fast.
@@ -107,12 +133,41 @@ bool white_balance_is_fixed(const std::string& photo) {
   return texture::read_attribute(photo, "Exif:WhiteBalance").value_or("") == "1";
 }
 
+std::optional<HeaderClock> clock_in(const std::string& date, const std::string& offset) {
+  static const std::regex known(
+      R"(\s*(\d{4})[:/-](\d{1,2})[:/-](\d{1,2})[ T]+(\d{1,2}):(\d{2})(?::(\d{2})(?:[.,]\d*)?)?\s*)"
+      R"((Z|[+-]\d{1,2}:?\d{2})?[\s\0]*)");
+  constexpr std::size_t longest = 40;
+  if (date.find_first_not_of(std::string_view(" :0-/T\0", 7)) == date.npos) return std::nullopt;
+  std::smatch part;
+  const auto unknown = [&] {
+    return algebra::Error(
+        fmt::format("its header's date = {}, allowed YYYY:MM:DD HH:MM:SS", date));
+  };
+  if (date.size() > longest || !std::regex_match(date, part, known)) throw unknown();
+  const auto hour = part[4] == "24" ? "00" : part[4].str();
+  HeaderClock clock{fmt::format("{}-{:0>2}-{:0>2}T{:0>2}:{}:{}", part[1].str(), part[2].str(),
+                                part[3].str(), hour, part[5].str(),
+                                part[6].matched ? part[6].str() : "00"),
+                    offset_in(offset)};
+  if (!clock.offset) clock.offset = offset_in(part[7].str());
+  try {
+    seconds_at(clock);
+  } catch (const algebra::Error&) {
+    throw unknown();
+  }
+  return clock;
+}
+
 HeaderClock clock_of(const std::string& photo) {
-  auto date = text_in_header(photo, {"Exif:DateTimeOriginal", "Exif:DateTimeDigitized", "capDate"});
-  if (!date || !seconds_of(photo, *date))
-    throw algebra::Error(fmt::format("{}: its header does not say when it was taken", photo));
-  (*date)[4] = (*date)[7] = '-', (*date)[10] = 'T';
-  return {*date, text_in_header(photo, {"Exif:OffsetTimeOriginal", "Exif:OffsetTime"})};
+  std::string offset;
+  for (const auto& text : all_in_header(
+           photo, {"Exif:OffsetTimeOriginal", "Exif:OffsetTimeDigitized", "Exif:OffsetTime"}))
+    if (text && offset.empty() && !is_unknown(*text)) offset = *text;
+  for (const auto& date :
+       all_in_header(photo, {"Exif:DateTimeOriginal", "Exif:DateTimeDigitized", "capDate"}))
+    if (const auto clock = clock_named(photo, date.value_or(""), offset)) return *clock;
+  throw algebra::Error(fmt::format("{}: its header does not say when it was taken", photo));
 }
 
 texture::Coding coding_of(const std::string& photo, texture::Coding told) {
@@ -149,22 +204,14 @@ texture::Attributes scene_attributes(const std::string& file) {
 }
 
 std::optional<double> seconds_of_date(const std::string& date) {
-  if (date.find_first_not_of(" :0") == date.npos) return std::nullopt;
-  auto text = date;
-  try {
-    if (text.size() != 19 || text[4] != ':' || text[7] != ':' || text[10] != ' ')
-      throw algebra::Error("another form");
-    text[4] = text[7] = '-', text[10] = 'T';
-    const auto when = almanac::instant_from_utc(text);
-    return (when.tt_day + when.tt_fraction) * 86400;
-  } catch (const algebra::Error&) {
-    throw algebra::Error(fmt::format("its header's date = {}, allowed YYYY:MM:DD HH:MM:SS", date));
-  }
+  const auto clock = clock_in(date);
+  return clock ? std::optional(seconds_at(*clock)) : std::nullopt;
 }
 
 std::optional<double> taken_at_s(const std::string& photo) {
   const auto date = text_in_header(photo, {"Exif:DateTimeOriginal", "capDate"});
-  return date ? seconds_of(photo, *date) : std::nullopt;
+  const auto clock = date ? clock_named(photo, *date) : std::nullopt;
+  return clock ? std::optional(seconds_at(*clock)) : std::nullopt;
 }
 
 colour::Bracketed bracketed(const std::string& file) {

@@ -29,11 +29,21 @@ bool white_balance_is_fixed(const std::string& photo);
 struct HeaderClock {
   std::string local;                  ///< "2018-07-27T23:40:12", by the clock's own zone
   std::optional<std::string> offset;  ///< of that zone, as "+03:00", where the header has it
+  bool operator==(const HeaderClock&) const = default;
 };
+
+/// The clock by a header's texts, as EXIF has them and as cameras write them: "2019:01:21 05:12:16", also
+/// with - or / in the date, a T before the time, without seconds, with a zone behind it; "24:12:16" of
+/// clocks that count hours from 1 to 24, which is the first hour of that day. An offset is "+03:00", "-5:00",
+/// "+0300", "Z"; blanks and colons mean that the zone is unknown.
+///
+/// Returned  nothing for the date of a camera whose clock was not set: blanks or zeros
+/// Throws    Error  when either is anything else
+std::optional<HeaderClock> clock_in(const std::string& date, const std::string& offset = {});
 
 /// When the shutter was released, by the camera's clock.
 ///
-/// Throws  Error  with the photograph's name: when its header does not say, or not as EXIF does
+/// Throws  Error  with the photograph's name: when its header does not say, or as clock_in
 HeaderClock clock_of(const std::string& photo);
 
 /// How its numbers stand for light: as told; where its file is to say, that of a camera's own tone curve
@@ -53,10 +63,10 @@ texture::Image raw_light(const std::string& photo, colour::WorkingSpace space);
 /// has: its recipe and moment, what the numbers stand for.
 texture::Attributes scene_attributes(const std::string& file);
 
-/// A header's date, as "2008:02:21 03:26:05", in seconds of a time that goes on evenly; nothing for that
-/// of a camera whose clock was not set: blanks or zeros.
+/// A header's date in seconds of a time that goes on evenly; nothing for that of a camera whose clock was
+/// not set.
 ///
-/// Throws  Error  when it is anything else
+/// Throws  Error  as clock_in
 std::optional<double> seconds_of_date(const std::string& date);
 
 /// When a photograph was taken; nothing when its header does not say.

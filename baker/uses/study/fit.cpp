@@ -7,6 +7,7 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "algebra/error.h"
@@ -58,28 +59,46 @@ class Steps {
 using Nights = std::map<std::pair<std::string, double>, std::vector<std::size_t>>;
 using Moments = std::map<almanac::Instant, std::vector<MeasuredMagnitude>, Earlier>;
 
-/// Photographs by camera and eclipse.
-Nights nights_of(const FitRequest& request) {
-  Nights nights;
-  for (std::size_t i = 0; i < request.photographs.size(); ++i) {
-    const auto& photograph = request.photographs[i];
-    if (request.clock_error_s == 0 && !request.half_hours_free) require_eclipse(photograph.instant);
-    const auto eclipse = eclipse::nearest_eclipse(
-        photograph.instant, eclipse::ShadowConvention::danjon, almanac::LunarTheory::moon98);
-    nights[{camera_of(photograph.file).value_or(""), std::round(eclipse.greatest.tt_day)}]
-        .push_back(i);
+/// Photographs that tell nothing, and the first one's error.
+struct LeftOut {
+  const FitRequest& request;
+  std::vector<ReadPhotograph>& photographs;  ///< in the order of the request
+  std::optional<algebra::Error> first{};
+
+  void add(std::size_t i, const algebra::Error& error) {
+    photographs[i].left_out = reason_without_name(request.photographs[i].file, error);
+    if (!first) first = error;
   }
+};
+
+/// Photographs by camera and eclipse.
+Nights nights_of(const FitRequest& request, LeftOut& left_out) {
+  Nights nights;
+  for (std::size_t i = 0; i < request.photographs.size(); ++i) try {
+      const auto& photograph = request.photographs[i];
+      if (request.clock_error_s == 0 && !request.half_hours_free)
+        require_eclipse(photograph.instant);
+      const auto eclipse = eclipse::nearest_eclipse(
+          photograph.instant, eclipse::ShadowConvention::danjon, almanac::LunarTheory::moon98);
+      nights[{camera_of(photograph.file).value_or(""), std::round(eclipse.greatest.tt_day)}]
+          .push_back(i);
+    } catch (const algebra::Error& error) {
+      left_out.add(i, error);
+    }
   return nights;
 }
 
-void add_nights(const FitRequest& request, const Nights& nights, Steps& steps, Evidence& evidence) {
-  for (const auto& [key, indices] : nights) {
-    std::vector<const EclipsePhotograph*> photographs;
-    for (const auto i : indices) photographs.push_back(&request.photographs[i]);
-    evidence.photographs.push_back(indices);
-    evidence.nights.push_back(
-        std::make_unique<Night>(request, std::move(photographs), steps.next()));
-  }
+void add_nights(const FitRequest& request, const Nights& nights, Steps& steps, Evidence& evidence,
+                LeftOut& left_out) {
+  for (const auto& [key, indices] : nights) try {
+      std::vector<const EclipsePhotograph*> photographs;
+      for (const auto i : indices) photographs.push_back(&request.photographs[i]);
+      evidence.nights.push_back(
+          std::make_unique<Night>(request, std::move(photographs), steps.next()));
+      evidence.photographs.push_back(indices);
+    } catch (const algebra::Error& error) {
+      for (const auto i : indices) left_out.add(i, error);
+    }
 }
 
 Moments moments_of(const FitRequest& request) {
@@ -132,16 +151,24 @@ void require_sound(const FitRequest& request) {
 
 }  // namespace
 
+std::string reason_without_name(const std::string& file, const algebra::Error& error) {
+  const std::string what = error.what();
+  return what.starts_with(file + ": ") ? what.substr(file.size() + 2) : what;
+}
+
 FitReport fitted_air(const FitRequest& request, const algebra::Progress& progress) {
   require_sound(request);
-  const auto nights = nights_of(request);
+  FitReport report;
+  report.photographs.resize(request.photographs.size());
+  LeftOut left_out{request, report.photographs};
+  const auto nights = nights_of(request, left_out);
   const auto moments = moments_of(request);
   Steps steps(progress, nights.size() + moments.size() + 1 + most_readings);
   Evidence evidence;
-  add_nights(request, nights, steps, evidence);
+  add_nights(request, nights, steps, evidence, left_out);
+  if (evidence.nights.empty() && moments.empty()) throw *left_out.first;
   add_magnitudes(request, moments, steps, evidence);
-  FitReport report{fitted(evidence, steps), {}, {}};
-  report.photographs.resize(request.photographs.size());
+  report.fit = fitted(evidence, steps);
   for (std::size_t n = 0; n < evidence.nights.size(); ++n) {
     const auto read = evidence.nights[n]->read();
     for (std::size_t i = 0; i < read.size(); ++i)

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "algebra/error.h"
 #include "algebra/progress.h"
 #include "almanac/instant.h"
 #include "colour/registration.h"
@@ -54,6 +55,9 @@ struct ReadPhotograph {
   std::string left_out{};       ///< why it tells nothing, one line; empty: it does
 };
 
+/// An error's line without the file's name, where it begins with that.
+std::string reason_without_name(const std::string& file, const algebra::Error& error);
+
 /// What was found of the camera of one night.
 struct FittedNight {
   std::vector<std::size_t> photographs;  ///< of the request
@@ -81,8 +85,8 @@ struct FitReport {
 ///
 /// Given   progress  told the part that is done; what it throws ends the fit
 /// Throws  Error  when there is nothing to explain, or an error is outside its range; when no eclipse
-///                is under way, or the Moon is below the horizon; "<file>: …" when a photograph cannot
-///                be read, or none of a night be used
+///                is under way, or the Moon is below the horizon; "<file>: …" when none of the
+///                photographs can be used
 FitReport fitted_air(const FitRequest& request, const algebra::Progress& progress = {});
 
 }  // namespace coppermoon::uses

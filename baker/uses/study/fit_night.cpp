@@ -119,8 +119,8 @@ void Night::take_one(double clock_s, std::size_t index) {
   const auto& photograph = *photographs_[index];
   left_out_[index].clear();
   look_(0);
-  const auto photo = texture::read_light(photograph.file, photograph.coding);
   try {
+    const auto photo = texture::read_light(photograph.file, photograph.coding);
     NightPhotograph known;
     known.scene = fit_scene(request_.moon, *groundwork_, request_.view,
                             almanac::sky_at(almanac::later(photograph.instant, clock_s)));
@@ -133,7 +133,7 @@ void Night::take_one(double clock_s, std::size_t index) {
     known_.push_back(std::move(known));
     taken_.push_back({index, registration, {photo.width, photo.height}, px_per_rad});
   } catch (const algebra::Error& error) {
-    left_out_[index] = error.what();
+    left_out_[index] = reason_without_name(photograph.file, error);
   }
 }
 
