@@ -141,8 +141,8 @@ void add_animate(CLI::App& program) {
       .writes_folder()
       .required();
   add_switch(*verb, "--replace", options->replace,
-             "makes files of another film in the folder anew; linear frames that differ only in "
-             "exposure are kept and developed again");
+             "overwrites another film in the folder; linear frames that differ only in exposure are "
+             "kept and developed again");
   add_switch(*verb, "--json", options->json, "prints one JSON event per line");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });

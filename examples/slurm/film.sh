@@ -6,6 +6,7 @@
 #
 # Whoever comes first computes the light, the others wait for it. A shard that died with its node is requeued and goes on
 # where it was: frames that verify are kept. To make one shard again by hand: sbatch --array=3 film.sh 8 ...
+# When all have ended, coppermoon animate with the same words finishes the film: --movie and others need every frame.
 #SBATCH --job-name=coppermoon
 #SBATCH --requeue
 #SBATCH --open-mode=append

@@ -176,8 +176,10 @@ void expose(const Film& film, std::size_t frame, const Told& told) {
   const auto moon = moon_of(film, sky, view, frame);
   if (film.products.textures && !is_own(film, film.texture(frame), frame))
     write_texture(film, frame, moon);
-  told(finished(film, {frame, moon.attributes, seen_by(view, sky)},
-                texture::read_image(film.linear_frame(frame))));
+  auto made = finished(film, {frame, moon.attributes, seen_by(view, sky)},
+                       texture::read_image(film.linear_frame(frame)));
+  made.developed_again = true;
+  told(made);
 }
 
 void bake(const Film& film, std::size_t frame, const Told& told) {

@@ -14,6 +14,7 @@ namespace coppermoon::uses {
 struct MadeFrame {
   std::size_t frame;
   std::optional<Exposures> exposures;
+  bool developed_again = false;  ///< of a linear frame that was kept
 };
 
 /// Makes frames, some at a time, as memory and processors allow.

@@ -223,12 +223,24 @@ uses::Mounting mounting_of(const FilmOptions& options, bool observed) {
   return mounting;
 }
 
+/// A flag that is given and asks for what is made of the whole film; none without.
+const char* whole_film_flag(const FilmOptions& options) {
+  return !options.movie.empty()           ? "--movie"
+         : !options.contact_sheet.empty() ? "--contact-sheet"
+         : !options.composite.empty()     ? "--composite"
+         : !options.curves.empty()        ? "--curve"
+                                          : nullptr;
+}
+
 uses::FilmFiles files_of(const FilmOptions& options, const uses::Products& products) {
   const uses::FilmFiles files{.contact_sheet = options.contact_sheet,
                               .movie = options.movie,
                               .composite = options.composite,
                               .curves = {options.curves.begin(), options.curves.end()}};
-  require_sound(files, uses::shard_from(options.shard));
+  if (const auto* flag = whole_film_flag(options); flag && uses::shard_from(options.shard).parts > 1)
+    throw algebra::Error(
+        fmt::format("{} needs every frame: run it without --shard after all shards", flag));
+  require_sound(files, {});
   require_product(products.pictures, options.contact_sheet, "--contact-sheet", "pictures");
   require_product(products.frames, options.composite, "--composite", "frames");
   require_product(products.pictures, options.movie, "--movie", "pictures");

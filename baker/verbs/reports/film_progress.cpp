@@ -54,7 +54,7 @@ void FilmProgress::light(bool kept, double seconds) const {
 void FilmProgress::kept(std::size_t frame) { tell({frame, std::nullopt}, true); }
 
 void FilmProgress::made(const uses::MadeFrame& frame) {
-  ++made_;
+  ++(frame.developed_again ? developed_again_ : made_);
   tell(frame, false);
 }
 
@@ -65,6 +65,7 @@ void FilmProgress::tell(const uses::MadeFrame& frame, bool kept) {
   if (json_) {
     ordered_json event{{"event", "frame"}, {"frame", frame.frame}, {"instant", instant},
                        {"kept", kept},     {"done", done_},        {"of", frames_}};
+    if (!kept) event["developed_again"] = frame.developed_again;
     if (frame.exposures) {
       event["exposure_time_s"] = frame.exposures->shorter.time_s;
       if (frame.exposures->longer_s) event["longer_exposure_time_s"] = *frame.exposures->longer_s;
@@ -83,10 +84,10 @@ void FilmProgress::tell(const uses::MadeFrame& frame, bool kept) {
 
 void FilmProgress::draw(std::size_t frame) {
   constexpr std::size_t width = 30;
-  const double rate = static_cast<double>(made_) / std::max(1e-3, seconds());
+  const double rate = static_cast<double>(made_ + developed_again_) / std::max(1e-3, seconds());
   fmt::print(stderr, "\rframe {:<6} [{:<{}}] {} of {}", frame,
              std::string(width * done_ / frames_, '='), width, done_, frames_);
-  if (made_ > 0)
+  if (rate > 0)
     fmt::print(stderr, ", {:.2g} a second, {} left\033[K", rate,
                duration(static_cast<double>(frames_ - done_) / rate));
   std::fflush(stderr);
@@ -100,11 +101,21 @@ void FilmProgress::file(const std::filesystem::path& path) {
 }
 
 void FilmProgress::done() const {
+  const auto kept = done_ - made_ - developed_again_;
   if (json_)
-    say({{"event", "done"}, {"made", made_}, {"kept", done_ - made_}, {"seconds", seconds()}});
+    say({{"event", "done"},
+         {"made", made_},
+         {"developed_again", developed_again_},
+         {"kept", kept},
+         {"seconds", seconds()}});
   else
-    say(fmt::format("{}{}: {} frames made, {} kept, in {}", on_terminal_ ? "\r\033[K" : "",
-                    one_line(film_.folder.string()), made_, done_ - made_, duration(seconds())));
+    say(fmt::format("{}{}: {} frames made,{} {} kept, in {}", on_terminal_ ? "\r\033[K" : "",
+                    one_line(film_.folder.string()), made_,
+                    developed_again_ > 0
+                        ? fmt::format(" {} developed again from kept linear frames,",
+                                      developed_again_)
+                        : "",
+                    kept, duration(seconds())));
 }
 
 }  // namespace coppermoon::verbs

@@ -38,7 +38,7 @@ class FilmProgress {
   double seconds() const;
 
   const uses::Film& film_;
-  std::size_t frames_, done_ = 0, made_ = 0;
+  std::size_t frames_, done_ = 0, made_ = 0, developed_again_ = 0;
   bool json_, on_terminal_;
   std::chrono::steady_clock::time_point start_;
 };
