@@ -77,7 +77,11 @@ TEST_F(FilmFolder, OfAnotherExposureIsRefusedOrDevelopedAgain) {
                  "a film made with iso = 800, asked 100; time = 'follow', asked '2' "
                  "(frame.0001.png and 5 more)");
   const Surroundings without_povray{.path = "/nowhere"};
-  expect_done(coppermoon(another + Words{"--replace"}, without_povray));
+  const auto replaced = coppermoon(another + Words{"--replace"}, without_povray);
+  expect_done(replaced);
+  EXPECT_NE(replaced.out.find("0 frames made, 3 developed again from kept linear frames, 0 kept"),
+            std::string::npos)
+      << replaced.out;
   expect_done(coppermoon(film({"--frames", "3", "--iso", "100", "--time", "2"}, "fresh")));
   EXPECT_TRUE(files() == files("fresh")) << "what a film made at once is";
 }

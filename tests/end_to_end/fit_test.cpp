@@ -7,6 +7,7 @@
 #include "end_to_end/made_night.h"
 #include "end_to_end/program.h"
 #include "support/within.h"
+#include "texture/write_image.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -71,8 +72,10 @@ class Fit : public ProgramTest {
 
 TEST_F(Fit, OfAPhotographFindsItsAir) {
   photograph("440", {"--bits", "16"});
+  std::filesystem::copy(here("a.png"), here("cut.png"));
+  std::filesystem::resize_file(here("cut.png"), 10000);
   const auto found =
-      fit({"a.png", "--instants", deep, "--at", syria, "--camera", "400mm", "--times", "2",
+      fit({"a.png", "cut.png", "--instants", deep, "--at", syria, "--camera", "400mm", "--times", "2",
            "--isos", "800", "--f-number", "5.6", "--atmosphere", "undated"});
   const auto& dust = found["dust_extinction_per_m"];
   EXPECT_WITHIN_RELATIVE(dust["median"].get<double>(), 5e-6, 0.25,
@@ -85,6 +88,7 @@ TEST_F(Fit, OfAPhotographFindsItsAir) {
   EXPECT_EQ(found["photographs"][0]["mirrored"], false);
   EXPECT_EQ(found["explained"], true);
   EXPECT_EQ(found["photographs"][0]["exposure_known"], true);
+  EXPECT_TRUE(found["photographs"][1]["left_out"].get<std::string>().starts_with("cannot be read"));
 }
 
 using FitThoroughly = Fit;
@@ -108,6 +112,9 @@ TEST_F(FitThoroughly, OfANightOfJpegsFindsAirCurveAndAClockThatIsHoursWrong) {
   Words words;
   for (const auto& photograph : MadeNight(occasion, truth).request(here()).photographs)
     words.push_back(photograph.file);
+  // one photograph without a date ends no night
+  texture::write_png(here("undated.png"), texture::Image(8, 8, {"R", "G", "B"}), 8);
+  words.push_back("undated.png");
   // as the clocks of the place, three hours before UTC, say
   const auto found =
       fit(words + Words{"--instants", "from-header", "--at",

@@ -44,5 +44,12 @@ TEST(InWords, ExposuresAreAsCamerasShowThem) {
   EXPECT_EQ(exposure_in_words(0), "0 s");
 }
 
+TEST(InWords, ACurveThatNoCameraHasIsDoubted) {
+  colour::ToneCurve curve{{1, -3.9, 2}};
+  EXPECT_EQ(doubt_of(curve), "");
+  curve.numbers[1] = -19;
+  EXPECT_NE(doubt_of(curve).find("-19 standard deviations"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace coppermoon::verbs
