@@ -145,7 +145,7 @@ constexpr const char* looks = R"(    def Scope "Looks"
             def Shader "Texture"
             {{
                 uniform token info:id = "UsdUVTexture"
-                asset inputs:file = {0}
+                asset inputs:file = {2}
                 token inputs:sourceColorSpace = "raw"
                 float2 inputs:st.connect = </Moon/Looks/Moonlight/Place.outputs:result>
                 token inputs:wrapS = "repeat"
@@ -187,13 +187,17 @@ constexpr const char* looks = R"(    def Scope "Looks"
 }  // namespace
 
 void write_usda(const fs::path& path, const std::string& texture_file_name,
-                std::string_view colour_space_name, const Attributes& layer_data) {
+                std::string_view colour_space_name, const Attributes& layer_data,
+                const std::string& preview_file_name) {
+  const auto& preview = preview_file_name.empty() ? texture_file_name : preview_file_name;
   require_plain_name(texture_file_name);
+  require_plain_name(preview);
   if (colour_space_name != "lin_rec709" && colour_space_name != "acescg")
     throw Error(fmt::format("colour space of a texture for USD = {}, allowed lin_rec709 or acescg",
                             colour_space_name));
   const auto look =
-      fmt::format(fmt::runtime(looks), usda_asset(texture_file_name), colour_space_name);
+      fmt::format(fmt::runtime(looks), usda_asset(texture_file_name), colour_space_name,
+                  usda_asset(preview));
   files::write_whole(
       path, fmt::format("{}\ndef Xform \"Moon\" (\n    kind = \"component\"\n)\n{{\n{}\n{}}}\n",
                         layer_of(layer_data), mesh_text(), look));

@@ -15,15 +15,18 @@ namespace coppermoon::texture {
 /// shines and reflects nothing, by UsdPreviewSurface and by MaterialX's standard surface.
 ///
 /// Given   texture_file_name  in the same folder: no path
-///         colour_space_name  the texture's, lin_rec709 or acescg: MaterialX's own names. The preview
-///                            surface knows no colour spaces and is right with the first
+///         colour_space_name  the texture's, lin_rec709 or acescg: MaterialX's own names
 ///         layer_data         kept in customLayerData; names with a colon stand in a dictionary of
 ///                            what comes before it. The Moon's true radius goes with them [m]
+///         preview_file_name  of linear Rec.709 in the same folder, for the preview surface, which
+///                            knows no colour spaces; empty: the texture, which is right with the
+///                            first
 /// Throws  Error              another colour space; a file name that is a path, empty, or has control
 ///                            characters; a file that cannot be written
 /// Source  OpenUSD: UsdGeomMesh, UsdPreviewSurface 2.6; MaterialX 1.38
 void write_usda(const std::filesystem::path& path, const std::string& texture_file_name,
-                std::string_view colour_space_name, const Attributes& layer_data);
+                std::string_view colour_space_name, const Attributes& layer_data,
+                const std::string& preview_file_name = {});
 
 /// The recipe in a file that write_usda wrote, `coppermoon:recipe` of its customLayerData, also when
 /// other programs have written it again as text; nothing when it has none.

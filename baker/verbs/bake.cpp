@@ -8,6 +8,7 @@
 #include "files/cache_folder.h"
 #include "files/fingerprint.h"
 #include "files/whole_file.h"
+#include "texture/own_image.h"
 #include "texture/seal.h"
 #include "texture/write_glb.h"
 #include "texture/write_image.h"
@@ -64,17 +65,34 @@ Output output_at(const std::string& file, const uses::TextureContent& asked) {
 
 constexpr std::array endings{".exr", ".tx", ".png", ".glb", ".usda", ".stellarium"};
 
-/// The .exr that stands beside a .usda: of linear Rec.709 where there is one, for that is what
-/// programs take it for that do not heed its colour space.
-const Output& texture_for(const Output& scene, const std::vector<Output>& outputs) {
-  for (const auto space : {colour::WorkingSpace::linear_rec709, colour::WorkingSpace::acescg})
-    for (const auto& output : outputs)
-      if (output.ends_in(".exr") && output.path.parent_path() == scene.path.parent_path() &&
-          space_of(output.content) == space)
-        return output;
-  throw algebra::Error(fmt::format(
-      "{}: allowed with its texture in the same folder, as -o moon_lin_rec709.exr -o moon.usda",
-      scene.path.string()));
+/// The .exr of a space that stands beside a .usda.
+std::vector<Output>::const_iterator texture_for(const Output& scene, colour::WorkingSpace space,
+                                                const std::vector<Output>& outputs) {
+  return std::ranges::find_if(outputs, [&](const Output& output) {
+    return output.ends_in(".exr") && output.path.parent_path() == scene.path.parent_path() &&
+           space_of(output.content) == space;
+  });
+}
+
+/// Adds the .exr files that a .usda shows and nobody named: of linear Rec.709, for its preview surface
+/// knows no colour spaces; of ACEScg where that is asked for.
+///
+/// Throws  Error  when one of them would overwrite somebody's own
+void add_textures_of_usd(const Options& options, std::vector<Output>& outputs) {
+  const auto named = outputs;
+  for (const auto& scene : named) {
+    if (!scene.ends_in(".usda")) continue;
+    for (const auto space : {colour::WorkingSpace::linear_rec709, space_of(scene.content)}) {
+      const bool shown = space != colour::WorkingSpace::ciexyz_d65;
+      if (!shown || texture_for(scene, space, outputs) != outputs.end()) continue;
+      Output texture{scene.path, options.texture};
+      texture.path.replace_filename(
+          fmt::format("{}_{}.exr", scene.path.stem().string(), colour::name(space)));
+      texture.content.space = space;
+      texture::require_own_image(texture.path);
+      outputs.push_back(texture);
+    }
+  }
 }
 
 /// A folder may be there already; a file is replaced.
@@ -100,7 +118,6 @@ void require_sound(const Options& options, const std::vector<Output>& outputs) {
       throw algebra::Error(fmt::format("{}: texture width [texels] = {}, allowed to {}",
                                        output.path.string(), texture_width_of(options.moon.request),
                                        texture::most_glb_columns));
-    if (output.ends_in(".usda")) texture_for(output, outputs);
     if (output.for_stellarium() && !options.view.observer)
       throw WrongUsage(
           fmt::format("{}: Stellarium looks from a place, given with --at", output.path.string()));
@@ -146,9 +163,12 @@ std::string recipe_for(const uses::TextureContent& content, const std::string& r
 void write(const Options& options, const std::vector<Output>& outputs, const Output& output,
            const uses::LitMoon& moon, const uses::BakedMoon& made) {
   if (output.ends_in(".usda")) {
-    const auto& texture = texture_for(output, outputs);
+    const auto preview = texture_for(output, colour::WorkingSpace::linear_rec709, outputs);
+    const auto wide = texture_for(output, colour::WorkingSpace::acescg, outputs);
+    const auto& texture = wide != outputs.end() ? *wide : *preview;
     texture::write_usda(output.path, texture.path.filename().string(),
-                        colour::name(space_of(texture.content)), made.attributes);
+                        colour::name(space_of(texture.content)), made.attributes,
+                        preview->path.filename().string());
   } else if (output.developed())
     write_picture(options.develop, output, moon, made);
   else if (output.ends_in(".tx"))
@@ -178,8 +198,9 @@ Report make(const CLI::App& verb, const Options& options, const std::vector<Outp
   const auto moon = lit_moon(options, request);
   const auto& light = *moon.light;
   const auto recipe = made_recipe(recipe_of(verb), request.unshadowed, light.plan);
-  Report made{options.outputs, {}, 0, light.error_found, light.plan};
+  Report made{{}, {}, 0, light.error_found, light.plan};
   for (const auto& output : outputs) {
+    made.files.push_back(output.path.string());
     ProgressBar bar("bake");
     auto baked = uses::baked(moon, output.content, {.progress = bar.progress()});
     made.recipe = recipe_for(output.content, recipe);
@@ -233,6 +254,7 @@ void run(const CLI::App& verb, const Options& options) {
   if (!options.cache.empty()) return run_with_cache(verb, options);
   std::vector<Output> outputs;
   for (const auto& file : options.outputs) outputs.push_back(output_at(file, options.texture));
+  add_textures_of_usd(options, outputs);
   require_sound(options, outputs);
   report(make(verb, options, outputs), options.json);
 }
@@ -248,7 +270,7 @@ void add_bake(CLI::App& program) {
   add_flag(
       *verb, "-o,--output", options->outputs,
       "texture: .exr; .tx (tiled and mip-mapped); .png (developed); .glb (developed, on a sphere); "
-      ".usda (a sphere, with the .exr beside it); .stellarium (a folder for Stellarium, needs "
+      ".usda (a sphere, with its moon_lin_rec709.exr beside it); .stellarium (a folder for Stellarium, needs "
       "--at). May be given again: one simulation serves all")
       .writes_file()
       .kept_each_time();
