@@ -80,7 +80,34 @@ TEST_F(TextureFiles, OfUsdAreTheLinearRec709OneWhereThereIsOne) {
   bake({"-o", "moon_acescg.exr", "-o", "moon_lin_rec709.exr", "-o", "moon.usda"});
   EXPECT_NE(text_of(here("moon.usda")).find("@./moon_lin_rec709.exr@"), std::string::npos);
   bake({"-o", "aces_acescg.exr", "-o", "aces.usda"});
-  EXPECT_NE(text_of(here("aces.usda")).find("@./aces_acescg.exr@"), std::string::npos);
+  const auto aces = text_of(here("aces.usda"));
+  EXPECT_NE(aces.find("@./aces_acescg.exr@"), std::string::npos);
+  EXPECT_NE(aces.find("@./aces_lin_rec709.exr@\n                token inputs:sourceColorSpace"),
+            std::string::npos)
+      << "the preview surface takes it for linear Rec.709";
+  EXPECT_TRUE(text_of(here("aces_lin_rec709.exr")) == text_of(here("moon_lin_rec709.exr")));
+}
+
+TEST_F(TextureFiles, OfUsdComeBesideIt) {
+  bake({"-o", "moon.usda"});
+  EXPECT_EQ(texture::read_attribute(here("moon_lin_rec709.exr"), "coppermoon:colour_space"),
+            "lin_rec709");
+  EXPECT_NE(text_of(here("moon.usda")).find("@./moon_lin_rec709.exr@"), std::string::npos);
+  file("moon_lin_rec709.exr", "theirs");
+  EXPECT_EQ(coppermoon({"bake", partial.front(), "-o", "moon.usda"}).status, 1);
+  EXPECT_EQ(text_of(here("moon_lin_rec709.exr")), "theirs");
+}
+
+TEST_F(TextureFiles, NameNoFolderOfTheUser) {
+  const auto map = here("map.png").string();
+  run({"oiiotool", "--pattern", "constant:color=0.2,0.2,0.2", "64x32", "3", "-o", map});
+  bake({"--albedo-map", map, "-o", "a.exr", "-o", "b.tx", "-o", "c.png", "-o",
+        "d.glb", "-o", "e.usda"});
+  for (const char* name : {"a.exr", "b.tx", "c.png", "d.glb", "e.usda"}) {
+    const auto text = text_of(here(name));
+    EXPECT_NE(text.find("map.png"), std::string::npos) << name;
+    EXPECT_EQ(text.find(here().string()), std::string::npos) << name;
+  }
 }
 
 TEST_F(TextureFiles, AreMadeAgainFromTheirHeaders) {
@@ -137,10 +164,6 @@ TEST_F(TextureFiles, RefuseWhatTheyCannotHold) {
                  "passes and spectra need an output that ends in .exr");
   expect_refused({"bake", instant, "-o", "moon.exr", "-o", "moon.tiff"},
                  "moon.tiff: a texture ends in .exr, .tx, .png, .glb, .usda, .stellarium");
-  expect_refused(
-      {"bake", instant, "-o", "moon.usda"},
-      "moon.usda: allowed with its texture in the same folder, as -o moon_lin_rec709.exr "
-      "-o moon.usda");
   expect_refused({"bake", instant, "--texture-width", "8194", "-o", "moon.glb"},
                  "moon.glb: texture width [texels] = 8194, allowed to 8192");
   expect_refused({"animate", "2018-07-27", "--make", "scenes", "--space", "acescg", "-o", "film"},

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "algebra/error.h"
+#include "files/name_to_share.h"
 #include "uses/light/header.h"
 #include "uses/light/spectral_bands.h"
 
@@ -60,7 +61,7 @@ texture::Attributes attitude(const LitMoon& moon) {
 
 texture::Attributes header(const LitMoon& moon, const TextureContent& content) {
   auto attributes = scene_linear_header(space_of(content), moon.sky.when);
-  attributes["coppermoon:albedo_map"] = map_chosen(moon.request);
+  attributes["coppermoon:albedo_map"] = files::name_to_share(map_chosen(moon.request));
   attributes["coppermoon:relative_error"] = static_cast<float>(moon.light->error_found);
   attributes.merge(attitude(moon));
   if (content.spectral_nm) {

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "algebra/number.h"
+#include "files/name_to_share.h"
 #include "verbs/flags/moments.h"
 #include "verbs/flags/named_files.h"
 
@@ -185,20 +186,14 @@ bool is_given(const CLI::App& verb, const std::string& flag) {
   return option != nullptr && option->count() > 0;
 }
 
-/// A file's name for others: they have none of the folders above it.
-static std::string public_name(const std::filesystem::path& file) {
-  const auto plain = file.lexically_normal();
-  return plain.is_relative() && *plain.begin() != ".." ? plain.string() : plain.filename().string();
-}
-
 std::vector<std::string> words_given(const CLI::App& verb, const std::vector<std::string>& flags) {
   std::vector<std::string> words;
   for (const auto& flag : flags) {
     const auto* option = verb.get_option_no_throw("--" + flag);
     if (option == nullptr) continue;
-    const bool names_file = option->get_type_name() == read_file;
+    const bool file = option->get_type_name() == read_file;
     for (const auto& value : option->results())
-      words.insert(words.end(), {"--" + flag, names_file ? public_name(value) : value});
+      words.insert(words.end(), {"--" + flag, file ? files::name_to_share(value) : value});
   }
   return words;
 }

@@ -12,6 +12,7 @@
 
 #include "algebra/number.h"
 #include "atmosphere/presets.h"
+#include "files/name_to_share.h"
 #include "verbs/flags/air_options.h"
 #include "verbs/flags/known_words.h"
 #include "verbs/flags/named_files.h"
@@ -60,6 +61,7 @@ std::string toml_value(const CLI::Option& option) {
   const std::string text =
       option.check_lname("atmosphere") ? std::string(atmosphere::lasting_name(told)) : told;
   if (text.empty()) return text;
+  if (option.get_type_name() == read_file) return quoted(files::name_to_share(text));
   const std::string type = option.get_type_name();
   if (type.starts_with("FLOAT"))  // TOML has no -0 that is whole
     return fmt::format("{}", option.as<double>() + 0.);

@@ -27,7 +27,7 @@ std::vector<std::string> with_recipes(const CLI::App& program,
 std::string recipe_named_in(const CLI::App& program, const std::vector<std::string>& arguments);
 
 /// All that a verb was told, and the defaults of all it was not, as TOML: its own recipe. Where
-/// results go is no part of it.
+/// results go is no part of it, and files that are read have their names to share (files::name_to_share).
 ///
 /// Throws  algebra::Error  when a region cannot be understood
 std::string recipe_of(const CLI::App& verb);

@@ -13,6 +13,7 @@
 
 #include "algebra/error.h"
 #include "atmosphere/presets.h"
+#include "files/name_to_share.h"
 #include "files/whole_file.h"
 #include "texture/read_image.h"
 #include "texture/write_glb.h"
@@ -290,7 +291,11 @@ std::vector<std::string> flags_of(const Reading& reading, const Told& told) {
                                     : spelt(option, *value, as_text(*value, where));
     if (text.empty()) throw algebra::Error(where + ": is empty; leave it out instead");
     const bool of_0_1 = reading.lenient && told.flag == "atmosphere" && text == "standard";
-    flags.push_back(fmt::format("--{}={}", told.flag, of_0_1 ? atmosphere::standard_of_0_1 : text));
+    const bool file = reading.lenient && option.get_type_name() == read_file;
+    flags.push_back(fmt::format("--{}={}", told.flag,
+                                file     ? files::shared_file(text, reading.path)
+                                : of_0_1 ? std::string(atmosphere::standard_of_0_1)
+                                         : text));
   }
   return flags;
 }

@@ -12,6 +12,7 @@
 #include "algebra/error.h"
 #include "texture/write_image.h"
 #include "verbs/flags/air_options.h"
+#include "verbs/flags/named_files.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -34,7 +35,7 @@ struct Program {
         CLI::MultiOptionPolicy::TakeLast);
     verb = app.add_subcommand("bake");
     verb->add_option("instant,--instant", instant);
-    verb->add_option("--albedo-map", map);
+    verb->add_option("--albedo-map", map)->type_name(read_file);
     verb->add_option("--dust-extinction", dust);
     verb->add_option("--seed", seed);
     verb->add_option("--rays", rays);
@@ -167,6 +168,12 @@ TEST_F(Recipe, OfAWordHoldsAllButWhereResultsGo) {
   EXPECT_EQ(program.recipe_after({"bake", "2008-02-21", "-o", "x.exr", "--unshadowed"}),
             "instant = '2008-02-21'\nalbedo-map = 'auto'\ndust-extinction = 0\nseed = 1\nrays = "
             "600\nunshadowed = true\n");
+}
+
+TEST_F(Recipe, NamesFilesWithoutTheFoldersOfTheUser) {
+  const auto recipe =
+      Program().recipe_after({"bake", "--albedo-map", "/home/alice/maps/moon.tif"});
+  EXPECT_NE(recipe.find("albedo-map = 'moon.tif'\n"), std::string::npos) << recipe;
 }
 
 TEST_F(Recipe, SpellsNumbersAlikeAndTextsAsTheyAre) {
