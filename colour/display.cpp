@@ -3,6 +3,7 @@
 
 #include <OpenColorIO/OpenColorIO.h>
 #include <fmt/ranges.h>
+#include <strings.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -72,10 +73,13 @@ std::vector<std::string> views_at(const std::filesystem::path& path, const std::
   return names;
 }
 
-void require_one_of(std::string_view what, const std::string& name,
-                    const std::vector<std::string>& allowed) {
-  if (std::ranges::find(allowed, name) == allowed.end())
-    throw Error(fmt::format("{} \"{}\", allowed \"{}\"", what, name, fmt::join(allowed, "\", \"")));
+/// The one of that name: the same letters, else the same in another case.
+std::string one_of(std::string_view what, const std::string& name,
+                   const std::vector<std::string>& allowed) {
+  if (std::ranges::find(allowed, name) != allowed.end()) return name;
+  for (const auto& other : allowed)
+    if (::strcasecmp(other.c_str(), name.c_str()) == 0) return other;
+  throw Error(fmt::format("{} \"{}\", allowed \"{}\"", what, name, fmt::join(allowed, "\", \"")));
 }
 
 /// The first of the space's names that the configuration knows.
@@ -88,12 +92,11 @@ std::string known_name(const ocio::Config& config, WorkingSpace space) {
 
 ocio::ConstProcessorRcPtr processor(WorkingSpace space, const Development& development) try {
   const auto config = config_at(development.config);
-  require_one_of("display", development.display, displays_at(development.config));
-  require_one_of("view", development.view, views_at(development.config, development.display));
+  const auto display = display_named(development.display, development.config);
   const auto transform = ocio::DisplayViewTransform::Create();
   transform->setSrc(known_name(*config, space).c_str());
-  transform->setDisplay(development.display.c_str());
-  transform->setView(development.view.c_str());
+  transform->setDisplay(display.c_str());
+  transform->setView(view_named(development.view, display, development.config).c_str());
   const auto processor = config->getProcessor(transform);
   require_finite_luts(*processor);
   return processor;
@@ -121,8 +124,16 @@ std::vector<std::string> displays(const std::filesystem::path& config) {
 }
 
 std::vector<std::string> views(const std::string& display, const std::filesystem::path& config) {
-  require_one_of("display", display, displays_at(config));
-  return views_at(config, display);
+  return views_at(config, display_named(display, config));
+}
+
+std::string display_named(const std::string& name, const std::filesystem::path& config) {
+  return one_of("display", name, displays_at(config));
+}
+
+std::string view_named(const std::string& name, const std::string& display,
+                       const std::filesystem::path& config) {
+  return one_of("view", name, views(display, config));
 }
 
 std::string fingerprint(WorkingSpace space, const Development& development) {

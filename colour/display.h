@@ -53,6 +53,13 @@ std::vector<std::string> displays(const std::filesystem::path& config = {});
 std::vector<std::string> views(const std::string& display = "sRGB",
                                const std::filesystem::path& config = {});
 
+/// A display or view as the configuration spells it, by its name in any case of letters.
+///
+/// Throws  Error  when the configuration cannot be read or has none of that name: names those it has
+std::string display_named(const std::string& name, const std::filesystem::path& config = {});
+std::string view_named(const std::string& name, const std::string& display,
+                       const std::filesystem::path& config = {});
+
 /// The built-in configuration, as installed in share/coppermoon/config.ocio.
 std::string_view config_text();
 

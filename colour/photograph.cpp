@@ -128,9 +128,8 @@ Colours colours_of(const Camera& camera, WorkingSpace space) {
   if (camera.sensor.response != "luminance")
     return {to_sensor, glm::inverse(to_sensor), response.sensitivity};
   // without colours: grey, by the mean of three channels that are one
-  const glm::dvec3 white =
-      working * glm::inverse(channels_from_xyz(WorkingSpace::linear_rec709)) * glm::dvec3(1);
-  return {to_sensor, {white / 3., white / 3., white / 3.}, response.sensitivity};
+  const auto grey = white(space) / 3.;
+  return {to_sensor, {grey, grey, grey}, response.sensitivity};
 }
 
 /// A sensor without colours has one channel.

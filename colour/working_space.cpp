@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "colour/working_space.h"
 
+#include <string.h>
+#include <strings.h>
+
 #include <algorithm>
 #include <cassert>
+#include <cctype>
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <string>
 
 #include "algebra/error.h"
 #include "colour/cie_observer.h"
@@ -108,7 +113,7 @@ std::string_view name(WorkingSpace space) { return aliases(space).front(); }
 WorkingSpace working_space(std::string_view name_or_alias) {
   for (const auto space : all_spaces)
     for (const auto alias : aliases(space))
-      if (alias == name_or_alias) return space;
+      if (::strcasecmp(alias.data(), std::string(name_or_alias).c_str()) == 0) return space;
   throw algebra::Error(fmt::format("working space \"{}\", allowed {}, {} or {}", name_or_alias,
                                    name(all_spaces[0]), name(all_spaces[1]), name(all_spaces[2])));
 }
@@ -117,8 +122,18 @@ std::optional<WorkingSpace> space_in_name(std::string_view file_name) {
   using enum WorkingSpace;
   for (const auto space : {linear_rec709, acescg, ciexyz_d65})
     for (const auto alias : aliases(space))
-      if (file_name.find(alias) != std::string_view::npos) return space;
+      if (::strcasestr(std::string(file_name).c_str(), alias.data())) return space;
   return std::nullopt;
+}
+
+bool names_another_space(std::string_view file_name) {
+  if (space_in_name(file_name)) return false;
+  const std::string name(file_name);
+  const auto has_word = [&](const char* start) {
+    const char* found = ::strcasestr(name.c_str(), start);
+    return found && (found == name.c_str() || !std::isalnum(static_cast<unsigned char>(found[-1])));
+  };
+  return std::ranges::any_of(std::array{"aces", "ap0", "ap1", "rec2020", "p3", "xyz"}, has_word);
 }
 
 glm::dmat3 channels_from_xyz(WorkingSpace space) { return matrices(space).channels_from_xyz; }
@@ -146,6 +161,8 @@ double luminance(WorkingSpace space, std::span<const double> channels) {
   return (matrices(space).xyz_from_channels * vector_of(channels)).y;
 }
 
+glm::dvec3 white(WorkingSpace space) { return matrices(space).channels_from_xyz * unit_xyz(d65); }
+
 void into_gamut(WorkingSpace space, std::span<double> channels) {
   const auto colour = vector_of(channels);
   for (const double c : channels)
@@ -154,7 +171,7 @@ void into_gamut(WorkingSpace space, std::span<double> channels) {
   if (std::ranges::min(channels) >= 0) return;
   const double Y = luminance(space, channels);
   if (Y < 0) throw algebra::Error(fmt::format("luminance [cd/m²] = {:g}, allowed 0 or more", Y));
-  const auto grey = matrices(space).channels_from_xyz * (Y * unit_xyz(d65));
+  const auto grey = Y * white(space);
   const double share = share_of_grey(colour, grey);
   for (int i = 0; i < 3; ++i)
     channels[static_cast<std::size_t>(i)] = std::max(

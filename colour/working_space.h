@@ -3,6 +3,7 @@
 
 #include <array>
 #include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -21,13 +22,16 @@ std::string_view name(WorkingSpace space);
 /// All its names, `name` first.
 std::span<const std::string_view> aliases(WorkingSpace space);
 
-/// The space that a name or alias stands for.
+/// The space that a name or alias stands for, in any case of letters.
 ///
 /// Throws  Error  when none does; names the three
 WorkingSpace working_space(std::string_view name_or_alias);
 
-/// The space that a file's name says: as a part of it, "moon_acescg.0001.exr".
+/// The space that a file's name says: as a part of it, in any case of letters, "moon_acescg.0001.exr".
 std::optional<WorkingSpace> space_in_name(std::string_view file_name);
+
+/// Whether a file's name has a word of colour spaces, as "moon_aces.exr", and yet says none of these.
+bool names_another_space(std::string_view file_name);
 
 /// Turns absolute XYZ (D65 scene) into the channels of the space, luminance kept: Y of white is R =
 /// G = B.
@@ -53,6 +57,9 @@ std::array<float, 8> chromaticities(WorkingSpace space);
 ///
 /// Given  channels  three
 double luminance(WorkingSpace space, std::span<const double> channels);
+
+/// The scene's white, D65, of luminance 1 in the channels of the space.
+glm::dvec3 white(WorkingSpace space);
 
 /// Moves a colour with a negative channel straight towards the grey of its luminance, until none
 /// is.

@@ -44,7 +44,7 @@ algebra::Grid<float> normalised_to_geometric_albedo(algebra::Grid<float> map, Ph
 /// The map of NASA's CGI Moon Kit of 2019 with its contrast about the poles mended. Beyond latitude 64
 /// degrees it fades into another map: against the albedos that Sato et al. (2014) found, cell by cell,
 /// the slope of its logarithms falls from 0.9 to 0.35 at 69.5 degrees, on both sides alike, and texels
-/// on beyond vary by that much less. Departures from a row's mean M are given back:
+/// on beyond vary by that much less. Departures from a row's mean M are restored:
 ///
 ///     A' = M (A / M)^(1/f)        f = 1 up to 64 degrees, 0.37 from 70 degrees on, a line between
 algebra::Grid<float> with_polar_contrast(algebra::Grid<float> map);

@@ -283,6 +283,10 @@ Image read_channels(const fs::path& path, const std::vector<std::string>& names)
   const Silence silence(path);
   const auto input = opened(path);
   const auto& spec = input->spec();
+  if (!spec.format.is_floating_point())
+    throw algebra::Error(fmt::format(
+        "{}: holds whole numbers, allowed light [cd/m2] in floating-point ones, as an .exr does",
+        path.string()));
   std::vector<std::size_t> chosen;
   for (const auto& name : names) {
     if (spec.channelindex(name) < 0)

@@ -33,9 +33,10 @@ inline constexpr double most_texels_a_side = 1 << 20, most_numbers = 8589934592.
 ///                or in a tile
 Image read_image(const std::filesystem::path& path);
 
-/// The same, of the channels of some names, in their order.
+/// The same of an image of light, in floating-point numbers: the channels of some names, in their order.
 ///
-/// Throws  Error  as read_image; when there is no channel of a name: names those there are
+/// Throws  Error  as read_image; when it holds whole numbers, which are codes; when there is no channel of a
+///                name: names those there are
 Image read_channels(const std::filesystem::path& path, const std::vector<std::string>& names);
 
 /// Texels of a plane.

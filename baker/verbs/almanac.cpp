@@ -160,8 +160,8 @@ void run(const Options& options) {
 void add_almanac(CLI::App& program) {
   auto* verb = add_verb(program, "almanac", "lists eclipses: type, gamma, magnitudes, contacts");
   const auto options = std::make_shared<Options>();
-  add_flag(*verb, "--from", options->from, "first day, as 2026-01-01; today unless given");
-  add_flag(*verb, "--to", options->to, "last day; ten years from today unless given");
+  add_flag(*verb, "--from", options->from, "first day, as 2026-01-01; default: today");
+  add_flag(*verb, "--to", options->to, "last day; default: ten years from today");
   add_calendar_option(*verb, options->calendar);
   add_flag(
       *verb, "--at", options->at,

@@ -23,6 +23,7 @@
 #include "verbs/flags/texture_options.h"
 #include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
+#include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
 #include "verbs/reports/report.h"
 
@@ -256,6 +257,13 @@ void run(const CLI::App& verb, const Options& options) {
   for (const auto& file : options.outputs) outputs.push_back(output_at(file, options.texture));
   add_textures_of_usd(options, outputs);
   require_sound(options, outputs);
+  for (const auto& output : outputs)
+    if (!output.developed() && !options.texture.space &&
+        colour::names_another_space(output.path.stem().string()))
+      fmt::print(stderr,
+                 "coppermoon: {}: is {}; --space, or a name with acescg or lin_ciexyzd65_scene, "
+                 "makes it another\n",
+                 one_line(output.path.string()), colour::name(space_of(output.content)));
   report(make(verb, options, outputs), options.json);
 }
 

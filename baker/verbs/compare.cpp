@@ -300,7 +300,7 @@ void add_compare(CLI::App& program) {
   add_flag(
       *verb, "--exposure", options->exposure,
       "exposure of the photograph: exif (as its header says) or fit (what suits best, as with a "
-      "camera's own tone curve); exif where there is a header, unless given")
+      "camera's own tone curve); default: exif where there is a header")
       .one_of({"exif", "fit"});
   add_flag(*verb, "--bins", options->bins,
            "number of steps of distance from the shadow's axis, 1 to 1000");
@@ -310,8 +310,8 @@ void add_compare(CLI::App& program) {
       "tells; so where the header names a camera), srgb or linear (a TIFF never says "
       "which)");
   add_flag(*verb, "--recipe-in", options->recipe_in,
-           ".exr whose recipe tells what the render shows, as a scene's texture does; the render "
-           "itself unless given")
+           ".exr whose recipe tells what the render shows, as a scene's texture does; default: "
+           "the render itself")
       .reads_file();
   add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);

@@ -107,13 +107,13 @@ uses::Exposures exposures_of(const Options& options, const std::vector<Job>& job
   if (jobs.size() == 1) {
     const auto& job = jobs.front();
     return exposures_for(options.develop, read_frame(job.frame, job.space), job.space,
-                         uses::seen_by(fs::path(job.frame)).disc);
+                         uses::seen_by(fs::path(job.frame)));
   }
   uses::SharedExposure shared(options.develop);
   if (options.develop.time.rule != uses::ExposureTime::Rule::fixed)
     for (const auto& job : jobs)
       shared.add(read_frame(job.frame, job.space), job.space,
-                 uses::seen_by(fs::path(job.frame)).disc);
+                 uses::seen_by(fs::path(job.frame)));
   return shared.exposures();
 }
 
@@ -121,6 +121,8 @@ void develop(const Options& options, const Job& job, const uses::Exposures& expo
              std::size_t number) {
   const auto frame = read_frame(job.frame, job.space);
   const auto seen = uses::seen_by(fs::path(job.frame));
+  if (const double sky = sky_over_moon(options.develop, frame, job.space, seen); sky > 1)
+    fmt::print(stderr, "coppermoon: {}: {}\n", one_line(job.frame), bright_sky_in_words(sky));
   write_picture(options.develop, exposures,
                 {frame, job.space, seen, number, uses::scene_attributes(job.frame)}, {},
                 job.picture);
@@ -149,7 +151,7 @@ void run(const Options& options) {
   for (std::size_t j = 0; j < jobs.size(); ++j) {
     develop(options, jobs[j], exposures, j);
     if (!options.json)
-      fmt::print("{}: exposed for {}, f/{:g}, ISO {:g}\n", one_line(jobs[j].picture.string()),
+      fmt::print("{}: exposed for {}, f/{:.3g}, ISO {:g}\n", one_line(jobs[j].picture.string()),
                  exposure_in_words(exposures), exposures.shorter.f_number, exposures.shorter.iso);
   }
   if (options.json) fmt::print("{}\n", as_json(jobs, exposures).dump(2));
@@ -171,8 +173,8 @@ void add_develop(CLI::App& program) {
       .writes_file()
       .required();
   add_flag(*verb, "--space", options->space,
-           "colour space of the frame: lin_rec709, acescg or lin_ciexyzd65_scene; what the header "
-           "or the name says, unless given");
+           "colour space of the frame: lin_rec709, acescg or lin_ciexyzd65_scene; default: what the "
+           "header or the name says");
   add_develop_options(*verb, options->develop);
   add_camera_options(*verb, options->develop.camera);
   add_camera_file_options(*verb, options->develop.camera);

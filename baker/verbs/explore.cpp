@@ -141,7 +141,7 @@ void add_explore(CLI::App& program) {
         options->request.place = text;
       },
       "place of the observer when the page opens: a city, as Nairobi, or LAT,LON[,ELEV] [degrees "
-      "north and east, metres]; the Earth's centre unless given");
+      "north and east, metres]; default: the Earth's centre");
   add_flag(*verb, "-o,--output", options->output,
            "page, .html; with --from and --to a folder of them, with a list in index.html")
       .writes_file()

@@ -311,22 +311,22 @@ void add_photograph_options(CLI::App& verb, Options& options) {
       "from-header: as the cameras' clocks say, whose errors are then found");
   add("--zone", options.zone,
       "time zone of the cameras' clocks, for --instants from-header, as +02:00 or Europe/Berlin; "
-      "unless given, that in the header, else the one that the shadow on the Moon tells");
+      "default: that in the header, else the one that the shadow on the Moon tells");
   add("--times", options.times,
-      "exposure times [s], one for all or one for each; the header's unless given");
-  add("--isos", options.isos, "ISO speeds, one for all or one for each; the header's unless given");
-  add("--f-number", options.f_number, "focal length over aperture; the header's unless given");
+      "exposure times [s], one for all or one for each; default: the header's");
+  add("--isos", options.isos, "ISO speeds, one for all or one for each; default: the header's");
+  add("--f-number", options.f_number, "focal length over aperture; default: the header's");
   add("--camera", options.request.camera,
-      "camera whose saturation is meant; ISO 12232 unless given");
+      "camera whose saturation is meant; default: that of ISO 12232");
   add("--exposure-error", options.request.exposure_error,
       "standard error of the exposures' logarithm");
   add("--white-balance-error", options.request.white_balance_error,
-      "standard error of red and blue over green; unless given 0.03, with a camera's own tone "
+      "standard error of red and blue over green; default: 0.03, with a camera's own tone "
       "curve "
       "0.3");
   add("--clock-error", options.clock_error_min,
       "standard error of a camera's clock [minutes], 0 to 60; the clock's own error is then found; "
-      "unless given 10 with --instants from-header, else 0");
+      "default: 10 with --instants from-header, else 0");
   add_coding_option(verb, options.coding,
                     "coding of the photographs' numbers: camera (its own tone curve, which is "
                     "found; so where the "

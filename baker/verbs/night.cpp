@@ -103,7 +103,7 @@ void print_moments(const Night& night) {
 }
 
 void print_exposures(const Night& night) {
-  fmt::print("\nExposure times at f/{:g}, ISO {:g}:\n{:<34}{:>12}{:>22}\n", night.lights.f_number,
+  fmt::print("\nExposure times at f/{:.3g}, ISO {:g}:\n{:<34}{:>12}{:>22}\n", night.lights.f_number,
              night.lights.iso, "", "lit part", "part in the umbra");
   for (const auto& exposure : night.lights.exposures)
     fmt::print("{:<34}{:>12}{:>22}\n", exposure.phase, exposure_text(exposure.lit_s),

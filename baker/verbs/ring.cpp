@@ -68,7 +68,7 @@ void add_ring(CLI::App& program) {
   add_parsed(
       *verb, "--on", [options](const std::string& text) { options->on = feature_from(text); },
       "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; "
-      "where the Earth is in the zenith, unless given");
+      "default: where the Earth is in the zenith");
   add_flag(*verb, "-o,--output", options->output,
            "strip, .exr. Columns: position angle about the Earth's centre, from north through "
            "east. Rows: even in the angle from the centre, the outer edge on top; the header holds "

@@ -218,8 +218,8 @@ void add_shadow(CLI::App& program) {
   add_flag(*verb, "--sun-distance-km", options->sun_distance_km,
            "distance of the Sun from the Earth's centre [km]");
   add_flag(*verb, "--position-angle", options->position_angle_deg,
-           "position angle about the axis, from celestial north through east [degrees]; the mean "
-           "over all angles unless given")
+           "position angle about the axis, from celestial north through east [degrees]; default: "
+           "the mean over all angles")
       .within(0, 360);
   add_flag(*verb, "-o,--output", options->outputs,
            "file in place of stdout: numbers as .csv or .json, a plot as .png, .svg or .pdf. May "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/still.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <memory>
 
@@ -15,6 +17,7 @@
 #include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/recipes/recorded_scene.h"
+#include "verbs/reports/in_words.h"
 #include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
@@ -53,7 +56,9 @@ void run(const CLI::App& verb, Options options) {
     return uses::rendered(scene, bar.progress());
   }();
   const auto seen = uses::seen_by(scene.view, scene.moon.sky);
-  const auto exposures = exposures_for(options.develop, frame, uses::picture_space, seen.disc);
+  const auto exposures = exposures_for(options.develop, frame, uses::picture_space, seen);
+  if (const double sky = sky_over_moon(options.develop, frame, uses::picture_space, seen); sky > 1)
+    fmt::print(stderr, "coppermoon: {}\n", bright_sky_in_words(sky));
   const auto header = uses::frame_header(scene, exposures);
   if (!options.frame.empty()) uses::write_frame(options.frame, frame, header, options.space);
   write_picture(

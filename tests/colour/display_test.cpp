@@ -157,6 +157,13 @@ TEST(Display, HasTheViewsItPromises) {
                                                   "Display P3", "Rec.2100-PQ"}));
 }
 
+TEST(Display, AndViewAreKnownByTheirNamesInAnyCase) {
+  EXPECT_EQ(view_named("aces 1.0 sdr video", "srgb"), "ACES 1.0 SDR Video");
+  EXPECT_EQ(display_named("display P3"), "Display P3");
+  EXPECT_EQ(grey_shown(0.18f, {.view = "filmic", .display = "SRGB"}),
+            grey_shown(0.18f, {.view = "Filmic"}));
+}
+
 TEST(Display, ShowsEveryViewOfEveryDisplay) {
   for (const auto& display : displays())
     for (const auto& view : views(display)) {

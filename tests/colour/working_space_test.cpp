@@ -98,6 +98,16 @@ TEST(WorkingSpace, IsKnownByItsNames) {
     for (const auto alias : aliases(space)) EXPECT_EQ(working_space(alias), space);
   EXPECT_EQ(name(linear_rec709), "lin_rec709");
   EXPECT_EQ(working_space("lin_srgb"), linear_rec709);
+  EXPECT_EQ(working_space("ACEScg"), acescg);
+}
+
+TEST(WorkingSpace, IsSaidByAFilesNameOrAnotherIs) {
+  EXPECT_EQ(space_in_name("Moon_ACEScg.0001"), acescg);
+  EXPECT_EQ(space_in_name("moon_aces"), std::nullopt);
+  for (const char* name : {"moon_aces", "ACES2065-1_moon", "moon.AP1", "moon_p3"})
+    EXPECT_TRUE(names_another_space(name)) << name;
+  for (const char* name : {"moon", "places", "map1", "step3", "moon_acescg", "moon_lin_ap1"})
+    EXPECT_FALSE(names_another_space(name)) << name;
 }
 
 TEST(WorkingSpace, RefusesANameItDoesNotKnow) {

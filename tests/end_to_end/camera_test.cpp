@@ -224,6 +224,14 @@ TEST_F(CameraTest, SeesTheTwilight) {
   EXPECT_WITHIN_RELATIVE(twilight, sky, 0.01, "a step of 14 bits: 0.2 % of it");
   const double by_hand = taken({"--sky", "12"}, "hand.exr") - off;
   EXPECT_WITHIN_RELATIVE(by_hand, 1.08e5 * std::pow(10, -0.4 * 12), 0.01, "as before");
+
+  const auto outcome =
+      coppermoon({"develop", "frame.exr", "--camera", "400mm", "--view", "raw", "-o", "auto.png"});
+  expect_done(outcome);
+  EXPECT_NE(outcome.err.find("times as bright as the Moon"), std::string::npos) << outcome.err;
+  const double shown = mean_of_corner(image("auto.png"), 1);
+  EXPECT_GT(shown, 0.6) << "most of 0.8, the level of Moon and sky together";
+  EXPECT_LT(shown, 0.8);
 }
 
 TEST_F(CameraTest, MergesABracketedSetOfPhotographs) {

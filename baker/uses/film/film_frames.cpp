@@ -85,7 +85,7 @@ Exposures exposures_of(const Film& film, const Rendered& rendered, const texture
   if (!film.time_keys.empty())
     development.time = {ExposureTime::Rule::fixed,
                         keyed_time_s(film, film.moments.frames[rendered.frame - 1])};
-  return exposures_for(development, image, space_of(film.content), rendered.seen.disc);
+  return exposures_for(development, image, space_of(film.content), rendered.seen);
 }
 
 void write_pictures(const Film& film, const Rendered& rendered, const texture::Image& image,

@@ -113,7 +113,7 @@ $land << EOD
 {}EOD
 $shade << EOD
 {}EOD
-{}set title "{}\nwhite: all of it is seen; grey: nothing; between: a part. Curves: the Moon in the horizon (UTC)" font ',14'
+{}set title "{}\nwhite: all of it is seen; grey: nothing; between: a part. Along each curve the Moon is on the horizon (UTC)" font ',14'
 set xrange [-180:180]
 set yrange [-90:90]
 set size ratio 0.5

@@ -122,6 +122,11 @@ void add_seen(texture::Attributes& attributes, const SeenFrame& seen) {
   if (seen.disc) attributes[disc_attribute] = text_of(*seen.disc);
 }
 
+double sky_before(const CameraRequest& request, const SeenFrame& seen) {
+  if (request.model.empty()) return 0;
+  return request.sky_cd_m2.value_or(seen.sky_cd_m2.value_or(0));
+}
+
 colour::Photograph photographed(const CameraRequest& request, const colour::Camera& camera,
                                 const Frame& frame, const colour::Exposure& exposure) {
   const auto pixels = pixels_of(frame.light);
@@ -130,7 +135,7 @@ colour::Photograph photographed(const CameraRequest& request, const colour::Came
   const colour::Shot shot{
       .exposure = exposure,
       .pixel_rad = seen.pixel_rad > 0 ? seen.pixel_rad : camera.sensor.width_mm / across,
-      .sky_cd_m2 = request.sky_cd_m2.value_or(seen.sky_cd_m2.value_or(0)),
+      .sky_cd_m2 = sky_before(request, seen),
       .seed = request.noise_seed,
       .frame = frame.number};
   return colour::photographed(pixels, frame.space, camera, shot);

@@ -68,6 +68,9 @@ struct Frame {
   texture::Attributes attributes = {};  ///< for the headers of files made from it
 };
 
+/// Luminance that the sky adds before a camera [cd/m²]: what is asked for, or the frame's; 0 without a model.
+double sky_before(const CameraRequest& request, const SeenFrame& seen);
+
 /// What the camera makes of a scene-linear frame.
 colour::Photograph photographed(const CameraRequest& request, const colour::Camera& camera,
                                 const Frame& frame, const colour::Exposure& exposure);

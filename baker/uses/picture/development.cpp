@@ -26,14 +26,19 @@ constexpr const char *usual_display = "sRGB", *high_range_display = "Rec.2100-PQ
 
 bool is_high_range(const std::filesystem::path& picture) { return picture.extension() == ".avif"; }
 
-/// The display that a file's ending means, where none is asked for.
+/// The display that a file's ending means, where none is asked for; display and view as the configuration
+/// spells them.
 Development for_file(Development development, const std::filesystem::path& picture) {
-  if (is_high_range(picture) && development.display == usual_display)
-    development.display = high_range_display;
+  const auto& config = development.config;
+  development.display = colour::display_named(
+      is_high_range(picture) && development.display == usual_display ? high_range_display
+                                                                     : development.display,
+      config);
+  development.view = colour::view_named(development.view, development.display, config);
   return development;
 }
 
-/// Luminances of all lit pixels that the Moon covers, some or all of them [cd/m²].
+/// Luminances of all lit pixels that the Moon covers, some or all of them, without the sky's [cd/m²].
 std::vector<double> luminances(const texture::Image& frame, colour::WorkingSpace space,
                                const std::optional<DiscOutline>& disc) {
   std::vector<double> lit;
@@ -47,6 +52,15 @@ std::vector<double> luminances(const texture::Image& frame, colour::WorkingSpace
                                            static_cast<double>(r) + 0.5) > 0))
         lit.push_back(y);
     }
+  return lit;
+}
+
+/// The same with the sky's light before the camera.
+std::vector<double> luminances(const Development& development, const texture::Image& frame,
+                               colour::WorkingSpace space, const SeenFrame& seen) {
+  auto lit = luminances(frame, space, seen.disc);
+  const double sky = sky_before(development.camera, seen);
+  for (double& y : lit) y += sky;
   return lit;
 }
 
@@ -157,29 +171,66 @@ colour::Image taken(const Development& development, const colour::Exposure& expo
 /// (1 - exp(-x)) / x
 double rounded_off(double x) { return std::abs(x) < 1e-9 ? 1 : -std::expm1(-x) / x; }
 
+/// A frame whose luminances x, in units of saturation, are dimmed to 1 - exp(-x); a colour keeps its ratios.
+/// The sky's light is counted in x and left out again: what is dimmed of it alone is sky_cd_m2.
+struct Dimmed {
+  texture::Image light;
+  double sky_cd_m2;
+};
+
+Dimmed dimmed(texture::Image light, colour::WorkingSpace space, double sky_cd_m2, double scale) {
+  require_colours(light);
+  const double sky = sky_cd_m2 * rounded_off(scale * sky_cd_m2);
+  const auto white = colour::white(space);
+  for (std::size_t r = 0; r < light.height; ++r)
+    for (std::size_t c = 0; c < light.width; ++c) {
+      const double y = colour::luminance(
+          space, std::array<double, 3>{light(r, c, 0), light(r, c, 1), light(r, c, 2)});
+      const double share = rounded_off(scale * std::max(0., y + sky_cd_m2));
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double w = white[static_cast<int>(k)];
+        light(r, c, k) = static_cast<float>((light(r, c, k) + w * sky_cd_m2) * share - w * sky);
+      }
+    }
+  return {std::move(light), sky};
+}
+
+/// What the longer exposure of a composite sees, in units of saturation.
+colour::Image shadow_taken(Development development, const colour::Exposure& exposure,
+                           const Frame& frame) {
+  constexpr auto other_noise = std::uint64_t{1} << 63;
+  constexpr double reddest = 4;  // red over luminance, of a deep shadow or a Moon that rises
+  const bool through_camera = camera_of(development).has_value();
+  const double scale = scale_of(development, exposure);
+  const LimbPixels limb(through_camera ? frame.seen.disc : std::nullopt, frame.light);
+  const auto [light, sky] =
+      dimmed(limb.with_ground(frame.light), frame.space,
+             sky_before(development.camera, frame.seen), scale);
+  if (through_camera) development.camera.sky_cd_m2 = sky;
+  const auto covered = limb.covered(light);
+  auto slower = exposure;
+  slower.iso = std::max(1., exposure.iso / reddest);
+  auto shadow = taken(development, slower,
+                      {covered, frame.space, frame.seen, frame.number ^ other_noise, frame.attributes});
+  for (auto& pixel : shadow.values())
+    for (float& value : pixel) value = static_cast<float>(scale * value);
+  return shadow;
+}
+
 /// Two exposures of a frame in one, in units of saturation.
 colour::Image composite(const Development& development, const Exposures& exposures,
                         const Frame& frame) {
   constexpr double share = 0.3;  // of white, for the longer exposure
-  constexpr auto other_noise = std::uint64_t{1} << 63;
   auto longer = exposures.shorter;
   longer.time_s = *exposures.longer_s;
-  auto again = frame;
-  again.number ^= other_noise;
   auto all = taken(development, exposures.shorter, frame);
-  const auto shadow = taken(development, longer, again);
-  const double scale = scale_of(development, exposures.shorter),
-               longer_scale = scale_of(development, longer);
-  for (std::size_t i = 0; i < all.values().size(); ++i) {
-    const auto& dark = shadow.values()[i];
-    const double x = longer_scale * colour::luminance(frame.space, std::array<double, 3>{
-                                                                       dark[0], dark[1], dark[2]});
-    const double dark_share = share * longer_scale * rounded_off(std::max(0., x));
+  const auto shadow = shadow_taken(development, longer, frame);
+  const double scale = scale_of(development, exposures.shorter);
+  for (std::size_t i = 0; i < all.values().size(); ++i)
     for (std::size_t c = 0; c < 3; ++c) {
       float& value = all.values()[i][c];
-      value = static_cast<float>((1 - share) * scale * value + dark_share * dark[c]);
+      value = static_cast<float>((1 - share) * scale * value + share * shadow.values()[i][c]);
     }
-  }
   return all;
 }
 
@@ -212,14 +263,22 @@ void LitSums::add(const LitSums& more) {
 }
 
 Exposures exposures_for(const Development& development, const texture::Image& frame,
-                        colour::WorkingSpace space, const std::optional<DiscOutline>& disc) {
+                        colour::WorkingSpace space, const SeenFrame& seen) {
   if (development.time.rule == ExposureTime::Rule::fixed)
     return exposed_for(development, development.time.seconds);
-  const auto lit = luminances(frame, space, disc);
+  const auto lit = luminances(development, frame, space, seen);
   if (lit.empty()) return {one_second(development)};
   if (development.time.rule != ExposureTime::Rule::automatic)
     return exposed_for(development, sums_of(lit));
   return exposed_for(development, time_for(development, bright_luminance(lit), brightest_level));
+}
+
+double sky_over_moon(const Development& development, const texture::Image& frame,
+                     colour::WorkingSpace space, const SeenFrame& seen) {
+  const double sky = sky_before(development.camera, seen);
+  if (sky == 0) return 0;
+  const auto lit = luminances(frame, space, seen.disc);
+  return lit.empty() ? 0 : sky / bright_luminance(lit);
 }
 
 SharedExposure::SharedExposure(const Development& development) : development_(development) {
@@ -228,9 +287,9 @@ SharedExposure::SharedExposure(const Development& development) : development_(de
 }
 
 void SharedExposure::add(const texture::Image& frame, colour::WorkingSpace space,
-                         const std::optional<DiscOutline>& disc) {
+                         const SeenFrame& seen) {
   if (development_.time.rule == ExposureTime::Rule::fixed) return;
-  const auto lit = luminances(frame, space, disc);
+  const auto lit = luminances(development_, frame, space, seen);
   sums_.add(sums_of(lit));
   if (!counts_.empty())
     for (const double y : lit) ++counts_[step_of(y)];
@@ -284,10 +343,6 @@ void require_sound(const Development& asked, const std::filesystem::path& pictur
     colour::gain_at(*camera, development.iso);
     if (!development.camera.raw.empty()) require_raw_file(development.camera.raw, *camera);
   }
-  const auto views = colour::views(development.display, development.config);
-  if (std::find(views.begin(), views.end(), development.view) == views.end())
-    throw algebra::Error(
-        fmt::format("view = {}, allowed {}", development.view, fmt::join(views, ", ")));
 }
 
 std::string fingerprint(const Development& development, colour::WorkingSpace space) {

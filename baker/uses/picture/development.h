@@ -16,8 +16,8 @@ namespace coppermoon::uses {
 /// How long a frame is exposed.
 struct ExposureTime {
   enum class Rule {
-    automatic,  ///< the brightest hundredth of what is lit comes to 0.8 of saturation
-    follow,     ///< the cube of the mean cube root of luminance comes to 0.25: without a step
+    automatic,  ///< exposes the brightest hundredth of what is lit to 0.8 of saturation
+    follow,     ///< exposes the cube of the mean cube root of luminance to 0.25: without a step
     composite,  ///< two exposures in one picture: one of what is bright, one of the shadow
     fixed
   };
@@ -45,10 +45,17 @@ struct Exposures {
 
 /// The camera's settings, the time by its rule; 1 s when nothing is lit.
 ///
-/// Given  disc  the Moon's edge: what stands beside it, as stars, sets no exposure; without: all is counted
+/// Given  seen  the Moon's edge: what stands beside it, as stars, sets no exposure; without: all is counted.
+///              The sky's light, which a camera adds to the Moon's
 /// Throws Error when a setting is outside its range, or the frame has fewer than three channels
 Exposures exposures_for(const Development& development, const texture::Image& frame,
-                        colour::WorkingSpace space, const std::optional<DiscOutline>& disc = {});
+                        colour::WorkingSpace space, const SeenFrame& seen = {});
+
+/// How many times as bright the sky is as the Moon's brightest hundredth; 0 without a camera or a lit Moon.
+///
+/// Throws Error when the frame has fewer than three channels
+double sky_over_moon(const Development& development, const texture::Image& frame,
+                     colour::WorkingSpace space, const SeenFrame& seen);
 
 /// Sums over luminances Y of what is lit [cd/m²], that exposure times follow from.
 struct LitSums {
@@ -66,8 +73,7 @@ struct LitSums {
 class SharedExposure {
  public:
   explicit SharedExposure(const Development& development);
-  void add(const texture::Image& frame, colour::WorkingSpace space,
-           const std::optional<DiscOutline>& disc = {});
+  void add(const texture::Image& frame, colour::WorkingSpace space, const SeenFrame& seen = {});
   Exposures exposures() const;
 
  private:
@@ -101,7 +107,9 @@ texture::Image shown(const Development& development, double scale, const texture
 ///
 /// A composite lays the longer exposure under the shorter one. Where x is a luminance in units of
 /// saturation, it becomes 0.7 x_shorter + 0.3 (1 - exp(-x_longer)), and a colour keeps its ratios: what
-/// is brighter comes out brighter.
+/// is brighter comes out brighter. A camera takes the longer one of ground that is dimmed so: its sensor does
+/// not clip, at a quarter of the speed not even in red, and the glare of the sunlit part does not drown the
+/// shadow.
 texture::Image developed(const Development& development, const Exposures& exposures,
                          const Frame& frame);
 

@@ -43,6 +43,12 @@ texture::Image LimbPixels::with_ground(texture::Image frame) const {
   return frame;
 }
 
+texture::Image LimbPixels::covered(texture::Image frame) const {
+  for (const auto& [row, column, ground, share] : pixels_)
+    for (std::size_t k = 0; k < 3; ++k) frame(row, column, k) *= static_cast<float>(share);
+  return frame;
+}
+
 void LimbPixels::cover(texture::Image& picture, bool pq) const {
   for (const auto& [row, column, ground, share] : pixels_)
     for (std::size_t k = 0; k < 3; ++k) {

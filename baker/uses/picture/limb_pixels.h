@@ -22,6 +22,9 @@ class LimbPixels {
   /// The frame, these pixels with the whole light of the ground beside them.
   texture::Image with_ground(texture::Image frame) const;
 
+  /// The frame, these pixels with as much of their light as the Moon covers of them: with_ground, backwards.
+  texture::Image covered(texture::Image frame) const;
+
   /// Has the Moon cover these pixels of the developed picture as far as it does.
   ///
   /// Given  pq  codes are PQ's; else they are taken for sRGB's (IEC 61966-2-1)

@@ -64,9 +64,9 @@ void add_layers(CLI::App& app, uses::ColumnChange& column) {
   add_air_flag(app, "--cloud-top-km", column.cloud_top_km,
                "height of the cloud deck that --cloud-cover lays [km], 0 to 30");
   add_air_flag(app, "--dust-bottom-km", column.dust_bottom_km,
-               "lower edge of the dust layer [km]; 15 unless given");
+               "lower edge of the dust layer [km]; default: 15");
   add_air_flag(app, "--dust-top-km", column.dust_top_km,
-               "upper edge of the dust layer [km]; 20 unless given");
+               "upper edge of the dust layer [km]; default: 20");
 }
 
 /// What a fit seeks, and Danjon's scale, which says all of it.

@@ -83,8 +83,8 @@ void add_camera_options(CLI::App& verb, uses::CameraRequest& request) {
   add_camera_flag(
       verb, "--camera", request.model,
       fmt::format(
-          "camera: {}. Its optics and sensor add blur, noise and clipping; the scene as it is, "
-          "unless given",
+          "camera: {}. Its optics and sensor add blur, noise and clipping; default: the scene "
+          "as it is",
           fmt::join(colour::camera_names(), ", ")));
   add_optics(verb, request);
   add_sensor(verb, request);

@@ -11,9 +11,9 @@ namespace coppermoon::verbs {
 namespace {
 
 constexpr const char* time_help =
-    "exposure time [s], as 2 or 1/30; auto: the brightest hundredth of the lit disc comes to 0.8 "
-    "of saturation; follow: the mean of the lit disc, without a step in a film; composite: a short "
-    "one for what is bright and a long one for the shadow, in one picture";
+    "exposure time [s], as 2 or 1/30; auto: exposes the brightest 1 % of the lit disc to 80 % of "
+    "saturation; follow: a weighted mean of the disc is exposed to 25 %, without a step in a film; "
+    "composite: a short one for what is bright and a long one for the shadow, in one picture";
 
 std::string text_of(const uses::ExposureTime& time) {
   using enum uses::ExposureTime::Rule;
@@ -44,7 +44,7 @@ void add_time_option(CLI::App& verb, std::string& time) {
 void add_picture_options(CLI::App& verb, uses::Development& development) {
   const std::string group = camera_group;
   add_flag(verb, "--f-number", development.f_number,
-           "focal length over aperture; 12.1 unless the camera says another")
+           "focal length over aperture; default: the camera's, without one 12.1")
       .in(group);
   add_flag(verb, "--iso", development.iso, "ISO speed (ISO 12232, saturation-based)").in(group);
   add_flag(verb, "--view", development.view, "view of the OpenColorIO configuration").in(group);

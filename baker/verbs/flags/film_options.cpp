@@ -41,7 +41,7 @@ void add_times(CLI::App& verb, FilmOptions& options) {
       .in(film_group);
   add_flag(
       verb, "--frames", options.frames,
-      "number of frames, 1 to 1000000, evenly from the first moment to the last; 240 unless given")
+      "number of frames, 1 to 1000000, evenly from the first moment to the last; default: 240")
       .not_negative()
       .in(film_group);
   add_flag(verb, "--fps", options.fps, "frames per second of the film, 1 to 1000").in(film_group);
@@ -67,7 +67,7 @@ void add_making(CLI::App& verb, FilmOptions& options) {
       .in(film_group);
   add_flag(verb, "--aim", options.aim,
            "ALTITUDE,AZIMUTH that a fixed mount points at [degrees, azimuth from north through "
-           "east]; where the Moon is half way, unless given")
+           "east]; default: where the Moon is half way")
       .in(film_group);
   add_flag(verb, "--bracket", options.bracket_ev,
            "stops: pictures so much under and over are made too, 0.01 to 10")

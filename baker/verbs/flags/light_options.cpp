@@ -35,7 +35,7 @@ void add_solver_options(CLI::App& verb, uses::LightRequest& request) {
       "wavelengths together) or each (step by step, each alone, as in the paper)")
       .in(group);
   add_flag(verb, "--photons", request.photons,
-           "number of photons, 1 to 1e12; as many as the tolerance needs, unless given. 1e6 take a "
+           "number of photons, 1 to 1e12; default: as many as the tolerance needs. 1e6 take a "
            "second by the table, some seconds marched, minutes with --trace each")
       .in(group);
   add_flag(verb, "--seed", request.seed, "seed of the photons").not_negative().in(group);

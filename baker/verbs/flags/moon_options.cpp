@@ -43,7 +43,7 @@ void add_map_options(CLI::App& verb, uses::MoonRequest& request) {
        {"stellarium", cgi_moon_kit_2019}},
       "how the map's numbers stand for albedo: image (light, as the file says), normal-albedo "
       "(themselves), cgi-moon-kit-2019 or cgi-moon-kit-2025 (NASA's colour maps), stellarium "
-      "(the kit of 2019); that of Stellarium's installed map, or image, unless given");
+      "(the kit of 2019); default: that of Stellarium's installed map, or image");
   add_flag(verb, "--albedo-exponent", request.albedo_exponent,
            "exponent that undoes a tone curve of the map beyond its encoding, 0.1 to 10");
   add_choice<bool>(
@@ -54,7 +54,7 @@ void add_map_options(CLI::App& verb, uses::MoonRequest& request) {
 
 void add_width_option(CLI::App& verb, uses::MoonRequest& request) {
   add_flag(verb, "--texture-width", request.texture_width,
-           "width of the texture [texels], even, 4 to 32768; 4096 unless given, for a frame as "
+           "width of the texture [texels], even, 4 to 32768; default: 4096, for a frame as "
            "many as it can show")
       .not_negative();
 }

@@ -15,13 +15,13 @@ void add_texture_options(CLI::App& verb, uses::TextureContent& content) {
   add_parsed(
       verb, "--space",
       [&content](const std::string& name) { content.space = colour::working_space(name); },
-      "colour space: lin_rec709, acescg or lin_ciexyzd65_scene; the one in the file's name, as "
-      "moon_acescg.exr, or lin_rec709, unless given")
+      "colour space: lin_rec709, acescg or lin_ciexyzd65_scene; default: the one in the file's "
+      "name, as moon_acescg.exr, or lin_rec709")
       .in(group);
   add_choice<texture::ExrType>(
       verb, "--type", content.type,
       {{"half", texture::ExrType::half}, {"float", texture::ExrType::floating}},
-      "numbers of a texel: half or float; float for a spectrum unless given")
+      "numbers of a texel: half or float; default: half, float for a spectrum")
       .in(group);
   add_flag(verb, "--spectral", content.spectral_nm,
            "width of spectral bands [nm], 1 to 100, a divisor of 400: an .exr gets the spectral "

@@ -131,7 +131,7 @@ void add_observer_options(CLI::App& verb, uses::ViewRequest& request) {
   add_parsed(
       verb, "--at", [&](const std::string& text) { request.observer = observer_from(text); },
       "place of the observer: a city, as Chicago or Springfield/Illinois, or LAT,LON[,ELEV] "
-      "[degrees north and east, metres]; the Earth's centre unless given")
+      "[degrees north and east, metres]; default: the Earth's centre")
       .in(group);
   add_on_off(verb, "--reddening", request.reddening, "reddening and dimming by the observer's air")
       .in(group);

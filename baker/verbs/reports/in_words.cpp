@@ -55,6 +55,12 @@ std::string exposure_in_words(const uses::Exposures& exposures) {
   return exposures.longer_s ? shorter + " and " + exposure_in_words(*exposures.longer_s) : shorter;
 }
 
+std::string bright_sky_in_words(double sky_over_moon) {
+  return fmt::format(
+      "the sky is {} times as bright as the Moon, which hardly shows; --sky off leaves it out",
+      two_digits(sky_over_moon));
+}
+
 std::string in_words(const colour::ToneCurve& curve) {
   return fmt::format("{:+.2f} standard deviations of cameras", fmt::join(components_of(curve), ", "));
 }

@@ -27,6 +27,11 @@ std::string exposure_in_words(double seconds);
 /// The same for a picture; of a composite "1/500 s and 4 s".
 std::string exposure_in_words(const uses::Exposures& exposures);
 
+/// What to say of a sky that outshines the Moon, in one line.
+///
+/// Given  sky_over_moon  how many times as bright it is
+std::string bright_sky_in_words(double sky_over_moon);
+
 /// How a camera's tone curve differs from the mean one: "+0.40, +0.13, +0.23 standard deviations of
 /// cameras".
 std::string in_words(const colour::ToneCurve& curve);

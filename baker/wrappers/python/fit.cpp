@@ -105,7 +105,7 @@ A photograph of an eclipsed Moon, and what is known of how it was taken.
 file: any image, or a camera's raw file
 when: the moment when it was taken
 coding: how its numbers stand for light, 'as-file-says', 'srgb', 'linear' or 'camera' (its own tone curve, which is then found)
-exposure_time_s, iso, f_number: as its header says, unless given
+exposure_time_s, iso, f_number: without them as its header says
 )")
       .def(py::init([](std::string file, const Moment& when, texture::Coding coding,
                        std::optional<double> exposure_time_s, std::optional<double> iso,
@@ -223,11 +223,11 @@ The dust, cloud cover and ozone that explain photographs of the Moon and measure
 eclipse or several, all at once.
 
 magnitudes: (moment, band, magnitude) or (moment, band, magnitude, error): band 'B', 'V' or 'R'; reduced to the Earth's
-    centre and to above the air; error 0.001 to 0.99 mag, 0.1 unless given
+    centre and to above the air; error 0.001 to 0.99 mag, default: 0.1
 photographs: Photograph(file, when); those of one camera and eclipse share a clock, a tone curve and a factor of exposure. One of
     several that cannot be used is left out
 at: where the photographs were taken, a city or (latitude, longitude) in degrees
-camera: whose saturation is meant, by the names of --camera; ISO 12232's unless given
+camera: whose saturation is meant, by the names of --camera; default: ISO 12232's
 exposure_error: standard, of the exposures' logarithm, 0.001 to 10
 white_balance_error: standard, of red and blue over green, 0.001 to 10; None: 0.03, of a camera's own tone curve 0.3
 clock_error_s: standard, of each camera's clock, 0 to 3600; its own error is then found

@@ -131,6 +131,11 @@ TEST_F(ReadImage, TakesChannelsByTheirNames) {
   EXPECT_ERROR(read_channels(in_folder("a.exr"), {"X", "Y", "Z"}), "valid, allowed X, Y, Z");
 }
 
+TEST_F(ReadImage, TakesNoCodesForLight) {
+  const auto photograph = file("a.ppm", "P6\n1 1\n255\n\xFF\x80\x01");
+  EXPECT_ERROR(read_channels(photograph, {"R", "G", "B"}), "a.ppm: holds whole numbers");
+}
+
 TEST_F(ReadImage, ClaimsOfADisplayWindowAreNotBelieved) {
   EXPECT_ERROR(read_image(row_from(in_folder("a.exr"), 0, 2, 1 << 21)),
                "a.exr: cannot be read: attribute \"displayWindow\"");

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "algebra/error.h"
+#include "colour/camera.h"
 #include "support/within.h"
 
 namespace coppermoon::uses {
@@ -105,15 +106,79 @@ TEST(Exposures, AreThoseOfTheMoonAlone) {
        {ExposureTime::Rule::automatic, ExposureTime::Rule::follow, ExposureTime::Rule::composite}) {
     Development development;
     development.time.rule = rule;
-    const auto alone = exposures_for(development, moon, space, disc),
-               among_stars = exposures_for(development, starry, space, disc);
+    const auto alone = exposures_for(development, moon, space, {.disc = disc}),
+               among_stars = exposures_for(development, starry, space, {.disc = disc});
     EXPECT_EQ(among_stars.shorter.time_s, alone.shorter.time_s);
     EXPECT_EQ(among_stars.longer_s, alone.longer_s);
     EXPECT_EQ(alone.shorter.time_s, exposures_for(development, moon, space).shorter.time_s);
     SharedExposure shared(development);
-    shared.add(starry, space, disc);
+    shared.add(starry, space, {.disc = disc});
     EXPECT_WITHIN_RELATIVE(shared.exposures().shorter.time_s, alone.shorter.time_s, 5e-4,
                            "luminances are counted in steps of 2^-11");
+  }
+}
+
+Development through(const std::string& camera, ExposureTime::Rule rule) {
+  Development development;
+  development.time.rule = rule;
+  development.camera.model = camera;
+  return development;
+}
+
+TEST(Exposures, ThroughACameraCountTheSky) {
+  const auto frame = image_of(std::vector<std::array<float, 3>>(100, {2, 2, 2}));
+  const SeenFrame seen{.pixel_rad = 1e-5, .sky_cd_m2 = 600};
+  EXPECT_EQ(sky_over_moon({}, frame, space, seen), 0) << "without a camera there is no sky";
+  for (const auto rule : {ExposureTime::Rule::automatic, ExposureTime::Rule::follow}) {
+    const auto camera = through("400mm", rule);
+    const double level = rule == ExposureTime::Rule::automatic ? 0.8 : 0.25;
+    EXPECT_WITHIN_RELATIVE(sky_over_moon(camera, frame, space, seen), 300, 1e-6, "floats");
+    const auto exposures = exposures_for(camera, frame, space, seen);
+    EXPECT_WITHIN_RELATIVE(602 * scale_of(camera, exposures.shorter), level, 1e-6, "floats");
+    SharedExposure shared(camera);
+    shared.add(frame, space, seen);
+    EXPECT_WITHIN_RELATIVE(shared.exposures().shorter.time_s, exposures.shorter.time_s, 5e-4,
+                           "luminances are counted in steps of 2^-11");
+  }
+}
+
+/// Light of a copper shadow on the left that grows to sunlight on the right, on a disc.
+texture::Image warm_partial_eclipse(const DiscOutline& disc) {
+  texture::Image frame(96, 64, {"R", "G", "B"});
+  for (std::size_t r = 0; r < frame.height; ++r)
+    for (std::size_t c = 0; c < frame.width; ++c) {
+      const double share = covered_share(disc, static_cast<double>(c) + 0.5,
+                                         static_cast<double>(r) + 0.5),
+                   decades = std::clamp((60. - static_cast<double>(c)) / 24, 0., 1.) * 5;
+      const double red[] = {1.4 + 0.2 * decades, 0.9, 0.5};
+      for (std::size_t k = 0; k < 3; ++k)
+        frame(r, c, k) = static_cast<float>(share * 3000 * std::pow(10, -decades) * red[k]);
+    }
+  return frame;
+}
+
+TEST(Composite, ThroughACameraShowsWhatItShowsWithoutOne) {
+  const DiscOutline disc{48.3, 31.8, 1 / 625., 0, 1 / 625.};  // a radius of 25 pixels
+  const auto frame = warm_partial_eclipse(disc);
+  const SeenFrame seen{.pixel_rad = 1.8e-4, .disc = disc};
+  const auto shown = [&](const Development& development) {
+    return developed(development, exposures_for(development, frame, space, seen),
+                     {frame, space, seen});
+  };
+  const auto at_limb = [&](std::size_t r, std::size_t c) {
+    return std::abs(std::hypot(static_cast<double>(c) + 0.5 - disc.x,
+                               static_cast<double>(r) + 0.5 - disc.y) -
+                    25) < 2;
+  };
+  const auto without = shown(two_exposures());
+  for (const auto& name : colour::camera_names()) {
+    const auto with = shown(through(name, ExposureTime::Rule::composite));
+    for (std::size_t r = 0; r < frame.height; ++r)
+      for (std::size_t c = 0; c < frame.width; ++c)
+        for (std::size_t k = 0; k < 3 && !at_limb(r, c); ++k)
+          EXPECT_WITHIN(linear(with(r, c, k)), linear(without(r, c, k)), 0.05,
+                        "of white: glow of a twentieth in each, blur of a pixel, noise")
+              << name << ": " << r << ", " << c << ", " << k;
   }
 }
 
