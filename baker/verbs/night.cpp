@@ -267,7 +267,7 @@ void add_night(CLI::App& program) {
       "metres]");
   add_flag(*verb, "--zone", options->zone,
            "time zone of the local times: an IANA name, as Europe/Berlin, or an offset, as +02:00; "
-           "that of the city unless given");
+           "default: that of the city");
   add_flag(*verb, "-o,--output", options->outputs,
            "file: .ics for a calendar, .csv, .json, or a map of where the eclipse is seen, .png, "
            ".svg or .pdf. May be given again")
