@@ -92,6 +92,8 @@ int main(int count, char** words) {
   speak_to_whoever_hears();
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large is an error like any other, said in one line
   std::set_terminate(end_at_once);
+  // OpenImageIO brings OpenBLAS along, whose threads nobody needs: where memory is short they never end
+  ::setenv("OPENBLAS_NUM_THREADS", "1", 0);
   CLI::App program{"coppermoon bakes eclipsed Moons", "coppermoon"};
   std::unique_ptr<tbb::global_control> threads;
   verbs::add_words(program);

@@ -79,7 +79,7 @@ std::string one_of(std::string_view what, const std::string& name,
   if (std::ranges::find(allowed, name) != allowed.end()) return name;
   for (const auto& other : allowed)
     if (::strcasecmp(other.c_str(), name.c_str()) == 0) return other;
-  throw Error(fmt::format("{} \"{}\", allowed \"{}\"", what, name, fmt::join(allowed, "\", \"")));
+  throw Error(fmt::format("{} = {}, allowed {}", what, name, fmt::join(allowed, ", ")));
 }
 
 /// The first of the space's names that the configuration knows.

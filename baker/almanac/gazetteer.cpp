@@ -171,11 +171,24 @@ std::optional<City> city_named(std::string_view name) {
   return all.empty() ? std::nullopt : std::optional(all.front());
 }
 
+/// A city's place among the most populous, from 1 on.
+static std::ptrdiff_t rank_of(const City& city) {
+  const auto found = std::ranges::find_if(cities(), [&](const auto& row) {
+    return row[0] == city.name && row[1] == city.region;
+  });
+  return found - cities().begin() + 1;
+}
+
 std::string city_taken(std::string_view name) {
-  const auto all = cities_named(name);
+  constexpr int far_smaller = 10;  // ranks: population falls as one over the rank
+  auto all = cities_named(name);
   if (all.empty()) return {};
   const auto known = known_name(name_and_region(name).first);
-  if (all.size() == 1 && is_name(all.front().name, known)) return {};
+  if (is_name(all.front().name, known)) {
+    const auto least = far_smaller * rank_of(all.front());
+    std::erase_if(all, [&](const City& city) { return rank_of(city) > least; });
+    if (all.size() == 1) return {};
+  }
   std::vector<std::string> others;
   for (std::size_t i = 1; i < all.size(); ++i) others.push_back(as_written(all[i]));
   return fmt::format("{} is {}{}", name, as_written(all.front()),

@@ -39,7 +39,8 @@ std::vector<City> cities_named(std::string_view name);
 std::optional<City> city_named(std::string_view name);
 
 /// "Springfield is Springfield/Missouri; others are Springfield/Massachusetts, Springfield/Illinois", where
-/// several cities are meant by the name, or one whose name is longer; empty where there is no doubt.
+/// several cities may be meant by the name, or one whose name is longer; empty where there is no doubt. Cities
+/// far smaller than the one of that very name are not meant: "London" is no doubt.
 std::string city_taken(std::string_view name);
 
 /// Why there is no such city: "no such city; Springfield is known in Missouri, Massachusetts, Illinois" where

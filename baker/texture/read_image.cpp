@@ -72,15 +72,14 @@ std::string names_of(const std::vector<std::string>& channels) {
                      channels.size() > most ? ", …" : "");
 }
 
-/// Bands of another kind than OpenEXR are grey, or red, green and blue; alpha may follow. A TIFF of
-/// colours may have more: it says that the first three are they.
+/// Bands of another kind than OpenEXR are grey, or red, green and blue; alpha may follow, and beside grey need
+/// not say so. A TIFF of colours may have more: it says that the first three are they.
 void require_bands(const fs::path& path, const OIIO::ImageSpec& spec) {
   constexpr int colours = 2;
   const int bands = spec.nchannels - (spec.alpha_channel >= 0 ? 1 : 0);
-  if (bands == 1 || bands == 3) return;
-  if (bands > 3 && spec.get_int_attribute("tiff:PhotometricInterpretation") == colours) return;
+  if (bands <= 3 || spec.get_int_attribute("tiff:PhotometricInterpretation") == colours) return;
   throw cannot_read(
-      path, fmt::format("{} bands, and nothing says which of them are colours, allowed 1 or 3",
+      path, fmt::format("{} bands, and nothing says which of them are colours, allowed up to 3",
                         bands));
 }
 
@@ -181,7 +180,7 @@ struct ProfiledTone {
   }
 };
 
-/// Texels of a map that show no ground: transparent, or GDAL's number for no data.
+/// Texels of a map that show no ground: wholly transparent, or GDAL's number for no data.
 template <class Number>
 struct Holes {
   int alpha;
@@ -199,12 +198,16 @@ struct Holes {
   }
 
   const char* at(const Number* texel, std::size_t channel) const {
-    constexpr Number opaque = std::is_floating_point_v<Number> ? 1 : 255;
-    if (alpha >= 0 && texel[alpha] < opaque) return "is transparent";
-    const auto near = std::is_floating_point_v<Number> ? static_cast<Number>(1e-6) : Number{0};
-    if (no_data && std::abs(texel[channel] - *no_data) <= near * std::abs(*no_data))
-      return "has no data (GDAL_NODATA)";
-    return nullptr;
+    if (alpha >= 0 && texel[alpha] <= 0) return "is transparent";
+    return no_data && is_near(texel[channel], *no_data) ? "has no data (GDAL_NODATA)" : nullptr;
+  }
+
+  /// Whether two numbers are one, but for the rounding of a text.
+  static bool is_near(Number a, Number b) {
+    if constexpr (std::is_floating_point_v<Number>)
+      return std::abs(a - b) <= static_cast<Number>(1e-6) * std::abs(b);
+    else
+      return a == b;
   }
 };
 

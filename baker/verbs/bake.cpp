@@ -258,7 +258,7 @@ void run(const CLI::App& verb, const Options& options) {
   add_textures_of_usd(options, outputs);
   require_sound(options, outputs);
   for (const auto& output : outputs)
-    if (!output.developed() && !options.texture.space &&
+    if (!output.developed() && !output.ends_in(".usda") && !options.texture.space &&
         colour::names_another_space(output.path.stem().string()))
       fmt::print(stderr,
                  "coppermoon: {}: is {}; --space, or a name with acescg or lin_ciexyzd65_scene, "

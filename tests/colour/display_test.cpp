@@ -256,10 +256,10 @@ TEST(Filmic, KeepsTheHueOfTheUmbraAndMostOfItsRed) {
 TEST(Display, NamesTheViewsWhenItHasNoSuchView) {
   EXPECT_EQ(
       error_of([] { grey_shown(1, {.view = "Sepia"}); }),
-      R"(view "Sepia", allowed "Un-tone-mapped", "ACES 1.0 SDR Video", "Filmic", "Log", "Raw")");
+      "view = Sepia, allowed Un-tone-mapped, ACES 1.0 SDR Video, Filmic, Log, Raw");
   EXPECT_EQ(
       error_of([] { grey_shown(1, {.display = "CRT"}); }),
-      R"(display "CRT", allowed "sRGB", "Rec.1886 Rec.709", "P3-D65", "Display P3", "Rec.2100-PQ")");
+      "display = CRT, allowed sRGB, Rec.1886 Rec.709, P3-D65, Display P3, Rec.2100-PQ");
   EXPECT_EQ(error_of([] { views("CRT"); }), error_of([] { grey_shown(1, {.display = "CRT"}); }));
 }
 

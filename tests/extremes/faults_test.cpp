@@ -154,7 +154,7 @@ TEST_F(Faults, TooLittleMemoryIsSaid) {
   int done_at_all = 0, said_at_all = 0;
   std::string message;
   const bool all = support::thorough();
-  for (rlim_t megabytes = all ? 150 : 400; megabytes <= (all ? 900 : 600); megabytes += 25) {
+  for (rlim_t megabytes = all ? 150 : 400; megabytes <= (all ? 900 : 700); megabytes += 25) {
     const Surroundings little{.memory_limit = megabytes << 20U};
     if (coppermoon({"--version"}, little).status != 0) continue;  // not even its libraries begin
     const auto outcome = coppermoon(bake, little);

@@ -50,7 +50,7 @@ fs::path module_file() {
 ///
 /// Throws  std::bad_alloc
 void require_addresses() {
-  constexpr std::size_t taken = 420U << 20U;  // by the 260 libraries of Debian 12's OpenImageIO
+  constexpr std::size_t taken = 450U << 20U;  // by the 260 libraries of Debian 12's OpenImageIO
   void* const place =
       ::mmap(nullptr, taken, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (place == MAP_FAILED) throw std::bad_alloc();

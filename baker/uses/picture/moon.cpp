@@ -129,9 +129,9 @@ algebra::Grid<float> normal_albedo(const MoonRequest& moon) {
   auto albedo = decoded(texture::read_albedo_map(map, coding_of(encoding)), encoding);
   if (moon.albedo_map_centre_deg != 0) turn_round(albedo);
   if (moon.albedo_exponent != 1) change(albedo, 0, 1, moon.albedo_exponent);
-  constexpr double as_it_should_be = 1.03;
+  constexpr double as_it_should_be = 1.03, no_moon = 3;
   if (const double ratio = near_over_far(albedo);
-      moon.when_near_side_brighter && ratio > as_it_should_be)
+      moon.when_near_side_brighter && ratio > as_it_should_be && ratio < no_moon)
     moon.when_near_side_brighter(ratio);
   return surface::normalised_to_geometric_albedo(std::move(albedo), moon.photometry);
 }

@@ -105,8 +105,8 @@ void FilmProgress::done() const {
   if (json_)
     say({{"event", "done"},
          {"made", made_},
-         {"developed_again", developed_again_},
          {"kept", kept},
+         {"developed_again", developed_again_},
          {"seconds", seconds()}});
   else
     say(fmt::format("{}{}: {} frames made,{} {} kept, in {}", on_terminal_ ? "\r\033[K" : "",
