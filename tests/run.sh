@@ -37,6 +37,9 @@ elif [ $# -gt 0 ]; then
   exit 2
 fi
 
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"; end_parts' EXIT
+export COPPERMOON_PROCESSOR_SECONDS="$scratch/processor_seconds"
 sh examples/build.sh "coppermoon_program heavy_tests" packages.tests.debian
 part "tests of the program, in release"
 ctest --test-dir build/release --label-exclude "quick|slow|sweep|hand_off" --output-on-failure --parallel "$processors" \
@@ -50,8 +53,6 @@ ctest --preset sanitizers --parallel "$processors" --no-tests=error
 
 part "two examples, small"
 root=$PWD
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"; end_parts' EXIT
 cd "$scratch"
 small="--photons 2e4 --texture-width 512 --width 150 --height 100"
 "$root/examples/first_eclipse.sh" $small
@@ -59,4 +60,10 @@ small="--photons 2e4 --texture-width 512 --width 150 --height 100"
 ls -l
 cd "$root"
 part ''
+printf '\n== the ten dearest tests, in seconds of processor\n'
+sort -rn "$COPPERMOON_PROCESSOR_SECONDS" | head -n 10
+end_parts
 printf '\n== all passed\n'
+budget=$(sed -n 's/^| in all | *\([0-9]*\) |$/\1/p' tests/README.md)
+awk -v used="$used_in_all" -v budget="$budget" 'BEGIN { if (used > 1.1 * budget)
+  printf "Over the budget of %d s of processor (tests/README.md) by %.0f %%: give seconds back.\n", budget, 100 * (used / budget - 1) }'

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Runs tests: PROGRAM [NOUN] [FLAGS of GoogleTest]. With a noun those of NOUN_test.cpp alone, of which there must be some.
-// Tests with Thoroughly in the name of their suite run only with COPPERMOON_THOROUGH in the environment.
+// Tests with Thoroughly in the name of their suite run only with COPPERMOON_THOROUGH in the environment. Appends a line
+// `SECONDS PROGRAM/NOUN` of processor time, of the programs that the tests started too, to the file that
+// COPPERMOON_PROCESSOR_SECONDS names.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -25,6 +28,18 @@ std::string tests_of(const std::string& source) {
   return filter;
 }
 
+/// Processor seconds, user and system, of this process and of all children that it has waited for.
+double processor_seconds() {
+  double seconds = 0;
+  for (const auto whose : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage used{};
+    getrusage(whose, &used);
+    for (const auto& time : {used.ru_utime, used.ru_stime})
+      seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  }
+  return seconds;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -41,5 +56,13 @@ int main(int count, char** words) {
     auto& filter = testing::GTEST_FLAG(filter);
     filter += (filter.find('-') == std::string::npos ? "-" : ":") + std::string("*Thoroughly*");
   }
-  return RUN_ALL_TESTS();
+  const auto outcome = RUN_ALL_TESTS();
+  if (const char* list = std::getenv("COPPERMOON_PROCESSOR_SECONDS")) {
+    if (auto* file = std::fopen(list, "a")) {
+      std::fprintf(file, "%.1f %s/%s\n", processor_seconds(), std::filesystem::path(words[0]).filename().c_str(),
+                   count > 1 ? words[1] : "");
+      std::fclose(file);
+    }
+  }
+  return outcome;
 }
