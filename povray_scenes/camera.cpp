@@ -49,7 +49,7 @@ glm::dmat3 without_refraction(const glm::dvec3& moon, const glm::dvec3& zenith) 
   const double across = glm::length(level);
   if (across == 0) return glm::dmat3(1);
   const auto altitude = algebra::radians(std::atan2(glm::dot(moon, zenith), across));
-  const double refraction = in_radians(atmosphere::astronomical_refraction(altitude));
+  const double refraction = in_radians(atmosphere::apparent_altitude(altitude) - altitude);
   return glm::mat3_cast(glm::angleAxis(-refraction, level / across));
 }
 

@@ -127,14 +127,18 @@ class Dome {
                        std::max(altitude(source.direction), atmosphere::lowest_true_altitude));
   }
 
+  /// How far refraction raises a direction.
+  double lift_rad(const glm::dvec3& direction) const {
+    const auto stands = altitude(direction);
+    return algebra::in_radians(atmosphere::apparent_altitude(stands) - stands);
+  }
+
   /// Raises a direction towards the zenith, as far as refraction does; or down, by another's refraction.
   glm::dvec3 raised(const glm::dvec3& direction) const {
-    return turned(direction, direction,
-                  algebra::in_radians(atmosphere::astronomical_refraction(altitude(direction))));
+    return turned(direction, direction, lift_rad(direction));
   }
   glm::dvec3 lowered_as(const glm::dvec3& other, const glm::dvec3& direction) const {
-    return turned(direction, other,
-                  -algebra::in_radians(atmosphere::astronomical_refraction(altitude(other))));
+    return turned(direction, other, -lift_rad(other));
   }
 
   povray_scenes::HorizonPlace place_of(const glm::dvec3& direction) const {

@@ -109,7 +109,8 @@ void hide_below_horizon(texture::Image& frame, const View& view, const almanac::
   // The frame has the Moon where it stands without air: all that is seen is turned down by its refraction.
   const auto moon = glm::normalize(sky.moon_m - seen.position_m);
   const double sine = glm::dot(moon, seen.zenith),
-               refraction = algebra::in_radians(atmosphere::astronomical_refraction(seen.altitude));
+               refraction = algebra::in_radians(atmosphere::apparent_altitude(seen.altitude) -
+                                                seen.altitude);
   const auto upward = moon - sine * seen.zenith;
   const double cosine = glm::length(upward);
   const auto zenith = sky.selenographic_from_gcrs *
