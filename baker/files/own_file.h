@@ -24,7 +24,7 @@ bool is_stamped(const std::filesystem::path& file);
 /// Throws  Error
 void require_no_link(const std::filesystem::path& path);
 
-/// What is said of a file that is not ours, and would be overwritten.
+/// Error message for a file that is not ours and would be overwritten.
 std::string not_as_written(const std::filesystem::path& file);
 
 /// Refuses a file that was not written as `stamped` has it, or was changed since: it would be

@@ -73,7 +73,7 @@ class TemporaryFile {
     }
   }
 
-  /// Those of the file that is replaced, as far as they are ours to give.
+  /// Takes over the permissions of the file that is replaced, as far as this user may.
   void keep_permissions() const {
     struct stat replaced{};
     constexpr mode_t permissions = 0777;

@@ -32,8 +32,8 @@ struct Work {
   double place_error = 1e-3;     ///< between the axis distances where light is computed
 };
 
-/// What the error of some work is found against: on one plane, with all terms, twice as fine in every
-/// knob, and never coarse, for two coarse settings may be wrong alike.
+/// Settings that the error of some work is found against: one plane, all terms, every knob twice as fine, and
+/// never coarse, for two coarse settings may be wrong alike.
 Work finer(const Work& work);
 
 /// The knobs that were set by hand; the others are empty, and free.

@@ -33,7 +33,7 @@ inline constexpr double most_texels_a_side = 1 << 20, most_numbers = 8589934592.
 ///                or in a tile
 Image read_image(const std::filesystem::path& path);
 
-/// The same of an image of light, in floating-point numbers: the channels of some names, in their order.
+/// Reads channels of an image of light, which holds floating-point numbers: those named, in that order.
 ///
 /// Throws  Error  as read_image; when it holds whole numbers, which are codes; when there is no channel of a
 ///                name: names those there are

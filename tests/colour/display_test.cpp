@@ -375,7 +375,7 @@ TEST_F(LookUpTable, ThatNamesItselfIsRefused) {
             table().string() + ": 17 files that name one another, allowed to 16");
 }
 
-/// What is said of a configuration of some colour spaces and looks.
+/// Error message for a configuration of some colour spaces and looks.
 std::string fault_of(const std::string& spaces, const std::string& more = "",
                      const std::string& views = "- !<View> {name: Un-tone-mapped, colorspace: a}") {
   const auto path = std::filesystem::temp_directory_path() /

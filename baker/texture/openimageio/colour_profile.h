@@ -26,7 +26,7 @@ class ColourProfile {
   static std::optional<ColourProfile> of_primaries(const std::array<double, 8>& xy,
                                                    std::optional<double> power);
 
-  /// Of Adobe RGB (1998).
+  /// Profile of Adobe RGB (1998).
   static ColourProfile adobe_rgb();
 
   /// Linear Rec. 709 of coded texels, which have one or three numbers each; thread-safe.

@@ -87,7 +87,7 @@ double stored_at(const char* bytes, int bitpix) {
   }
 }
 
-/// What a header says of its image.
+/// Layout and scale of an image, from its header.
 struct Header {
   int bitpix, width, height, planes;
   double zero, scale, full;  ///< full: what stands for 1

@@ -160,7 +160,7 @@ Colours by_code_points(const fs::path& path, unsigned primaries, unsigned transf
   return std::nullopt;
 }
 
-/// Of HEIC and AVIF, whose box of colours OpenImageIO passes over.
+/// Colours of a HEIC or AVIF file, whose colour box OpenImageIO passes over.
 Colours heif_colours(const fs::path& path, std::size_t channels) {
   const auto bytes = beginning_of(path);
   const std::string_view all(bytes);

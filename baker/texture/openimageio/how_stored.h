@@ -11,7 +11,7 @@
 
 namespace coppermoon::texture {
 
-/// What a file says of how its numbers are stored, beyond what OpenImageIO heeds.
+/// How a file stores its numbers, as far as OpenImageIO does not heed it.
 struct Storage {
   int orientation = 1;              ///< EXIF's: 1 upright, 2 to 4 flipped or turned, 5 to 8 on a side
   bool white_is_zero = false;       ///< black is the largest number

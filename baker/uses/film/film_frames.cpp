@@ -32,7 +32,7 @@ namespace {
 
 using Frames = std::span<const std::size_t>;
 
-/// What the header of each file of a frame says of it.
+/// Attributes that each file of a frame has in its header.
 texture::Attributes header_of(const Film& film, std::size_t frame) {
   auto header = film.record.frame_header;
   header["coppermoon:frame"] = fmt::format("{}", frame);

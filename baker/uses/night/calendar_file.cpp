@@ -47,7 +47,7 @@ std::string escaped(const std::string& text) {
   return value;
 }
 
-/// What all events of a file share.
+/// Texts that all events of a file share: place, its coordinates in names, and when the file was made.
 struct Shared {
   std::string place, where, made;
 };

@@ -16,7 +16,7 @@ namespace coppermoon::uses {
 
 namespace {
 
-/// What a clock of UTC shows, without leap seconds, as system clocks count.
+/// Time by a clock of UTC without leap seconds, as system clocks count.
 absl::CivilSecond civil_time(const almanac::Instant& when) {
   const auto text = almanac::utc_text(when);
   const std::size_t sign = text.starts_with('-');

@@ -208,7 +208,7 @@ std::vector<almanac::SkyState> skies_from(const eclipse::Eclipse& eclipse) {
   return skies;
 }
 
-/// What makes one part of a whole tells this, in fractions of its own.
+/// Progress of one part of a whole: its fractions 0 to 1 are passed on as `from` to `to`.
 algebra::Progress part_of(const algebra::Progress& whole, double from, double to) {
   if (!whole) return {};
   return [whole, from, to](double fraction) { whole(std::lerp(from, to, fraction)); };

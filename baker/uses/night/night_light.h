@@ -39,8 +39,8 @@ struct NightLights {
 /// The brightness of an eclipse at its contacts, and exposure times for its phases, from one simulation of
 /// the whole of it; with `danjon`, the middle of totality for L = 0 to 4 too.
 ///
-/// The brightest hundredth of what is lit comes to 0.8 of saturation; of the umbra's part, while the Sun
-/// lights the other, the middle comes to 0.18. Below the horizon exposures are those of a Moon in the
+/// Exposes the brightest hundredth of what is lit to 0.8 of saturation; the middle of the umbra's part, while the
+/// Sun lights the other, to 0.18. Below the horizon exposures are those of a Moon in the
 /// zenith.
 ///
 /// Given   moon  its light as exact as exposures need: some percent will do

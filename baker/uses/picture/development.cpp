@@ -55,7 +55,7 @@ std::vector<double> luminances(const texture::Image& frame, colour::WorkingSpace
   return lit;
 }
 
-/// The same with the sky's light before the camera.
+/// Luminances of all lit pixels, with the sky's light before the camera [cd/m²].
 std::vector<double> luminances(const Development& development, const texture::Image& frame,
                                colour::WorkingSpace space, const SeenFrame& seen) {
   auto lit = luminances(frame, space, seen.disc);
@@ -195,7 +195,7 @@ Dimmed dimmed(texture::Image light, colour::WorkingSpace space, double sky_cd_m2
   return {std::move(light), sky};
 }
 
-/// What the longer exposure of a composite sees, in units of saturation.
+/// Longer exposure of a composite, in units of saturation.
 colour::Image shadow_taken(Development development, const colour::Exposure& exposure,
                            const Frame& frame) {
   constexpr auto other_noise = std::uint64_t{1} << 63;

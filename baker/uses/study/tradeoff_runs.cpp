@@ -156,7 +156,7 @@ class Run {
     double seconds;
   };
 
-  /// Of those timed: there is one.
+  /// Timed trials of the least and the most work that differ from a trial in work alone. There is one at least.
   std::pair<Timed, Timed> least_and_most(const Trial& trial) const {
     std::vector<Timed> alike;
     for (const auto& one : timed_)

@@ -118,8 +118,8 @@ void on_run(CLI::App& verb, std::function<void()> run);
 /// Whether the command line, or a recipe, gives a flag of that name.
 bool is_given(const CLI::App& verb, const std::string& flag);
 
-/// Those of some flags (without dashes) that are given, as a command line has them: "--flag", "value"; of a
-/// file that is read its name to share (files::name_to_share).
+/// Words of a command line, "--flag", "value", for the flags of a list (without dashes) that are given. Names of
+/// files that are read are those to share (files::name_to_share).
 std::vector<std::string> words_given(const CLI::App& verb, const std::vector<std::string>& flags);
 
 /// The heading that a flag stands under, empty when the verb has no such flag.

@@ -66,7 +66,7 @@ std::optional<Text> of_range(const Text& error) {
   return fmt::format("{} = {}, allowed {}", value->before, range->before, allowed);
 }
 
-/// What is missing, by the name that the help has for what stands without a flag.
+/// Error message for a missing option; positional ones go by their names in the help.
 Text missing(const Text& flag) {
   if (flag == "--instant") return "INSTANT: missing; a moment is needed, as 2026-03-03";
   if (flag == "--eclipse") return "ECLIPSE: missing; a day is needed, as 2026-03-03";

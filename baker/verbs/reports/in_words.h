@@ -27,7 +27,7 @@ std::string exposure_in_words(double seconds);
 /// The same for a picture; of a composite "1/500 s and 4 s".
 std::string exposure_in_words(const uses::Exposures& exposures);
 
-/// What to say of a sky that outshines the Moon, in one line.
+/// Warning of a sky that outshines the Moon, in one line.
 ///
 /// Given  sky_over_moon  how many times as bright it is
 std::string bright_sky_in_words(double sky_over_moon);

@@ -110,7 +110,7 @@ std::string recipes_read_with(const fs::path& recipe) {
   return all;
 }
 
-/// What a program that bakes prints.
+/// Standard output of a program that bakes.
 ///
 /// Throws  Error  as povray_scenes::output_of; what the program says is wrong, without its name
 std::string said_by(const povray_scenes::Program& program) {

@@ -279,7 +279,7 @@ TEST(ErrorFound, OfCoarseWorkIsFarAboveThatOfFine) {
   EXPECT_GT(coarse_error, 10 * fine_error);
 }
 
-/// Of clear air, deep in the shadow, but for what a test says.
+/// Error found in clear air, deep in the shadow, but for what a test changes.
 double found_when(const std::function<void(LightRequest&)>& changed,
                   const char* utc = "2018-07-27T20:00:00Z") {
   LightRequest request;

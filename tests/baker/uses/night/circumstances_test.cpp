@@ -36,7 +36,7 @@ std::string clock_at(const char* day, const char* city, const char* name) {
   return local.date + " " + local.time + " " + local.abbreviation;
 }
 
-/// Of a city's place at the level of the sea, as almanacs print it.
+/// Minutes from a published time to ours, for a city at the level of the sea, as almanacs print it.
 double minutes_from(const char* day, const char* city, const char* name, const char* utc) {
   auto place = almanac::city_named(city)->place;
   place.elevation = {};
@@ -198,7 +198,7 @@ TEST(CalendarFile, IsOfLinesThatCalendarsRead) {
   EXPECT_EQ(text, as_calendar(night, "London, England", made_then));
 }
 
-/// What follows a name at the beginning of each line.
+/// Values of all lines that begin with a name and a colon.
 std::vector<std::string> values_of(const std::string& text, const std::string& name) {
   std::vector<std::string> values;
   for (std::size_t at = text.find("\n" + name + ":"); at != std::string::npos;
