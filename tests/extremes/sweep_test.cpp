@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
 
 #include "algebra/random.h"
 #include "end_to_end/program.h"
