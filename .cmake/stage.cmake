@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: MIT
-# coppermoon_stage(NAME [IN FOLDER] HEADERS … SOURCES … APART … ALONE … TABLES … NEEDS earlier stages … USES libraries … PRIVATELY libraries …)
+# coppermoon_stage(NAME [IN FOLDER] [COMPILED_QUICKLY] HEADERS … SOURCES … APART … ALONE … TABLES … NEEDS earlier stages … USES libraries … PRIVATELY libraries …)
 # makes folder NAME a static library with the alias coppermoon::NAME, and a component of the package, which installs
 # HEADERS: they are included as NAME/…, or as FOLDER/NAME/… with IN FOLDER. TABLES are CSV (or other text) files under
 # data/, or made in the build, and compiled in: NAME/tables.h declares `std::string_view <file name without ending>()`.
 # ALONE are sources that are never compiled together with others (CMAKE_UNITY_BUILD): Highway compiles each once for every
-# kind of vector. APART are compiled together, but not with SOURCES: a program that calls none of them has none of them. Without SOURCES it is a
-# name for all that it needs.
+# kind of vector. APART are compiled together, but not with SOURCES: a program that calls none of them has none of them.
+# COMPILED_QUICKLY compiles SOURCES at -O1 (-O0 in Debug), for what is long there is the work of other stages; APART
+# always are. Without SOURCES the stage is a name for all that it needs.
+set(coppermoon_compiled_quickly $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-O0>)
 function(coppermoon_stage name)
-  cmake_parse_arguments(STAGE "" "ROOT;IN" "HEADERS;SOURCES;APART;ALONE;TABLES;NEEDS;USES;PRIVATELY" ${ARGN})
+  cmake_parse_arguments(STAGE "COMPILED_QUICKLY" "ROOT;IN" "HEADERS;SOURCES;APART;ALONE;TABLES;NEEDS;USES;PRIVATELY" ${ARGN})
   if(NOT STAGE_ROOT)
     set(STAGE_ROOT ${CMAKE_CURRENT_SOURCE_DIR})
   endif()
@@ -46,6 +48,10 @@ function(coppermoon_stage name)
     set_source_files_properties(${STAGE_SOURCES} PROPERTIES UNITY_GROUP sources)
     set_source_files_properties(${STAGE_APART} PROPERTIES UNITY_GROUP apart)
     set_target_properties(coppermoon_${name} PROPERTIES UNITY_BUILD_MODE GROUP)
+  endif()
+  set_source_files_properties(${STAGE_APART} PROPERTIES COMPILE_OPTIONS "${coppermoon_compiled_quickly}")
+  if(STAGE_COMPILED_QUICKLY)
+    target_compile_options(coppermoon_${name} PRIVATE ${coppermoon_compiled_quickly})
   endif()
   coppermoon_warnings(coppermoon_${name})
   set_property(GLOBAL APPEND PROPERTY COPPERMOON_STAGES ${name})

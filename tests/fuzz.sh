@@ -12,8 +12,8 @@ seconds=${1:-120}
 [ $# -eq 0 ] || shift
 [ $# -gt 0 ] || set -- albedo_map exif_date flags frames instant light_file magnitudes photon_sums recipe words
 command -v clang++ >/dev/null || { echo "clang++: not found; install the package clang" >&2; exit 1; }
-cmake --preset sanitizers >/dev/null
-cmake --build build/sanitizers --target fuzzers
+cmake --preset fuzzers >/dev/null
+cmake --build build/fuzzers --target fuzzers
 
 export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppressions=0"
 export ASAN_OPTIONS=quarantine_size_mb=64
@@ -21,7 +21,7 @@ run_one='
 seconds=$0 target=$1 status=0 log=build/fuzz/$1.log length=16384 piece=512
 case $target in albedo_map | frames) length=4096 piece=2048 ;; esac
 mkdir -p "build/fuzz/corpus/$target" build/fuzz/found
-"build/sanitizers/tests/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -malloc_limit_mb="$piece" \
+"build/fuzzers/tests/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -malloc_limit_mb="$piece" \
   -max_len=$length -close_fd_mask=3 -print_final_stats=1 -artifact_prefix="build/fuzz/found/$target-" \
   -dict="tests/fuzz/dictionaries/$target.dict" "build/fuzz/corpus/$target" "tests/fuzz/corpus/$target" \
   >"$log" 2>&1 || status=1

@@ -29,7 +29,7 @@ compiled_alone() {
 
 quick_in_release() {
   released quick_tests
-  test_release -L '^quick$'
+  COPPERMOON_THOROUGH=1 test_release -L '^quick$'
 }
 
 # Not by_photons and film_light, which take an hour there; nor what runs POV-Ray.

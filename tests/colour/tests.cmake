@@ -3,6 +3,7 @@ coppermoon_tests(colour LINKS coppermoon::colour coppermoon::surface PkgConfig::
   QUICK bracket cie_observer difference display exposure glow limb photograph picture_part point_spread similarity tone_curve
         working_space
   HEAVY limb_in_jpeg registration)
+coppermoon_computing_tests(colour limb)
 
 find_program(OCIOCHECK ociocheck)
 if(OCIOCHECK)

@@ -347,19 +347,20 @@ double drift(std::uint64_t together, const Draw& draw) {
   return std::abs(static_cast<double>(all.sum[0](0, 0) / exact - 1));
 }
 
-TEST(PhotonSums, OfABillionPhotonsDoNotDrift) {
+void expect_no_drift(std::uint64_t together, const char* what) {
   algebra::Random random(1, 1);
-  const auto constant = [] { return 0.1; };
-  const auto drawn = [&] { return std::pow(random.uniform(), 8); };
-  Worst in_parts, one_by_one;
-  in_parts.see(drift(4096, constant));
-  in_parts.see(drift(4096, drawn));
-  one_by_one.see(drift(1, constant));
-  one_by_one.see(drift(1, drawn));
-  holds("1e9 photons in a million blocks, as a run adds them", "their sum, over itself", 1e-12,
-        in_parts, "what merging states");
-  holds("1e9 photons in a million shards, added one by one", "their sum, over itself", 1e-12,
-        one_by_one, "what merging states");
+  Worst worst;
+  worst.see(drift(together, [] { return 0.1; }));
+  worst.see(drift(together, [&] { return std::pow(random.uniform(), 8); }));
+  holds(what, "their sum, over itself", 1e-12, worst, "what merging states");
+}
+
+TEST(PhotonSums, OfABillionPhotonsDoNotDrift) {
+  expect_no_drift(4096, "1e9 photons in a million blocks, as a run adds them");
+}
+
+TEST(PhotonSumsThoroughly, OfABillionPhotonsDoNotDrift) {
+  expect_no_drift(1, "1e9 photons in a million shards, added one by one");
 }
 
 TEST(PhotonRows, DrainABillionPhotonsWithoutADrift) {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 coppermoon_tests(extremes LINKS coppermoon::colour coppermoon::texture
   QUICK invariances numbers numbers_of_light numbers_of_scenes)
+coppermoon_computing_tests(extremes numbers_of_light)
 coppermoon_tests(extremes LINKS coppermoon::verbs
   HEAVY faults inputs words
   SLOW film_faults)

@@ -128,13 +128,21 @@ double point_by_point(const Atmosphere& air, double axis_distance_m, double nm, 
   return spread * spread * sum * (top_m - bottom_m) * 2 * half_width_rad * 2 * pi / points;
 }
 
-TEST(Twilight, IsTheSumOverAllPointsOfTheAir) {
+void expect_sum_over_all_points(double axis_m, double nm) {
   auto air = atmosphere::preset("undated", algebra::degrees(0));
   air.earth = {};
+  EXPECT_WITHIN_RELATIVE(ratio_at(air, axis_m, nm), point_by_point(air, axis_m, nm), 0.015,
+                         "40 000 points: 1 %; the ring's own quadrature: 0.5 %");
+}
+
+TEST(Twilight, IsTheSumOverAllPointsOfTheAir) {
+  expect_sum_over_all_points(0, 420);
+  expect_sum_over_all_points(5.5e6, 750);
+}
+
+TEST(TwilightThoroughly, IsTheSumOverAllPointsOfTheAir) {
   for (const double nm : {420., 600., 750.})
-    for (const double axis_m : {0., 5.5e6})
-      EXPECT_WITHIN_RELATIVE(ratio_at(air, axis_m, nm), point_by_point(air, axis_m, nm), 0.015,
-                             "40 000 points: 1 %; the ring's own quadrature: 0.5 %");
+    for (const double axis_m : {0., 5.5e6}) expect_sum_over_all_points(axis_m, nm);
 }
 
 TEST(Twilight, OfDustInAirThatDimsNothingEndsInTheEarthsShadow) {
