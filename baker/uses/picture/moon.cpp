@@ -53,7 +53,7 @@ void require_sound(const MoonRequest& moon) {
 /// A map with longitude 180 in its middle, turned to have longitude 0 there.
 void turn_round(algebra::Grid<float>& map) {
   for (std::size_t r = 0; r < map.rows(); ++r)
-    std::ranges::rotate(map.row(r), map.row(r).begin() + map.columns() / 2);
+    std::rotate(map.row(r).begin(), map.row(r).begin() + map.columns() / 2, map.row(r).end());
 }
 
 /// The mean of a map's near side over that of its far side.
