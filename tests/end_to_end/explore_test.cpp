@@ -2,7 +2,7 @@
 // Pages of eclipses in a real browser, held against what the program itself computes.
 #include <fmt/format.h>
 
-#include <chrono>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -57,23 +57,94 @@ double luminance(double red, double green, double blue) {
   return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
 }
 
-class Explore : public BrowserTest {
+/// A script that runs beside pages once they are ready; `page` is the first Page.
+std::string beside_pages(const std::string& script) {
+  return "const all = [...document.querySelectorAll('.coppermoon')];\n"
+         "const pages = await Promise.all(all.map((one) => one.ready));\n"
+         "const page = pages[0];\n{" +
+         script + "}";
+}
+
+/// A page that is made once for all tests, and asked once: one browser runs all scripts, one after another, each
+/// from what the page first shows. A script's problem fails the test that asks first.
+class SharedPage {
+ public:
+  explicit SharedPage(Words words) : words_(std::move(words)) {}
+
+  /// Returns its number among all scripts.
+  std::size_t add(std::function<std::string()> script) {
+    scripts_.push_back(std::move(script));
+    return scripts_.size() - 1;
+  }
+  json answer(std::size_t script) {
+    if (answers_.empty()) ask();
+    return answers_.at(script);
+  }
+  const std::string& text() {
+    if (text_.empty()) ask();
+    return text_;
+  }
+
+ private:
+  void ask() {
+    const ProgramFolder folder;
+    expect_done(folder.coppermoon(Words{"explore", "-o", "a.html"} + words_));
+    EXPECT_EQ(folder.listing(), std::set<std::string>{"here/a.html"});
+    text_ = text_of(folder.here("a.html"));
+    std::string all;
+    for (const auto& script : scripts_) all += "async () => {" + script() + "},\n";
+    answers_ = answer_of(folder, text_,
+                         beside_pages("const place = page.state.place, first = JSON.stringify(page.state);\n"
+                                      "const answers = [];\n"
+                                      "for (const script of [" +
+                                      all +
+                                      "]) {\n"
+                                      "  try { answers.push(await script()); }\n"
+                                      "  catch (problem) { problems.push(String(problem.stack)); "
+                                      "answers.push(null); }\n"
+                                      "  Object.assign(page.state, JSON.parse(first), {place});\n"
+                                      "  page.marked = null;\n"
+                                      "  page.airIsOld = JSON.stringify(page.shadow.air) !== "
+                                      "JSON.stringify(page.state.air);\n"
+                                      "  page.panel.show();\n"
+                                      "  page.draw();\n"
+                                      "}\n"
+                                      "return answers;"),
+                         "1280,800");
+    if (!answers_.is_array()) answers_ = std::vector<json>(scripts_.size());
+  }
+
+  Words words_;
+  std::vector<std::function<std::string()>> scripts_;
+  std::string text_;
+  json answers_;
+};
+
+SharedPage page_2018({"2018-07-27", "--at", "Nairobi"}), page_2022({"2022-05-16"});
+
+/// What a script returns on a page that tests share.
+class Asked {
+ public:
+  Asked(SharedPage& page, std::function<std::string()> script)
+      : page_(page), number_(page.add(std::move(script))) {}
+  Asked(SharedPage& page, const char* script) : Asked(page, [script] { return std::string(script); }) {}
+  json answer() const { return page_.answer(number_); }
+
+ private:
+  SharedPage& page_;
+  std::size_t number_;
+};
+
+class Explore : public ProgramTest {
  protected:
-  /// Makes a page; one second of a test in three.
+  /// Makes a page; of undated air in a quarter of the time.
   void make(const std::string& day, const Words& more = {}, const std::string& file = "a.html") {
     expect_done(coppermoon(Words{"explore", day, "-o", file} + more));
   }
 
-  /// What a script returns that runs beside a page, once that is ready; `page` is the Page. A problem of
-  /// the page's or the script's fails.
-  json in_browser(const std::string& script, const std::string& size = "1280,800",
-                  const std::string& name = "a.html") const {
-    return answer_of(text_of(here(name)),
-                     "const all = [...document.querySelectorAll('.coppermoon')];\n"
-                     "const pages = await Promise.all(all.map((one) => one.ready));\n"
-                     "const page = pages[0];\n{" +
-                         script + "}",
-                     size);
+  /// What a script returns on a page of the test's own.
+  json in_browser(const std::string& script, const std::string& size = "1280,800") const {
+    return answer_of(*this, text_of(here("a.html")), beside_pages(script), size);
   }
 
   texture::Image baked(const std::string& when, const Words& more = {}) const {
@@ -112,45 +183,40 @@ Error error_of(const json& radiances, const std::vector<Place>& places,
   return error;
 }
 
-using Moments = std::map<std::string, std::vector<std::string>>;
-
 /// What is done to the air, and how far the page's light may be off.
 using Changes = std::vector<std::pair<std::string, double>>;
 
+std::string light_at(const Words& times) {
+  return fmt::format("page.set({{place: null}});\nreturn {}.map((when) => {{ page.set({{ms: Date.parse(when)}});\n"
+                     "  return page.radianceAt({}); }});",
+                     json(times).dump(), as_json(places(1000)).dump());
+}
+
+std::string light_in_airs(const Changes& changes) {
+  auto script = "const was = {...page.state.air}, all = [];\npage.set({place: null});\nconst where = " +
+                as_json(places(500)).dump() + ";\n";
+  for (const auto& change : changes)
+    script += "page.set({air: {...was, ..." + change.first +
+              "}});\nall.push({light: page.radianceAt(where), command: page.find('command').textContent});\n";
+  return script + "return all;";
+}
+
 class ExploreLight : public Explore {
  protected:
-  void expect_light_of_bakes(const Moments& moments) {
+  void expect_light_of_bakes(const json& all, const Words& times, const Words& air = {}) {
     const auto where = places(1000);
-    for (const auto& [day, times] : moments) {
-      make(day);
-      const auto all =
-          in_browser(fmt::format("page.set({{place: null}});\nreturn {}.map((when) => {{ "
-                                 "page.set({{ms: Date.parse(when)}});\n"
-                                 "  return page.radianceAt({}); }});",
-                                 json(times).dump(), as_json(where).dump()));
-      for (std::size_t i = 0; i < times.size(); ++i) {
-        const auto error = error_of(all[i], where, baked(times[i]));
-        EXPECT_LT(error.worst, 0.01)
-            << times[i] << ": albedo in 255 steps, 0.5 %; light, 0.5 %; halves, 0.05 %";
-        EXPECT_LT(error.rms, 0.004) << times[i];
-        EXPECT_LT(error.red, 0.01) << times[i] << ": ground of one colour would err by 2 %";
-      }
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const auto error = error_of(all[i], where, baked(times[i], air));
+      EXPECT_LT(error.worst, 0.01)
+          << times[i] << ": albedo in 255 steps, 0.5 %; light, 0.5 %; halves, 0.05 %";
+      EXPECT_LT(error.rms, 0.004) << times[i];
+      EXPECT_LT(error.red, 0.01) << times[i] << ": ground of one colour would err by 2 %";
     }
   }
 
   /// The command that the page shows makes the same Moon.
-  void expect_airs_of_commands(const Changes& changes) {
+  void expect_airs_of_commands(const json& all, const Changes& changes) {
     const auto where = places(500);
-    make("2018-07-27");
-    std::string script =
-        "const was = {...page.state.air}, all = [];\npage.set({place: null});\n"
-        "const where = " +
-        as_json(where).dump() + ";\n";
-    for (const auto& change : changes)
-      script += "page.set({air: {...was, ..." + change.first +
-                "}});\nall.push({light: page.radianceAt(where), command: "
-                "page.find('command').textContent});\n";
-    const auto all = in_browser(script + "return all;");
     for (std::size_t i = 0; i < changes.size(); ++i) {
       // "coppermoon still WHEN --time … --iso … --f-number … AIR -o moon.png"
       std::istringstream command(all[i]["command"].get<std::string>());
@@ -167,42 +233,64 @@ class ExploreLight : public Explore {
 
 class ExploreLightThoroughly : public ExploreLight {};
 
-/// In the deepest umbra, at the umbra's edge after an eruption, and in a partial eclipse.
-TEST_F(ExploreLight, IsThatOfBakedTextures) {
-  expect_light_of_bakes({{"2018-07-27", {"2018-07-27T20:21:45Z"}},
-                         {"2022-05-16", {"2022-05-16T03:29:07Z"}},
-                         {"2008-08-16", {"2008-08-16T21:10:07Z"}}});
+/// In the deepest umbra.
+const Words deepest{"2018-07-27T20:21:45Z"};
+const Asked light_when_deepest(page_2018, [] { return light_at(deepest); });
+
+TEST_F(ExploreLight, IsThatOfABakedTexture) {
+  expect_light_of_bakes(light_when_deepest.answer(), deepest);
+}
+
+/// At the umbra's edge.
+const Words after_an_eruption{"2022-05-16T03:29:07Z"};
+const Asked light_after_an_eruption(page_2022, [] { return light_at(after_an_eruption); });
+
+TEST_F(ExploreLight, IsThatOfABakedTextureAfterAnEruption) {
+  expect_light_of_bakes(light_after_an_eruption.answer(), after_an_eruption);
+}
+
+TEST_F(ExploreLight, IsThatOfABakedTextureInAPartialEclipseAndUndatedAir) {
+  const Words undated{"--atmosphere", "undated"}, times{"2008-08-16T21:10:07Z"};
+  make("2008-08-16", undated);
+  expect_light_of_bakes(in_browser(light_at(times)), times, undated);
 }
 
 TEST_F(ExploreLightThoroughly, IsThatOfBakedTexturesAtAllPhases) {
-  expect_light_of_bakes({{"2018-07-27", {"2018-07-27T17:54:28Z", "2018-07-27T19:27:17Z"}},
-                         {"2022-05-16", {"2022-05-16T02:57:56Z", "2022-05-16T04:11:32Z"}},
-                         {"2008-08-16", {"2008-08-16T18:40:00Z", "2008-08-16T19:36:05Z"}}});
+  const std::map<std::string, Words> moments{
+      {"2018-07-27", {"2018-07-27T17:54:28Z", "2018-07-27T19:27:17Z"}},
+      {"2022-05-16", {"2022-05-16T02:57:56Z", "2022-05-16T04:11:32Z"}},
+      {"2008-08-16", {"2008-08-16T18:40:00Z", "2008-08-16T19:36:05Z", "2008-08-16T21:10:07Z"}}};
+  for (const auto& [day, times] : moments) {
+    make(day);
+    expect_light_of_bakes(in_browser(light_at(times)), times);
+  }
 }
 
+const Changes changes{{"{cloud: 0.4, haze: 2}", 0.02}, {"{dust: 0.05}", 0.03}, {"{refraction: false}", 0.025}};
+const Asked changed_light(page_2018, [] { return light_in_airs(changes); });
+
 TEST_F(ExploreLight, IsThatOfTheCommandThatThePageShows) {
-  expect_airs_of_commands(
-      {{"{cloud: 0.4, haze: 2}", 0.02}, {"{dust: 0.05}", 0.03}, {"{refraction: false}", 0.025}});
+  expect_airs_of_commands(changed_light.answer(), changes);
 }
 
 /// Of each change the error that docs/explore.md states.
 TEST_F(ExploreLightThoroughly, IsThatOfTheCommandThatThePageShowsInAnyAir) {
-  expect_airs_of_commands({{"{cloud: 0}", 0.02},
-                           {"{clouds: false, aerosol: false}", 0.02},
-                           {"{dust: 0.18}", 0.05},
-                           {"{ozone: false}", 0.02},
-                           {"{ozoneDu: 450}", 0.025},
-                           {"{scattering: false}", 0.02},
-                           {"{clearness: page.facts.danjon[0]}", 0.03},
-                           {"{clearness: page.facts.danjon[1]}", 0.03}});
+  const Changes all{{"{cloud: 0}", 0.02},
+                    {"{clouds: false, aerosol: false}", 0.02},
+                    {"{dust: 0.18}", 0.05},
+                    {"{ozone: false}", 0.02},
+                    {"{ozoneDu: 450}", 0.025},
+                    {"{scattering: false}", 0.02},
+                    {"{clearness: page.facts.danjon[0]}", 0.03},
+                    {"{clearness: page.facts.danjon[1]}", 0.03}};
+  make("2018-07-27");
+  expect_airs_of_commands(in_browser(light_in_airs(all)), all);
 }
 
-TEST_F(Explore, PicturesAreDevelopedAsByTheProgram) {
-  make("2018-07-27");
-  const auto where = places(300);
-  const auto all = in_browser(
+const Asked developed(page_2018, [] {
+  return
       "page.set({place: null, ms: Date.parse('2018-07-27T19:05:00Z')});\nconst where = " +
-      as_json(where).dump() +
+      as_json(places(300)).dump() +
       ";\nconst gl = page.picture.gl, frame = page.frame(), box = "
       "page.picture.canvas.getBoundingClientRect();\n"
       "const pixels = where.map((at) => page.pixelOf(at)).filter(Boolean).map((xy) => "
@@ -217,9 +305,12 @@ TEST_F(Explore, PicturesAreDevelopedAsByTheProgram) {
       "  gl.readPixels(0, 0, frame.width, frame.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);\n"
       "  return pixels.map(({x, y}, i) => { const at = 4 * ((frame.height - 1 - y) * frame.width + "
       "x);\n"
-      "    return {look, shown: [...bytes.slice(at, at + 3)], light: light[i]}; }); });");
+      "    return {look, shown: [...bytes.slice(at, at + 3)], light: light[i]}; }); });";
+});
+
+TEST_F(Explore, PicturesAreDevelopedAsByTheProgram) {
   const double scale = 0.8333333 * 0.5 * 8 / (12.1 * 12.1);  // colour::exposure_scale
-  for (const auto& view : all) {
+  for (const auto& view : developed.answer()) {
     ASSERT_GT(view.size(), 250U);
     double sum = 0;
     std::string look;
@@ -241,27 +332,29 @@ TEST_F(Explore, PicturesAreDevelopedAsByTheProgram) {
   }
 }
 
-TEST_F(Explore, PlacesAreSeenWhereTheCameraSeesThem) {
-  make("2018-07-27", {"--at", "Nairobi"});
-  const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:40:00Z"));
-  const auto nairobi = almanac::city_named("Nairobi")->place;
-  const auto view = almanac::view_from({nairobi.latitude, nairobi.longitude, {}}, sky);
-  const std::vector<std::string> names{"Tycho", "Mare Crisium", "Plato"};
+const std::vector<std::string> features{"Tycho", "Mare Crisium", "Plato"};
+const Asked seen_features(page_2018, [] {
   json where;
-  for (const auto& name : names) {
+  for (const auto& name : features) {
     const auto at = almanac::lunar_feature_named(name)->middle;
     where.push_back({{"latitude", algebra::in_degrees(at.latitude)},
                      {"longitude", algebra::in_degrees(at.longitude)}});
   }
-  const auto all = in_browser(
-      "page.state.place.elevationKm = 0;\n"
+  return "page.set({place: {...page.state.place, elevationKm: 0}});\n"
       "return ['north', 'zenith', 'moon'].map((up) => {\n"
       "  page.set({ms: Date.parse('2018-07-27T20:40:00Z'), up});\n"
       "  const {frame, view} = page.scene();\n"
       "  return {frame, view, seen: " +
       where.dump() +
       ".map((at) => page.pixelOf(at))};\n"
-      "});");
+      "});";
+});
+
+TEST_F(Explore, PlacesAreSeenWhereTheCameraSeesThem) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:40:00Z"));
+  const auto nairobi = almanac::city_named("Nairobi")->place;
+  const auto view = almanac::view_from({nairobi.latitude, nairobi.longitude, {}}, sky);
+  const auto all = seen_features.answer();
   std::size_t way = 0;
   for (const auto up : {povray_scenes::Up::celestial_north, povray_scenes::Up::zenith,
                         povray_scenes::Up::moon_north}) {
@@ -275,12 +368,12 @@ TEST_F(Explore, PlacesAreSeenWhereTheCameraSeesThem) {
                         algebra::in_metres(view.moon_distance);
     const auto camera = povray_scenes::camera_at(
         sky, view, up, {algebra::radians(2 * std::atan(half)), width, height});
-    for (std::size_t i = 0; i < names.size(); ++i) {
+    for (std::size_t i = 0; i < features.size(); ++i) {
       const auto pixel =
-          povray_scenes::pixel_of(camera, almanac::lunar_feature_named(names[i])->middle);
+          povray_scenes::pixel_of(camera, almanac::lunar_feature_named(features[i])->middle);
       ASSERT_TRUE(pixel);
-      EXPECT_WITHIN(said["seen"][i][0].get<double>(), pixel->x, 1, names[i] + " within a pixel");
-      EXPECT_WITHIN(said["seen"][i][1].get<double>(), pixel->y, 1, names[i] + " within a pixel");
+      EXPECT_WITHIN(said["seen"][i][0].get<double>(), pixel->x, 1, features[i] + " within a pixel");
+      EXPECT_WITHIN(said["seen"][i][1].get<double>(), pixel->y, 1, features[i] + " within a pixel");
     }
     EXPECT_WITHIN(said["view"]["azimuth"].get<double>(), algebra::in_degrees(view.azimuth), 0.02,
                   "refraction does not turn it; the vertical of WGS 84");
@@ -289,15 +382,20 @@ TEST_F(Explore, PlacesAreSeenWhereTheCameraSeesThem) {
   }
 }
 
+const Words measured{"2022-05-16T03:00:00Z", "2022-05-16T04:11:32Z"};
+const Asked magnitudes(page_2022, [] {
+  return fmt::format("return {}.map((when) => {{ page.set({{ms: Date.parse(when)}}); return "
+                     "page.find('whole').textContent; }});",
+                     json(measured).dump());
+});
+
 TEST_F(Explore, MagnitudesAreThoseOfBrightness) {
-  make("2022-05-16");
-  for (const std::string when : {"2022-05-16T03:00:00Z", "2022-05-16T04:11:32Z"}) {
-    const auto outcome = coppermoon({"brightness", when, "--json"});
+  const auto said = magnitudes.answer();
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    const auto outcome = coppermoon({"brightness", measured[i], "--json"});
     const double V = json::parse(outcome.out)["magnitudes"]["V"];
-    const auto said = in_browser(fmt::format(
-        "page.set({{ms: Date.parse('{}')}}); return page.find('whole').textContent;", when));
     // "V −0.83 · mean …"
-    auto text = said.get<std::string>().substr(2);
+    auto text = said[i].get<std::string>().substr(2);
     if (const std::string minus = "−"; text.starts_with(minus))
       text = "-" + text.substr(minus.size());
     EXPECT_WITHIN(std::stod(text), V, 0.02,
@@ -305,9 +403,7 @@ TEST_F(Explore, MagnitudesAreThoseOfBrightness) {
   }
 }
 
-TEST_F(Explore, EachControlChangesWhatItSaysAndNothingElse) {
-  make("2018-07-27", {"--at", "Nairobi"});
-  const auto said = in_browser(
+const Asked controls(page_2018,
       "const fields = () => Object.fromEntries(Object.entries(page.state).map(([name, value]) => "
       "[name, JSON.stringify(value)]));\n"
       "const first = fields(), changed = {};\n"
@@ -330,6 +426,9 @@ TEST_F(Explore, EachControlChangesWhatItSaysAndNothingElse) {
       "  }\n"
       "}\n"
       "return changed;");
+
+TEST_F(Explore, EachControlChangesWhatItSaysAndNothingElse) {
+  const auto said = controls.answer();
   EXPECT_GE(said.size(), 16U);
   for (const auto& [control, fields] : said.items()) {
     ASSERT_EQ(fields.size(), 1U) << control << " changes " << fields;
@@ -346,9 +445,7 @@ TEST_F(Explore, EachControlChangesWhatItSaysAndNothingElse) {
   }
 }
 
-TEST_F(Explore, LinksKeysAndALostContextBringBackWhatWasSeen) {
-  make("2018-07-27", {"--at", "Nairobi"});
-  const auto said = in_browser(
+const Asked links(page_2018,
       "page.set({ms: Date.parse('2018-07-27T19:05:00Z'), up: 'zenith', look: 'Filmic', circle: "
       "true,\n"
       "  exposure: {rule: 'fixed', time: 0.25, iso: 400, fNumber: 5.6}, air: {...page.state.air, "
@@ -394,6 +491,9 @@ TEST_F(Explore, LinksKeysAndALostContextBringBackWhatWasSeen) {
       "await until(() => picture() === seen);\n"
       "return {before, again, other, restored, moved, first, nearer, whole, lost, back: picture() === "
       "seen};");
+
+TEST_F(Explore, LinksKeysAndALostContextBringBackWhatWasSeen) {
+  const auto said = links.answer();
   EXPECT_EQ(said["before"], said["again"]) << "a link keeps all settings";
   EXPECT_TRUE(said["other"].get<bool>());
   EXPECT_TRUE(said["restored"].get<bool>());
@@ -406,9 +506,7 @@ TEST_F(Explore, LinksKeysAndALostContextBringBackWhatWasSeen) {
   EXPECT_TRUE(said["back"].get<bool>()) << "after a lost context the picture is the same";
 }
 
-TEST_F(Explore, PlaceTimeAndAirAreSaidAsTheyAreSeen) {
-  make("2018-07-27", {"--at", "Nairobi"});
-  const auto said = in_browser(
+const Asked sayings(page_2018,
       "const slider = (title) => page.find('air').querySelector(`input[aria-label='${title}']`);\n"
       "const command = () => page.find('command').textContent;\n"
       "const first = {...page.state.air};\n"
@@ -445,6 +543,9 @@ TEST_F(Explore, PlaceTimeAndAirAreSaidAsTheyAreSeen) {
       "  altitude: page.scene().view.altitude,\n"
       "  pair: page.panel.places.named('-1.3, 36.8').timeZone, none: "
       "page.panel.places.named('Nowhere at all')};");
+
+TEST_F(Explore, PlaceTimeAndAirAreSaidAsTheyAreSeen) {
+  const auto said = sayings.answer();
   EXPECT_NE(said["nairobi"].get<std::string>().find("23:21:45 GMT+3"), std::string::npos);
   EXPECT_EQ(said["up"], "");
   EXPECT_EQ(said["below"], "The Moon is below the horizon there.");
@@ -476,12 +577,11 @@ TEST_F(Explore, PlaceTimeAndAirAreSaidAsTheyAreSeen) {
 }
 
 TEST_F(Explore, PagesAreOneFileNeedNoNetworkAndFitAPhone) {
-  make("2018-07-27");
-  const auto page = text_of(here("a.html"));
+  const auto& page = page_2018.text();
+  file("a.html", page);
   EXPECT_LT(page.size(), 4e6);
   for (const char* fetched : {"http://", "https://", "src=", "@import", "import("})
     EXPECT_EQ(page.find(fetched), std::string::npos) << fetched;
-  EXPECT_EQ(listing(), std::set<std::string>{"here/a.html"});
   const auto said = in_browser(
       "const frame = () => new Promise(requestAnimationFrame), box = (part) => "
       "part.getBoundingClientRect();\n"
@@ -504,7 +604,8 @@ TEST_F(Explore, PagesAreOneFileNeedNoNetworkAndFitAPhone) {
       "box(legend).height,\n"
       "  meeting: marks.filter((a, i) => marks.some((b, j) => j > i && meet(a, b))).length,\n"
       "  title: meet(box(page.root.querySelector('header')), box(page.find('moon'))),\n"
-      "  when: page.find('when').textContent, lines: [...page.find('when').children].map((part) => "
+      "  options: page.facts.options, when: page.find('when').textContent,\n"
+      "  lines: [...page.find('when').children].map((part) => "
       "part.getClientRects().length)};",
       "500,900");
   EXPECT_LE(said["wide"].get<int>(), 500) << "on a phone nothing stands beside the screen";
@@ -516,10 +617,11 @@ TEST_F(Explore, PagesAreOneFileNeedNoNetworkAndFitAPhone) {
   EXPECT_EQ(said["lines"], json({1, 1})) << "no zone is broken";
   EXPECT_EQ(said["legend"], 10) << "false colours say what they are";
   EXPECT_EQ(said["hidden"], 0);
+  EXPECT_EQ(said["options"], "");
 }
 
 TEST_F(Explore, FragmentsStandBesideEachOther) {
-  make("2018-07-27", {"--embed"}, "one.html");
+  make("2018-07-27", {"--embed", "--atmosphere", "clear"}, "one.html");
   make("2025-03-14", {"--embed", "--atmosphere", "undated"}, "other.html");
   EXPECT_EQ(text_of(here("one.html")).find("<html"), std::string::npos);
   file("a.html", "<body><style>canvas { border: 9px solid red; }</style>" +
@@ -538,7 +640,7 @@ TEST_F(Explore, FragmentsStandBesideEachOther) {
       "return [...pages.map((one) => [one.find('eclipse').querySelector('h1').textContent, "
       "one.facts.options,\n"
       "  getComputedStyle(one.find('moon')).borderTopWidth]), host];");
-  EXPECT_EQ(said[0], json({"Total eclipse of the Moon, 2018-07-27", "", "0px"}));
+  EXPECT_EQ(said[0], json({"Total eclipse of the Moon, 2018-07-27", "--atmosphere clear", "0px"}));
   EXPECT_EQ(said[1],
             json({"Total eclipse of the Moon, 2025-03-14", "--atmosphere undated", "0px"}));
   EXPECT_EQ(said[2], json({"#anchor", 0, 60000, 0}))
@@ -551,7 +653,7 @@ TEST_F(Explore, NamesOfFilesBreakNoPage) {
       run({"oiiotool", "--pattern", "constant:color=0.2,0.2,0.2", "64x32", "3", "-o", map.string()})
           .status,
       0);
-  make("2018-07-27", {"--albedo-map", map.string()});
+  make("2018-07-27", {"--albedo-map", map.string(), "--atmosphere", "undated"});
   const auto said = in_browser("return page.facts.options;");
   EXPECT_NE(said.get<std::string>().find("<!--<script> & "), std::string::npos);
   EXPECT_EQ(text_of(here("a.html")).find(here().string()), std::string::npos)
@@ -559,8 +661,11 @@ TEST_F(Explore, NamesOfFilesBreakNoPage) {
 }
 
 TEST_F(Explore, ACalendarListsItsPages) {
-  const auto outcome =
-      coppermoon({"explore", "--from", "2025-01-01", "--to", "2025-12-31", "-o", "year"});
+  const auto calendar = [](const char* from, const char* to) {
+    return Words{"explore", "--from", from, "--to", to, "-o", "year", "--atmosphere", "undated"};
+  };
+  const auto year = calendar("2025-01-01", "2025-12-31");
+  const auto outcome = coppermoon(year);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(listing(),
             (std::set<std::string>{"here/year", "here/year/index.html", "here/year/2025-03-14.html",
@@ -569,7 +674,6 @@ TEST_F(Explore, ACalendarListsItsPages) {
   EXPECT_NE(index.find("<a href=\"2025-03-14.html\">2025-03-14</a></td><td>06:58</td><td>total"),
             std::string::npos)
       << index;
-  const Words year{"explore", "--from", "2025-01-01", "--to", "2025-12-31", "-o", "year"};
   file("year/2025-09-07.html", "<p>my own</p>\n");
   EXPECT_EQ(coppermoon(year).err,
             "coppermoon: year/2025-09-07.html: is not as coppermoon wrote it, and would be "
@@ -579,7 +683,7 @@ TEST_F(Explore, ACalendarListsItsPages) {
   EXPECT_EQ(text_of(here("year/index.html")), "<h1>my own</h1>\n");
   std::filesystem::remove(here("year/2025-09-07.html"));
   file("year/index.html", index);
-  const auto again = coppermoon({"explore", "--from", "2025-03-01", "--to", "2025-03-31", "-o", "year"});
+  const auto again = coppermoon(calendar("2025-03-01", "2025-03-31"));
   EXPECT_EQ(again.status, 0) << "its own pages and list are made anew: " << again.err;
 }
 

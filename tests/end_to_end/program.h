@@ -48,17 +48,18 @@ inline std::string text_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// A folder of its own for each test, gone afterwards; programs run in it, with their own temporary
-/// folder beside it.
-class ProgramTest : public testing::Test {
- protected:
-  ProgramTest() {
+/// A folder of its own, gone afterwards; programs run in it, with their own temporary folder beside it.
+class ProgramFolder {
+ public:
+  ProgramFolder() {
     auto name = (std::filesystem::temp_directory_path() / "coppermoon test XXXXXX").string();
     home_ = ::mkdtemp(name.data());
     for (const char* part : {"here", "tmp", "said"})
       std::filesystem::create_directory(home_ / part);
   }
-  ~ProgramTest() override { std::filesystem::remove_all(home_); }
+  ~ProgramFolder() { std::filesystem::remove_all(home_); }
+  ProgramFolder(const ProgramFolder&) = delete;
+  ProgramFolder& operator=(const ProgramFolder&) = delete;
 
   std::filesystem::path here(std::string_view name = {}) const { return home_ / "here" / name; }
 
@@ -137,6 +138,9 @@ class ProgramTest : public testing::Test {
 
   std::filesystem::path home_;
 };
+
+/// A folder for each test.
+class ProgramTest : public testing::Test, protected ProgramFolder {};
 
 /// Done, with nothing on stderr.
 inline void expect_done(const Outcome& outcome) {

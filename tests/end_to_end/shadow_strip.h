@@ -75,7 +75,7 @@ inline std::vector<Vector> places_on_moon() {
 }
 
 /// Light at places on the Moon (unit vectors, Moon-fixed), as a fragment shader of OpenGL ES 3 finds it.
-class ShaderTest : public BrowserTest {
+class ShaderTest : public ProgramTest {
  protected:
   /// Given  source    with main; takes the place as `in vec3 positionObject`, and gives a colour
   ///        uniforms  numbers and vectors by name
@@ -93,7 +93,7 @@ class ShaderTest : public BrowserTest {
         {"texels", texels}, {"width", strip.light.width}, {"height", strip.light.height},
         {"places", places}};
     const auto answer =
-        answer_of("", fmt::format("const told = {};\n{}", told.dump(), drawing), "100,100");
+        answer_of(*this, "", fmt::format("const told = {};\n{}", told.dump(), drawing), "100,100");
     return answer.is_array() ? answer.get<std::vector<Vector>>()
                              : std::vector<Vector>(places.size());
   }
