@@ -18,11 +18,11 @@ constexpr const char *deep = "2008-02-21T03:08:26Z", *new_york = "42.86,-73.77";
 
 class CameraTest : public ProgramTest {
  protected:
-  static Words still(const Words& more, const std::string& output = "a.png") {
+  static Words still(const Words& more, const std::string& output = "a.png", const std::string& air = "undated") {
     Words words{
         "still",    deep,  "--at",   new_york, "--albedo-map",    "built-in", "--rays",  "60",
         "--iso",    "800", "--time", "2",      "--texture-width", "128",      "--width", "90",
-        "--height", "60",  "-o",     output};
+        "--height", "60",  "-o",     output,     "--atmosphere",    air};
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
@@ -43,7 +43,7 @@ double mean_of_corner(const texture::Image& image, std::size_t channel) {
 
 TEST_F(CameraTest, MakesARawFileAPhotographAndAPictureOfAFrame) {
   make(still({"--camera", "paper", "--seeing", "2", "--frame", "frame.exr", "--raw", "raw.tif",
-              "--photograph", "photograph.exr"}));
+              "--photograph", "photograph.exr"}, "a.png", "standard"));
   const auto raw = image("raw.tif"), photograph = image("photograph.exr"),
              frame = image("frame.exr");
   EXPECT_EQ(raw.width, 90U);
@@ -148,7 +148,7 @@ TEST_F(CameraTest, IsATableOfARecipe) {
   const std::string above =
       "instant = 2008-02-21T03:08:26Z\nat = \"42.86,-73.77\"\nwidth = 90\n"
       "height = 60\nalbedo-map = \"built-in\"\nrays = 60\n"
-      "texture-width = 128\n";
+      "texture-width = 128\natmosphere = \"undated\"\n";
   file("camera.toml", above +
                           "[camera]\nmodel = \"paper\"\nseeing = 3\nread-noise = 20\n"
                           "iso = 800\ntime = 2\n");
@@ -166,7 +166,7 @@ TEST_F(CameraTest, IsATableOfARecipe) {
     return outcome.err;
   };
   EXPECT_EQ(refusal_of("[camera]\nmodel = \"paper\"\nseing = 3\n"),
-            "coppermoon: wrong.toml:10: seing: [camera] has no such key; the nearest is seeing\n");
+            "coppermoon: wrong.toml:11: seing: [camera] has no such key; the nearest is seeing\n");
   EXPECT_EQ(refusal_of("[camera]\nmodel = \"brownie\"\n"),
             "coppermoon: camera = brownie, allowed paper, 400mm, schmidt-cassegrain, refractor\n");
   EXPECT_EQ(refusal_of("seeing = 3\n"),
@@ -219,13 +219,13 @@ TEST_F(CameraTest, SeesTheTwilight) {
     EXPECT_EQ(outshone, std::string(name) != "off.exr") << outcome.err;
     return mean_of_corner(image(name), 1);
   };
-  const double off = taken({"--sky", "off"}, "off.exr");
+  const double off = taken({"--sky", "off", "--atmosphere", "undated"}, "off.exr");
   const double twilight = taken({"--frame", "frame.exr"}, "twilight.exr") - off;
   const double sky = number("frame.exr", "coppermoon:sky_cd_m2");
   EXPECT_GT(sky, 0.01);
   EXPECT_LT(sky, 100);
   EXPECT_WITHIN_RELATIVE(twilight, sky, 0.01, "a step of 14 bits: 0.2 % of it");
-  const double by_hand = taken({"--sky", "12"}, "hand.exr") - off;
+  const double by_hand = taken({"--sky", "12", "--atmosphere", "undated"}, "hand.exr") - off;
   EXPECT_WITHIN_RELATIVE(by_hand, 1.08e5 * std::pow(10, -0.4 * 12), 0.01, "as before");
 
   const auto outcome =
@@ -270,7 +270,8 @@ TEST_F(CameraTest, GivesEachFrameOfAFilmNoiseOfItsOwn) {
     make({"animate",  "2018-07-27", "--from",          "greatest-1s", "--to",    "greatest+1s",
           "--frames", "2",          "--texture-width", "64",          "--width", "48",
           "--height", "32",         "--albedo-map",    "built-in",    "--rays",  "60",
-          "--camera", "400mm",      "--time",          "1",           "-o",      folder});
+          "--camera", "400mm",      "--time",          "1",           "-o",      folder,
+          "--atmosphere", "undated"});
   };
   film("one"), film("two");
   const auto first = image("one/frame.0001.png"), second = image("one/frame.0002.png");
