@@ -38,6 +38,8 @@ class FilmPictures : public ProgramTest {
                 "64",
                 "--albedo-map",
                 "built-in",
+                "--atmosphere",
+                "undated",
                 "-o",
                 "film"};
     words.insert(words.end(), more.begin(), more.end());
