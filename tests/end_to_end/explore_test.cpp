@@ -147,10 +147,9 @@ class Explore : public ProgramTest {
     return answer_of(*this, text_of(here("a.html")), beside_pages(script), size);
   }
 
-  /// A texture that says of itself to be within 0.2 %.
   texture::Image baked(const std::string& when, const Words& more = {}) const {
     const auto outcome = coppermoon(
-        Words{"bake", when, "--texture-width", "2048", "--tolerance", "0.5%", "-o", "b.exr"} +
+        Words{"bake", when, "--texture-width", "2048", "--tolerance", "0.2%", "-o", "b.exr"} +
         more);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return texture::read_image(here("b.exr"));

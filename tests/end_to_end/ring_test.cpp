@@ -141,7 +141,7 @@ double illuminance(const Image& image, double inner_deg, double outer_deg) {
 TEST_F(Ring, LightsTheGroundAsTheTextureIsLit) {
   const auto image = ring(late_in_2018, {"--on", "5.625,16.875"});
   expect_done(coppermoon({"bake", late_in_2018, "--passes", "--texture-width", "32", "--tolerance",
-                          "0.5%", "--albedo-map", "built-in", "--scattered-light", "off",
+                          "0.1%", "--albedo-map", "built-in", "--scattered-light", "off",
                           "--leave-out", "scattered-light", "-o", "moon.exr"}));
   const auto file = OIIO::ImageInput::open(here("moon.exr"));
   ASSERT_TRUE(file);
