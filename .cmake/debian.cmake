@@ -31,7 +31,7 @@ endfunction()
 set(same "(= ${PROJECT_VERSION})")
 set(about "coppermoon simulates sunlight that the Earth's air bends, reddens and\ndims, lights a map of the Moon with it, and writes that as a texture.")
 coppermoon_package(program coppermoon SECTION graphics
-  DEPENDS "tzdata" RECOMMENDS "povray, povray-includes, stellarium-data, gnuplot-nox, fonts-dejavu-core, ffmpeg, libavif-bin"
+  DEPENDS "tzdata" RECOMMENDS "povray, povray-includes, gnuplot-nox, fonts-dejavu-core, ffmpeg, libavif-bin"
   TEXT "${about}")
 file(STRINGS packages.debian libraries REGEX "^(lib|zlib|nlohmann).*-dev$")
 list(JOIN libraries ", " libraries)

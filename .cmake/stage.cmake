@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: MIT
-# coppermoon_stage(NAME [IN FOLDER] [COMPILED_QUICKLY] HEADERS … SOURCES … APART … ALONE … TABLES … NEEDS earlier stages … USES libraries … PRIVATELY libraries …)
+# coppermoon_stage(NAME [IN FOLDER] [COMPILED_QUICKLY] HEADERS … SOURCES … APART … ALONE … TABLES … BYTES … NEEDS earlier stages … USES libraries … PRIVATELY libraries …)
 # makes folder NAME a static library with the alias coppermoon::NAME, and a component of the package, which installs
 # HEADERS: they are included as NAME/…, or as FOLDER/NAME/… with IN FOLDER. TABLES are CSV (or other text) files under
 # data/, or made in the build, and compiled in: NAME/tables.h declares `std::string_view <file name without ending>()`.
+# BYTES are files of any kind there, taken in by the assembler as they are.
 # ALONE are sources that are never compiled together with others (CMAKE_UNITY_BUILD): Highway compiles each once for every
 # kind of vector. APART are compiled together, but not with SOURCES: a program that calls none of them has none of them.
 # COMPILED_QUICKLY compiles SOURCES at -O1 (-O0 in Debug), for what is long there is the work of other stages; APART
 # always are. Without SOURCES the stage is a name for all that it needs.
 set(coppermoon_compiled_quickly $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-O0>)
 function(coppermoon_stage name)
-  cmake_parse_arguments(STAGE "COMPILED_QUICKLY" "ROOT;IN" "HEADERS;SOURCES;APART;ALONE;TABLES;NEEDS;USES;PRIVATELY" ${ARGN})
+  cmake_parse_arguments(STAGE "COMPILED_QUICKLY" "ROOT;IN" "HEADERS;SOURCES;APART;ALONE;TABLES;BYTES;NEEDS;USES;PRIVATELY" ${ARGN})
   if(NOT STAGE_ROOT)
     set(STAGE_ROOT ${CMAKE_CURRENT_SOURCE_DIR})
   endif()
@@ -18,8 +19,8 @@ function(coppermoon_stage name)
     cmake_path(GET base PARENT_PATH base)
   endif()
   set(generated)
-  if(STAGE_TABLES)
-    coppermoon_tables(${name} ${STAGE_ROOT} generated ${STAGE_TABLES})
+  if(STAGE_TABLES OR STAGE_BYTES)
+    coppermoon_tables(${name} ${STAGE_ROOT} generated "${STAGE_TABLES}" "${STAGE_BYTES}")
   endif()
   list(TRANSFORM STAGE_HEADERS PREPEND ${STAGE_ROOT}/)
   list(TRANSFORM STAGE_SOURCES PREPEND ${STAGE_ROOT}/)
@@ -63,11 +64,11 @@ function(coppermoon_stage name)
   set_target_properties(coppermoon_${name}_headers PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
 endfunction()
 
-function(coppermoon_tables name root out)
+function(coppermoon_tables name root out texts bytes)
   set(dir ${PROJECT_BINARY_DIR}/generated/${name})
   set(declarations "// Generated from ${name}/data.\n#pragma once\n#include <string_view>\nnamespace coppermoon::${name}::tables {\n")
   set(sources)
-  foreach(table ${ARGN})
+  foreach(table ${texts})
     get_filename_component(stem ${table} NAME_WE)
     cmake_path(ABSOLUTE_PATH table BASE_DIRECTORY ${root}/data NORMALIZE OUTPUT_VARIABLE file)  # or beside data, as ../NAME
     string(APPEND declarations "std::string_view ${stem}();\n")
@@ -77,6 +78,16 @@ function(coppermoon_tables name root out)
               -DSTEM=${stem} -P ${PROJECT_SOURCE_DIR}/.cmake/embed.cmake
       DEPENDS ${file} ${PROJECT_SOURCE_DIR}/.cmake/embed.cmake VERBATIM)
     list(APPEND sources ${source})
+  endforeach()
+  foreach(table ${bytes})
+    get_filename_component(stem ${table} NAME_WE)
+    string(APPEND declarations "std::string_view ${stem}();\n")
+    set(file ${root}/data/${table})
+    set(symbol coppermoon_${stem})
+    set(space coppermoon::${name}::tables)
+    configure_file(${PROJECT_SOURCE_DIR}/.cmake/embed_bytes.cpp.in ${dir}/${stem}.cpp @ONLY)
+    set_source_files_properties(${dir}/${stem}.cpp PROPERTIES OBJECT_DEPENDS ${file} SKIP_UNITY_BUILD_INCLUSION ON)
+    list(APPEND sources ${dir}/${stem}.cpp)
   endforeach()
   file(CONFIGURE OUTPUT ${dir}/tables.h CONTENT "${declarations}}\n" @ONLY)
   set(${out} ${sources} PARENT_SCOPE)

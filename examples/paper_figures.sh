@@ -245,7 +245,7 @@ cat <<'EOF'
   passes above it and is white. So each kind is darker than the one before, and 2.5 mag are between the first and
   the last in mid-eclipse (03:26), where L by magnitude is 4.0, 3.1 and 2.4; but the last is a dim copper with a
   pale rim, not grey.
-* The Moon's map is Stellarium's.
+* The Moon's map is coppermoon's own.
 
 `tests/end_to_end/paper_figures_test.cpp` asserts, in small, the order of brightness, the copper, and which parts
 saturate: those of which so much of the Sun is in view.

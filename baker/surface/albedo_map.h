@@ -41,6 +41,20 @@ double sampled(const algebra::Grid<float>& map, const almanac::SelenographicPoin
 algebra::Grid<float> normalised_to_geometric_albedo(algebra::Grid<float> map, Photometry photometry,
                                                     double geometric_albedo = 0.12);
 
+/// Exponent from the radiance factor at 60 degrees of phase to that at full Moon, both up to a factor: maria
+/// are darker against highlands at 60 degrees.
+///
+/// Source  a line through the logarithms of all cells of Sato et al. (2014), weighted by area
+inline constexpr double exponent_to_full_moon = 1 / 1.56;
+
+/// Normal albedo, up to a factor, of a number of NASA's CGI Moon Kit of 2019:
+///
+///     A = (0.16 + 0.24 v)^(2.8 exponent_to_full_moon)
+///
+/// Given   code  v, 0 to 1
+/// Source  https://svs.gsfc.nasa.gov/4720: "a gamma of 2.8", "the range (0.16, 0.4)", of I/F at 60 degrees
+double kit_2019_albedo(double code);
+
 /// The map of NASA's CGI Moon Kit of 2019 with its contrast about the poles mended. Beyond latitude 64
 /// degrees it fades into another map: against the albedos that Sato et al. (2014) found, cell by cell,
 /// the slope of its logarithms falls from 0.9 to 0.35 at 69.5 degrees, on both sides alike, and texels

@@ -36,9 +36,7 @@ struct Options {
 };
 
 uses::MeasuredScene scene_of(const Options& options) {
-  auto moon = options.moon;  // a map that is built in is as fine as any texture
-  moon.texture_width = widest_texture(uses::sweeps(options.quick, uses::most_replicas));
-  return measured_scene(moon, almanac::sky_at(almanac::instant_from_utc(options.instant)));
+  return measured_scene(options.moon, almanac::sky_at(almanac::instant_from_utc(options.instant)));
 }
 
 std::vector<uses::Sweep> sweeps_for(const Options& options, const atmosphere::Atmosphere& air) {
@@ -150,8 +148,7 @@ void add_tradeoff(CLI::App& program) {
            "number of runs; the shortest counts. Runs under a second are made three times or more");
   add_switch(*verb, "--quick", options->quick, "measures few and small settings: seconds");
   add_flag(*verb, "--albedo-map", options->moon.albedo_map,
-           "albedo map: an image of 2:1 with longitude 0 in the middle; auto: Stellarium's where "
-           "it is installed, else built-in")
+           "albedo map: an image of 2:1 with longitude 0 in the middle, or built-in")
       .reads_file();
   add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_air_options(*verb, options->moon.light.air);

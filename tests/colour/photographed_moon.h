@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "algebra/random.h"
+#include "baker/surface/small_moon.h"
 #include "colour/limb.h"
 #include "colour/similarity.h"
 #include "surface/albedo_map.h"
-#include "surface/built_in_moon.h"
 
 namespace coppermoon::colour {
 
@@ -39,7 +39,7 @@ class Moon {
       : shadow_(shadow), longitude_(algebra::degrees(longitude_deg)) {}
 
   double operator()(const glm::dvec2& place) const {
-    static const auto map = surface::built_in_moon(256);
+    static const auto map = surface::small_moon(256);
     const double squared = place.x * place.x + place.y * place.y;
     if (squared >= 1) return 0;
     const double depth = std::sqrt(1 - squared);

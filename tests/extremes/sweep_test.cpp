@@ -114,7 +114,7 @@ const std::vector<Key>& keys() {
       {"albedo-map-centre", "m", 0.1, word("0", "180")},
       {"albedo-exponent", "m", 0.1, number(0.1, 10)},
       {"albedo-encoding", "m", 0.1,
-       word("image", "normal-albedo", "cgi-moon-kit-2019", "cgi-moon-kit-2025", "stellarium")},
+       word("image", "normal-albedo", "cgi-moon-kit-2019", "cgi-moon-kit-2025")},
       {"ground", "m", 0.3, word("by-place", "mean")},
       {"at", "v", 0.5,
        [](Random& r) {

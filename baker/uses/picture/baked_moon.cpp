@@ -61,7 +61,7 @@ texture::Attributes attitude(const LitMoon& moon) {
 
 texture::Attributes header(const LitMoon& moon, const TextureContent& content) {
   auto attributes = scene_linear_header(space_of(content), moon.sky.when);
-  attributes["coppermoon:albedo_map"] = files::name_to_share(map_chosen(moon.request));
+  attributes["coppermoon:albedo_map"] = files::name_to_share(moon.request.albedo_map);
   attributes["coppermoon:relative_error"] = static_cast<float>(moon.light->error_found);
   attributes.merge(attitude(moon));
   if (content.spectral_nm) {

@@ -13,24 +13,13 @@
 #include "files/fingerprint.h"
 #include "files/whole_file.h"
 #include "surface/albedo_map.h"
-#include "surface/built_in_moon.h"
+#include "surface/built_in_map.h"
 #include "texture/read_image.h"
+#include "texture/resize.h"
 #include "texture/seal.h"
 
 namespace coppermoon::uses {
 namespace {
-
-constexpr const char* stellarium_map = "/usr/share/stellarium/textures/moon_4k.jpg";
-
-/// From the radiance factor at 60 degrees of phase to that at full Moon: of ground that is darker by
-/// a factor there, the logarithm of the factor is this part here. A line through all cells of Sato et
-/// al. (2014), weighted by area.
-constexpr double at_full_moon = 1 / 1.56;
-
-AlbedoEncoding encoding_of(const MoonRequest& moon, const std::string& map) {
-  if (moon.albedo_encoding) return *moon.albedo_encoding;
-  return map == stellarium_map ? AlbedoEncoding::cgi_moon_kit_2019 : AlbedoEncoding::image;
-}
 
 texture::Coding coding_of(AlbedoEncoding encoding) {
   switch (encoding) {
@@ -72,36 +61,42 @@ double near_over_far(const algebra::Grid<float>& map) {
   return near / far;
 }
 
-void change(algebra::Grid<float>& map, double offset, double scale, double exponent) {
+template <class Change>
+void change(algebra::Grid<float>& map, const Change& changed) {
   tbb::parallel_for(std::size_t{0}, map.rows(), [&](std::size_t r) {
-    for (float& value : map.row(r))
-      value = static_cast<float>(std::pow(offset + scale * static_cast<double>(value), exponent));
+    for (float& value : map.row(r)) value = static_cast<float>(changed(static_cast<double>(value)));
   });
 }
 
+void raise_to(double exponent, algebra::Grid<float>& map) {
+  change(map, [=](double value) { return std::pow(value, exponent); });
+}
+
 algebra::Grid<float> decoded(algebra::Grid<float> map, AlbedoEncoding encoding) {
-  if (encoding == AlbedoEncoding::cgi_moon_kit_2025) change(map, 0, 1, at_full_moon);
+  if (encoding == AlbedoEncoding::cgi_moon_kit_2025) raise_to(surface::exponent_to_full_moon, map);
   if (encoding != AlbedoEncoding::cgi_moon_kit_2019) return map;
-  change(map, 0.16, 0.24, 2.8 * at_full_moon);
+  change(map, surface::kit_2019_albedo);
   return surface::with_polar_contrast(std::move(map));
+}
+
+/// The built-in map, no finer than the texture, whose texels are means over its own.
+algebra::Grid<float> built_in_map_for(const MoonRequest& moon) {
+  auto map = surface::built_in_map();
+  const std::size_t rows = texture_width_of(moon) / 2;
+  return rows < map.rows() ? texture::resized(map, rows) : map;
 }
 
 }  // namespace
 
-std::string map_chosen(const MoonRequest& moon) {
-  if (moon.albedo_map != "auto") return moon.albedo_map;
-  return std::filesystem::exists(stellarium_map) ? stellarium_map : "built-in";
-}
-
 void require_map(const MoonRequest& moon) {
   if (!reads_map(moon)) return;
   require_sound(moon);
-  texture::require_albedo_map(map_chosen(moon));
+  texture::require_albedo_map(moon.albedo_map);
 }
 
 std::string map_contents(const MoonRequest& moon) {
-  const auto map = map_chosen(moon);
-  if (map == "built-in") return map;
+  const auto& map = moon.albedo_map;
+  if (!reads_map(moon)) return map;
   const auto contents = fmt::format("{:016x}", files::fingerprint(files::bytes_of(map)));
   if (std::filesystem::path(map).extension() != ".eclipse") return contents;
   return contents + texture::read_attribute(map, texture::seal_attribute).value_or("");
@@ -116,19 +111,16 @@ std::size_t texture_width_of(const MoonRequest& moon) {
   return width;
 }
 
-bool reads_map(const MoonRequest& moon) { return map_chosen(moon) != "built-in"; }
+bool reads_map(const MoonRequest& moon) { return moon.albedo_map != "built-in"; }
 
 algebra::Grid<float> normal_albedo(const MoonRequest& moon) {
-  const auto map = map_chosen(moon);
-  if (map == "built-in")
-    return surface::normalised_to_geometric_albedo(
-        surface::built_in_moon(std::max<std::size_t>(8, texture_width_of(moon) / 2)),
-        moon.photometry);
+  if (!reads_map(moon))
+    return surface::normalised_to_geometric_albedo(built_in_map_for(moon), moon.photometry);
   require_sound(moon);
-  const auto encoding = encoding_of(moon, map);
-  auto albedo = decoded(texture::read_albedo_map(map, coding_of(encoding)), encoding);
+  auto albedo =
+      decoded(texture::read_albedo_map(moon.albedo_map, coding_of(moon.albedo_encoding)), moon.albedo_encoding);
   if (moon.albedo_map_centre_deg != 0) turn_round(albedo);
-  if (moon.albedo_exponent != 1) change(albedo, 0, 1, moon.albedo_exponent);
+  if (moon.albedo_exponent != 1) raise_to(moon.albedo_exponent, albedo);
   constexpr double as_it_should_be = 1.03, no_moon = 3;
   if (const double ratio = near_over_far(albedo);
       moon.when_near_side_brighter && ratio > as_it_should_be && ratio < no_moon)

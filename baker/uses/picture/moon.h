@@ -18,10 +18,8 @@ namespace coppermoon::uses {
 enum class AlbedoEncoding {
   image,          ///< light, as the image file says
   normal_albedo,  ///< themselves, whatever the file says
-  /// NASA's CGI Moon Kit of 2019: v = ((I/F)^(1/2.8) − 0.16) / 0.24, of I/F at 60 degrees of phase. As
-  /// Stellarium has it
-  cgi_moon_kit_2019,
-  cgi_moon_kit_2025,  ///< sRGB's curve over that I/F
+  cgi_moon_kit_2019,  ///< NASA's CGI Moon Kit of 2019: see surface::kit_2019_albedo
+  cgi_moon_kit_2025,  ///< sRGB's curve over I/F at 60 degrees of phase
 };
 
 /// Told by how much a map's near side is brighter than its far side, which has fewer maria.
@@ -30,10 +28,9 @@ using WhenNearSideIsBrighter = std::function<void(double near_over_far)>;
 /// Which Moon is baked, and under what light.
 struct MoonRequest {
   LightRequest light{};
-  std::string albedo_map = "auto";  ///< an image file 2:1; "built-in"; "auto": what is installed
+  std::string albedo_map = "built-in";  ///< an image file 2:1; or the library's own map
   surface::Photometry photometry = surface::Photometry::lommel_seeliger_rolo;
-  std::optional<AlbedoEncoding>
-      albedo_encoding{};        ///< without: Stellarium's for its map, else `image`
+  AlbedoEncoding albedo_encoding = AlbedoEncoding::image;  ///< of a file, as the next two
   double albedo_exponent = 1;   ///< power of what is decoded, 0.1 to 10
   int albedo_map_centre_deg = 0;  ///< longitude in the map's middle: 0, or 180 of maps from 0 to 360
   WhenNearSideIsBrighter when_near_side_brighter{};  ///< by more than 3 %; without, nobody is told
@@ -50,7 +47,7 @@ std::size_t texture_width_of(const MoonRequest& moon);
 bool reads_map(const MoonRequest& moon);
 
 /// The normal albedo of the ground, so that the full Moon has the geometric albedo 0.12: the map
-/// named, or with "auto" Stellarium's where it is installed, else the built-in one, decoded. The kits'
+/// named, decoded, or the built-in one, no finer than the texture (surface::built_in_map). The kits'
 /// maps are of 60 degrees of phase, where maria are darker against highlands than at full Moon: to the
 /// power 1/1.56 they have the contrast of the normal albedo that Sato et al. (2014) give, within 5 %
 /// rms of cells of one degree over the near side. The poles of that of 2019 are mended: see
@@ -65,9 +62,6 @@ algebra::Grid<float> normal_albedo(const MoonRequest& moon);
 /// Throws Error as surface::ground_under
 std::shared_ptr<const surface::Ground> ground_of(const MoonRequest& moon,
                                                  const algebra::Grid<float>& normal_albedo);
-
-/// Where the map of a Moon comes from: what "auto" stands for here.
-std::string map_chosen(const MoonRequest& moon);
 
 /// Throws Error as normal_albedo, as far as that map's header tells
 void require_map(const MoonRequest& moon);

@@ -98,11 +98,4 @@ std::vector<Sweep> sweeps_of(std::span<const std::string> solvers, std::vector<S
   return sweeps;
 }
 
-std::size_t widest_texture(std::span<const Sweep> sweeps) {
-  double widest = 0;
-  for (const auto& sweep : sweeps)
-    for (const auto& trial : sweep.trials()) widest = std::max(widest, trial.texture_width);
-  return static_cast<std::size_t>(widest);
-}
-
 }  // namespace coppermoon::uses

@@ -57,7 +57,4 @@ std::vector<Sweep> sweeps(bool quick, double replicas);
 /// Given  solvers  some of solver_names(); empty: all
 std::vector<Sweep> sweeps_of(std::span<const std::string> solvers, std::vector<Sweep> sweeps);
 
-/// The largest width of a texture that any trial bakes.
-std::size_t widest_texture(std::span<const Sweep> sweeps);
-
 }  // namespace coppermoon::uses

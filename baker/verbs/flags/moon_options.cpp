@@ -14,8 +14,8 @@ namespace coppermoon::verbs {
 void add_map_options(CLI::App& verb, uses::MoonRequest& request) {
   using enum surface::Photometry;
   add_flag(verb, "--albedo-map", request.albedo_map,
-           "albedo map: an image of 2:1 with longitude 0 in the middle; auto: Stellarium's where "
-           "it is installed, else built-in")
+           "albedo map: an image of 2:1 with longitude 0 in the middle, or built-in: NASA's CGI Moon "
+           "Kit of 2019, 4096 texels wide")
       .reads_file();
   add_choice<int>(verb, "--albedo-map-centre", request.albedo_map_centre_deg,
                   {{"0", 0}, {"180", 180}},
@@ -39,11 +39,9 @@ void add_map_options(CLI::App& verb, uses::MoonRequest& request) {
       {{"image", image},
        {"normal-albedo", normal_albedo},
        {"cgi-moon-kit-2019", cgi_moon_kit_2019},
-       {"cgi-moon-kit-2025", cgi_moon_kit_2025},
-       {"stellarium", cgi_moon_kit_2019}},
-      "how the map's numbers stand for albedo: image (light, as the file says), normal-albedo "
-      "(themselves), cgi-moon-kit-2019 or cgi-moon-kit-2025 (NASA's colour maps), stellarium "
-      "(the kit of 2019); default: that of Stellarium's installed map, or image");
+       {"cgi-moon-kit-2025", cgi_moon_kit_2025}},
+      "how the numbers of a map's file stand for albedo: image (light, as the file says), "
+      "normal-albedo (themselves), cgi-moon-kit-2019 or cgi-moon-kit-2025 (NASA's colour maps)");
   add_flag(verb, "--albedo-exponent", request.albedo_exponent,
            "exponent that undoes a tone curve of the map beyond its encoding, 0.1 to 10");
   add_choice<bool>(

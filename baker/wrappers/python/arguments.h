@@ -194,8 +194,7 @@ struct Words<uses::AlbedoEncoding> {
       std::pair{"image", uses::AlbedoEncoding::image},
       std::pair{"normal-albedo", uses::AlbedoEncoding::normal_albedo},
       std::pair{"cgi-moon-kit-2019", uses::AlbedoEncoding::cgi_moon_kit_2019},
-      std::pair{"cgi-moon-kit-2025", uses::AlbedoEncoding::cgi_moon_kit_2025},
-      std::pair{"stellarium", uses::AlbedoEncoding::cgi_moon_kit_2019}};
+      std::pair{"cgi-moon-kit-2025", uses::AlbedoEncoding::cgi_moon_kit_2025}};
 };
 
 /// Throws  Error  when the word is none of them: names them

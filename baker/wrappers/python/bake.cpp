@@ -65,7 +65,7 @@ Baked baked_of(const uses::MoonRequest& request, const almanac::Instant& when,
 Texture texture_of(const Moment& when, std::size_t width, const std::string& space,
                    const std::optional<uses::Air>& air,
                    const std::optional<uses::LightRequest>& light, const std::string& albedo_map,
-                   std::optional<uses::AlbedoEncoding> albedo_encoding, int albedo_map_centre,
+                   uses::AlbedoEncoding albedo_encoding, int albedo_map_centre,
                    double albedo_exponent,
                    surface::Photometry photometry, bool unshadowed, const std::optional<Place>& at,
                    bool reddening, std::optional<double> spectral_nm, bool passes,
@@ -123,19 +123,19 @@ void add_bake(py::module_& package) {
       });
   package.def(
       "bake", texture_of, "when"_a, py::kw_only(), "width"_a = 4096, "space"_a = "lin_rec709",
-      "air"_a = py::none(), "light"_a = py::none(), "albedo_map"_a = "auto",
-      "albedo_encoding"_a = py::none(), "albedo_map_centre"_a = 0, "albedo_exponent"_a = 1.,
+      "air"_a = py::none(), "light"_a = py::none(), "albedo_map"_a = "built-in",
+      "albedo_encoding"_a = uses::AlbedoEncoding::image, "albedo_map_centre"_a = 0, "albedo_exponent"_a = 1.,
       "photometry"_a = surface::Photometry::lommel_seeliger_rolo, "unshadowed"_a = false,
       "at"_a = py::none(), "reddening"_a = true, "spectral_nm"_a = py::none(), "passes"_a = false,
       "progress"_a = py::none(),
-      R"(bake(when, *, width=4096, space='lin_rec709', air=None, light=None, albedo_map='auto', albedo_encoding=None, albedo_map_centre=0, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', unshadowed=False, at=None, reddening=True, spectral_nm=None, passes=False, progress=None)
+      R"(bake(when, *, width=4096, space='lin_rec709', air=None, light=None, albedo_map='built-in', albedo_encoding='image', albedo_map_centre=0, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', unshadowed=False, at=None, reddening=True, spectral_nm=None, passes=False, progress=None)
 
 The lit texture of the Moon at a moment of an eclipse: luminances of a scene-linear colour space [cd/m²].
 
 width: of the texture [texels], even, 4 to 32768
 space: 'lin_rec709', 'acescg' or 'lin_ciexyzd65_scene'
-albedo_map: an image file of 2:1, 'built-in', or 'auto': Stellarium's where it is installed, else the built-in one
-albedo_encoding: how the map's numbers stand for albedo, by the words of --albedo-encoding; None: as the map needs
+albedo_map: an image file of 2:1, or 'built-in'
+albedo_encoding: how the numbers of a map's file stand for albedo, by the words of --albedo-encoding
 albedo_map_centre: longitude in the map's middle [degrees], 0, or 180 of a map from 0 to 360
 albedo_exponent: power of what is decoded, 0.1 to 10
 photometry: of the ground, 'lommel-seeliger-rolo' or 'yapo-cutler'
@@ -145,7 +145,7 @@ spectral_nm: width of bands of spectral radiance [nm], which follow the colours;
 passes: also the parts that the light is made of
 progress: called with the fraction that is done, some times a second
 
->>> moon = coppermoon.bake('2018-07-27T20:21:45Z', width=64, space='acescg', albedo_map='built-in',
+>>> moon = coppermoon.bake('2018-07-27T20:21:45Z', width=64, space='acescg',
 ...                        air=coppermoon.Air(atmosphere='clear'), light=coppermoon.Light(bands=4, rays=60))
 >>> moon.pixels.shape, moon.pixels.dtype, moon.header['capDate']
 ((32, 64, 3), dtype('float32'), '2018:07:27 20:21:45')

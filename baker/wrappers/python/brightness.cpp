@@ -21,7 +21,7 @@ py::dict by_band(const std::vector<double>& numbers) {
 uses::MoonBrightness brightness_at(const Moment& when, const std::optional<uses::Air>& air,
                          const std::optional<uses::LightRequest>& light,
                          const std::string& albedo_map,
-                         std::optional<uses::AlbedoEncoding> albedo_encoding,
+                         uses::AlbedoEncoding albedo_encoding,
                          int albedo_map_centre, double albedo_exponent,
                          surface::Photometry photometry, bool unshadowed,
                          const std::optional<Place>& at, bool reddening, const Told& told) {
@@ -79,15 +79,15 @@ void add_brightness(py::module_& package) {
       .def_readonly("seen", &Brightness::seen, "what a place sees, or None");
   package.def(
       "brightness", brightness_at, "when"_a, py::kw_only(), "air"_a = py::none(),
-      "light"_a = py::none(), "albedo_map"_a = "auto", "albedo_encoding"_a = py::none(),
+      "light"_a = py::none(), "albedo_map"_a = "built-in", "albedo_encoding"_a = uses::AlbedoEncoding::image,
       "albedo_map_centre"_a = 0,
       "albedo_exponent"_a = 1., "photometry"_a = surface::Photometry::lommel_seeliger_rolo,
       "unshadowed"_a = false, "at"_a = py::none(), "reddening"_a = true, "progress"_a = py::none(),
-      R"(brightness(when, *, air=None, light=None, albedo_map='auto', albedo_encoding=None, albedo_map_centre=0, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', unshadowed=False, at=None, reddening=True, progress=None)
+      R"(brightness(when, *, air=None, light=None, albedo_map='built-in', albedo_encoding='image', albedo_map_centre=0, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', unshadowed=False, at=None, reddening=True, progress=None)
 
 Magnitudes, luminance and illuminance of the whole Moon at a moment of an eclipse. Arguments are those of bake.
 
->>> full = coppermoon.brightness('2018-07-27T20:21:45Z', albedo_map='built-in', unshadowed=True)
+>>> full = coppermoon.brightness('2018-07-27T20:21:45Z', unshadowed=True)
 >>> sorted(full.magnitudes), 0.1 < full.illuminance_lx < 0.4
 (['B', 'R', 'V'], True)
 )");

@@ -56,7 +56,7 @@ FitReport fit_of(const py::iterable& magnitudes, std::vector<EclipsePhotograph> 
                  std::optional<double> white_balance_error, double clock_error_s,
                  bool half_hours_free, const std::optional<uses::Air>& air,
                  const std::optional<uses::LightRequest>& light, const std::string& albedo_map,
-                 std::optional<uses::AlbedoEncoding> albedo_encoding, int albedo_map_centre,
+                 uses::AlbedoEncoding albedo_encoding, int albedo_map_centre,
                  double albedo_exponent,
                  surface::Photometry photometry, const Told& told) {
   const uses::FitRequest request{
@@ -214,10 +214,10 @@ void add_fit(py::module_& package) {
       "photographs"_a = std::vector<EclipsePhotograph>{}, "at"_a = py::none(), "camera"_a = "",
       "exposure_error"_a = 0.1, "white_balance_error"_a = py::none(), "clock_error_s"_a = 0.,
       "half_hours_free"_a = false, "air"_a = py::none(), "light"_a = py::none(),
-      "albedo_map"_a = "auto", "albedo_encoding"_a = py::none(), "albedo_map_centre"_a = 0,
+      "albedo_map"_a = "built-in", "albedo_encoding"_a = uses::AlbedoEncoding::image, "albedo_map_centre"_a = 0,
       "albedo_exponent"_a = 1.,
       "photometry"_a = surface::Photometry::lommel_seeliger_rolo, "progress"_a = py::none(),
-      R"(fit(magnitudes=(), *, photographs=(), at=None, camera='', exposure_error=0.1, white_balance_error=None, clock_error_s=0.0, half_hours_free=False, air=None, light=None, albedo_map='auto', albedo_encoding=None, albedo_map_centre=0, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', progress=None)
+      R"(fit(magnitudes=(), *, photographs=(), at=None, camera='', exposure_error=0.1, white_balance_error=None, clock_error_s=0.0, half_hours_free=False, air=None, light=None, albedo_map='built-in', albedo_encoding='image', albedo_map_centre=0, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', progress=None)
 
 The dust, cloud cover and ozone that explain photographs of the Moon and measured magnitudes of the whole Moon, of one
 eclipse or several, all at once.
@@ -238,7 +238,7 @@ progress: called with the fraction that is done, some times a second
 
 >>> when = '2018-07-27T20:21:45Z'
 >>> found = coppermoon.fit([(when, 'B', 2.55), (when, 'V', -0.47), (when, 'R', -3.20)],
-...                        air=coppermoon.Air(atmosphere='undated'), albedo_map='built-in',
+...                        air=coppermoon.Air(atmosphere='undated'),
 ...                        light=coppermoon.Light(scattered_light='off'))
 >>> found.explained, found.numbers
 (True, 3)

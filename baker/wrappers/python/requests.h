@@ -21,7 +21,7 @@ inline uses::LightRequest light_request(const std::optional<uses::Air>& air,
 /// The Moon of an image function's arguments.
 struct MoonArguments {
   std::string albedo_map;
-  std::optional<uses::AlbedoEncoding> albedo_encoding;
+  uses::AlbedoEncoding albedo_encoding;
   int albedo_map_centre;
   double albedo_exponent;
   surface::Photometry photometry;

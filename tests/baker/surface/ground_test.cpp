@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "algebra/error.h"
+#include "baker/surface/small_moon.h"
 #include "support/within.h"
 #include "surface/albedo_map.h"
-#include "surface/built_in_moon.h"
 
 namespace {
 
@@ -37,7 +37,7 @@ double disc_mean(const Map& map, const Map& albedo) {
 }
 
 TEST(Ground, LeavesTheDiscsColourAndSurgeAsTheyAre) {
-  const auto albedo = surface::built_in_moon(180);
+  const auto albedo = surface::small_moon(256);
   const auto ground = surface::ground_under(albedo, lommel_seeliger_rolo);
   EXPECT_WITHIN(disc_mean(ground.colour, albedo), 0, 2e-4, "squares of the disc against cells");
   EXPECT_WITHIN(disc_mean(ground.surge, albedo), 0, 1e-3, "squares of the disc against cells");

@@ -12,7 +12,7 @@ Progress = Callable[[float], object]
 
 Convention = Literal["danjon", "danjon-oblate", "chauvenet", "herald-sinnott"]
 Space = Literal["lin_rec709", "acescg", "lin_ciexyzd65_scene"]
-Encoding = Literal["image", "normal-albedo", "cgi-moon-kit-2019", "cgi-moon-kit-2025", "stellarium"]
+Encoding = Literal["image", "normal-albedo", "cgi-moon-kit-2019", "cgi-moon-kit-2025"]
 Photometry = Literal["lommel-seeliger-rolo", "yapo-cutler"]
 Coding = Literal["as-file-says", "srgb", "linear", "camera"]
 Stratosphere = Literal["dated", "none", "background", "moderate", "high", "extreme"] | float
@@ -312,8 +312,8 @@ def bake(
     space: Space = "lin_rec709",
     air: Air | None = None,
     light: Light | None = None,
-    albedo_map: str = "auto",
-    albedo_encoding: Encoding | None = None,
+    albedo_map: str = "built-in",
+    albedo_encoding: Encoding = "image",
     albedo_map_centre: Literal[0, 180] = 0,
     albedo_exponent: float = 1.0,
     photometry: Photometry = "lommel-seeliger-rolo",
@@ -352,8 +352,8 @@ def brightness(
     *,
     air: Air | None = None,
     light: Light | None = None,
-    albedo_map: str = "auto",
-    albedo_encoding: Encoding | None = None,
+    albedo_map: str = "built-in",
+    albedo_encoding: Encoding = "image",
     albedo_map_centre: Literal[0, 180] = 0,
     albedo_exponent: float = 1.0,
     photometry: Photometry = "lommel-seeliger-rolo",
@@ -453,8 +453,8 @@ def fit(
     half_hours_free: bool = False,
     air: Air | None = None,
     light: Light | None = None,
-    albedo_map: str = "auto",
-    albedo_encoding: Encoding | None = None,
+    albedo_map: str = "built-in",
+    albedo_encoding: Encoding = "image",
     albedo_map_centre: Literal[0, 180] = 0,
     albedo_exponent: float = 1.0,
     photometry: Photometry = "lommel-seeliger-rolo",
