@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <glm/vec3.hpp>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "almanac/instant.h"
@@ -13,29 +10,20 @@ namespace coppermoon::almanac {
 
 /// A fixed star.
 struct Star {
-  std::uint32_t hipparcos;              ///< number in that catalogue; 0: of another
   glm::dvec3 place;                     ///< at 2000.0, ICRS axes, unit
   double magnitude, b_minus_v;          ///< V; B − V
   glm::dvec3 motion_per_year{0, 0, 0};  ///< proper motion, across the place [radians]
 };
 
-/// The stars of one of Stellarium's catalogues: stars_0_0v0_8.cat to V = 6, stars_1_0v0_8.cat to 7.5,
-/// stars_2_0v0_8.cat to 9.
+/// Stars to V = 9.0 within 10 degrees of the ecliptic, beside which alone the Moon stands, and to 6.5
+/// elsewhere.
 ///
-/// A catalogue divides the sky into the 20·4ⁿ triangles of an icosahedron whose edges are halved n
-/// times; a star stands on the plane that touches the sphere in its triangle's middle.
-///
-/// Given     bytes  of the file;  name: of the file, for errors
-/// Accuracy  0.02″ of Hipparcos in place, 0.05 in magnitude, 0.03 in B − V: the steps of the file
-/// Omits     proper motion, which strays in these files by a fifth from Hipparcos'
-/// Throws    Error  when they are no such catalogue, of another version, or cut off
-std::vector<Star> stars_in(std::string_view bytes, const std::string& name);
-
-/// Gives stars their proper motions from a table by Hipparcos' numbers, as Stellarium's hip_pm.dat.
-///
-/// Given   text  a line for each star: number, motion east and north [mas a year]; # begins a comment
-/// Throws  Error  when a line is no such line
-void add_proper_motions(std::vector<Star>& stars, std::string_view text, const std::string& name);
+/// Accuracy  0.02″ of Hipparcos in place, 0.05 in magnitude, 0.03 in B − V. Some, as Alcyone, stand where they
+///           were in 1991.25, as in Stellarium's catalogue: 0.4″ off
+/// Omits     proper motion of stars that Hipparcos did not measure: one in four, most fainter than V = 8
+/// Source    Hipparcos (ESA 1997), Tycho-2 (Høg et al. 2000) and NOMAD 1 (U.S. Naval Observatory), as
+///           baker/almanac/data/make_stars.py chooses and rounds them
+const std::vector<Star>& stars();
 
 /// Where the Earth's centre sees them: proper motion and aberration included.
 ///

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Moon and stars that are part of the library, against the data of Stellarium's that they were made from.
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 #include "support/within.h"
 #include "surface/albedo_map.h"
@@ -41,6 +45,21 @@ TEST(BuiltInMap, IsStoredAsExactlyAsItSays) {
   EXPECT_WITHIN(stored_within(90).most, 0, 0.11, reason);
   EXPECT_WITHIN(stored_within(64).rms, 0, 0.0014, reason);
   EXPECT_WITHIN(stored_within(64).most, 0, 0.013, reason);
+}
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator(file), {}};
+}
+
+TEST(Stars, AreMadeAgainFromStellariumsCatalogues) {
+  const std::filesystem::path data = COPPERMOON_TEST_DATA "/../baker/almanac/data";
+  const auto made = testing::TempDir() + "stars_made_again.bin";
+  const auto command = "python3 '" + (data / "make_stars.py").string() +
+                       "' /usr/share/stellarium/stars/default '" + made + "'";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(bytes_of(made), bytes_of(data / "stars.bin"));
+  std::filesystem::remove(made);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
@@ -14,39 +13,16 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "almanac/planets.h"
 #include "almanac/stars.h"
 #include "atmosphere/astronomical_refraction.h"
-#include "files/whole_file.h"
 #include "povray_scenes/sight.h"
 #include "uses/picture/star_light.h"
 
 namespace coppermoon::uses {
 namespace {
-
-/// Of Debian's stellarium-data; nothing where it is not installed.
-std::vector<almanac::Star> read_stars() {
-  const std::filesystem::path folder = "/usr/share/stellarium/stars/default";
-  const auto motions = folder / "hip_pm.dat";
-  std::vector<almanac::Star> stars;
-  for (const char* name : {"stars_0_0v0_8.cat", "stars_1_0v0_8.cat", "stars_2_0v0_8.cat"}) {
-    const auto file = folder / name;
-    if (!std::filesystem::exists(file)) continue;
-    const auto more = almanac::stars_in(files::bytes_of(file), file.string());
-    stars.insert(stars.end(), more.begin(), more.end());
-  }
-  if (std::filesystem::exists(motions))
-    almanac::add_proper_motions(stars, files::bytes_of(motions), motions.string());
-  return stars;
-}
-
-const std::vector<almanac::Star>& installed_stars() {
-  static const std::vector<almanac::Star> stars = read_stars();
-  return stars;
-}
 
 /// A part of the sky: directions within an angle of one.
 struct Cone {
@@ -69,7 +45,7 @@ struct Source {
 std::vector<Source> sources_in(const Cone& cone, double faintest, const almanac::SkyState& sky,
                                const glm::dvec3& from_m) {
   std::vector<almanac::Star> stars;
-  for (const auto& star : installed_stars())
+  for (const auto& star : almanac::stars())
     if (star.magnitude <= faintest && cone.holds(star.place)) stars.push_back(star);
   const auto directions = almanac::apparent_directions(stars, sky.when);
   std::vector<Source> sources;

@@ -19,7 +19,7 @@ using povray_scenes::SkyLight;
 /// Refraction raises each as much more or less than the Moon as its altitude says. A planet is a disc of
 /// points, of which the Moon may hide some.
 ///
-/// Returned  none where the view wants none; planets alone where stellarium-data is not installed
+/// Returned  none where the view wants none
 /// Accuracy  places 0.1″ of stars, 0.1″ of planets; times of occultations some seconds, by the Moon's
 ///           mountains
 /// Omits     stars fainter than V = 9; how stars vary; the shape of a planet's light and Saturn's rings

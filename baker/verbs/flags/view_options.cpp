@@ -176,8 +176,8 @@ void add_view_options(CLI::App& verb, uses::ViewRequest& request) {
       .in(group);
   add_parsed(
       verb, "--stars", [&](const std::string& text) { request.stars = stars_from(text); },
-      "stars and planets: on, off, or the V magnitude of the faintest; on: to magnitude 9, of "
-      "stellarium-data where it is installed",
+      "stars and planets: on, off, or the V magnitude of the faintest; on: to magnitude 9 "
+      "within 10 degrees of the ecliptic, to 6.5 elsewhere",
       "on")
       .in(group);
 }

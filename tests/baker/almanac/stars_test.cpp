@@ -7,13 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <glm/geometric.hpp>
-#include <iterator>
 #include <numbers>
 
-#include "algebra/error.h"
 #include "almanac/ephemeris.h"
 #include "almanac/sky.h"
 #include "support/within.h"
@@ -35,7 +31,6 @@ double separation(const glm::dvec3& one, const glm::dvec3& other) {
 /// A star as SIMBAD has it.
 struct Published {
   const char* name;
-  unsigned hipparcos;
   double hours, minutes, seconds, degrees, arcminutes, arcseconds;
   int sign;
   double motion_east_mas, motion_north_mas, magnitude, b_minus_v;
@@ -46,58 +41,50 @@ struct Published {
   }
 };
 
+constexpr Published alcyone{"Alcyone", 3, 47, 29.07655, 24, 6, 18.4883, 1, 19.34, -43.67, 2.87, -0.09};
+
 /// ICRS, epoch 2000; motions of van Leeuwen (2007), Astron. Astrophys. 474, 653.
 constexpr Published published[] = {
-    {"Aldebaran", 21421, 4, 35, 55.23907, 16, 30, 33.4885, 1, 63.45, -188.94, 0.86, 1.54},
-    {"Regulus", 49669, 10, 8, 22.31099, 11, 58, 1.9516, 1, -248.73, 5.59, 1.36, -0.09},
-    {"Spica", 65474, 13, 25, 11.57937, 11, 9, 40.7501, -1, -42.35, -30.67, 0.98, -0.24},
-    {"Antares", 80763, 16, 29, 24.45970, 26, 25, 55.2094, -1, -12.11, -23.30, 1.06, 1.86},
-    {"Pollux", 37826, 7, 45, 18.94987, 28, 1, 34.3160, 1, -626.55, -45.80, 1.16, 0.99}};
+    {"Aldebaran", 4, 35, 55.23907, 16, 30, 33.4885, 1, 63.45, -188.94, 0.86, 1.54},
+    {"Regulus", 10, 8, 22.31099, 11, 58, 1.9516, 1, -248.73, 5.59, 1.36, -0.09},
+    {"Spica", 13, 25, 11.57937, 11, 9, 40.7501, -1, -42.35, -30.67, 0.98, -0.24},
+    {"Antares", 16, 29, 24.45970, 26, 25, 55.2094, -1, -12.11, -23.30, 1.06, 1.86},
+    {"Pollux", 7, 45, 18.94987, 28, 1, 34.3160, 1, -626.55, -45.80, 1.16, 0.99}};
 
-std::string bytes_of(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+const Star& nearest(const glm::dvec3& place) {
+  return *std::ranges::min_element(
+      stars(), {}, [&](const Star& star) { return separation(star.place, place); });
 }
 
-/// Debian's stellarium-data.
-const std::string folder = "/usr/share/stellarium/stars/default/";
-
-std::vector<Star> bright_stars() {
-  auto stars = stars_in(bytes_of(folder + "stars_0_0v0_8.cat"), "stars_0_0v0_8.cat");
-  add_proper_motions(stars, bytes_of(folder + "hip_pm.dat"), "hip_pm.dat");
-  return stars;
-}
-
-class StarsOfStellarium : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "stellarium-data is not installed";
-  }
-};
-
-TEST_F(StarsOfStellarium, StandAndMoveAsPublished) {
-  const auto stars = bright_stars();
+TEST(Stars, StandAndMoveAsPublished) {
   for (const auto& star : published) {
     SCOPED_TRACE(star.name);
-    const auto found = std::ranges::find(stars, star.hipparcos, &Star::hipparcos);
-    ASSERT_NE(found, stars.end());
     const auto place = direction(star.right_ascension(), star.declination());
-    EXPECT_WITHIN(separation(found->place, place) / arcsec, 0., 0.02,
+    const auto& found = nearest(place);
+    EXPECT_WITHIN(separation(found.place, place) / arcsec, 0., 0.02,
                   "the file was made of single-precision triangles: up to 0.015″");
     const glm::dvec3 east = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), place));
     const char* reason = "printed to 0.01 mas a year";
-    EXPECT_WITHIN(glm::dot(found->motion_per_year, east) / mas, star.motion_east_mas, 0.02, reason);
-    EXPECT_WITHIN(glm::dot(found->motion_per_year, glm::cross(place, east)) / mas,
+    EXPECT_WITHIN(glm::dot(found.motion_per_year, east) / mas, star.motion_east_mas, 0.02, reason);
+    EXPECT_WITHIN(glm::dot(found.motion_per_year, glm::cross(place, east)) / mas,
                   star.motion_north_mas, 0.02, reason);
-    EXPECT_WITHIN(found->magnitude, star.magnitude, 0.06, "steps of 0.05, and rounding");
-    EXPECT_WITHIN(found->b_minus_v, star.b_minus_v, 0.03, "steps of 0.0315, and rounding");
+    EXPECT_WITHIN(found.magnitude, star.magnitude, 0.06, "steps of 0.05, and rounding");
+    EXPECT_WITHIN(found.b_minus_v, star.b_minus_v, 0.03, "steps of 0.0315, and rounding");
   }
 }
 
-TEST_F(StarsOfStellarium, AreAsManyAsTheSkyHas) {
-  const auto stars = bright_stars();
+TEST(Stars, OfThePleiadesStandWhereHipparcosSawThem) {
+  const auto place = direction(alcyone.right_ascension(), alcyone.declination());
+  const auto& found = nearest(place);
+  EXPECT_WITHIN(separation(found.place, place) / arcsec, 0.42, 0.02,
+                "stars.h: 8.75 years of 0.048″; single-precision triangles");
+  EXPECT_WITHIN(found.magnitude, alcyone.magnitude, 0.06, "steps of 0.05, and rounding");
+  EXPECT_WITHIN(found.b_minus_v, alcyone.b_minus_v, 0.03, "steps of 0.0315, and rounding");
+}
+
+TEST(Stars, AreAsManyAsTheSkyHas) {
   const auto brighter = [&](double limit) {
-    return std::ranges::count_if(stars, [=](const Star& s) { return s.magnitude < limit; });
+    return std::ranges::count_if(stars(), [=](const Star& s) { return s.magnitude < limit; });
   };
   EXPECT_WITHIN_RELATIVE(
       static_cast<double>(brighter(6)), 5000., 0.05,
@@ -105,8 +92,21 @@ TEST_F(StarsOfStellarium, AreAsManyAsTheSkyHas) {
   EXPECT_WITHIN(static_cast<double>(brighter(1.5)), 22., 3., "21 of first magnitude; doubles");
 }
 
-TEST_F(StarsOfStellarium, AreDirections) {
-  for (const auto& star : bright_stars())
+TEST(Stars, AreFainterBesideTheMoonAlone) {
+  const double obliquity = 23.4393 * degree;
+  double beside = -2, elsewhere = -2;
+  for (const auto& star : stars()) {
+    const double latitude =
+        std::asin(star.place.z * std::cos(obliquity) - star.place.y * std::sin(obliquity));
+    auto& faintest = std::abs(latitude) < 10 * degree ? beside : elsewhere;
+    faintest = std::max(faintest, star.magnitude);
+  }
+  EXPECT_WITHIN(beside, 9, 1e-9, "to 9.0");
+  EXPECT_WITHIN(elsewhere, 6.5, 1e-9, "to 6.5");
+}
+
+TEST(Stars, AreDirections) {
+  for (const auto& star : stars())
     EXPECT_WITHIN(glm::length(star.place), 1., 1e-12, "a direction is a unit vector");
 }
 
@@ -116,7 +116,7 @@ TEST(Stars, ApparentPlaceIsThatOfAWorkedExample) {
                right_ascension = 15 * (2 + 44 / 60. + 11.986 / 3600) * degree;
   const auto place = direction(right_ascension, declination);
   const glm::dvec3 east = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), place));
-  const Star star{12777, place, 4.1, 0.5,
+  const Star star{place, 4.1, 0.5,
                   15 * 0.03425 * std::cos(declination) * arcsec * east -
                       0.0895 * arcsec * glm::cross(place, east)};
   const Instant when{2462088.5, 0.19};
@@ -136,7 +136,7 @@ TEST(Stars, ApparentPlacesAreThoseOfErfa) {
       const glm::dvec3 east = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), place));
       constexpr double bent = 40;  // closer to the Sun light is bent by more than 0.011″
       if (separation(place, apparent_sun_m(when)) < bent * degree) continue;
-      const Star star{1, place, 1, 0,
+      const Star star{place, 1, 0,
                       mas * (published_star.motion_east_mas * east +
                              published_star.motion_north_mas * glm::cross(place, east))};
       double right_ascension, declination, origins;
@@ -148,60 +148,6 @@ TEST(Stars, ApparentPlacesAreThoseOfErfa) {
       EXPECT_WITHIN(separation(seen, expected) / arcsec, 0., 0.015,
                     "the Sun bends light by 0.004″ at 90°, 0.011″ at 40°");
     }
-}
-
-std::string number_text(std::uint32_t number) {
-  std::string text;
-  for (int k = 0; k < 4; ++k, number >>= 8) text += static_cast<char>(number & 0xff);
-  return text;
-}
-
-/// A catalogue of level 0 with one star in its first triangle.
-std::string small_catalogue() {
-  std::string bytes;
-  for (const std::uint32_t number : {0x835f040au, 0u, 0u, 8u, 0u, 0u, 12800u, 256u})
-    bytes += number_text(number);
-  for (int triangle = 0; triangle < 20; ++triangle) bytes += number_text(triangle == 0 ? 1 : 0);
-  return bytes + number_text(7) + number_text(0) + number_text(0) + std::string(16, '\x20');
-}
-
-TEST(Stars, ACatalogueOfOneStarIsRead) {
-  const auto stars = stars_in(small_catalogue(), "small.cat");
-  ASSERT_EQ(stars.size(), 1u);
-  EXPECT_EQ(stars[0].hipparcos, 7u);
-  EXPECT_WITHIN(glm::length(stars[0].place), 1., 1e-12, "a direction");
-  EXPECT_WITHIN(stars[0].magnitude, 1.6, 1e-9, "32 steps of 0.05");
-}
-
-std::string refusal(const std::string& bytes) {
-  try {
-    stars_in(bytes, "small.cat");
-    return "";
-  } catch (const algebra::Error& error) {
-    return error.what();
-  }
-}
-
-TEST(Stars, DamagedCataloguesAreRefusedInOneLine) {
-  const auto whole = small_catalogue();
-  for (std::size_t length = 0; length < whole.size(); ++length)
-    EXPECT_TRUE(refusal(whole.substr(0, length)).starts_with("small.cat: ")) << length;
-  EXPECT_TRUE(refusal(whole + "x").starts_with("small.cat: "));
-  for (std::size_t at = 0; at < 112; ++at) {  // of the head and the counts
-    auto damaged = whole;
-    damaged[at] = static_cast<char>(damaged[at] ^ 0x7f);
-    const auto line = refusal(damaged);  // some damage leaves a sound catalogue
-    EXPECT_EQ(line.find('\n'), std::string::npos);
-  }
-}
-
-TEST(Stars, DamagedProperMotionsAreRefused) {
-  std::vector<Star> stars{{7, {1, 0, 0}, 1, 0}};
-  for (const char* text : {"7\t1", "x\t1\t2", "0\t1\t2", "7\t1\tnan", "7\t1e9\t0", "9999999\t1\t1"})
-    EXPECT_THROW(add_proper_motions(stars, text, "motions.dat"), algebra::Error) << text;
-  add_proper_motions(stars, "# head\n7\t-250\t1000\n", "motions.dat");
-  EXPECT_WITHIN(stars[0].motion_per_year.y / mas, -250., 1e-9, "east of the vernal point is y");
-  EXPECT_WITHIN(stars[0].motion_per_year.z / mas, 1000., 1e-9, "north is z");
 }
 
 }  // namespace
