@@ -5,7 +5,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 "$here/build.sh"
-measure() { "$here/../build/release/coppermoon" tradeoff --albedo-map built-in "$@"; }
+measure() { "$here/../build/release/coppermoon" tradeoff "$@"; }
 if [ $# -gt 0 ]; then
   measure -o tradeoff "$@"
   exit

@@ -19,13 +19,13 @@ shown() {
 
 # smaller COMMAND: options that make it small, and are later than its own.
 smaller() {
-  picture="--width 96 --height 64" moon="--texture-width 128 --albedo-map built-in --atmosphere undated --rays 30 --bands 6"
+  picture="--width 96 --height 64" moon="--texture-width 128 --atmosphere undated --rays 30 --bands 6"
   case $1 in
     still | scene) echo "$picture $moon" ;;
     animate) echo "$picture $moon --from U2 --to U2+5min --frames 2 --shard 1/1" ;;
     bake) echo "$moon" ;;
-    night) echo "--danjon-spread off --albedo-map built-in --atmosphere undated --rays 30 --bands 6" ;;
-    brightness) echo "--albedo-map built-in --atmosphere undated --rays 30 --bands 6" ;;
+    night) echo "--danjon-spread off --atmosphere undated --rays 30 --bands 6" ;;
+    brightness) echo "--atmosphere undated --rays 30 --bands 6" ;;
   esac
 }
 

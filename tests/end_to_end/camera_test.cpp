@@ -66,7 +66,7 @@ TEST_F(CameraTest, MakesARawFileAPhotographAndAPictureOfAFrame) {
 
 TEST_F(CameraTest, WritesARawPhotographThatIsComparedAsACamerasOwn) {
   make({"still",
-        deep,
+        "2008-02-21T03:26:05Z",
         "--at",
         new_york,
         "--albedo-map",

@@ -17,7 +17,7 @@ shadow() {
   coppermoon shadow "$@" --json --axis-distances 0,2300,4400 \
     --wavelengths 380,400,420,440,460,480,500,520,540,560,580,600,620,640,660,680,700,720,740,760,780
 }
-still() { coppermoon still "$@" --albedo-map built-in --bits 16 --quality reference $size >&2; }
+still() { coppermoon still "$@" --bits 16 --quality reference $size >&2; }
 
 # scene INSTANT AND FLAGS: what the terms that follow are changed in. $view goes to `still` alone.
 scene() {
