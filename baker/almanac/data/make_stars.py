@@ -4,15 +4,15 @@
 
 Usage: make_stars.py [folder of the catalogues] [stars.bin]
 
-Kept are stars to V = 9.0 within 10 degrees of the ecliptic, beside which alone the Moon stands, and to 6.5 elsewhere. The
-package's copyright file has the data from the Hipparcos Catalogue (ESA, 1997, SP-1200; 3.1), from the Tycho-2 Catalogue
-(Hog et al., 2000; 3.6) and from the Naval Observatory Merged Astrometric Dataset NOMAD 1 (U.S. Naval Observatory; 3.7: free
-to distribute where source, name and changes are told). Changed are: magnitudes and colours, which Stellarium's authors
-computed where a catalogue has none, and rounded; places, to 0.0003 arcseconds; which stars are left out. Stars without a
-Hipparcos number have no proper motion.
+Kept are stars to V = 9.0 within 10 degrees of the ecliptic, beside which alone the Moon stands, and to 6.5 elsewhere.
+The package's copyright file has the data from the Hipparcos Catalogue (ESA, 1997, SP-1200; 3.1), from the Tycho-2
+Catalogue (Hog et al., 2000; 3.6) and from the Naval Observatory Merged Astrometric Dataset NOMAD 1 (U.S. Naval
+Observatory; 3.7: free to distribute where source, name and changes are told). Changed are: magnitudes and colours,
+which Stellarium's authors computed where a catalogue has none, and rounded; places, to 0.0003 arcseconds; which stars
+are left out. Stars without a Hipparcos number have no proper motion.
 
-A star is 16 bytes, little-endian: right ascension and declination (ICRS, epoch and equinox 2000.0) in 2^-32 turns, 4 bytes
-each; proper motion east and north in 0.01 mas a year, 3 bytes each; (V + 2) / 0.05; (B - V + 0.5) / (4/127).
+A star is 16 bytes, little-endian: right ascension and declination (ICRS, epoch and equinox 2000.0) in 2^-32 turns, 4
+bytes each; proper motion east and north in 0.01 mas a year, 3 bytes each; (V + 2) / 0.05; (B - V + 0.5) / (4/127).
 """
 import math
 import struct
@@ -21,10 +21,11 @@ import sys
 PHI = (1 + math.sqrt(5)) / 2
 B = 1 / math.sqrt(1 + PHI * PHI)
 A = B * PHI
-CORNERS = [(A, -B, 0), (A, B, 0), (-A, B, 0), (-A, -B, 0), (0, A, -B), (0, A, B), (0, -A, B), (0, -A, -B), (-B, 0, A), (B, 0, A),
-           (B, 0, -A), (-B, 0, -A)]
-TRIANGLES = [(1, 0, 10), (0, 1, 9), (0, 9, 6), (9, 8, 6), (0, 7, 10), (6, 7, 0), (7, 6, 3), (6, 8, 3), (11, 10, 7), (7, 3, 11),
-             (3, 2, 11), (2, 3, 8), (10, 11, 4), (2, 4, 11), (5, 4, 2), (2, 8, 5), (4, 1, 10), (4, 5, 1), (5, 9, 1), (8, 9, 5)]
+CORNERS = [(A, -B, 0), (A, B, 0), (-A, B, 0), (-A, -B, 0), (0, A, -B), (0, A, B), (0, -A, B), (0, -A, -B), (-B, 0, A),
+           (B, 0, A), (B, 0, -A), (-B, 0, -A)]
+TRIANGLES = [(1, 0, 10), (0, 1, 9), (0, 9, 6), (9, 8, 6), (0, 7, 10), (6, 7, 0), (7, 6, 3), (6, 8, 3), (11, 10, 7),
+             (7, 3, 11), (3, 2, 11), (2, 3, 8), (10, 11, 4), (2, 4, 11), (5, 4, 2), (2, 8, 5), (4, 1, 10), (4, 5, 1),
+             (5, 9, 1), (8, 9, 5)]
 OBLIQUITY = math.radians(23.4392911)
 HEAD, RECORD = 32, 28
 
@@ -62,7 +63,7 @@ def triangles(level):
 
 
 def plane(triangle):
-    """The plane that touches the sphere in a triangle's middle (middle, east, north), and how far a corner lies along an axis."""
+    """The plane that touches a triangle's middle (middle, east, north), and how far a corner lies along an axis."""
     middle = unit(total(*triangle))
     east = unit(cross((0, 0, 1), middle))
     north = cross(middle, east)
@@ -117,7 +118,8 @@ def record(place, magnitude, colour, motion):
 
 
 def main():
-    folder, made = (sys.argv[1:] + ["/usr/share/stellarium/stars/default", "stars.bin"][len(sys.argv) - 1:])[:2]
+    usual = ["/usr/share/stellarium/stars/default", "stars.bin"]
+    folder, made = sys.argv[1:3] + usual[len(sys.argv) - 1:]
     motion = motions(f"{folder}/hip_pm.dat")
     kept = b""
     for name in ("stars_0_0v0_8.cat", "stars_1_0v0_8.cat", "stars_2_0v0_8.cat"):

@@ -4,15 +4,16 @@
 
 Usage: make_moon_albedo.py [moon_4k.jpg] [moon_albedo.jpg]     needs python3-numpy and python3-openimageio
 
-The map is NASA's CGI Moon Kit of 2019, of the cameras of LRO (LROC WAC, 643, 566 and 415 nm), at 60 degrees of phase; the
-package's copyright file (4.4) names USGS Astrogeology and Clementine, and says that it is in the public domain. Its codes v,
-luminance of red, green and blue, become normal albedo as docs/textures.md says for cgi-moon-kit-2019:
+The map is NASA's CGI Moon Kit of 2019, of the cameras of LRO (LROC WAC, 643, 566 and 415 nm), at 60 degrees of
+phase; the package's copyright file (4.4) names USGS Astrogeology and Clementine, and says that it is in the public
+domain. Its codes v, luminance of red, green and blue, become normal albedo as docs/textures.md says for
+cgi-moon-kit-2019:
 
     A = (0.16 + 0.24 v)^(2.8/1.56)
 
-its contrast beyond latitude 64 degrees is restored as surface::with_polar_contrast does, and it is coded again by that
-expression, as the grey of a JPEG whose quantisation is the package's, so that little is lost a second time. The error of
-storing is printed.
+its contrast beyond latitude 64 degrees is restored as surface::with_polar_contrast does, and it is coded again by
+that expression, as the grey of a JPEG whose quantisation is the package's, so that little is lost a second time. The
+error of storing is printed.
 """
 import sys
 
@@ -46,7 +47,8 @@ def store(albedo, path):
     codes = numpy.clip((albedo ** (1.56 / 2.8) - 0.16) / 0.24, 0, 1)
     image = oiio.ImageBuf(oiio.ImageSpec(albedo.shape[1], albedo.shape[0], 1, oiio.UINT8))
     image.specmod().attribute("Compression", f"jpeg:{QUALITY}")
-    image.specmod().attribute("ImageDescription", "Normal albedo of the Moon, coded as NASA's CGI Moon Kit of 2019 (public domain)")
+    image.specmod().attribute("ImageDescription",
+                              "Normal albedo of the Moon, coded as NASA's CGI Moon Kit of 2019 (public domain)")
     image.set_pixels(oiio.ROI.All, numpy.rint(255 * codes)[:, :, None].astype(numpy.uint8))
     if not image.write(path):
         sys.exit(image.geterror())
@@ -54,7 +56,8 @@ def store(albedo, path):
 
 
 def main():
-    source, made = (sys.argv[1:] + ["/usr/share/stellarium/textures/moon_4k.jpg", "moon_albedo.jpg"][len(sys.argv) - 1:])[:2]
+    usual = ["/usr/share/stellarium/textures/moon_4k.jpg", "moon_albedo.jpg"]
+    source, made = sys.argv[1:3] + usual[len(sys.argv) - 1:]
     albedo = with_polar_contrast(read(source))
     rows, columns = albedo.shape
     error = store(albedo, made) / albedo - 1
