@@ -221,8 +221,9 @@ void gather(const Atmosphere& atmosphere, const std::vector<AroundTheRing>& ring
   }
 }
 
-/// Multiples of a step that hold a list between them; the list itself where it is as short.
-std::vector<double> coarser(const std::vector<double>& list, double step) {
+/// Multiples of a step, rising, that hold a list between them; the list itself, sorted, where it is as short.
+std::vector<double> coarser(std::vector<double> list, double step) {
+  std::ranges::sort(list);
   const double first = std::floor(list.front() / step), last = std::ceil(list.back() / step);
   if (last - first + 1 >= static_cast<double>(list.size())) return list;
   std::vector<double> coarse;

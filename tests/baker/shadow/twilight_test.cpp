@@ -236,6 +236,17 @@ TEST(AddTwilight, AgreesWithTheRingAtEveryPlaceAndWavelength) {
                              "straight lines over 1000 km and 5 nm");
 }
 
+TEST(AddTwilight, IsTheSameInWhateverOrderWavelengthsStand) {
+  const auto air = atmosphere::preset("undated", algebra::degrees(0));
+  for (const auto& waves : {std::vector{610., 550., 465.}, std::vector{600., 450.}}) {
+    auto light = darkness({sun_m, {moon_m}}, waves, std::vector{2e6}, 1);
+    add_twilight(light, air);
+    for (std::size_t w = 0; w < waves.size(); ++w)
+      EXPECT_WITHIN_RELATIVE(light.ratio[0](0, w), ratio_at(air, 2e6, waves[w]), 0.005,
+                             "straight lines over 1000 km and 5 nm");
+  }
+}
+
 TEST(AddTwilight, OnPlanesOverTheMoonIsAsOnTheOneBetween) {
   const auto air = atmosphere::preset("undated", algebra::degrees(0));
   const std::vector<double> waves{450, 600}, distances{0, 1.3e6, 2.6e6, 4e6};
