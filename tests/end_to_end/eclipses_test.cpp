@@ -24,7 +24,9 @@ class Eclipses : public ProgramTest {
  protected:
   nlohmann::json said(Words words) const {
     words.push_back("--json");
-    const auto outcome = coppermoon(words);
+    auto outcome = coppermoon(words);
+    // no air makes 2008 as bright as Danjon's 4, of which the nearest is asked here too
+    if (outcome.err.ends_with("on Danjon's scale; the nearest is taken\n")) outcome.err.clear();
     expect_done(outcome);
     return nlohmann::json::parse(outcome.out);
   }
