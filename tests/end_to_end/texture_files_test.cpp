@@ -20,8 +20,10 @@ namespace {
 
 using texture::Image;
 
-/// A partial phase: full sunlight, penumbra and umbra on one disc.
-const Words partial{"2018-07-27T19:20:00Z", "--albedo-map", "built-in", "--texture-width", "256"};
+/// A partial phase: full sunlight, penumbra and umbra on one disc, in air of one column.
+const Words partial{"2018-07-27T19:20:00Z", "--albedo-map",    "built-in", "--atmosphere",
+                    "undated",              "--texture-width", "256"};
+const Words in_the_air_of_a_month{"--atmosphere", "standard"};
 
 /// All parts of an OpenEXR file, by name, as OpenImageIO reads them.
 std::map<std::string, Image> parts_of(const std::filesystem::path& path) {
@@ -112,7 +114,7 @@ TEST_F(TextureFiles, NameNoFolderOfTheUser) {
 
 TEST_F(TextureFiles, AreMadeAgainFromTheirHeaders) {
   bake({"-o", "a_acescg.exr", "-o", "b.tx", "-o", "c.png", "-o", "d.glb", "--passes", "--spectral",
-        "20"});
+        "20", "--texture-width", "64"});
   for (const char* name : {"a_acescg.exr", "b.tx", "c.png", "d.glb"}) {
     const auto again = std::string("again") + std::filesystem::path(name).extension().string();
     expect_done(coppermoon({"bake", name, "-o", again}));
@@ -176,7 +178,7 @@ TEST_F(TextureFiles, RefuseWhatTheyCannotHold) {
 }
 
 TEST_F(TextureFiles, PassesMakeUpTheWhole) {
-  bake({"-o", "moon.exr", "--passes", "--type", "float"});
+  bake(in_the_air_of_a_month + Words{"-o", "moon.exr", "--passes", "--type", "float"});
   const auto parts = parts_of(here("moon.exr"));
   ASSERT_EQ(parts.size(), 6U);
   const auto &lit = parts.at("lit"), &direct = parts.at("direct"),
@@ -322,7 +324,8 @@ TEST_F(TextureFiles, SayHowTheGlobeIsTurned) {
                            "six figures, as text has them");
   EXPECT_FALSE(texture::read_attribute(here("moon.exr"), "coppermoon:parallactic_angle"));
   expect_done(coppermoon({"scene", partial.front(), "--at", "-21.1,55.5", "--albedo-map",
-                          "built-in", "--texture-width", "64", "-o", "scene"}));
+                          "built-in", "--atmosphere", "undated", "--texture-width", "64", "-o",
+                          "scene"}));
   const std::string seen = "scene/moon_lin_rec709.exr";
   const double nearer = header("moon.exr", "distance_km") - header(seen, "distance_km");
   EXPECT_GT(nearer, 1000) << "the Moon is high over La Réunion: most of the Earth's radius nearer";
@@ -333,9 +336,10 @@ TEST_F(TextureFiles, SayHowTheGlobeIsTurned) {
 }
 
 TEST_F(TextureFiles, OfAFilmAreInTheSpaceAsked) {
-  const Words film{"animate",  "2018-07-27",   "--frames", "2",        "--make",
-                   "textures", "--space",      "acescg",   "--passes", "--texture-width",
-                   "64",       "--albedo-map", "built-in", "-o",       "film"};
+  const Words film{"animate",  "2018-07-27",   "--frames", "2",          "--make",
+                   "textures", "--space",      "acescg",   "--passes",   "--texture-width",
+                   "64",       "--albedo-map", "built-in", "--atmosphere", "undated",
+                   "-o",       "film"};
   EXPECT_EQ(coppermoon(film).status, 0);
   EXPECT_EQ(parts_of(here("film/moon_acescg.0001.exr")).size(), 6U);
   EXPECT_EQ(texture::read_attribute(here("film/moon_acescg.0002.exr"), "coppermoon:colour_space"),
