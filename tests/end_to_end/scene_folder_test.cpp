@@ -14,8 +14,9 @@ class SceneFolder : public ProgramTest {
  protected:
   void write_scene() const {
     expect_done(coppermoon({"scene", "2008-02-21T03:26:05Z", "--at", "42.86,-73.77", "--rays", "50",
-                            "--albedo-map", "built-in", "--texture-width", "64", "--width", "32",
-                            "--height", "24", "-o", "scene"}));
+                            "--albedo-map", "built-in", "--atmosphere", "undated",
+                            "--texture-width", "64", "--width", "32", "--height", "24", "-o",
+                            "scene"}));
   }
 };
 
@@ -93,7 +94,7 @@ TEST_F(SceneFolder, MoonIncHasTheMoonAndItsLightForAnotherScene) {
   // illuminance is mean luminance times the disc's solid angle: both are sums over texels
   const auto seen = nlohmann::json::parse(
       coppermoon({"brightness", "2008-02-21T03:26:05Z", "--at", "42.86,-73.77", "--rays", "50",
-                  "--albedo-map", "built-in", "--json"})
+                  "--albedo-map", "built-in", "--atmosphere", "undated", "--json"})
           .out)["seen"];
   const auto lux = declared(include, "Moon_Illuminance");
   ASSERT_EQ(lux.size(), 3U);
@@ -139,6 +140,7 @@ TEST_F(SceneFolder, OfAStillIsMadeAgainFromItsPicture) {
   const std::vector<std::string> still{"still",        "2008-02-21T03:26:05Z",
                                        "--at",         "42.86,-73.77",
                                        "--albedo-map", "built-in",
+                                       "--atmosphere", "undated",
                                        "--width",      "32",
                                        "--height",     "24",
                                        "-o",           "still.png"};

@@ -97,7 +97,8 @@ TEST_F(ShadowStrip, StraightLinesBetweenColumnsAreCloseEnough) {
 
 TEST_F(ShadowStrip, LightAtAnotherDepthStandsOnLinesFromTheLimb) {
   const auto at_depth = [&](const char* km, const char* name) {
-    return strip({"--sun-distance-km", "147922178", "--moon-distance-km", km, "--earth", "sphere"},
+    return strip({"--sun-distance-km", "147922178", "--moon-distance-km", km, "--earth", "sphere",
+                  "--atmosphere", "undated"},
                  name);
   };
   const auto here = at_depth("383736.2", "here.exr");
@@ -123,7 +124,7 @@ TEST_F(ShadowStrip, ThePagesShaderFindsTheLight) {
   const std::string before = "```glsl\n";
   const auto from = page.find(before) + before.size();
   const auto lines = page.substr(from, page.find("```", from) - from);
-  const auto light = strip({"2018-07-27T18:50:00Z", "--bands", "20"});
+  const auto light = strip({"2018-07-27T18:50:00Z", "--bands", "20", "--atmosphere", "undated"});
   const json uniforms{{"axis_point", light.facts["axis_point_lunar_radii"]},
                       {"axis_direction", light.facts["axis_direction"]},
                       {"axis_east", light.facts["axis_east"]},
@@ -145,7 +146,7 @@ TEST_F(ShadowStrip, ThePagesShaderFindsTheLight) {
 }
 
 TEST_F(ShadowStrip, EndsInFullSunlight) {
-  const auto strip_ = strip({"2008-02-21T03:26:05Z"});
+  const auto strip_ = strip({"2008-02-21T03:26:05Z", "--atmosphere", "undated"});
   EXPECT_EQ(strip_.light.height, 96U);
   for (std::size_t r = 0; r < strip_.light.height; ++r)
     for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(strip_.light(r, 1023, k), 1.F);
@@ -196,7 +197,7 @@ TEST_F(ShadowStrip, ACubeIsTheSameRow) {
 }
 
 TEST_F(ShadowStrip, ItsHeaderMakesItAgain) {
-  strip({"2008-02-21T03:26:05Z", "--bands", "20"}, "a.exr");
+  strip({"2008-02-21T03:26:05Z", "--bands", "20", "--atmosphere", "undated"}, "a.exr");
   strip({"a.exr"}, "b.exr");
   EXPECT_EQ(text_of(here("a.exr")), text_of(here("b.exr")));
 }
