@@ -262,6 +262,7 @@ TEST(ThisMachine, IsNeitherStillNorMagic) {
 
 Moonlight light_of(const char* utc, int bands, int rays, double place_error) {
   LightRequest request;
+  request.air.atmosphere = "undated";
   request.by_hand.bands = bands;
   request.by_hand.rays = rays;
   request.by_hand.sun_terms = 6;
