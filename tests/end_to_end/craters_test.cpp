@@ -62,8 +62,7 @@ Crossing immersion_of(const std::string& crater) {
 
 // -- without a texture: the shadow at the crater's own place, every ten seconds
 
-/// Sunlight in the umbra and around its edge, as the eye sees it; 1 in full sunlight.
-shadow::Lookup luminous_light() {
+shadow::Lookup made_luminous_light() {
   std::vector<double> edges_nm, middles_nm, distances_m;
   for (double edge = 400; edge <= 700; edge += 10) edges_nm.push_back(edge);
   for (double middle = 405; middle < 700; middle += 10) middles_nm.push_back(middle);
@@ -83,6 +82,12 @@ shadow::Lookup luminous_light() {
   const auto air = atmosphere::preset("standard", axis.sun_declination, almanac::year_of(sky.when));
   return {shadow::by_quadrature(air, arrangement, middles_nm, distances_m),
           shadow::DirectLight(air, arrangement, middles_nm), eye};
+}
+
+/// Sunlight in the umbra and around its edge, as the eye sees it; 1 in full sunlight.
+const shadow::Lookup& luminous_light() {
+  static const auto light = made_luminous_light();
+  return light;
 }
 
 double log_light_at(const SelenographicPoint& place, const almanac::SkyState& sky,
@@ -125,9 +130,9 @@ Instant steepest(const SelenographicPoint& place, const std::vector<almanac::Sky
 /// Minutes by which the steepest change comes late, for all crossings.
 template <class Place>
 std::vector<double> minutes_late(const Place& place) {
-  const auto light = luminous_light();
-  const std::map<double, std::vector<almanac::SkyState>> skies{{-1, half_of_eclipse(-1)},
-                                                               {1, half_of_eclipse(1)}};
+  const auto& light = luminous_light();
+  static const std::map<double, std::vector<almanac::SkyState>> skies{{-1, half_of_eclipse(-1)},
+                                                                      {1, half_of_eclipse(1)}};
   std::vector<double> all;
   for (const auto& crossing : crossings())
     all.push_back(
@@ -196,7 +201,7 @@ TEST_F(BakedCraters, HaveTheLightOfTheirPlaceInTheShadow) {
   const auto when = almanac::instant_from_utc("2007-03-03T22:10:00Z");
   const auto eclipsed = baked(when), full = baked(when, {"--unshadowed"});
   const auto sky = almanac::sky_at(when);
-  const auto light = luminous_light();
+  const auto& light = luminous_light();
   for (const auto& [crater, place, minute, sign] : crossings()) {
     const double texture =
         std::log10(surface::sampled(eclipsed, place) / surface::sampled(full, place));
