@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Places on the Moon must come to stand where an observer sees them, through map, bake, scene,
 // POV-Ray and frame.
+#include <map>
 #include <numbers>
 
 #include "almanac/instant.h"
@@ -97,7 +98,15 @@ class Orientation : public ProgramTest {
     texture::write_exr(here("spots.exr"), spotted_map(360), {}, {texture::ExrType::floating});
   }
 
-  texture::Image frame_of(const Look& look) const {
+  /// Once for all tests that look alike.
+  const texture::Image& frame_of(const Look& look) const {
+    static std::map<std::pair<std::string, povray_scenes::Up>, texture::Image> frames;
+    auto& frame = frames[{look.at, look.up}];
+    if (frame.values.empty()) frame = made_frame_of(look);
+    return frame;
+  }
+
+  texture::Image made_frame_of(const Look& look) const {
     const char* up = look.up == povray_scenes::Up::zenith ? "zenith" : "celestial-north";
     expect_done(coppermoon({"still",
                             look.instant,
@@ -127,7 +136,7 @@ class Orientation : public ProgramTest {
 
   /// Spots where they belong, and a mirrored frame refused by the same check.
   void expect_spots_in_place(const Look& look) const {
-    const auto frame = frame_of(look);
+    const auto& frame = frame_of(look);
     const auto expected = by_camera(look);
     EXPECT_LT(worst_distance(centres_in(frame), expected), 1);
     EXPECT_GT(worst_distance(centres_in(mirrored(frame)), expected), 20);
@@ -194,7 +203,7 @@ TEST_F(Orientation, SpotsStandAtTheirPositionAnglesOnTheSky) {
   Centres expected;
   for (std::size_t i = 0; i < expected.size(); ++i)
     expected[i] = by_equatorial_places(look, spots()[i].at);
-  const auto frame = frame_of(look);
+  const auto& frame = frame_of(look);
   EXPECT_LT(worst_distance(centres_in(frame), expected), 1);
   EXPECT_GT(worst_distance(centres_in(mirrored(frame)), expected), 20);
 }
@@ -207,7 +216,7 @@ TEST_F(Orientation, SpotsStandWhereTextbookFormulaePutThem) {
   const auto expected =
       by_textbook(view.sub_observer, in_radians(sky.axis_position_angle),
                   in_radians(view.parallactic_angle), view.moon_distance / almanac::lunar_radius);
-  const auto frame = frame_of(look);
+  const auto& frame = frame_of(look);
   EXPECT_LT(worst_distance(centres_in(frame), expected), 1.5);
   EXPECT_GT(worst_distance(centres_in(mirrored(frame)), expected), 20);
 }
