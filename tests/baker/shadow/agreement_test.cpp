@@ -24,6 +24,7 @@ struct Cells {
   std::vector<double> value, error;  ///< error: 0 where a bound is stated instead
 };
 
+/// Makes the air that is meant.
 using Air = atmosphere::Atmosphere (*)();
 
 /// Whether they are the same but for what is stated.
