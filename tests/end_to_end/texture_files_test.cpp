@@ -252,8 +252,8 @@ class Spectra : public TextureFiles, public testing::WithParamInterface<Spectrum
 TEST_P(Spectra, AddUpToTheColours) {
   const auto [width_nm, wavelengths, tolerance] = GetParam();
   const std::string name = "moon_lin_ciexyzd65_scene.exr";
-  bake(
-      {"-o", name, "--spectral", std::to_string(width_nm), "--bands", std::to_string(wavelengths)});
+  bake(in_the_air_of_a_month + Words{"-o", name, "--spectral", std::to_string(width_nm), "--bands",
+                                     std::to_string(wavelengths)});
   const auto image = texture::read_image(here(name));
   EXPECT_EQ(texture::read_attribute(here(name), "emissiveUnits"), "W.m^-2.sr^-1");
   EXPECT_EQ(texture::read_attribute(here(name), "spectralLayoutVersion"), "1.0");
