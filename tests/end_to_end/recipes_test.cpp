@@ -21,6 +21,7 @@ class Recipes : public ProgramTest {
          "dust-extinction = 4.7e-6\n"
          "texture-width = 32\n"
          "rayleigh = true\n"
+         "atmosphere = \"undated\"\n"
          "albedo-map = \"built-in\"\n");
   }
 
@@ -40,8 +41,8 @@ class Recipes : public ProgramTest {
 TEST_F(Recipes, AreTheSameAsTheirFlags) {
   make({"bake", "--recipe", "eclipse.toml", "-o", "recipe.exr"});
   make({"bake", "2008-02-21T03:08:26Z", "--rays", "60", "--ozone-du", "200.0", "--dust-extinction",
-        "4.7e-6", "--texture-width", "32", "--rayleigh", "on", "--albedo-map", "built-in", "-o",
-        "flags.exr"});
+        "4.7e-6", "--texture-width", "32", "--rayleigh", "on", "--atmosphere", "undated",
+        "--albedo-map", "built-in", "-o", "flags.exr"});
   EXPECT_TRUE(bytes("recipe.exr") == bytes("flags.exr"));
 }
 
@@ -96,6 +97,7 @@ TEST_F(Recipes, OfVersion01HaveNoGlow) {
                     "--noise",      "off",
                     "--albedo-map", "built-in",
                     "--quality",    "draft",
+                    "--atmosphere", "undated",
                     "--width",      "48",
                     "--height",     "32",
                     "--time",       "1"};
@@ -118,7 +120,8 @@ TEST_F(Recipes, GiveWayToTheUsersFlags) {
   make({"bake", "--recipe", "eclipse.toml", "-o", "other.exr", "--ozone-du", "0"});
   make({"bake", "--ozone-du", "0", "--recipe=eclipse.toml", "-o", "before.exr"});
   make({"bake", "2008-02-21T03:08:26Z", "--rays", "60", "--ozone-du", "0", "--dust-extinction",
-        "4.7e-6", "--texture-width", "32", "--albedo-map", "built-in", "-o", "flags.exr"});
+        "4.7e-6", "--texture-width", "32", "--atmosphere", "undated", "--albedo-map", "built-in",
+        "-o", "flags.exr"});
   EXPECT_TRUE(bytes("other.exr") == bytes("flags.exr"));
   EXPECT_TRUE(bytes("before.exr") == bytes("flags.exr"));
 }
@@ -199,15 +202,15 @@ TEST_F(Recipes, AreTakenFromAnotherWordsFile) {
 
 /// A quick eclipse with regions, by flags alone.
 Words with_regions(const Words& regions, const char* output) {
-  Words words{"bake", "2008-02-21T03:08:26Z", "--rays",   "20", "--texture-width",
-              "32",   "--albedo-map",         "built-in", "-o", output};
+  Words words{"bake",         "2008-02-21T03:08:26Z", "--rays",       "20",       "--texture-width", "32",
+              "--atmosphere", "undated",              "--albedo-map", "built-in", "-o",              output};
   for (const auto& region : regions) words.insert(words.end(), {"--region", region});
   return words;
 }
 
 constexpr const char* quick =
     "instant = 2008-02-21T03:08:26Z\nrays = 20\ntexture-width = 32\n"
-    "albedo-map = \"built-in\"\n";
+    "albedo-map = \"built-in\"\n[atmosphere]\nmodel = \"undated\"\n";
 
 TEST_F(Recipes, WithRegionsAreTheSameAsTheirFlags) {
   file("plume.toml", std::string(quick) +
