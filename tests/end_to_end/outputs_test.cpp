@@ -62,7 +62,7 @@ TEST_F(Outputs, OfTheShadowGoIntoFilesByTheirEnding) {
 }
 
 TEST_F(Outputs, OfARingAreOneDocument) {
-  const auto all = json::parse(done({"ring", middle, "-o", "a.exr", "--json"}));
+  const auto all = json::parse(done({"ring", middle, "--atmosphere", "undated", "-o", "a.exr", "--json"}));
   EXPECT_EQ(all["file"], "a.exr");
   EXPECT_WITHIN(all["earth_distance_km"].get<double>(), 406098 - 1737, 10,
                 "the Moon's depth in the shadow, which is its distance to 1e-5, and its radius");
@@ -93,8 +93,8 @@ TEST_F(Outputs, OfBrightnessAreThoseOfAPlaceToo) {
 
 TEST_F(Outputs, OfBakeAreReddenedByTheAirOfAPlace) {
   const auto bake = [&](const std::string& name, const Words& more) {
-    done(Words{"bake", middle, "--rays", "50", "--albedo-map", "built-in", "--texture-width", "32",
-               "-o", name} +
+    done(Words{"bake", middle, "--rays", "50", "--atmosphere", "undated", "--albedo-map",
+               "built-in", "--texture-width", "32", "-o", name} +
          more);
     return texture::read_image(here(name));
   };
