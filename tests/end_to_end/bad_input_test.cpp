@@ -98,7 +98,8 @@ TEST_F(BadInput, AnAlbedoMapThatIsNotTwoToOneIsRefused) {
 
 TEST_F(BadInput, ABlackAlbedoMapIsRefused) {
   texture::write_png(here("black.png"), texture::Image(32, 16, {"Y"}), 8);
-  expect_refused(bake({"--albedo-map", "black.png"}), could_not, {"mean 0", "above 0"});
+  expect_refused(bake({"--atmosphere", "undated", "--albedo-map", "black.png"}), could_not,
+                 {"mean 0", "above 0"});
 }
 
 TEST_F(BadInput, TermsOutsideTheirRangesAreRefusedWithTheirUnit) {
