@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Six scenes that require different work, as examples/plans.sh has them.
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "end_to_end/program.h"
@@ -19,11 +20,16 @@ const Words penumbral{"2009-02-09T12:40:00Z"}, deep{"2011-06-15T20:13:00Z"},
 
 class Plans : public ProgramTest {
  protected:
-  json plan(Words words) const {
-    words.insert(words.begin(), {"plan", "--json", "--albedo-map", "built-in"});
-    const auto outcome = coppermoon(words);
-    expect_done(outcome);
-    return json::parse(outcome.out);
+  /// Once for all tests of a scene.
+  json plan(const Words& words) const {
+    static std::map<Words, json> made;
+    auto& plan = made[words];
+    if (plan.is_null()) {
+      const auto outcome = coppermoon(Words{"plan", "--json", "--albedo-map", "built-in"} + words);
+      expect_done(outcome);
+      plan = json::parse(outcome.out);
+    }
+    return plan;
   }
 };
 
