@@ -2,6 +2,7 @@
 // A Moon of one grey, fully lit: its luminance and what a camera makes of it are known without any
 // of our code.
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "end_to_end/luminance.h"
@@ -57,8 +58,26 @@ class Exposure : public ProgramTest {
     return words;
   }
 
-  /// Renders the frame, seen from the Earth's centre, and its picture in a view.
-  texture::Image picture(const char* view) const {
+  /// The texture, made once for all tests.
+  texture::Image baked() const {
+    static const auto moon = [this] {
+      expect_done(coppermoon(with_grey_moon({"bake", "-o", "moon.exr"})));
+      return texture::read_image(here("moon.exr"));
+    }();
+    return moon;
+  }
+
+  /// The frame, seen from the Earth's centre, and its picture in a view; once for all tests of a view.
+  texture::Image picture(const std::string& view) const {
+    static std::map<std::string, std::pair<std::string, texture::Image>> made;
+    if (!made.contains(view)) made[view] = rendered(view);
+    const auto& [frame, picture] = made[view];
+    file("frame.exr", frame);
+    return picture;
+  }
+
+ private:
+  std::pair<std::string, texture::Image> rendered(const std::string& view) const {
     expect_done(coppermoon(with_grey_moon({"still",
                                            "--width",
                                            "64",
@@ -80,23 +99,20 @@ class Exposure : public ProgramTest {
                                            std::to_string(f_number),
                                            "--iso",
                                            std::to_string(iso)})));
-    return texture::read_image(here("picture.png"));
+    return {text_of(here("frame.exr")), texture::read_image(here("picture.png"))};
   }
 };
 
 TEST_F(Exposure, TheTextureHasTheLuminanceOfTheFullMoon) {
-  expect_done(coppermoon(with_grey_moon({"bake", "-o", "moon.exr"})));
-  EXPECT_WITHIN_RELATIVE(luminance_in_the_middle(texture::read_image(here("moon.exr"))),
-                         full_moon_luminance(), 0.01,
+  EXPECT_WITHIN_RELATIVE(luminance_in_the_middle(baked()), full_moon_luminance(), 0.01,
                          "spectra of the Sun differ by that in luminance");
 }
 
 TEST_F(Exposure, TheFrameHasTheLuminanceOfTheTexture) {
-  expect_done(coppermoon(with_grey_moon({"bake", "-o", "moon.exr"})));
   picture("Raw");
   EXPECT_WITHIN_RELATIVE(
       luminance_in_the_middle(texture::read_image(here("frame.exr"))),
-      luminance_in_the_middle(texture::read_image(here("moon.exr"))), 0.002,
+      luminance_in_the_middle(baked()), 0.002,
       "half floats, twice, 5e-4 each; f falls by 2e-4 over the pixels in the middle");
 }
 
