@@ -15,20 +15,28 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-class HighRange : public ProgramTest {
- protected:
-  const Words moon{"--atmosphere", "undated", "--albedo-map", "built-in",
-                   "--width",      "180",     "--height",     "120"};
-  const double time_s = 0.05;
+const Words moon{"--atmosphere", "undated", "--albedo-map", "built-in",
+                 "--width",      "180",     "--height",     "120"};
+constexpr double time_s = 0.05;
 
-  /// A partial eclipse as it is, and as the picture has it, [cd/m²] of the display.
-  void make() {
-    const auto made = coppermoon(Words{"still", "2018-07-27T18:44:28Z", "--at", "Nairobi", "--time",
-                                       "0.05", "--frame", "f.exr", "-o", "a.avif"} +
-                                 moon);
-    expect_done(made);
+/// A partial eclipse as it is, and as the picture has it, [cd/m²] of the display.
+class MadeStill : public ProgramFolder {
+ public:
+  MadeStill() {
+    expect_done(coppermoon(Words{"still", "2018-07-27T18:44:28Z", "--at", "Nairobi", "--time",
+                                 "0.05", "--frame", "f.exr", "-o", "a.avif"} +
+                           moon));
     const auto read = run({"avifdec", "--depth", "16", "a.avif", "a.png"});
     EXPECT_EQ(read.status, 0) << read.out << read.err;
+  }
+};
+
+class HighRange : public ProgramTest {
+ protected:
+  /// Once for all tests.
+  void make() const {
+    static const MadeStill made;
+    std::filesystem::copy(made.here(), here(), std::filesystem::copy_options::recursive);
   }
 };
 
@@ -93,13 +101,24 @@ TEST_F(HighRange, HoldsItsRecipe) {
   EXPECT_EQ(refusal_of("other.avif"), "coppermoon: other.avif: is no AVIF\n");
 }
 
-class HighRangeFilm : public HighRange {
+const Words film =
+    Words{"animate",  "2018-07-27", "--at",  "Nairobi", "--from", "U1+20min", "--to",
+          "U1+30min", "--frames",   "2",     "--time",  "0.05",   "--make",   "frames,pictures",
+          "--hdr",    "--movie",    "a.mp4", "-o",      "film"} +
+    moon;
+
+class MadeFilm : public ProgramFolder {
+ public:
+  MadeFilm() { expect_done(coppermoon(film)); }
+};
+
+class HighRangeFilm : public ProgramTest {
  protected:
-  const Words film =
-      Words{"animate",  "2018-07-27", "--at",  "Nairobi", "--from", "U1+20min", "--to",
-            "U1+30min", "--frames",   "2",     "--time",  "0.05",   "--make",   "frames,pictures",
-            "--hdr",    "--movie",    "a.mp4", "-o",      "film"} +
-      moon;
+  /// Once for all tests.
+  void make() const {
+    static const MadeFilm made;
+    std::filesystem::copy(made.here(), here(), std::filesystem::copy_options::recursive);
+  }
 };
 
 /// Luminance of a coded picture [cd/m²].
@@ -109,7 +128,7 @@ double luminance_of(const texture::Image& coded, std::size_t r, std::size_t c) {
 }
 
 TEST_F(HighRangeFilm, LightComesBackFromIt) {
-  expect_done(coppermoon(film));
+  make();
   const auto read = run({"ffmpeg", "-v", "error", "-i", "a.mp4", "-vf",
                          "select=eq(n\\,1),scale=in_color_matrix=bt2020:flags=accurate_rnd+"
                          "full_chroma_int+full_chroma_inp,format=rgb48be",
@@ -144,7 +163,7 @@ TEST_F(HighRangeFilm, LightComesBackFromIt) {
 }
 
 TEST_F(HighRangeFilm, SaysWhatItHolds) {
-  expect_done(coppermoon(film));
+  make();
   double brightest = 0, brightest_mean = 0;
   for (const char* name : {"film/frame_hdr.0001.png", "film/frame_hdr.0002.png"}) {
     const auto picture = texture::read_image(here(name));
