@@ -34,7 +34,7 @@ quick_in_release() {
   COPPERMOON_THOROUGH=1 test_release -L '^quick$'
 }
 
-# Not by_photons, ring_middles and film_light, which take an hour there; nor what runs POV-Ray.
+# Not the statistics of photons and film_light, which take an hour there; nor what runs POV-Ray.
 heavy_under_sanitizers() {
   released coppermoon_program
   cmake --preset sanitizers
@@ -43,7 +43,7 @@ heavy_under_sanitizers() {
     baker_uses_explore_heavy_tests baker_uses_study_heavy_tests baker_verbs_flags_heavy_tests \
     baker_verbs_manuals_heavy_tests baker_verbs_recipes_heavy_tests baker_verbs_reports_heavy_tests colour_heavy_tests extremes_heavy_tests
   ctest --test-dir build/sanitizers --output-on-failure --no-tests=error --parallel "$processors" -L '^heavy$' \
-    -E '^(baker/shadow/(by_photons|ring_middles)|baker/uses/film/film_light|end_to_end/|extremes/(faults|words)|povray_scenes/|baker/wrappers/)'
+    -E '^(baker/shadow/(by_photons|landing_statistics|ring_middles)|baker/uses/film/film_light|end_to_end/|extremes/(faults|words)|povray_scenes/|baker/wrappers/)'
 }
 
 fuzzers() {
