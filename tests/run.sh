@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # The tests that every change passes: on a bare Debian 12, as root or with sudo, from any folder. Installs what
 # packages.debian and packages.tests.debian list, builds the program and runs it in the heavy tests; builds the libraries
-# under the sanitizers and runs the quick tests; ends with two examples. Twenty minutes on two processors from nothing, and
+# under the sanitizers and runs the quick tests; ends with two examples. Twelve minutes on two processors from nothing, and
 # prints the seconds of each part. What takes longer stands in tests/thorough.sh.
 #
 #   tests/run.sh              all of that
