@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "algebra/number.h"
 
+#include <algorithm>
 #include <charconv>
 #include <system_error>
 
@@ -23,6 +24,19 @@ std::optional<double> number_with_unit(
       return *number * size;
   }
   return std::nullopt;
+}
+
+std::optional<std::vector<double>> numbers_in(std::string_view text) {
+  std::vector<double> numbers;
+  if (text.empty()) return numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const auto end = std::min(text.find(',', begin), text.size());
+    const auto number = number_in(text.substr(begin, end - begin));
+    if (!number) return {};
+    numbers.push_back(*number);
+    begin = end + 1;
+  }
+  return numbers;
 }
 
 }  // namespace coppermoon::algebra

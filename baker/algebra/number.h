@@ -21,4 +21,9 @@ std::optional<double> number_in(std::string_view text);
 std::optional<double> number_with_unit(
     std::string_view text, const std::vector<std::pair<std::string_view, double>>& units);
 
+/// Numbers with commas between, as "450,550.5".
+///
+/// Returned  an empty list for an empty text; nothing when a part is no number
+std::optional<std::vector<double>> numbers_in(std::string_view text);
+
 }  // namespace coppermoon::algebra

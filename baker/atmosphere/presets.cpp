@@ -16,8 +16,8 @@
 namespace coppermoon::atmosphere {
 namespace {
 
-constexpr std::array<std::string_view, 7> names{"paper",   "molecular", "clear", "undated",
-                                                "monthly", "standard",  "none"};
+constexpr std::array<std::string_view, 6> names{"paper",   "molecular", "clear",
+                                                "undated", "standard",  "none"};
 
 constexpr double us_1976_ozone_du = 345;
 
@@ -51,10 +51,6 @@ constexpr std::array<Eruption, 4> eruptions{{{StratosphericAerosol::extreme, 1e-
 }  // namespace
 
 std::span<const std::string_view> preset_names() { return names; }
-
-std::string_view lasting_name(std::string_view name) {
-  return name == "standard" ? "monthly" : name;
-}
 
 Column climatic(Column column, algebra::Angle latitude, double year) {
   column.tropopause_m = tropopause_m(latitude, year);
@@ -94,7 +90,7 @@ Atmosphere preset(std::string_view name, algebra::Angle sun_declination, double 
   column.ozone_path = OzonePath::bent;
   if (name == "molecular" || name == "none") column.ozone_du = 0;
   if (name == "undated") make_usual(column);
-  if (lasting_name(name) != "monthly") return air;
+  if (name != "standard") return air;
   air.belts = belts_of(usual_by_chance(column));
   for (auto& [from_north, belt] : air.belts)
     belt = climatic(belt, latitude_on_limb(from_north, sun_declination), year);

@@ -15,20 +15,13 @@ namespace coppermoon::atmosphere {
 ///     clear      molecular, and 345 DU of ozone along the path
 ///     undated    clear, and what is usual, alike everywhere and always: background stratosphere,
 ///                tropospheric aerosol of 0.07, cloud to 10 km over 70 % of the limb
-///     monthly    the air of a month along the limb, in 13 belts: see climatic; with tropospheric aerosol
+///     standard   the air of a month along the limb, in 13 belts: see climatic; with tropospheric aerosol
 ///                of 0.07, cloud and cirrus by chance, pairs of oxygen and nitrogen dioxide
-///     standard   monthly
 ///     none       the bare Earth, an ellipsoid
 std::span<const std::string_view> preset_names();
 
-/// The name under which an atmosphere is written down: what "standard" means may change.
-std::string_view lasting_name(std::string_view name);
-
-/// What "standard" meant in files of version 0.1.
-inline constexpr std::string_view standard_of_0_1 = "undated";
-
 /// Given   sun_declination  tips the ellipsoid's pole
-///         year             with its fraction, of "monthly"
+///         year             with its fraction, of "standard"
 /// Throws  Error            when there is no preset of that name: says which there are
 Atmosphere preset(std::string_view name, algebra::Angle sun_declination, double year = 2000);
 

@@ -13,9 +13,9 @@
 #include "eclipse/contacts.h"
 #include "eclipse/feature.h"
 #include "uses/night/circumstances.h"
+#include "uses/picture/place_text.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moments.h"
-#include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 
 namespace coppermoon::verbs {
@@ -125,7 +125,7 @@ std::vector<Listed> listed(const Options& options,
   if (almanac::seconds_between(from, to) < 0)
     throw algebra::Error(fmt::format("--to = {}, allowed {} or later", last, first));
   std::optional<almanac::Observer> observer;
-  if (!options.at.empty()) observer = observer_from(options.at);
+  if (!options.at.empty()) observer = uses::observer_from(options.at);
   std::vector<Listed> list;
   for (const auto& e : eclipse::eclipses_between(from, to, convention_from(options.convention))) {
     Listed& one = list.emplace_back(Listed{e, {}, {}});
@@ -138,7 +138,7 @@ std::vector<Listed> listed(const Options& options,
 
 void run(const Options& options) {
   std::optional<almanac::SelenographicPoint> place;
-  if (options.feature) place = feature_from(*options.feature);
+  if (options.feature) place = uses::feature_from(*options.feature);
   const auto list = listed(options, place);
   if (!options.json) {
     print_heading(place.has_value(), !options.at.empty());
@@ -175,7 +175,8 @@ void add_almanac(CLI::App& program) {
       *verb, "--feature", options->feature,
       "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; adds "
       "when the umbra's edge (danjon-oblate) crosses it, whether or not it is seen");
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "algebra/error.h"
+#include "request/recipe.h"
 #include "uses/film/film.h"
 #include "uses/film/film_files.h"
 #include "uses/film/film_folder.h"
@@ -17,15 +18,11 @@
 #include "uses/film/frame_range.h"
 #include "uses/film/make_film.h"
 #include "uses/light/spectral_bands.h"
+#include "uses/picture/picture_parameters.h"
 #include "verbs/command_line.h"
-#include "verbs/flags/air_options.h"
 #include "verbs/flags/camera_options.h"
-#include "verbs/flags/develop_options.h"
 #include "verbs/flags/film_options.h"
 #include "verbs/flags/moon_options.h"
-#include "verbs/flags/texture_options.h"
-#include "verbs/flags/view_options.h"
-#include "verbs/recipes/film_account.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/film_progress.h"
 #include "verbs/reports/progress_bar.h"
@@ -56,7 +53,7 @@ uses::Film film_of(const Options& options) {
   film.view = options.view;
   film.development = options.development;
   film.time_keys = time_keys_from(options.time, film.moments.eclipse);
-  if (film.time_keys.empty()) film.development.time = exposure_time_from(options.time);
+  if (film.time_keys.empty()) film.development.time = uses::exposure_time_from(options.time);
   film.bracket_ev = options.film.bracket_ev;
   return film;
 }
@@ -93,10 +90,11 @@ void run(const CLI::App& verb, const Options& options) {
   const auto frames =
       part_of(uses::frames_in(options.film.range, film.moments.frames.size()), shard);
   set_up(film, mounting_of(options.film, film.view.observer.has_value()), frames);
-  FilmAccount account{.recipe = with_width(recipe_of(verb), *film.moon.texture_width),
-                      .map_contents = map_contents(film.moon),
-                      .view_contents = fingerprint(film.development, space_of(film.content))};
-  film.record = record_of(account);
+  film.record = uses::film_record(parameters_of(verb),
+                            request::with_width(recipe_of(verb), *film.moon.texture_width));
+  film.record.map_contents = map_contents(film.moon);
+  film.record.view_contents = fingerprint(film.development, space_of(film.content));
+  film.record.way_out = ", or --replace";
   const auto files = files_of(options.film, film.products);
   require_makeable(files, film);
   const bool part_of_light = light_alone && shard.parts > 1;
@@ -111,8 +109,7 @@ void run(const CLI::App& verb, const Options& options) {
     light_up(film, options.replace, progress);
     say_unless_danjon_is_reached(film.moon.light.air,
                                  almanac::sky_at(film.moments.eclipse.greatest));
-    account.work = film.light->plan.work;
-    film.record = record_of(account);
+    film.record.work = film.light->plan.work;
     make_film(film, frames,
               {.kept = [&](std::size_t frame) { progress.kept(frame); },
                .made = [&](const uses::MadeFrame& frame) { progress.made(frame); }});
@@ -132,18 +129,20 @@ void add_animate(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   add_film_moon_options(*verb, options->moon);
   add_film_options(*verb, options->film);
-  add_texture_options(*verb, options->content);
-  add_view_options(*verb, options->view);
-  add_time_option(*verb, options->time);
-  add_picture_options(*verb, options->development);
-  add_camera_options(*verb, options->development.camera);
+  add_described(*verb, options->content);
+  add_described(*verb, options->view);
+  add_described(*verb, options->time, uses::describe_time);
+  add_described(*verb, options->development, uses::describe_but_time);
+  add_described(*verb, options->development.camera);
   add_flag(*verb, "-o,--output", options->output, "folder for what is made")
       .writes_folder()
       .required();
   add_switch(*verb, "--replace", options->replace,
              "overwrites another film in the folder; linear frames that differ only in exposure are "
-             "kept and developed again");
-  add_switch(*verb, "--json", options->json, "prints one JSON event per line");
+             "kept and developed again")
+      .of(request::Affects::run);
+  add_switch(*verb, "--json", options->json, "prints one JSON event per line")
+      .of(request::Affects::run);
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

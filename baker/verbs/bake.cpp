@@ -8,6 +8,7 @@
 #include "files/cache_folder.h"
 #include "files/fingerprint.h"
 #include "files/whole_file.h"
+#include "request/recipe.h"
 #include "texture/own_image.h"
 #include "texture/seal.h"
 #include "texture/write_glb.h"
@@ -15,13 +16,12 @@
 #include "texture/write_stellarium.h"
 #include "texture/write_usda.h"
 #include "uses/light/header.h"
+#include "uses/light/light_parameters.h"
 #include "uses/picture/baked_moon.h"
+#include "uses/picture/picture_parameters.h"
 #include "uses/picture/view.h"
 #include "verbs/command_line.h"
-#include "verbs/flags/develop_options.h"
 #include "verbs/flags/moon_options.h"
-#include "verbs/flags/texture_options.h"
-#include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
@@ -155,7 +155,7 @@ void write_picture(const uses::Development& develop, const Output& output,
 /// The recipe of one file alone: with its own space, and without passes where it has none.
 std::string recipe_for(const uses::TextureContent& content, const std::string& recipe) {
   const std::string space(colour::name(space_of(content)));
-  return fmt::format("space = \"{}\"\n", space) + without(recipe, [&](const std::string& flag) {
+  return fmt::format("space = \"{}\"\n", space) + request::without(recipe, [&](const std::string& flag) {
            return flag == "space" || (flag == "passes" && !content.passes) ||
                   (flag == "spectral" && !content.spectral_nm);
          });
@@ -198,7 +198,8 @@ Report make(const CLI::App& verb, const Options& options, const std::vector<Outp
   const auto request = moon_request(options.moon);
   const auto moon = lit_moon(options, request);
   const auto& light = *moon.light;
-  const auto recipe = made_recipe(recipe_of(verb), request.unshadowed, light.plan);
+  const auto recipe = request.unshadowed ? recipe_of(verb)
+                                         : uses::with_work(recipe_of(verb), light.plan.work);
   Report made{{}, {}, 0, light.error_found, light.plan};
   for (const auto& output : outputs) {
     made.files.push_back(output.path.string());
@@ -290,10 +291,11 @@ void add_bake(CLI::App& program) {
       .excludes("--shard")  // what is traced, and what is written, depends on them
       .excludes("--keep")
       .excludes("--add");
-  add_observer_options(*verb, options->view);
-  add_texture_options(*verb, options->texture);
-  add_develop_options(*verb, options->develop);
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_described(*verb, options->view, uses::describe_observer);
+  add_described(*verb, options->texture);
+  add_described(*verb, options->develop);
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

@@ -8,9 +8,9 @@
 
 #include "almanac/calendar.h"
 #include "uses/light/photometric_bands.h"
+#include "uses/picture/picture_parameters.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moon_options.h"
-#include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/progress_bar.h"
@@ -101,8 +101,9 @@ void add_brightness(CLI::App& program) {
                         "above the air and seen from a place");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
-  add_observer_options(*verb, options->view);
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_described(*verb, options->view, uses::describe_observer);
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,6 +19,7 @@
 #include "texture/write_image.h"
 #include "uses/picture/lit_scene.h"
 #include "uses/picture/photo_file.h"
+#include "uses/picture/picture_parameters.h"
 #include "uses/picture/pixels.h"
 #include "uses/study/comparison.h"
 #include "uses/study/comparison_sheet.h"
@@ -27,7 +27,7 @@
 #include "verbs/flags/camera_options.h"
 #include "verbs/flags/coding_option.h"
 #include "verbs/flags/moon_options.h"
-#include "verbs/flags/view_options.h"
+#include "verbs/flags/verb.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/recipes/recipe_file.h"
 #include "verbs/reports/in_words.h"
@@ -55,11 +55,10 @@ struct StillFlags {
 
 StillFlags flags_told_by(const std::string& file) {
   StillFlags flags;
-  CLI::App still;
-  still.option_defaults()->always_capture_default();
+  Verb still;
   add_moon_options(still, flags.moon);
-  add_view_options(still, flags.view);
-  add_camera_options(still, flags.camera);
+  add_described(still, flags.view);
+  add_described(still, flags.camera);
   auto words = flags_of_recipe(still, file, {});
   std::ranges::reverse(words);  // as CLI11 takes them
   try {
@@ -289,6 +288,7 @@ void add_compare(CLI::App& program) {
       "photograph: any image, or a camera's raw file; whole numbers are read by the camera's tone "
       "curve where the header names one, else as sRGB, floats and raw files as linear")
       .reads_file()
+      .of(request::Affects::share)
       .required();
   add_flag(*verb, "render,--render", options->render,
            "rendered frame, .exr [cd/m²], as still --frame writes it")
@@ -313,7 +313,8 @@ void add_compare(CLI::App& program) {
            ".exr whose recipe tells what the render shows, as a scene's texture does; default: "
            "the render itself")
       .reads_file();
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

@@ -10,9 +10,9 @@
 #include "texture/own_image.h"
 #include "texture/read_image.h"
 #include "uses/picture/photo_file.h"
+#include "uses/picture/picture_parameters.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/camera_options.h"
-#include "verbs/flags/develop_options.h"
 #include "verbs/flags/named_files.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/in_words.h"
@@ -167,6 +167,7 @@ void add_develop(CLI::App& program) {
   add_flag(*verb, "frame,--frame", options->frames,
            "frame, scene-linear, .exr [cd/m²], or a camera's raw file; several share one exposure")
       .reads_file()
+      .of(request::Affects::share)
       .required();
   add_flag(*verb, "-o,--output", options->output,
            "picture: .png, or .avif of high dynamic range; for several frames a folder")
@@ -175,10 +176,11 @@ void add_develop(CLI::App& program) {
   add_flag(*verb, "--space", options->space,
            "colour space of the frame: lin_rec709, acescg or lin_ciexyzd65_scene; default: what the "
            "header or the name says");
-  add_develop_options(*verb, options->develop);
-  add_camera_options(*verb, options->develop.camera);
+  add_described(*verb, options->develop);
+  add_described(*verb, options->develop.camera);
   add_camera_file_options(*verb, options->develop.camera);
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

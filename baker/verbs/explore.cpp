@@ -8,15 +8,16 @@
 #include "algebra/error.h"
 #include "almanac/gazetteer.h"
 #include "files/own_file.h"
+#include "files/name_to_share.h"
 #include "files/whole_file.h"
 #include "uses/explore/exploration.h"
+#include "uses/light/light_parameters.h"
+#include "uses/picture/place_text.h"
 #include "verbs/command_line.h"
-#include "verbs/flags/air_options.h"
 #include "verbs/flags/film_options.h"
 #include "verbs/flags/known_words.h"
 #include "verbs/flags/moments.h"
 #include "verbs/flags/moon_options.h"
-#include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
@@ -56,17 +57,20 @@ std::string shell_word(const std::string& word) {
   return plain ? word : in_single_quotes(word);
 }
 
-/// What of the command line other commands take too, for those that the page shows.
+/// Flags of the air and the map that were given, which other commands take too, for those that the page shows.
 std::string options_shown(const CLI::App& verb) {
-  const auto flags = flags_added_by([](CLI::App& app) {
-    static uses::LightRequest light;
-    static uses::MoonRequest moon;
-    add_air_options(app, light.air);
-    add_map_options(app, moon);
-  });
-  std::vector<std::string> words;
-  for (const auto& word : words_given(verb, flags)) words.push_back(shell_word(word));
-  return fmt::to_string(fmt::join(words, " "));
+  std::string flags;
+  for (const auto& parameter : parameters_of(verb)) {
+    const bool shown = parameter.table == "atmosphere" || parameter.name.starts_with("albedo-") ||
+                       parameter.name == "photometry" || parameter.name == "ground";
+    if (!shown || !parameter.given) continue;
+    for (const auto& text : parameter.texts())
+      flags += fmt::format(
+          "{}--{} {}", flags.empty() ? "" : " ", parameter.name,
+          shell_word(parameter.kind == request::Kind::file_read ? files::name_to_share(text)
+                                                                : text));
+  }
+  return flags;
 }
 
 std::string stamped(const std::string& page) { return files::stamped(page, "<!--", " -->"); }
@@ -137,7 +141,7 @@ void add_explore(CLI::App& program) {
   add_parsed(
       *verb, "--at",
       [options](const std::string& text) {
-        options->request.observer = observer_from(text);
+        options->request.observer = uses::observer_from(text);
         options->request.place = text;
       },
       "place of the observer when the page opens: a city, as Nairobi, or LAT,LON[,ELEV] [degrees "
@@ -148,7 +152,7 @@ void add_explore(CLI::App& program) {
       .required();
   add_switch(*verb, "--embed", options->embed, "writes the part of a page that stands in your own");
   add_map_options(*verb, options->request.moon);
-  add_air_options(*verb, options->request.moon.light.air);
+  add_described(*verb, options->request.moon.light.air);
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

@@ -11,15 +11,14 @@
 #include "almanac/gazetteer.h"
 #include "uses/night/local_time.h"
 #include "uses/picture/photo_file.h"
+#include "uses/picture/picture_parameters.h"
 #include "uses/study/fit.h"
 #include "uses/study/measured_light.h"
 #include "verbs/command_line.h"
-#include "verbs/flags/air_options.h"
 #include "verbs/flags/coding_option.h"
 #include "verbs/flags/light_options.h"
 #include "verbs/flags/moon_options.h"
-#include "verbs/flags/number_list.h"
-#include "verbs/flags/view_options.h"
+#include "algebra/number.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
@@ -66,7 +65,7 @@ std::vector<std::string> instants_of(const Options& options) {
 /// A number that is told for each photograph; nothing when none is.
 std::optional<double> number_told(const std::string& list, std::size_t i, std::size_t photos,
                                   const char* what) {
-  const auto numbers = number_list(list);
+  const auto numbers = algebra::numbers_in(list);
   if (!numbers)
     throw algebra::Error(fmt::format("{} = {}, allowed numbers with commas", what, list));
   if (numbers->empty()) return std::nullopt;
@@ -343,7 +342,8 @@ void add_fit(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   add_flag(*verb, "photos,--photos", options->photos,
            "photographs of eclipsed Moons: any image, or a camera's raw file")
-      .reads_file();
+      .reads_file()
+      .of(request::Affects::share);
   add_flag(*verb, "--magnitudes", options->magnitudes,
            "magnitudes of the whole Moon, .csv: instant,band,magnitude,error")
       .reads_file();
@@ -357,12 +357,14 @@ void add_fit(CLI::App& program) {
   add_photograph_options(*verb, *options);
   auto& moon = options->request.moon;
   add_map_options(*verb, moon);
-  add_air_but_sought(*verb, moon.light.air);
-  add_sunlight_options(*verb, moon.light);
-  add_observer_options(*verb, options->request.view);
+  add_described(*verb, moon.light.air, uses::describe_terms);
+  add_described(*verb, moon.light.air.column, uses::describe_layers);
+  add_described(*verb, moon.light, uses::describe_sunlight);
+  add_described(*verb, options->request.view, uses::describe_observer);
   add_switch(*verb, "--despite-misfit", options->despite_misfit,
              "answers although no air explains what was seen, with a warning");
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

@@ -60,11 +60,13 @@ void add_merge(CLI::App& program) {
   add_flag(*verb, "photographs,--photographs", options->photographs,
            "photographs of one scene, .exr, as --photograph writes them")
       .reads_file()
+      .of(request::Affects::share)
       .required();
   add_flag(*verb, "-o,--output", options->output, "scene-linear [cd/m2], .exr")
       .writes_file()
       .required();
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

@@ -18,15 +18,14 @@
 #include "uses/night/local_time.h"
 #include "uses/night/night_light.h"
 #include "uses/night/visibility_map.h"
+#include "uses/picture/picture_parameters.h"
+#include "uses/picture/place_text.h"
 #include "verbs/command_line.h"
-#include "verbs/flags/air_options.h"
 #include "verbs/flags/camera_options.h"
-#include "verbs/flags/develop_options.h"
 #include "verbs/flags/film_options.h"
 #include "verbs/flags/known_words.h"
 #include "verbs/flags/moments.h"
 #include "verbs/flags/moon_options.h"
-#include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
@@ -253,14 +252,14 @@ void add_night(CLI::App& program) {
                         "plans a night under an eclipse for one place: when and where the Moon "
                         "stands, how bright it is, how to expose it");
   const auto options = std::make_shared<Options>();
-  options->moon.light.plan.quality = "draft";
+  options->moon.light.effort.quality = "draft";
   add_flag(*verb, "eclipse,--eclipse", options->film.eclipse, "day of the eclipse, as 2026-03-03")
       .required();
   add_calendar_option(*verb, options->film.calendar);
   add_parsed(
       *verb, "--at",
       [options](const std::string& text) {
-        options->view.observer = observer_from(text);
+        options->view.observer = uses::observer_from(text);
         options->place = text;
       },
       "place of the observer: a city, as Honolulu, or LAT,LON[,ELEV] [degrees north and east, "
@@ -273,14 +272,15 @@ void add_night(CLI::App& program) {
            ".svg or .pdf. May be given again")
       .writes_file()
       .kept_each_time();
-  add_on_off(*verb, "--danjon-spread", options->danjon,
-             "exposures of the middle of totality for Danjon's scale 0 to 4 too");
-  add_switch(*verb, "--csv", options->csv, "prints the moments as CSV");
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_flag(*verb, request::on_off("--danjon-spread", options->danjon, "exposures of the middle of totality for Danjon's scale 0 to 4 too"));
+  add_switch(*verb, "--csv", options->csv, "prints the moments as CSV")
+      .of(request::Affects::run);
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
   add_map_options(*verb, options->moon.request);
   add_light_options(*verb, options->moon.light);
-  add_picture_options(*verb, options->develop);
-  add_camera_options(*verb, options->develop.camera);
+  add_described(*verb, options->develop, uses::describe_but_time);
+  add_described(*verb, options->develop.camera);
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

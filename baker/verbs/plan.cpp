@@ -6,9 +6,9 @@
 
 #include "almanac/instant.h"
 #include "uses/picture/lit_scene.h"
+#include "uses/picture/picture_parameters.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moon_options.h"
-#include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/report.h"
@@ -91,7 +91,7 @@ void run(const CLI::App& verb, const Options& options) {
   auto recipe = recipe_of(verb);
   if (!options.moon.request.texture_width)
     recipe = fmt::format("texture-width = {}\n", all.texture_width) + recipe;
-  nlohmann::ordered_json json{{"chosen", as_json(with_work(recipe, all.plan.work))}};
+  nlohmann::ordered_json json{{"chosen", as_json(uses::with_work(recipe, all.plan.work))}};
   json.update(as_json(all.plan));
   for (const auto& text : all.picture_left_out)
     json["left_out"].push_back({{"term", text}, {"size", nullptr}});
@@ -106,8 +106,9 @@ void add_plan(CLI::App& program) {
                "says what a texture or a picture requires, and what it will cost, before any work");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
-  add_view_options(*verb, options->view);
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_described(*verb, options->view);
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

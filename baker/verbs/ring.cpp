@@ -10,11 +10,12 @@
 #include "almanac/calendar.h"
 #include "files/whole_file.h"
 #include "texture/write_image.h"
+#include "uses/light/light_parameters.h"
 #include "uses/light/ring_strip.h"
+#include "uses/picture/place_text.h"
 #include "verbs/command_line.h"
-#include "verbs/flags/air_options.h"
+#include "verbs/flags/light_options.h"
 #include "verbs/flags/moments.h"
-#include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 
 namespace coppermoon::verbs {
@@ -66,7 +67,7 @@ void add_ring(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   add_moment_options(*verb, options->moment).required();
   add_parsed(
-      *verb, "--on", [options](const std::string& text) { options->on = feature_from(text); },
+      *verb, "--on", [options](const std::string& text) { options->on = uses::feature_from(text); },
       "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; "
       "default: where the Earth is in the zenith");
   add_flag(*verb, "-o,--output", options->output,
@@ -77,8 +78,9 @@ void add_ring(CLI::App& program) {
       .required();
   add_flag(*verb, "--scale", options->scale,
            "factor on luminance [cd/m²], 1e-9 to 1e9; POV-Ray reads no more than 65504");
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_air_options(*verb, options->light.air);
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
+  add_described(*verb, options->light.air);
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

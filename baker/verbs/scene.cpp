@@ -5,9 +5,9 @@
 
 #include "algebra/error.h"
 #include "files/whole_file.h"
+#include "uses/picture/picture_parameters.h"
 #include "uses/picture/sky_lights.h"
 #include "verbs/command_line.h"
-#include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/recipes/recorded_scene.h"
 #include "verbs/reports/progress_bar.h"
@@ -43,13 +43,14 @@ void add_scene(CLI::App& program) {
                         "writes a POV-Ray scene with its texture into a folder, ready to render");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
-  add_view_options(*verb, options->view);
+  add_described(*verb, options->view);
   add_flag(*verb, "-o,--output", options->output,
            "folder for texture and scene, which `povray eclipse.ini` in it renders, and for "
            "moon.inc and eclipse_stars.inc, Moon and stars for scenes of your own")
       .writes_folder()
       .required();
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

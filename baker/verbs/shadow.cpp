@@ -16,10 +16,9 @@
 #include "uses/light/shadow_profile.h"
 #include "uses/light/shadow_strip.h"
 #include "verbs/command_line.h"
-#include "verbs/flags/air_options.h"
 #include "verbs/flags/light_options.h"
 #include "verbs/flags/moments.h"
-#include "verbs/flags/number_list.h"
+#include "algebra/number.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
@@ -38,7 +37,7 @@ struct Options {
 };
 
 std::vector<double> required_list(const std::string& text, const char* what) {
-  const auto list = number_list(text);
+  const auto list = algebra::numbers_in(text);
   if (!list)
     throw algebra::Error(fmt::format("{} = {}, allowed numbers with commas between", what, text));
   return *list;
@@ -199,7 +198,7 @@ void run(const CLI::App& verb, const Options& options) {
   const uses::ShadowCut shadow{air, uses::arrangement_of(light, cut.sun_distance_m, {cut.depth_m})};
   if (!options.lookup.empty())
     return make_lookup(options, {shadow, cut.sky}, light, recipe_of(verb));
-  make_profile(options, cut, shadow, light, air_in_words(verb));
+  make_profile(options, cut, shadow, light, uses::air_in_words(parameters_of(verb)));
 }
 
 }  // namespace
@@ -231,7 +230,8 @@ void add_shadow(CLI::App& program) {
            "linear Rec.709, by distance from the axis and position angle")
       .writes_file()
       .excludes("--output");
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
   add_light_options(*verb, options->light);
   add_photon_file_options(*verb, options->light);
   add_recipe_option(*verb);

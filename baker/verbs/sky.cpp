@@ -9,9 +9,9 @@
 #include "almanac/observer.h"
 #include "almanac/sky.h"
 #include "eclipse/shadow_axis.h"
+#include "uses/picture/place_text.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moments.h"
-#include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 
 namespace coppermoon::verbs {
@@ -27,7 +27,7 @@ struct Options {
 };
 
 void add_view(nlohmann::ordered_json& all, const std::string& at, const almanac::SkyState& sky) {
-  const auto view = almanac::view_from(observer_from(at), sky);
+  const auto view = almanac::view_from(uses::observer_from(at), sky);
   all["altitude_deg"] = in_degrees(view.altitude);
   all["azimuth_deg"] = in_degrees(view.azimuth);
   all["parallactic_angle_deg"] = in_degrees(view.parallactic_angle);
@@ -80,7 +80,8 @@ void add_sky(CLI::App& program) {
   add_flag(*verb, "--at", options->at,
            "place of an observer: a city, as Chicago, or LAT,LON[,ELEV] [degrees north and east, "
            "metres]");
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

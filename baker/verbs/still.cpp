@@ -10,11 +10,9 @@
 #include "files/whole_file.h"
 #include "uses/light/header.h"
 #include "uses/light/spectral_bands.h"
+#include "uses/picture/picture_parameters.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/camera_options.h"
-#include "verbs/flags/develop_options.h"
-#include "verbs/flags/texture_options.h"
-#include "verbs/flags/view_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/recipes/recorded_scene.h"
 #include "verbs/reports/in_words.h"
@@ -76,15 +74,16 @@ void add_still(CLI::App& program) {
                "makes a picture: bakes, builds the scene, renders it with POV-Ray, develops it");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
-  add_view_options(*verb, options->view);
-  add_develop_options(*verb, options->develop);
-  add_camera_options(*verb, options->develop.camera);
+  add_described(*verb, options->view);
+  add_described(*verb, options->develop);
+  add_described(*verb, options->develop.camera);
   add_camera_file_options(*verb, options->develop.camera);
   add_flag(*verb, "-o,--output", options->output, "picture: .png, or .avif of high dynamic range").writes_file().required();
   add_flag(*verb, "--frame", options->frame, "writes the scene-linear frame too: .exr [cd/m²]")
       .writes_file();
   add_frame_space_option(*verb, options->space);
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

@@ -11,12 +11,12 @@
 #include "almanac/sky.h"
 #include "files/own_file.h"
 #include "files/whole_file.h"
+#include "uses/light/light_parameters.h"
 #include "uses/picture/gnuplot.h"
 #include "uses/study/tradeoff_runs.h"
 #include "uses/study/tradeoff_sweeps.h"
 #include "uses/study/yardstick.h"
 #include "verbs/command_line.h"
-#include "verbs/flags/air_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
@@ -150,8 +150,9 @@ void add_tradeoff(CLI::App& program) {
   add_flag(*verb, "--albedo-map", options->moon.albedo_map,
            "albedo map: an image of 2:1 with longitude 0 in the middle, or built-in")
       .reads_file();
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
-  add_air_options(*verb, options->moon.light.air);
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
+  add_described(*verb, options->moon.light.air);
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

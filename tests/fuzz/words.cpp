@@ -2,21 +2,20 @@
 // A flag's value that has a grammar of its own; the first byte chooses the flag.
 #include <cmath>
 
+#include "algebra/number.h"
 #include "colour/working_space.h"
 #include "fuzz/refused.h"
-#include "verbs/flags/air_options.h"
-#include "verbs/flags/number_list.h"
+#include "uses/light/light_parameters.h"
+#include "uses/picture/place_text.h"
 #include "verbs/reports/one_line.h"
-#include "verbs/flags/plan_options.h"
-#include "verbs/flags/view_options.h"
 
 namespace {
 
 using namespace coppermoon;
 
 void read_region(const std::string& text) {
-  verbs::RegionReader reader;
-  const auto air = uses::atmosphere_of({.regions = {reader.read(text)}}, algebra::degrees(10), 2000);
+  const auto air =
+      uses::atmosphere_of({.regions = {uses::region_from(text)}}, algebra::degrees(10), 2000);
   for (const auto& region : air.regions)
     fuzz::require(std::isfinite(algebra::in_radians(region.from)) &&
                   std::isfinite(algebra::in_radians(region.to)));
@@ -28,10 +27,10 @@ void read_shown(const std::string& text) {
 }
 
 void read_work(const std::string& text, std::uint8_t which) {
-  verbs::PlanOptions options;
-  (which == 0 ? options.tolerance : which == 1 ? options.budget : options.leave_out) = text;
-  verbs::wish_of(options);
-  verbs::by_hand(options);
+  uses::Effort effort;
+  if (which == 2) return static_cast<void>(uses::everything_but(text));
+  (which == 0 ? effort.tolerance : effort.budget) = text;
+  uses::wish_of(effort);
 }
 
 void read(std::uint8_t which, const std::string& text) {
@@ -39,9 +38,9 @@ void read(std::uint8_t which, const std::string& text) {
     case 0:
       return read_region(text);
     case 1:
-      return static_cast<void>(verbs::observer_from(text));
+      return static_cast<void>(uses::observer_from(text));
     case 2:
-      return static_cast<void>(verbs::number_list(text));
+      return static_cast<void>(algebra::numbers_in(text));
     case 3:
       return static_cast<void>(colour::working_space(text));
     case 4:

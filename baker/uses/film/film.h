@@ -3,15 +3,13 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "plan/plan.h"
-#include "texture/image.h"
+#include "uses/film/film_record.h"
 #include "uses/film/film_times.h"
 #include "uses/picture/baked_moon.h"
 #include "uses/picture/development.h"
@@ -30,30 +28,6 @@ struct Products {
   bool light_alone() const { return !textures && !scenes && !frames && !pictures; }
   bool framed() const { return scenes || rendered(); }  ///< by a camera
   bool rendered() const { return frames || pictures; }
-};
-
-/// What a film's files say they were made from, and how to tell from a file whether it was made from
-/// the same. An empty function: no file is of this film. Functions are called from any thread.
-struct FilmRecord {
-  texture::Attributes frame_header;  ///< attributes in each file of a frame, beside its number
-  texture::Attributes film_header;   ///< attributes in each file made of many frames
-  std::string
-      light_key;  ///< lines, as "ozone-du = 200", that name all the light depends on but time
-  std::string film_key;  ///< tells the film from others, whatever is made of it
-
-  /// Whether a file was made from the same, as far as that file depends on it.
-  std::function<bool(const std::filesystem::path& file)> made_alike = {};
-  /// The same for a linear frame's pixels, whatever its exposure.
-  std::function<bool(const std::filesystem::path& frame)> shows_the_same = {};
-  /// What a file holds that is not of this film, in words; empty where it is of it, or damaged. Work
-  /// need not be planned yet.
-  std::function<std::string(const std::filesystem::path& file)> foreign_contents = {};
-  /// What two light keys differ in, for who asked for the second, in words.
-  std::function<std::string(const std::string& there, const std::string& asked)> differences = {};
-  /// A light key with the work that was planned, in place of what it was planned from: what a frame's
-  /// header says.
-  std::function<std::string(const std::string& light_key, const plan::Work& work)> planned_key = {};
-  std::string way_out;  ///< ends a refusal of another film's files, behind "allowed another folder"
 };
 
 /// What makes a film's frames, for as long as any is made.

@@ -44,7 +44,7 @@ void write_composite(const fs::path& path, const Film& film,
   texture::Image exposed;
   for (const auto frame : frames) expose(film.development, exposed, film.linear_frame(frame));
   const auto& development = film.development;
-  auto header = film.record.film_header;
+  auto header = film.record.film_header();
   header["coppermoon:view"] = development.display + ", " + development.view;
   texture::write_png(path, shown(development, 1, exposed, space_of(film.content)), development.bits,
                      header);

@@ -52,7 +52,6 @@ struct Foreign {
 
 std::string contents_of(const Film& film, const fs::path& file) {
   if (fs::is_symlink(file)) return "a link";  // to write through it would change a file elsewhere
-  if (!film.record.foreign_contents) return "what is not known to be of this film";
   return film.record.foreign_contents(file);
 }
 
@@ -93,7 +92,7 @@ bool is_whole(const fs::path& file) {
 
 /// Whether a file is of that frame, whole, and made from what the film is, as the record's `alike` says.
 bool is_whole_of(const fs::path& file, std::size_t frame, const auto& alike) try {
-  return alike && fs::is_regular_file(fs::symlink_status(file)) &&
+  return fs::is_regular_file(fs::symlink_status(file)) &&
          texture::read_attribute(file, "coppermoon:frame") == fmt::format("{}", frame) &&
          alike(file) && is_whole(file);
 } catch (const algebra::Error&) {
@@ -103,7 +102,7 @@ bool is_whole_of(const fs::path& file, std::size_t frame, const auto& alike) try
 }  // namespace
 
 FilmClaim::FilmClaim(const Film& film)
-    : claim_(film.folder, files::fingerprint(film.record.film_key)) {
+    : claim_(film.folder, files::fingerprint(film.record.film_key())) {
   if (!claim_.alone())
     throw algebra::Error(fmt::format("{}: another film is being made in it, allowed another folder",
                                      film.folder.string()));
@@ -126,7 +125,8 @@ void require_own(const Film& film, bool replace) {
 }
 
 bool is_own(const Film& film, const fs::path& file, std::size_t frame) {
-  return is_whole_of(file, frame, film.record.made_alike);
+  return is_whole_of(file, frame,
+                     [&](const fs::path& one) { return film.record.made_alike(one); });
 }
 
 bool is_made(const Film& film, std::size_t frame) {
@@ -135,7 +135,8 @@ bool is_made(const Film& film, std::size_t frame) {
 }
 
 bool shows_scene(const Film& film, std::size_t frame) {
-  return is_whole_of(film.linear_frame(frame), frame, film.record.shows_the_same);
+  return is_whole_of(film.linear_frame(frame), frame,
+                     [&](const fs::path& one) { return film.record.shows_the_same(one); });
 }
 
 }  // namespace coppermoon::uses

@@ -34,7 +34,7 @@ using Frames = std::span<const std::size_t>;
 
 /// Attributes that each file of a frame has in its header.
 texture::Attributes header_of(const Film& film, std::size_t frame) {
-  auto header = film.record.frame_header;
+  auto header = film.record.frame_header();
   header["coppermoon:frame"] = fmt::format("{}", frame);
   header["coppermoon:instant"] = almanac::utc_text(film.moments.frames[frame - 1], 3);
   return header;

@@ -10,7 +10,9 @@
 #include "algebra/error.h"
 #include "files/folder_lock.h"
 #include "files/own_file.h"
+#include "request/recipe.h"
 #include "uses/light/light_file.h"
+#include "uses/light/light_parameters.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -31,7 +33,7 @@ std::vector<almanac::SkyState> skies_of(const Moments& moments) {
 std::string key_of(const Film& film) {
   const auto& frames = film.moments.frames;
   return fmt::format("first-frame = {}\nlast-frame = {}\n{}", almanac::utc_text(frames.front(), 3),
-                     almanac::utc_text(frames.back(), 3), film.record.light_key);
+                     almanac::utc_text(frames.back(), 3), film.record.light_key());
 }
 
 Purpose purpose_of(const Film& film) {
@@ -51,18 +53,15 @@ LightRequest with_shards(LightRequest request, const std::filesystem::path& fold
 }
 
 /// Whether a folder's light is what is asked for, by a film's command or by a frame's header.
-bool same_light(const FilmRecord& record, const KeptLight& known, const std::string& asked) {
-  if (known.key == asked) return true;
-  return record.planned_key &&
-         record.differences(record.planned_key(known.key, known.light.plan.work), asked).empty();
+bool same_light(const KeptLight& known, const std::string& asked) {
+  return known.key == asked ||
+         request::differences(with_work(known.key, known.light.plan.work), asked).empty();
 }
 
 void refuse_key(const Film& film, const std::string& there, const std::string& asked) {
-  const auto& differences = film.record.differences;
   throw algebra::Error(
       fmt::format("{}: holds the light of a film made with {} ({}), allowed another folder{}",
-                  film.folder.string(), differences ? differences(there, asked) : "other settings",
-                  light_file, film.record.way_out));
+                  film.folder.string(), differences_in_words(there, asked), light_file, film.record.way_out));
 }
 
 }  // namespace
@@ -74,7 +73,7 @@ FilmLight film_light(const Film& film, bool replace, const algebra::Progress& pr
   const auto key = key_of(film);
   const files::FolderLock alone(film.folder);
   if (auto known = read_light(file)) {
-    const bool same = same_light(film.record, *known, key);
+    const bool same = same_light(*known, key);
     if (!same && !replace) refuse_key(film, known->key, key);
     if (same && complete(request, moon, known->light)) return {std::move(known->light), true};
   }

@@ -98,7 +98,7 @@ void write_contact_sheet(const std::filesystem::path& path, const Film& film,
     sheet.pictures.push_back(
         {film.picture(frame), almanac::time_of_day_text(film.moments.frames[frame - 1]), moment,
          at_contact});
-  texture::write_png(path, texture::drawn(sheet), 8, film.record.film_header);
+  texture::write_png(path, texture::drawn(sheet), 8, film.record.film_header());
 }
 
 }  // namespace coppermoon::uses

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "uses/picture/camera.h"
+#include "uses/picture/picture_parameters.h"
 #include "verbs/flags/flags.h"
 
 namespace coppermoon::verbs {
 
-/// The help's title of all that a camera is, and of how it is set and its frame developed: the keys of
-/// a recipe's [camera].
-inline constexpr const char* camera_group = "The camera and the picture";
-
-/// The camera, its optics, sensor and sky.
-void add_camera_options(CLI::App& verb, uses::CameraRequest& request);
-
 /// Files of one photograph: --raw, --photograph.
 void add_camera_file_options(CLI::App& verb, uses::CameraRequest& request);
+
+/// --space of a scene-linear frame.
+void add_frame_space_option(CLI::App& verb, colour::WorkingSpace& space);
 
 }  // namespace coppermoon::verbs

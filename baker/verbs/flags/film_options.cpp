@@ -12,8 +12,9 @@
 #include "algebra/number.h"
 #include "almanac/calendar.h"
 #include "eclipse/moment.h"
+#include "uses/picture/picture_parameters.h"
+#include "uses/picture/place_text.h"
 #include "verbs/flags/moments.h"
-#include "verbs/flags/view_options.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -42,7 +43,6 @@ void add_times(CLI::App& verb, FilmOptions& options) {
   add_flag(
       verb, "--frames", options.frames,
       "number of frames, 1 to 1000000, evenly from the first moment to the last; default: 240")
-      .not_negative()
       .in(film_group);
   add_flag(verb, "--fps", options.fps, "frames per second of the film, 1 to 1000").in(film_group);
   add_flag(verb, "--time-scale", options.time_scale,
@@ -54,24 +54,30 @@ void add_making(CLI::App& verb, FilmOptions& options) {
   add_flag(verb, "--make", options.make,
            "what to make, with commas between: textures, scenes (with their textures), frames "
            "(scene-linear), pictures; or light alone, which they all need")
-      .in(film_group);
+      .in(film_group)
+      .of(request::Affects::share);
   add_flag(verb, "--range", options.range, "frames to make, as 1-240, 1-240x2 or 7,9,20-30")
-      .in(film_group);
+      .in(film_group)
+      .of(request::Affects::share);
   add_flag(verb, "--shard", options.shard,
            "share of the work, K/N: every N-th frame from the K-th on; with --make light, that "
            "part of the photons")
-      .in(film_group);
+      .in(film_group)
+      .of(request::Affects::share);
   add_choice<uses::Mount>(verb, "--mount", options.mount, mounts,
                           "mount of the camera: tracking (the Moon stays in the middle), horizon "
                           "(the same, zenith up) or fixed (on a tripod, zenith up)")
-      .in(film_group);
+      .in(film_group)
+      .of(request::Affects::frame);
   add_flag(verb, "--aim", options.aim,
            "ALTITUDE,AZIMUTH that a fixed mount points at [degrees, azimuth from north through "
            "east]; default: where the Moon is half way")
-      .in(film_group);
+      .in(film_group)
+      .of(request::Affects::frame);
   add_flag(verb, "--bracket", options.bracket_ev,
            "stops: pictures so much under and over are made too, 0.01 to 10")
-      .in(film_group);
+      .in(film_group)
+      .of(request::Affects::picture);
 }
 
 void add_files_of_all(CLI::App& verb, FilmOptions& options) {
@@ -93,7 +99,8 @@ void add_files_of_all(CLI::App& verb, FilmOptions& options) {
   add_switch(verb, "--hdr", options.hdr,
              "makes pictures of high dynamic range too (PQ, Rec.2020, frame_hdr.0001.png), and the "
              "movie of them: HDR10, in HEVC")
-      .in(group);
+      .in(group)
+      .of(request::Affects::share);
   add_flag(verb, "--composite", options.composite,
            "picture of all frames together, .png, each with its own exposure")
       .writes_file()
@@ -199,7 +206,7 @@ std::vector<std::pair<Instant, double>> time_keys_from(const std::string& text,
   for (std::string part; std::getline(parts, part, ',');) {
     const auto colon = part.rfind(':');
     const auto seconds =
-        colon == std::string::npos ? std::nullopt : exposure_seconds(part.substr(colon + 1));
+        colon == std::string::npos ? std::nullopt : uses::exposure_seconds(part.substr(colon + 1));
     if (!seconds)
       throw algebra::Error(fmt::format(
           "exposure time = {}, allowed keys as P1:1/1000,U2:4: a moment and seconds", text));
@@ -219,7 +226,7 @@ uses::Mounting mounting_of(const FilmOptions& options, bool observed) {
   if (options.mount == uses::Mount::fixed && !observed)
     throw algebra::Error("mount = fixed: needs --at");
   uses::Mounting mounting{.mount = options.mount};
-  if (!options.aim.empty()) mounting.aim = aim_from(options.aim);
+  if (!options.aim.empty()) mounting.aim = uses::aim_from(options.aim);
   return mounting;
 }
 

@@ -4,44 +4,85 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <charconv>
-#include <cstddef>
 #include <filesystem>
-#include <limits>
-#include <optional>
-#include <system_error>
-#include <type_traits>
+#include <memory>
 #include <utility>
 
-#include "algebra/number.h"
-#include "files/name_to_share.h"
 #include "verbs/flags/moments.h"
 #include "verbs/flags/named_files.h"
+#include "verbs/flags/verb.h"
 
 namespace coppermoon::verbs {
+namespace {
+
+using request::Affects, request::Kind;
+
+/// Name of a kind's values in CLI11, which its messages and named_files.h know.
+const char* type_name(Kind kind) {
+  switch (kind) {
+    case Kind::number: return "FLOAT";
+    case Kind::whole: return "INT";
+    case Kind::natural: return "UINT";
+    case Kind::file_read: return read_file;
+    case Kind::file_written: return written_file;
+    case Kind::folder_written: return written_folder;
+    default: return "TEXT";
+  }
+}
+
+CLI::Option* option_for(CLI::App& verb, request::Parameter& parameter) {
+  if (parameter.kind == Kind::presence)
+    return verb.add_flag_function(
+        parameter.spelling,
+        [&parameter](std::int64_t count) {
+          parameter.take(count > 0 ? request::Texts{"true"} : request::Texts{});
+        },
+        parameter.meaning);
+  auto* option = verb.add_option(
+      parameter.spelling,
+      [&parameter](const CLI::results_t& texts) {
+        parameter.take(texts);
+        return true;
+      },
+      parameter.meaning);
+  option->type_name(type_name(parameter.kind))->default_str(parameter.usual);
+  if (is_number(parameter.kind))
+    option->check(CLI::Validator(
+        [kind = parameter.kind](const std::string& text) { return fault_in(kind, text); }, ""));
+  if (!parameter.words.empty()) option->check(CLI::IsMember(parameter.words));
+  if (parameter.many) option->expected(1, CLI::detail::expected_max_vector_size);
+  if (parameter.parts) option->allow_extra_args(false);
+  return option;
+}
+
+}  // namespace
+
+request::Parameters& parameters_of(CLI::App& verb) { return dynamic_cast<Verb&>(verb).parameters; }
+
+const request::Parameters& parameters_of(const CLI::App& verb) {
+  return dynamic_cast<const Verb&>(verb).parameters;
+}
 
 Flag Flag::in(const std::string& group) const {
-  option_->group(group);
+  option_->group(parameter_->heading = group);
   return *this;
 }
 
 Flag Flag::one_of(std::vector<std::string> words) const {
+  parameter_->words = words;
+  parameter_->kind = Kind::word;
   option_->check(CLI::IsMember(std::move(words)));
   return *this;
 }
 
-Flag Flag::not_negative() const {
-  option_->check(CLI::NonNegativeNumber);
-  return *this;
-}
-
 Flag Flag::within(double low, double high) const {
+  parameter_->within(low, high);
   option_->check(CLI::Range(low, high));
   return *this;
 }
 
 Flag Flag::required() const {
+  parameter_->required = true;
   option_->required();
   return *this;
 }
@@ -52,21 +93,25 @@ Flag Flag::excludes(const std::string& flag) const {
 }
 
 Flag Flag::reads_file() const {
+  parameter_->kind = Kind::file_read;
   option_->type_name(read_file);
   return *this;
 }
 
 Flag Flag::writes_file() const {
+  parameter_->kind = Kind::file_written;
   option_->type_name(written_file);
-  return *this;
+  return of(Affects::run);
 }
 
 Flag Flag::writes_folder() const {
+  parameter_->kind = Kind::folder_written;
   option_->type_name(written_folder);
-  return *this;
+  return of(Affects::run);
 }
 
 Flag Flag::kept_each_time() const {
+  parameter_->many = true;
   option_->default_str("")->expected(1)->take_all();
   return *this;
 }
@@ -76,131 +121,58 @@ Flag Flag::one_value_each_time() const {
   return *this;
 }
 
-namespace {
-
-/// What is wrong with a text that is to be a whole number; nothing where CLI11 is left to say it.
-template <typename Whole>
-std::string fault_of(const std::string& text) {
-  const auto end = text.data() + text.size();
-  const auto begin = text.data() + text.starts_with('+');
-  Whole whole{};
-  const auto [rest, failed] = std::from_chars(begin, end, whole);
-  const bool number = algebra::number_in(text).has_value();
-  if (failed == std::errc() && rest == end) return {};
-  if (std::is_unsigned_v<Whole> && number && text.starts_with('-'))
-    return fmt::format("{}, allowed whole numbers, 0 or more", text);
-  if (failed == std::errc::result_out_of_range)
-    return fmt::format("{}, allowed {} to {}", text, std::numeric_limits<Whole>::min(),
-                       std::numeric_limits<Whole>::max());
-  return number ? fmt::format("{}, allowed whole numbers", text) : "";
+Flag Flag::of(Affects what) const {
+  parameter_->affects = what;
+  return *this;
 }
 
-template <typename Value>
-struct Single {
-  using Type = Value;
-};
-template <typename Value>
-struct Single<std::optional<Value>> {
-  using Type = Value;
-};
-
-}  // namespace
-
-template <typename Value>
-Flag add_flag(CLI::App& verb, const std::string& names, Value& value, const std::string& help) {
-  auto* option = verb.add_option(names, value, help);
-  using Type = typename Single<Value>::Type;
-  if constexpr (std::is_integral_v<Type>) option->check(CLI::Validator(fault_of<Type>, ""));
-  return Flag(*option);
+Flag add_flag(CLI::App& verb, request::Parameter parameter) {
+  auto& all = parameters_of(verb);
+  all.begin("", "", Affects::ground);
+  auto& mine = all.add(std::move(parameter));
+  return {*option_for(verb, mine), mine};
 }
 
-template Flag add_flag(CLI::App&, const std::string&, double&, const std::string&);
-template Flag add_flag(CLI::App&, const std::string&, int&, const std::string&);
-template Flag add_flag(CLI::App&, const std::string&, std::size_t&, const std::string&);
-template Flag add_flag(CLI::App&, const std::string&, std::string&, const std::string&);
-template Flag add_flag(CLI::App&, const std::string&, std::optional<double>&, const std::string&);
-template Flag add_flag(CLI::App&, const std::string&, std::optional<int>&, const std::string&);
-template Flag add_flag(CLI::App&, const std::string&, std::optional<std::size_t>&,
-                       const std::string&);
-template Flag add_flag(CLI::App&, const std::string&, std::optional<std::string>&,
-                       const std::string&);
-template Flag add_flag(CLI::App&, const std::string&, std::vector<std::string>&,
-                       const std::string&);
+void add_flags(CLI::App& verb, request::Parameters parameters) {
+  auto& all = parameters_of(verb);
+  for (auto& parameter : parameters) {
+    auto& mine = all.keep(std::move(parameter));
+    auto* option = option_for(verb, mine);
+    if (!mine.heading.empty()) option->group(mine.heading);
+  }
+}
 
 Flag add_parsed(CLI::App& verb, const std::string& names,
                 std::function<void(const std::string&)> take, const std::string& help,
                 const std::string& text) {
-  auto* option = verb.add_option_function<std::string>(names, std::move(take), help);
-  option->default_str(text);
-  return Flag(*option);
-}
-
-Flag add_files(CLI::App& verb, const std::string& names, std::vector<std::filesystem::path>& files,
-               const std::string& help) {
-  return Flag(*verb.add_option_function<std::vector<std::string>>(
-      names,
-      [&files](const std::vector<std::string>& paths) { files.assign(paths.begin(), paths.end()); },
-      help));
-}
-
-Flag add_word(CLI::App& verb, const std::string& names, const std::vector<std::string>& words,
-              const std::string& text, const std::string& help,
-              std::function<void(std::size_t)> take) {
-  const auto index_of = [words](const std::string& word) {
-    return static_cast<std::size_t>(std::ranges::find(words, word) - words.begin());
-  };
-  return add_parsed(
-             verb, names,
-             [index_of, take = std::move(take)](const std::string& word) { take(index_of(word)); },
-             help, text)
-      .one_of(words);
-}
-
-Flag add_on_off(CLI::App& verb, const std::string& names, bool& value, const std::string& help) {
-  return add_choice<bool>(verb, names, value, {{"on", true}, {"off", false}}, help);
-}
-
-Flag add_on_off(CLI::App& verb, const std::string& names, std::optional<bool>& value,
-                const std::string& help) {
-  return add_choice<bool>(verb, names, value, {{"on", true}, {"off", false}}, help);
+  request::Parameter parameter{
+      .name = request::name_in(names), .spelling = names, .meaning = help};
+  parameter.read = [text] { return text.empty() ? request::Texts{} : request::Texts{text}; };
+  parameter.write = [take = std::move(take)](const request::Texts& texts) { take(texts.back()); };
+  parameter.restore = [] {};
+  return add_flag(verb, std::move(parameter));
 }
 
 Flag add_switch(CLI::App& verb, const std::string& names, bool& value, const std::string& help) {
-  return Flag(*verb.add_flag(names, value, help));
+  return add_flag(verb, request::presence(names, value, help));
 }
 
 CLI::App* add_verb(CLI::App& program, const std::string& name, const std::string& help) {
-  return program.add_subcommand(name, help);
+  return program.add_subcommand(std::make_shared<Verb>(program, name, help));
 }
 
 void on_run(CLI::App& verb, std::function<void()> run) {
   verb.callback([&verb, run = std::move(run)] {
     require_files_apart(verb);
+    say_which_city(verb);
     say_what_is_utc(verb);
     run();
   });
 }
 
-bool is_given(const CLI::App& verb, const std::string& flag) {
-  const auto* option = verb.get_option_no_throw(flag);
-  return option != nullptr && option->count() > 0;
-}
-
-std::vector<std::string> words_given(const CLI::App& verb, const std::vector<std::string>& flags) {
-  std::vector<std::string> words;
-  for (const auto& flag : flags) {
-    const auto* option = verb.get_option_no_throw("--" + flag);
-    if (option == nullptr) continue;
-    const bool file = option->get_type_name() == read_file;
-    for (const auto& value : option->results())
-      words.insert(words.end(), {"--" + flag, file ? files::name_to_share(value) : value});
-  }
-  return words;
-}
-
-std::string heading_of(const CLI::App& verb, const std::string& flag) {
-  const auto* option = verb.get_option_no_throw(flag);
-  return option != nullptr ? option->get_group() : "";
+bool is_given(const CLI::App& verb, const std::string& name) {
+  const auto* parameter = parameters_of(verb).find(name);
+  return parameter != nullptr && parameter->given;
 }
 
 }  // namespace coppermoon::verbs

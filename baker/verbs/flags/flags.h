@@ -7,8 +7,11 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "request/parameter.h"
 
 namespace CLI {
 class App;
@@ -22,15 +25,14 @@ struct WrongUsage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A flag while a verb describes it. What it stands on, CLI11, costs seconds to compile: flags.cpp
-/// pays them once for all verbs.
+/// A flag that a verb has just got, and its parameter.
 class Flag {
  public:
-  explicit Flag(CLI::Option& option) : option_(&option) {}
+  Flag(CLI::Option& option, request::Parameter& parameter)
+      : option_(&option), parameter_(&parameter) {}
 
   Flag in(const std::string& group) const;  ///< the heading that --help lists it under
   Flag one_of(std::vector<std::string> words) const;
-  Flag not_negative() const;
   Flag within(double low, double high) const;
   Flag required() const;
   Flag excludes(const std::string& flag) const;
@@ -39,31 +41,44 @@ class Flag {
   Flag writes_folder() const;        ///< the value names a folder that files are written into
   Flag kept_each_time() const;       ///< may be given again; every value is kept
   Flag one_value_each_time() const;  ///< may be given again; what follows a value is no second one
+  Flag of(request::Affects what) const;
 
  private:
   CLI::Option* option_;
+  request::Parameter* parameter_;
 };
 
-/// A flag of one of some words: `take` is told which.
-Flag add_word(CLI::App& verb, const std::string& names, const std::vector<std::string>& words,
-              const std::string& text, const std::string& help,
-              std::function<void(std::size_t)> take);
+/// Parameters of all flags that a verb has.
+request::Parameters& parameters_of(CLI::App& verb);
+const request::Parameters& parameters_of(const CLI::App& verb);
 
-template <typename Value>
-std::vector<std::string> names_of(const std::vector<std::pair<std::string, Value>>& words) {
-  std::vector<std::string> names;
-  for (const auto& word : words) names.push_back(word.first);
-  return names;
+/// A flag for a parameter, which the verb keeps.
+Flag add_flag(CLI::App& verb, request::Parameter parameter);
+
+/// Flags for all parameters that a request describes.
+void add_flags(CLI::App& verb, request::Parameters parameters);
+
+template <class Request>
+void add_described(CLI::App& verb, Request& request) {
+  request::Parameters parameters;
+  describe(parameters, request);
+  add_flags(verb, std::move(parameters));
 }
 
-/// A flag with a value.
-///
-/// Given  names  as "-o,--output", or "instant,--instant" for one that needs no name
-///        value  where the value is put; what is there is the default
-/// Value is double, int, std::size_t or std::string, an std::optional of these, or a list of
-/// std::string.
+/// Flags for the parameters that one of a request's functions describes, as uses::describe_map.
+template <class Request>
+void add_described(CLI::App& verb, Request& request,
+                   void (*some)(request::Parameters&, std::type_identity_t<Request>&)) {
+  request::Parameters parameters;
+  some(parameters, request);
+  add_flags(verb, std::move(parameters));
+}
+
+/// A flag with a value, as request::parameter has it.
 template <typename Value>
-Flag add_flag(CLI::App& verb, const std::string& names, Value& value, const std::string& help);
+Flag add_flag(CLI::App& verb, const std::string& names, Value& value, const std::string& help) {
+  return add_flag(verb, request::parameter(names, value, help));
+}
 
 /// A flag whose value is read by a function, as "2s" or "42.86,-73.77".
 ///
@@ -73,37 +88,12 @@ Flag add_parsed(CLI::App& verb, const std::string& names,
                 std::function<void(const std::string&)> take, const std::string& help,
                 const std::string& text = "");
 
-/// A flag that names files, each time one.
-Flag add_files(CLI::App& verb, const std::string& names, std::vector<std::filesystem::path>& files,
-               const std::string& help);
-
-/// A flag whose value is one of some words, each of which means something.
-///
-/// Given  value  where the meaning is put; the word for what is there is the default
-template <typename Value>
-Flag add_choice(CLI::App& verb, const std::string& names, Value& value,
-                const std::vector<std::pair<std::string, Value>>& words, const std::string& help) {
-  const auto word_of = [&] {
-    for (const auto& [word, meaning] : words)
-      if (meaning == value) return word;
-    return std::string();
-  };
-  return add_word(verb, names, names_of(words), word_of(), help,
-                  [&value, words](std::size_t i) { value = words[i].second; });
+/// A flag whose value is one of some words, as request::choice has it.
+template <typename Value, typename Field>
+Flag add_choice(CLI::App& verb, const std::string& names, Field& value,
+                const request::Words<Value>& words, const std::string& help) {
+  return add_flag(verb, request::choice(names, value, words, help));
 }
-
-/// The same without a default.
-template <typename Value>
-Flag add_choice(CLI::App& verb, const std::string& names, std::optional<Value>& value,
-                const std::vector<std::pair<std::string, Value>>& words, const std::string& help) {
-  return add_word(verb, names, names_of(words), "", help,
-                  [&value, words](std::size_t i) { value = words[i].second; });
-}
-
-/// "on" or "off".
-Flag add_on_off(CLI::App& verb, const std::string& names, bool& value, const std::string& help);
-Flag add_on_off(CLI::App& verb, const std::string& names, std::optional<bool>& value,
-                const std::string& help);
 
 /// A flag without a value.
 Flag add_switch(CLI::App& verb, const std::string& names, bool& value, const std::string& help);
@@ -115,14 +105,7 @@ CLI::App* add_verb(CLI::App& program, const std::string& name, const std::string
 /// (require_files_apart).
 void on_run(CLI::App& verb, std::function<void()> run);
 
-/// Whether the command line, or a recipe, gives a flag of that name.
-bool is_given(const CLI::App& verb, const std::string& flag);
-
-/// Words of a command line, "--flag", "value", for the flags of a list (without dashes) that are given. Names of
-/// files that are read are those to share (files::name_to_share).
-std::vector<std::string> words_given(const CLI::App& verb, const std::vector<std::string>& flags);
-
-/// The heading that a flag stands under, empty when the verb has no such flag.
-std::string heading_of(const CLI::App& verb, const std::string& flag);
+/// Whether the command line, or a recipe, gives that parameter.
+bool is_given(const CLI::App& verb, const std::string& name);
 
 }  // namespace coppermoon::verbs

@@ -3,7 +3,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <numeric>
+
+#include "request/likeness.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -106,8 +107,8 @@ std::string suggested(std::string_view word, const Meaning (&meanings)[count],
   for (const auto& [elsewhere, here] : meanings)
     if (word == elsewhere && holds(known, here))
       return "; did you mean " + std::string(dashes) + std::string(here) + "?";
-  const auto like = nearest(word, known);
-  const auto apart = letters_apart(word.substr(0, 100), like);
+  const auto like = request::nearest(word, known);
+  const auto apart = request::letters_apart(word.substr(0, 100), like);
   const bool alike = apart <= 2 && 3 * apart <= like.size() + 1;
   return alike ? "; did you mean " + std::string(dashes) + like + "?" : "";
 }
@@ -121,35 +122,8 @@ std::vector<std::string> long_flags(const CLI::App& verb) {
   return flags;
 }
 
-std::vector<std::string> flags_added_by(const std::function<void(CLI::App&)>& add) {
-  CLI::App verb;
-  add(verb);
-  return long_flags(verb);
-}
-
 bool holds(const std::vector<std::string>& words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-std::size_t letters_apart(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0U);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i] != b[j]);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({change, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-std::string nearest(std::string_view word, const std::vector<std::string>& known) {
-  word = word.substr(0, 100);  // longer than any that is known
-  return *std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-    return letters_apart(word, a) < letters_apart(word, b);
-  });
 }
 
 std::string flag_suggested_for(std::string_view flag, const std::vector<std::string>& known) {

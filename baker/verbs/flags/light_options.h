@@ -4,19 +4,16 @@
 #include <functional>
 #include <string>
 
+#include "uses/light/light_parameters.h"
 #include "uses/light/moonlight.h"
 #include "verbs/flags/flags.h"
-#include "verbs/flags/plan_options.h"
 
 namespace coppermoon::verbs {
 
-/// The title in --help of all flags that say how light is computed.
-inline constexpr const char* light_group = "How light is computed";
-
-/// What flags say of the light; `light_request` is what they mean.
+/// Fields of the flags of light; `light_request` is what they mean.
 struct LightOptions {
   uses::LightRequest request;
-  PlanOptions plan;
+  uses::Effort effort;
   std::function<std::string()> key;  ///< what photons belong to, once the command line is read
 };
 
@@ -26,12 +23,12 @@ void add_light_options(CLI::App& verb, LightOptions& options);
 /// --shard K/N, --keep FILE, --add FILE.
 void add_photon_file_options(CLI::App& verb, LightOptions& options);
 
-/// Flags of the Sun and the stars: limb darkening, scattered light, starlight.
-void add_sunlight_options(CLI::App& verb, uses::LightRequest& request);
-
 /// Wish, knobs and photons put together; the quality "paper" stands for other flags.
 ///
 /// Throws  Error  when they contradict one another
 uses::LightRequest light_request(const LightOptions& options);
+
+/// Tells who waits when no air makes the eclipse as dark or as bright as --danjon asks.
+void say_unless_danjon_is_reached(const uses::Air& air, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::verbs

@@ -12,6 +12,7 @@
 #include "algebra/error.h"
 #include "algebra/number.h"
 #include "almanac/calendar.h"
+#include "almanac/gazetteer.h"
 #include "eclipse/moment.h"
 
 namespace coppermoon::verbs {
@@ -86,12 +87,21 @@ Instant instant_of(const MomentOptions& options) {
   return eclipse::is_from_contact(text) ? said(text, moment, options.calendar) : moment;
 }
 
+void say_which_city(const CLI::App& verb) {
+  if (!is_given(verb, "at")) return;
+  if (const auto taken = almanac::city_taken(parameters_of(verb).find("at")->text());
+      !taken.empty())
+    fmt::print(stderr, "coppermoon: {}\n", taken);
+}
+
 void say_what_is_utc(const CLI::App& verb) {
-  if (!is_given(verb, "--at")) return;
-  for (const auto& moment : words_given(verb, {"instant", "from", "to"}))
-    if (is_silently_utc(moment))
-      fmt::print(stderr, "coppermoon: {} is read as UTC; an offset, as {}+02:00, says otherwise\n",
-                 moment, moment);
+  if (!is_given(verb, "at")) return;
+  for (const char* name : {"instant", "from", "to"})
+    if (is_given(verb, name))
+      if (const auto moment = parameters_of(verb).find(name)->text(); is_silently_utc(moment))
+        fmt::print(stderr,
+                   "coppermoon: {} is read as UTC; an offset, as {}+02:00, says otherwise\n",
+                   moment, moment);
 }
 
 std::vector<std::string> with_moments_joined(const std::vector<std::string>& arguments) {
@@ -103,14 +113,6 @@ std::vector<std::string> with_moments_joined(const std::vector<std::string>& arg
       all.push_back(argument);
   }
   return all;
-}
-
-std::optional<double> exposure_seconds(const std::string& text) {
-  const auto slash = text.find('/');
-  if (slash == std::string::npos) return algebra::number_in(text);
-  const auto over = algebra::number_in(text.substr(0, slash)),
-             under = algebra::number_in(text.substr(slash + 1));
-  return over && under && *under > 0 ? std::optional(*over / *under) : std::nullopt;
 }
 
 }  // namespace coppermoon::verbs

@@ -35,14 +35,14 @@ void say_calendar(nlohmann::ordered_json& document, almanac::Calendar calendar);
 /// Throws  Error  when the text is no moment; when the day has no eclipse: names the nearest
 almanac::Instant instant_of(const MomentOptions& options);
 
+/// Says on stderr which city is taken, where the name behind --at leaves a doubt (almanac::city_taken).
+void say_which_city(const CLI::App& verb);
+
 /// Says on stderr which times of a command line with a place in it are read as UTC for want of an offset.
 void say_what_is_utc(const CLI::App& verb);
 
 /// A command line in which a day and the contact, or the time of day, behind it are one argument:
 /// "2018-07-27", "U2+10min" become "2018-07-27 U2+10min".
 std::vector<std::string> with_moments_joined(const std::vector<std::string>& arguments);
-
-/// Seconds of an exposure: "4", "0.03" or "1/30"; none when the text is no such number.
-std::optional<double> exposure_seconds(const std::string& text);
 
 }  // namespace coppermoon::verbs

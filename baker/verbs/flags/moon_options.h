@@ -17,11 +17,8 @@ struct MoonOptions {
   LightOptions light;
 };
 
-/// Map, photometry and albedo exponent.
+/// Flags of the map and the ground; says on stderr when a map seems to be turned by half a circle.
 void add_map_options(CLI::App& verb, uses::MoonRequest& request);
-
-/// --texture-width.
-void add_width_option(CLI::App& verb, uses::MoonRequest& request);
 
 /// All of a Moon of one moment: the instant, the map, the texture's width, its light, and whether it is
 /// unshadowed.

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "algebra/error.h"
+#include "request/recipe.h"
 #include "texture/read_image.h"
 #include "uses/picture/photo_file.h"
-#include "verbs/flags/develop_options.h"
-#include "verbs/flags/known_words.h"
-#include "verbs/recipes/recipe.h"
+#include "uses/picture/picture_parameters.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -56,14 +55,14 @@ void require_one_meaning(const std::string& first, const std::string& other) {
   }
 }
 
-/// A recipe without what makes exposures of one scene.
+/// Recipe without the parameters that differ between exposures of one scene.
 std::string scene_in(const std::string& recipe) {
-  auto dropped = flags_added_by([](CLI::App& verb) {
-    uses::Development develop;
-    add_develop_options(verb, develop);
+  uses::Development development;
+  request::Parameters exposure;
+  describe(exposure, development);
+  return request::without(recipe, [&](const std::string& name) {
+    return exposure.find(name) != nullptr || name == "noise" || name == "noise-seed";
   });
-  dropped.insert(dropped.end(), {"noise", "noise-seed"});
-  return without(recipe, [&](const std::string& flag) { return holds(dropped, flag); });
 }
 
 void require_one_recipe(const std::string& first, const std::string& other) {
@@ -71,8 +70,8 @@ void require_one_recipe(const std::string& first, const std::string& other) {
   const auto mine = texture::read_attribute(other, name),
              its = texture::read_attribute(first, name);
   if (!mine || !its) return;
-  for (const auto& [flag, here, there] : recipe_differences(scene_in(*mine), scene_in(*its)))
-    throw algebra::Error(fmt::format("{}: its recipe has {} = {}, allowed {} as {}", other, flag,
+  for (const auto& [parameter, here, there] : request::differences(scene_in(*mine), scene_in(*its)))
+    throw algebra::Error(fmt::format("{}: its recipe has {} = {}, allowed {} as {}", other, parameter,
                                      here, there, first));
 }
 

@@ -2,18 +2,13 @@
 #include "verbs/recipes/recipe.h"
 
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
 #include <sstream>
 
-#include "algebra/number.h"
-#include "atmosphere/presets.h"
-#include "files/name_to_share.h"
-#include "verbs/flags/air_options.h"
+#include "request/recipe.h"
 #include "verbs/flags/known_words.h"
 #include "verbs/flags/named_files.h"
 #include "verbs/recipes/recipe_file.h"
@@ -34,68 +29,6 @@ const CLI::App& verb_named(const CLI::App& program, const std::string& name) {
   throw WrongUsage(
       fmt::format("{}: unknown command{}", name,
                   suggestion.empty() ? "; `coppermoon --help` lists the commands" : suggestion));
-}
-
-bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7F'; }
-
-/// As a text in TOML that stays on its line.
-std::string quoted(const std::string& text) {
-  if (std::ranges::none_of(text, is_control)) {
-    std::ostringstream literal;
-    literal << toml::value<std::string>(text);
-    return literal.str();
-  }
-  std::string literal = "\"";
-  for (const char c : text)
-    if (is_control(c))
-      literal += fmt::format("\\u{:04x}", static_cast<int>(c));
-    else
-      literal += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
-  return literal + "\"";
-}
-
-/// An option's value as TOML, numbers spelt alike however the user spelt them; empty when it has
-/// none.
-std::string toml_value(const CLI::Option& option) {
-  const std::string told = option.count() > 0 ? option.results().back() : option.get_default_str();
-  const std::string text =
-      option.check_lname("atmosphere") ? std::string(atmosphere::lasting_name(told)) : told;
-  if (text.empty()) return text;
-  if (option.get_type_name() == read_file) return quoted(files::name_to_share(text));
-  const std::string type = option.get_type_name();
-  if (type.starts_with("FLOAT"))  // TOML has no -0 that is whole
-    return fmt::format("{}", option.as<double>() + 0.);
-  if (type.starts_with("INT")) return fmt::format("{}", option.as<std::int64_t>());
-  if (const auto number = algebra::number_in(text); number && option.check_lname("field"))
-    return fmt::format("{}", *number + 0.);  // a number, or "moon"
-  if (!type.starts_with("UINT")) return quoted(text);
-  const auto value = option.as<std::uint64_t>();  // TOML's own integers end at 2^63
-  return value >> 63 ? quoted(text) : fmt::format("{}", value);
-}
-
-std::string toml_line(const CLI::Option& option) {
-  const auto value = toml_value(option);
-  return value.empty() ? "" : option.get_lnames().front() + " = " + value + "\n";
-}
-
-/// Text as a region's flag has it, as a table.
-std::string region_table(const std::string& text) {
-  RegionReader reader;
-  reader.read(text);
-  std::string table = "\n[[atmosphere.region]]\n";
-  for (const auto* option : reader.app().get_options())
-    if (option->count() > 0) table += toml_line(*option);
-  return table;
-}
-
-/// Nothing without regions: --atmosphere is a flag like any other then.
-std::string air_tables(const CLI::App& verb) {
-  const auto* regions = verb.get_option_no_throw("--region");
-  if (regions == nullptr || regions->count() == 0) return {};
-  std::string tables =
-      "\n[atmosphere]\nmodel = " + toml_value(*verb.get_option("--atmosphere")) + "\n";
-  for (const auto& text : regions->results()) tables += region_table(text);
-  return tables;
 }
 
 /// Takes `--recipe FILE` or `--recipe=FILE` out of the arguments.
@@ -206,34 +139,6 @@ std::vector<std::string> with_recipe(const CLI::App& verb, std::vector<std::stri
   return arguments;
 }
 
-/// Flags and their values; all regions of the air as one.
-using Lines = std::vector<std::pair<std::string, std::string>>;
-
-Lines lines_of(const std::string& recipe) {
-  std::istringstream text(recipe);
-  Lines lines;
-  bool in_tables = false;
-  for (std::string line; std::getline(text, line);) {
-    if (line.empty()) continue;
-    const auto sign = line.find(" = ");
-    if (line == "[atmosphere]")
-      in_tables = true;
-    else if (in_tables && line.starts_with("model = "))
-      lines.emplace_back("atmosphere", line.substr(sign + 3));
-    else if (in_tables && lines.back().first == "regions")
-      lines.back().second += "; " + line;
-    else if (in_tables)
-      lines.emplace_back("regions", line);
-    else
-      lines.emplace_back(line.substr(0, sign), sign == line.npos ? "" : line.substr(sign + 3));
-  }
-  return lines;
-}
-
-Lines::const_iterator line_in(const Lines& lines, const std::string& flag) {
-  return std::ranges::find(lines, flag, &Lines::value_type::first);
-}
-
 /// The first argument that is no flag.
 auto word_in(const std::vector<std::string>& arguments) {
   return std::find_if(arguments.begin(), arguments.end(),
@@ -263,58 +168,13 @@ std::string recipe_named_in(const CLI::App& program, const std::vector<std::stri
   return apart(verb_named(program, *word), {word + 1, arguments.end()}).recipe;
 }
 
-std::string recipe_of(const CLI::App& verb) {
-  std::string text;
-  const std::string tables = air_tables(verb);
-  auto no_part = no_part_of_recipes();
-  no_part.push_back("region");
-  if (!tables.empty()) no_part.push_back("atmosphere");
-  for (const auto* option : verb.get_options()) {
-    if (option->get_lnames().empty() || holds(no_part, option->get_lnames().front())) continue;
-    if (option->get_items_expected_max() > 0)
-      text += toml_line(*option);
-    else if (option->count() > 0)
-      text += option->get_lnames().front() + " = true\n";
-  }
-  return text + tables;
-}
-
-std::string without(const std::string& recipe,
-                    const std::function<bool(const std::string& flag)>& dropped) {
-  std::istringstream lines(recipe);
-  std::string left;
-  bool in_tables = false;
-  for (std::string line; std::getline(lines, line);) {
-    in_tables = in_tables || line.starts_with("[");
-    if (in_tables || !dropped(line.substr(0, line.find(' ')))) left += line + "\n";
-  }
-  return left;
-}
-
-std::vector<RecipeDifference> recipe_differences(const std::string& first,
-                                                 const std::string& second) {
-  const auto a = lines_of(first), b = lines_of(second);
-  std::vector<RecipeDifference> all;
-  for (const auto& [flag, value] : a) {
-    const auto other = line_in(b, flag);
-    if (other == b.end() || other->second != value)
-      all.push_back({flag, value, other == b.end() ? "none" : other->second});
-  }
-  for (const auto& [flag, value] : b)
-    if (line_in(a, flag) == a.end()) all.push_back({flag, "none", value});
-  return all;
-}
-
-std::string with_width(const std::string& recipe, std::size_t width) {
-  return fmt::format("texture-width = {}\n", width) +
-         without(recipe, [](const std::string& flag) { return flag == "texture-width"; });
-}
+std::string recipe_of(const CLI::App& verb) { return request::recipe_of(parameters_of(verb)); }
 
 void add_recipe_option(CLI::App& verb) {
-  Flag(*verb.add_option_function<std::string>(
-           "--recipe", [](const std::string&) {},
-           "recipe: a TOML file of options without their dashes, or a file that coppermoon made"))
-      .reads_file();
+  add_parsed(verb, "--recipe", [](const std::string&) {},
+             "recipe: a TOML file of options without their dashes, or a file that coppermoon made")
+      .reads_file()
+      .of(request::Affects::run);
 }
 
 }  // namespace coppermoon::verbs

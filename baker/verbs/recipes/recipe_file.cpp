@@ -8,22 +8,19 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <iterator>
 #include <sstream>
 
 #include "algebra/error.h"
-#include "atmosphere/presets.h"
 #include "files/name_to_share.h"
 #include "files/whole_file.h"
+#include "request/likeness.h"
 #include "texture/read_image.h"
 #include "texture/write_glb.h"
 #include "texture/write_stellarium.h"
 #include "texture/write_usda.h"
+#include "uses/light/light_parameters.h"
 #include "uses/picture/avif_file.h"
-#include "uses/picture/view.h"
-#include "verbs/flags/air_options.h"
 #include "verbs/flags/known_words.h"
-#include "verbs/flags/named_files.h"
 #include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
@@ -125,7 +122,8 @@ struct Reading {
   bool lenient = holds_recipe(path);
 
   bool heeds(const std::vector<std::string>& keys, const std::string& flag) const {
-    return holds(keys, flag) && !holds(no_part_of_recipes(), flag);
+    const auto* parameter = parameters_of(verb).find(flag);
+    return holds(keys, flag) && (parameter ? in_recipes(*parameter) : flag == "model");
   }
   std::string where(const toml::node& value) const {
     return fmt::format("{}:{}: ", path, value.source().begin.line);
@@ -146,17 +144,18 @@ struct Table {
   std::string model = {};  ///< the flag whose name it has; empty: what stands above all tables
 };
 
-/// Flags whose names are tables of a recipe too: what stands with them in the help stands in the
-/// table, and they themselves are called model there.
-constexpr std::array tables{"atmosphere", "camera"};
-
+/// Keys of a recipe's table: the parameters of the request that it is called after. The parameter with the table's
+/// own name is called model there.
 Table table_of(const CLI::App& verb, const std::string& name) {
-  const auto* model = verb.get_option("--" + name);
   Table table{"[" + name + "]", {"model"}, name};
-  for (const auto* option : verb.get_options())
-    if (option != model && option->get_group() == model->get_group())
-      table.keys.push_back(option->get_lnames().front());
+  for (const auto& parameter : parameters_of(verb))
+    if (parameter.table == name && parameter.name != name) table.keys.push_back(parameter.name);
   return table;
+}
+
+bool has_table(const CLI::App& verb, const std::string& name) {
+  const auto* model = parameters_of(verb).find(name);
+  return model != nullptr && model->table == name;
 }
 
 /// Whether a key is no key of this verb, but one of another's: one recipe serves all of them.
@@ -165,13 +164,12 @@ bool is_anothers(const Reading& reading, const Table& table, const std::string& 
   if (program == nullptr || holds(table.keys, key)) return false;
   return std::ranges::any_of(program->get_subcommands({}), [&](const CLI::App* verb) {
     if (table.model.empty()) return holds(long_flags(*verb), key);
-    return verb->get_option_no_throw("--" + table.model) != nullptr &&
-           holds(table_of(*verb, table.model).keys, key);
+    return has_table(*verb, table.model) && holds(table_of(*verb, table.model).keys, key);
   });
 }
 
-bool is_table(const Told& told) {
-  return told.value->is_table() && std::ranges::find(tables, told.flag) != tables.end();
+bool is_table(const Reading& reading, const Told& told) {
+  return told.value->is_table() && has_table(reading.verb, told.flag);
 }
 
 void require_key(const Reading& reading, const Table& table, const Told& told) {
@@ -180,17 +178,17 @@ void require_key(const Reading& reading, const Table& table, const Told& told) {
   throw WrongUsage(fmt::format("{}{}: {} has no such key; {}", reading.where(*told.value),
                                one_line(told.flag), table.name,
                                elsewhere ? "it belongs above all tables"
-                                         : "the nearest is " + nearest(told.flag, table.keys)));
+                                         : "the nearest is " + request::nearest(told.flag, table.keys)));
 }
 
 /// A recipe may be a stranger's: it says neither where files go and what they replace, nor how this run is
 /// made and told.
 void require_no_output(const Reading& reading, const Told& told) {
-  static constexpr std::array of_the_run{"csv",    "help",    "help-all", "json",
-                                         "recipe", "replace", "threads"};
-  const auto* flag = reading.verb.get_option_no_throw("--" + told.flag);
-  const bool place = flag != nullptr && says_where_results_go(*flag);
-  if (place || std::ranges::find(of_the_run, told.flag) != of_the_run.end())
+  static constexpr std::array of_the_run{"help", "help-all", "threads"};
+  const auto* parameter = parameters_of(reading.verb).find(told.flag);
+  const bool place = parameter != nullptr && is_written(parameter->kind),
+             run = parameter != nullptr && parameter->affects == request::Affects::run;
+  if (run || std::ranges::find(of_the_run, told.flag) != of_the_run.end())
     throw WrongUsage(fmt::format("{}{}: {} is said on the command line alone",
                                  reading.where(*told.value), told.flag,
                                  place ? "where files go" : "how a run goes"));
@@ -222,7 +220,7 @@ std::vector<Told> told_by(const Reading& reading, const toml::table& recipe) {
   std::vector<Told> all, in_tables;
   for (const auto& told :
        told_in(reading, recipe, {reading.verb.get_name(), long_flags(reading.verb)})) {
-    if (!is_table(told)) {
+    if (!is_table(reading, told)) {
       all.push_back(told);
       continue;
     }
@@ -245,57 +243,55 @@ std::string part_of_region(const Reading& reading, const Told& told) {
   return told.flag + "=" + text;
 }
 
-/// A region's table as its flag spells it: "cloud-cover=1,from-latitude=-90,to-latitude=0".
-std::string region_text(const Reading& reading, const toml::table& region) {
-  RegionReader reader;
-  const Table table{"a region", long_flags(reader.app())};
+/// A table of parts as its flag spells it: "cloud-cover=1,from-latitude=-90,to-latitude=0".
+std::string text_of_parts(const Reading& reading, const request::Parameter& grouped,
+                          const toml::table& entries) {
+  Table table{"a " + grouped.name, {}};
+  for (const auto& part : *grouped.parts) table.keys.push_back(part.name);
   std::vector<std::string> parts;
-  for (const auto& [key, value] : region) {
+  for (const auto& [key, value] : entries) {
     const Told told{std::string(key.str()), &value};
     require_key(reading, table, told);
     parts.push_back(part_of_region(reading, told));
   }
   const auto text = fmt::format("{}", fmt::join(parts, ","));
   try {
-    reader.read(text);
+    uses::region_from(text);
   } catch (const algebra::Error& error) {
-    throw algebra::Error(reading.where(region) + error.what());
+    throw algebra::Error(reading.where(entries) + error.what());
   }
   return text;
 }
 
-/// The one value of a flag, or each of a flag that may be given again.
-std::vector<const toml::node*> values_of(const CLI::Option& option, const toml::node& value) {
-  if (!value.is_array() || option.get_items_expected_max() < 2) return {&value};
+/// The one value of a parameter, or each of one that may be given again.
+std::vector<const toml::node*> values_of(const request::Parameter& parameter,
+                                         const toml::node& value) {
+  if (!value.is_array() || !parameter.many) return {&value};
   std::vector<const toml::node*> values;
   for (const auto& item : *value.as_array()) values.push_back(&item);
   return values;
 }
 
 /// `on` and `off` may be written true and false.
-std::string spelt(const CLI::Option& option, const toml::node& value, const std::string& text) {
-  const bool flag = option.get_items_expected_max() == 0;
-  if (!value.is_boolean() || flag) return text;
+std::string spelt(const request::Parameter& parameter, const toml::node& value,
+                  const std::string& text) {
+  if (!value.is_boolean() || parameter.kind == request::Kind::presence) return text;
   return text == "true" ? "on" : "off";
 }
 
-/// `--key=value`, as often as the flag is told. A file says "standard" when version 0.1 made it: since then
-/// files hold atmosphere::lasting_name.
+/// `--key=value`, as often as the flag is told.
 std::vector<std::string> flags_of(const Reading& reading, const Told& told) {
-  const auto& option = *reading.verb.get_option("--" + told.flag);
+  const auto& parameter = *parameters_of(reading.verb).find(told.flag);
   std::vector<std::string> flags;
-  for (const auto* value : values_of(option, *told.value)) {
+  for (const auto* value : values_of(parameter, *told.value)) {
     const std::string where = reading.where(*value) + told.flag;
-    const bool region = told.flag == "region" && value->is_table();
-    const std::string text = region ? region_text(reading, *value->as_table())
-                                    : spelt(option, *value, as_text(*value, where));
+    const bool grouped = parameter.parts && value->is_table();
+    std::string text = grouped ? text_of_parts(reading, parameter, *value->as_table())
+                               : spelt(parameter, *value, as_text(*value, where));
     if (text.empty()) throw algebra::Error(where + ": is empty; leave it out instead");
-    const bool of_0_1 = reading.lenient && told.flag == "atmosphere" && text == "standard";
-    const bool file = reading.lenient && option.get_type_name() == read_file;
-    flags.push_back(fmt::format("--{}={}", told.flag,
-                                file     ? files::shared_file(text, reading.path)
-                                : of_0_1 ? std::string(atmosphere::standard_of_0_1)
-                                         : text));
+    if (reading.lenient && parameter.kind == request::Kind::file_read)
+      text = files::shared_file(text, reading.path);
+    flags.push_back(fmt::format("--{}={}", told.flag, text));
   }
   return flags;
 }
@@ -304,32 +300,6 @@ bool names(const std::vector<std::string>& arguments, const std::string& flag) {
   return std::any_of(arguments.begin(), arguments.end(), [&](const auto& argument) {
     return argument.substr(0, argument.find('=')) == "--" + flag;
   });
-}
-
-/// A file of version 0.1 that holds a frame and says nothing of its field: it was that of the paper's lens.
-/// Since then files say `field`.
-std::vector<std::string> lens_of_0_1(const Reading& reading, const std::vector<Told>& recipe,
-                                     const std::vector<std::string>& mine) {
-  const auto told = [&](const std::string& flag) {
-    return names(mine, flag) || std::ranges::find(recipe, flag, &Told::flag) != recipe.end();
-  };
-  const std::array lens{"field", "focal-length", "sensor-width", "camera"};
-  if (!reading.lenient || !told("up") || std::ranges::any_of(lens, told)) return {};
-  return {fmt::format("--focal-length={}", uses::paper_focal_length_mm),
-          fmt::format("--sensor-width={}", uses::paper_sensor_width_mm)};
-}
-
-/// A file that was taken through a camera and says nothing of its glow: version 0.1 had none. Since then
-/// files say `glow`.
-std::vector<std::string> glow_of_0_1(const Reading& reading, const std::vector<Told>& recipe,
-                                     const std::vector<std::string>& mine) {
-  const auto told = [&](const char* flag) {
-    return std::ranges::find(recipe, flag, &Told::flag) != recipe.end();
-  };
-  if (!reading.lenient || !told("camera") || told("glow") || names(mine, "glow") ||
-      reading.verb.get_option_no_throw("--glow") == nullptr)
-    return {};
-  return {"--glow=0"};
 }
 
 /// The recipe of a film's file is that of all frames: flags that make it the one of the file's own frame,
@@ -368,20 +338,12 @@ bool holds_recipe(const std::filesystem::path& path) {
          path.filename() == std::filesystem::path(texture::stellarium_picture).filename();
 }
 
-std::vector<std::string> no_part_of_recipes() {
-  return {"help",       "csv",    "help-all",      "recipe", "json",      "replace", "output",
-          "threads",    "frame",  "shard",         "keep",   "add",       "range",   "make",
-          "hdr",        "movie",  "contact-sheet", "curve",  "composite", "lookup",  "raw",
-          "photograph", "photos", "photographs",   "cache"};
-}
-
 std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path,
                                          const std::vector<std::string>& mine) {
   const Reading reading{verb, path};
   const auto recipe = parsed(path);
   const auto all = told_by(reading, recipe);
-  auto flags = lens_of_0_1(reading, all, mine);
-  std::ranges::copy(glow_of_0_1(reading, all, mine), std::back_inserter(flags));
+  std::vector<std::string> flags;
   for (const auto& told : all)
     for (auto& flag : flags_of(reading, told))
       if (!names(mine, told.flag)) flags.push_back(std::move(flag));

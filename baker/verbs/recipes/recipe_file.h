@@ -9,10 +9,6 @@
 
 namespace coppermoon::verbs {
 
-/// Flags that say where results go and how they are told: a texture's header holds none of them, and
-/// those that a stranger's header holds are passed over.
-std::vector<std::string> no_part_of_recipes();
-
 /// Whether a file is one that coppermoon made, by its ending, or by its name in Stellarium's folder: it holds
 /// its recipe.
 bool holds_recipe(const std::filesystem::path& path);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/recipes/recorded_scene.h"
 
-#include "verbs/flags/plan_options.h"
+#include "request/recipe.h"
+#include "uses/light/light_parameters.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/progress_bar.h"
 
@@ -15,9 +16,9 @@ uses::LitScene lit_scene(const CLI::App& verb, const MoonOptions& moon,
     ProgressBar bar("light");
     return uses::lit_scene(request, view, sky, {baking, bar.progress()});
   }();
-  const auto sized = with_width(recipe, *scene.moon.request.texture_width);
+  const auto sized = request::with_width(recipe, *scene.moon.request.texture_width);
   scene.texture.attributes["coppermoon:recipe"] =
-      made_recipe(sized, request.unshadowed, scene.moon.light->plan);
+      request.unshadowed ? sized : uses::with_work(sized, scene.moon.light->plan.work);
   return scene;
 }
 

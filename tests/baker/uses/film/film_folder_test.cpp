@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A film of three pictures, whose files are of it when their name has no x.
+/// A film of three pictures, and the record of another.
 class FolderOfAFilm : public testing::Test {
  protected:
   FolderOfAFilm() {
@@ -24,22 +24,21 @@ class FolderOfAFilm : public testing::Test {
     film_.folder = ::mkdtemp(name.data());
     film_.products.pictures = true;
     film_.moments.frames.resize(3);
-    film_.record.made_alike = [this](const fs::path& file) { return file != foreign_; };
-    film_.record.foreign_contents = [this](const fs::path& file) {
-      return file == foreign_ ? "stars" : "";
-    };
+    film_.record.recipe = "iso = 800\n";
     film_.record.way_out = ", or sleep";
   }
   ~FolderOfAFilm() override { fs::remove_all(film_.folder); }
 
-  /// Writes a picture as that of a frame.
-  static void write(const fs::path& picture, int frame) {
-    texture::Image image(2, 2, {"R", "G", "B"});
-    texture::write_png(picture, image, 8, {{"coppermoon:frame", std::to_string(frame)}});
+  /// Writes a picture as that of a frame, of a film with that record.
+  static void write(const fs::path& picture, int frame, const FilmRecord& record) {
+    auto header = record.frame_header();
+    header["coppermoon:frame"] = std::to_string(frame);
+    texture::write_png(picture, texture::Image(2, 2, {"R", "G", "B"}), 8, header);
   }
+  void write(const fs::path& picture, int frame) const { write(picture, frame, film_.record); }
 
   Film film_;
-  fs::path foreign_;
+  FilmRecord foreign_{.recipe = "iso = 100\n"};
 };
 
 TEST_F(FolderOfAFilm, HoldsAFrameThatIsWholeAndItsOwn) {
@@ -55,20 +54,20 @@ TEST_F(FolderOfAFilm, HoldsAFrameThatIsWholeAndItsOwn) {
 TEST_F(FolderOfAFilm, IsOneFilms) {
   write(film_.picture(1), 1);
   EXPECT_NO_THROW(require_own(film_, false));
-  foreign_ = film_.picture(1);
+  write(film_.picture(1), 1, foreign_);
   EXPECT_FALSE(is_made(film_, 1));
   try {
     require_own(film_, false);
     ADD_FAILURE() << "was not refused";
   } catch (const algebra::Error& error) {
     EXPECT_EQ(error.what(), film_.folder.string() +
-                                ": holds stars (frame.0001.png), allowed another folder, or sleep");
+                                ": holds a film made with iso = 100, asked 800 (frame.0001.png), allowed another folder, or sleep");
   }
 }
 
 TEST_F(FolderOfAFilm, IsOneFilmsForAsLongAsItIsMade) {
   auto another = film_;
-  another.record.film_key = "iso = 100\n";
+  another.record = foreign_;
   {
     const FilmClaim first_shard(film_), second_shard(film_);
     EXPECT_THROW(FilmClaim{another}, algebra::Error);
@@ -78,11 +77,11 @@ TEST_F(FolderOfAFilm, IsOneFilmsForAsLongAsItIsMade) {
 }
 
 TEST_F(FolderOfAFilm, LosesFramesOfAnotherThatItHasNoNumberFor) {
-  foreign_ = film_.folder / "frame.0004.png";
+  const auto fourth = film_.folder / "frame.0004.png";
   write(film_.picture(1), 1);
-  write(foreign_, 4);
+  write(fourth, 4, foreign_);
   require_own(film_, true);
-  EXPECT_FALSE(fs::exists(foreign_));
+  EXPECT_FALSE(fs::exists(fourth));
   EXPECT_TRUE(fs::exists(film_.picture(1)));
 }
 

@@ -40,7 +40,9 @@ class WholeFilm : public testing::Test {
   FilmLight light(const LightRequest& request, const std::string& key = "",
                   bool replace = false) const {
     auto lit = film(request);
-    lit.record.light_key = key;
+    lit.record.recipe = key;
+    lit.record.affected = {{"ozone", request::Affects::photons},
+                           {"ozone-du", request::Affects::photons}};
     return film_light(lit, replace);
   }
 
@@ -124,19 +126,16 @@ TEST_F(WholeFilm, OfOtherSettingsIsRefusedInTheRecordsWords) {
   coarse.wish.tolerance = 0.05;
   EXPECT_FALSE(light(coarse, "ozone = 300\n").kept);
   auto other = film(coarse);
-  other.record.light_key = "ozone = 200\n";
+  other.record.recipe = "ozone = 200\n";
+  other.record.affected = {{"ozone", request::Affects::photons}};
   other.record.way_out = ", or leave it";
-  other.record.differences = [](const std::string& there, const std::string& asked) {
-    return fmt::format("{} and {}", there.substr(there.size() - 12, 11),
-                       asked.substr(asked.size() - 12, 11));
-  };
   try {
     film_light(other);
     ADD_FAILURE() << "was not refused";
   } catch (const algebra::Error& error) {
     EXPECT_EQ(error.what(), folder_.string() +
-                                ": holds the light of a film made with ozone = 300 and "
-                                "ozone = 200 (eclipse.light), allowed another folder, or leave it");
+                                ": holds the light of a film made with ozone = 300, "
+                                "asked 200 (eclipse.light), allowed another folder, or leave it");
   }
 }
 

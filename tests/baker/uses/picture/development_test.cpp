@@ -9,6 +9,7 @@
 #include "algebra/error.h"
 #include "colour/camera.h"
 #include "support/within.h"
+#include "uses/picture/picture_parameters.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -270,6 +271,14 @@ TEST(Limb, OfAFrameWhoseEdgeIsNotKnownOrThroughACameraStaysAsItIs) {
   through_camera.camera.model = "400mm";
   EXPECT_EQ(shown_of(through_camera, disc), shown_of(through_camera, {}));
   EXPECT_NE(shown_of({}, disc), shown_of({}, {}));
+}
+
+TEST(ExposureSeconds, AreNumbersAndFractions) {
+  EXPECT_EQ(exposure_seconds("4"), 4);
+  EXPECT_EQ(exposure_seconds("1/8"), 0.125);
+  EXPECT_EQ(exposure_seconds("0.3/2"), 0.15);
+  for (const char* none : {"1/0", "1/-2", "/2", "1/", "1/2/3", "a/2", ""})
+    EXPECT_FALSE(exposure_seconds(none)) << none;
 }
 
 }  // namespace

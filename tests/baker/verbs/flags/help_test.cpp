@@ -100,10 +100,8 @@ TEST(Pages, OfRecipesHaveEachKeyWithWhatItIs) {
   Program program;
   std::set<std::string> keys;
   for (const auto* verb : program.verbs())
-    for (const auto& flag : flag_texts(*verb)) {
-      if (holds(no_part_of_recipes(), flag.name)) continue;
-      keys.insert(flag.name);
-    }
+    for (const auto& parameter : parameters_of(*verb))
+      if (in_recipes(parameter)) keys.insert(parameter.name);
   for (const auto& key : keys)
     EXPECT_NE(page.find("| `" + key + "` |"), std::string::npos) << key << " is missing";
   std::istringstream lines(page);

@@ -3,18 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "algebra/error.h"
-#include "verbs/flags/air_options.h"
+#include "verbs/flags/verb.h"
 
 namespace coppermoon::verbs {
 namespace {
 
 uses::LightRequest request_after(const std::string& flags) {
-  CLI::App verb;
-  verb.option_defaults()->always_capture_default();
+  Verb verb;
   LightOptions options;
   add_light_options(verb, options);
   add_photon_file_options(verb, options);
@@ -42,29 +40,6 @@ TEST(LightRequest, OfThePapersQualityIsThePapersSimulation) {
   EXPECT_EQ(fewer.photons, 5);
   EXPECT_EQ(fewer.by_hand.bands, 3);
   EXPECT_TRUE(fewer.by_hand.terms->scattered_light);
-}
-
-std::string air_after(const std::string& flags) {
-  CLI::App verb;
-  verb.option_defaults()->always_capture_default()->multi_option_policy(
-      CLI::MultiOptionPolicy::TakeLast);
-  LightOptions options;
-  add_light_options(verb, options);
-  verb.parse(flags);
-  return air_in_words(verb);
-}
-
-TEST(AirInWords, NamesWhatIsNotAsUsualAndNothingElse) {
-  EXPECT_EQ(air_after(""), "standard air");
-  EXPECT_EQ(air_after("--atmosphere monthly --refraction on --scattered-light auto --bands 7"),
-            "standard air");
-  EXPECT_EQ(air_after("--atmosphere none"), "no air");
-  EXPECT_EQ(air_after("--stratospheric-aerosol high --stratospheric-aerosol extreme"),
-            "standard air, stratospheric aerosol extreme");
-  EXPECT_EQ(air_after("--atmosphere undated --ozone-du 300 --cloud-top-km 4 --refraction off"),
-            "undated air, refraction off, ozone 300 DU, cloud top 4 km");
-  EXPECT_EQ(air_after("--region from-latitude=-90,to-latitude=0,dust-extinction=1e-5"),
-            "standard air, 1 region");
 }
 
 TEST(LightRequest, ReadsRegionsOnce) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "verbs/flags/moments.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string>
 
 #include "algebra/error.h"
 #include "support/within.h"
+#include "verbs/flags/verb.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -97,6 +97,21 @@ TEST(Moments, WithAPlaceAndNoOffsetAreSaidToBeUtc) {
   EXPECT_EQ(said({"sky", "2018-07-27 20:22"}), "") << "without a place nobody expects its clocks";
 }
 
+TEST(Places, OfSeveralCitiesAreSaidToBeTheLargest) {
+  const auto said = [](const std::string& place) {
+    Verb verb;
+    std::string at;
+    add_flag(verb, "--at", at, "");
+    verb.parse(Words{place, "--at"});
+    testing::internal::CaptureStderr();
+    say_which_city(verb);
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_TRUE(said("Springfield").starts_with(
+      "coppermoon: Springfield is Springfield/Missouri; others are "));
+  EXPECT_EQ(said("Springfield/Illinois"), "");
+}
+
 TEST(Moments, OfADayWithoutAnEclipseAreRefusedWithTheNearest) {
   const auto refusal = refusal_of({"2018-07-28"});
   EXPECT_NE(refusal.find("the nearest is at 2018-07-27T20:2"), std::string::npos) << refusal;
@@ -112,14 +127,6 @@ TEST(Moments, InTwoArgumentsAreJoined) {
             (Words{"sky", "2018-07-27 20:22", "--at", "1,2"}));
   const Words apart{"still", "2018-07-27", "-o", "U2.png", "U2", "2018-07-27T20:22Z", "20:22"};
   EXPECT_EQ(with_moments_joined(apart), apart);
-}
-
-TEST(ExposureSeconds, AreNumbersAndFractions) {
-  EXPECT_EQ(exposure_seconds("4"), 4);
-  EXPECT_EQ(exposure_seconds("1/8"), 0.125);
-  EXPECT_EQ(exposure_seconds("0.3/2"), 0.15);
-  for (const char* none : {"1/0", "1/-2", "/2", "1/", "1/2/3", "a/2", ""})
-    EXPECT_FALSE(exposure_seconds(none)) << none;
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 
 #include "algebra/error.h"
 #include "texture/write_image.h"
-#include "verbs/flags/air_options.h"
-#include "verbs/flags/named_files.h"
+#include "uses/light/light_parameters.h"
+#include "verbs/flags/verb.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -22,26 +22,28 @@ using Words = std::vector<std::string>;
 /// A program of one word, with a flag of each kind.
 struct Program {
   CLI::App app;
-  CLI::App* verb;
+  Verb* verb;
   std::string instant, output, map = "auto";
   double dust = 0;
   std::uint64_t seed = 1;
   int rays = 600;
   std::string waves;
-  bool unshadowed = false;
+  bool unshadowed = false, run = false;
 
-  Program() {
+  explicit Program(bool dusty = true) {
     app.option_defaults()->always_capture_default()->multi_option_policy(
         CLI::MultiOptionPolicy::TakeLast);
-    verb = app.add_subcommand("bake");
-    verb->add_option("instant,--instant", instant);
-    verb->add_option("--albedo-map", map)->type_name(read_file);
-    verb->add_option("--dust-extinction", dust);
-    verb->add_option("--seed", seed);
-    verb->add_option("--rays", rays);
-    verb->add_option("--waves", waves);
-    verb->add_option("-o,--output", output);
-    verb->add_flag("--unshadowed", unshadowed);
+    verb = dynamic_cast<Verb*>(add_verb(app, "bake", ""));
+    add_flag(*verb, "instant,--instant", instant, "");
+    add_flag(*verb, "--albedo-map", map, "").reads_file();
+    if (dusty) add_flag(*verb, "--dust-extinction", dust, "");
+    add_flag(*verb, "--seed", seed, "");
+    add_flag(*verb, "--rays", rays, "");
+    add_flag(*verb, "--waves", waves, "");
+    add_flag(*verb, "-o,--output", output, "").writes_file();
+    add_switch(*verb, "--unshadowed", unshadowed, "");
+    for (const char* of_run : {"--json", "--csv", "--replace"})
+      add_switch(*verb, of_run, run, "").of(request::Affects::run);
     add_recipe_option(*verb);
   }
 
@@ -56,10 +58,7 @@ struct Program {
 struct AirProgram : Program {
   uses::Air air;
 
-  AirProgram() {
-    verb->remove_option(verb->get_option("--dust-extinction"));
-    add_air_options(*verb, air);
-  }
+  AirProgram() : Program(false) { add_described(*verb, air); }
 };
 
 class Recipe : public testing::Test {
@@ -145,7 +144,7 @@ TEST_F(Recipe, OfAFilmsFileIsThatOfItsFrame) {
     return with_recipes(program.app, {"bake", frame});
   };
   for (const char* flag : {"--calendar", "--field", "--up", "--time"})
-    program.verb->add_option(flag, program.waves);
+    add_flag(*program.verb, flag, program.waves, "");
   EXPECT_EQ(words_for("horizon"),
             Words({"bake", "--field=1", "--instant=2018-07-27T18:57:22.399Z",
                    "--calendar=gregorian", "--up=zenith", "--time=0.5"}));

@@ -4,15 +4,12 @@
 #include <string>
 
 #include "almanac/observer.h"
-#include "uses/picture/view.h"
-#include "verbs/flags/flags.h"
+#include "povray_scenes/camera.h"
 
-namespace coppermoon::verbs {
+namespace coppermoon::uses {
 
-/// A place on Earth as written on the command line: a city's name (almanac::city_named), or "LAT,LON" or
-/// "LAT,LON,ELEVATION" in degrees and metres, as "42.86,-73.77" or "42.86N,73.77W".
-///
-/// Where the name leaves a doubt, the program says on stderr which city it takes (almanac::city_taken).
+/// A place on the Earth: a city's name (almanac::city_named), or "LAT,LON" or "LAT,LON,ELEVATION" in degrees and
+/// metres, as "42.86,-73.77" or "42.86N,73.77W".
 ///
 /// Throws Error when the text is no such place: names the regions that have such a city, or the city whose
 ///              name is nearest
@@ -28,10 +25,4 @@ almanac::SelenographicPoint feature_from(const std::string& text);
 /// Throws Error when the text is no such place
 povray_scenes::HorizonPlace aim_from(const std::string& text);
 
-/// The observer and the air above.
-void add_observer_options(CLI::App& verb, uses::ViewRequest& request);
-
-/// The observer, the air above, and the frame: its field, its size, which way is up.
-void add_view_options(CLI::App& verb, uses::ViewRequest& request);
-
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::uses

@@ -1,29 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "verbs/flags/plan_options.h"
+#include "uses/light/light_parameters.h"
 
-#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include <cstring>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "algebra/error.h"
 #include "support/within.h"
 
-namespace coppermoon::verbs {
+namespace coppermoon::uses {
 namespace {
 
-template <typename Value>
-PlanOptions with(Value PlanOptions::*option, const Value& value) {
-  PlanOptions options;
-  options.*option = value;
-  return options;
-}
-
-using Text = std::optional<std::string>;
-using Count = std::optional<int>;
-using Share = std::optional<double>;
-
-PlanOptions toleranced(const char* text) { return with(&PlanOptions::tolerance, Text(text)); }
-PlanOptions budgeted(const char* text) { return with(&PlanOptions::budget, Text(text)); }
+Effort toleranced(const char* text) { return {.tolerance = text}; }
+Effort budgeted(const char* text) { return {.budget = text}; }
 
 template <typename Function>
 std::string error_of(const Function& function) {
@@ -79,7 +71,7 @@ TEST(WishOf, RefusesOtherWordsInOneLineThatNamesThem) {
 
 TEST(WishOf, IsTheQualitysUnlessToleranceOrBudgetAreGiven) {
   const auto tolerance = [](const char* quality) {
-    return *wish_of(with(&PlanOptions::quality, std::string(quality))).tolerance;
+    return *wish_of(Effort{.quality = quality}).tolerance;
   };
   EXPECT_EQ(tolerance("draft"), 0.05);
   EXPECT_EQ(tolerance("standard"), 0.01);
@@ -88,14 +80,25 @@ TEST(WishOf, IsTheQualitysUnlessToleranceOrBudgetAreGiven) {
   EXPECT_FALSE(wish_of(budgeted("2s")).tolerance) << "the best that time allows, not standard";
 }
 
-TEST(ByHand, IsWhatTheFlagsSay) {
-  const auto none = by_hand({});
+/// Knobs that texts give, as a command line or a recipe would.
+plan::ByHand knobs(const std::vector<std::pair<const char*, const char*>>& given) {
+  plan::ByHand hand;
+  request::Parameters all;
+  describe_knobs(all, hand);
+  for (const auto& [name, text] : given) all.find(name)->take({text});
+  require_knobs(hand);
+  return hand;
+}
+
+TEST(Knobs, AreWhatTheTextsSay) {
+  const auto none = knobs({});
   EXPECT_FALSE(none.bands || none.rays || none.sun_terms || none.planes || none.place_error ||
                none.terms || none.method || none.photons);
-  PlanOptions options;
-  options.bands = 40, options.rays = 500, options.sun_terms = 3, options.planes = 5;
-  options.place_error = 1e-3;
-  const auto hand = by_hand(options);
+  const auto hand = knobs({{"bands", "40"},
+                           {"rays", "500"},
+                           {"sun-terms", "3"},
+                           {"planes", "5"},
+                           {"place-error", "1e-3"}});
   EXPECT_EQ(hand.bands, 40);
   EXPECT_EQ(hand.rays, 500);
   EXPECT_EQ(hand.sun_terms, 3);
@@ -103,28 +106,31 @@ TEST(ByHand, IsWhatTheFlagsSay) {
   EXPECT_EQ(hand.place_error, 1e-3);
 }
 
-TEST(ByHand, RefusesKnobsOutsideTheirRanges) {
-  struct {
-    Count PlanOptions::*knob;
-    int least, most;
-  } const counts[]{{&PlanOptions::bands, 1, 400},
-                   {&PlanOptions::rays, 2, 10'000'000},
-                   {&PlanOptions::sun_terms, 1, 6},
-                   {&PlanOptions::planes, 1, 9}};
-  for (const auto& [knob, least, most] : counts) {
-    for (const int allowed : {least, most}) EXPECT_NO_THROW(by_hand(with(knob, Count(allowed))));
-    for (const int outside : {least - 1, most + 1})
-      EXPECT_THROW(by_hand(with(knob, Count(outside))), algebra::Error) << outside;
+TEST(Knobs, AreRefusedOutsideTheirRanges) {
+  plan::ByHand hand;
+  request::Parameters all;
+  describe_knobs(all, hand);
+  int ranges = 0;
+  for (const auto& knob : all) {
+    if (!knob.range) continue;
+    ++ranges;
+    const auto text = [&](double value) { return fmt::format("{}", value); };
+    const bool whole = knob.kind == request::Kind::whole;
+    const auto [low, high] = *knob.range;
+    for (const double allowed : {low, high})
+      EXPECT_NO_THROW(knobs({{knob.name.c_str(), text(allowed).c_str()}})) << knob.name;
+    for (const double outside : {whole ? low - 1 : 0.9 * low, whole ? high + 1 : 1.1 * high, -1.})
+      EXPECT_THROW(knobs({{knob.name.c_str(), text(outside).c_str()}}), algebra::Error)
+          << knob.name << " " << outside;
   }
-  for (const double outside : {9e-6, 1.1, -1.})
-    EXPECT_THROW(by_hand(with(&PlanOptions::place_error, Share(outside))), algebra::Error);
-  const auto error = error_of([] { by_hand(with(&PlanOptions::bands, Count(401))); });
+  EXPECT_EQ(ranges, 5);
+  const auto error = error_of([] { knobs({{"bands", "401"}}); });
   for (const char* part : {"bands", "401", "400"})
     EXPECT_NE(error.find(part), std::string::npos) << error;
 }
 
 plan::Work without(const std::string& words) {
-  return *by_hand(with(&PlanOptions::leave_out, Text(words))).terms;
+  return *knobs({{"leave-out", words.c_str()}}).terms;
 }
 
 TEST(LeaveOut, SwitchesOffWhatItNamesAndNothingElse) {
@@ -148,15 +154,19 @@ TEST(LeaveOut, RefusesOtherWordsAndSaysWhichThereAre) {
                   "commas between");
 }
 
-/// What a recipe's lines above all tables say, read as flags again.
-PlanOptions read_again(const std::string& recipe) {
-  CLI::App app;
-  PlanOptions options;
-  add_plan_options(app, options);
-  app.allow_config_extras(true);
+/// Knobs that a recipe's lines above all tables give.
+plan::ByHand knobs_in(const std::string& recipe) {
+  plan::ByHand hand;
+  request::Parameters all;
+  describe_knobs(all, hand);
   std::istringstream lines(recipe.substr(0, recipe.find("\n[")));
-  app.parse_from_stream(lines);
-  return options;
+  for (std::string line; std::getline(lines, line);) {
+    const auto sign = line.find(" = ");
+    auto text = line.substr(sign + 3);
+    std::erase(text, '\'');
+    if (auto* knob = all.find(line.substr(0, sign))) knob->take({text});
+  }
+  return hand;
 }
 
 const plan::Work planned{.regions = false,
@@ -173,7 +183,7 @@ const std::string asked =
     "from-latitude = -90\nto-latitude = 0\n";
 
 TEST(WithWork, ComesBackAsTheSameWork) {
-  const auto hand = by_hand(read_again(with_work(asked, planned)));
+  const auto hand = knobs_in(with_work(asked, planned));
   EXPECT_EQ(hand.bands, planned.bands);
   EXPECT_EQ(hand.rays, planned.rays);
   EXPECT_EQ(hand.sun_terms, planned.sun_terms);
@@ -212,5 +222,32 @@ TEST(WithWork, SaysHowManyPhotonsWhereThereAreAny) {
   EXPECT_NE(recipe.find("solver = 'photons'\nphotons = 2048\n"), std::string::npos) << recipe;
 }
 
+using Given = std::vector<std::pair<const char*, const char*>>;
+
+std::string air_with(const Given& given) {
+  LightRequest light;
+  request::Parameters all;
+  describe(all, light.air);
+  describe_sunlight(all, light);
+  for (const auto& [name, text] : given) all.find(name)->take({text});
+  return air_in_words(all);
+}
+
+TEST(AirInWords, NamesWhatIsNotAsUsualAndNothingElse) {
+  EXPECT_EQ(air_with({}), "standard air");
+  EXPECT_EQ(air_with({{"atmosphere", "standard"}, {"refraction", "on"}, {"scattered-light", "auto"}}),
+            "standard air");
+  EXPECT_EQ(air_with({{"atmosphere", "none"}}), "no air");
+  EXPECT_EQ(air_with({{"stratospheric-aerosol", "high"}, {"stratospheric-aerosol", "extreme"}}),
+            "standard air, stratospheric aerosol extreme");
+  EXPECT_EQ(air_with({{"atmosphere", "undated"},
+                      {"ozone-du", "300"},
+                      {"cloud-top-km", "4"},
+                      {"refraction", "off"}}),
+            "undated air, refraction off, ozone 300 DU, cloud top 4 km");
+  EXPECT_EQ(air_with({{"region", "from-latitude=-90,to-latitude=0,dust-extinction=1e-5"}}),
+            "standard air, 1 region");
+}
+
 }  // namespace
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::uses

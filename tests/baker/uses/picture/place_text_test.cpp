@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "verbs/flags/view_options.h"
+#include "uses/picture/place_text.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "algebra/error.h"
 #include "support/within.h"
 
-namespace coppermoon::verbs {
+namespace coppermoon::uses {
 namespace {
 
 constexpr const char* reason = "rounding between degrees and radians";
@@ -52,16 +52,6 @@ TEST(ObserverFrom, KnowsCitiesByName) {
     EXPECT_NE(refusal(text).find(said), std::string::npos) << refusal(text);
 }
 
-TEST(ObserverFrom, SaysWhichOfSeveralCitiesItTakes) {
-  testing::internal::CaptureStderr();
-  observer_from("Springfield");
-  EXPECT_TRUE(testing::internal::GetCapturedStderr().starts_with(
-      "coppermoon: Springfield is Springfield/Missouri; others are "));
-  testing::internal::CaptureStderr();
-  observer_from("Springfield/Illinois");
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-}
-
 TEST(FeatureFrom, KnowsCratersByName) {
   EXPECT_WITHIN(in_degrees(feature_from("Tycho").latitude), -43.3, 0.1,
                 "degrees: as it is rounded");
@@ -77,4 +67,4 @@ TEST(ObserverFrom, RefusesWhatIsNoPlace) {
 }
 
 }  // namespace
-}  // namespace coppermoon::verbs
+}  // namespace coppermoon::uses

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "request/parameter.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <sstream>
+#include <system_error>
+
+#include "algebra/error.h"
+#include "algebra/number.h"
+
+namespace coppermoon::request {
+namespace {
+
+/// A text that is to be a whole number.
+template <class Whole>
+struct Read {
+  Whole value{};
+  bool whole = false, too_large = false;
+};
+
+template <class Whole>
+Read<Whole> whole_in(const std::string& text) {
+  const auto end = text.data() + text.size();
+  Read<Whole> read;
+  const auto [rest, failed] =
+      std::from_chars(text.data() + text.starts_with('+'), end, read.value);
+  read.whole = failed == std::errc() && rest == end;
+  read.too_large = failed == std::errc::result_out_of_range;
+  return read;
+}
+
+template <class Whole>
+std::string fault_of(const std::string& text) {
+  const auto read = whole_in<Whole>(text);
+  if (read.whole) return {};
+  const bool number = algebra::number_in(text).has_value();
+  if (std::is_unsigned_v<Whole> && number && text.starts_with('-'))
+    return fmt::format("{}, allowed whole numbers, 0 or more", text);
+  if (read.too_large)
+    return fmt::format("{}, allowed {} to {}", text, std::numeric_limits<Whole>::min(),
+                       std::numeric_limits<Whole>::max());
+  return fmt::format("{}, allowed {}", text, number ? "whole numbers" : "a number");
+}
+
+}  // namespace
+
+std::string Parameter::text() const {
+  const auto all = texts();
+  return all.empty() ? std::string() : all.back();
+}
+
+void Parameter::take(const Texts& texts) {
+  Texts alike;
+  for (const auto& text : texts) {
+    if (const auto fault = fault_in(kind, text); !fault.empty())
+      throw algebra::Error(fmt::format("{} = {}", name, fault));
+    alike.push_back(spelt(kind, text));
+  }
+  write(alike);
+  given = std::move(alike);
+}
+
+void Parameter::reset() {
+  if (given) restore();
+  given.reset();
+}
+
+std::string fault_in(Kind kind, const std::string& text) {
+  if (kind == Kind::whole) return fault_of<int>(text);
+  if (kind == Kind::natural) return fault_of<std::size_t>(text);
+  if (kind == Kind::number && !algebra::number_in(text))
+    return fmt::format("{}, allowed a number", text);
+  return {};
+}
+
+std::string spelt(Kind kind, const std::string& text) {
+  if (kind == Kind::number)  // TOML has no -0 that is whole
+    if (const auto number = algebra::number_in(text)) return fmt::format("{}", *number + 0.);
+  if (kind == Kind::whole) return text_of(whole_in<int>(text).value);
+  if (kind == Kind::natural) return text_of(whole_in<std::size_t>(text).value);
+  return text;
+}
+
+std::string text_of(double value) { return fmt::format("{}", value); }
+std::string text_of(int value) { return fmt::format("{}", value); }
+std::string text_of(std::size_t value) { return fmt::format("{}", value); }
+void read_text(const std::string& text, double& value) { value = algebra::number_in(text).value(); }
+void read_text(const std::string& text, int& value) { value = whole_in<int>(text).value; }
+void read_text(const std::string& text, std::size_t& value) {
+  value = whole_in<std::size_t>(text).value;
+}
+
+std::string name_in(std::string_view spelling) {
+  const auto dashes = spelling.rfind("--");
+  return std::string(dashes == std::string_view::npos ? spelling : spelling.substr(dashes + 2));
+}
+
+std::size_t word_in(const Texts& words, const std::string& name, const std::string& text) {
+  const auto found = std::ranges::find(words, text);
+  if (found == words.end())
+    throw algebra::Error(
+        fmt::format("{} = {}, allowed {}", name, text, fmt::join(words, ", ")));
+  return static_cast<std::size_t>(found - words.begin());
+}
+
+Parameter presence(const std::string& spelling, bool& value, std::string meaning) {
+  Parameter made{.name = name_in(spelling),
+                 .spelling = spelling,
+                 .kind = Kind::presence,
+                 .meaning = std::move(meaning)};
+  made.read = [&value] { return value ? Texts{"true"} : Texts{}; };
+  made.write = [&value](const Texts& texts) { value = !texts.empty() && texts.back() == "true"; };
+  made.restore = [&value, first = value] { value = first; };
+  return made;
+}
+
+void Parameters::begin(std::string heading, std::string table, Affects affects) {
+  heading_ = std::move(heading);
+  table_ = std::move(table);
+  affects_ = affects;
+}
+
+Parameter& Parameters::add(Parameter parameter) {
+  parameter.heading = heading_;
+  parameter.table = table_;
+  parameter.affects = affects_;
+  if (!parameter.many) parameter.usual = parameter.text();
+  return all_.emplace_back(std::move(parameter));
+}
+
+Parameter* Parameters::find(std::string_view name) {
+  const auto found = std::ranges::find(all_, name, &Parameter::name);
+  return found == all_.end() ? nullptr : &*found;
+}
+
+const Parameter* Parameters::find(std::string_view name) const {
+  const auto found = std::ranges::find(all_, name, &Parameter::name);
+  return found == all_.end() ? nullptr : &*found;
+}
+
+void take_parts(Parameters& parts, const std::string& text) {
+  for (auto& part : parts) part.reset();
+  std::istringstream pairs(text);
+  for (std::string pair; std::getline(pairs, pair, ',');) {
+    const auto sign = pair.find('=');
+    auto* part = parts.find(pair.substr(0, sign));
+    if (part == nullptr)
+      throw algebra::Error(fmt::format("{}: there is no such part", pair));
+    if (sign == std::string::npos || sign + 1 == pair.size())
+      throw algebra::Error(fmt::format("{}: a value is missing", part->name));
+    part->take({pair.substr(sign + 1)});
+  }
+}
+
+}  // namespace coppermoon::request

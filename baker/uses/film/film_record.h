@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "plan/plan.h"
+#include "request/parameter.h"
+#include "texture/image.h"
+
+namespace coppermoon::uses {
+
+/// What a film is made from, as the headers of its files keep it; tells a file of this film from another's.
+/// Functions may be called from any thread.
+struct FilmRecord {
+  std::string recipe{};  ///< as asked for, with the textures' width; empty: no file is of this film
+  std::map<std::string, request::Affects, std::less<>> affected{};  ///< by each parameter of it
+  std::string map_contents{}, view_contents{};  ///< fingerprints of files that the recipe names
+  std::optional<plan::Work> work{};             ///< of the light, once it is planned
+  std::string way_out{};  ///< ends a refusal of another film's files, behind "allowed another folder"
+
+  /// Attributes in the header of each file of a frame, beside its number.
+  texture::Attributes frame_header() const;
+  /// Attributes in the header of each file that is made of many frames.
+  texture::Attributes film_header() const;
+
+  /// Recipe of all that the light depends on but time, before it is planned.
+  std::string light_key() const;
+  /// A text that tells this film from others, whatever is made of it.
+  std::string film_key() const;
+
+  /// Whether a file was made from the same, as far as that file depends on it.
+  bool made_alike(const std::filesystem::path& file) const;
+  /// Whether a linear frame's pixels were made from the same, whatever its exposure.
+  bool shows_the_same(const std::filesystem::path& frame) const;
+  /// Contents of a file that is not of this film, in words; empty where it is of it, or damaged. Work counts by what
+  /// it is planned from.
+  std::string foreign_contents(const std::filesystem::path& file) const;
+};
+
+/// Record of a film whose request those parameters are.
+///
+/// Given  recipe  of the parameters, with the textures' width
+FilmRecord film_record(const request::Parameters& parameters, std::string recipe);
+
+/// Differences of two recipes in words, for whoever asked for the second: "iso = 800, asked 100; …". Empty: none.
+std::string differences_in_words(const std::string& there, const std::string& asked);
+
+}  // namespace coppermoon::uses

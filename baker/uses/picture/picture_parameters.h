@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "request/parameter.h"
+#include "uses/picture/baked_moon.h"
+#include "uses/picture/development.h"
+
+namespace coppermoon::uses {
+
+/// Heading of help.
+inline constexpr const char* camera_heading = "The camera and the picture";
+
+/// The albedo map, its coding, and the photometry of the ground.
+void describe_map(request::Parameters& is, MoonRequest& moon);
+
+/// Width of the texture.
+void describe_width(request::Parameters& is, MoonRequest& moon);
+
+/// The observer, and the air above.
+void describe_observer(request::Parameters& is, ViewRequest& view);
+
+/// The observer, the air above, and the frame: its field, its size, which way is up.
+void describe(request::Parameters& is, ViewRequest& view);
+
+/// The camera: its optics, sensor and sky.
+void describe(request::Parameters& is, CameraRequest& camera);
+
+/// Exposure and development of a frame, without its time, and with it.
+void describe_but_time(request::Parameters& is, Development& development);
+void describe(request::Parameters& is, Development& development);
+
+/// Exposure time as text, for whoever reads more than one time in it.
+void describe_time(request::Parameters& is, std::string& time);
+
+/// Space, type of numbers, spectrum and passes of a texture.
+void describe(request::Parameters& is, TextureContent& content);
+
+/// "auto", "follow", "composite" or seconds.
+///
+/// Throws  Error  when the text is none of them
+ExposureTime exposure_time_from(const std::string& text);
+
+/// Seconds of an exposure: "4", "0.03" or "1/30"; none when the text is no such number.
+std::optional<double> exposure_seconds(const std::string& text);
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <utility>
+
+#include "request/parameter.h"
+
+namespace coppermoon::verbs {
+
+/// A word of the command line with its parameters. CLI11 costs seconds to compile: few files include this.
+struct Verb : CLI::App {
+  Verb() = default;
+  Verb(CLI::App& program, std::string name, std::string help)
+      : CLI::App(std::move(help), std::move(name), &program) {}
+
+  request::Parameters parameters;
+};
+
+}  // namespace coppermoon::verbs
