@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "algebra/error.h"
-#include "povray_scenes/child_process.h"
+#include "files/child_process.h"
 #include "povray_scenes/scene.h"
 
 namespace coppermoon::povray_scenes {
@@ -127,7 +127,7 @@ class Closing {
 
  private:
   std::string file_;
-  FileDescriptor watch_;
+  files::FileDescriptor watch_;
 };
 
 /// Returned  whether POV-Ray closed its file and may still run; else it has ended
@@ -179,13 +179,14 @@ fs::path Draft::finish(const std::string& ending, const std::string& name,
 void run_povray(const RenderSettings& settings, const Draft& draft, const Run& run) {
   algebra::require_within("threads", settings.threads, 0, 512);
   algebra::require_within("timeout [s]", settings.timeout_s, 0, 1e7);
-  Pipe words;
-  Child child;
+  files::Pipe words;
+  files::Child child;
   std::optional<Closing> closing;
   if (run.until_closed) closing.emplace(draft.folder, run.output);
   // in place of anybody's own settings, which would count beside the scene's
   const auto no_settings = std::string("POVINI=") + settings_file;
-  start(child, {command(settings, run), "povray", draft.folder, {no_settings}}, words.in.number);
+  files::start(child, {command(settings, run), "povray", draft.folder, {no_settings}},
+               {.error = words.in.number});
   words.in.close();
   Conversation heard{run};
   if (listen(heard, words.out.number, closing ? &*closing : nullptr, settings)) return;

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "files/temporary_folder.h"
 
-#include <fcntl.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <fmt/format.h>
 
-#include <array>
+#include <cerrno>
 #include <cstdlib>
 #include <string>
 #include <system_error>
@@ -15,32 +11,6 @@
 #include "algebra/error.h"
 
 namespace coppermoon::files {
-namespace {
-
-/// Removes a file or a folder once nobody holds the other end of its standard input; signals to the program's
-/// group do not reach it.
-///
-/// Returned  0 when there is no shell
-pid_t remover_of(std::string path, int input) {
-  std::string shell = "sh", command = "-c", script = "cat && rm -rf -- \"$0\"";
-  std::array<char*, 5> words{shell.data(), command.data(), script.data(), path.data(), nullptr};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-  for (const int said : {STDOUT_FILENO, STDERR_FILENO})
-    posix_spawn_file_actions_addopen(&actions, said, "/dev/null", O_WRONLY, 0);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  pid_t child = 0;
-  if (::posix_spawnp(&child, words[0], &actions, &attributes, words.data(), environ) != 0)
-    child = 0;
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  return child;
-}
-
-}  // namespace
 
 void require_temporary_folder() {
   std::error_code failed;
@@ -51,19 +21,16 @@ void require_temporary_folder() {
 }
 
 RemovalAtEnd::RemovalAtEnd(const std::filesystem::path& path) {
-  int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) return;
-  alive_ = ends[1];
-  remover_ = remover_of(std::filesystem::absolute(path).string(), ends[0]);
-  ::close(ends[0]);
-}
-
-RemovalAtEnd::~RemovalAtEnd() {
-  if (remover_ > 0) {
-    ::kill(-remover_, SIGKILL);  // and all that it runs: it is the first of its own group
-    ::waitpid(remover_, nullptr, 0);
+  try {
+    alive_.emplace();
+    start(remover_,
+          {.words = {"sh", "-c", "cat && rm -rf -- \"$0\"", std::filesystem::absolute(path)},
+           .package = "dash",
+           .outlives_us = true},
+          {.input = alive_->out.number});
+    alive_->out.close();
+  } catch (const algebra::Error&) {
   }
-  if (alive_ >= 0) ::close(alive_);
 }
 
 TemporaryFolder::TemporaryFolder() {

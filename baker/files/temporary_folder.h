@@ -1,33 +1,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <optional>
 
+#include "files/child_process.h"
+
 namespace coppermoon::files {
 
-/// Refuses a system without a folder for temporary files. Said before the work is done.
+/// Refuses a system without a folder for temporary files, before any work.
 ///
 /// Throws  Error  with the name that TMPDIR gives
 void require_temporary_folder();
 
-/// Has a file or a folder removed when the program ends while this lives, by kill -9 too: a shell waits beside
+/// Removal of a file or a folder when the program ends while this lives, by kill -9 too: a shell waits beside
 /// the program for its end. Without a shell it stays.
 class RemovalAtEnd {
  public:
   explicit RemovalAtEnd(const std::filesystem::path& path);
-  ~RemovalAtEnd();
   RemovalAtEnd(const RemovalAtEnd&) = delete;
   RemovalAtEnd& operator=(const RemovalAtEnd&) = delete;
 
  private:
-  int alive_ = -1;  ///< closed by the end of the program
-  pid_t remover_ = 0;
+  std::optional<Pipe> alive_;  ///< closed by the end of the program, or after the remover's
+  Child remover_;
 };
 
-/// A folder that is there for as long as this is, and no longer than the program, whatever ends it.
+/// Folder that is there for as long as this is, and no longer than the program, whatever ends it.
 ///
 /// Throws  Error  when the system's temporary folder takes none
 class TemporaryFolder {

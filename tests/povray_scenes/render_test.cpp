@@ -15,11 +15,11 @@
 
 #include "algebra/error.h"
 #include "povray_scenes/folder.h"
-#include "povray_scenes/left_behind.h"
 #include "povray_scenes/meridian.h"
 #include "povray_scenes/pictures.h"
 #include "povray_scenes/scene.h"
 #include "povray_scenes/sight.h"
+#include "support/left_behind.h"
 #include "support/within.h"
 
 namespace coppermoon::povray_scenes {

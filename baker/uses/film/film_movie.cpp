@@ -9,9 +9,9 @@
 #include <iterator>
 #include <sstream>
 
+#include "files/child_process.h"
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
-#include "povray_scenes/child_process.h"
 #include "texture/read_image.h"
 #include "uses/picture/avif_file.h"
 #include "uses/picture/pixels.h"
@@ -82,9 +82,7 @@ std::vector<double> light_of_codes() {
 
 }  // namespace
 
-void require_ffmpeg() {
-  povray_scenes::run_program({.words = {"ffmpeg", "-version"}, .package = package});
-}
+void require_ffmpeg() { files::run_program({.words = {"ffmpeg", "-version"}, .package = package}); }
 
 void write_movie(const fs::path& path, const Film& film, const std::vector<std::size_t>& frames) {
   const files::TemporaryFolder folder;
@@ -93,7 +91,7 @@ void write_movie(const fs::path& path, const Film& film, const std::vector<std::
   const auto coding =
       film.products.high_range ? high_range_coding(light_levels(pictures)) : usual_coding();
   files::write_whole(path, [&](int descriptor) {
-    povray_scenes::run_program(
+    files::run_program(
         {.words = command(film.fps, coding), .package = package, .folder = folder.path()},
         descriptor);
   });

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "algebra/error.h"
+#include "files/child_process.h"
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
-#include "povray_scenes/child_process.h"
 #include "texture/write_image.h"
 
 namespace coppermoon::uses {
@@ -102,31 +102,31 @@ void write_avif(const std::filesystem::path& file, const texture::Image& picture
   const files::TemporaryFolder folder;
   files::write_whole(folder.path() / "header.xmp", xmp_of(attributes));
   texture::write_png(folder.path() / "picture.png", picture, 16);
-  povray_scenes::run_program({.words = {"avifenc",
-                                        "--cicp",
-                                        "9/16/9",
-                                        "--depth",
-                                        "12",
-                                        "--yuv",
-                                        "444",
-                                        "--range",
-                                        "full",
-                                        "--min",
-                                        "0",
-                                        "--max",
-                                        "2",
-                                        "--speed",
-                                        "6",
-                                        "--jobs",
-                                        "all",
-                                        "--ignore-exif",
-                                        "--ignore-icc",
-                                        "--xmp",
-                                        "header.xmp",
-                                        "picture.png",
-                                        "picture.avif"},
-                              .package = "libavif-bin",
-                              .folder = folder.path()});
+  files::run_program({.words = {"avifenc",
+                                "--cicp",
+                                "9/16/9",
+                                "--depth",
+                                "12",
+                                "--yuv",
+                                "444",
+                                "--range",
+                                "full",
+                                "--min",
+                                "0",
+                                "--max",
+                                "2",
+                                "--speed",
+                                "6",
+                                "--jobs",
+                                "all",
+                                "--ignore-exif",
+                                "--ignore-icc",
+                                "--xmp",
+                                "header.xmp",
+                                "picture.png",
+                                "picture.avif"},
+                      .package = "libavif-bin",
+                      .folder = folder.path()});
   const auto made = folder.path() / "picture.avif";
   std::error_code none;
   if (std::filesystem::file_size(made, none) == 0 || none)

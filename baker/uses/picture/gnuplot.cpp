@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "files/child_process.h"
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
-#include "povray_scenes/child_process.h"
 
 namespace coppermoon::uses {
 
@@ -17,10 +17,9 @@ void write_plot(const std::filesystem::path& picture, const std::string& termina
   files::write_whole(folder.path() / "plot.gp",
                      fmt::format("set terminal {}\n{}", terminal, script));
   files::write_whole(picture, [&](int descriptor) {
-    povray_scenes::run_program({.words = {"gnuplot", "-d", "plot.gp"},
-                                .package = "gnuplot-nox",
-                                .folder = folder.path()},
-                               descriptor);
+    files::run_program(
+        {.words = {"gnuplot", "-d", "plot.gp"}, .package = "gnuplot-nox", .folder = folder.path()},
+        descriptor);
   });
 }
 

@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "algebra/error.h"
-#include "povray_scenes/child_process.h"
+#include "files/child_process.h"
 
 namespace coppermoon::wrappers {
 namespace {
@@ -112,10 +112,10 @@ std::string recipes_read_with(const fs::path& recipe) {
 
 /// Standard output of a program that bakes.
 ///
-/// Throws  Error  as povray_scenes::output_of; what the program says is wrong, without its name
-std::string said_by(const povray_scenes::Program& program) {
+/// Throws  Error  as files::output_of; what the program says is wrong, without its name
+std::string said_by(const files::Program& program) {
   try {
-    return povray_scenes::output_of(program);
+    return files::output_of(program);
   } catch (const algebra::Error& error) {
     const std::string text(error.what()), name("coppermoon: ");
     throw algebra::Error(text.starts_with(name) ? text.substr(name.size()) : text);

@@ -10,7 +10,7 @@
 
 #include "algebra/error.h"
 #include "files/temporary_folder.h"
-#include "povray_scenes/left_behind.h"
+#include "support/left_behind.h"
 #include "uses/picture/avif_file.h"
 #include "uses/picture/gnuplot.h"
 
@@ -59,15 +59,14 @@ TEST_F(Helpers, ThatEndWellWithoutAResultAreSaid) {
 
 TEST_F(Helpers, ThatFailHaveTheFirstWord) {
   stand_in("gnuplot", "echo >&2; echo 'out of ink' >&2; echo end >&2; exit 1");
-  EXPECT_EQ(refusal([&] { write_plot(here() / "a.svg", "svg", "plot x"); }),
-            "gnuplot: out of ink");
+  EXPECT_EQ(refusal([&] { write_plot(here() / "a.svg", "svg", "plot x"); }), "gnuplot: out of ink");
 }
 
 TEST_F(Helpers, ThatHangAreNotLeftBehind) {
   stand_in("gnuplot",
            "cd " + here().string() + "; echo $$ > pid.tmp; mv pid.tmp pid; exec sleep 20");
-  EXPECT_EQ(povray_scenes::signal_after_our_death(
-                here() / "pid", [&] { write_plot(here() / "a.svg", "svg", "plot x"); }),
+  EXPECT_EQ(signal_after_our_death(here() / "pid",
+                                   [&] { write_plot(here() / "a.svg", "svg", "plot x"); }),
             SIGKILL);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "povray_scenes/child_process.h"
+#include "files/child_process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 
 #include "algebra/error.h"
 
-namespace coppermoon::povray_scenes {
+namespace coppermoon::files {
 namespace {
 
 using algebra::Error;
@@ -26,19 +26,21 @@ using algebra::Error;
   throw Error(fmt::format("no pipe to another program: {}", std::strerror(errno)));
 }
 
-/// In the child: only what is safe after a fork of many threads. Returns when all has failed.
-void become(char* const* arguments, char* const* variables, const char* folder, int standard_error,
-            int standard_output, pid_t parent) {
-  if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) return;
+/// Turns the forked child into the program; returns on failure. Calls only what is safe after a fork of many threads.
+void become(char* const* arguments, char* const* variables, const Program& program,
+            const Streams& streams, pid_t parent) {
+  if (program.outlives_us ? ::setpgid(0, 0) != 0
+                          : ::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent)
+    return;
   const int nothing = ::open("/dev/null", O_RDWR);
-  if (nothing < 0 || ::chdir(folder) != 0) return;
-  ::dup2(nothing, STDIN_FILENO);
-  ::dup2(standard_output < 0 ? nothing : standard_output, STDOUT_FILENO);
-  ::dup2(standard_error, STDERR_FILENO);
+  if (nothing < 0 || ::chdir(program.folder.c_str()) != 0) return;
+  const auto put = [&](int stream, int place) { ::dup2(stream < 0 ? nothing : stream, place); };
+  put(streams.input, STDIN_FILENO), put(streams.output, STDOUT_FILENO),
+      put(streams.error, STDERR_FILENO);
   ::execvpe(arguments[0], arguments, variables);
 }
 
-/// Our own environment but for some variables.
+/// Our environment with some variables set otherwise.
 std::vector<std::string> environment_with(std::vector<std::string> variables) {
   const auto named = variables;
   for (char** ours = environ; *ours != nullptr; ++ours) {
@@ -50,7 +52,7 @@ std::vector<std::string> environment_with(std::vector<std::string> variables) {
   return variables;
 }
 
-/// As exec takes them.
+/// Null-terminated array for exec.
 std::vector<char*> pointers_to(std::vector<std::string>& words) {
   std::vector<char*> pointers;
   for (auto& word : words) pointers.push_back(word.data());
@@ -58,14 +60,14 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
   return pointers;
 }
 
-/// The errno of its failure, or 0: what the child writes before it ends; exec closes the pipe.
+/// errno that the child wrote before it ended, or 0 when exec closed the pipe.
 int failure_of(int from) {
   int failure = 0;
   while (::read(from, &failure, sizeof failure) < 0 && errno == EINTR) continue;
   return failure;
 }
 
-/// What comes until the other end is closed; of more than 4096 bytes the beginning.
+/// Text read until the other end is closed; of more than 4096 bytes the beginning.
 std::string all_said(int from) {
   std::string said;
   std::array<char, 4096> buffer;
@@ -77,19 +79,19 @@ std::string all_said(int from) {
   }
 }
 
-/// The last line of a text that is not empty.
+/// Last line of a text that is not empty.
 std::string last_line(std::string text) {
   while (text.ends_with('\n')) text.pop_back();
   return text.substr(text.rfind('\n') + 1);
 }
 
-/// The first line of a text that is not empty.
+/// First line of a text that is not empty.
 std::string first_line(std::string text) {
   text.erase(0, text.find_first_not_of('\n'));
   return text.substr(0, text.find('\n'));
 }
 
-/// Throws  Error  when it ended otherwise than well: why
+/// Throws  Error  after a signal: its number; after another exit status than 0: `why`
 void require_success(const Program& program, int status, const std::string& why) {
   if (WIFSIGNALED(status))
     throw Error(fmt::format("{}: ended by signal {}", program.words[0], WTERMSIG(status)));
@@ -115,7 +117,7 @@ Pipe::Pipe() {
 
 Child::~Child() {
   if (id <= 0) return;
-  ::kill(id, SIGKILL);
+  ::kill(leads_group ? -id : id, SIGKILL);
   status();
 }
 
@@ -126,19 +128,18 @@ int Child::status() {
   return result;
 }
 
-/// By fork, since posix_spawn cannot ask for the child's end with ours.
-void start(Child& child, const Program& program, int standard_error,
-           std::optional<int> standard_output) {
+/// Forks, since posix_spawn cannot ask for the child's end with ours.
+void start(Child& child, const Program& program, const Streams& streams) {
   auto words = program.words, variables = environment_with(program.variables);
   const auto arguments = pointers_to(words), environment = pointers_to(variables);
   Pipe failed;
   const pid_t ourselves = ::getpid();
+  child.leads_group = program.outlives_us;
   child.id = ::fork();
   if (child.id == 0) {
-    become(arguments.data(), environment.data(), program.folder.c_str(), standard_error,
-           standard_output.value_or(-1), ourselves);
+    become(arguments.data(), environment.data(), program, streams, ourselves);
     const int why = errno;
-    [[maybe_unused]] const auto told = ::write(failed.in.number, &why, sizeof why);
+    [[maybe_unused]] const auto written = ::write(failed.in.number, &why, sizeof why);
     ::_exit(127);
   }
   const int not_forked = child.id < 0 ? errno : 0;
@@ -153,7 +154,7 @@ void start(Child& child, const Program& program, int standard_error,
 void run_program(const Program& program, std::optional<int> result) {
   Pipe words;
   Child child;
-  start(child, program, words.in.number, result);
+  start(child, program, {.output = result.value_or(-1), .error = words.in.number});
   words.in.close();
   const auto said = all_said(words.out.number);
   require_success(program, child.status(),
@@ -166,12 +167,12 @@ void run_program(const Program& program, std::optional<int> result) {
 std::string output_of(const Program& program) {
   Pipe words, output;
   Child child;
-  start(child, program, words.in.number, output.in.number);
+  start(child, program, {.output = output.in.number, .error = words.in.number});
   words.in.close(), output.in.close();
-  const auto said = all_said(words.out.number);  // first: what is output fits into a pipe
+  const auto said = all_said(words.out.number);  // first: the output fits into a pipe
   auto made = all_said(output.out.number);
   require_success(program, child.status(), last_line(said));
   return made;
 }
 
-}  // namespace coppermoon::povray_scenes
+}  // namespace coppermoon::files

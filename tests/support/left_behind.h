@@ -11,7 +11,7 @@
 #include <fstream>
 #include <thread>
 
-namespace coppermoon::povray_scenes {
+namespace coppermoon {
 
 /// What a program that we run comes to when we are killed.
 ///
@@ -37,4 +37,4 @@ int signal_after_our_death(const std::filesystem::path& pid_file, Run run) {
   return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
 }
 
-}  // namespace coppermoon::povray_scenes
+}  // namespace coppermoon
