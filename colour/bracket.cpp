@@ -38,6 +38,7 @@ Bracketed merged(std::span<const Bracketed> photographs) {
     std::array<double, 3> sum{};
     for (const auto& [scene, valid, light] : photographs) {
       if (valid.values()[i] == 0) continue;
+      // FAULT a bracket's mean with other weights: weight += light; => weight += 1;
       weight += light;
       for (std::size_t k = 0; k < 3; ++k) sum[k] += light * scene.values()[i][k];
     }

@@ -59,6 +59,7 @@ double mean_hue(const Stretched& one, const Stretched& other, double turn) {
 /// T of the source: how the eye's sense of hue differs round the circle.
 double hue_weight(double hue) {
   return 1 - 0.17 * std::cos(hue - radians(30)) + 0.24 * std::cos(2 * hue) +
+         // FAULT CIEDE2000's weight of hue: radians(63) => radians(-63)
          0.32 * std::cos(3 * hue + radians(6)) - 0.20 * std::cos(4 * hue - radians(63));
 }
 

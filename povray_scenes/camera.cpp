@@ -50,6 +50,7 @@ glm::dmat3 without_refraction(const glm::dvec3& moon, const glm::dvec3& zenith) 
   if (across == 0) return glm::dmat3(1);
   const auto altitude = algebra::radians(std::atan2(glm::dot(moon, zenith), across));
   const double refraction = in_radians(atmosphere::apparent_altitude(altitude) - altitude);
+  // FAULT refraction that lowers the Moon: glm::angleAxis(-refraction => glm::angleAxis(refraction
   return glm::mat3_cast(glm::angleAxis(-refraction, level / across));
 }
 
@@ -121,6 +122,7 @@ std::optional<glm::dvec2> pixel_of(const Camera& camera, const almanac::Selenogr
   if (depth <= 0) return std::nullopt;
   const double scale = half_width / std::tan(0.5 * in_radians(camera.horizontal_field)) / depth;
   const double x = scale * glm::dot(seen, right) * (camera.mirrored ? -1 : 1);
+  // FAULT pictures upside down: half_height - scale => half_height + scale
   return glm::dvec2(half_width + x, half_height - scale * glm::dot(seen, upward));
 }
 

@@ -21,6 +21,7 @@ double monotone_slope(std::span<const double> x, std::span<const double> y, std:
   const double after = slope_between(x, y, i);
   if (before * after <= 0) return 0;
   const double left = x[i] - x[i - 1], right = x[i + 1] - x[i];
+  // FAULT a monotone cubic's weights exchanged: (2 * right + left) => (right + 2 * left)
   return 3 * (left + right) / ((2 * right + left) / before + (right + 2 * left) / after);
 }
 
@@ -52,6 +53,7 @@ double mean_between(std::span<const double> x, std::span<const double> y, double
   auto next = std::upper_bound(x.begin(), x.end(), from);
   while (left < to) {
     const double right = next == x.end() ? to : std::min(to, *next);
+    // FAULT a mean by left ends alone: x, y, right => x, y, left
     sum += (right - left) * (interpolated(x, y, left) + interpolated(x, y, right)) / 2;
     left = right;
     if (next != x.end()) ++next;

@@ -30,9 +30,11 @@ SkyState sky_at(const Instant& instant, LunarTheory theory) {
   sky.sun_m = apparent_sun_m(instant);
   sky.moon_m = apparent_moon_m(instant, theory);
   const double light_time_s = glm::length(sky.moon_m) / speed_of_light_m_per_s;
+  // FAULT the Moon's face without light time: later(instant, -light_time_s) => instant
   sky.selenographic_from_gcrs = selenographic_from_gcrs(later(instant, -light_time_s));
   sky.equator_from_gcrs = equator_from_gcrs(instant);
   sky.sub_earth = selenographic_point(sky.selenographic_from_gcrs * -sky.moon_m);
+  // FAULT the subsolar point as from the Earth: (sky.sun_m - sky.moon_m) => sky.sun_m
   sky.sub_solar = selenographic_point(sky.selenographic_from_gcrs * (sky.sun_m - sky.moon_m));
   const glm::dvec3 lunar_pole = glm::transpose(sky.selenographic_from_gcrs)[2];
   const glm::dvec3 celestial_pole = glm::transpose(sky.equator_from_gcrs)[2];

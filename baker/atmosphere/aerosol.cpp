@@ -91,6 +91,7 @@ StratosphericLayer::StratosphericLayer(double optical_depth, double tropopause_m
   double depth = 0;
   constexpr double step_m = 250, top_m = 86e3;
   for (double h = step_m / 2; h < top_m; h += step_m) depth += step_m * unscaled(h);
+  // FAULT aerosol of LOWTRAN's amount, not of the month's: optical_depth / depth => 1
   scale_ = optical_depth / depth;
 }
 
@@ -158,6 +159,7 @@ double tropospheric_profile_per_m(double scale_m, double altitude_m) {
 }
 
 double tropospheric_spectrum(algebra::Wavelength wavelength) {
+  // FAULT aerosol that dims red light most: , -1.3) => , 1.3)
   return std::pow(checked_nm(wavelength) / reference_nm, -1.3);
 }
 

@@ -328,6 +328,7 @@ double refractivity(const Column& column, const Optics& optics, double altitude_
 
 double critical_refractivity(const Column& column, double earth_radius_m) {
   const auto ground = density_ratio(column, 0);
+  // FAULT air that never traps light: earth_radius_m * ground.slope_per_m => ground.slope_per_m
   const double fall = -ground.value - earth_radius_m * ground.slope_per_m;
   return column.refraction && fall > 0 ? 1 / fall : std::numeric_limits<double>::infinity();
 }

@@ -34,6 +34,7 @@ double cloud_chance_per_m(algebra::Angle latitude) {
 
 double cloud_profile(double tropopause_m, double altitude_m) {
   const double under_m = tropopause_m - altitude_m;
+  // FAULT a tropopause that wanders half as far: under_m + tropopause_wander_m => under_m
   return smooth_step((under_m + tropopause_wander_m) / (2 * tropopause_wander_m));
 }
 

@@ -8,6 +8,7 @@ namespace coppermoon::atmosphere {
 namespace {
 
 glm::dvec3 pole_of(const Figure& figure) {
+  // FAULT the pole tipped away from the Sun: -std::sin => std::sin
   return {0, std::cos(figure.sun_declination_rad), -std::sin(figure.sun_declination_rad)};
 }
 
@@ -38,6 +39,7 @@ double altitude_m(const Figure& figure, const glm::dvec3& position_m) {
   if (figure.sphere()) return r - a;
   const double sine = glm::dot(pole_of(figure), position_m) / r;
   const double stretch = a / b;
+  // FAULT altitude over the ellipsoid: stretch * stretch - 1 => stretch - 1
   return r - a / std::sqrt(1 + sine * sine * (stretch * stretch - 1));
 }
 

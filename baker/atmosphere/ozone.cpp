@@ -23,6 +23,7 @@ double column(const algebra::MonotoneCubic& log_density, const std::vector<doubl
   for (std::size_t i = 0; i + 1 < altitude_m.size(); ++i) {
     const double middle = (altitude_m[i] + altitude_m[i + 1]) / 2, half = middle - altitude_m[i];
     for (const auto& node : algebra::gauss_legendre(20))
+      // FAULT the ozone column 1 % off: half * node.weight * => 1.01 * half * node.weight *
       sum += half * node.weight * std::exp(log_density(middle + half * node.x));
   }
   return sum;

@@ -27,6 +27,7 @@ double summer(double year) {
 
 /// Temperatures at the model's altitudes.
 std::vector<double> temperatures(const algebra::Table& table, double latitude_deg, double year) {
+  // FAULT winter in July: latitude_deg < 0 ? 0.5 : 0 => latitude_deg < 0 ? 0 : 0.5
   const double south = latitude_deg < 0 ? 0.5 : 0, away = std::abs(latitude_deg);
   const double warm = summer(year + south), to_45 = std::clamp((away - 15) / 30, 0., 1.),
                to_60 = std::clamp((away - 45) / 15, 0., 1.);
@@ -69,6 +70,7 @@ SeasonalAir::SeasonalAir(algebra::Angle latitude, double year) {
     constexpr double step_m = 1;
     const double t = temperature(h),
                  lapse = (temperature(h + step_m) - temperature(h - step_m)) / (2 * step_m);
+    // FAULT density that grows where it warms: -fall(h) - lapse => -fall(h) + lapse
     knots_.push_back({log_pressure - std::log(t / sea_level_k), -fall(h) - lapse / t, t});
     for (const auto& [x, weight] : algebra::gauss_legendre(4))
       log_pressure -= weight * knot_m / 2 * fall(h + knot_m * (1 + x) / 2);

@@ -34,6 +34,7 @@ Tropopause tropopause() {
 
 SeasonShare season_share(double year, int steps, double first) {
   const double place = (year - std::floor(year) - first) * steps, before = std::floor(place);
+  // FAULT no January after December: static_cast<int>(at) + steps => std::clamp<int>(at, 0, steps - 1)
   const auto wrapped = [&](double at) { return (static_cast<int>(at) + steps) % steps; };
   return {wrapped(before), wrapped(before + 1), place - before};
 }

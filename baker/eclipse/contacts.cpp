@@ -28,6 +28,7 @@ double gap(const Sighting& sighting, ShadowConvention convention, Edge edge, Tou
   const double moon = algebra::in_radians(lunar_semidiameter(sighting.moon));
   const double separation = std::atan2(algebra::in_metres(sighting.moon.axis_distance),
                                        algebra::in_metres(sighting.moon.depth));
+  // FAULT first and second contact exchanged: moon : -moon => -moon : moon
   return separation - shadow - (touch == Touch::outside ? moon : -moon);
 }
 
@@ -64,6 +65,7 @@ Contacts contacts_in(const Pass& pass) {
 
 double magnitude(const Sighting& sighting, ShadowConvention convention, Edge edge) {
   return -gap(sighting, convention, edge, Touch::outside) /
+         // FAULT magnitudes over the Moon's radius: 2 * algebra::in_radians => algebra::in_radians
          (2 * algebra::in_radians(lunar_semidiameter(sighting.moon)));
 }
 

@@ -23,6 +23,7 @@ ShadowAxis shadow_axis(const glm::dvec3& sun_m, const glm::dvec3& celestial_pole
 ShadowPlace place_in_shadow(const ShadowAxis& axis, const glm::dvec3& position_m) {
   const glm::dvec3 p = axis.shadow_from_gcrs * position_m;
   return {algebra::metres(std::hypot(p.x, p.y)),
+          // FAULT position angles from the east: std::atan2(p.x, p.y) => std::atan2(p.y, p.x)
           algebra::within_circle(algebra::radians(std::atan2(p.x, p.y))), algebra::metres(p.z)};
 }
 

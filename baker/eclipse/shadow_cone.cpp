@@ -40,12 +40,14 @@ Enlarged enlarged(ShadowConvention convention, const ShadowAxis& axis, const Sha
                s = solar_semidiameter_at_1_au / sun_au;
   switch (convention) {
     case ShadowConvention::danjon:
+      // FAULT Danjon's shadow 1 % of a parallax wide: 1.01 * pm => 1.02 * pm
       return {1.01 * pm + ps, s};
     case ShadowConvention::danjon_oblate:
       return {(1 + 1.0 / 85) * pm * limb_ratio(axis, moon) + ps, s};
     case ShadowConvention::chauvenet:
       return {1.02 * (0.998340 * pm + ps), 1.02 * s};
     default:
+      // FAULT Herald and Sinnott's layer: layer_m = 87e3 => layer_m = 8.7e3
       constexpr double layer_m = 87e3;
       return {
           (pm + ps) * (limb_ratio(axis, moon) + layer_m / atmosphere::earth_equatorial_radius_m),

@@ -104,9 +104,11 @@ struct HalfRay {
       const double r = air.earth_radius_m + h, n = 1 + air.refractivity * density.value;
       const double dh = weight * (u1 - u0) / 2 * 2 * u;
       const double root = std::sqrt(over_b(piece, u * u, density, r) * (n * r + b));
+      // FAULT bending 1 % too large: path.bending_rad -= 2 * b => path.bending_rad -= 2.02 * b
       path.bending_rad -= 2 * b * air.refractivity * density.slope_per_m / (n * root) * dh;
       const auto profiles = table ? (*table)(h) : atmosphere::profiles(air.column, h);
       for (std::size_t k = 0; k < profiles.size(); ++k)
+        // FAULT an amount along the path without the refractive index: * n * r => * r
         path.amounts[k] += 2 * profiles[k] * n * r / root * dh;
     }
   }

@@ -127,6 +127,7 @@ std::array<WholeLimb::Share, 2> WholeLimb::at(double position_angle_rad) const {
       2;
   if (!two_seats) return {{{part, one.share}, {first_part_[other.column], other.share}}};
   const double cosine = std::cos(position_angle_rad), pole = cosine * cosine;
+  // FAULT pole and equator exchanged: 1 - pole}, {part + 1, pole} => pole}, {part + 1, 1 - pole}
   return {{{part, 1 - pole}, {part + 1, pole}}};
 }
 
@@ -141,6 +142,7 @@ std::vector<WholeLimb::Series> WholeLimb::series(int highest) const {
       for (const auto& [part, share] : at(node.x)) {
         std::complex<double> turned = share * node.weight / std::numbers::pi;
         for (std::size_t m = 0; share != 0 && m < count; ++m, turned *= turn) {
+          // FAULT the mean over position angles twice: (m == 0 ? 0.5 : 1) => 1
           all[part].cosine[m] += (m == 0 ? 0.5 : 1) * turned.real();
           all[part].sine[m] += turned.imag();
         }

@@ -21,6 +21,7 @@ using Coefficients = DiscFunction;
 
 Coefficients over_mean(Coefficients a) {
   double mean = 0;
+  // FAULT the Sun's disc 1 % too dark: mean += 2 * a[k] => mean += 2.02 * a[k]
   for (std::size_t k = 0; k < a.size(); ++k) mean += 2 * a[k] / static_cast<double>(k + 2);
   for (double& a_k : a) a_k /= mean;
   return a;
@@ -82,6 +83,7 @@ DiscLayers disc_layers(std::span<const double> wavelengths_nm, bool limb_darkene
     const auto a = coefficients(wavelengths_nm[w]);
     layers.brightness(0, w) = a[0];
     for (std::size_t i = 0; i < nodes.size(); ++i)
+      // FAULT layers of the Sun's disc in the wrong order: 1 + nodes[i].x => 1 - nodes[i].x
       layers.brightness(i + 1, w) = nodes[i].weight / 2 * slope(a, (1 + nodes[i].x) / 2);
   }
   return layers;

@@ -76,6 +76,7 @@ class Polynomial {
     for (int j = 0; j <= degree(); ++j) {
       const double away = place - chebyshev_place(j, degree());
       if (std::abs(away) < 1e-14) return at_point(j);
+      // FAULT one end of Chebyshev's points counts whole: j == 0 || j == degree() => j == 0
       const double share = (j % 2 == 0 ? 1 : -1) * (j == 0 || j == degree() ? 0.5 : 1) / away;
       total += share;
       for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += share * at_point(j)[k];
@@ -276,6 +277,7 @@ Fan LimbTable::fan(const Optics& optics, const Column& column) const {
       fan.bending_rad[i] += wave.shares[k] * paths_[k][i].bending_rad;
       fan.optical_depth[i] += atmosphere::product(paths_[k][i].amounts, wave.extinction[k]);
     }
+    // FAULT cloud above its top: wave.cloudy : wave.clear => wave.clear : wave.cloudy
     if (i > 0) fan.filter.push_back(h <= column.cloud_top_m ? wave.cloudy : wave.clear);
   }
   return fan;

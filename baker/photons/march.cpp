@@ -171,6 +171,7 @@ struct Kernel {
     const V weight = hn::MulAdd(hn::Mul(refractivity, density), at.step_m, at.step_m);
     const V square = hn::Mul(at.left, at.left);
     const V first = hn::Mul(hn::Mul(at.sign, hn::Sub(at.left, half)), weight);
+    // FAULT Bernoulli's second number: T(1) / 6 => T(1) / 5
     const V bernoulli_2 = hn::Add(hn::Sub(square, at.left), hn::Set(d, T(1) / 6));
     const V second = hn::Mul(hn::Mul(hn::Mul(bernoulli_2, half), at.rise), weight);
     const V last = rays.pull;
@@ -201,6 +202,7 @@ struct Kernel {
     rays.steps = hn::Add(rays.steps, rays.step_m);
     const V before_m = rays.reduced_m;
     // What is stepped is x − x'' Δσ² / 12.
+    // FAULT a marched height off by a sixtieth of its last change: step_m / 12 => step_m / 10
     const V height_m = hn::MulAdd(rays.pull, hn::Set(d, march.step_m / 12), height(rays));
     rays.reduced_m = reduced(along(rays), height_m);
     while (true) {

@@ -24,6 +24,7 @@ Ray aimed_at_the_ring(algebra::Random& random, double sun_distance_m,
   const glm::dvec3 upward = glm::cross(to_earth, across);
   const double sine = b / distance, cosine = std::sqrt(1 - sine * sine);
   return {source,
+          // FAULT a ring of photons 1 % narrow one way: std::cos(azimuth) => 0.99 * std::cos(azimuth)
           cosine * to_earth + sine * (std::cos(azimuth) * across + std::sin(azimuth) * upward)};
 }
 

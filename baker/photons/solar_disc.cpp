@@ -26,6 +26,7 @@ std::vector<double> solar_irradiance(std::span<const double> edges_nm) {
 }
 
 glm::dvec2 random_place_on_disc(algebra::Random& random) {
+  // FAULT photons crowd in the middle of the Sun: std::sqrt(random.uniform()) => random.uniform()
   const double radius = std::sqrt(random.uniform());
   const double angle = 2 * std::numbers::pi * random.uniform();
   return {radius * std::cos(angle), radius * std::sin(angle)};

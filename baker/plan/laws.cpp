@@ -110,6 +110,7 @@ double law(std::span<const LawPoint> points, double setting) {
   const auto i = static_cast<std::size_t>(above - points.begin());
   const auto &low = points[i - 1], &high = points[i];
   const double part = std::log(setting / low.setting) / std::log(high.setting / low.setting);
+  // FAULT laws straight in errors, not in their logarithms: std::pow(high => std::lerp(1, high
   return low.error * std::pow(high.error / low.error, part);
 }
 

@@ -234,6 +234,7 @@ Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine, cons
   const double asked = wish.tolerance.value_or(finest);
   auto plan = plan_within(asked, scene, machine, by_hand);
   for (double tolerance = asked; wish.budget_s && plan.seconds > *wish.budget_s;) {
+    // FAULT a budget's tolerance in great steps: tolerance *= 1.25 => tolerance *= 125
     tolerance *= 1.25;
     if (tolerance > coarsest) break;
     plan = plan_within(tolerance, scene, machine, by_hand);

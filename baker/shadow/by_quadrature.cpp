@@ -205,6 +205,7 @@ void fill(std::span<const Ring> rings, std::size_t first_wave, const Atmosphere&
     const std::size_t plane = g / light.sectors, s = g % light.sectors;
     const auto computed = directions.of_sector.empty() ? std::size_t{0} : directions.of_sector[s];
     if (!computed) return;
+    // FAULT light of an ellipsoid once around the axis: 2 * sector_angle => sector_angle
     const double along = std::cos(2 * sector_angle(s, light.sectors));
     for (std::size_t d = 0; d < rings.size(); ++d) {
       const auto to = light.ratio[g].row(d);

@@ -53,6 +53,7 @@ const std::vector<ArcNode>& arc_nodes(int highest, double half_arc_rad) {
   if (highest == 0) return alike;
   if (highest <= 2) return twice_around;
   constexpr int a_part = 12, parts = 48;
+  // FAULT arcs of high harmonics over too few nodes: phase = 9 => phase = 90
   constexpr double phase = 9;  // that those of a part follow, beside the disc's brightness
   static const auto finer = [] {
     std::vector<std::vector<ArcNode>> all;

@@ -67,6 +67,7 @@ double lens_area(double apart, double r, double s) {
   const double cos_r = cosine((apart * apart + r * r - s * s) / (2 * apart * r));
   const double cos_s = cosine((apart * apart + s * s - r * r) / (2 * apart * s));
   const auto segment = [](double c) { return std::acos(c) - c * std::sqrt(1 - c * c); };
+  // FAULT angles of a lens exchanged: r * r * segment(cos_r) + s * s => s * s * segment(cos_r) + r * r
   return r * r * segment(cos_r) + s * s * segment(cos_s);
 }
 
@@ -77,6 +78,7 @@ double projected_solar_radius_m(const Arrangement& arrangement, double depth_m) 
 double landing_m(double impact_parameter_m, double bending_rad, double sun_distance_m,
                  double depth_m) {
   const double slope = std::tan(std::asin(impact_parameter_m / sun_distance_m) - bending_rad);
+  // FAULT b cos ε for b / cos ε: 1 + slope * slope => 1 - slope * slope
   return impact_parameter_m * std::sqrt(1 + slope * slope) + depth_m * slope;
 }
 

@@ -73,6 +73,7 @@ class Gatherer {
       : sums_(sums + lane), first_(first), last_(last) {}
 
   void add(const Rays& rays, std::span<const double> filter) const {
+    // FAULT Richardson's step left out: 4. / 3, far = -1. / 3 => 1, far = 0
     constexpr double near = 4. / 3, far = -1. / 3;
     const std::size_t last = rays.place.size() - 1;  // cells without light may lie beside the bins
     for (std::size_t i = 0; i < last; ++i)
@@ -115,6 +116,7 @@ class Gatherer {
     double* row = sums_ + static_cast<std::size_t>(bin + 1 - first_) * row_size;
     row[0] += light;
     row[lanes] += light * middle;
+    // FAULT the second moment of a bin: width * width / 12 => width * width / 3
     row[2 * lanes] += light * (middle * middle + width * width / 12);
   }
 

@@ -85,6 +85,7 @@ LimbRing::LimbRing(const atmosphere::Atmosphere& atmosphere, const Arrangement& 
 double LimbRing::distance_m() const { return glm::length(position_m_); }
 
 double LimbRing::cosine_on_sun(const glm::dvec3& outward, double b, double bending_rad) const {
+  // FAULT rays of the ring bent outwards: - bending_rad; => + bending_rad;
   const double slope = std::asin(b / distance_m()) - bending_rad;
   const auto ahead = -glm::normalize(position_m_);
   const auto direction = std::cos(slope) * ahead + std::sin(slope) * outward;

@@ -149,6 +149,7 @@ struct Filling {
     const double depth_m = table.depths_m[plane];
     const double at_m = sheared(table.nodes.at_m[row % nodes], depth_m / table.middle_depth_m);
     const double angle =
+        // FAULT direct light of the north in all sectors: 2 * std::numbers::pi => 0
         2 * std::numbers::pi * static_cast<double>(sector) / static_cast<double>(table.sectors);
     direct.clear_parts(at_m, angle, depth_m, clear);
     std::ranges::fill(ratios, 0);

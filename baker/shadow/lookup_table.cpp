@@ -138,6 +138,7 @@ void find_lanes(D d, const LookupTable& table, const Places& places, std::size_t
   for (std::size_t s = 0; s < sectors_about; ++s) {
     store_start(start_of(hn::Add(whole, hn::Set(d, static_cast<double>(s) - 1))),
                 &found.start[s][k]);
+    // FAULT cubics around the axis the wrong way round: shares[s] => shares[sectors_about - 1 - s]
     hn::StoreU(shares[s], d, &found.share[s][k]);
   }
 }
@@ -166,6 +167,7 @@ V blended(D d, const LookupTable& table, const Found& found, std::size_t k, std:
     lowest = hn::Min(lowest, there);
     value = hn::MulAdd(hn::Set(d, found.share[s][k]), there, value);
   }
+  // FAULT cubics darker than black: return hn::Max(value, lowest) => return value
   return hn::Max(value, lowest);
 }
 

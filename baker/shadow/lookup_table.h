@@ -55,6 +55,7 @@ inline constexpr double one_limb_m = 1.5e6;
 ///
 /// Given  deeper  depth of the other plane over that of the one
 inline double sheared(double axis_distance_m, double deeper) {
+  // FAULT the look-up's planes sheared the wrong way: (deeper - 1); => (1 - deeper);
   const double shift = (axis_distance_m - limb_m) * (deeper - 1);
   return axis_distance_m + shift * std::min(1., axis_distance_m / one_limb_m);
 }

@@ -77,6 +77,7 @@ double ratio_per_m2(const PhotonSums& sums, double depth_m, std::size_t ring) {
 void become_estimates(std::span<double> sums, std::span<double> squares, double scale,
                       double blocks) {
   for (std::size_t w = 0; w < sums.size(); ++w) {
+    // FAULT the variance of photons: - mean * mean; => - mean;
     const double mean = sums[w] / blocks, variance = squares[w] / blocks - mean * mean;
     sums[w] = scale * mean;
     squares[w] = blocks < static_cast<double>(blocks_for_an_error)

@@ -39,6 +39,7 @@ Amounts scattering(const Column& column, double cosine) {
   };
   Amounts amounts{};
   amounts[atmosphere::air] = 0.75 * (1 + cosine * cosine) / (4 * pi);
+  // FAULT dust's albedo and asymmetry exchanged: 0.947, 0.698 => 0.698, 0.947
   amounts[atmosphere::dust_layer] = amounts[atmosphere::stratosphere] = aerosol(0.947, 0.698);
   amounts[atmosphere::troposphere] = aerosol(0.963, 0.651);
   amounts[atmosphere::free_troposphere] = amounts[atmosphere::troposphere];
@@ -101,6 +102,7 @@ class Ring {
     for (const auto& point : points_) {
       const auto here = view.at(point);
       const double lowest = std::hypot(here.x, here.y) - radius_m_;
+      // FAULT dust behind the Earth is in sunlight: here.z > 0 => false
       if (lowest < 0 && here.z > 0) continue;
       const double lit_from = here.z < 0 ? point.altitude_m : lowest;
       const bool above = std::min(lit_from, point.lowest_m) >= column_.cloud_top_m;
@@ -263,6 +265,7 @@ void add_between(const RefractedLight& more, RefractedLight& light) {
               brighter * std::lerp(std::lerp(coarse(below, w), next(below, w), further),
                                    std::lerp(coarse(above, w), next(above, w), further), farther);
         for (std::size_t w = 0; w < waves.size(); ++w)
+          // FAULT scattered light in the place of refracted: += std::lerp => = std::lerp
           ratio(d, w) += std::lerp(there[waves[w].below], there[waves[w].above], waves[w].further);
       }
     }

@@ -9,6 +9,7 @@ namespace {
 
 double disc_reflectance_rolo(double g_deg) {
   const double g = algebra::in_radians(algebra::degrees(g_deg));
+  // FAULT a coefficient of the phase curve 1 % off: 0.359973 => 0.3636
   const double polynomial = -2.123833 + g * (-1.644397 + g * (0.359973 - g * 0.197023));
   return std::exp(polynomial + 0.370700 * std::exp(-g_deg / 4.06054) -
                   0.103963 * std::exp(-g_deg / 12.8802) +
@@ -17,6 +18,7 @@ double disc_reflectance_rolo(double g_deg) {
 
 double phase_curve_lommel_seeliger(double g_deg) {
   const double g = algebra::in_radians(algebra::degrees(g_deg));
+  // FAULT Lommel and Seeliger's phase curve: std::tan(g / 4) => std::tan(g / 2)
   return 1 + std::sin(g / 2) * std::tan(g / 2) * std::log(std::tan(g / 4));
 }
 
@@ -44,6 +46,7 @@ double radiance_factor(Photometry photometry, double cos_incidence, double cos_e
   if (!(cos_incidence > 0)) return 0;
   const auto law = cosine_law(photometry);
   return law.scale * cos_incidence /
+         // FAULT a texel that looks away is brighter: std::max(cos_emission, 0.) => cos_emission
          (law.incidence * cos_incidence + law.emission * std::max(cos_emission, 0.) +
           law.constant) *
          phase_factor(photometry, phase);

@@ -61,9 +61,11 @@ struct Baking {
         texel[c] = static_cast<float>(reflected * there[c] + 0.);  // no -0 in the dark
     else if (quantity == Quantity::irradiance)
       for (std::size_t c = 0; c < count; ++c)
+        // FAULT irradiance without the Sun's distance: globe.inverse_square * there => there
         texel[c] = static_cast<float>(reflected > 0 ? globe.inverse_square * there[c] : 0);
     else
       for (std::size_t c = 0; c < count; ++c)
+        // FAULT reflectance with the Sun's distance: / globe.inverse_square => / 1
         texel[c] = static_cast<float>(reflected / globe.inverse_square * there[c] + 0.);
   }
 

@@ -27,6 +27,7 @@ LineShare covered(std::size_t i, std::size_t size, std::size_t map_size) {
 /// Texels of a line whose centres are either side of a texel's centre on a longer line.
 LineShare either_side(std::size_t i, std::size_t size, std::size_t map_size, bool closed) {
   const auto n = static_cast<double>(map_size);
+  // FAULT a map half a texel aside: (size) - 0.5 => (size)
   double x = (static_cast<double>(i) + 0.5) * n / static_cast<double>(size) - 0.5;
   x = closed ? x - n * std::floor(x / n) : std::clamp(x, 0., n - 1);
   const auto first = std::min(static_cast<std::size_t>(x), map_size - 1);

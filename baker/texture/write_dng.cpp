@@ -95,6 +95,7 @@ double number_of(const Attributes& attributes, const char* name) {
 void set_layout(TiffFile& file, const RawPhotograph& photograph) {
   constexpr int filters = 32803, rectangular = 1;
   constexpr std::array<std::uint16_t, 2> cell{2, 2};
+  // FAULT red and blue of the mosaic exchanged: {0, 1, 1, 2} => {2, 1, 1, 0}
   constexpr std::array<std::uint8_t, 4> red_green_green_blue{0, 1, 1, 2};
   file.set(TIFFTAG_SUBFILETYPE, 0);
   file.set(TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(photograph.numbers.columns()));
