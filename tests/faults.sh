@@ -3,7 +3,7 @@
 # Plants faults in a copy of the sources, one at a time, and runs the quick tests of the faulty stage alone:
 #
 #   tests/faults.sh             all faults
-#   tests/faults.sh FOLDER …    those in files of these folders, as baker/shadow
+#   tests/faults.sh FOLDER …    those of these folders or files, as baker/shadow
 #   tests/faults.sh --apply     whether each changes its line and has a name of its own, and no more
 #
 # A fault stands in the sources, above the line that it changes, where "old" first occurs: // FAULT name: old => new
@@ -16,7 +16,7 @@ build=$PWD/build/faults/build
 
 # A fault in a line: its file, its name.
 listed() {
-  grep -r --include=*.cpp --include=*.h -o '// FAULT .*' "$@" | sed 's|^\([^:]*\):// FAULT \([^:]*\): .*|\1 :: \2|' | LC_ALL=C sort
+  grep -rHo --include=*.cpp --include=*.h '// FAULT .*' "$@" | sed 's|^\([^:]*\):// FAULT \([^:]*\): .*|\1 :: \2|' | LC_ALL=C sort
 }
 file_of() { printf '%s\n' "${1%% :: *}"; }
 name_of() { printf '%s\n' "${1#* :: }"; }
@@ -59,9 +59,9 @@ if [ "${1:-}" = --apply ]; then
 fi
 [ $# -gt 0 ] || set -- baker colour povray_scenes
 for folder; do
-  [ -n "$(listed "${folder%/}")" ] || { echo "tests/faults.sh $folder: no fault there" >&2; exit 1; }
+  [ -n "$(listed "$folder")" ] || { echo "tests/faults.sh $folder: no fault there" >&2; exit 1; }
 done
-faults=$(listed "${@%/}")
+faults=$(listed "$@")
 
 # Files that did not change keep their time: what was built before stays built.
 mkdir -p "$copy"
