@@ -36,6 +36,7 @@ set(coppermoon_known)
 set(coppermoon_missing)
 # target, then PACKAGE and the name of a CMake package, MODULE and pkg-config's name, or a header and a library's name
 coppermoon_library(absl::time PACKAGE absl)
+coppermoon_library(Eigen3::Eigen PACKAGE Eigen3)
 coppermoon_library(fmt::fmt PACKAGE fmt)
 coppermoon_library(glm::glm PACKAGE glm)
 coppermoon_library(nlohmann_json::nlohmann_json PACKAGE nlohmann_json)

@@ -27,6 +27,7 @@ check_copy_with(baker/atmosphere/density.cpp "#  include <eclipse/contacts.h>" f
 check_copy_with(baker/texture/bake.cpp "#include \"colour/exposure.h\"" found)
 check_copy_with(baker/surface/albedo_map.cpp "#include <OpenImageIO/imageio.h>" found)
 check_copy_with(baker/texture/bake.cpp "#include <OpenColorIO/OpenColorIO.h>" found)
+check_copy_with(baker/texture/bake.cpp "#include <Eigen/Cholesky>" found)
 check_copy_with(baker/texture/bake.cpp "#include \"../almanac/sky.h\"" found)
 check_copy_with(colour/exposure.cpp "#include \"povray_scenes/camera.h\"" found)
 check_copy_with(povray_scenes/scene.cpp "#include \"verbs/verbs.h\"" found)

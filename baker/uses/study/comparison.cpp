@@ -6,9 +6,11 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
@@ -21,7 +23,6 @@
 #include "uses/picture/camera.h"
 #include "uses/picture/disc_outline.h"
 #include "uses/picture/pixels.h"
-#include "uses/study/fit_nuisances.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -224,32 +225,33 @@ colour::ToneCurve fitted_curve(const Pixels& pixels) {
       if (!pixel.clipped && pixel.render_cd_m2[k] > 0)
         displayed[{std::lround(std::log(pixel.render_cd_m2[k]) / step), k}].push_back(
             pixel.photo[k]);
-  std::vector<double> residuals;
-  std::vector<std::array<double, 3 + colour::tone_numbers>> rows;
+  using Vector = Eigen::Vector<double, 3 + colour::tone_numbers>;
+  Eigen::Matrix<double, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime> normal;
+  normal.setIdentity();  // each parameter is 0 ± 1 before
+  Vector sums = Vector::Zero();
+  std::size_t steps = 0;
   for (auto& [light, values] : displayed) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     if (values.size() < many || *middle <= 0 || *middle >= colour::most_displayed) continue;
-    residuals.push_back(std::log(*middle) + colour::tone_logarithm({}, *middle) -
-                        step * static_cast<double>(light.first));
-    auto& row = rows.emplace_back();
+    const double residual = std::log(*middle) + colour::tone_logarithm({}, *middle) -
+                            step * static_cast<double>(light.first);
+    Vector row = Vector::Zero();
     row[0] = unknown;
-    if (light.second != 1) row[1 + static_cast<std::size_t>(light.second) / 2] = of_colours;
+    if (light.second != 1) row[1 + light.second / 2] = of_colours;
     std::ranges::copy(colour::tone_derivatives(*middle), row.begin() + 3);
+    normal += row * row.transpose() / (error * error);
+    sums += row * residual / (error * error);
+    ++steps;
   }
-  if (rows.size() < least)
+  if (steps < least)
     throw algebra::Error(fmt::format(
         "{} steps of light to find a tone curve by, allowed {} or more: too much of the "
         "photograph is clipped or black",
-        rows.size(), least));
-  algebra::Grid<double> effects(rows.size(), rows.front().size());
-  for (std::size_t i = 0; i < rows.size(); ++i) std::ranges::copy(rows[i], effects.row(i).begin());
-  algebra::Grid<double> own(1, 1);
-  own(0, 0) = error * error;
-  const Nuisances nuisances(std::vector(rows.size(), own), std::move(effects));
-  const auto found = nuisances.expected(residuals);
+        steps, least));
+  const Vector found = normal.llt().solve(sums);
   colour::ToneCurve curve;
-  for (std::size_t n = 0; n < colour::tone_numbers; ++n) curve.numbers[n] = -found[3 + n];
+  std::transform(found.begin() + 3, found.end(), curve.numbers.begin(), std::negate());
   return curve;
 }
 

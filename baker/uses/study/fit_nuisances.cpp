@@ -1,125 +1,97 @@
 // SPDX-License-Identifier: MIT
 #include "uses/study/fit_nuisances.h"
 
-#include <algorithm>
+#include <Eigen/Cholesky>
 #include <cmath>
-#include <iterator>
-#include <numeric>
 
 namespace coppermoon::uses {
 namespace {
 
-/// Lower triangle L of a matrix that is L Lᵀ.
-algebra::Grid<double> cholesky(algebra::Grid<double> l) {
-  const std::size_t n = l.rows();
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = l(i, j);
-      for (std::size_t k = 0; k < j; ++k) sum -= l(i, k) * l(j, k);
-      l(i, j) = i == j ? std::sqrt(sum) : sum / l(j, j);
-      if (i != j) l(j, i) = 0;
-    }
-  return l;
+using algebra::Grid;
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+template <class Values>
+auto vector(Values& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
 }
 
-/// L⁻¹ b.
-void solve_forward(const algebra::Grid<double>& l, std::span<double> b) {
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) b[i] -= l(i, k) * b[k];
-    b[i] /= l(i, i);
+Eigen::Map<const Matrix> matrix(const Grid<double>& grid) {
+  return {grid.values().data(), static_cast<Eigen::Index>(grid.rows()),
+          static_cast<Eigen::Index>(grid.columns())};
+}
+
+auto lower(const Grid<double>& grid) { return matrix(grid).triangularView<Eigen::Lower>(); }
+
+/// Factor L of L Lᵀ, in the lower triangle; what is above it means nothing.
+Grid<double> cholesky(Grid<double> grid) {
+  Eigen::Map<Matrix> whole(grid.values().data(), matrix(grid).rows(), matrix(grid).cols());
+  const Eigen::LLT<Eigen::Ref<Matrix>> in_place(whole);
+  return grid;
+}
+
+/// Multiplies each column by K⁻¹.
+template <class Columns>
+void whiten(std::span<const Grid<double>> noise, Columns columns) {
+  Eigen::Index from = 0;
+  for (const auto& block : noise) {
+    const auto size = matrix(block).rows();
+    lower(block).solveInPlace(columns.middleRows(from, size));
+    from += size;
   }
-}
-
-std::vector<double> forward(const algebra::Grid<double>& l, std::vector<double> b) {
-  solve_forward(l, b);
-  return b;
-}
-
-/// L⁻ᵀ b.
-std::vector<double> backward(const algebra::Grid<double>& l, std::vector<double> b) {
-  for (std::size_t i = b.size(); i-- > 0;) {
-    for (std::size_t k = i + 1; k < b.size(); ++k) b[i] -= l(k, i) * b[k];
-    b[i] /= l(i, i);
-  }
-  return b;
-}
-
-/// Aᵀ x.
-std::vector<double> transposed_times(const algebra::Grid<double>& a, std::span<const double> x) {
-  std::vector<double> sums(a.columns());
-  for (std::size_t i = 0; i < x.size(); ++i)
-    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += a(i, k) * x[i];
-  return sums;
 }
 
 }  // namespace
 
-Nuisances::Nuisances(std::span<const algebra::Grid<double>> own, algebra::Grid<double> effects)
-    : effects_(std::move(effects)), independent_(effects_.rows(), effects_.columns()) {
-  std::ranges::transform(own, std::back_inserter(own_), cholesky);
-  const std::size_t numbers = effects_.rows(), count = effects_.columns();
-  std::vector<double> column(numbers);
-  for (std::size_t k = 0; k < count; ++k) {
-    for (std::size_t i = 0; i < numbers; ++i) column[i] = effects_(i, k);
-    column = independent(column);
-    for (std::size_t i = 0; i < numbers; ++i) independent_(i, k) = column[i];
-  }
-  algebra::Grid<double> m(count, count);
-  for (std::size_t k = 0; k < count; ++k) m(k, k) = 1;
-  for (std::size_t i = 0; i < numbers; ++i)
-    for (std::size_t k = 0; k < count; ++k)
-      if (const double effect = independent_(i, k); effect != 0)
-        for (std::size_t j = 0; j <= k; ++j) m(k, j) += effect * independent_(i, j);
-  factor_ = cholesky(std::move(m));
-}
-
-std::vector<double> Nuisances::independent(std::span<const double> numbers) const {
-  std::vector<double> result(numbers.begin(), numbers.end());
-  auto from = result.begin();
-  for (const auto& block : own_) {
-    const auto to = from + static_cast<std::ptrdiff_t>(block.rows());
-    solve_forward(block, {from, to});
-    from = to;
-  }
-  return result;
+Nuisances::Nuisances(std::span<const Grid<double>> noise, Grid<double> design)
+    : design_(std::move(design)), whitened_design_(design_) {
+  for (const auto& block : noise) noise_.push_back(cholesky(block));
+  const auto a = matrix(design_);
+  Eigen::Map<Matrix> whitened(whitened_design_.values().data(), a.rows(), a.cols());
+  whiten(noise_, whitened);
+  factor_ = Grid<double>(design_.columns(), design_.columns());
+  Eigen::Map<Matrix>(factor_.values().data(), a.cols(), a.cols()) =
+      Matrix::Identity(a.cols(), a.cols()) + whitened.transpose() * whitened;
+  factor_ = cholesky(std::move(factor_));
 }
 
 Nuisances::Whitened Nuisances::whitened(std::span<const double> residuals) const {
-  Whitened result{independent(residuals), {}};
-  result.shared = forward(factor_, transposed_times(independent_, result.own));
+  Whitened result{{residuals.begin(), residuals.end()}, std::vector<double>(factor_.rows())};
+  Eigen::Map<Eigen::VectorXd> noise(result.noise.data(), std::ssize(result.noise)),
+      parameters(result.parameters.data(), std::ssize(result.parameters));
+  whiten(noise_, noise);
+  parameters = matrix(whitened_design_).transpose() * noise;
+  lower(factor_).solveInPlace(parameters);
   return result;
 }
 
 std::vector<double> Nuisances::expected(std::span<const double> residuals) const {
-  return backward(factor_, whitened(residuals).shared);
-}
-
-std::vector<double> Nuisances::explained(std::span<const double> residuals) const {
-  const auto found = expected(residuals);
-  std::vector<double> result(residuals.size());
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    const auto row = effects_.row(i);
-    result[i] = std::inner_product(row.begin(), row.end(), found.begin(), 0.);
-  }
+  auto result = whitened(residuals).parameters;
+  lower(factor_).adjoint().solveInPlace(
+      Eigen::Map<Eigen::VectorXd>(result.data(), std::ssize(result)));
   return result;
 }
 
+std::vector<double> Nuisances::explained(std::span<const double> residuals) const {
+  const auto mean = expected(residuals);
+  const Eigen::VectorXd result = matrix(design_) * vector(mean);
+  return {result.begin(), result.end()};
+}
+
 double Nuisances::error_of_mean(std::span<const double> weights) const {
-  double squares = 0;
-  std::size_t first = 0;
-  for (const auto& block : own_) {
-    for (const double own : transposed_times(block, weights.subspan(first, block.rows())))
-      squares += own * own;
-    first += block.rows();
+  const auto w = vector(weights);
+  const Eigen::VectorXd parameters = matrix(design_).transpose() * w;
+  double squares = lower(factor_).solve(parameters).squaredNorm();
+  Eigen::Index from = 0;
+  for (const auto& block : noise_) {
+    const auto size = matrix(block).rows();
+    squares += (lower(block).adjoint() * w.segment(from, size)).squaredNorm();
+    from += size;
   }
-  for (const double shared : forward(factor_, transposed_times(effects_, weights)))
-    squares += shared * shared;
-  return std::sqrt(squares) / std::reduce(weights.begin(), weights.end());
+  return std::sqrt(squares) / w.sum();
 }
 
 double product(const Nuisances::Whitened& a, const Nuisances::Whitened& b) {
-  return std::inner_product(a.own.begin(), a.own.end(), b.own.begin(), 0.) -
-         std::inner_product(a.shared.begin(), a.shared.end(), b.shared.begin(), 0.);
+  return vector(a.noise).dot(vector(b.noise)) - vector(a.parameters).dot(vector(b.parameters));
 }
 
 }  // namespace coppermoon::uses

@@ -8,44 +8,42 @@
 
 namespace coppermoon::uses {
 
-/// What else than the light sought made numbers what they are: each of some nuisances (an exposure, a
-/// colour, a number of a tone curve) is 0 ± 1 and counts in each number as much as a matrix says, beside
-/// the numbers' own errors.
+/// Nuisance parameters of a linear model, marginalised. Residuals r depend on parameters u (an exposure, a
+/// colour, a number of a tone curve) by a design matrix A, beside noise e of covariance D:
 ///
 ///     r = A u + e        u ~ N(0, 1), e ~ N(0, D)        C = D + A Aᵀ
 ///
-/// They are marginalised: C is never made, but D⁻¹ − D⁻¹ A M⁻¹ Aᵀ D⁻¹ with M = 1 + Aᵀ D⁻¹ A. Own errors of
-/// numbers that stand side by side may go together: D is of blocks.
+/// D is block-diagonal: noise is correlated within a block. By the Woodbury identity C is never formed:
+///
+///     C⁻¹ = D⁻¹ − D⁻¹ A M⁻¹ Aᵀ D⁻¹        M = 1 + Aᵀ D⁻¹ A
 class Nuisances {
  public:
   Nuisances() = default;
-  /// Given  own      blocks of D, in the order of the numbers, each positive definite
-  ///        effects  (number, nuisance): A
-  Nuisances(std::span<const algebra::Grid<double>> own, algebra::Grid<double> effects);
+  /// Given  noise   blocks of D, in the order of the residuals, each positive definite
+  ///        design  A: (residual, parameter)
+  Nuisances(std::span<const algebra::Grid<double>> noise, algebra::Grid<double> design);
 
-  /// Residuals with D⁻¹ and M⁻¹ applied by halves: products of two of them are those with C⁻¹.
+  /// Residuals and parameters whitened: with D = K Kᵀ and M = L Lᵀ, `noise` is K⁻¹ r and `parameters`
+  /// L⁻¹ Aᵀ D⁻¹ r.
   struct Whitened {
-    std::vector<double> own, shared;
+    std::vector<double> noise, parameters;
   };
   Whitened whitened(std::span<const double> residuals) const;
 
-  /// The nuisances' expectations with these residuals.
+  /// Posterior mean of the parameters: M⁻¹ Aᵀ D⁻¹ r.
   std::vector<double> expected(std::span<const double> residuals) const;
 
-  /// What of the residuals the nuisances' expectations explain.
+  /// Part of the residuals that the posterior mean u of the parameters explains: A u.
   std::vector<double> explained(std::span<const double> residuals) const;
 
-  /// Standard error of a weighted mean of the numbers: their own, and of what the nuisances add.
+  /// Standard error of a weighted mean, by the noise and the posterior covariance of the parameters.
   double error_of_mean(std::span<const double> weights) const;
 
  private:
-  /// K⁻¹ x.
-  std::vector<double> independent(std::span<const double> numbers) const;
-
-  std::vector<algebra::Grid<double>> own_;  // blocks of K, lower triangular: D = K Kᵀ
-  algebra::Grid<double> effects_;           // A
-  algebra::Grid<double> independent_;       // K⁻¹ A
-  algebra::Grid<double> factor_;            // of M = L Lᵀ
+  std::vector<algebra::Grid<double>> noise_;  // blocks of K, lower triangles
+  algebra::Grid<double> design_;              // A
+  algebra::Grid<double> whitened_design_;     // K⁻¹ A
+  algebra::Grid<double> factor_;              // L, lower triangle
 };
 
 /// aᵀ C⁻¹ b.
