@@ -128,13 +128,13 @@ void require_sound(const Options& options) {
   }
 }
 
-/// When and how far away; through what air, on a line of gnuplot's by itself.
+/// Moment and distance; the air on a line by itself.
 std::string title_of(const Cut& cut, const std::string& air, almanac::Calendar calendar) {
   const auto distance = fmt::format("{:.0f} km from the Earth", cut.depth_m / 1e3);
-  if (!cut.sky) return fmt::format("The Earth's shadow {}\\n{}", distance, air);
-  const auto when = almanac::date_text(cut.sky->when, calendar) + " " +
-                    almanac::time_of_day_text(cut.sky->when);
-  return fmt::format("The Earth's shadow on {} UTC, {}\\n{}", when, distance, air);
+  if (!cut.sky) return fmt::format("The Earth's shadow {}\n{}", distance, air);
+  const auto when =
+      almanac::date_text(cut.sky->when, calendar) + " " + almanac::time_of_day_text(cut.sky->when);
+  return fmt::format("The Earth's shadow on {} UTC, {}\n{}", when, distance, air);
 }
 
 void write(const std::filesystem::path& file, const uses::ShadowProfile& result,

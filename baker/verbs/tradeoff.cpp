@@ -12,7 +12,7 @@
 #include "files/own_file.h"
 #include "files/whole_file.h"
 #include "uses/light/light_parameters.h"
-#include "uses/picture/gnuplot.h"
+#include "uses/plot/plot.h"
 #include "uses/study/tradeoff_runs.h"
 #include "uses/study/tradeoff_sweeps.h"
 #include "uses/study/yardstick.h"
@@ -69,8 +69,7 @@ void write_files(const std::filesystem::path& folder, const Options& options,
                  const ReferenceSettings& reference, std::span<const Measured> all) {
   files::write_whole(folder / "tradeoff.csv", as_csv(all));
   files::write_whole(folder / "tradeoff.md", document(options, reference, all));
-  uses::write_plot(folder / "tradeoff.svg",
-                   "svg size 1100,680 background rgb 'white' font 'sans-serif,13'", as_plot(all));
+  uses::write_plot(folder / "tradeoff.svg", as_plot(all));
 }
 
 /// Writes into a folder, made when it is missing, and gone again when nothing could be written.

@@ -25,15 +25,15 @@ struct CurvePoint {
 /// Throws    Error   as normal_albedo
 std::vector<CurvePoint> light_curve(const Film& film, const std::vector<std::size_t>& frames);
 
-/// Writes a curve as a table in .csv, or drawn by gnuplot in .svg or .png, with the eclipse's contacts.
+/// Writes a curve as a table in .csv, or as a plot with the eclipse's contacts in .png, .svg or .pdf.
 ///
-/// Throws  Error  when the path ends in none of these; as write_plot
+/// Throws  Error  for another ending; as write_plot
 void write_curve(const std::filesystem::path& path, const eclipse::Eclipse& eclipse,
                  const std::vector<CurvePoint>& curve);
 
 /// Refuses a file that a curve cannot be written to.
 ///
-/// Throws  Error  when the path ends in none of .csv, .svg and .png
+/// Throws  Error  for another ending than write_curve knows
 void require_curve_ending(const std::filesystem::path& path);
 
 }  // namespace coppermoon::uses

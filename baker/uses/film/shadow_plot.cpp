@@ -11,19 +11,12 @@
 #include "colour/cie_observer.h"
 #include "colour/working_space.h"
 #include "eclipse/shadow_cone.h"
-#include "uses/picture/gnuplot.h"
+#include "uses/plot/plot.h"
 
 namespace coppermoon::uses {
 namespace {
 
 constexpr double km = 1e3;
-
-const char* terminal_for(const std::filesystem::path& picture) {
-  const auto ending = picture.extension();
-  if (ending == ".svg") return "svg size 1000,640 dynamic font 'Sans,14'";
-  if (ending == ".pdf") return "pdfcairo size 25cm,16cm font 'Sans,14'";
-  return "pngcairo size 1000,640 font 'Sans,12'";
-}
 
 /// Decades of the whole plot: from below the darkest light shown to full sunlight.
 std::pair<double, double> range_of(const ShadowProfile& profile) {
@@ -33,59 +26,27 @@ std::pair<double, double> range_of(const ShadowProfile& profile) {
   return {std::pow(10, std::floor(std::log10(darkest))), 3};
 }
 
-std::string edge(const char* name, double radius_m) {
-  return fmt::format(
-      "set arrow from {0:.6g},graph 0 to {0:.6g},graph 1 nohead dashtype 2 linecolor rgb "
-      "'#707070'\n"
-      "set label '{1}' at {0:.6g},graph 0.12 rotate by 90 left offset -1,0 textcolor rgb "
-      "'#505050'\n",
-      radius_m / km, name);
-}
-
-std::string moon(double centre_m, double end_m) {
+std::optional<PlotMark> moon_mark(double centre_m, double end_m) {
   const double radius_m = algebra::in_metres(almanac::lunar_radius);
   const double from = std::max(0., centre_m - radius_m) / km,
                to = std::min(end_m, centre_m + radius_m) / km;
   if (from >= to) return {};
-  return fmt::format(
-      "set object rectangle from {0:.6g},graph 0 to {1:.6g},graph 1 behind fillstyle solid "
-      "noborder "
-      "fillcolor rgb '#eeeae2'\n"
-      "set label 'Moon' at {2:.6g},graph 0.03 center textcolor rgb '#505050'\n",
-      from, to, (from + to) / 2);
+  return PlotMark{PlotMark::band, from, to, "Moon"};
 }
 
-std::string curves(const ShadowProfile& profile) {
-  std::string data = "$light << EOD\n", plot;
-  for (std::size_t d = 0; d < profile.axis_distances_m.size(); ++d) {
-    data += fmt::format("{:g}", profile.axis_distances_m[d] / km);
-    for (std::size_t w = 0; w < profile.wavelengths_nm.size(); ++w)
-      data += fmt::format(" {:.6g}", profile.ratio(d, w));
-    data += '\n';
+std::vector<PlotCurve> curves(const ShadowProfile& profile) {
+  std::vector<PlotCurve> curves;
+  for (std::size_t w = 0; w < profile.wavelengths_nm.size(); ++w) {
+    const double nm = profile.wavelengths_nm[w];
+    auto& curve = curves.emplace_back(PlotStyle::line, "", plot_colour(nm));
+    curve.title = fmt::format("{:g} nm", nm), curve.width = 2.5;
+    for (std::size_t d = 0; d < profile.axis_distances_m.size(); ++d) {
+      const double ratio = profile.ratio(d, w);
+      curve.rows += fmt::format("{:g},{}\n", profile.axis_distances_m[d] / km,
+                                ratio > 0 ? fmt::format("{:.6g}", ratio) : "NaN");
+    }
   }
-  for (std::size_t w = 0; w < profile.wavelengths_nm.size(); ++w)
-    plot += fmt::format(
-        "{} $light using 1:(${} > 0 ? ${} : NaN) with lines linewidth 2.5 linecolor rgb '{}' title "
-        "'{:g} nm'",
-        w == 0 ? "plot" : ",", w + 2, w + 2, plot_colour(profile.wavelengths_nm[w]),
-        profile.wavelengths_nm[w]);
-  return data + "EOD\n" + plot + '\n';
-}
-
-std::string script_for(const ShadowProfile& profile, const ShadowMarks& marks) {
-  const auto [bottom, top] = range_of(profile);
-  const double end_m = profile.axis_distances_m.back();
-  std::string script = fmt::format(
-      "set encoding utf8\nset title \"{}\" noenhanced\nset logscale y\nset format y '10^{{%L}}'\n"
-      "set grid\nset key top left\nset xrange [0:{:.6g}]\nset yrange [{:g}:{:g}]\n"
-      "set xlabel 'Distance from the middle of the shadow [km]'\n"
-      "set ylabel 'Light, as a fraction of full sunlight'\n",
-      marks.title, std::max(end_m, km) / km, bottom, top);
-  if (marks.moon_m) script += moon(*marks.moon_m, end_m);
-  if (marks.umbra_m > 0 && marks.umbra_m < end_m)
-    script += edge("edge of the umbra", marks.umbra_m);
-  if (marks.penumbra_m < end_m) script += edge("edge of the penumbra", marks.penumbra_m);
-  return script + curves(profile);
+  return curves;
 }
 
 double srgb(double linear) {
@@ -131,7 +92,22 @@ ShadowMarks marks_of(const shadow::Arrangement& cut, const std::optional<almanac
 
 void write_shadow_plot(const std::filesystem::path& picture, const ShadowProfile& profile,
                        const ShadowMarks& marks) {
-  write_plot(picture, terminal_for(picture), script_for(profile, marks));
+  const double end_m = profile.axis_distances_m.back();
+  Plot plot{.title = marks.title,
+            .x = {.label = "Distance from the middle of the shadow [km]",
+                  .range = {{0, std::max(end_m, km) / km}}},
+            .panels = {{{.label = "Light, as a fraction of full sunlight",
+                         .range = range_of(profile),
+                         .logarithmic = true},
+                        curves(profile)}},
+            .key = "top left"};
+  if (marks.moon_m)
+    if (const auto moon = moon_mark(*marks.moon_m, end_m)) plot.marks.push_back(*moon);
+  if (marks.umbra_m > 0 && marks.umbra_m < end_m)
+    plot.marks.push_back({PlotMark::edge, marks.umbra_m / km, 0, "edge of the umbra"});
+  if (marks.penumbra_m < end_m)
+    plot.marks.push_back({PlotMark::edge, marks.penumbra_m / km, 0, "edge of the penumbra"});
+  write_plot(picture, plot);
 }
 
 }  // namespace coppermoon::uses

@@ -13,7 +13,7 @@
 #include "almanac/lunar_orientation.h"
 #include "night/tables.h"
 #include "uses/film/film_times.h"
-#include "uses/picture/gnuplot.h"
+#include "uses/plot/plot.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -48,8 +48,8 @@ double nearness(const UnderMoon& moon, double latitude, double longitude) {
          std::cos(latitude) * std::cos(moon.latitude) * std::cos(longitude - moon.longitude);
 }
 
-/// A curve in gnuplot's text, cut where it leaves the map at one side.
-std::string curve_text(const std::vector<std::pair<double, double>>& points) {
+/// Rows of a curve, interrupted where it leaves the map at one side.
+std::string curve_rows(const std::vector<std::pair<double, double>>& points) {
   std::string text;
   double last = points.front().second;
   for (const auto& [latitude, longitude] : points) {
@@ -60,8 +60,8 @@ std::string curve_text(const std::vector<std::pair<double, double>>& points) {
   return text;
 }
 
-/// 0: nothing of the eclipse is seen there, 1: some of it, 2: all.
-std::string shade_text(const eclipse::Eclipse& eclipse) {
+/// Shade of each cell of two degrees: 0 where nothing of the eclipse is seen, 1 some of it, 2 all.
+std::string shade_rows(const eclipse::Eclipse& eclipse) {
   constexpr int steps = 48;  // of an eclipse of six hours at most: the Moon goes less than a cell
   const auto& [first, last] = std::pair(*eclipse.contacts.P1, *eclipse.contacts.P4);
   std::vector<UnderMoon> moons;
@@ -82,51 +82,20 @@ std::string shade_text(const eclipse::Eclipse& eclipse) {
   return text;
 }
 
-const char* map_terminal(const std::filesystem::path& picture) {
-  const auto ending = picture.extension();
-  if (ending == ".png") return "pngcairo size 1200,680 font 'sans,12'";
-  if (ending == ".svg") return "svg size 1200,680 background rgb 'white' font 'sans-serif,13'";
-  if (ending == ".pdf") return "pdfcairo size 27cm,15.3cm font 'Sans,12'";
-  throw algebra::Error(fmt::format("{}: a map ends in .png, .svg or .pdf", picture.string()));
-}
-
-std::string map_script(const eclipse::Eclipse& eclipse,
-                       const std::optional<almanac::Observer>& place) {
+std::vector<PlotCurve> curves(const eclipse::Eclipse& eclipse) {
   constexpr const char* colours[] = {"#9c9c9c", "#c88a3a", "#b0432b", "#701f1f",
                                      "#b0432b", "#c88a3a", "#9c9c9c"};
-  std::string data, plots, labels;
+  std::vector<PlotCurve> curves{
+      {PlotStyle::shades, shade_rows(eclipse), ""},
+      {PlotStyle::line, std::string(night::tables::coastlines()), "#7d8894"}};
   const auto contacts = contacts_of(eclipse);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto& [name, when] = contacts[i];
-    const auto circle = horizon_circle(when, 361);
-    data += fmt::format("$c{} << EOD\n{}EOD\n", i, curve_text(circle));
-    plots += fmt::format(", $c{} using 1:2 with lines lw 2 lc rgb '{}' title '{} {}'", i,
-                         colours[contacts.size() == 7 ? i : (i * 6) / (contacts.size() - 1)], name,
-                         almanac::time_of_day_text(when).substr(0, 5));
+    curves.push_back({PlotStyle::line, curve_rows(horizon_circle(when, 361)),
+                      colours[contacts.size() == 7 ? i : (i * 6) / (contacts.size() - 1)],
+                      fmt::format("{} {}", name, almanac::time_of_day_text(when).substr(0, 5)), 2});
   }
-  if (place)
-    labels =
-        fmt::format("set object circle at {:.3f},{:.3f} size 1.2 fc rgb '#d02020' fs solid front\n",
-                    algebra::in_degrees(place->longitude), algebra::in_degrees(place->latitude));
-  return fmt::format(R"~(set datafile separator ','
-$land << EOD
-{}EOD
-$shade << EOD
-{}EOD
-{}set title "{}\nwhite: all of it is seen; grey: nothing; between: a part. Along each curve the Moon is on the horizon (UTC)" font ',14'
-set xrange [-180:180]
-set yrange [-90:90]
-set size ratio 0.5
-set xtics 30 format '%g°'
-set ytics 30 format '%g°'
-set key outside right top
-set palette defined (0 '#c9ced6', 1 '#eceae4', 2 '#ffffff')
-set cbrange [0:2]
-unset colorbox
-{}plot $shade using 1:2:3 with image notitle, $land using 1:2 with lines lw 1 lc rgb '#7d8894' notitle{}
-)~",
-                     night::tables::coastlines(), shade_text(eclipse), data, name_of(eclipse), labels,
-                     plots);
+  return curves;
 }
 
 }  // namespace
@@ -152,8 +121,21 @@ std::vector<std::pair<double, double>> horizon_circle(const almanac::Instant& wh
 
 void write_visibility_map(const std::filesystem::path& picture, const eclipse::Eclipse& eclipse,
                           const std::optional<almanac::Observer>& place) {
-  const auto terminal = map_terminal(picture);
-  write_plot(picture, terminal, map_script(eclipse, place));
+  require_plot_ending(picture, "a map", false);
+  Plot map{.title = name_of(eclipse) +
+                    "\nwhite: all of it is seen; grey: nothing; between: a part. Along each curve "
+                    "the Moon is on the horizon (UTC)",
+           .title_size = 14,
+           .width = 1200,
+           .height = 680,
+           .x = {.range = {{-180, 180}}, .tic_spacing = 30, .unit = "°"},
+           .panels = {{{.range = {{-90, 90}}, .tic_spacing = 30, .unit = "°"}, curves(eclipse)}},
+           .key = "outside right top",
+           .height_per_width = 0.5};
+  if (place)
+    map.marks.push_back({PlotMark::dot, algebra::in_degrees(place->longitude),
+                         algebra::in_degrees(place->latitude)});
+  write_plot(picture, map);
 }
 
 }  // namespace coppermoon::uses

@@ -13,7 +13,7 @@ namespace coppermoon::uses {
 /// the air that explains them best has.
 ///
 /// Given   file    ends in .csv: lines of night, distance_km, channel, light, error (relative), model; or in
-///                 .png, .svg or .pdf: a plot, by gnuplot
+///                 .png, .svg or .pdf: a plot
 ///         nights  each camera's and eclipse's
 /// Throws  Error   with the file's name for another ending; as write_plot
 void write_measured_light(const std::filesystem::path& file,

@@ -87,9 +87,10 @@ void add_files_of_all(CLI::App& verb, FilmOptions& options) {
       "contact sheet, .png: some 40 pictures, those at the contacts among them, with their times")
       .writes_file()
       .in(group);
-  add_flag(verb, "--curve", options.curves,
-           "light curve, .csv, .svg or .png: V magnitude and mean luminance of the disc above the "
-           "air. May be given again")
+  add_flag(
+      verb, "--curve", options.curves,
+      "light curve, .csv, .png, .svg or .pdf: V magnitude and mean luminance of the disc above the "
+      "air. May be given again")
       .writes_file()
       .kept_each_time()
       .in(group);

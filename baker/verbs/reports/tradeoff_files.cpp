@@ -81,7 +81,7 @@ constexpr std::string_view colour_of(std::string_view solver) {
   return "#6a3d9a";
 }
 
-/// gnuplot's filled symbol; the open one is the number before it.
+/// Filled symbol; the open one is the number before it.
 int symbol_of(std::string_view varied) {
   constexpr std::array<std::string_view, 6> filled{"rays",     "photons", "wavelengths",
                                                    "replicas", "step",    "precision"};
@@ -95,28 +95,15 @@ bool is_the_papers(const Trial& trial) {
 
 using Which = bool (*)(const Measured&);
 
-/// Some of the points as a block of gnuplot's; an empty text when there is none.
-std::string block(std::string_view name, std::span<const Measured> all, Which which) {
-  std::string points;
+/// Some of the trials as rows: seconds, error, value.
+std::string rows_of(std::span<const Measured> all, Which which) {
+  std::string rows;
   for (const auto& one : all)
     if (which(one) && one.seconds > 0 && one.errors.umbra.rms > 0)
-      points +=
-          fmt::format("{:.4g} {:.4g} {}\n", one.seconds, one.errors.umbra.rms, number(one.value));
-  return points.empty() ? "" : fmt::format("${} << EOD\n{}EOD\n", name, points);
+      rows +=
+          fmt::format("{:.4g},{:.4g},{}\n", one.seconds, one.errors.umbra.rms, number(one.value));
+  return rows;
 }
-
-/// What is drawn, and the data that it needs.
-struct Drawing {
-  std::string blocks, plots;
-
-  void add(std::string_view name, std::span<const Measured> all, Which which,
-           const std::string& style) {
-    const auto data = block(name, all, which);
-    if (data.empty()) return;
-    blocks += data;
-    plots += fmt::format("{}${} {}", plots.empty() ? "plot " : ", \\\n  ", name, style);
-  }
-};
 
 /// Far enough on the plot for both to be named.
 bool apart(const Measured& one, const Measured& other) {
@@ -124,26 +111,24 @@ bool apart(const Measured& one, const Measured& other) {
   return differ(one.seconds, other.seconds) || differ(one.errors.umbra.rms, other.errors.umbra.rms);
 }
 
-void draw_sweep(Drawing& drawing, std::span<const Measured> sweep, std::size_t index) {
+/// Adds a curve unless it has no rows.
+void add(std::vector<uses::PlotCurve>& curves, uses::PlotCurve curve) {
+  if (!curve.rows.empty()) curves.push_back(std::move(curve));
+}
+
+void add_sweep(std::vector<uses::PlotCurve>& curves, std::span<const Measured> sweep) {
+  using enum uses::PlotStyle;
   const auto& one = sweep[0];
-  const std::string name = fmt::format("sweep{}", index);
-  const auto colour = colour_of(one.trial.solver);
+  const std::string colour(colour_of(one.trial.solver));
   const int symbol = symbol_of(one.varied);
-  drawing.add(
-      name, sweep, [](const Measured&) { return true; },
-      fmt::format("using 1:2 with lines lc rgb '{}' notitle", colour));
-  drawing.add(
-      name + "made", sweep, [](const Measured& of) { return !of.extrapolated; },
-      fmt::format("using 1:2 with points pt {} lc rgb '{}' title '{}: {}'", symbol, colour,
-                  one.trial.solver, one.varied));
-  drawing.add(
-      name + "not", sweep, [](const Measured& of) { return of.extrapolated; },
-      fmt::format("using 1:2 with points pt {} lc rgb '{}' notitle", symbol - 1, colour));
-  if (!apart(sweep.front(), sweep.back())) return;
-  const std::array ends{sweep.front(), sweep.back()};
-  drawing.add(
-      name + "ends", ends, [](const Measured&) { return true; },
-      fmt::format("using 1:2:3 with labels offset 0,0.8 font ',9' tc rgb '{}' notitle", colour));
+  const Which every = [](const Measured&) { return true; };
+  add(curves, {line, rows_of(sweep, every), colour});
+  add(curves, {points, rows_of(sweep, [](const Measured& of) { return !of.extrapolated; }), colour,
+               fmt::format("{}: {}", one.trial.solver, one.varied), 1, symbol, 0.9});
+  add(curves, {points, rows_of(sweep, [](const Measured& of) { return of.extrapolated; }), colour,
+               "", 1, symbol - 1, 0.9});
+  if (apart(sweep.front(), sweep.back()))
+    add(curves, {labels, rows_of(std::array{sweep.front(), sweep.back()}, every), colour});
 }
 
 }  // namespace
@@ -197,23 +182,28 @@ nlohmann::ordered_json as_json(std::span<const Measured> all) {
   return rows;
 }
 
-std::string as_plot(std::span<const Measured> all) {
-  Drawing drawing;
-  for (std::size_t index = 0; !all.empty(); ++index) {
+uses::Plot as_plot(std::span<const Measured> all) {
+  using enum uses::PlotStyle;
+  std::vector<uses::PlotCurve> curves;
+  while (!all.empty()) {
     const auto sweep = first_sweep(all);
-    if (sweep[0].varied != uses::texture_sweep) draw_sweep(drawing, sweep, index);
+    if (sweep[0].varied != uses::texture_sweep) add_sweep(curves, sweep);
     if (sweep[0].varied == "photons")
-      drawing.add(
-          "paper", sweep, [](const Measured& one) { return is_the_papers(one.trial); },
-          "using 1:2 with points pt 3 ps 2 lc rgb 'black' title 'Yapo and Cutler (2009)'");
+      add(curves,
+          {points, rows_of(sweep, [](const Measured& one) { return is_the_papers(one.trial); }),
+           "black", "Yapo and Cutler (2009)", 1, 3, 2});
     all = all.subspan(sweep.size());
   }
-  return "set logscale xy\nset format xy '10^{%L}'\nset grid lt 1 lc rgb '#dddddd'\n"
-         "set key outside right top Left reverse\nset pointsize 0.9\nset xlabel 'seconds'\n"
-         "set ylabel 'relative error of irradiance in the umbra, RMS'\n"
-         "set offsets graph 0.02, graph 0.02, graph 0.05, 0\n" +
-         drawing.blocks + drawing.plots +
-         ", \\\n  keyentry with points pt 6 lc rgb 'black' title 'open: extrapolated'\n";
+  curves.push_back({points, "", "black", "open: extrapolated", 1, 6, 0.9});
+  return {
+      .width = 1100,
+      .height = 680,
+      .x = {.label = "seconds", .logarithmic = true},
+      .panels = {{{.label = "relative error of irradiance in the umbra, RMS", .logarithmic = true},
+                  std::move(curves)}},
+      .key = "outside right top Left reverse",
+      .grid = "lt 1 lc rgb '#dddddd'",
+      .margin = 0.03};
 }
 
 }  // namespace coppermoon::verbs

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "uses/plot/plot.h"
 #include "uses/study/tradeoff_runs.h"
 
 namespace coppermoon::verbs {
@@ -18,8 +19,8 @@ std::string as_markdown(std::span<const uses::Measured> all);
 /// Trials as a list; null where a solver has no such setting.
 nlohmann::ordered_json as_json(std::span<const uses::Measured> all);
 
-/// Seconds against the umbra's error, as a script for gnuplot: a line for each sweep, a colour for each solver;
+/// Seconds against the umbra's error, as a plot: a line for each sweep, a colour for each solver;
 /// open symbols are extrapolated, a star is the paper's own setting.
-std::string as_plot(std::span<const uses::Measured> all);
+uses::Plot as_plot(std::span<const uses::Measured> all);
 
 }  // namespace coppermoon::verbs

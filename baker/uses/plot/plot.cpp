@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "uses/plot/plot.h"
+
+#include <fmt/format.h>
+
+#include "algebra/error.h"
+#include "files/child_process.h"
+#include "files/temporary_folder.h"
+#include "files/whole_file.h"
+
+namespace coppermoon::uses {
+namespace {
+
+/// Literal of a text in which gnuplot finds no end and no order to a shell.
+std::string literal(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text)
+    quoted += c == '"' || c == '\\' || c == '`' || c == '\n' ? fmt::format("\\{:03o}", int{c})
+                                                            : std::string{c};
+  return quoted + '"';
+}
+
+std::string terminal(const std::filesystem::path& file, const Plot& plot) {
+  if (file.extension() == ".svg")
+    return fmt::format("svg size {},{} background rgb 'white' font 'sans-serif,13'", plot.width,
+                       plot.height);
+  if (file.extension() == ".pdf")
+    return fmt::format("pdfcairo size {}cm,{}cm font 'Sans,14'", plot.width / 40.,
+                       plot.height / 40.);
+  return fmt::format("pngcairo size {},{} font 'Sans,12'", plot.width, plot.height);
+}
+
+/// Axis `x` or `y`; without numbers where another panel's stand below.
+std::string axis(char name, const PlotAxis& axis, bool numbered = true) {
+  std::string script =
+      fmt::format("set {0}label {1}\n{2} logscale {0}\n", name, literal(numbered ? axis.label : ""),
+                  axis.logarithmic ? "set" : "unset");
+  script += fmt::format("set format {} {}\n", name,
+                        literal(!numbered           ? ""
+                                : axis.logarithmic  ? "10^{%L}"
+                                : axis.unit.empty() ? "% h"
+                                                    : "%g" + axis.unit));
+  if (axis.tic_spacing > 0) script += fmt::format("set {}tics {:g}\n", name, axis.tic_spacing);
+  if (axis.range)
+    return script + fmt::format("set {}range [{:.8g}:{:.8g}]\n", name, axis.range->first,
+                                axis.range->second);
+  return script + fmt::format("set {}range [*:*] {}reverse\n", name, axis.reversed ? "" : "no");
+}
+
+std::string line_at(double x, std::string_view look) {
+  return fmt::format("set arrow from first {0:.8g},graph 0 to first {0:.8g},graph 1 nohead {1}\n",
+                     x, look);
+}
+
+std::string mark(const PlotMark& mark) {
+  const auto name = literal(mark.name);
+  switch (mark.kind) {
+    case PlotMark::edge:
+      return line_at(mark.x, "dashtype 2 lc rgb '#707070'") +
+             fmt::format(
+                 "set label {} at first {:.8g},graph 0.12 rotate by 90 left offset -1,0 "
+                 "tc rgb '#505050'\n",
+                 name, mark.x);
+    case PlotMark::instant:
+      return line_at(mark.x, "lc rgb '#bbbbbb'") +
+             fmt::format("set label {} at first {:.8g},graph 1.05 center font ',11'\n", name,
+                         mark.x);
+    case PlotMark::band:
+      return fmt::format(
+          "set object rectangle from first {:.8g},graph 0 to first {:.8g},graph 1 behind fs solid "
+          "noborder fc rgb '#eeeae2'\n"
+          "set label {} at first {:.8g},graph 0.03 center tc rgb '#505050'\n",
+          mark.x, mark.to, name, (mark.x + mark.to) / 2);
+    case PlotMark::dot:
+      return fmt::format(
+          "set object circle at first {:.8g},{:.8g} size 1.2 fc rgb '#d02020' fs solid front\n",
+          mark.x, mark.to);
+  }
+  return {};
+}
+
+/// Columns and look of a curve.
+std::string drawn_as(const PlotCurve& curve) {
+  const auto line = fmt::format("lw {:g}", curve.width),
+             points = fmt::format("pt {} ps {:g}", curve.symbol, curve.size),
+             colour = " lc rgb " + literal(curve.colour);
+  switch (curve.style) {
+    case PlotStyle::line:
+      return "using 1:2 with lines " + line + colour;
+    case PlotStyle::points:
+      return "using 1:2 with points " + points + colour;
+    case PlotStyle::line_and_points:
+      return "using 1:2 with linespoints " + line + " " + points + colour;
+    case PlotStyle::error_bars:
+      return "using 1:2:3:4 with yerrorbars " + points + colour;
+    case PlotStyle::labels:
+      return "using 1:2:3 with labels offset 0,0.8 font ',9' tc rgb " + literal(curve.colour);
+    case PlotStyle::shades:
+      return "using 1:2:3 with image";
+  }
+  return {};
+}
+
+/// Data, then the order to plot them.
+std::string curves(const std::vector<PlotCurve>& curves) {
+  std::string data, order;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const auto& curve = curves[i];
+    auto look = drawn_as(curve);
+    if (curve.rows.empty())
+      look = "keyentry " + look.substr(look.find("with"));
+    else
+      data += fmt::format("$c{} << EOD\n{}EOD\n", i, curve.rows),
+          look = fmt::format("$c{} {}", i, look);
+    order += fmt::format("{}{} {}", order.empty() ? "plot " : ", ", look,
+                         curve.title.empty() ? "notitle" : "title " + literal(curve.title));
+  }
+  return data + order + "\n";
+}
+
+/// Everything but terminal and output.
+std::string script(const Plot& plot) {
+  std::string script = fmt::format(
+      "set encoding utf8\nset datafile separator ','\nset grid {0}\nset key {1}\n"
+      "set palette defined (0 '#c9ced6', 1 '#eceae4', 2 '#ffffff')\nset cbrange [0:2]\n"
+      "unset colorbox\nset offsets graph {2:g}, graph {2:g}, graph {2:g}, 0\n",
+      plot.grid, plot.key, plot.margin);
+  for (const auto& one : plot.marks) script += mark(one);
+  if (plot.height_per_width > 0)
+    script += fmt::format("set size ratio {:g}\n", plot.height_per_width);
+  const auto title = fmt::format("title {} font ',{}'", literal(plot.title), plot.title_size);
+  if (plot.panels.size() == 1)
+    return script + "set " + title + " noenhanced\n" + axis('x', plot.x) +
+           axis('y', plot.panels[0].y) + curves(plot.panels[0].curves);
+  script += "set multiplot " + title + "\nset lmargin 12\nset rmargin 4\n";
+  script += "set origin 0, 0.47\nset size 1, 0.46\nset bmargin 1\nset tmargin 2\n" +
+            axis('x', plot.x, false) + axis('y', plot.panels.at(0).y) +
+            curves(plot.panels[0].curves);
+  return script + "unset label\nset origin 0, 0\nset size 1, 0.49\nset bmargin 4\nset tmargin 1\n" +
+         axis('x', plot.x) + axis('y', plot.panels.at(1).y) + curves(plot.panels[1].curves);
+}
+
+}  // namespace
+
+void require_plot_ending(const std::filesystem::path& file, std::string_view what, bool or_table) {
+  const auto ending = file.extension();
+  if (ending != ".png" && ending != ".svg" && ending != ".pdf" && !(or_table && ending == ".csv"))
+    throw algebra::Error(fmt::format("{}: {} ends in {}.png, .svg or .pdf", file.string(), what,
+                                     or_table ? ".csv, " : ""));
+}
+
+/// Nobody's own settings count (-d), and no file's name comes into the script, where a line of it could
+/// be taken for an order.
+void write_plot(const std::filesystem::path& file, const Plot& plot) {
+  require_plot_ending(file, "a plot", false);
+  const files::TemporaryFolder folder;
+  files::write_whole(folder.path() / "plot.gp",
+                     "set terminal " + terminal(file, plot) + "\n" + script(plot));
+  files::write_whole(file, [&](int descriptor) {
+    files::run_program(
+        {.words = {"gnuplot", "-d", "plot.gp"}, .package = "gnuplot-nox", .folder = folder.path()},
+        descriptor);
+  });
+}
+
+}  // namespace coppermoon::uses

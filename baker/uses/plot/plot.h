@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace coppermoon::uses {
+
+/// Horizontal or vertical axis of a plot.
+struct PlotAxis {
+  std::string label{};
+  std::optional<std::pair<double, double>> range{};  ///< without: as the curves need
+  bool logarithmic = false, reversed = false;
+  double tic_spacing = 0;  ///< 0: chosen by gnuplot
+  std::string unit{};      ///< behind the number of each tic
+};
+
+/// What a curve's rows are drawn as, and the columns that each kind has.
+enum class PlotStyle {
+  line,             ///< x, y
+  points,           ///< x, y
+  line_and_points,  ///< x, y
+  error_bars,       ///< x, y, lowest, highest
+  labels,           ///< x, y, text above that point
+  shades            ///< x, y, 0 (dark), 1 or 2 (white), on a grid in rows: an empty row ends each
+};
+
+/// Data of one look. Without rows it stands in the key alone, without a title in the plot alone.
+struct PlotCurve {
+  PlotStyle style;
+  std::string rows;  ///< comma-separated columns; an empty row interrupts a line
+  std::string colour;
+  std::string title{};
+  double width = 1;  ///< of a line
+  int symbol = 7;    ///< number of gnuplot's point type: 4 square, 6 circle …, one more: filled
+  double size = 1;   ///< of a symbol
+};
+
+/// Something that is marked in the plane of the plot.
+struct PlotMark {
+  enum Kind {
+    edge,     ///< dashed line at x, the name along it
+    instant,  ///< line at x through all panels, the name above
+    band,     ///< ground between x and `to`, the name at its foot
+    dot       ///< at x and y = `to`
+  } kind;
+  double x, to = 0;
+  std::string name{};
+};
+
+struct PlotPanel {
+  PlotAxis y;
+  std::vector<PlotCurve> curves;
+};
+
+/// Plot as a value: what `write_plot` draws.
+struct Plot {
+  std::string title{};
+  int title_size = 12;              ///< points
+  int width = 1000, height = 640;   ///< pixels; 40 to a centimetre in PDF
+  PlotAxis x{};                     ///< of all panels
+  std::vector<PlotPanel> panels{};  ///< one, or two above one another
+  std::vector<PlotMark> marks{};
+  std::string key = "off";      ///< its place in gnuplot's words: "top left"
+  std::string grid = "lt 0";    ///< its lines in gnuplot's words: dotted
+  double margin = 0;            ///< around the curves, as share of the plot
+  double height_per_width = 0;  ///< of the panel; 0: as it fits
+};
+
+/// Draws a plot with gnuplot. The file appears whole or not at all.
+///
+/// Given   file   ends in .png, .svg or .pdf
+/// Throws  Error  for another ending; when gnuplot is not there, or fails
+void write_plot(const std::filesystem::path& file, const Plot& plot);
+
+/// Refuses a file that is neither a plot nor, where that is allowed, a table.
+///
+/// Given   what   is to be written, as "a curve"
+/// Throws  Error  when the path ends in none of .png, .svg, .pdf and, with `or_table`, .csv
+void require_plot_ending(const std::filesystem::path& file, std::string_view what, bool or_table);
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "uses/plot/plot.h"
+
+#include <iterator>
+
+#include "support/helper_folder.h"
+#include "support/left_behind.h"
+
+namespace coppermoon::uses {
+namespace {
+
+namespace fs = std::filesystem;
+
+Plot line_named(const std::string& name) {
+  return {.title = name,
+          .x = {.label = name},
+          .panels = {{{.label = name}, {{PlotStyle::line, "0,0\n1,1\n", "black", name}}}},
+          .marks = {{PlotMark::edge, 0.5, 0, name}},
+          .key = "top left"};
+}
+
+class Plots : public HelperFolder {
+ protected:
+  std::string drawn(const Plot& plot) const {
+    write_plot(here() / "a.svg", plot);
+    std::ifstream in(here() / "a.svg");
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+};
+
+TEST_F(Plots, HaveTheirWordsInThem) {
+  const auto svg = drawn(line_named("Moon's \"light\" [W]"));
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = svg.find("Moon's \"light\" [W]", at)) != svg.npos; ++at)
+    ++count;
+  EXPECT_GE(count, 5U) << "title, two axes, the mark and the key\n" << svg.substr(0, 4000);
+}
+
+TEST_F(Plots, HaveATitleOfTwoLines) {
+  const auto svg = drawn(line_named("above\nbelow"));
+  EXPECT_NE(svg.find(">above<"), svg.npos);
+  EXPECT_NE(svg.find(">below<"), svg.npos);
+}
+
+TEST_F(Plots, TakeNoWordForAnOrder) {
+  const auto order = "touch " + (here() / "obeyed").string();
+  for (const std::string& name :
+       {"`" + order + "`", "'; system('" + order + "') #", "\"; system(\"" + order + "\") #",
+        "\n!" + order, std::string("a\\")})
+    drawn(line_named(name));
+  EXPECT_FALSE(fs::exists(here() / "obeyed"));
+}
+
+TEST_F(Plots, HaveAPanelAboveAnother) {
+  auto plot = line_named("one");
+  plot.panels.push_back({{.label = "two", .logarithmic = true},
+                         {{PlotStyle::line_and_points, "1,1\n2,100\n", "#b0432b"}}});
+  const auto svg = drawn(plot);
+  EXPECT_NE(svg.find(">one<"), svg.npos);
+  EXPECT_NE(svg.find(">two<"), svg.npos);
+}
+
+TEST_F(Plots, EndInWhatGnuplotDraws) {
+  EXPECT_EQ(refusal([] { write_plot("a.gif", line_named("x")); }),
+            "a.gif: a plot ends in .png, .svg or .pdf");
+  EXPECT_EQ(refusal([] { require_plot_ending("a.gif", "a curve", true); }),
+            "a.gif: a curve ends in .csv, .png, .svg or .pdf");
+  EXPECT_NO_THROW(require_plot_ending("a.csv", "a curve", true));
+  for (const char* name : {"a.png", "a.pdf"}) {
+    write_plot(here() / name, line_named("x"));
+    EXPECT_GT(fs::file_size(here() / name), 1000U) << name;
+  }
+}
+
+TEST_F(Plots, ThatGnuplotDoesNotDrawAreSaid) {
+  stand_in("gnuplot", "exit 0");
+  EXPECT_EQ(refusal([&] { write_plot(here() / "a.svg", line_named("x")); }),
+            "gnuplot: ended without a result");
+  EXPECT_FALSE(fs::exists(here() / "a.svg"));
+}
+
+TEST_F(Plots, ThatFailHaveTheFirstWord) {
+  stand_in("gnuplot", "echo >&2; echo 'out of ink' >&2; echo end >&2; exit 1");
+  EXPECT_EQ(refusal([&] { write_plot(here() / "a.svg", line_named("x")); }), "gnuplot: out of ink");
+}
+
+TEST_F(Plots, ThatHangAreNotLeftBehind) {
+  stand_in("gnuplot",
+           "cd " + here().string() + "; echo $$ > pid.tmp; mv pid.tmp pid; exec sleep 20");
+  EXPECT_EQ(signal_after_our_death(here() / "pid",
+                                   [&] { write_plot(here() / "a.svg", line_named("x")); }),
+            SIGKILL);
+}
+
+}  // namespace
+}  // namespace coppermoon::uses
