@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "algebra/error.h"
+#include "almanac/calendar.h"
 #include "atmosphere/figure.h"
 #include "eclipse/lunation.h"
 #include "eclipse/zero_between.h"
@@ -156,6 +157,18 @@ Eclipse nearest_eclipse(const Instant& instant, ShadowConvention convention, Lun
     if (const auto eclipse = eclipse_near(middle, convention, theory)) return *eclipse;
   }
   throw algebra::Error(fmt::format("no eclipse within a year of {}", almanac::utc_text(instant)));
+}
+
+const char* name(EclipseType type) {
+  using enum EclipseType;
+  return type == total ? "total" : type == partial ? "partial" : "penumbral";
+}
+
+std::string title(const Eclipse& eclipse) {
+  std::string kind = name(eclipse.type);
+  kind.front() -= 'a' - 'A';
+  return fmt::format("{} eclipse of the Moon, {}", kind,
+                     almanac::date_text(eclipse.greatest, eclipse.calendar));
 }
 
 std::vector<std::pair<std::string, Instant>> contacts_of(const Eclipse& eclipse) {

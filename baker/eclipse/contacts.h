@@ -14,6 +14,9 @@ namespace coppermoon::eclipse {
 
 enum class EclipseType { penumbral, partial, total };
 
+/// "penumbral", "partial", "total".
+const char* name(EclipseType type);
+
 /// When the Moon's disc touches the shadow from outside (P1, P4 the penumbra; U1, U4 the umbra) and
 /// from inside (U2, U3 the umbra). Empty: there is no such contact.
 struct Contacts {
@@ -28,6 +31,9 @@ struct Eclipse {
   Contacts contacts;
   almanac::Calendar calendar = almanac::Calendar::gregorian;  ///< in which its dates are told
 };
+
+/// "Total eclipse of the Moon, 2018-07-27", in the eclipse's calendar.
+std::string title(const Eclipse& eclipse);
 
 /// The eclipses whose greatest phase lies between two moments, in their order.
 ///

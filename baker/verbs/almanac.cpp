@@ -28,17 +28,6 @@ struct Options {
   bool json = false;
 };
 
-const char* name(eclipse::EclipseType type) {
-  switch (type) {
-    case eclipse::EclipseType::penumbral:
-      return "penumbral";
-    case eclipse::EclipseType::partial:
-      return "partial";
-    default:
-      return "total";
-  }
-}
-
 eclipse::ShadowConvention convention_from(const std::string& name) {
   if (name == "danjon-oblate") return eclipse::ShadowConvention::danjon_oblate;
   if (name == "chauvenet") return eclipse::ShadowConvention::chauvenet;

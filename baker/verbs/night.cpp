@@ -111,7 +111,7 @@ void print_exposures(const Night& night) {
 
 void print(const Night& night) {
   const auto& place = night.circumstances.place;
-  fmt::print("{}\n{}: {}\n", uses::name_of(night.circumstances.eclipse),
+  fmt::print("{}\n{}: {}\n", title(night.circumstances.eclipse),
              night.own_clocks ? night.city.name : uses::place_text(place),
              what_is_seen(night.circumstances));
   if (!night.own_clocks && night.zone == night.city.time_zone)
@@ -129,7 +129,7 @@ nlohmann::ordered_json or_null(const std::optional<double>& number) {
 nlohmann::ordered_json as_json(const Night& night) {
   const auto& place = night.circumstances.place;
   const auto calendar = night.circumstances.eclipse.calendar;
-  nlohmann::ordered_json all{{"eclipse", uses::name_of(night.circumstances.eclipse)},
+  nlohmann::ordered_json all{{"eclipse", title(night.circumstances.eclipse)},
                              {"at", uses::place_text(place)},
                              {"time_zone", night.zone},
                              {"seen", what_is_seen(night.circumstances)},

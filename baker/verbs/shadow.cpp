@@ -12,7 +12,7 @@
 #include "almanac/calendar.h"
 #include "eclipse/shadow_axis.h"
 #include "files/whole_file.h"
-#include "uses/film/shadow_plot.h"
+#include "uses/picture/shadow_plot.h"
 #include "uses/light/shadow_profile.h"
 #include "uses/light/shadow_strip.h"
 #include "verbs/command_line.h"

@@ -23,7 +23,6 @@
 #include "texture/bake.h"
 #include "uses/explore/limb_rays.h"
 #include "uses/explore/motion.h"
-#include "uses/film/film_times.h"
 #include "uses/light/danjon_air.h"
 #include "uses/light/header.h"
 #include "uses/light/photometer.h"
@@ -246,7 +245,7 @@ ordered_json place_of(const ExploreRequest& request) {
 
 Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest& request,
                            const algebra::Progress& progress) {
-  Exploration made{name_of(eclipse), {}, {}};
+  Exploration made{title(eclipse), {}, {}};
   const auto told = [&](double part) {
     if (progress) progress(part);
   };

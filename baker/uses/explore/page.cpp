@@ -3,7 +3,6 @@
 
 #include "explore/tables.h"
 #include "uses/explore/exploration.h"
-#include "uses/film/film_times.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -57,11 +56,6 @@ std::string whole_page(const std::string& title, const std::string& style,
       within_html(title), style, body);
 }
 
-const char* kind_of(eclipse::EclipseType type) {
-  using enum eclipse::EclipseType;
-  return type == total ? "total" : type == partial ? "partial" : "penumbral";
-}
-
 }  // namespace
 
 std::string page_of(const Exploration& exploration, PageExtent extent) {
@@ -79,7 +73,7 @@ std::string calendar_page(const std::vector<eclipse::Eclipse>& eclipses,
     rows += fmt::format(
         "<tr><td><a href=\"{}\">{}</a></td><td>{}</td><td>{}</td><td>{:.2f}</td></tr>\n", pages[i],
         when.substr(0, when.find('T')), when.substr(when.find('T') + 1, 5),
-        kind_of(eclipses[i].type), eclipses[i].umbral_magnitude);
+        name(eclipses[i].type), eclipses[i].umbral_magnitude);
   }
   return whole_page(
       "Eclipses of the Moon",

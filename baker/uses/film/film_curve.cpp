@@ -82,7 +82,7 @@ Plot plot_of(const eclipse::Eclipse& eclipse, const Curve& curve) {
   const double first = hours(eclipse, curve.front().when), last = hours(eclipse, curve.back().when),
                margin = std::max(1e-3, (last - first) / 50), from = first - margin,
                to = last + margin;
-  return {.title = name_of(eclipse),
+  return {.title = title(eclipse),
           .title_size = 15,
           .width = 1100,
           .height = 760,

@@ -62,7 +62,7 @@ std::vector<std::size_t> some_of(const std::vector<std::size_t>& frames) {
 }
 
 std::string title_of(const Film& film) {
-  return fmt::format("{}, seen from {}; times in UTC", name_of(film.moments.eclipse),
+  return fmt::format("{}, seen from {}; times in UTC", title(film.moments.eclipse),
                      film.view.observer ? place_text(*film.view.observer) : "the Earth's centre");
 }
 

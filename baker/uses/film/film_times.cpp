@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "algebra/error.h"
-#include "almanac/calendar.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -63,15 +62,6 @@ std::pair<Instant, Instant> while_up(const ViewRequest& view, const Instant& fro
                                      place_text(*view.observer), almanac::utc_text(from),
                                      almanac::utc_text(to)));
   return *found;
-}
-
-std::string name_of(const eclipse::Eclipse& eclipse) {
-  using enum eclipse::EclipseType;
-  const char* type = eclipse.type == total     ? "Total"
-                     : eclipse.type == partial ? "Partial"
-                                               : "Penumbral";
-  return fmt::format("{} eclipse of the Moon, {}", type,
-                     almanac::date_text(eclipse.greatest, eclipse.calendar));
 }
 
 Moments moments_of(const FilmTimes& times) {

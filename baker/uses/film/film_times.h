@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -42,8 +41,5 @@ Moments moments_of(const FilmTimes& times);
 std::pair<almanac::Instant, almanac::Instant> while_up(const ViewRequest& view,
                                                        const almanac::Instant& from,
                                                        const almanac::Instant& to);
-
-/// "Total eclipse of the Moon, 2018-07-27", in the eclipse's calendar.
-std::string name_of(const eclipse::Eclipse& eclipse);
 
 }  // namespace coppermoon::uses

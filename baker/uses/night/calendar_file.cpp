@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "uses/film/film_times.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -86,7 +85,7 @@ std::string as_calendar(const Circumstances& night, const std::string& place_nam
       stamp(made)};
   std::string text = line("BEGIN:VCALENDAR") + line("VERSION:2.0") +
                      line("PRODID:-//coppermoon//night//EN") + line("CALSCALE:GREGORIAN");
-  text += event(shared, day + "-eclipse", *contacts.P1, *contacts.P4, name_of(night.eclipse),
+  text += event(shared, day + "-eclipse", *contacts.P1, *contacts.P4, title(night.eclipse),
                 what_is_seen(night));
   for (const auto& moment : night.moments) {
     if (!moment.up || moment.name.starts_with("moon")) continue;

@@ -12,7 +12,6 @@
 #include "almanac/calendar.h"
 #include "almanac/lunar_orientation.h"
 #include "night/tables.h"
-#include "uses/film/film_times.h"
 #include "uses/plot/plot.h"
 
 namespace coppermoon::uses {
@@ -122,7 +121,7 @@ std::vector<std::pair<double, double>> horizon_circle(const almanac::Instant& wh
 void write_visibility_map(const std::filesystem::path& picture, const eclipse::Eclipse& eclipse,
                           const std::optional<almanac::Observer>& place) {
   require_plot_ending(picture, "a map", false);
-  Plot map{.title = name_of(eclipse) +
+  Plot map{.title = title(eclipse) +
                     "\nwhite: all of it is seen; grey: nothing; between: a part. Along each curve "
                     "the Moon is on the horizon (UTC)",
            .title_size = 14,

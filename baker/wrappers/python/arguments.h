@@ -78,14 +78,6 @@ struct Words<eclipse::ShadowConvention> {
 };
 
 template <>
-struct Words<eclipse::EclipseType> {
-  static constexpr std::string_view what = "type";
-  static constexpr std::array all{std::pair{"penumbral", eclipse::EclipseType::penumbral},
-                                  std::pair{"partial", eclipse::EclipseType::partial},
-                                  std::pair{"total", eclipse::EclipseType::total}};
-};
-
-template <>
 struct Words<uses::EarthFigure> {
   static constexpr std::string_view what = "earth";
   static constexpr std::array all{std::pair{"sphere", uses::EarthFigure::sphere},

@@ -56,7 +56,7 @@ void add_eclipses(py::module_& package) {
           "moment at which the Moon's centre is at its least angle from the "
           "shadow's axis, UTC")
       .def_property_readonly(
-          "type", [](const Eclipse& one) { return word_of(one.type); },
+          "type", [](const Eclipse& one) { return name(one.type); },
           "'penumbral', 'partial' or 'total'")
       .def_readonly("gamma", &Eclipse::gamma,
                     "distance of the Moon's centre from the axis then, in Earth radii, north "
@@ -69,7 +69,7 @@ void add_eclipses(py::module_& package) {
                              "moments by the names of the contacts that it has: P1, U1, U2, U3, "
                              "U4, P4, UTC")
       .def("__repr__", [](const Eclipse& one) {
-        return fmt::format("<Eclipse {} {}>", almanac::utc_text(one.greatest), word_of(one.type));
+        return fmt::format("<Eclipse {} {}>", almanac::utc_text(one.greatest), name(one.type));
       });
 
   package.def("eclipses", eclipses_in, "start"_a, "stop"_a, py::kw_only(),

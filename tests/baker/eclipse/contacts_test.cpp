@@ -283,5 +283,22 @@ TEST(NearestEclipse, LooksBothWays) {
   EXPECT_EQ(nearest("2018-12-01"), "2019-01-21");
 }
 
+TEST(NamedContacts, OfATotalEclipseAreSevenInOrder) {
+  const auto all =
+      contacts_of(nearest_eclipse(instant_from_utc("2018-07-27"), ShadowConvention::danjon));
+  ASSERT_EQ(all.size(), 7U);
+  for (std::size_t i = 1; i < all.size(); ++i)
+    EXPECT_GT(almanac::seconds_between(all[i - 1].second, all[i].second), 0) << all[i].first;
+}
+
+TEST(TitlesOfEclipses, SayTheirTypeAndDay) {
+  const auto title_near = [](const char* day) {
+    return title(nearest_eclipse(instant_from_utc(day), ShadowConvention::danjon));
+  };
+  EXPECT_EQ(title_near("2018-07-27"), "Total eclipse of the Moon, 2018-07-27");
+  EXPECT_EQ(title_near("2023-10-28"), "Partial eclipse of the Moon, 2023-10-28");
+  EXPECT_EQ(title_near("2023-05-05"), "Penumbral eclipse of the Moon, 2023-05-05");
+}
+
 }  // namespace
 }  // namespace coppermoon::eclipse

@@ -83,16 +83,5 @@ TEST(FilmTimes, ThatCannotBeAreSaid) {
   EXPECT_EQ(refused([](auto& t) { t.fps = 0; }), "fps = 0, allowed 1 to 1000");
 }
 
-TEST(Contacts, OfATotalEclipseAreSevenInOrder) {
-  const auto all = contacts_of(july_2018());
-  ASSERT_EQ(all.size(), 7U);
-  for (std::size_t i = 1; i < all.size(); ++i)
-    EXPECT_GT(seconds_between(all[i - 1].second, all[i].second), 0) << all[i].first;
-}
-
-TEST(NamesOfEclipses, SayTheirKindAndDay) {
-  EXPECT_EQ(name_of(july_2018()), "Total eclipse of the Moon, 2018-07-27");
-}
-
 }  // namespace
 }  // namespace coppermoon::uses

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/film/shadow_plot.h"
+#include "uses/picture/shadow_plot.h"
 
 #include <fmt/format.h>
 
