@@ -1,34 +1,25 @@
 // SPDX-License-Identifier: MIT
-#include "almanac/sky.h"
+#include "eclipse/sky_columns.h"
 
-#include <glm/geometric.hpp>
 #include <optional>
+#include <string>
 
-#include "eclipse/shadow_axis.h"
 #include "wrappers/python/arguments.h"
 #include "wrappers/python/nouns.h"
 
 namespace coppermoon::python {
 namespace {
 
-using algebra::in_degrees, algebra::in_kilometres;
-
-/// The sky of a moment, and what a place sees of the Moon.
+/// Sky of a moment, and the Moon as a place sees it.
 struct Sky {
   almanac::SkyState state;
-  almanac::EquatorialPlace moon;
-  eclipse::ShadowPlace in_shadow;
   std::optional<almanac::ObserverView> view;
 };
 
 Sky sky_of(const Moment& when, const std::optional<Place>& at) {
   const py::gil_scoped_release others_run;
-  const auto state = almanac::sky_at(when.instant);
-  Sky sky{state,
-          almanac::equatorial_place(state, state.moon_m),
-          eclipse::place_in_shadow(eclipse::shadow_axis(state), state.moon_m),
-          {}};
-  if (at) sky.view = almanac::view_from(at->observer, state);
+  Sky sky{almanac::sky_at(when.instant), {}};
+  if (at) sky.view = almanac::view_from(at->observer, sky.state);
   return sky;
 }
 
@@ -44,90 +35,17 @@ py::array_t<double> matrix_of(const glm::dmat3& m) {
   return array_of(std::move(grid));
 }
 
-/// What a place sees, or None.
-template <class Read>
-auto seen(Read read) {
-  return [read](const Sky& sky) -> std::optional<double> {
-    if (!sky.view) return std::nullopt;
-    return read(*sky.view);
-  };
-}
-
-void add_places(py::class_<Sky>& sky) {
-  const auto add = [&](const char* name, auto read, const char* text) {
-    sky.def_property_readonly(name, read, text);
-  };
-  add(
-      "moon_ra_deg", [](const Sky& s) { return in_degrees(s.moon.right_ascension); },
-      "apparent right ascension of the Moon, of date [degrees]");
-  add(
-      "moon_dec_deg", [](const Sky& s) { return in_degrees(s.moon.declination); },
-      "apparent declination of the Moon, of date [degrees]");
-  add(
-      "moon_distance_km", [](const Sky& s) { return in_kilometres(s.moon.distance); },
-      "distance of the Moon from the Earth's centre [km]");
-  add(
-      "sun_distance_au",
-      [](const Sky& s) { return glm::length(s.state.sun_m) / almanac::astronomical_unit_m; },
-      "distance of the Sun [au]");
-  add(
-      "sub_earth_latitude_deg", [](const Sky& s) { return in_degrees(s.state.sub_earth.latitude); },
-      "latitude of the place on the Moon under the Earth: libration [degrees]");
-  add(
-      "sub_earth_longitude_deg",
-      [](const Sky& s) { return in_degrees(s.state.sub_earth.longitude); },
-      "longitude of the place on the Moon under the Earth: libration [degrees]");
-  add(
-      "sub_solar_latitude_deg", [](const Sky& s) { return in_degrees(s.state.sub_solar.latitude); },
-      "latitude of the place on the Moon under the Sun [degrees]");
-  add(
-      "sub_solar_longitude_deg",
-      [](const Sky& s) { return in_degrees(s.state.sub_solar.longitude); },
-      "longitude of the place on the Moon under the Sun [degrees]");
-  add(
-      "axis_position_angle_deg",
-      [](const Sky& s) { return in_degrees(s.state.axis_position_angle); },
-      "position angle of the Moon's north pole, from north through east [degrees]");
-  add(
-      "axis_distance_km", [](const Sky& s) { return in_kilometres(s.in_shadow.axis_distance); },
-      "distance of the Moon's centre from the axis of the Earth's shadow [km]");
-  add(
-      "sun_m", [](const Sky& s) { return vector_of(s.state.sun_m); },
-      "apparent place of the Sun, geocentric, GCRS axes [m], shape (3,)");
-  add(
-      "moon_m", [](const Sky& s) { return vector_of(s.state.moon_m); },
-      "apparent place of the Moon, geocentric, GCRS axes [m], shape (3,)");
-  add(
-      "selenographic_from_gcrs",
-      [](const Sky& s) { return matrix_of(s.state.selenographic_from_gcrs); },
-      "matrix from GCRS axes to the Moon's: X to longitude 0, Z north, shape (3, 3)");
-}
-
-void add_view(py::class_<Sky>& sky) {
-  const auto add = [&](const char* name, auto read, const char* text) {
-    sky.def_property_readonly(name, seen(read), text);
-  };
-  using View = almanac::ObserverView;
-  add(
-      "altitude_deg", [](const View& v) { return in_degrees(v.altitude); },
-      "altitude of the Moon's centre at the place, without refraction [degrees], or None");
-  add(
-      "azimuth_deg", [](const View& v) { return in_degrees(v.azimuth); },
-      "azimuth of the Moon's centre, from north through east [degrees], or None");
-  add(
-      "parallactic_angle_deg", [](const View& v) { return in_degrees(v.parallactic_angle); },
-      "angle at the Moon from celestial north to the zenith, through east [degrees], or None");
-  add(
-      "observer_moon_distance_km", [](const View& v) { return in_kilometres(v.moon_distance); },
-      "distance of the Moon's centre from the place [km], or None");
-  add(
-      "sub_observer_latitude_deg",
-      [](const View& v) { return in_degrees(v.sub_observer.latitude); },
-      "latitude of the place on the Moon under the observer [degrees], or None");
-  add(
-      "sub_observer_longitude_deg",
-      [](const View& v) { return in_degrees(v.sub_observer.longitude); },
-      "longitude of the place on the Moon under the observer [degrees], or None");
+void add_numbers(py::class_<Sky>& sky) {
+  for (const auto& column : eclipse::sky_columns())
+    sky.def_property_readonly(
+        column.name, [&column](const Sky& s) { return column.value(s.state); }, column.text);
+  for (const auto& column : eclipse::view_columns())
+    sky.def_property_readonly(
+        column.name,
+        [&column](const Sky& s) {
+          return s.view ? std::optional(column.value(*s.view)) : std::nullopt;
+        },
+        (std::string(column.text) + ", or None").c_str());
 }
 
 }  // namespace
@@ -139,12 +57,18 @@ void add_sky(py::module_& package) {
   sky.def_property_readonly(
          "when", [](const Sky& s) { return datetime_of(s.state.when); }, "the moment, UTC")
       .def_property_readonly(
-          "delta_t_s", [](const Sky& s) { return almanac::delta_t_s(s.state.when); },
-          "TT - UT1 [s]")
+          "sun_m", [](const Sky& s) { return vector_of(s.state.sun_m); },
+          "apparent place of the Sun, geocentric, GCRS axes [m], shape (3,)")
+      .def_property_readonly(
+          "moon_m", [](const Sky& s) { return vector_of(s.state.moon_m); },
+          "apparent place of the Moon, geocentric, GCRS axes [m], shape (3,)")
+      .def_property_readonly(
+          "selenographic_from_gcrs",
+          [](const Sky& s) { return matrix_of(s.state.selenographic_from_gcrs); },
+          "matrix from GCRS axes to the Moon's: X to longitude 0, Z north, shape (3, 3)")
       .def("__repr__",
            [](const Sky& s) { return fmt::format("<Sky {}>", almanac::utc_text(s.state.when)); });
-  add_places(sky);
-  add_view(sky);
+  add_numbers(sky);
   package.def("sky", sky_of, "when"_a, "at"_a = py::none(),
               R"(sky(when, at=None)
 
