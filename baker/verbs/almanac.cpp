@@ -17,15 +17,18 @@
 #include "verbs/command_line.h"
 #include "verbs/flags/moments.h"
 #include "verbs/recipes/recipe.h"
+#include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct Options {
   std::string from, to, at, convention = "danjon";
   std::optional<std::string> feature;
   almanac::Calendar calendar = almanac::Calendar::gregorian;
-  bool json = false;
+  bool json = false, csv = false;
 };
 
 eclipse::ShadowConvention convention_from(const std::string& name) {
@@ -49,26 +52,44 @@ std::vector<Contact> contact_columns(const eclipse::Eclipse& e) {
   return {{"P1", c.P1}, {"U1", c.U1}, {"U2", c.U2}, {"U3", c.U3}, {"U4", c.U4}, {"P4", c.P4}};
 }
 
-nlohmann::ordered_json as_json(const eclipse::Eclipse& e) {
-  nlohmann::ordered_json contacts = nlohmann::ordered_json::object();
-  for (const auto& [key, when] : contact_columns(e))
-    if (when) contacts[key] = almanac::utc_text(*when, e.calendar);
+Json numbers_of(const eclipse::Eclipse& e) {
   return {{"greatest", almanac::utc_text(e.greatest, e.calendar)},
           {"type", name(e.type)},
           {"gamma", e.gamma},
           {"umbral_magnitude", e.umbral_magnitude},
-          {"penumbral_magnitude", e.penumbral_magnitude},
-          {"contacts", contacts}};
+          {"penumbral_magnitude", e.penumbral_magnitude}};
 }
 
-nlohmann::ordered_json as_json(const almanac::SelenographicPoint& place,
-                               const eclipse::FeatureTimes& times,
-                               almanac::Calendar calendar) {
-  nlohmann::ordered_json feature{{"latitude_deg", algebra::in_degrees(place.latitude)},
-                                 {"longitude_deg", algebra::in_degrees(place.longitude)}};
+Json as_json(const eclipse::Eclipse& e) {
+  auto all = numbers_of(e);
+  all["contacts"] = Json::object();
+  for (const auto& [key, when] : contact_columns(e))
+    if (when) all["contacts"][key] = almanac::utc_text(*when, e.calendar);
+  return all;
+}
+
+Json as_json(const almanac::SelenographicPoint& place, const eclipse::FeatureTimes& times,
+             almanac::Calendar calendar) {
+  Json feature{{"latitude_deg", algebra::in_degrees(place.latitude)},
+               {"longitude_deg", algebra::in_degrees(place.longitude)}};
   if (times.immersion) feature["immersion"] = almanac::utc_text(*times.immersion, calendar);
   if (times.emersion) feature["emersion"] = almanac::utc_text(*times.emersion, calendar);
   return feature;
+}
+
+/// An eclipse as a row of a table; every row has each column.
+Json as_row(const Listed& listed) {
+  const auto calendar = listed.eclipse.calendar;
+  const auto text = [&](const std::optional<almanac::Instant>& when) {
+    return when ? Json(almanac::utc_text(*when, calendar)) : Json();
+  };
+  auto row = numbers_of(listed.eclipse);
+  say_calendar(row, calendar);
+  for (const auto& [key, when] : contact_columns(listed.eclipse)) row[key] = text(when);
+  if (const auto& times = listed.feature)
+    row["immersion"] = text(times->immersion), row["emersion"] = text(times->emersion);
+  if (listed.seen) row["seen"] = *listed.seen;
+  return row;
 }
 
 std::string time_of_day(const std::optional<almanac::Instant>& when) {
@@ -129,12 +150,16 @@ void run(const Options& options) {
   std::optional<almanac::SelenographicPoint> place;
   if (options.feature) place = uses::feature_from(*options.feature);
   const auto list = listed(options, place);
+  auto all = Json::array();
+  if (options.csv) {
+    for (const auto& each : list) all.push_back(as_row(each));
+    return fmt::print("{}", as_csv(all));
+  }
   if (!options.json) {
     print_heading(place.has_value(), !options.at.empty());
     for (const auto& each : list) print(each);
     return;
   }
-  auto all = nlohmann::ordered_json::array();
   for (const auto& each : list) {
     all.push_back(as_json(each.eclipse));
     say_calendar(all.back(), options.calendar);
@@ -164,8 +189,8 @@ void add_almanac(CLI::App& program) {
       *verb, "--feature", options->feature,
       "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; adds "
       "when the umbra's edge (danjon-oblate) crosses it, whether or not it is seen");
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_switch(*verb, "--csv", options->csv, "prints the eclipses as CSV");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

@@ -32,6 +32,7 @@
 #include "verbs/recipes/recipe_file.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
+#include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -43,7 +44,7 @@ struct Options {
   texture::Coding coding = texture::Coding::as_file_says;
   std::string exposure;  ///< empty: exif where there is one
   std::size_t bins = 12;
-  bool json = false;
+  bool json = false, csv = false;
 };
 
 /// What of a still's flags says when it is seen and from where.
@@ -200,6 +201,13 @@ void print_json(const Options& options, const Found& found) {
   fmt::print("{}\n", all.dump(2));
 }
 
+/// Steps of distance, then the whole disc.
+void print_csv(const Found& found) {
+  auto rows = Json::array();
+  for (const auto& difference : found.comparison.differences) rows.push_back(as_json(difference));
+  fmt::print("{}", as_csv(rows));
+}
+
 std::string number_or_dash(const std::optional<double>& value, const char* format) {
   return value ? fmt::format(fmt::runtime(format), *value) : "-";
 }
@@ -271,7 +279,9 @@ void run(const Options& options) {
   if (const auto& curve = found.comparison.curve)
     if (const auto doubt = doubt_of(*curve); !doubt.empty())
       fmt::print(stderr, "coppermoon: {}\n", doubt);
-  if (options.json)
+  if (options.csv)
+    print_csv(found);
+  else if (options.json)
     print_json(options, found);
   else
     print_table(options, found);
@@ -313,8 +323,8 @@ void add_compare(CLI::App& program) {
            ".exr whose recipe tells what the render shows, as a scene's texture does; default: "
            "the render itself")
       .reads_file();
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_switch(*verb, "--csv", options->csv, "prints the steps of distance, and the disc, as CSV");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "algebra/error.h"
 #include "almanac/gazetteer.h"
@@ -31,7 +32,7 @@ struct Options {
   FilmOptions film;  ///< of which only the eclipse and the calendar are asked for
   std::string from, to, output;
   uses::ExploreRequest request;
-  bool embed = false;
+  bool embed = false, json = false;
 };
 
 void require_sound(const Options& options) {
@@ -75,17 +76,21 @@ std::string options_shown(const CLI::App& verb) {
 
 std::string stamped(const std::string& page) { return files::stamped(page, "<!--", " -->"); }
 
-void write_page(const eclipse::Eclipse& eclipse, const uses::ExploreRequest& request,
-                uses::PageExtent extent, const fs::path& file) {
+/// Returned  its file, title and size
+nlohmann::ordered_json write_page(const eclipse::Eclipse& eclipse, const Options& options,
+                                  const fs::path& file) {
   const auto exploration = [&] {
     ProgressBar bar("page");
-    return uses::exploration_of(eclipse, request, bar.progress());
+    return uses::exploration_of(eclipse, options.request, bar.progress());
   }();
+  const auto extent = options.embed ? uses::PageExtent::fragment : uses::PageExtent::whole;
   auto page = uses::page_of(exploration, extent);
   if (extent == uses::PageExtent::whole) page = stamped(page);
   files::write_whole(file, page);
-  fmt::print("{}: {}, {:.1f} MB\n", one_line(file.string()), exploration.title,
-             static_cast<double>(page.size()) / 1e6);
+  if (!options.json)
+    fmt::print("{}: {}, {:.1f} MB\n", one_line(file.string()), exploration.title,
+               static_cast<double>(page.size()) / 1e6);
+  return {{"file", file.string()}, {"title", exploration.title}, {"bytes", page.size()}};
 }
 
 std::string page_name(const eclipse::Eclipse& eclipse) {
@@ -93,7 +98,7 @@ std::string page_name(const eclipse::Eclipse& eclipse) {
   return when.substr(0, when.find('T')) + ".html";
 }
 
-void write_calendar(const Options& options) {
+nlohmann::ordered_json write_calendar(const Options& options) {
   const auto from = almanac::instant_from_utc(options.from, options.film.calendar),
              to = almanac::instant_from_utc(options.to, options.film.calendar);
   const auto eclipses = eclipse::eclipses_between(from, to, eclipse::ShadowConvention::danjon);
@@ -106,10 +111,12 @@ void write_calendar(const Options& options) {
   files::require_stamped(list);
   for (const auto& page : pages) files::require_stamped(folder / page);
   fs::create_directories(folder);
+  auto written = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < eclipses.size(); ++i)
-    write_page(eclipses[i], options.request, uses::PageExtent::whole, folder / pages[i]);
+    written.push_back(write_page(eclipses[i], options, folder / pages[i]));
   files::write_whole(list, stamped(uses::calendar_page(eclipses, pages)));
-  fmt::print("{}: {} eclipses\n", one_line(list.string()), eclipses.size());
+  if (!options.json) fmt::print("{}: {} eclipses\n", one_line(list.string()), eclipses.size());
+  return {{"file", list.string()}, {"pages", written}};
 }
 
 void run(const CLI::App& verb, Options options) {
@@ -121,9 +128,10 @@ void run(const CLI::App& verb, Options options) {
     request.time_zone = (named ? *named : almanac::nearest_city(*request.observer)).time_zone;
     request.place = named ? named->name : "";
   }
-  if (!options.from.empty()) return write_calendar(options);
-  write_page(times_of(options.film).eclipse, request,
-             options.embed ? uses::PageExtent::fragment : uses::PageExtent::whole, options.output);
+  const auto written = options.from.empty()
+                           ? write_page(times_of(options.film).eclipse, options, options.output)
+                           : write_calendar(options);
+  if (options.json) fmt::print("{}\n", written.dump(2));
 }
 
 }  // namespace
@@ -151,6 +159,7 @@ void add_explore(CLI::App& program) {
       .writes_file()
       .required();
   add_switch(*verb, "--embed", options->embed, "writes the part of a page that stands in your own");
+  add_switch(*verb, "--json", options->json, "prints one JSON document");
   add_map_options(*verb, options->request.moon);
   add_described(*verb, options->request.moon.light.air);
   add_recipe_option(*verb);

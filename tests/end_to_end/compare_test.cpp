@@ -257,6 +257,9 @@ TEST_F(Compare, SaysByHowManyStopsAHeaderIsWrong) {
                 "half the light is a stop; 16 bits");
   EXPECT_WITHIN(found["disc"]["difference_stops"].get<double>(), -1, 0.005,
                 "half the light is a stop; 16 bits");
+  const auto csv = coppermoon({"compare", "photo.png", "frame.exr", "--csv"}).out;
+  EXPECT_TRUE(csv.starts_with("axis_distance_from_km,axis_distance_to_km,pixels,")) << csv;
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 12 + 1) << "names, bins, disc";
 }
 
 TEST_F(Compare, LeavesOutWhatIsClipped) {

@@ -683,8 +683,14 @@ TEST_F(Explore, ACalendarListsItsPages) {
   EXPECT_EQ(text_of(here("year/index.html")), "<h1>my own</h1>\n");
   std::filesystem::remove(here("year/2025-09-07.html"));
   file("year/index.html", index);
-  const auto again = coppermoon(calendar("2025-03-01", "2025-03-31"));
+  const auto again = coppermoon(calendar("2025-03-01", "2025-03-31") + Words{"--json"});
   EXPECT_EQ(again.status, 0) << "its own pages and list are made anew: " << again.err;
+  const auto told = nlohmann::json::parse(again.out);
+  EXPECT_EQ(told["file"], "year/index.html");
+  ASSERT_EQ(told["pages"].size(), 1U);
+  EXPECT_EQ(told["pages"][0]["file"], "year/2025-03-14.html");
+  EXPECT_EQ(told["pages"][0]["title"], "Total eclipse of the Moon, 2025-03-14");
+  EXPECT_EQ(told["pages"][0]["bytes"], std::filesystem::file_size(here("year/2025-03-14.html")));
 }
 
 TEST_F(Explore, WhatIsNoPageIsRefused) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Other programs rely on these keys, units and forms of time.
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "end_to_end/program.h"
 #include "support/within.h"
@@ -104,6 +106,22 @@ TEST_F(Json, AlmanacWithoutJsonHasTheFeatureInColumns) {
   expect_done(outcome);
   for (const char* part : {"feature in", "feature out", "  21:54:", "  00:06:"})
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part << " in " << outcome.out;
+}
+
+TEST_F(Json, AlmanacAsCsvHasARowForEachEclipseAndAColumnForEachContact) {
+  const auto outcome = coppermoon({"almanac", "--from", "2008-02-01", "--to", "2009-02-28", "--at",
+                                   "Honolulu", "--feature", "23.7,-47.4", "--csv"});
+  expect_done(outcome);
+  std::istringstream lines(outcome.out);
+  std::vector<std::string> rows;
+  for (std::string row; std::getline(lines, row);) rows.push_back(row);
+  ASSERT_EQ(rows.size(), 4U) << outcome.out;
+  EXPECT_EQ(rows[0],
+            "greatest,type,gamma,umbral_magnitude,penumbral_magnitude,P1,U1,U2,U3,U4,P4,immersion,"
+            "emersion,seen");
+  for (const auto& row : rows) EXPECT_EQ(std::ranges::count(row, ','), 13) << row;
+  EXPECT_NE(rows[3].find(",penumbral,"), std::string::npos) << rows[3];
+  EXPECT_NE(rows[3].find(",,,,,2009-02-09T"), std::string::npos) << "U1 to U4: " << rows[3];
 }
 
 TEST_F(Json, SkyHasThePlacesOfMoonSunAndShadow) {

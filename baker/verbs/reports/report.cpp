@@ -29,6 +29,22 @@ nlohmann::ordered_json as_json(const plan::Plan& plan) {
   return all;
 }
 
+std::string as_csv(const nlohmann::ordered_json& rows) {
+  std::string text;
+  for (const auto& row : rows) {
+    std::vector<std::string> names, cells;
+    for (const auto& [name, value] : row.items()) {
+      names.push_back(name);
+      cells.push_back(value.is_null()     ? ""
+                      : value.is_string() ? value.get<std::string>()
+                                          : value.dump());
+    }
+    if (text.empty()) text = fmt::format("{}\n", fmt::join(names, ","));
+    text += fmt::format("{}\n", fmt::join(cells, ","));
+  }
+  return text;
+}
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

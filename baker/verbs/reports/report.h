@@ -28,6 +28,9 @@ void report(const Report& made, bool json);
 /// A recipe as JSON.
 nlohmann::ordered_json as_json(const std::string& recipe);
 
+/// Rows as CSV under the names of their columns: an array of objects with the same keys, none nested. Null is empty.
+std::string as_csv(const nlohmann::ordered_json& rows);
+
 /// `left_out` and `predicted`, `methods` and `gave_way` where there is more than one, or one did.
 nlohmann::ordered_json as_json(const plan::Plan& plan);
 
