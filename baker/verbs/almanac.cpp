@@ -189,8 +189,8 @@ void add_almanac(CLI::App& program) {
       *verb, "--feature", options->feature,
       "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; adds "
       "when the umbra's edge (danjon-oblate) crosses it, whether or not it is seen");
-  add_switch(*verb, "--csv", options->csv, "prints the eclipses as CSV");
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_run_switch(*verb, "--csv", options->csv, "prints the eclipses as CSV");
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

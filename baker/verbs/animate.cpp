@@ -137,12 +137,10 @@ void add_animate(CLI::App& program) {
   add_flag(*verb, "-o,--output", options->output, "folder for what is made")
       .writes_folder()
       .required();
-  add_switch(*verb, "--replace", options->replace,
+  add_run_switch(*verb, "--replace", options->replace,
              "overwrites another film in the folder; linear frames that differ only in exposure are "
-             "kept and developed again")
-      .of(request::Affects::run);
-  add_switch(*verb, "--json", options->json, "prints one JSON event per line")
-      .of(request::Affects::run);
+             "kept and developed again");
+  add_run_switch(*verb, "--json", options->json, "prints one JSON event per line");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

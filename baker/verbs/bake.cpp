@@ -294,8 +294,7 @@ void add_bake(CLI::App& program) {
   add_described(*verb, options->view, uses::describe_observer);
   add_described(*verb, options->texture);
   add_described(*verb, options->develop);
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

@@ -102,8 +102,7 @@ void add_brightness(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   add_described(*verb, options->view, uses::describe_observer);
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

@@ -179,8 +179,7 @@ void add_develop(CLI::App& program) {
   add_described(*verb, options->develop);
   add_described(*verb, options->develop.camera);
   add_camera_file_options(*verb, options->develop.camera);
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

@@ -159,7 +159,7 @@ void add_explore(CLI::App& program) {
       .writes_file()
       .required();
   add_switch(*verb, "--embed", options->embed, "writes the part of a page that stands in your own");
-  add_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_map_options(*verb, options->request.moon);
   add_described(*verb, options->request.moon.light.air);
   add_recipe_option(*verb);

@@ -363,8 +363,7 @@ void add_fit(CLI::App& program) {
   add_described(*verb, options->request.view, uses::describe_observer);
   add_switch(*verb, "--despite-misfit", options->despite_misfit,
              "answers although no air explains what was seen, with a warning");
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

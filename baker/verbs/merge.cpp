@@ -65,8 +65,7 @@ void add_merge(CLI::App& program) {
   add_flag(*verb, "-o,--output", options->output, "scene-linear [cd/m2], .exr")
       .writes_file()
       .required();
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

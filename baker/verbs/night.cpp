@@ -273,10 +273,8 @@ void add_night(CLI::App& program) {
       .writes_file()
       .kept_each_time();
   add_flag(*verb, request::on_off("--danjon-spread", options->danjon, "exposures of the middle of totality for Danjon's scale 0 to 4 too"));
-  add_switch(*verb, "--csv", options->csv, "prints the moments as CSV")
-      .of(request::Affects::run);
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_run_switch(*verb, "--csv", options->csv, "prints the moments as CSV");
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_map_options(*verb, options->moon.request);
   add_light_options(*verb, options->moon.light);
   add_described(*verb, options->develop, uses::describe_but_time);

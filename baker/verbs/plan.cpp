@@ -107,8 +107,7 @@ void add_plan(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   add_described(*verb, options->view);
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

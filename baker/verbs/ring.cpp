@@ -78,8 +78,7 @@ void add_ring(CLI::App& program) {
       .required();
   add_flag(*verb, "--scale", options->scale,
            "factor on luminance [cd/m²], 1e-9 to 1e9; POV-Ray reads no more than 65504");
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_described(*verb, options->light.air);
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });

@@ -49,8 +49,7 @@ void add_scene(CLI::App& program) {
            "moon.inc and eclipse_stars.inc, Moon and stars for scenes of your own")
       .writes_folder()
       .required();
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

@@ -230,8 +230,7 @@ void add_shadow(CLI::App& program) {
            "linear Rec.709, by distance from the axis and position angle")
       .writes_file()
       .excludes("--output");
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_light_options(*verb, options->light);
   add_photon_file_options(*verb, options->light);
   add_recipe_option(*verb);

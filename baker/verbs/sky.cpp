@@ -59,8 +59,7 @@ void add_sky(CLI::App& program) {
   add_flag(*verb, "--at", options->at,
            "place of an observer: a city, as Chicago, or LAT,LON[,ELEV] [degrees north and east, "
            "metres]");
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

@@ -82,8 +82,7 @@ void add_still(CLI::App& program) {
   add_flag(*verb, "--frame", options->frame, "writes the scene-linear frame too: .exr [cd/m²]")
       .writes_file();
   add_frame_space_option(*verb, options->space);
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

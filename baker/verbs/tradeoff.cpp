@@ -149,8 +149,7 @@ void add_tradeoff(CLI::App& program) {
   add_flag(*verb, "--albedo-map", options->moon.albedo_map,
            "albedo map: an image of 2:1 with longitude 0 in the middle, or built-in")
       .reads_file();
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_described(*verb, options->moon.light.air);
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });

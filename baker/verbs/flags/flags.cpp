@@ -157,6 +157,11 @@ Flag add_switch(CLI::App& verb, const std::string& names, bool& value, const std
   return add_flag(verb, request::presence(names, value, help));
 }
 
+Flag add_run_switch(CLI::App& verb, const std::string& names, bool& value,
+                    const std::string& help) {
+  return add_switch(verb, names, value, help).of(Affects::run);
+}
+
 CLI::App* add_verb(CLI::App& program, const std::string& name, const std::string& help) {
   return program.add_subcommand(std::make_shared<Verb>(program, name, help));
 }
