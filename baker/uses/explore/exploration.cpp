@@ -145,17 +145,16 @@ ordered_json add_sunlight(PageArrays& arrays, bool limb_darkening,
       moonlight_weights(colour::channel_weights(picture_space, band_edges_nm())), bands);
   const auto meter = photometer();
   const auto magnitudes = at_wavelengths(meter.weights, bands);
-  constexpr std::size_t V = 1;  // of the photometer's channels
   algebra::Grid<double> weights(4, wavelengths.size());
   for (std::size_t c = 0; c < weights.rows(); ++c)
-    std::ranges::copy(c < colours.rows() ? colours.row(c) : magnitudes.row(V),
+    std::ranges::copy(c < colours.rows() ? colours.row(c) : magnitudes.row(V_band),
                       weights.row(c).begin());
   const auto both = reddest_and_bluest(weights, wavelengths);
   arrays.add("weights", {both.rows(), both.columns()}, numbers_of(both));
   return {{"radiusKm", photons::solar_radius_m / 1e3},
           {"auKm", almanac::astronomical_unit_m / 1e3},
-          {"V", photometric_bands()[V].solar_magnitude},
-          {"VAt1au", meter.sunlight[V]}};
+          {"V", photometric_bands()[V_band].solar_magnitude},
+          {"VAt1au", meter.sunlight[V_band]}};
 }
 
 /// A view of the display sRGB as a table: log2(1 + 2^10 x) / 17 of each channel, 0 to 1, in even steps.

@@ -9,10 +9,9 @@
 #include "algebra/error.h"
 #include "almanac/calendar.h"
 #include "files/whole_file.h"
-#include "texture/bake.h"
 #include "texture/resize.h"
-#include "uses/light/photometer.h"
-#include "uses/light/spectral_bands.h"
+#include "uses/light/photometric_bands.h"
+#include "uses/picture/moon_survey.h"
 #include "uses/plot/plot.h"
 
 namespace coppermoon::uses {
@@ -21,25 +20,6 @@ namespace {
 using Curve = std::vector<CurvePoint>;
 
 constexpr std::size_t rows = 180;
-
-/// All that the points of a curve share.
-struct Survey {
-  const Film& film;
-  Photometer meter;
-  algebra::Grid<float> albedo;
-  std::shared_ptr<const surface::Ground> ground;
-  shadow::Lookup shadowed, sunlit;
-
-  CurvePoint point(std::size_t frame) const {
-    const auto sky = film.sky(frame);
-    const auto& light = range_at(*film.light, sky) ? shadowed : sunlit;
-    const auto disc = measured(meter,
-                               texture::bake({albedo, sky, light, ground.get()}, meter.channels,
-                                             rows, film.moon.photometry),
-                               sky);
-    return {frame, sky.when, disc.magnitudes[1], disc.mean_luminance_cd_m2};
-  }
-};
 
 double hours(const eclipse::Eclipse& eclipse, const almanac::Instant& when) {
   return almanac::seconds_between(eclipse.greatest, when) / 3600;
@@ -102,16 +82,13 @@ void require_curve_ending(const std::filesystem::path& path) {
 }
 
 Curve light_curve(const Film& film, const std::vector<std::size_t>& frames) {
-  const auto meter = photometer();
-  const auto albedo = texture::resized(normal_albedo(film.moon), rows);
-  const auto ground = ground_of(film.moon, albedo);
-  const auto weights =
-      ground ? reddest_and_bluest(meter.weights, band_centres_nm()) : meter.weights;
-  const Survey survey{
-      film, meter, albedo, ground, film.light->in_channels(weights), shadow::Lookup(weights)};
+  const MoonSurvey survey(film.moon, texture::resized(normal_albedo(film.moon), rows), *film.light);
   Curve curve(frames.size());
-  tbb::parallel_for(std::size_t{0}, frames.size(),
-                    [&](std::size_t i) { curve[i] = survey.point(frames[i]); });
+  tbb::parallel_for(std::size_t{0}, frames.size(), [&](std::size_t i) {
+    const auto sky = film.sky(frames[i]);
+    const auto disc = survey.brightness(sky);
+    curve[i] = {frames[i], sky.when, disc.magnitudes[V_band], disc.mean_luminance_cd_m2};
+  });
   return curve;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,9 @@ struct PhotometricBand {
   std::string name;
   double solar_magnitude;  ///< of the Sun at 1 au
 };
+
+/// Place of V among the bands.
+inline constexpr std::size_t V_band = 1;
 
 /// B, V (Johnson) and R (Cousins).
 ///

@@ -5,61 +5,54 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <numbers>
 
 #include "atmosphere/sky_luminance.h"
 #include "eclipse/shadow_axis.h"
-#include "texture/bake.h"
 #include "texture/resize.h"
-#include "uses/light/moonlight.h"
-#include "uses/light/photometer.h"
-#include "uses/light/spectral_bands.h"
+#include "uses/light/photometric_bands.h"
 #include "uses/night/star_limit.h"
+#include "uses/picture/moon_survey.h"
 
 namespace coppermoon::uses {
 namespace {
 
 using almanac::Instant;
 
-constexpr std::size_t rows = 180;
+constexpr std::size_t rows = 180;  ///< of the texture that exposures are measured on
 constexpr double between_skies_s = 240;
-constexpr std::size_t V = 1;  // of the photometer's bands
 
-/// Ground, light and meter that all moments share.
-struct Survey {
-  const MoonRequest& moon;
-  Photometer meter;
-  const algebra::Grid<float>& albedo;
-  std::shared_ptr<const surface::Ground> ground;
-  const Moonlight& light;
-  shadow::Lookup shadowed, sunlit;
+/// Share of the lit disc that may be brighter than its level of exposure, and that level over saturation.
+constexpr double brighter_share = 0.01, lit_level = 0.8;
+/// Level of the umbra's median luminance over saturation.
+constexpr double umbra_level = 0.18;
+/// Luminance of the lit disc over that at which the umbra begins.
+constexpr double umbra_contrast = 500;
+/// Share of the disc's texels that the umbra must take, to be exposed by itself.
+constexpr double least_umbra_share = 0.02;
+/// Cosine of the emission angle; texels nearer to the limb are seen edge on.
+constexpr double least_cosine = 0.1;
+/// Between a contact and the exposure just before or after it.
+constexpr double beside_contact_s = 60;
 
-  texture::Image texture(const almanac::SkyState& sky) const {
-    return texture::bake({albedo, sky, range_at(light, sky) ? shadowed : sunlit, ground.get()},
-                         meter.channels, rows, moon.photometry);
-  }
-};
-
-/// Luminance of a texel that is seen, and how much of the disc it is.
+/// A texel that is seen, and its relative area on the disc.
 struct Patch {
   double luminance_cd_m2, area;
 };
 
-/// The disc by luminance, the darkest first.
+/// The disc in order of luminance, the darkest first.
 std::vector<Patch> patches_of(const texture::Image& image, const almanac::SkyState& sky) {
-  const double latitude = algebra::in_radians(sky.sub_earth.latitude),
-               longitude = algebra::in_radians(sky.sub_earth.longitude);
+  const auto to_earth = almanac::selenographic_direction(sky.sub_earth);
   const std::size_t columns = 2 * rows, channels = image.values.size() / (rows * columns);
   std::vector<Patch> patches;
   for (std::size_t r = 0; r < rows; ++r)
     for (std::size_t c = 0; c < columns; ++c) {
       const double north = std::numbers::pi * (0.5 - (static_cast<double>(r) + 0.5) / rows),
                    east = std::numbers::pi * ((static_cast<double>(c) + 0.5) / rows - 1);
-      const double cosine = std::sin(north) * std::sin(latitude) +
-                            std::cos(north) * std::cos(latitude) * std::cos(east - longitude);
-      if (cosine > 0.1)  // the limb's texels are seen edge on
+      const double cosine = glm::dot(to_earth, almanac::selenographic_direction(
+                                                   {algebra::radians(north), algebra::radians(east)}));
+      if (cosine > least_cosine)
         patches.push_back(
             {static_cast<double>(image.values[(r * columns + c) * channels + channels - 1]),
              cosine * std::cos(north)});
@@ -68,7 +61,7 @@ std::vector<Patch> patches_of(const texture::Image& image, const almanac::SkySta
   return patches;
 }
 
-/// Luminance that a share of an area does not reach.
+/// Luminance below which a share of the area lies.
 double quantile(const std::vector<Patch>& patches, double share) {
   double area = 0, so_far = 0;
   for (const auto& patch : patches) area += patch.area;
@@ -77,15 +70,15 @@ double quantile(const std::vector<Patch>& patches, double share) {
   return patches.empty() ? 0 : patches.back().luminance_cd_m2;
 }
 
-/// The umbra's part of a disc that the Sun lights elsewhere: what is 500 times darker.
-std::vector<Patch> in_shadow(const std::vector<Patch>& disc, double brightest) {
+/// The disc's part in the umbra.
+std::vector<Patch> in_umbra(const std::vector<Patch>& disc, double brightest) {
   std::vector<Patch> dark;
   for (const auto& patch : disc)
-    if (patch.luminance_cd_m2 < brightest / 500) dark.push_back(patch);
+    if (patch.luminance_cd_m2 < brightest / umbra_contrast) dark.push_back(patch);
   return dark;
 }
 
-/// Times at a camera's settings.
+/// Exposure times at a camera's f-number and speed.
 class Exposer {
  public:
   Exposer(const ViewRequest& view, const Development& development)
@@ -105,13 +98,14 @@ class Exposer {
   }
 
  private:
+  /// Transmittance of the air above the observer, where the eye is most sensitive; 1 of a Moon below the horizon.
   double transmittance(const almanac::SkyState& sky) const {
-    if (!view_.observer || !view_.reddening) return 1;
-    if (!moon_is_up(view_, sky)) return 1;
+    constexpr auto most_sensitive = algebra::nanometres(555);
+    if (!view_.observer || !view_.reddening || !moon_is_up(view_, sky)) return 1;
     const auto seen = view_of(view_, sky);
     return seen.sightline
                ? atmosphere::transmittance_above(seen.sightline->air, seen.sightline->altitude,
-                                                 algebra::nanometres(555))
+                                                 most_sensitive)
                : 1;
   }
 
@@ -120,42 +114,43 @@ class Exposer {
   double per_second_ = 1, f_number_ = 1;
 };
 
-PhaseExposure exposure_of(const Survey& survey, const Exposer& exposer, const std::string& phase,
+PhaseExposure exposure_of(const MoonSurvey& survey, const Exposer& exposer, const std::string& phase,
                           const Instant& when) {
   const auto sky = almanac::sky_at(when);
   const auto disc = patches_of(survey.texture(sky), sky);
-  const double brightest = quantile(disc, 0.99);
+  const double brightest = quantile(disc, 1 - brighter_share);
   PhaseExposure exposure{phase, when, {}, {}};
-  if (brightest > 0) exposure.lit_s = exposer.time_s(brightest, 0.8, sky);
-  const auto dark = in_shadow(disc, brightest);
-  if (dark.size() > disc.size() / 50)
-    if (const double middle = quantile(dark, 0.5); middle > 0)
-      exposure.shadow_s = exposer.time_s(middle, 0.18, sky);
+  if (brightest > 0) exposure.lit_s = exposer.time_s(brightest, lit_level, sky);
+  const auto dark = in_umbra(disc, brightest);
+  if (static_cast<double>(dark.size()) > least_umbra_share * static_cast<double>(disc.size()))
+    if (const double median = quantile(dark, 0.5); median > 0)
+      exposure.shadow_s = exposer.time_s(median, umbra_level, sky);
   return exposure;
 }
 
-/// The Sun's altitude at a place.
 algebra::Angle sun_altitude(const almanac::Observer& place, const almanac::SkyState& sky) {
   const auto view = almanac::view_from(place, sky);
   const auto to_sun = glm::normalize(sky.sun_m - view.position_m);
   return algebra::radians(std::asin(glm::dot(to_sun, view.zenith)));
 }
 
-/// The sky over a place at the zenith: its own, and the Moon's light in it.
-double sky_over(const almanac::Observer& place, const almanac::SkyState& sky, double magnitude) {
+/// Luminance of the sky in a place's zenith: its own by the Sun's altitude, and moonlight scattered in it. Of a day
+/// that of bright twilight.
+double zenith_luminance_cd_m2(const almanac::Observer& place, const almanac::SkyState& sky,
+                              double moon_magnitude) {
   constexpr auto brightest_twilight = algebra::degrees(5);
-  const auto sun = sun_altitude(place, sky);
-  const auto moon = almanac::view_from(place, sky).altitude;
-  return atmosphere::sky_luminance_cd_m2(algebra::in_degrees(sun) > 5 ? brightest_twilight : sun) +
-         moonlit_sky_cd_m2(magnitude, moon);
+  const auto sun = std::min(sun_altitude(place, sky), brightest_twilight);
+  return atmosphere::sky_luminance_cd_m2(sun) +
+         moonlit_sky_cd_m2(moon_magnitude, almanac::view_from(place, sky).altitude);
 }
 
-NightLight light_at(const Survey& survey, const NightMoment& moment,
+NightLight light_at(const MoonSurvey& survey, const NightMoment& moment,
                     const almanac::Observer& place) {
   const auto sky = almanac::sky_at(moment.when);
-  const auto disc = measured(survey.meter, survey.texture(sky), sky);
-  return {moment.name, moment.when, disc.magnitudes[V], disc.mean_luminance_cd_m2,
-          faintest_star(sky_over(place, sky, disc.magnitudes[V]))};
+  const auto disc = survey.brightness(sky);
+  const double V = disc.magnitudes[V_band];
+  return {moment.name, moment.when, V, disc.mean_luminance_cd_m2,
+          faintest_star(zenith_luminance_cd_m2(place, sky, V))};
 }
 
 /// Share of the Moon's diameter in the umbra, from U1 on.
@@ -168,7 +163,7 @@ double immersed(const Instant& u1, const Instant& when) {
   return (distance_m(u1) - distance_m(when)) / (2 * algebra::in_metres(almanac::lunar_radius));
 }
 
-/// When that share is in the umbra, between U1 and the greatest phase.
+/// Moment between U1 and the greatest phase at which a share of the Moon's diameter is in the umbra, to a second.
 Instant moment_of_share(const eclipse::Eclipse& eclipse, double share) {
   const auto& u1 = *eclipse.contacts.U1;
   double from = 0, to = almanac::seconds_between(u1, eclipse.greatest);
@@ -179,23 +174,23 @@ Instant moment_of_share(const eclipse::Eclipse& eclipse, double share) {
   return almanac::later(u1, to);
 }
 
-/// Phases that are exposed each in its way, with their moments.
+/// Phases, each with its own exposure, and their moments.
 std::vector<std::pair<std::string, Instant>> phases_of(const eclipse::Eclipse& eclipse) {
   const auto& c = eclipse.contacts;
   std::vector<std::pair<std::string, Instant>> phases{
-      {"full Moon, before P1", almanac::later(*c.P1, -60)}};
+      {"full Moon, before P1", almanac::later(*c.P1, -beside_contact_s)}};
   if (!c.U1) {
     phases.emplace_back("greatest, in the penumbra", eclipse.greatest);
     return phases;
   }
-  phases.emplace_back("penumbral, just before U1", almanac::later(*c.U1, -60));
+  phases.emplace_back("penumbral, just before U1", almanac::later(*c.U1, -beside_contact_s));
   for (const auto& [name, share] : {std::pair{"partial, a quarter", 0.25},
                                     {"partial, half", 0.5},
                                     {"partial, three quarters", 0.75},
                                     {"partial, 95 %", 0.95}})
     if (share < eclipse.umbral_magnitude)
       phases.emplace_back(name, moment_of_share(eclipse, share));
-  if (c.U2) phases.emplace_back("totality, just after U2", almanac::later(*c.U2, 60));
+  if (c.U2) phases.emplace_back("totality, just after U2", almanac::later(*c.U2, beside_contact_s));
   phases.emplace_back(c.U2 ? "middle of totality" : "greatest, in the umbra", eclipse.greatest);
   return phases;
 }
@@ -214,16 +209,6 @@ algebra::Progress part_of(const algebra::Progress& whole, double from, double to
   return [whole, from, to](double fraction) { whole(std::lerp(from, to, fraction)); };
 }
 
-/// What a whole eclipse is lit by, or its greatest phase.
-Survey survey_of(const MoonRequest& moon, const algebra::Grid<float>& albedo,
-                 const Moonlight& light) {
-  const auto meter = photometer();
-  const auto ground = ground_of(moon, albedo);
-  const auto weights =
-      ground ? reddest_and_bluest(meter.weights, band_centres_nm()) : meter.weights;
-  return {moon, meter, albedo, ground, light, light.in_channels(weights), shadow::Lookup(weights)};
-}
-
 }  // namespace
 
 NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
@@ -237,7 +222,7 @@ NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
   double done = steps ? 0.25 : 1;
   const auto light = light_on_the_way(moon.light, moon_on_its_way(moon.light, skies), {},
                                       part_of(progress, 0, done));
-  const auto survey = survey_of(moon, albedo, light);
+  const MoonSurvey survey(moon, albedo, light);
   const Exposer exposer(view, development);
   NightLights lights{.f_number = exposer.f_number(), .iso = development.iso};
   for (const auto& moment : night.moments)
@@ -254,7 +239,7 @@ NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
         light_on_the_moon(other.light, sky, {}, part_of(progress, done, done + 0.15));
     done += 0.15;
     if (progress) progress(done);
-    lights.exposures.push_back(exposure_of(survey_of(other, albedo, its_light), exposer,
+    lights.exposures.push_back(exposure_of(MoonSurvey(other, albedo, its_light), exposer,
                                            fmt::format("middle of totality, L = {}", l),
                                            night.eclipse.greatest));
   }

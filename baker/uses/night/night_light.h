@@ -12,47 +12,45 @@
 
 namespace coppermoon::uses {
 
-/// The Moon of one moment.
+/// Brightness of the Moon at a contact, or at the greatest phase.
 struct NightLight {
   std::string name;  ///< of the contact
   almanac::Instant when;
   double V_magnitude;           ///< of the whole Moon, above the air
   double mean_luminance_cd_m2;  ///< of the disc, above the air
-  double faintest_star;         ///< V, by the naked eye, under the sky of the place
+  double faintest_star;         ///< V magnitude, for the naked eye under the sky of the place
 };
 
-/// How a phase of the eclipse is exposed.
+/// Exposure times for a phase of the eclipse.
 struct PhaseExposure {
   std::string phase;  ///< "full Moon", "partial, half", "middle of totality, L = 2"
   almanac::Instant when;
-  std::optional<double> lit_s;  ///< for what the Sun still lights; in totality for the whole disc
-  std::optional<double> shadow_s;  ///< for what is in the umbra, while some is not
+  std::optional<double> lit_s;     ///< for the part outside the umbra; in totality for the disc
+  std::optional<double> shadow_s;  ///< for the part in the umbra, during the partial phase
 };
 
-/// What light there is in a night.
+/// Brightness and exposure times of an eclipse.
 struct NightLights {
   std::vector<NightLight> moments = {};  ///< of each contact, and the greatest phase
   std::vector<PhaseExposure> exposures = {};
   double f_number = 0, iso = 0;  ///< of the exposures
 };
 
-/// The brightness of an eclipse at its contacts, and exposure times for its phases, from one simulation of
-/// the whole of it; with `danjon`, the middle of totality for L = 0 to 4 too.
+/// Brightness of an eclipse at its contacts, and exposure times for its phases, from one simulation of the whole
+/// eclipse; with `danjon`, times for the middle of totality at L = 0 to 4 too.
 ///
-/// Exposes the brightest hundredth of what is lit to 0.8 of saturation; the middle of the umbra's part, while the
-/// Sun lights the other, to 0.18. Below the horizon exposures are those of a Moon in the
-/// zenith.
+/// Exposes the 99th percentile of the luminance to 0.8 of saturation, and the median of the part in the umbra, during
+/// the partial phase, to 0.18. A Moon below the horizon is exposed as from above the air.
 ///
-/// Given   moon  its light as exact as exposures need: some percent will do
-///         view  of which the observer and the air above are asked for
+/// Given   moon  a tolerance of some percent of light is enough for exposures
+///         view  for its observer and the air above
 ///         development  f-number, speed and camera
 /// Throws  Error  as light_on_the_way, normal_albedo, exposures_for
 NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
                          const ViewRequest& view, const Development& development, bool danjon,
                          const algebra::Progress& progress = {});
 
-/// The time nearest to one that a camera can be set to, by thirds of a stop as they are marked, 1/8000 to
-/// 30 s; a longer one as it is.
+/// Nearest time of those that cameras mark in thirds of a stop, 1/8000 to 30 s; a time above 34 s as it is.
 double camera_time_s(double seconds);
 
 }  // namespace coppermoon::uses

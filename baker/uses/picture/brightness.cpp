@@ -6,6 +6,7 @@
 #include "texture/bake.h"
 #include "texture/resize.h"
 #include "uses/light/disc_brightness.h"
+#include "uses/light/photometric_bands.h"
 #include "uses/light/spectral_bands.h"
 
 namespace coppermoon::uses {
@@ -62,9 +63,8 @@ MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& s
   const auto meter = photometer();
   const auto texture = measurable.in(meter);
   MoonBrightness brightness{measured(meter, texture, sky), {}};
-  constexpr std::size_t V = 1;  // of the photometer's bands
   if (!moon.unshadowed && in_totality(sky.when))
-    brightness.danjon = danjon_estimate(brightness.disc.magnitudes[V]);
+    brightness.danjon = danjon_estimate(brightness.disc.magnitudes[V_band]);
   if (from.observer) brightness.seen = seen_of(measurable, texture, *from.observer, from.sightline);
   return brightness;
 }
