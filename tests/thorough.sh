@@ -40,7 +40,8 @@ heavy_under_sanitizers() {
   cmake --preset sanitizers
   cmake --build build/sanitizers --target coppermoon_program baker_shadow_heavy_tests baker_uses_light_heavy_tests \
     baker_uses_picture_heavy_tests baker_uses_film_heavy_tests baker_uses_night_heavy_tests \
-    baker_uses_explore_heavy_tests baker_uses_study_heavy_tests baker_verbs_flags_heavy_tests \
+    baker_uses_explore_heavy_tests baker_uses_compare_heavy_tests baker_uses_fit_heavy_tests \
+    baker_uses_tradeoff_heavy_tests baker_verbs_flags_heavy_tests \
     baker_verbs_manuals_heavy_tests baker_verbs_recipes_heavy_tests baker_verbs_reports_heavy_tests colour_heavy_tests extremes_heavy_tests
   ctest --test-dir build/sanitizers --output-on-failure --no-tests=error --parallel "$processors" -L '^heavy$' \
     -E '^(baker/shadow/(by_photons|landing_statistics|ring_middles)|baker/uses/film/film_light|end_to_end/|extremes/(faults|words)|povray_scenes/|baker/wrappers/)'
@@ -68,7 +69,7 @@ extremes_thoroughly() {
 
 films_and_convergence() {
   released slow_tests
-  test_release -L '^slow$' -R '^(end_to_end/film|extremes/film_faults|baker/shadow/convergence|baker/uses/study/fit_light|baker/wrappers/python/(umbra|wheel))$'
+  test_release -L '^slow$' -R '^(end_to_end/film|extremes/film_faults|baker/shadow/convergence|baker/uses/fit/fitted_light|baker/wrappers/python/(umbra|wheel))$'
 }
 
 plans_kept() {

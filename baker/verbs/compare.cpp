@@ -17,12 +17,12 @@
 #include "files/whole_file.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
+#include "uses/compare/comparison.h"
+#include "uses/compare/comparison_sheet.h"
 #include "uses/picture/lit_scene.h"
 #include "uses/picture/photo_file.h"
 #include "uses/picture/picture_parameters.h"
 #include "uses/picture/pixels.h"
-#include "uses/study/comparison.h"
-#include "uses/study/comparison_sheet.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/camera_options.h"
 #include "verbs/flags/coding_option.h"
@@ -231,9 +231,9 @@ void print_table(const Options& options, const Found& found) {
       is.mirrored ? ", mirrored" : "", registration.correlation);
   fmt::print("exposure {}: {:.4g} per cd/m2{}\n", found.exif ? "by the header" : "fitted",
              found.comparison.exposure,
-             found.exif ? fmt::format("; the fitted one differs by {:+.3f} stops",
-                                      found.stops_of_fit())
-                        : "");
+             found.exif
+                 ? fmt::format("; the fitted one differs by {:+.3f} stops", found.stops_of_fit())
+                 : "");
   fmt::print("tone curve: {}\n", coding_in_words(found));
   fmt::print("{:>15} {:>9} {:>8} {:>8}  {:>13}  {:>13} {:>8}\n", "axis [km]", "pixels", "clipped",
              "stops", "photo u' v'", "render u' v'", "dE2000");

@@ -9,11 +9,11 @@
 
 #include "algebra/error.h"
 #include "almanac/gazetteer.h"
+#include "uses/fit/fit.h"
+#include "uses/fit/measured_light.h"
 #include "uses/night/local_time.h"
 #include "uses/picture/photo_file.h"
 #include "uses/picture/picture_parameters.h"
-#include "uses/study/fit.h"
-#include "uses/study/measured_light.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/coding_option.h"
 #include "verbs/flags/light_options.h"

@@ -13,9 +13,9 @@
 #include "files/whole_file.h"
 #include "uses/light/light_parameters.h"
 #include "uses/plot/plot.h"
-#include "uses/study/tradeoff_runs.h"
-#include "uses/study/tradeoff_sweeps.h"
-#include "uses/study/yardstick.h"
+#include "uses/tradeoff/runs.h"
+#include "uses/tradeoff/sweeps.h"
+#include "uses/tradeoff/yardstick.h"
 #include "verbs/command_line.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/one_line.h"
@@ -58,7 +58,8 @@ std::string document(const Options& options, const ReferenceSettings& reference,
       "Steps are in km; their own error hides under the noise of so few photons. Seconds include "
       "the "
       "making of tables; those of\na texture's width are the bake's alone, and its ΔE that against "
-      "the widest texture. Extrapolated: time on a straight line\nover the number of photons and of "
+      "the widest texture. Extrapolated: time on a straight line\nover the number of photons and "
+      "of "
       "steps, errors as "
       "N^(−1/2); a ΔE extrapolated from more than 10 is too small, by up to two times.\n\n{}",
       options.instant, options.quick ? " --quick" : "", reference.rays, reference.bands,

@@ -25,10 +25,10 @@
 #include "surface/albedo_map.h"
 #include "texture/bake.h"
 #include "texture/write_image.h"
+#include "uses/fit/fit.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/pixels.h"
 #include "uses/picture/view.h"
-#include "uses/study/fit.h"
 
 namespace coppermoon::end_to_end {
 

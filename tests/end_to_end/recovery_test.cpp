@@ -12,8 +12,8 @@
 #include "end_to_end/program.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
+#include "uses/fit/compared_night.h"
 #include "uses/picture/pixels.h"
-#include "uses/study/fit_witness.h"
 
 namespace coppermoon::end_to_end {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "fuzz/refused.h"
 #include "fuzz/scratch_file.h"
-#include "uses/study/fit_magnitudes.h"
+#include "uses/fit/magnitudes.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace coppermoon;

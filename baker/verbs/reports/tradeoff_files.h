@@ -6,7 +6,7 @@
 #include <string>
 
 #include "uses/plot/plot.h"
-#include "uses/study/tradeoff_runs.h"
+#include "uses/tradeoff/runs.h"
 
 namespace coppermoon::verbs {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/study/fit.h"
+#include "uses/fit/fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,14 +57,13 @@ FitReport fit_of(const py::iterable& magnitudes, std::vector<EclipsePhotograph> 
                  bool half_hours_free, const std::optional<uses::Air>& air,
                  const std::optional<uses::LightRequest>& light, const std::string& albedo_map,
                  uses::AlbedoEncoding albedo_encoding, int albedo_map_centre,
-                 double albedo_exponent,
-                 surface::Photometry photometry, const Told& told) {
+                 double albedo_exponent, surface::Photometry photometry, const Told& told) {
   const uses::FitRequest request{
       .photographs = std::move(photographs),
       .magnitudes = measured_by(magnitudes),
-      .moon = moon_request(light_request(air, light),
-                           {albedo_map, albedo_encoding, albedo_map_centre, albedo_exponent,
-                            photometry, false}),
+      .moon = moon_request(
+          light_request(air, light),
+          {albedo_map, albedo_encoding, albedo_map_centre, albedo_exponent, photometry, false}),
       .view = view_request(at, true),
       .camera = camera,
       .exposure_error = exposure_error,
@@ -214,8 +213,8 @@ void add_fit(py::module_& package) {
       "photographs"_a = std::vector<EclipsePhotograph>{}, "at"_a = py::none(), "camera"_a = "",
       "exposure_error"_a = 0.1, "white_balance_error"_a = py::none(), "clock_error_s"_a = 0.,
       "half_hours_free"_a = false, "air"_a = py::none(), "light"_a = py::none(),
-      "albedo_map"_a = "built-in", "albedo_encoding"_a = uses::AlbedoEncoding::image, "albedo_map_centre"_a = 0,
-      "albedo_exponent"_a = 1.,
+      "albedo_map"_a = "built-in", "albedo_encoding"_a = uses::AlbedoEncoding::image,
+      "albedo_map_centre"_a = 0, "albedo_exponent"_a = 1.,
       "photometry"_a = surface::Photometry::lommel_seeliger_rolo, "progress"_a = py::none(),
       R"(fit(magnitudes=(), *, photographs=(), at=None, camera='', exposure_error=0.1, white_balance_error=None, clock_error_s=0.0, half_hours_free=False, air=None, light=None, albedo_map='built-in', albedo_encoding='image', albedo_map_centre=0, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', progress=None)
 

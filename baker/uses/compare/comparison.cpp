@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+#include "uses/compare/comparison.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <map>
+
+#include "algebra/error.h"
+#include "colour/difference.h"
+#include "colour/glow.h"
+#include "colour/working_space.h"
+#include "uses/picture/camera.h"
+#include "uses/picture/disc_outline.h"
+#include "uses/picture/pixels.h"
+
+namespace coppermoon::uses {
+namespace {
+
+using Pixels = std::vector<SharedPixel>;
+
+const glm::dmat3& xyz_from_rgb() {
+  static const glm::dmat3 matrix =
+      glm::inverse(colour::channels_from_xyz(colour::WorkingSpace::linear_rec709));
+  return matrix;
+}
+
+double luminance(const glm::dvec3& rgb) { return (xyz_from_rgb() * rgb).y; }
+
+glm::dvec3 pixel_of(const texture::Image& image, std::size_t row, std::size_t column) {
+  return {image(row, column, 0), image(row, column, 1), image(row, column, 2)};
+}
+
+/// CIE 1976 u', v': CIE 15:2004, 8.2.1.1; nothing without light.
+std::optional<std::array<double, 2>> uv_of(const glm::dvec3& rgb) {
+  const auto xyz = xyz_from_rgb() * rgb;
+  const double whole = xyz.x + 15 * xyz.y + 3 * xyz.z;
+  if (!(whole > 0)) return std::nullopt;
+  return std::array{4 * xyz.x / whole, 9 * xyz.y / whole};
+}
+
+/// Colour as the display shows it: what is beyond white is white.
+colour::Lab developed(const glm::dvec3& rgb) {
+  return colour::lab_from_xyz(xyz_from_rgb() * glm::clamp(rgb, 0., 1.));
+}
+
+/// Sums over pixels that a difference is made of.
+struct Sums {
+  Difference difference;
+  glm::dvec3 photo{0}, render{0};
+  double delta_e = 0;
+
+  void add(const SharedPixel& pixel, double exposure) {
+    if (pixel.clipped) {
+      ++difference.clipped;
+      return;
+    }
+    ++difference.pixels;
+    if (!(luminance(pixel.photo) > 0)) ++difference.black;
+    photo += pixel.photo;
+    render += exposure * pixel.render_cd_m2;
+    delta_e +=
+        colour::delta_e_2000(developed(pixel.photo), developed(exposure * pixel.render_cd_m2));
+  }
+  Difference result() const {
+    auto made = difference;
+    if (made.pixels == 0 || 2 * made.black > made.pixels) return made;
+    const double seen = luminance(photo), expected = luminance(render);
+    if (seen > 0 && expected > 0) made.stops = std::log2(seen / expected);
+    made.photo_uv = uv_of(photo);
+    made.render_uv = uv_of(render);
+    made.delta_e_2000 = delta_e / static_cast<double>(made.pixels);
+    return made;
+  }
+};
+
+/// Without the stars beside the Moon, which pass for light of its limb.
+texture::Image moon_alone(texture::Image frame, const povray_scenes::Camera& camera) {
+  const auto disc = disc_outline(camera);
+  if (!disc) return frame;
+  tbb::parallel_for(std::size_t{0}, frame.height, [&](std::size_t r) {
+    for (std::size_t c = 0; c < frame.width; ++c) {
+      if (covered_share(*disc, static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5) > 0)
+        continue;
+      for (std::size_t k = 0; k < frame.channels.size(); ++k) frame(r, c, k) = 0;
+    }
+  });
+  return frame;
+}
+
+texture::Image glowing(texture::Image frame, double share, const povray_scenes::Camera& camera) {
+  if (share == 0) return frame;
+  return image_of(colour::with_glow(pixels_of(frame), share, pixel_rad_of(camera)));
+}
+
+/// Light that counts as clipped, over the brightest.
+constexpr float of_brightest = 0.99F;
+
+float brightest_of(const texture::Image& image) {
+  constexpr std::size_t at_once = 65536;
+  const auto& values = image.values;
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, values.size(), at_once), values.front(),
+      [&](const auto& part, float most) {
+        for (std::size_t i = part.begin(); i < part.end(); ++i) most = std::max(most, values[i]);
+        return most;
+      },
+      [](float one, float other) { return std::max(one, other); });
+}
+
+}  // namespace
+
+float clipping_value(const texture::Image& photo) { return of_brightest * brightest_of(photo); }
+
+algebra::Grid<float> luminance_of(const texture::Image& light) {
+  const float most = brightest_of(light), clipped = of_brightest * most;
+  algebra::Grid<float> grid(light.height, light.width);
+  tbb::parallel_for(std::size_t{0}, light.height, [&](std::size_t r) {
+    for (std::size_t c = 0; c < light.width; ++c) {
+      const auto pixel = pixel_of(light, r, c);
+      const bool lost = std::max({pixel.r, pixel.g, pixel.b}) >= double{clipped};
+      grid(r, c) = lost ? most : static_cast<float>(luminance(pixel));
+    }
+  });
+  return grid;
+}
+
+texture::Image resampled(const texture::Image& image, const colour::Similarity& similarity,
+                         std::size_t rows, std::size_t columns) {
+  texture::Image other(columns, rows, {"R", "G", "B"});
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto there = colour::resampled(channel_of(image, k), similarity, rows, columns);
+    for (std::size_t i = 0; i < there.values().size(); ++i)
+      other.values[3 * i + k] = there.values()[i];
+  }
+  return other;
+}
+
+Pixels shared_pixels(const texture::Image& photo, const texture::Image& render,
+                     const FramePlaces& places, const colour::Similarity& render_to_photo) {
+  constexpr double enough = 1e6;
+  const auto back = colour::inverse(render_to_photo);
+  const float clipped = clipping_value(photo);
+  const std::array channels{channel_of(render, 0), channel_of(render, 1), channel_of(render, 2)};
+  const std::array there{colour::Resampled(channels[0], render_to_photo),
+                         colour::Resampled(channels[1], render_to_photo),
+                         colour::Resampled(channels[2], render_to_photo)};
+  const auto width = static_cast<double>(places.camera.width),
+             height = static_cast<double>(places.camera.height);
+  const auto step =
+      static_cast<std::size_t>(std::max(1., std::sqrt(static_cast<double>(photo.width) *
+                                                      static_cast<double>(photo.height) / enough)));
+  Pixels pixels;
+  for (std::size_t r = 0; r < photo.height; r += step)
+    for (std::size_t c = 0; c < photo.width; c += step) {
+      const auto from =
+          colour::moved(back, {static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5});
+      if (from.x < 1 || from.y < 1 || from.x > width - 1 || from.y > height - 1) continue;
+      const auto distance_km = axis_distance_km(places, from);
+      if (!distance_km) continue;
+      const auto seen = pixel_of(photo, r, c);
+      pixels.push_back({*distance_km,
+                        seen,
+                        {there[0].at(r, c), there[1].at(r, c), there[2].at(r, c)},
+                        std::max({seen.r, seen.g, seen.b}) >= double{clipped}});
+    }
+  return pixels;
+}
+
+double fitted_exposure(const Pixels& pixels) {
+  constexpr double least_share = 0.01;
+  double most = 0;
+  for (const auto& pixel : pixels) most = std::max(most, luminance(pixel.photo));
+  std::vector<double> ratios;
+  for (const auto& pixel : pixels) {
+    const double seen = luminance(pixel.photo), expected = luminance(pixel.render_cd_m2);
+    if (!pixel.clipped && expected > 0 && seen > least_share * most)
+      ratios.push_back(seen / expected);
+  }
+  if (ratios.empty())
+    throw algebra::Error("no pixel of the disc is lit in both pictures and not clipped");
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return *middle;
+}
+
+std::vector<Difference> differences(const Pixels& pixels, double exposure, std::size_t bins) {
+  double nearest = std::numeric_limits<double>::infinity(), furthest = 0;
+  for (const auto& pixel : pixels) {
+    nearest = std::min(nearest, pixel.axis_distance_km);
+    furthest = std::max(furthest, pixel.axis_distance_km);
+  }
+  const double width = std::max(furthest - nearest, 1e-9) / static_cast<double>(bins);
+  std::vector<Sums> sums(bins + 1);
+  for (std::size_t i = 0; i < bins; ++i)
+    sums[i].difference = {.from_km = nearest + width * static_cast<double>(i),
+                          .to_km = nearest + width * static_cast<double>(i + 1)};
+  sums[bins].difference = {.from_km = nearest, .to_km = furthest};
+  for (const auto& pixel : pixels) {
+    const auto bin = static_cast<std::size_t>((pixel.axis_distance_km - nearest) / width);
+    sums[std::min(bin, bins - 1)].add(pixel, exposure);
+    sums[bins].add(pixel, exposure);
+  }
+  std::vector<Difference> made;
+  for (const auto& sum : sums) made.push_back(sum.result());
+  return made;
+}
+
+colour::ToneCurve fitted_curve(const Pixels& pixels) {
+  constexpr double step = 0.1, error = 0.03, unknown = 10, of_colours = 0.3;
+  constexpr std::size_t many = 50, least = 3;
+  std::map<std::pair<long, int>, std::vector<double>> displayed;  // by rendered light and channel
+  for (const auto& pixel : pixels)
+    for (int k = 0; k < 3; ++k)
+      if (!pixel.clipped && pixel.render_cd_m2[k] > 0)
+        displayed[{std::lround(std::log(pixel.render_cd_m2[k]) / step), k}].push_back(
+            pixel.photo[k]);
+  using Vector = Eigen::Vector<double, 3 + colour::tone_numbers>;
+  Eigen::Matrix<double, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime> normal;
+  normal.setIdentity();  // each parameter is 0 ± 1 before
+  Vector sums = Vector::Zero();
+  std::size_t steps = 0;
+  for (auto& [light, values] : displayed) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() < many || *middle <= 0 || *middle >= colour::most_displayed) continue;
+    const double residual = std::log(*middle) + colour::tone_logarithm({}, *middle) -
+                            step * static_cast<double>(light.first);
+    Vector row = Vector::Zero();
+    row[0] = unknown;
+    if (light.second != 1) row[1 + light.second / 2] = of_colours;
+    std::ranges::copy(colour::tone_derivatives(*middle), row.begin() + 3);
+    normal += row * row.transpose() / (error * error);
+    sums += row * residual / (error * error);
+    ++steps;
+  }
+  if (steps < least)
+    throw algebra::Error(fmt::format(
+        "{} steps of light to find a tone curve by, allowed {} or more: too much of the "
+        "photograph is clipped or black",
+        steps, least));
+  const Vector found = normal.llt().solve(sums);
+  colour::ToneCurve curve;
+  std::transform(found.begin() + 3, found.end(), curve.numbers.begin(), std::negate());
+  return curve;
+}
+
+namespace {
+
+/// Makes displayed light that of the scene.
+void undo(const colour::ToneCurve& curve, Pixels& pixels) {
+  const colour::ToneTable table(curve);
+  for (auto& pixel : pixels)
+    for (int k = 0; k < 3; ++k) pixel.photo[k] = double{table(static_cast<float>(pixel.photo[k]))};
+}
+
+bool in_highlights(const SharedPixel& pixel) {
+  return std::max({pixel.photo.r, pixel.photo.g, pixel.photo.b}) >= colour::most_displayed;
+}
+
+}  // namespace
+
+Comparison compared(const texture::Image& photo, const texture::Image& frame,
+                    const FramePlaces& places, const ComparisonRequest& request) {
+  const auto& [exposure, curved, glow, bins] = request;
+  algebra::require_within("bins", static_cast<double>(bins), 1, 1000);
+  if (frame.width != places.camera.width || frame.height != places.camera.height)
+    throw algebra::Error(fmt::format("a frame of {} x {} pixels, allowed {} x {}, as its camera's",
+                                     frame.width, frame.height, places.camera.width,
+                                     places.camera.height));
+  auto moon = glowing(moon_alone(frame, places.camera), glow, places.camera);
+  const auto registration = colour::registered(luminance_of(photo), luminance_of(moon));
+  auto pixels = shared_pixels(photo, moon, places, registration.render_to_photo);
+  std::optional<colour::ToneCurve> curve;
+  if (curved) {
+    for (auto& pixel : pixels) pixel.clipped = pixel.clipped || in_highlights(pixel);
+    curve = fitted_curve(pixels);
+    undo(*curve, pixels);
+  }
+  const double fitted = fitted_exposure(pixels);
+  const double used = exposure ? colour::exposure_scale(*exposure) : fitted;
+  auto found = differences(pixels, used, bins);
+  for (float& value : moon.values) value *= static_cast<float>(used);
+  return {registration, used, fitted, std::move(found), std::move(moon), curve};
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "uses/fit/air_fit.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace coppermoon::uses {
+namespace {
+
+std::vector<double> evenly(double from, double to, int steps) {
+  std::vector<double> all;
+  for (int i = 0; i <= steps; ++i) all.push_back(from + (to - from) * i / steps);
+  return all;
+}
+
+constexpr std::array axis_steps{32, 24, 14};
+
+/// Axes over the whole search range, in steps of 17 % of dust, 0.04 of cover, 29 DU of ozone.
+Axes whole_axes() {
+  const auto [dust, cover, ozone] = search_range;
+  return {evenly(std::log(dust.least), std::log(dust.most), axis_steps[0]),
+          evenly(cover.least, cover.most, axis_steps[1]),
+          evenly(ozone.least, ozone.most, axis_steps[2])};
+}
+
+/// Axes of as many steps over what is probable after a look at all of it.
+Axes axes_about(const Posterior& known, const Axes& whole) {
+  constexpr double beyond = 2;  // of the interval, to either side of it: five deviations in all
+  Axes axes;
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const auto& [median, low, high, information] = known.estimates[a];
+    const double step = whole[a][1] - whole[a][0], width = std::max(high - low, step);
+    axes[a] = evenly(std::max(whole[a].front(), low - beyond * width),
+                     std::min(whole[a].back(), high + beyond * width), axis_steps[a]);
+  }
+  return axes;
+}
+
+/// What all witnesses say at each point: (dust × ozones + ozone, cover).
+struct Weighing {
+  algebra::Grid<double> chi_squared;
+  std::vector<algebra::Grid<ClockError>> clocks;  ///< [witness]
+};
+
+/// Adds what a witness says for each cloud cover, at one dust and ozone.
+void add_over_cover(const Witness& witness, const FittedLight::Mixed& mixed,
+                    const std::vector<double>& covers, std::span<double> chi_squared,
+                    std::span<ClockError> clocks) {
+  auto light = mixed.clear;
+  for (std::size_t j = 0; j < covers.size(); ++j) {
+    for (std::size_t i = 0; i < light.values().size(); ++i) {
+      const double clear = mixed.clear.values()[i];
+      light.values()[i] = clear + covers[j] * (mixed.cloudy.values()[i] - clear);
+    }
+    const auto weighed = witness.weighed(light);
+    chi_squared[j] += weighed.chi_squared;
+    clocks[j] = {weighed.clock_s, std::sqrt(weighed.clock_variance_s2)};
+  }
+}
+
+Weighing weighing_over(const Axes& axes, std::span<const Witness> witnesses,
+                       const algebra::Progress& progress) {
+  const auto &dusts = axes[0], &covers = axes[1], &ozones = axes[2];
+  const auto rows = dusts.size() * ozones.size();
+  Weighing all{algebra::Grid<double>(rows, covers.size()), {}};
+  all.clocks.assign(witnesses.size(), algebra::Grid<ClockError>(rows, covers.size()));
+  std::atomic<std::size_t> done = 0;
+  tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
+    const double dust = std::exp(dusts[row / ozones.size()]), ozone = ozones[row % ozones.size()];
+    for (std::size_t w = 0; w < witnesses.size(); ++w)
+      add_over_cover(witnesses[w], witnesses[w].light->mixed(dust, ozone), covers,
+                     all.chi_squared.row(row), all.clocks[w].row(row));
+    progress(static_cast<double>(++done) / static_cast<double>(rows));
+  });
+  return all;
+}
+
+/// A clock's error over all air, each as likely as its χ² says.
+ClockError over_all_air(const algebra::Grid<double>& chi_squared, double least, double larger,
+                        const algebra::Grid<ClockError>& clocks) {
+  double sum = 0, mean = 0, squares = 0;
+  for (std::size_t i = 0; i < chi_squared.values().size(); ++i) {
+    const double mass = std::exp((least - chi_squared.values()[i]) / larger / 2);
+    const auto& [seconds, error_s] = clocks.values()[i];
+    sum += mass;
+    mean += mass * seconds;
+    squares += mass * (seconds * seconds + larger * error_s * error_s);
+  }
+  mean /= sum;
+  return {mean, std::sqrt(std::max(0., squares / sum - mean * mean))};
+}
+
+/// What is known with all errors larger by the root of a factor.
+Posterior posterior_over(const Axes& axes, const algebra::Grid<double>& chi_squared,
+                         double larger) {
+  return posterior(axes, [&](const std::array<std::size_t, 3>& at) {
+    return chi_squared(at[0] * axes[2].size() + at[2], at[1]) / larger;
+  });
+}
+
+/// Dust, cover and ozone where χ² is least.
+std::array<double, 3> best_of(const Axes& axes, const algebra::Grid<double>& chi_squared) {
+  const auto place = static_cast<std::size_t>(std::ranges::min_element(chi_squared.values()) -
+                                              chi_squared.values().begin());
+  const auto row = place / chi_squared.columns();
+  return {std::exp(axes[0][row / axes[2].size()]), axes[1][place % chi_squared.columns()],
+          axes[2][row % axes[2].size()]};
+}
+
+/// Count of numbers above the three unknowns, 1 or more.
+double freedom_of(std::size_t numbers) { return std::max(1., static_cast<double>(numbers) - 3); }
+
+}  // namespace
+
+double most_chi_squared(const AirFit& fit) { return 10 * freedom_of(fit.numbers); }
+
+bool explains(const AirFit& fit) {
+  return fit.posterior.least_chi_squared <= most_chi_squared(fit);
+}
+
+AirFit fitted_air(std::span<const Witness> witnesses, const algebra::Progress& progress) {
+  constexpr int looks = 3;
+  AirFit result;
+  for (const auto& witness : witnesses) result.numbers += witness.count;
+  const double freedom = freedom_of(result.numbers);
+  const auto whole = whole_axes();
+  auto axes = whole;
+  for (int look = 1;; ++look) {
+    const auto [chi_squared, clocks] = weighing_over(axes, witnesses, [&](double part) {
+      if (progress) progress((look - 1 + part) / looks);
+    });
+    const double least = *std::ranges::min_element(chi_squared.values()),
+                 larger = std::max(1., least / freedom);
+    result.posterior = posterior_over(axes, chi_squared, larger);
+    result.posterior.least_chi_squared = least;
+    if (look == looks) {
+      result.best = best_of(axes, chi_squared);
+      for (const auto& clock : clocks)
+        result.clocks.push_back(over_all_air(chi_squared, least, larger, clock));
+      break;
+    }
+    axes = axes_about(result.posterior, axes);
+  }
+  for (std::size_t a = 0; a < whole.size(); ++a) {  // over what was allowed, not what was looked at
+    auto& information = result.posterior.estimates[a].information;
+    const double looked = axes[a].back() - axes[a].front(),
+                 allowed = whole[a].back() - whole[a].front();
+    information = 1 - (1 - information) * looked * looked / (allowed * allowed);
+  }
+  return result;
+}
+
+}  // namespace coppermoon::uses

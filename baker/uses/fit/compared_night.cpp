@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "uses/fit/compared_night.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/vec3.hpp>
+#include <map>
+#include <numeric>
+
+#include "algebra/error.h"
+#include "colour/working_space.h"
+
+namespace coppermoon::uses {
+namespace {
+
+/// Nuisances of a night: its exposure, its colours, its curve; then of each photograph: exposure, colours, the
+/// sky's light in each channel, its place, its glow.
+constexpr std::size_t of_night = 3 + colour::tone_numbers, of_curve = 3, of_photograph = 8;
+
+/// What tone curves leave between the levels that they are known at.
+constexpr double between_tents = 0.01;
+
+/// An error that says that nothing is known.
+constexpr double unknown = 10;
+
+/// Relative error of a value that the computation leaves open in each channel by itself: of FittedLight, and of what
+/// wavelengths it is a sum over.
+double error_of_computation(double value, double brightest) {
+  constexpr double of_colour = 0.001, of_brightest = 0.0003;
+  return std::hypot(of_colour, of_brightest * brightest / value);
+}
+
+/// Variance that the computation leaves open in all channels alike, and in bins so far apart: FittedLight's.
+double common_variance_of_computation(double distance_km) {
+  constexpr double of_light = 0.001, alike_km = 500;
+  return of_light * of_light * std::exp(-distance_km / alike_km);
+}
+
+/// Covariances of bins, (bin, bin), each channel by itself: the map is off by 1.2 % in each place of 200 km, of
+/// which a bin is the mean.
+algebra::Grid<double> covariances_of_map(const FitScene& scene) {
+  constexpr double error = 0.012, place_km = 200,
+                   pixel_km = 2 * algebra::in_kilometres(almanac::lunar_radius) /
+                              (fit_disc_share * fit_side_px),
+                   place_px = place_km / pixel_km;
+  constexpr auto across = static_cast<std::size_t>(fit_side_px / place_px) + 1;
+  const auto place = [](std::size_t px) {
+    return static_cast<std::size_t>(static_cast<double>(px) / place_px);
+  };
+  algebra::Grid<double> shares(scene.bins, across * across);
+  for (const auto& ground : scene.grounds)
+    shares(ground.bin, place(ground.pixel / fit_side_px) * across +
+                           place(ground.pixel % fit_side_px)) += ground.sunlit;
+  for (std::size_t b = 0; b < scene.bins; ++b) {
+    const auto row = shares.row(b);
+    const double all = std::reduce(row.begin(), row.end());
+    for (double& share : row) share *= all > 0 ? error / all : 0;
+  }
+  algebra::Grid<double> result(scene.bins, scene.bins);
+  for (std::size_t b = 0; b < scene.bins; ++b)
+    for (std::size_t c = 0; c < scene.bins; ++c)
+      result(b, c) =
+          std::inner_product(shares.row(b).begin(), shares.row(b).end(), shares.row(c).begin(), 0.);
+  return result;
+}
+
+/// How the logarithm of a bin's light grows with distance from the axis [1/km], by its neighbours.
+double growth(const FitScene& scene, const algebra::Grid<double>& values, std::size_t b,
+              std::size_t k) {
+  const auto known = [&](std::size_t bin) { return bin < scene.bins && values(bin, k) > 0; };
+  const auto from = b > 0 && known(b - 1) ? b - 1 : b, to = known(b + 1) ? b + 1 : b;
+  if (from == to) return 0;
+  return std::log(values(to, k) / values(from, k)) /
+         (scene.distances_km[to] - scene.distances_km[from]);
+}
+
+}  // namespace
+
+std::vector<double> clock_steps_s(double clock_error_s) {
+  constexpr double step_s = 60;
+  return clock_error_s > 0 ? std::vector<double>{-step_s, 0, step_s} : std::vector<double>{0};
+}
+
+FittedLight night_light(const LightRequest& request, std::span<const NightPhotograph> photographs,
+                        std::span<const almanac::Instant> instants, double clock_error_s,
+                        FittedAirs airs, const algebra::Progress& progress) {
+  std::vector<LitBins> parts;
+  std::vector<almanac::SkyState> skies;
+  for (std::size_t p = 0; p < photographs.size(); ++p)
+    for (const double step_s : clock_steps_s(clock_error_s)) {
+      skies.push_back(almanac::sky_at(almanac::later(instants[p], step_s)));
+      parts.push_back(lit_bins(photographs[p].scene, skies.back()));
+    }
+  std::ranges::sort(skies, [](const auto& one, const auto& other) {
+    return almanac::seconds_between(one.when, other.when) > 0;
+  });
+  return {request, skies, parts, airs, progress};
+}
+
+ComparedNight::ComparedNight(std::span<const NightPhotograph> photographs,
+                             const NightErrors& errors)
+    : errors_(errors) {
+  constexpr std::size_t least = 6;
+  for (const auto& photograph : photographs) {
+    bins_ = photograph.scene.bins;
+    curved_ = curved_ || !photograph.light.slopes.empty();
+    distances_km_.push_back(photograph.scene.distances_km);
+    sunlight_.push_back(sunlight_of(photograph.scene.weights));
+    add_numbers(photograph, distances_km_.size() - 1);
+  }
+  if (numbers_.size() < least)
+    throw algebra::Error(fmt::format(
+        "{} parts of the disc are neither clipped nor lost in noise, allowed {} or more",
+        numbers_.size(), least));
+  nuisances_ = {own_covariances(photographs), effects(photographs)};
+}
+
+std::vector<algebra::Grid<double>> ComparedNight::own_covariances(
+    std::span<const NightPhotograph> photographs) const {
+  std::vector<algebra::Grid<double>> all;
+  for (std::size_t p = 0, first = 0; p < photographs.size(); ++p) {
+    const auto of_map = covariances_of_map(photographs[p].scene);
+    const auto count = count_of(p);
+    auto& block = all.emplace_back(count, count);
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j < count; ++j) {
+        const auto &one = numbers_[first + i], &other = numbers_[first + j];
+        block(i, j) = common_variance_of_computation(
+            std::abs(distances_km_[p][one.bin] - distances_km_[p][other.bin]));
+        if (one.channel == other.channel) block(i, j) += of_map(one.bin, other.bin);
+        if (i == j) block(i, j) += one.error * one.error;
+      }
+    first += count;
+  }
+  return all;
+}
+
+void ComparedNight::add_numbers(const NightPhotograph& photograph, std::size_t index) {
+  constexpr double too_noisy = 0.3, too_dark = 0.01;
+  const auto& [values, errors, sky_errors, glow_errors, slopes] = photograph.light;
+  for (std::size_t b = 0; b < bins_; ++b) {
+    const double brightest = *std::ranges::max_element(values.row(b));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double value = values(b, k), noise = errors(b, k) / value;
+      if (value <= 0 || noise > too_noisy || value < too_dark * brightest) continue;
+      double logarithm = std::log(value / photograph.errors.value_per_cd_m2.value_or(1));
+      if (!slopes.empty())  // as the mean of cameras has it, to first order
+        for (std::size_t n = 0; n < colour::tone_numbers; ++n)
+          logarithm -= slopes(b, k)[n] * errors_.curve.numbers[n];
+      const double of_tents = slopes.empty() ? 0 : between_tents;
+      numbers_.push_back({index, b, k, logarithm,
+                          std::hypot(noise, error_of_computation(value, brightest), of_tents)});
+    }
+  }
+}
+
+algebra::Grid<double> ComparedNight::effects(std::span<const NightPhotograph> photographs) const {
+  constexpr double of_shutter_and_iris = 0.03;
+  algebra::Grid<double> a(numbers_.size(), of_night + of_photograph * photographs.size());
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    const auto& [p, b, k, logarithm, error] = numbers_[i];
+    const auto& [scene, light, errors] = photographs[p];
+    const auto own = of_night + of_photograph * p;
+    const bool known = errors.value_per_cd_m2.has_value();
+    if (known) a(i, 0) = light.slopes.empty() ? errors.exposure_error : unknown;
+    a(i, own) = known ? of_shutter_and_iris : unknown;
+    constexpr double drift = 0.003;
+    if (k != 1) {
+      const std::size_t red_or_blue = k / 2;
+      if (errors.white_balance_fixed) a(i, 1 + red_or_blue) = errors.white_balance_error;
+      a(i, own + 1 + red_or_blue) = errors.white_balance_fixed ? drift : errors.white_balance_error;
+    }
+    a(i, own + 6) = errors.place_error_km * growth(scene, light.values, b, k);
+    a(i, own + 3 + k) = light.sky_errors(b, k) / light.values(b, k);
+    a(i, own + 7) = light.glow_errors(b, k) / light.values(b, k);
+    if (!light.slopes.empty()) std::ranges::copy(light.slopes(b, k), &a(i, of_curve));
+  }
+  return a;
+}
+
+std::size_t ComparedNight::count_of(std::size_t photograph) const {
+  return static_cast<std::size_t>(std::ranges::count(numbers_, photograph, &Number::photograph));
+}
+
+ComparedNight::Residuals ComparedNight::residuals(const algebra::Grid<double>& light) const {
+  const auto steps_s = clock_steps_s(errors_.clock_error_s);
+  const auto middle = steps_s.size() / 2;
+  Residuals result;
+  std::vector<std::array<double, 3>> logarithms(steps_s.size());
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    const auto& [p, b, k, logarithm, error] = numbers_[i];
+    if (i == 0 || p != numbers_[i - 1].photograph || b != numbers_[i - 1].bin)
+      for (std::size_t s = 0; s < steps_s.size(); ++s) {
+        logarithms[s] = rec709_of(light.row((p * steps_s.size() + s) * bins_ + b));
+        for (double& value : logarithms[s]) value = std::log(std::max(value, 1e-12));
+      }
+    result.apart.push_back(logarithm - logarithms[middle][k]);
+    if (steps_s.size() > 1)
+      result.a_second.push_back((logarithms.back()[k] - logarithms.front()[k]) /
+                                (steps_s.back() - steps_s.front()));
+  }
+  return result;
+}
+
+Weighed ComparedNight::weighed(const algebra::Grid<double>& light) const {
+  const auto [apart, a_second] = residuals(light);
+  const auto seen = nuisances_.whitened(apart);
+  Weighed result{product(seen, seen)};
+  if (a_second.empty()) return result;
+  const auto clock = nuisances_.whitened(a_second);
+  const double information =
+      product(clock, clock) + 1 / (errors_.clock_error_s * errors_.clock_error_s);
+  const double told = product(clock, seen);
+  result.chi_squared -= told * told / information;
+  result.clock_s = told / information;
+  result.clock_variance_s2 = 1 / information;
+  return result;
+}
+
+colour::ToneCurve ComparedNight::curve(const algebra::Grid<double>& light) const {
+  colour::ToneCurve found;
+  if (!curved_) return found;
+  auto [apart, a_second] = residuals(light);
+  const double clock_s = weighed(light).clock_s;
+  for (std::size_t i = 0; i < a_second.size(); ++i) apart[i] -= clock_s * a_second[i];
+  const auto nuisances = nuisances_.expected(apart);
+  for (std::size_t n = 0; n < colour::tone_numbers; ++n)
+    found.numbers[n] = -nuisances[of_curve + n];  // what is read as too bright is made darker
+  return found;
+}
+
+std::vector<MeasuredLight> ComparedNight::measured(const algebra::Grid<double>& light) const {
+  constexpr double step_km = 100;
+  auto [apart, a_second] = residuals(light);
+  const double clock_s = weighed(light).clock_s;
+  for (std::size_t i = 0; i < a_second.size(); ++i) apart[i] -= clock_s * a_second[i];
+  const auto explained = nuisances_.explained(apart);
+  std::map<std::pair<long, std::size_t>, std::vector<std::size_t>> steps;
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    const auto& number = numbers_[i];
+    const double distance_km = distances_km_[number.photograph][number.bin];
+    steps[{std::lround(distance_km / step_km), number.channel}].push_back(i);
+  }
+  std::vector<MeasuredLight> all;
+  for (const auto& [step, numbers] : steps) {
+    std::vector<double> weights(numbers_.size());
+    double sum = 0, distance_km = 0, seen = 0, expected = 0;
+    for (const auto i : numbers) {
+      const auto& [p, b, k, logarithm, error] = numbers_[i];
+      const double weight = 1 / (error * error), sunlight = std::log(sunlight_[p][k]);
+      weights[i] = weight;
+      sum += weight;
+      distance_km += weight * distances_km_[p][b];
+      seen += weight * (logarithm - explained[i] - sunlight);
+      expected += weight * (logarithm - apart[i] - sunlight);
+    }
+    all.push_back({distance_km / sum, step.second, std::exp(seen / sum), std::exp(expected / sum),
+                   nuisances_.error_of_mean(weights)});
+  }
+  return all;
+}
+
+}  // namespace coppermoon::uses

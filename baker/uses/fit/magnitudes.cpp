@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "uses/fit/magnitudes.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <sstream>
+#include <string_view>
+
+#include "algebra/error.h"
+#include "algebra/number.h"
+#include "eclipse/shadow_axis.h"
+#include "files/whole_file.h"
+#include "surface/albedo_map.h"
+#include "texture/bake.h"
+#include "uses/light/photometer.h"
+#include "uses/light/photometric_bands.h"
+
+namespace coppermoon::uses {
+namespace {
+
+constexpr std::size_t rows = 128, most_bytes = 1 << 20;
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const auto end = std::min(line.find(',', begin), line.size());
+    const auto cell = line.substr(begin, end - begin);
+    const auto from = cell.find_first_not_of(" \t\r"), to = cell.find_last_not_of(" \t\r");
+    cells.push_back(from == std::string::npos ? "" : cell.substr(from, to - from + 1));
+    begin = end + 1;
+  }
+  return cells;
+}
+
+std::size_t band_named(const std::string& name) {
+  const auto bands = photometric_bands();
+  const auto band = std::ranges::find(bands, name, &PhotometricBand::name);
+  if (band == bands.end()) throw algebra::Error(fmt::format("band = {}, allowed B, V or R", name));
+  return static_cast<std::size_t>(band - bands.begin());
+}
+
+double number_in(const std::string& cell, const char* what, double least, double most) {
+  const auto number = algebra::number_in(cell);
+  if (!number) throw algebra::Error(fmt::format("{} = {}, allowed a number", what, cell));
+  algebra::require_within(what, *number, least, most);
+  return *number;
+}
+
+constexpr std::array<std::string_view, 4> column_names{"instant", "band", "magnitude", "error"};
+
+/// Columns of a list, as its first line names them.
+class Columns {
+ public:
+  explicit Columns(std::vector<std::string> names) : names_(std::move(names)) {
+    const auto of = [&](std::string_view name) { return std::ranges::count(names_, name); };
+    const bool each_once = std::ranges::all_of(column_names, [&](auto name) {
+      return of(name) == 1 || (name == column_names.back() && of(name) == 0);
+    });
+    const bool no_other = std::ranges::all_of(names_, [](const auto& name) {
+      return std::ranges::find(column_names, name) != column_names.end();
+    });
+    if (!each_once || !no_other)
+      throw algebra::Error(fmt::format(
+          "columns = {}, allowed instant, band, magnitude and, if you like, error, each once, "
+          "with commas between",
+          fmt::join(names_, ",")));
+  }
+
+  /// A line's cells, by name.
+  std::map<std::string, std::string> named(const std::vector<std::string>& cells) const {
+    if (cells.size() < names_.size())
+      throw algebra::Error("a line of fewer columns than the first");
+    if (cells.size() > names_.size())
+      throw algebra::Error(
+          fmt::format("{} columns, allowed {} as in the first line, and decimal points, no commas, "
+                      "in numbers",
+                      cells.size(), names_.size()));
+    std::map<std::string, std::string> named;
+    for (std::size_t i = 0; i < cells.size(); ++i) named[names_[i]] = cells[i];
+    return named;
+  }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+MeasuredMagnitude measured_in(const std::vector<std::string>& cells, const Columns& columns) {
+  // a whole number would be the part of a magnitude behind a decimal comma
+  constexpr double least_error = 1e-3, most_error = 0.99;
+  auto named = columns.named(cells);
+  const auto instant = almanac::instant_from_utc(named["instant"]);
+  band_named(named["band"]);
+  MeasuredMagnitude measured{instant, named["band"],
+                             number_in(named["magnitude"], "magnitude", -30, 30)};
+  if (const auto& error = named["error"]; !error.empty())
+    measured.error = number_in(error, "error of a magnitude", least_error, most_error);
+  return measured;
+}
+
+/// Texels that the Earth's centre sees, in one bin, each as bright as it is large there.
+std::vector<LitPlace> places_of(const MoonRequest& moon, const almanac::SkyState& sky) {
+  const shadow::Lookup whole(shadow::ChannelWeights(1, 1, 1.));
+  const auto lit = texture::bake({normal_albedo(moon), sky, whole}, {"Y"}, rows, moon.photometry);
+  const auto axis = eclipse::shadow_axis(sky);
+  const auto earth = sky.selenographic_from_gcrs * -sky.moon_m /
+                     algebra::in_metres(almanac::lunar_radius);  // Moon-fixed, in lunar radii
+  std::vector<LitPlace> places;
+  for (std::size_t r = 0; r < rows; ++r)
+    for (std::size_t c = 0; c < 2 * rows; ++c) {
+      const auto texel = surface::texel_centre(r, c, rows);
+      const auto ground = almanac::selenographic_direction(texel);
+      const double seen = glm::dot(ground, glm::normalize(earth - ground)) *
+                          std::cos(algebra::in_radians(texel.latitude)) * lit(r, c, 0);
+      if (seen > 0) places.push_back({eclipse::place_of_ground(axis, sky, ground), seen, 0});
+    }
+  return places;
+}
+
+/// Magnitudes of the same Moon without the shadow.
+std::vector<double> unshadowed_magnitudes(const MoonRequest& moon, const almanac::SkyState& sky,
+                                          const Photometer& meter) {
+  const shadow::Lookup whole(meter.weights);
+  const auto lit =
+      texture::bake({normal_albedo(moon), sky, whole}, meter.channels, rows, moon.photometry);
+  return measured(meter, lit, sky).magnitudes;
+}
+
+}  // namespace
+
+std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file) {
+  const auto text = files::beginning_of(file, most_bytes + 1);
+  if (text.size() > most_bytes)
+    throw algebra::Error(
+        fmt::format("{}: a list of more than {} bytes, allowed up to that", file, most_bytes));
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  std::istringstream lines(text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size())
+                                                             : text);
+  std::optional<Columns> columns;
+  std::vector<MeasuredMagnitude> all;
+  std::size_t number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    try {
+      const auto cells = cells_of(line);
+      columns ? all.push_back(measured_in(cells, *columns)) : void(columns.emplace(cells));
+    } catch (const algebra::Error& error) {
+      throw algebra::Error(fmt::format("{}:{}: {}", file, number, error.what()));
+    }
+  }
+  if (all.empty()) throw algebra::Error(fmt::format("{}: holds no magnitudes", file));
+  return all;
+}
+
+MagnitudeWitness witness_of(const MoonRequest& moon, const almanac::SkyState& sky,
+                            const std::vector<MeasuredMagnitude>& of_one_instant,
+                            const algebra::Progress& progress) {
+  require_eclipse(sky.when);
+  const auto meter = photometer();
+  const LitBins whole_disc{meter.weights, places_of(moon, sky), 1};
+  auto light = std::make_unique<const FittedLight>(
+      moon.light, std::span(&sky, 1), std::span(&whole_disc, 1), FittedAirs::fine, progress);
+  const auto unshadowed = unshadowed_magnitudes(moon, sky, meter);
+  std::vector<double> whole;
+  for (std::size_t k = 0; k < meter.weights.rows(); ++k) {
+    const auto row = meter.weights.row(k);
+    whole.push_back(std::reduce(row.begin(), row.end()));
+  }
+  const auto weighed = [=](const algebra::Grid<double>& found) {
+    constexpr double computed = 0.02;
+    double sum = 0;
+    for (const auto& seen : of_one_instant) {
+      const auto k = band_named(seen.band);
+      const double magnitude =
+          unshadowed[k] - 2.5 * std::log10(std::max(1e-12, found(0, k)) / whole[k]);
+      sum +=
+          std::pow(magnitude - seen.magnitude, 2) / (seen.error * seen.error + computed * computed);
+    }
+    return Weighed{sum};
+  };
+  const auto* fitted = light.get();
+  return {std::move(light), {fitted, weighed, of_one_instant.size()}};
+}
+
+}  // namespace coppermoon::uses

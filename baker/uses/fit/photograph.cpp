@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include "uses/fit/photograph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "algebra/error.h"
+#include "almanac/sky.h"
+#include "eclipse/shadow_axis.h"
+#include "eclipse/shadow_cone.h"
+#include "uses/compare/comparison.h"
+#include "uses/fit/sky_and_glow.h"
+#include "uses/picture/pixels.h"
+
+namespace coppermoon::uses {
+namespace {
+
+using Channel = algebra::Grid<float>;
+
+Channel channel_of(const colour::Image& image, std::size_t k) {
+  Channel channel(image.rows(), image.columns());
+  for (std::size_t i = 0; i < channel.values().size(); ++i)
+    channel.values()[i] = image.values()[i][k];
+  return channel;
+}
+
+/// Light of the sky and of a glow in a channel. Where noise is cut off at black no sky is taken off: it has
+/// at most what is left there. Where the sky is darker than a tone curve is known, it tells nothing of the
+/// glow.
+SkyAndGlow light_beside(const AroundTheDisc& light, const AroundTheDisc& black,
+                        const AroundTheDisc& glow, const Uncertain& factor, bool known) {
+  constexpr double much = 0.05, of_glow = 0.25, kept = 1e-9;
+  auto found = sky_and_glow(light, glow, known ? factor : Uncertain{factor.value, kept});
+  if (!known) found.glow = factor;
+  const double black_share =
+      std::reduce(black.begin(), black.end()) / static_cast<double>(black.size());
+  if (black_share > much) found = {{0, std::max(median_of(light), found.sky.error)}, factor};
+  found.glow.error = std::hypot(found.glow.error, of_glow * found.glow.value);
+  return found;
+}
+
+/// The least step of a channel that has 256 values at most: sRGB's near black; else 0.
+double step_of(const Channel& channel) {
+  std::vector<float> values(channel.values().begin(), channel.values().end());
+  std::ranges::sort(values);
+  const auto end = std::unique(values.begin(), values.end());
+  return end - values.begin() <= 256 ? 1 / 12.92 / 255 : 0;
+}
+
+/// One bin's light over its sunlight, and how well that is known.
+struct Sum {
+  double light = 0, displayed = 0, sunlit = 0, glow = 0, apart = 0, black = 0;
+  std::size_t pixels = 0, clipped = 0, pairs = 0;
+  ToneSlopes slopes{};  ///< of its light
+
+  /// Noise that is cut off at black, or light that is at saturation, is none to average over.
+  bool sound() const {
+    constexpr double few = 0.02;
+    const auto all = static_cast<double>(pixels);
+    return pixels >= 40 && static_cast<double>(clipped) <= 0.005 * all && black <= few * all;
+  }
+  /// Whether tone curves are known for as little light.
+  bool bright_enough() const {
+    return displayed >= colour::least_displayed * static_cast<double>(pixels);
+  }
+  double ratio() const { return light / sunlit; }
+  /// By pixels that are two apart, for light falls across a bin; neighbours are in part as wrong as each
+  /// other.
+  double error() const {
+    constexpr double alike = 1.5;
+    const double variance = apart / 2 / static_cast<double>(std::max<std::size_t>(1, pairs));
+    return std::sqrt(alike * variance * static_cast<double>(pixels)) / sunlit;
+  }
+};
+
+/// 1 where a channel is black.
+Channel black_in(const Channel& light) {
+  Channel black(light.rows(), light.columns());
+  for (std::size_t i = 0; i < black.values().size(); ++i)
+    black.values()[i] = light.values()[i] <= 0 ? 1 : 0;
+  return black;
+}
+
+/// 1 where any channel is clipped.
+Channel clipped_in(const texture::Image& photo, float saturated) {
+  Channel clipped(photo.height, photo.width);
+  for (std::size_t i = 0; i < clipped.values().size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (photo.values[photo.channels.size() * i + k] >= saturated) clipped.values()[i] = 1;
+  return clipped;
+}
+
+/// A channel in the scene's picture: its light, as displayed and as the scene's; and what was computed of
+/// its glow.
+struct Brought {
+  Channel displayed, light, black, glow;
+};
+
+/// Adds how the light of a pixel above the sky's changes with the numbers of a curve.
+void add_slopes(ToneSlopes& slopes, double light, double displayed, double sky,
+                double sky_displayed) {
+  const auto of_light = colour::tone_derivatives(displayed),
+             of_sky = colour::tone_derivatives(sky_displayed);
+  for (std::size_t k = 0; k < slopes.size(); ++k)
+    slopes[k] += light * of_light[k] - sky * of_sky[k];
+}
+
+/// Light to be taken off: the sky's, as displayed and as the scene's; a factor on the glow.
+struct Off {
+  double displayed, sky, glow;
+};
+
+std::vector<Sum> sums_of(const FitScene& scene, const Brought& channel, const Channel& clipped,
+                         const Off& off, bool curved) {
+  const auto& light = channel.light;
+  std::vector<Sum> sums(scene.bins);
+  const auto taken_off = [&](std::size_t pixel) {
+    return off.sky + off.glow * channel.glow.values()[pixel];
+  };
+  const auto lit = [&](std::size_t pixel) { return light.values()[pixel] - taken_off(pixel); };
+  for (const auto& [pixel, ground, sunlit, colour, bin] : scene.grounds) {
+    auto& sum = sums[bin];
+    ++sum.pixels;
+    sum.black += channel.black.values()[pixel];
+    if (clipped.values()[pixel] > 1e-3F) {
+      ++sum.clipped;
+      continue;
+    }
+    sum.light += lit(pixel);
+    sum.displayed += channel.displayed.values()[pixel];
+    sum.sunlit += sunlit;
+    sum.glow += channel.glow.values()[pixel];
+    if (curved)
+      add_slopes(sum.slopes, light.values()[pixel], channel.displayed.values()[pixel],
+                 taken_off(pixel), off.displayed);
+  }
+  const auto& grounds = scene.grounds;
+  for (std::size_t i = 0; i + 2 < grounds.size(); ++i) {
+    const auto &one = grounds[i], &other = grounds[i + 2];
+    if (other.pixel != one.pixel + 2 || other.bin != one.bin) continue;
+    if (clipped.values()[one.pixel] > 1e-3F || clipped.values()[other.pixel] > 1e-3F) continue;
+    auto& sum = sums[one.bin];
+    const double ratio = lit(one.pixel) / one.sunlit - lit(other.pixel) / other.sunlit;
+    sum.apart += ratio * ratio * one.sunlit * other.sunlit;
+    ++sum.pairs;
+  }
+  return sums;
+}
+
+/// A lens's usual share of light in its glow, as a factor on the glow that was computed, in a photograph of
+/// a scale that its sound bins tell.
+Uncertain usual_glow(const FitScene& scene, std::size_t k, std::span<const Sum> sums) {
+  constexpr double share = 0.03, error = 0.02;
+  std::vector<double> scales;
+  for (std::size_t b = 0; b < sums.size(); ++b)
+    if (sums[b].sound() && sums[b].ratio() > 0 && scene.usual_values(b, k) > 0)
+      scales.push_back(sums[b].ratio() / scene.usual_values(b, k));
+  if (scales.empty()) return {0, 1};
+  const auto middle = scales.begin() + std::ssize(scales) / 2;
+  std::ranges::nth_element(scales, middle);
+  return {share * *middle, error * *middle};
+}
+
+/// Whether nothing is lit beyond the umbra.
+bool lies_in_umbra(const FitScene& scene) {
+  const auto axis = eclipse::shadow_axis(scene.sky);
+  const auto moon = eclipse::place_in_shadow(axis, scene.sky.moon_m);
+  const auto edge = eclipse::shadow_radii(eclipse::ShadowConvention::danjon, axis, moon).umbra;
+  return algebra::in_metres(moon.axis_distance + almanac::lunar_radius) <
+         algebra::in_metres(eclipse::axis_distance_at(edge, moon));
+}
+
+Channel as_scene(const Channel& displayed, const colour::ToneTable& table) {
+  auto light = displayed;
+  for (float& value : light.values()) value = table(value);
+  return light;
+}
+
+}  // namespace
+
+colour::Registration registration_of(const FitScene& scene, const texture::Image& photo) {
+  const auto luminance = luminance_of(photo);
+  std::exception_ptr of_itself;
+  for (double size = 1;; size /= 2) {
+    const colour::Similarity smaller{.scale = size};
+    const auto extent = [&](std::size_t pixels) {
+      return static_cast<std::size_t>(static_cast<double>(pixels) * size);
+    };
+    try {
+      auto found = colour::registered(
+          size == 1
+              ? luminance
+              : colour::resampled(luminance, smaller, extent(photo.height), extent(photo.width)),
+          scene.usual);
+      found.render_to_photo = colour::composed(found.render_to_photo, colour::inverse(smaller));
+      return found;
+    } catch (const algebra::Error&) {
+      if (!of_itself) of_itself = std::current_exception();
+      if (size <= 0.25) std::rethrow_exception(of_itself);
+    }
+  }
+}
+
+double place_error_km(const FitScene& scene, const colour::Registration& registration) {
+  constexpr double of_umbra = 0.3, of_crescent = 0.8, unlike = 2;
+  const double pixel_km =
+      2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
+  const double pixels = std::hypot(lies_in_umbra(scene) ? of_umbra : of_crescent,
+                                   unlike * (1 - registration.correlation));
+  return pixels * pixel_km / std::min(1., registration.render_to_photo.scale);
+}
+
+BinnedPhotograph binned(const FitScene& scene, const texture::Image& photo,
+                        const colour::Similarity& render_to_photo,
+                        const std::optional<colour::ToneCurve>& curve) {
+  constexpr double least_steps = 6, of_a_step = 0.3, least_skies = 5;
+  const algebra::Grid<double> none(scene.bins, 3);
+  BinnedPhotograph result{none, none, none, none, {}};
+  if (curve) result.slopes = algebra::Grid<ToneSlopes>(scene.bins, 3);
+  const auto back = colour::inverse(render_to_photo);
+  const auto brought = [&](const Channel& channel) {
+    return colour::resampled(channel, back, fit_side_px, fit_side_px);
+  };
+  const colour::ToneTable table(curve.value_or(colour::ToneCurve{}));
+  const auto clipped =
+      brought(clipped_in(photo, curve ? static_cast<float>(colour::most_displayed) : 0.97F));
+  const double stretched = curve ? std::exp(colour::tone_logarithm(*curve, 0)) : 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto channel = channel_of(photo, k);
+    Brought there{brought(channel), {}, brought(black_in(channel)), channel_of(scene.glow, k)};
+    there.light = curve ? brought(as_scene(channel, table)) : there.displayed;
+    const double step = stretched * step_of(channel);
+    const auto around = around_the_disc(there.light);
+    Off off{median_of(around_the_disc(there.displayed)), median_of(around), 0};
+    const auto usual = usual_glow(scene, k, sums_of(scene, there, clipped, off, false));
+    const auto [sky, glow] =
+        light_beside(around, around_the_disc(there.black), around_the_disc(there.glow), usual,
+                     !curve || off.displayed >= colour::least_displayed);
+    off.sky = sky.value;
+    if (off.sky == 0) off.displayed = 0;
+    off.glow = glow.value;
+    const auto sums = sums_of(scene, there, clipped, off, curve.has_value());
+    for (std::size_t b = 0; b < scene.bins; ++b) {
+      const auto& sum = sums[b];
+      const double mean = sum.light / static_cast<double>(std::max<std::size_t>(1, sum.pixels));
+      if (!sum.sound() || (curve && !sum.bright_enough()) || mean <= least_steps * step ||
+          mean <= least_skies * sky.error)
+        continue;
+      result.values(b, k) = sum.ratio();
+      result.errors(b, k) = std::hypot(sum.error(), of_a_step * step / mean * sum.ratio());
+      result.sky_errors(b, k) = sky.error / mean * sum.ratio();
+      result.glow_errors(b, k) = glow.error * sum.glow / sum.sunlit;
+      if (!curve) continue;
+      for (std::size_t n = 0; n < colour::tone_numbers; ++n)
+        result.slopes(b, k)[n] = sum.slopes[n] / sum.light;
+    }
+  }
+  return result;
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#include "uses/fit/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <numbers>
+#include <numeric>
+
+#include "colour/display.h"
+#include "colour/glow.h"
+#include "colour/working_space.h"
+#include "eclipse/shadow_axis.h"
+#include "povray_scenes/sight.h"
+#include "surface/albedo_map.h"
+#include "texture/bake.h"
+#include "uses/light/moonlight.h"
+#include "uses/light/spectral_bands.h"
+#include "uses/picture/camera.h"
+
+namespace coppermoon::uses {
+namespace {
+
+using Channel = algebra::Grid<float>;
+using std::numbers::pi;
+
+constexpr std::size_t texture_rows = 512;
+
+/// Light is compared where ground is seen less than this cosine from straight on: the map and the
+/// limb's blur matter more beyond.
+constexpr double least_cosine = 0.4;
+
+constexpr std::size_t most_bins = 16;
+
+ViewRequest close_view(ViewRequest view, const almanac::SkyState& sky) {
+  const double disc =
+      2 * std::asin(algebra::in_metres(almanac::lunar_radius) / glm::length(sky.moon_m));
+  view.field_deg = disc / fit_disc_share * 180 / pi;
+  view.width = view.height = fit_side_px;
+  return view;
+}
+
+/// The texture of the ground without the shadow, in white light.
+Channel sunlit_map(const MoonRequest& moon, const FitGroundwork& groundwork,
+                   const almanac::SkyState& sky) {
+  const auto* ground = groundwork.ground.get();
+  const shadow::Lookup whole(shadow::ChannelWeights(ground ? 2 : 1, 1, 1.));
+  const auto image =
+      texture::bake({groundwork.albedo, sky, whole, ground}, {"Y"}, texture_rows, moon.photometry);
+  Channel map(image.height, image.width);
+  std::ranges::copy(image.values, map.values().begin());
+  return map;
+}
+
+/// Ground that a pixel shows, and its place in the shadow.
+struct Ground {
+  std::size_t pixel;
+  glm::dvec3 ground;
+  double cos_emission;
+  eclipse::ShadowPlace place;
+};
+
+std::vector<Ground> grounds_of(const povray_scenes::Camera& camera, const almanac::SkyState& sky) {
+  const auto sight = povray_scenes::sight_of(camera);
+  const auto axis = eclipse::shadow_axis(sky);
+  std::vector<Ground> grounds;
+  for (std::size_t r = 0; r < fit_side_px; ++r)
+    for (std::size_t c = 0; c < fit_side_px; ++c) {
+      const auto ground = povray_scenes::ground_at(
+          sight, {static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5});
+      if (!ground) continue;
+      grounds.push_back({r * fit_side_px + c, *ground,
+                         glm::dot(*ground, glm::normalize(sight.position - *ground)),
+                         eclipse::place_of_ground(axis, sky, *ground)});
+    }
+  return grounds;
+}
+
+/// Picture in which each pixel is as bright as its ground.
+Channel picture_of(const Channel& map, const std::vector<Ground>& grounds) {
+  Channel picture(fit_side_px, fit_side_px);
+  for (const auto& ground : grounds)
+    picture.values()[ground.pixel] =
+        static_cast<float>(surface::sampled(map, almanac::selenographic_point(ground.ground)));
+  return picture;
+}
+
+/// Puts the pixels well within the disc into even steps of axis distance.
+void bin(FitScene& scene, const Channel& sunlit, const std::vector<Ground>& grounds,
+         const surface::Ground* by_place) {
+  double least = 1e12, most = 0;
+  const auto inner = [](const Ground& ground) { return ground.cos_emission >= least_cosine; };
+  for (const auto& ground : grounds) {
+    if (!inner(ground)) continue;
+    least = std::min(least, algebra::in_metres(ground.place.axis_distance));
+    most = std::max(most, algebra::in_metres(ground.place.axis_distance));
+  }
+  scene.bins = most_bins;
+  scene.distances_km.assign(most_bins, 0);
+  std::vector<double> counts(most_bins);
+  for (const auto& [pixel, ground, cos_emission, place] : grounds) {
+    const double bright = sunlit.values()[pixel];
+    if (cos_emission < least_cosine || bright <= 0) continue;
+    const double share = (algebra::in_metres(place.axis_distance) - least) / (most - least);
+    const auto step =
+        std::min(static_cast<std::size_t>(share * static_cast<double>(most_bins)), most_bins - 1);
+    const double colour =
+        by_place ? surface::sampled(by_place->colour, almanac::selenographic_point(ground)) : 0;
+    scene.grounds.push_back({pixel, ground, bright, colour, step});
+    scene.distances_km[step] += algebra::in_kilometres(place.axis_distance);
+    ++counts[step];
+  }
+  for (std::size_t b = 0; b < most_bins; ++b) scene.distances_km[b] /= std::max(1., counts[b]);
+}
+
+/// Light by which the Moon is recognised: 5 % will do.
+LightRequest to_recognise(const LightRequest& light) {
+  LightRequest coarse;
+  coarse.air = light.air;
+  coarse.limb_darkening = light.limb_darkening;
+  coarse.scattered_light = light.scattered_light;
+  coarse.starlight = light.starlight;
+  coarse.wish = {.tolerance = 0.05};
+  return coarse;
+}
+
+/// X, Y, Z of the Moon under the usual air, seen from space: of each pixel with ground.
+std::vector<std::array<double, 3>> usual_light(const FitGroundwork& groundwork,
+                                               const Channel& sunlit,
+                                               const std::vector<Ground>& grounds) {
+  std::vector<std::array<double, 3>> all;
+  for (const auto& ground : grounds) {
+    groundwork.usual.read(ground.place, all.emplace_back());
+    for (double& value : all.back()) value *= sunlit.values()[ground.pixel];
+  }
+  return all;
+}
+
+algebra::Grid<double> xyz_of_moonlight(const std::optional<atmosphere::Sightline>& sightline = {}) {
+  return moonlight_weights(
+      colour::channel_weights(colour::WorkingSpace::ciexyz_d65, band_edges_nm()), sightline);
+}
+
+/// The Moon in linear Rec.709, seen through the air above.
+colour::Image moon_in_rgb(const FitScene& scene, const std::vector<Ground>& grounds,
+                          std::span<const std::array<double, 3>> light) {
+  const auto here = sunlight_of(scene.weights), in_space = sunlight_of(xyz_of_moonlight());
+  colour::Image moon(fit_side_px, fit_side_px);
+  for (std::size_t i = 0; i < grounds.size(); ++i) {
+    const auto rgb = rec709_of(light[i]);
+    for (std::size_t k = 0; k < 3; ++k)
+      moon.values()[grounds[i].pixel][k] = static_cast<float>(rgb[k] * here[k] / in_space[k]);
+  }
+  return moon;
+}
+
+/// What a lens that gave all its light to its glow would make of a picture.
+colour::Image glow_of(const colour::Image& picture, double pixel_rad) {
+  constexpr float share = 0.5;  // any will do
+  auto glow = colour::with_glow(picture, share, pixel_rad);
+  for (std::size_t i = 0; i < glow.values().size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      glow.values()[i][k] = (glow.values()[i][k] - (1 - share) * picture.values()[i][k]) / share;
+  return glow;
+}
+
+/// A picture's light in each bin over what is sunlit there: (bin, channel).
+algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& picture) {
+  algebra::Grid<double> values(scene.bins, 3);
+  std::vector<double> sunlit(scene.bins);
+  for (const auto& ground : scene.grounds) {
+    sunlit[ground.bin] += ground.sunlit;
+    for (std::size_t k = 0; k < 3; ++k) values(ground.bin, k) += picture.values()[ground.pixel][k];
+  }
+  for (std::size_t b = 0; b < scene.bins; ++b)
+    for (double& value : values.row(b)) value = sunlit[b] > 0 ? value / sunlit[b] : 0;
+  return values;
+}
+
+}  // namespace
+
+std::array<double, 3> rec709_of(std::span<const double> xyz) {
+  constexpr double dark = 1e-12;  // too little for a colour, rounding makes it less than none
+  if (xyz[1] < dark) return {dark, dark, dark};
+  static const auto from_xyz = colour::channels_from_xyz(colour::WorkingSpace::linear_rec709);
+  const auto rgb = from_xyz * glm::dvec3(xyz[0], xyz[1], xyz[2]);
+  std::array<double, 3> channels{rgb.r, rgb.g, rgb.b};
+  colour::into_gamut(colour::WorkingSpace::linear_rec709, channels);
+  for (double& channel : channels) channel = std::max(channel, dark);
+  return channels;
+}
+
+std::array<double, 3> sunlight_of(const algebra::Grid<double>& weights) {
+  std::array<double, 3> xyz{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto row = weights.row(k);
+    xyz[k] = std::reduce(row.begin(), row.end());
+  }
+  return rec709_of(xyz);
+}
+
+FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::SkyState> skies) {
+  const auto light = to_recognise(moon.light);
+  const auto usual = skies.size() == 1 ? light_on_the_moon(light, skies.front())
+                                       : light_on_the_way(light, moon_on_its_way(light, skies));
+  auto albedo = normal_albedo(moon);
+  auto ground = ground_of(moon, albedo);
+  return {std::move(albedo), std::move(ground), usual.in_channels(xyz_of_moonlight())};
+}
+
+FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
+                   const ViewRequest& view, const almanac::SkyState& sky) {
+  require_eclipse(sky.when);
+  const auto close = close_view(view, sky);
+  const auto seen = view_of(close, sky);
+  FitScene scene;
+  scene.sky = sky;
+  scene.weights = xyz_of_moonlight(seen.sightline);
+  scene.pixel_rad = pixel_rad_of(seen.camera);
+  const auto grounds = grounds_of(seen.camera, sky);
+  const auto sunlit = picture_of(sunlit_map(moon, groundwork, sky), grounds);
+  bin(scene, sunlit, grounds, groundwork.ground.get());
+  const auto light = usual_light(groundwork, sunlit, grounds);
+  scene.usual = Channel(fit_side_px, fit_side_px);
+  for (std::size_t i = 0; i < grounds.size(); ++i)
+    scene.usual.values()[grounds[i].pixel] = static_cast<float>(light[i][1]);
+  const auto moon_seen = moon_in_rgb(scene, grounds, light);
+  scene.glow = glow_of(moon_seen, scene.pixel_rad);
+  scene.usual_values = over_sunlit(scene, moon_seen);
+  return scene;
+}
+
+namespace {
+
+/// A few places that stand for all of a bin: groups by distance, and within these by angle, of 10 degrees
+/// at most where they are spread evenly, each where its mean is. Belts of the air make light run unevenly
+/// along wider ones.
+///
+/// Given  middle_rad  position angle of the disc's centre: opposite to it there is no ground, or ground on
+///                    both sides
+void add_groups(std::vector<LitPlace> all, double middle_rad, std::vector<LitPlace>& few) {
+  constexpr std::size_t by_distance = 8;
+  constexpr double widest_rad = pi / 18;
+  const auto distance_of = [](const LitPlace& lit) {
+    return algebra::in_metres(lit.place.axis_distance);
+  };
+  const auto angle_of = [=](const LitPlace& lit) {
+    return std::remainder(algebra::in_radians(lit.place.position_angle) - middle_rad, 2 * pi);
+  };
+  std::ranges::sort(all, {}, distance_of);
+  const auto part = [](std::span<LitPlace> whole, std::size_t i, std::size_t parts) {
+    const auto from = whole.size() * i / parts, to = whole.size() * (i + 1) / parts;
+    return whole.subspan(from, to - from);
+  };
+  for (std::size_t i = 0; i < by_distance; ++i) {
+    const auto ring = part(all, i, by_distance);
+    if (ring.empty()) continue;
+    std::ranges::sort(ring, {}, angle_of);
+    const auto by_angle =
+        static_cast<std::size_t>(1 + (angle_of(ring.back()) - angle_of(ring.front())) / widest_rad);
+    for (std::size_t j = 0; j < by_angle; ++j) {
+      double sunlit = 0, distance = 0, depth = 0, east = 0, north = 0, colour = 0;
+      const auto group = part(ring, j, by_angle);
+      for (const auto& lit : group) {
+        sunlit += lit.sunlit;
+        distance += lit.sunlit * distance_of(lit);
+        depth += lit.sunlit * algebra::in_metres(lit.place.depth);
+        colour += lit.sunlit * lit.colour;
+        const double angle_rad = algebra::in_radians(lit.place.position_angle);
+        east += lit.sunlit * std::sin(angle_rad);
+        north += lit.sunlit * std::cos(angle_rad);
+      }
+      if (sunlit == 0) continue;
+      few.push_back({{algebra::metres(distance / sunlit),
+                      algebra::within_circle(algebra::radians(std::atan2(east, north))),
+                      algebra::metres(depth / sunlit)},
+                     sunlit,
+                     group.front().bin,
+                     colour / sunlit});
+    }
+  }
+}
+
+}  // namespace
+
+LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky) {
+  LitBins lit{scene.weights, {}, scene.bins};
+  const auto axis = eclipse::shadow_axis(sky);
+  std::vector<std::vector<LitPlace>> all(scene.bins);
+  for (const auto& [pixel, ground, sunlit, colour, bin] : scene.grounds)
+    all[bin].push_back({eclipse::place_of_ground(axis, sky, ground), sunlit, bin, colour});
+  const auto middle = eclipse::place_in_shadow(axis, sky.moon_m).position_angle;
+  for (auto& of_bin : all) add_groups(std::move(of_bin), algebra::in_radians(middle), lit.places);
+  return lit;
+}
+
+}  // namespace coppermoon::uses

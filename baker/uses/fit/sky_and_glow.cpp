@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "uses/fit/sky_and_glow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace coppermoon::uses {
+namespace {
+
+/// Standard deviation, by the middle half.
+double spread_of(AroundTheDisc values) {
+  constexpr double of_quartiles = 1.4826;
+  const double middle = median_of(values);
+  for (double& value : values) value = std::abs(value - middle);
+  return of_quartiles * median_of(values);
+}
+
+}  // namespace
+
+AroundTheDisc around_the_disc(const algebra::Grid<float>& picture) {
+  const double middle = fit_side_px / 2., radius = fit_disc_share * middle;
+  AroundTheDisc sums{}, counts{};
+  const auto parts = sums.size();
+  for (std::size_t r = 0; r < fit_side_px; ++r)
+    for (std::size_t c = 0; c < fit_side_px; ++c) {
+      const double x = static_cast<double>(c) + 0.5 - middle,
+                   y = static_cast<double>(r) + 0.5 - middle, away = std::hypot(x, y);
+      if (away <= 1.12 * radius || away >= 1.24 * radius) continue;
+      const double turn = std::atan2(y, x) / (2 * std::numbers::pi) + 0.5;
+      const auto part =
+          std::min(static_cast<std::size_t>(turn * static_cast<double>(parts)), parts - 1);
+      sums[part] += picture(r, c);
+      ++counts[part];
+    }
+  for (std::size_t i = 0; i < parts; ++i) sums[i] /= counts[i];
+  return sums;
+}
+
+double median_of(AroundTheDisc around) {
+  std::ranges::sort(around);
+  return (around[around.size() / 2 - 1] + around[around.size() / 2]) / 2;
+}
+
+SkyAndGlow sky_and_glow(const AroundTheDisc& light, const AroundTheDisc& glow,
+                        const Uncertain& factor) {
+  constexpr int passes = 8;
+  constexpr double outlier = 4.685, least_error = 1e-12;
+  double sky = 0, more = factor.value, variance = factor.error * factor.error;
+  AroundTheDisc left{};
+  const auto take_off = [&] {
+    for (std::size_t i = 0; i < left.size(); ++i) left[i] = light[i] - more * glow[i];
+    sky = median_of(left);
+    for (double& value : left) value -= sky;
+  };
+  take_off();
+  double error = 0;
+  for (int pass = 0; pass < passes; ++pass) {
+    error = std::max(spread_of(left), least_error);
+    double w = 0, x = 0, xx = 0, y = 0, xy = 0;  // of glow and light
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const double off = left[i] / (outlier * error), inner = std::max(0., 1 - off * off),
+                   weight = inner * inner;
+      w += weight;
+      x += weight * glow[i];
+      xx += weight * glow[i] * glow[i];
+      y += weight * light[i];
+      xy += weight * glow[i] * light[i];
+    }
+    const double information = (xx - x * x / w) / (error * error),
+                 before = 1 / (factor.error * factor.error);
+    variance = 1 / (information + before);
+    more = variance * ((xy - x * y / w) / (error * error) + before * factor.value);
+    more = std::max(0., more);
+    take_off();
+  }
+  return {{sky, error}, {more, std::sqrt(variance)}};
+}
+
+}  // namespace coppermoon::uses

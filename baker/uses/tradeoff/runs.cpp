@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "uses/tradeoff/runs.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "shadow/by_photons.h"
+#include "shadow/by_quadrature.h"
+#include "uses/light/spectral_bands.h"
+
+namespace coppermoon::uses {
+namespace {
+
+template <class Action>
+double seconds_of(const Action& action) {
+  const auto start = std::chrono::steady_clock::now();
+  action();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Least seconds of some runs; of three where one takes less than a second.
+template <class Action>
+double least_seconds(int repeat, const Action& action) {
+  double least = seconds_of(action);
+  if (least < 1) repeat = std::max(repeat, 3);
+  for (int i = 1; i < repeat; ++i) least = std::min(least, seconds_of(action));
+  return least;
+}
+
+shadow::PhotonSettings photon_settings(const Trial& trial) {
+  shadow::PhotonSettings settings;
+  settings.photons = static_cast<std::uint64_t>(trial.photons);
+  settings.trace = trial.solver == table_solver      ? shadow::Trace::table
+                   : trial.solver == marching_solver ? shadow::Trace::marched
+                                                     : shadow::Trace::step_by_step;
+  if (trial.step_km > 0) settings.stepping.step_m = settings.marching.step_m = trial.step_km * 1e3;
+  settings.marching.precision =
+      trial.precision_bits == 32 ? photons::Precision::single : photons::Precision::full;
+  if (trial.rays > 0) settings.rays = static_cast<int>(trial.rays);
+  settings.sectors = static_cast<std::size_t>(std::lround(most_replicas / trial.replicas));
+  return settings;
+}
+
+shadow::RefractedLight light_by(const Trial& trial, const Yardstick& yardstick,
+                                const algebra::Progress& progress) {
+  const auto& scene = yardstick.scene();
+  const auto waves = wavelengths_nm(static_cast<int>(trial.wavelengths));
+  if (trial.solver == quadrature_solver)
+    return shadow::by_quadrature(scene.air, scene.arrangement, waves, yardstick.axis_distances_m(),
+                                 {.rays = static_cast<int>(trial.rays)}, progress);
+  return shadow::by_photons(scene.air, scene.arrangement, waves, photon_settings(trial), progress);
+}
+
+/// Measure of the work that time grows with.
+double work_of(const Trial& trial) {
+  return trial.photons / (trial.step_km > 0 ? trial.step_km : 1);
+}
+
+bool differ_in_work_alone(Trial one, const Trial& other) {
+  one.photons = other.photons;
+  one.step_km = other.step_km;
+  return one == other;
+}
+
+/// The largest trial made that is no more work and like it in all else; none for the quadrature.
+const Measured* nearest_smaller(const Trial& trial, std::span<const Measured> made) {
+  const Measured* nearest = nullptr;
+  for (const auto& one : made)
+    if (!one.extrapolated && one.varied != texture_sweep && trial.photons > 0 &&
+        differ_in_work_alone(one.trial, trial) && work_of(one.trial) <= work_of(trial) &&
+        (nearest == nullptr || work_of(one.trial) > work_of(nearest->trial)))
+      nearest = &one;
+  return nearest;
+}
+
+/// A larger trial by a smaller one: errors as N^(-1/2).
+Measured extrapolated(const Measured& from, const Trial& trial, double seconds) {
+  Measured far = from;
+  far.trial = trial;
+  far.extrapolated = true;
+  far.seconds = seconds;
+  const double fewer = std::sqrt(from.trial.photons / trial.photons);
+  auto& [umbra, penumbra, picture] = far.errors;
+  for (double* error : {&umbra.rms, &umbra.worst, &penumbra.rms, &penumbra.worst, &picture.mean,
+                        &picture.percentile_99})
+    *error *= fewer;
+  return far;
+}
+
+/// Trials being made, and what they share.
+class Run {
+ public:
+  Run(const RunLimits& limits, Yardstick& yardstick) : limits_(limits), yardstick_(yardstick) {}
+
+  std::vector<Measured> all(std::span<const Sweep> sweeps, const algebra::Progress& progress) {
+    for (const auto& sweep : sweeps) trials_ += sweep.values.size();
+    if (progress)
+      progress_ = [this, &progress](double part) {
+        progress((static_cast<double>(made_.size()) + part) / static_cast<double>(trials_));
+      };
+    for (const auto& sweep : sweeps) make(sweep);
+    return std::move(made_);
+  }
+
+ private:
+  void make(const Sweep& sweep) {
+    if (sweep.varied == texture_sweep) return make_textures(sweep);
+    for (const auto& trial : sweep.trials()) {
+      auto one = measured(trial);
+      one.varied = sweep.varied;
+      one.value = trial.*sweep.setting;
+      made_.push_back(one);
+    }
+  }
+
+  Measured measured(const Trial& trial) {
+    if (const auto* smaller = nearest_smaller(trial, made_)) {
+      if (smaller->trial == trial) return *smaller;
+      const double foretold_s = foretold_seconds(trial);
+      if (foretold_s > limits_.longest_s) return extrapolated(*smaller, trial, foretold_s);
+    }
+    shadow::RefractedLight light;
+    const double seconds = timed(trial, light);
+    return {trial, {}, 0, seconds, yardstick_.errors_of(light, trial.photons > 0), false};
+  }
+
+  double timed(const Trial& trial, shadow::RefractedLight& light) {
+    const double seconds =
+        least_seconds(limits_.repeat, [&] { light = light_by(trial, yardstick_, progress_); });
+    timed_.push_back({trial, seconds});
+    return seconds;
+  }
+
+  /// On the line through the smallest and the largest trial that were timed, of those like it in all but
+  /// work and no larger. Where what grows with the work is lost in what does not, larger ones are timed.
+  double foretold_seconds(const Trial& trial) {
+    constexpr double shows = 1.5, larger = 4;
+    for (;;) {
+      const auto [least, most] = least_and_most(trial);
+      const double more = work_of(trial) - work_of(most.trial);
+      if (more <= 0) return most.seconds;
+      if (most.seconds > shows * least.seconds)
+        return most.seconds +
+               more * (most.seconds - least.seconds) / (work_of(most.trial) - work_of(least.trial));
+      Trial probe = trial;
+      probe.photons *= std::min(1., larger * work_of(most.trial) / work_of(trial));
+      shadow::RefractedLight unused;
+      timed(probe, unused);
+    }
+  }
+
+  struct Timed {
+    Trial trial;
+    double seconds;
+  };
+
+  /// Timed trials of the least and the most work that differ from a trial in work alone. There is one at least.
+  std::pair<Timed, Timed> least_and_most(const Trial& trial) const {
+    std::vector<Timed> alike;
+    for (const auto& one : timed_)
+      if (differ_in_work_alone(one.trial, trial) && work_of(one.trial) <= work_of(trial))
+        alike.push_back(one);
+    const auto [least, most] =
+        std::ranges::minmax(alike, {}, [](const Timed& one) { return work_of(one.trial); });
+    return {least, most};
+  }
+
+  /// The bake's own time, and the picture's difference from the widest texture's.
+  void make_textures(const Sweep& sweep) {
+    constexpr std::size_t most_pixels = 1024;
+    const auto light = light_by(sweep.middle, yardstick_, {});
+    const auto errors = yardstick_.errors_of(light, false);
+    const auto widest = static_cast<std::size_t>(sweep.values.back());
+    const auto reference = yardstick_.baked(light, widest);
+    for (const auto& trial : sweep.trials()) {
+      texture::Image texture;
+      const double seconds = least_seconds(limits_.repeat, [&] {
+        texture = yardstick_.baked(light, static_cast<std::size_t>(trial.texture_width));
+      });
+      made_.push_back({trial, sweep.varied, trial.texture_width, seconds, errors, false});
+      made_.back().errors.picture =
+          yardstick_.picture_errors(reference, texture, std::min(widest / 2, most_pixels));
+    }
+  }
+
+  const RunLimits& limits_;
+  Yardstick& yardstick_;
+  algebra::Progress progress_;
+  std::size_t trials_ = 0;
+  std::vector<Measured> made_;
+  std::vector<Timed> timed_;
+};
+
+}  // namespace
+
+std::vector<Measured> measured_trials(std::span<const Sweep> sweeps, Yardstick& yardstick,
+                                      const RunLimits& limits, const algebra::Progress& progress) {
+  return Run(limits, yardstick).all(sweeps, progress);
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "uses/fit/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "almanac/instant.h"
+#include "support/within.h"
+
+namespace coppermoon::uses {
+namespace {
+
+/// Luminance under the usual air, summed over places.
+struct Sum {
+  double light = 0, sunlit = 0;
+
+  void add(const shadow::Lookup& usual, const eclipse::ShadowPlace& place, double bright) {
+    std::array<double, 3> xyz{};
+    usual.read(place, xyz);
+    light += bright * xyz[1];
+    sunlit += bright;
+  }
+  double mean() const { return light / sunlit; }
+};
+
+/// The disc takes in the axis, and the direction from which angles about it are counted, or neither.
+TEST(LitBins, StandForAllTheirGround) {
+  for (const char* utc : {"2018-07-27T20:40:00Z", "2008-02-21T03:12:00Z", "2000-07-16T13:20:00Z"}) {
+    const auto sky = almanac::sky_at(almanac::instant_from_utc(utc));
+    MoonRequest moon;
+    moon.albedo_map = "built-in";
+    moon.texture_width = 1024;
+    const auto groundwork = groundwork_of(moon, std::span(&sky, 1));
+    const auto scene = fit_scene(moon, groundwork, {}, sky);
+    const auto axis = eclipse::shadow_axis(sky);
+    std::vector<Sum> all(scene.bins), few(scene.bins);
+    for (const auto& ground : scene.grounds)
+      all[ground.bin].add(groundwork.usual, eclipse::place_of_ground(axis, sky, ground.ground),
+                          ground.sunlit);
+    for (const auto& lit : lit_bins(scene, sky).places)
+      few[lit.bin].add(groundwork.usual, lit.place, lit.sunlit);
+    for (std::size_t b = 0; b < scene.bins; ++b) {
+      EXPECT_WITHIN_RELATIVE(few[b].sunlit, all[b].sunlit, 1e-9, "sums of the same");
+      EXPECT_WITHIN_RELATIVE(few[b].mean(), all[b].mean(), 0.0015,
+                             "light bends by as much over a group of 10 degrees")
+          << utc << ", bin " << b;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace coppermoon::uses
