@@ -55,7 +55,7 @@ class Parameters;
 /// Every door speaks text: a number is spelt so that it reads back as the same number.
 struct Parameter {
   std::string name;      ///< "ozone-du": its flag without dashes, its key in a recipe
-  std::string spelling;  ///< "-o,--output", or "instant,--instant" where the flag's name may be left out
+  std::string spelling;  ///< of its flag, as "-o,--output"; the name alone where it is "--" and the name
   Kind kind = Kind::text;
   std::string meaning;  ///< for help, docstrings and tables; with unit and range
   std::optional<Range> range{};
@@ -130,7 +130,7 @@ void read_text(const std::string& text, std::size_t& value);
 inline void read_text(const std::string& text, std::string& value) { value = text; }
 inline void read_text(const std::string& text, std::filesystem::path& value) { value = text; }
 
-/// "--ozone-du", "-o,--output", "instant,--instant" → "ozone-du", "output", "instant".
+/// "ozone-du", "output", "instant" of "ozone-du", "-o,--output", "instant,--instant".
 std::string name_in(std::string_view spelling);
 
 template <class Value>

@@ -52,7 +52,7 @@ endforeach()
 
 # The command line and the libraries that it stands on belong to verbs, each image and colour library to one stage.
 set(owner_CLI "^verbs$")
-set(owner_toml++ "^verbs$")
+set(owner_toml++ "^(request|verbs)$")
 set(owner_verbs "^verbs$")
 set(owner_Eigen "^(compare|fit)$")
 set(owner_OpenImageIO "^(files|texture|wrappers)$")

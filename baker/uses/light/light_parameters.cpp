@@ -103,7 +103,7 @@ double tolerance_named(const std::string& quality) {
 request::Parameter regions_of(std::vector<AirRegion>& regions) {
   request::Parameter made;
   made.name = "region";
-  made.spelling = "--region";
+  made.spelling = "region";
   made.meaning =
       "part of the Earth's limb with air of its own, as "
       "from-latitude=-90,to-latitude=0,dust-extinction=1e-5; or between from-position-angle "
@@ -137,69 +137,69 @@ request::Parameter regions_of(std::vector<AirRegion>& regions) {
 
 void describe_layers(Parameters& is, ColumnChange& column) {
   is.begin(air_heading, "atmosphere", Affects::photons);
-  is.add(parameter("--tropospheric-aerosol", column.tropospheric_optical_depth,
+  is.add(parameter("tropospheric-aerosol", column.tropospheric_optical_depth,
                    "vertical optical depth of the aerosol near the ground at 550 nm, 0 to 10"))
       .within(0, 10);
   auto& stratosphere = column.stratosphere;
   is.add(parsed(
-      "--stratospheric-aerosol", stratosphere, [&stratosphere] { return text_of(stratosphere); },
+      "stratospheric-aerosol", stratosphere, [&stratosphere] { return text_of(stratosphere); },
       [&stratosphere](const std::string& text) { stratosphere = stratosphere_from(text); },
       "aerosol of the stratosphere: dated (of that month, 500 BC to 2025), none, background, or "
       "moderate, high, extreme (after an eruption); or its vertical optical depth at 550 nm, 0 to "
       "2"));
-  is.add(parameter("--free-troposphere", column.free_troposphere,
+  is.add(parameter("free-troposphere", column.free_troposphere,
                    "factor on the aerosol that satellites see between ground and tropopause, 0 to "
                    "100"))
       .within(0, 100);
-  is.add(parameter("--cloud-chance", column.cloud_chance,
+  is.add(parameter("cloud-chance", column.cloud_chance,
                    "factor on the chance that a ray meets cloud, 0 (no cloud) to 100; the chance "
                    "depends on height and latitude"))
       .within(0, 100);
-  is.add(parameter("--cirrus", column.cirrus,
+  is.add(parameter("cirrus", column.cirrus,
                    "factor on the thin cirrus below the tropopause, 0 (none) to 100"))
       .within(0, 100);
-  is.add(parameter("--tropopause-km", column.tropopause_km,
+  is.add(parameter("tropopause-km", column.tropopause_km,
                    "height of the tropopause [km], 5 to 20: cloud ends there"))
       .within(5, 20);
-  is.add(parameter("--cloud-top-km", column.cloud_top_km,
-                   "height of the cloud deck that --cloud-cover lays [km], 0 to 30"))
+  is.add(parameter("cloud-top-km", column.cloud_top_km,
+                   "height of the cloud deck that cloud-cover lays [km], 0 to 30"))
       .within(0, 30);
-  is.add(parameter("--dust-bottom-km", column.dust_bottom_km,
+  is.add(parameter("dust-bottom-km", column.dust_bottom_km,
                    "lower edge of the dust layer [km]; default: 15"));
-  is.add(parameter("--dust-top-km", column.dust_top_km,
+  is.add(parameter("dust-top-km", column.dust_top_km,
                    "upper edge of the dust layer [km]; default: 20"));
 }
 
 void describe_sought(Parameters& is, ColumnChange& column) {
   is.begin(air_heading, "atmosphere", Affects::photons);
   is.add(parameter(
-             "--danjon", column.danjon,
+             "danjon", column.danjon,
              "brightness of this eclipse on Danjon's scale, 0 (very dark) to 4 (bright): cloud and "
              "aerosol are scaled until the eclipse has it. Where no air does, the clearest air is "
              "taken"))
       .within(0, 4);
-  is.add(parameter("--ozone-du", column.ozone_du, "vertical column of ozone [DU], 0 to 1000"))
+  is.add(parameter("ozone-du", column.ozone_du, "vertical column of ozone [DU], 0 to 1000"))
       .within(0, 1000);
-  is.add(parameter("--cloud-cover", column.cloud_cover,
+  is.add(parameter("cloud-cover", column.cloud_cover,
                    "share of the Earth's limb where a deck of cloud stops the light, 0 to 1; "
                    "replaces the chance of cloud"))
       .within(0, 1);
-  is.add(parameter("--dust-extinction", column.dust_extinction_per_m,
+  is.add(parameter("dust-extinction", column.dust_extinction_per_m,
                    "extinction of a grey layer of dust [1/m]: 1e-6 is slight, 4.7e-6 usual, 1e-4 "
                    "makes a dark eclipse"));
 }
 
 void describe(Parameters& is, AirRegion& region) {
   is.begin(air_heading, "atmosphere", Affects::photons);
-  is.add(parameter("--from-latitude", region.from_latitude, "southern edge [degrees]"))
+  is.add(parameter("from-latitude", region.from_latitude, "southern edge [degrees]"))
       .within(-90, 90);
-  is.add(parameter("--to-latitude", region.to_latitude, "northern edge [degrees]"))
+  is.add(parameter("to-latitude", region.to_latitude, "northern edge [degrees]"))
       .within(-90, 90);
-  is.add(parameter("--from-position-angle", region.from_position_angle,
+  is.add(parameter("from-position-angle", region.from_position_angle,
                    "position angle about the shadow's axis at which it begins, from north through "
                    "east [degrees]"))
       .within(-360, 720);
-  is.add(parameter("--to-position-angle", region.to_position_angle,
+  is.add(parameter("to-position-angle", region.to_position_angle,
                    "position angle at which it ends [degrees]"))
       .within(-360, 720);
   describe_sought(is, region.column);
@@ -211,36 +211,36 @@ void describe_terms(Parameters& is, Air& air) {
   is.begin(air_heading, "atmosphere", Affects::photons);
   Words<std::string> presets;
   for (const auto& name : atmosphere::preset_names()) presets.emplace_back(name, name);
-  is.add(choice("--atmosphere", air.atmosphere, presets,
+  is.add(choice("atmosphere", air.atmosphere, presets,
                 "air of the Earth. standard: that of the eclipse's month, by latitude; undated: "
                 "the same everywhere and always; clear: air and ozone only; molecular: air only; "
                 "paper: as in Yapo & Cutler (2009); none: the bare Earth"));
-  is.add(choice("--earth", air.earth,
+  is.add(choice("earth", air.earth,
                 {{"sphere", EarthFigure::sphere}, {"ellipsoid", EarthFigure::ellipsoid}},
                 "figure of the Earth"));
-  is.add(choice("--density", air.density,
+  is.add(choice("density", air.density,
                 {{"seasonal", Density::seasonal},
                  {"us-1976", Density::us_1976},
                  {"yapo-cutler", Density::yapo_cutler}},
                 "density of the air: seasonal (by latitude and season), us-1976 (to 86 km) or "
                 "yapo-cutler (cut at 42 km)"));
-  is.add(on_off("--refraction", air.refraction, "bending of light in the Earth's air"));
-  is.add(choice("--dispersion", air.dispersion,
+  is.add(on_off("refraction", air.refraction, "bending of light in the Earth's air"));
+  is.add(choice("dispersion", air.dispersion,
                 {{"ciddor", Dispersion::ciddor_1996}, {"crc", Dispersion::crc}},
                 "formula of the refractive index by wavelength"));
-  is.add(on_off("--rayleigh", air.rayleigh, "Rayleigh scattering out of the ray"));
-  is.add(choice("--king-factor", air.king_factor,
+  is.add(on_off("rayleigh", air.rayleigh, "Rayleigh scattering out of the ray"));
+  is.add(choice("king-factor", air.king_factor,
                 {{"bates", KingFactor::bates_1984}, {"fixed", KingFactor::fixed}},
                 "King factor of Rayleigh scattering: bates (by wavelength) or fixed (1.05)"));
-  is.add(choice("--ozone-path", air.ozone_path,
+  is.add(choice("ozone-path", air.ozone_path,
                 {{"bent", OzonePath::bent}, {"filter", OzonePath::filter}},
                 "ozone that a ray meets: bent (along its own path) or filter (the same for all "
                 "rays)"));
-  is.add(choice("--ozone-profile", air.ozone_profile,
+  is.add(choice("ozone-profile", air.ozone_profile,
                 {{"climatology", OzoneProfile::climatology}, {"us-1976", OzoneProfile::us_1976}},
                 "height profile of ozone: climatology (by latitude and month) or us-1976"));
-  is.add(on_off("--oxygen-pairs", air.oxygen_pairs, "absorption by pairs of oxygen molecules"));
-  is.add(on_off("--nitrogen-dioxide", air.nitrogen_dioxide, "absorption by nitrogen dioxide"));
+  is.add(on_off("oxygen-pairs", air.oxygen_pairs, "absorption by pairs of oxygen molecules"));
+  is.add(on_off("nitrogen-dioxide", air.nitrogen_dioxide, "absorption by nitrogen dioxide"));
 }
 
 void describe(Parameters& is, Air& air) {
@@ -252,30 +252,30 @@ void describe(Parameters& is, Air& air) {
 
 void describe_sunlight(Parameters& is, LightRequest& light) {
   is.begin(air_heading, "atmosphere", Affects::photons);
-  is.add(on_off("--limb-darkening", light.limb_darkening,
-                "limb darkening of the Sun; off with --atmosphere paper"));
+  is.add(on_off("limb-darkening", light.limb_darkening,
+                "limb darkening of the Sun; off with atmosphere paper"));
   is.begin(air_heading, "atmosphere", Affects::light);
-  is.add(choice("--scattered-light", light.scattered_light,
+  is.add(choice("scattered-light", light.scattered_light,
                 {{"auto", ScatteredLight::automatic},
                  {"on", ScatteredLight::on},
                  {"off", ScatteredLight::off}},
                 "sunlight that the air scatters into the shadow; auto: where it counts"));
-  is.add(on_off("--starlight", light.starlight, "light of the stars on the Moon"));
+  is.add(on_off("starlight", light.starlight, "light of the stars on the Moon"));
 }
 
 void describe(Parameters& is, Effort& effort) {
   is.begin(light_heading, "", Affects::light);
-  is.add(choice("--quality", effort.quality,
+  is.add(choice("quality", effort.quality,
                 {{"draft", "draft"},
                  {"standard", "standard"},
                  {"reference", "reference"},
                  {"paper", "paper"}},
                 "error of luminance: draft (5 %), standard (1 %) or reference (0.05 %); paper: 1e7 "
                 "photons step by step, as Yapo & Cutler (2009)"));
-  is.add(parameter("--tolerance", effort.tolerance,
-                   "largest error of luminance on the disc, 0.01% to 50%, in place of --quality"))
+  is.add(parameter("tolerance", effort.tolerance,
+                   "largest error of luminance on the disc, 0.01% to 50%, in place of quality"))
       .replaced_by_plan();
-  is.add(parameter("--budget", effort.budget,
+  is.add(parameter("budget", effort.budget,
                    "time for the light, as 500ms, 2s or 1min: the most exact that it allows is "
                    "made"))
       .replaced_by_plan();
@@ -294,32 +294,32 @@ plan::Wish wish_of(const Effort& effort) {
 
 void describe_knobs(Parameters& is, plan::ByHand& knobs) {
   is.begin(light_heading, "", Affects::light);
-  is.add(parameter("--bands", knobs.bands,
+  is.add(parameter("bands", knobs.bands,
                    "number of wavelengths that light is computed at, 1 to 400"))
       .within(1, 400)
       .replaced_by_plan();
   is.begin(light_heading, "", Affects::photons);
-  is.add(parameter("--rays", knobs.rays,
+  is.add(parameter("rays", knobs.rays,
                    "number of rays between the ground and the top of the air, for quadrature and "
                    "table, 2 to 1e7"))
       .within(2, 1e7)
       .replaced_by_plan();
   is.begin(light_heading, "", Affects::light);
-  is.add(parameter("--sun-terms", knobs.sun_terms,
+  is.add(parameter("sun-terms", knobs.sun_terms,
                    "number of terms of the Sun's limb darkening, 1 to 6; 6 is exact"))
       .within(1, 6)
       .replaced_by_plan();
-  is.add(parameter("--planes", knobs.planes,
+  is.add(parameter("planes", knobs.planes,
                    "number of planes across the Moon's depth, 1 to 9"))
       .within(1, 9)
       .replaced_by_plan();
-  is.add(parameter("--place-error", knobs.place_error,
+  is.add(parameter("place-error", knobs.place_error,
                    "error of light between the places where it is computed, 1e-5 to 1"))
       .within(1e-5, 1)
       .replaced_by_plan();
   auto& chosen = knobs.terms;
   is.add(parsed(
-             "--leave-out", chosen, [&chosen] { return chosen ? terms_left_out(*chosen) : ""; },
+             "leave-out", chosen, [&chosen] { return chosen ? terms_left_out(*chosen) : ""; },
              [&chosen](const std::string& list) { chosen = everything_but(list); },
              "terms to leave out: " + term_names()))
       .replaced_by_plan();
@@ -328,35 +328,35 @@ void describe_knobs(Parameters& is, plan::ByHand& knobs) {
 void describe_solver(Parameters& is, LightRequest& light) {
   using photons::Precision, shadow::Trace;
   is.begin(light_heading, "", Affects::light);
-  is.add(choice("--solver", light.solver,
+  is.add(choice("solver", light.solver,
                 {{"auto", Solver::automatic},
                  {"quadrature", Solver::quadrature},
                  {"photons", Solver::photons}},
                 "method: quadrature (without noise), photons (the paper's simulation), or auto "
-                "(the quicker; photons where --photons is given)"))
+                "(the quicker; photons where photons is given)"))
       .replaced_by_plan();
   is.begin(light_heading, "", Affects::photons);
-  is.add(choice("--trace", light.trace,
+  is.add(choice("trace", light.trace,
                 {{"each", Trace::step_by_step}, {"marched", Trace::marched}, {"table", Trace::table}},
                 "tracing of photons: table (by a table of the limb's rays), marched (step by step, "
                 "all wavelengths together) or each (step by step, each alone, as in the paper)"));
   is.begin(light_heading, "", Affects::light);
-  is.add(parameter("--photons", light.photons,
+  is.add(parameter("photons", light.photons,
                    "number of photons, 1 to 1e12; default: as many as the tolerance needs. 1e6 "
-                   "take a second by the table, some seconds marched, minutes with --trace each"))
+                   "take a second by the table, some seconds marched, minutes with trace each"))
       .within(1, 1e12)
       .replaced_by_plan();
   is.begin(light_heading, "", Affects::photons);
-  is.add(parameter("--seed", light.seed, "seed of the photons"));
-  is.add(parameter("--step-km", light.step_km,
-                   "step of a photon's path [km], with --trace each or marched"));
-  is.add(choice("--precision", light.precision,
+  is.add(parameter("seed", light.seed, "seed of the photons"));
+  is.add(parameter("step-km", light.step_km,
+                   "step of a photon's path [km], with trace each or marched"));
+  is.add(choice("precision", light.precision,
                 {{"single", Precision::single}, {"full", Precision::full}},
                 "precision of photons that are marched: single (7 digits, in two thirds of the "
                 "time) or full (16 digits)"));
-  is.add(parameter("--ring-km", light.ring_km, "width of the rings that gather photons [km]"));
+  is.add(parameter("ring-km", light.ring_km, "width of the rings that gather photons [km]"));
   is.begin(light_heading, "", Affects::light);
-  is.add(parameter("--smoothing-km", light.smoothing_km,
+  is.add(parameter("smoothing-km", light.smoothing_km,
                    "standard deviation of the Gaussian that smooths photons [km], 0 to 2000; 0: "
                    "no smoothing"))
       .within(0, 2000);

@@ -78,47 +78,47 @@ std::string text_of(const ExposureTime& time) {
 }
 
 void describe_optics(Parameters& is, CameraRequest& camera) {
-  is.add(parameter("--aperture", camera.aperture_mm, "aperture of the telescope or lens [mm]"));
-  is.add(parameter("--obstruction", camera.obstruction,
+  is.add(parameter("aperture", camera.aperture_mm, "aperture of the telescope or lens [mm]"));
+  is.add(parameter("obstruction", camera.obstruction,
                    "diameter of the secondary mirror over the aperture, 0 to 0.9"))
       .within(0, 0.9);
-  is.add(parameter("--transmission", camera.transmission,
+  is.add(parameter("transmission", camera.transmission,
                    "share of the light that the optics transmit, 0.01 to 1"))
       .within(0.01, 1);
-  is.add(on_off("--diffraction", camera.diffraction, "blur by diffraction at the aperture"));
-  is.add(parameter("--seeing", camera.seeing_arcsec,
+  is.add(on_off("diffraction", camera.diffraction, "blur by diffraction at the aperture"));
+  is.add(parameter("seeing", camera.seeing_arcsec,
                    "seeing: full width at half maximum of a star's image [arcsec], 0 to 600"))
       .within(0, 600);
   is.add(parsed(
-      "--glow", camera.glow,
+      "glow", camera.glow,
       [&camera] { return camera.glow ? fmt::format("{}", *camera.glow) : "auto"; },
       [&camera](const std::string& text) { camera.glow = glow_from(text); },
       "glow about bright ground: share of the light that optics and air scatter, 0 to 0.5; auto: "
       "the camera's, 0.02 for lenses and 0.05 for mirrors"));
   is.add(parsed(
-      "--sky", camera.sky_cd_m2, [&camera] { return sky_text(camera.sky_cd_m2); },
+      "sky", camera.sky_cd_m2, [&camera] { return sky_text(camera.sky_cd_m2); },
       [&camera](const std::string& text) { camera.sky_cd_m2 = sky_luminance_from(text); },
       "brightness of the sky [mag/arcsec2]; auto: twilight and airglow at the observer's place; "
       "off: a black sky"));
 }
 
 void describe_sensor(Parameters& is, CameraRequest& camera) {
-  is.add(parameter("--pixel", camera.pixel_um, "side of a pixel of the sensor [um]"));
-  is.add(parameter("--quantum-efficiency", camera.quantum_efficiency,
+  is.add(parameter("pixel", camera.pixel_um, "side of a pixel of the sensor [um]"));
+  is.add(parameter("quantum-efficiency", camera.quantum_efficiency,
                    "quantum efficiency: electrons per photon of 555 nm, 0.001 to 1"))
       .within(0.001, 1);
-  is.add(parameter("--response", camera.response,
+  is.add(parameter("response", camera.response,
                    fmt::format("response of the sensor to colours: {}",
                                fmt::join(colour::response_names(), ", "))));
-  is.add(parameter("--full-well", camera.full_well_e, "full-well capacity of a pixel [electrons]"));
-  is.add(parameter("--read-noise", camera.read_noise_e, "read noise of a pixel [electrons]"));
-  is.add(parameter("--converter-noise", camera.converter_noise_dn,
+  is.add(parameter("full-well", camera.full_well_e, "full-well capacity of a pixel [electrons]"));
+  is.add(parameter("read-noise", camera.read_noise_e, "read noise of a pixel [electrons]"));
+  is.add(parameter("converter-noise", camera.converter_noise_dn,
                    "noise of the converter, behind the gain [DN]"));
-  is.add(parameter("--black-level", camera.black_level_dn, "black level of raw numbers [DN]"));
-  is.add(parameter("--sensor-bits", camera.sensor_bits, "bits of a raw number, 1 to 16"))
+  is.add(parameter("black-level", camera.black_level_dn, "black level of raw numbers [DN]"));
+  is.add(parameter("sensor-bits", camera.sensor_bits, "bits of a raw number, 1 to 16"))
       .within(1, 16);
-  is.add(on_off("--noise", camera.noise, "noise of photons and sensor"));
-  is.add(parameter("--noise-seed", camera.noise_seed, "seed of the noise"));
+  is.add(on_off("noise", camera.noise, "noise of photons and sensor"));
+  is.add(parameter("noise-seed", camera.noise_seed, "seed of the noise"));
 }
 
 constexpr const char* time_meaning =
@@ -131,20 +131,20 @@ constexpr const char* time_meaning =
 void describe_map(Parameters& is, MoonRequest& moon) {
   using enum surface::Photometry;
   is.begin({}, "", Affects::ground);
-  is.add(parameter("--albedo-map", moon.albedo_map,
+  is.add(parameter("albedo-map", moon.albedo_map,
                    "albedo map: an image of 2:1 with longitude 0 in the middle, or built-in: NASA's "
                    "CGI Moon Kit of 2019, 4096 texels wide"))
       .as(request::Kind::file_read);
-  is.add(choice("--albedo-map-centre", moon.albedo_map_centre_deg, {{"0", 0}, {"180", 180}},
+  is.add(choice("albedo-map-centre", moon.albedo_map_centre_deg, {{"0", 0}, {"180", 180}},
                 "longitude in the middle of the albedo map [degrees]: 0, or 180 for a map from 0 "
                 "to 360"));
-  is.add(choice("--photometry", moon.photometry,
+  is.add(choice("photometry", moon.photometry,
                 {{"lommel-seeliger-rolo", lommel_seeliger_rolo}, {"yapo-cutler", yapo_cutler}},
                 "photometric function of the ground: lommel-seeliger-rolo (as telescopes measured, "
                 "with the opposition surge) or yapo-cutler (the paper's, the same at every "
                 "phase)"));
   using enum AlbedoEncoding;
-  is.add(choice("--albedo-encoding", moon.albedo_encoding,
+  is.add(choice("albedo-encoding", moon.albedo_encoding,
                 {{"image", image},
                  {"normal-albedo", AlbedoEncoding::normal_albedo},
                  {"cgi-moon-kit-2019", cgi_moon_kit_2019},
@@ -152,17 +152,17 @@ void describe_map(Parameters& is, MoonRequest& moon) {
                 "how the numbers of a map's file stand for albedo: image (light, as the file "
                 "says), normal-albedo (themselves), cgi-moon-kit-2019 or cgi-moon-kit-2025 (NASA's "
                 "colour maps)"));
-  is.add(parameter("--albedo-exponent", moon.albedo_exponent,
+  is.add(parameter("albedo-exponent", moon.albedo_exponent,
                    "exponent that undoes a tone curve of the map beyond its encoding, 0.1 to 10"))
       .within(0.1, 10);
-  is.add(choice("--ground", moon.ground_by_place, {{"by-place", true}, {"mean", false}},
+  is.add(choice("ground", moon.ground_by_place, {{"by-place", true}, {"mean", false}},
                 "colour and opposition surge of the ground: by-place (as a camera in lunar orbit "
                 "measured them) or mean (everywhere those of the whole Moon)"));
 }
 
 void describe_width(Parameters& is, MoonRequest& moon) {
   is.begin({}, "", Affects::ground);
-  is.add(parameter("--texture-width", moon.texture_width,
+  is.add(parameter("texture-width", moon.texture_width,
                    "width of the texture [texels], even, 4 to 32768; default: 4096, for a frame as "
                    "many as it can show"))
       .within(4, 32768);
@@ -171,16 +171,16 @@ void describe_width(Parameters& is, MoonRequest& moon) {
 void describe_observer(Parameters& is, ViewRequest& view) {
   is.begin(view_heading, "", Affects::sight);
   is.add(parsed(
-      "--at", view.observer,
+      "at", view.observer,
       [&view] { return view.observer ? place_text(*view.observer) : std::string(); },
       [&view](const std::string& text) { view.observer = observer_from(text); },
       "place of the observer: a city, as Chicago or Springfield/Illinois, or LAT,LON[,ELEV] "
       "[degrees north and east, metres]; default: the Earth's centre"));
-  is.add(on_off("--reddening", view.reddening, "reddening and dimming by the observer's air"));
-  is.add(parameter("--observer-ozone-du", view.observer_ozone_du,
+  is.add(on_off("reddening", view.reddening, "reddening and dimming by the observer's air"));
+  is.add(parameter("observer-ozone-du", view.observer_ozone_du,
                    "vertical column of ozone above the observer [DU], 0 to 1000"))
       .within(0, 1000);
-  is.add(parameter("--observer-aerosol", view.observer_aerosol,
+  is.add(parameter("observer-aerosol", view.observer_aerosol,
                    "vertical optical depth of the aerosol above the observer at 550 nm, 0 to 10"))
       .within(0, 10);
 }
@@ -189,28 +189,28 @@ void describe(Parameters& is, ViewRequest& view) {
   using povray_scenes::Up;
   describe_observer(is, view);
   is.begin(view_heading, "", Affects::frame);
-  is.add(on_off("--flattening", view.flattening,
+  is.add(on_off("flattening", view.flattening,
                 "flattening of a low Moon by refraction in the observer's air"));
-  is.add(parameter("--focal-length", view.focal_length_mm,
-                   "focal length of the telescope or lens [mm]; without camera, lens or --field "
+  is.add(parameter("focal-length", view.focal_length_mm,
+                   "focal length of the telescope or lens [mm]; without camera, lens or field "
                    "the frame holds the whole Moon"));
-  is.add(parameter("--sensor-width", view.sensor_width_mm,
+  is.add(parameter("sensor-width", view.sensor_width_mm,
                    "width of the sensor [mm]; 22.7 unless the camera says another"));
   is.add(parsed(
-      "--field", view.field_deg,
+      "field", view.field_deg,
       [&view] { return view.field_deg ? fmt::format("{}", *view.field_deg) : whole_moon; },
       [&view](const std::string& text) { view.field_deg = field_from(text); },
       "angle across the frame [degrees], in place of a lens; moon: the whole Moon with some "
       "margin, or what the lens shows"));
-  is.add(parameter("--width", view.width, "width of the frame [pixels]"));
-  is.add(parameter("--height", view.height, "height of the frame [pixels]"));
-  is.add(choice("--up", view.up,
+  is.add(parameter("width", view.width, "width of the frame [pixels]"));
+  is.add(parameter("height", view.height, "height of the frame [pixels]"));
+  is.add(choice("up", view.up,
                 {{"celestial-north", Up::celestial_north},
                  {"zenith", Up::zenith},
                  {"moon-north", Up::moon_north}},
                 "direction that is up in the frame"));
   is.add(parsed(
-      "--stars", view.stars, [&view] { return text_of(view.stars); },
+      "stars", view.stars, [&view] { return text_of(view.stars); },
       [&view](const std::string& text) { view.stars = stars_from(text); },
       "stars and planets: on, off, or the V magnitude of the faintest; on: to magnitude 9 "
       "within 10 degrees of the ecliptic, to 6.5 elsewhere"));
@@ -218,7 +218,7 @@ void describe(Parameters& is, ViewRequest& view) {
 
 void describe(Parameters& is, CameraRequest& camera) {
   is.begin(camera_heading, "camera", Affects::frame);
-  is.add(parameter("--camera", camera.model,
+  is.add(parameter("camera", camera.model,
                    fmt::format("camera: {}. Its optics and sensor add blur, noise and clipping; "
                                "default: the scene as it is",
                                fmt::join(colour::camera_names(), ", "))));
@@ -229,29 +229,29 @@ void describe(Parameters& is, CameraRequest& camera) {
 
 void describe_but_time(Parameters& is, Development& development) {
   is.begin(camera_heading, "camera", Affects::picture);
-  is.add(parameter("--f-number", development.f_number,
+  is.add(parameter("f-number", development.f_number,
                    "focal length over aperture; default: the camera's, without one 12.1"));
-  is.add(parameter("--iso", development.iso, "ISO speed (ISO 12232, saturation-based)"));
-  is.add(parameter("--view", development.view, "view of the OpenColorIO configuration"));
-  is.add(parameter("--display", development.display, "display of the OpenColorIO configuration"));
-  is.add(parameter("--config", development.config,
+  is.add(parameter("iso", development.iso, "ISO speed (ISO 12232, saturation-based)"));
+  is.add(parameter("view", development.view, "view of the OpenColorIO configuration"));
+  is.add(parameter("display", development.display, "display of the OpenColorIO configuration"));
+  is.add(parameter("config", development.config,
                    "OpenColorIO configuration in place of the built-in one"))
       .as(request::Kind::file_read);
-  is.add(choice("--bits", development.bits, {{"8", 8}, {"16", 16}},
+  is.add(choice("bits", development.bits, {{"8", 8}, {"16", 16}},
                 "bits of a number of the picture"))
       .as(request::Kind::whole);
 }
 
 void describe_time(Parameters& is, std::string& time) {
   is.begin(camera_heading, "camera", Affects::picture);
-  is.add(parameter("--time", time, time_meaning));
+  is.add(parameter("time", time, time_meaning));
 }
 
 void describe(Parameters& is, Development& development) {
   auto& time = development.time;
   is.begin(camera_heading, "camera", Affects::picture);
   is.add(parsed(
-      "--time", time, [&time] { return text_of(time); },
+      "time", time, [&time] { return text_of(time); },
       [&time](const std::string& text) { time = exposure_time_from(text); }, time_meaning));
   describe_but_time(is, development);
 }
@@ -259,19 +259,19 @@ void describe(Parameters& is, Development& development) {
 void describe(Parameters& is, TextureContent& content) {
   is.begin(texture_heading, "", Affects::ground);
   is.add(parsed(
-      "--space", content.space,
+      "space", content.space,
       [&content] { return content.space ? std::string(colour::name(*content.space)) : ""; },
       [&content](const std::string& name) { content.space = colour::working_space(name); },
       "colour space: lin_rec709, acescg or lin_ciexyzd65_scene; default: the one in the file's "
       "name, as moon_acescg.exr, or lin_rec709"));
-  is.add(choice("--type", content.type,
+  is.add(choice("type", content.type,
                 {{"half", texture::ExrType::half}, {"float", texture::ExrType::floating}},
                 "numbers of a texel: half or float; default: half, float for a spectrum"));
-  is.add(parameter("--spectral", content.spectral_nm,
+  is.add(parameter("spectral", content.spectral_nm,
                    "width of spectral bands [nm], 1 to 100, a divisor of 400: an .exr gets the "
                    "spectral radiance from 380 to 780 nm too"))
       .within(1, 100);
-  is.add(request::presence("--passes", content.passes,
+  is.add(request::presence("passes", content.passes,
                   "adds parts to an .exr: direct light, refracted light, irradiance, reflectance, "
                   "albedo"));
 }

@@ -31,15 +31,17 @@ const char* type_name(Kind kind) {
 }
 
 CLI::Option* option_for(CLI::App& verb, request::Parameter& parameter) {
+  const auto& name = parameter.spelling;
+  const auto spelling = name.find("--") == std::string::npos ? "--" + name : name;
   if (parameter.kind == Kind::presence)
     return verb.add_flag_function(
-        parameter.spelling,
+        spelling,
         [&parameter](std::int64_t count) {
           parameter.take(count > 0 ? request::Texts{"true"} : request::Texts{});
         },
         parameter.meaning);
   auto* option = verb.add_option(
-      parameter.spelling,
+      spelling,
       [&parameter](const CLI::results_t& texts) {
         parameter.take(texts);
         return true;
