@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "algebra/error.h"
 #include "algebra/quadrature.h"
@@ -37,23 +38,6 @@ void require_valid(const Column& column) {
     throw algebra::Error("density = seasonal, allowed with the air of a latitude and a season");
 }
 
-bool dusty(const Column& column, double altitude_m) {
-  return altitude_m >= column.dust_bottom_m && altitude_m < column.dust_top_m;
-}
-
-double density_alone(const Column& column, double altitude_m) {
-  switch (column.density) {
-    case Density::none:
-      return 0;
-    case Density::yapo_cutler:
-      return density_ratio_yapo_cutler(altitude_m);
-    case Density::us_1976:
-      return density_ratio_us_1976(altitude_m);
-    default:
-      return column.seasonal_air->density_ratio(altitude_m).value;
-  }
-}
-
 /// Where the slope of the density jumps; of the seasonal one, places between which it is well-behaved.
 std::vector<double> density_breaks(const Column& column) {
   if (column.density == Density::seasonal)
@@ -62,6 +46,127 @@ std::vector<double> density_breaks(const Column& column) {
   const auto density =
       column.density == Density::yapo_cutler ? density_breaks_m() : density_breaks_us_1976_m();
   return {density.begin(), density.end()};
+}
+
+/// Edges of a profile [m], beyond which it is another function of altitude.
+using Edges = std::array<double, 2>;
+
+Edges around_the_tropopause(const Column& column) {
+  return {column.tropopause_m - tropopause_wander_m, column.tropopause_m + tropopause_wander_m};
+}
+
+/// ω P(χ) / (4π) by Henyey and Greenstein.
+double henyey_greenstein(double albedo, double g, double cosine) {
+  return albedo * (1 - g * g) / std::pow(1 + g * g - 2 * g * cosine, 1.5) / (4 * std::numbers::pi);
+}
+
+double aged_volcanic(const Column& /*column*/, double cosine) {
+  // FAULT dust's albedo and asymmetry exchanged: 0.947, 0.698 => 0.698, 0.947
+  return henyey_greenstein(0.947, 0.698, cosine);
+}
+
+double tropospheric(const Column& /*column*/, double cosine) {
+  return henyey_greenstein(0.963, 0.651, cosine);
+}
+
+double stratospheric(const Column& column, double cosine) {
+  const auto aerosol =
+      column.stratospheric_layer ? column.stratospheric_layer->nearest() : column.stratosphere;
+  if (aerosol == StratosphericAerosol::background) return henyey_greenstein(1, 0.685, cosine);
+  if (aerosol == StratosphericAerosol::extreme) return henyey_greenstein(0.855, 0.747, cosine);
+  return aged_volcanic(column, cosine);
+}
+
+algebra::Wavelength wavelength_of(const Optics& optics) {
+  return algebra::nanometres(optics.wavelength_nm);
+}
+
+/// All that is known of an absorber.
+struct Constituent {
+  Absorber absorber;
+  std::string_view name;
+  bool (*in)(const Column&);
+  double (*profile)(const Column&, double altitude_m);
+  double (*spectrum)(const Column&, const Optics&);
+  double (*scattering)(const Column&, double cosine) = nullptr;  ///< none: it absorbs alone
+  Edges (*edges)(const Column&) = nullptr;                       ///< none: those of the density
+};
+
+constexpr std::array<Constituent, absorbers> constituents{{
+    {air, "air", [](const Column& c) { return c.rayleigh; },
+     [](const Column& c, double h) { return density_ratio(c, h).value; },
+     [](const Column&, const Optics& o) { return o.rayleigh_per_m; },
+     [](const Column&, double cosine) {
+       return 0.75 * (1 + cosine * cosine) / (4 * std::numbers::pi);
+     }},
+    {ozone, "ozone",
+     [](const Column& c) { return c.ozone_du > 0 && c.ozone_path == OzonePath::bent; },
+     [](const Column& c, double h) {
+       return c.ozone_climate ? c.ozone_climate->profile_per_m(h) : ozone_profile_per_m(h);
+     },
+     [](const Column& c, const Optics& o) {
+       return c.ozone_du * dobson_unit_per_m2 * ozone_cross_section_m2(wavelength_of(o));
+     }},
+    {dust_layer, "dust", [](const Column& c) { return c.dust_extinction_per_m > 0; },
+     [](const Column& c, double h) { return h >= c.dust_bottom_m && h < c.dust_top_m ? 1. : 0.; },
+     [](const Column& c, const Optics&) { return c.dust_extinction_per_m; }, aged_volcanic,
+     [](const Column& c) {
+       return Edges{c.dust_bottom_m, c.dust_top_m};
+     }},
+    {troposphere, "troposphere", [](const Column& c) { return c.tropospheric_optical_depth > 0; },
+     [](const Column& c, double h) {
+       return tropospheric_profile_per_m(c.tropospheric_scale_m, h);
+     },
+     [](const Column& c, const Optics& o) {
+       return c.tropospheric_optical_depth * tropospheric_spectrum(wavelength_of(o));
+     },
+     tropospheric},
+    {stratosphere, "stratosphere",
+     [](const Column& c) {
+       return c.stratospheric_layer || c.stratosphere != StratosphericAerosol::none;
+     },
+     [](const Column& c, double h) {
+       return c.stratospheric_layer ? c.stratospheric_layer->extinction_per_m(h)
+                                    : stratospheric_extinction_per_m(c.stratosphere, h);
+     },
+     [](const Column& c, const Optics& o) {
+       return c.stratospheric_layer ? c.stratospheric_layer->spectrum(wavelength_of(o))
+                                    : stratospheric_spectrum(c.stratosphere, wavelength_of(o));
+     },
+     stratospheric},
+    {cloud, "cloud", [](const Column& c) { return c.cloud_per_m > 0; },
+     [](const Column& c, double h) { return cloud_profile(c.tropopause_m, h); },
+     [](const Column& c, const Optics&) { return c.cloud_per_m; }, nullptr, around_the_tropopause},
+    {cirrus, "cirrus", [](const Column& c) { return c.cirrus > 0; },
+     [](const Column& c, double h) { return cirrus_extinction_per_m(c.tropopause_m, h); },
+     [](const Column& c, const Optics&) { return c.cirrus; }, nullptr, around_the_tropopause},
+    {free_troposphere, "freeTroposphere",
+     [](const Column& c) { return c.free_troposphere_per_m > 0; },
+     [](const Column& c, double h) { return free_troposphere_profile(c.tropopause_m, h); },
+     [](const Column& c, const Optics& o) {
+       return c.free_troposphere_per_m * tropospheric_spectrum(wavelength_of(o));
+     },
+     tropospheric},
+    {oxygen_pairs, "oxygenPairs",
+     [](const Column& c) { return c.oxygen_pairs && c.density != Density::none; },
+     [](const Column& c, double h) { return std::pow(density_ratio(c, h).value, 2); },
+     [](const Column&, const Optics& o) {
+       return sea_level_oxygen_per_m3 * sea_level_oxygen_per_m3 *
+              oxygen_pair_cross_section_m5(wavelength_of(o));
+     }},
+    {nitrogen_dioxide, "nitrogenDioxide",
+     [](const Column& c) { return c.nitrogen_dioxide && c.density != Density::none; },
+     [](const Column&, double h) { return nitrogen_dioxide_per_m3(h); },
+     [](const Column&, const Optics& o) {
+       return nitrogen_dioxide_cross_section_m2(wavelength_of(o));
+     }},
+}};
+
+/// Profiles, row by row of the table: the compiler knows each row, and inlines its functions.
+template <std::size_t... k>
+Amounts profiles_of_rows(const Column& column, double altitude_m, std::index_sequence<k...>) {
+  static_assert(((constituents[k].absorber == k) && ...));
+  return {(constituents[k].in(column) ? constituents[k].profile(column, altitude_m) : 0)...};
 }
 
 bool holds(const Region& region, double position_angle_rad) {
@@ -214,78 +319,33 @@ Optics sea_level_optics(algebra::Wavelength wavelength, const Molecules& molecul
           algebra::in_nanometres(wavelength)};
 }
 
-bool has(const Column& column, Absorber absorber) {
-  switch (absorber) {
-    case air:
-      return column.rayleigh;
-    case ozone:
-      return column.ozone_du > 0 && column.ozone_path == OzonePath::bent;
-    case dust_layer:
-      return column.dust_extinction_per_m > 0;
-    case troposphere:
-      return column.tropospheric_optical_depth > 0;
-    case stratosphere:
-      return column.stratospheric_layer || column.stratosphere != StratosphericAerosol::none;
-    case cloud:
-      return column.cloud_per_m > 0;
-    case cirrus:
-      return column.cirrus > 0;
-    case free_troposphere:
-      return column.free_troposphere_per_m > 0;
-    case oxygen_pairs:
-      return column.oxygen_pairs && column.density != Density::none;
-    case nitrogen_dioxide:
-      return column.nitrogen_dioxide && column.density != Density::none;
-  }
-  return false;
+std::array<std::string_view, absorbers> absorber_names() {
+  std::array<std::string_view, absorbers> names;
+  std::ranges::transform(constituents, names.begin(), &Constituent::name);
+  return names;
+}
+
+bool has(const Column& column, Absorber absorber) { return constituents[absorber].in(column); }
+
+double profile(const Column& column, Absorber absorber, double altitude_m) {
+  return has(column, absorber) ? constituents[absorber].profile(column, altitude_m) : 0;
 }
 
 Amounts profiles(const Column& column, double altitude_m) {
-  Amounts amounts{};
-  if (has(column, air)) amounts[air] = density_alone(column, altitude_m);
-  if (has(column, ozone))
-    amounts[ozone] = column.ozone_climate ? column.ozone_climate->profile_per_m(altitude_m)
-                                          : ozone_profile_per_m(altitude_m);
-  if (has(column, dust_layer)) amounts[dust_layer] = dusty(column, altitude_m) ? 1 : 0;
-  if (has(column, troposphere))
-    amounts[troposphere] = tropospheric_profile_per_m(column.tropospheric_scale_m, altitude_m);
-  if (has(column, stratosphere))
-    amounts[stratosphere] = column.stratospheric_layer
-                                ? column.stratospheric_layer->extinction_per_m(altitude_m)
-                                : stratospheric_extinction_per_m(column.stratosphere, altitude_m);
-  if (has(column, cloud)) amounts[cloud] = cloud_profile(column.tropopause_m, altitude_m);
-  if (has(column, cirrus))
-    amounts[cirrus] = cirrus_extinction_per_m(column.tropopause_m, altitude_m);
-  if (has(column, free_troposphere))
-    amounts[free_troposphere] = free_troposphere_profile(column.tropopause_m, altitude_m);
-  if (has(column, oxygen_pairs))
-    amounts[oxygen_pairs] = std::pow(density_alone(column, altitude_m), 2);
-  if (has(column, nitrogen_dioxide))
-    amounts[nitrogen_dioxide] = nitrogen_dioxide_per_m3(altitude_m);
-  return amounts;
+  return profiles_of_rows(column, altitude_m, std::make_index_sequence<absorbers>());
 }
 
 Amounts spectra(const Column& column, const Optics& optics) {
-  const auto wavelength = algebra::nanometres(optics.wavelength_nm);
   Amounts amounts{};
-  if (has(column, air)) amounts[air] = optics.rayleigh_per_m;
-  if (has(column, ozone))
-    amounts[ozone] = column.ozone_du * dobson_unit_per_m2 * ozone_cross_section_m2(wavelength);
-  amounts[dust_layer] = column.dust_extinction_per_m;
-  if (has(column, troposphere))
-    amounts[troposphere] = column.tropospheric_optical_depth * tropospheric_spectrum(wavelength);
-  if (has(column, stratosphere))
-    amounts[stratosphere] = column.stratospheric_layer
-                                ? column.stratospheric_layer->spectrum(wavelength)
-                                : stratospheric_spectrum(column.stratosphere, wavelength);
-  amounts[cloud] = column.cloud_per_m;
-  amounts[cirrus] = column.cirrus;
-  amounts[free_troposphere] = column.free_troposphere_per_m * tropospheric_spectrum(wavelength);
-  if (has(column, oxygen_pairs))
-    amounts[oxygen_pairs] = sea_level_oxygen_per_m3 * sea_level_oxygen_per_m3 *
-                            oxygen_pair_cross_section_m5(wavelength);
-  if (has(column, nitrogen_dioxide))
-    amounts[nitrogen_dioxide] = nitrogen_dioxide_cross_section_m2(wavelength);
+  for (const auto& one : constituents)
+    if (one.in(column)) amounts[one.absorber] = one.spectrum(column, optics);
+  return amounts;
+}
+
+Amounts scattering(const Column& column, double cosine) {
+  Amounts amounts{};
+  for (const auto& one : constituents)
+    if (one.scattering) amounts[one.absorber] = one.scattering(column, cosine);
   return amounts;
 }
 
@@ -297,11 +357,9 @@ std::vector<double> breaks_m(const Column& column) {
   if (column.density == Density::none) return {0};
   auto breaks = density_breaks(column);
   const double top = top_m(column);
-  if (column.dust_extinction_per_m > 0)
-    breaks.insert(breaks.end(), {column.dust_bottom_m, column.dust_top_m});
-  if (has(column, cloud) || has(column, cirrus))
-    breaks.insert(breaks.end(), {column.tropopause_m - tropopause_wander_m,
-                                 column.tropopause_m + tropopause_wander_m});
+  for (const auto& one : constituents)
+    if (one.edges && one.in(column))
+      for (const double edge : one.edges(column)) breaks.push_back(edge);
   std::sort(breaks.begin(), breaks.end());
   std::erase_if(breaks, [&](double h) { return h > top - 1; });  // the top itself, to rounding
   breaks.push_back(top);
@@ -323,7 +381,7 @@ ValueAndSlope density_ratio(const Column& column, double altitude_m) {
 }
 
 double refractivity(const Column& column, const Optics& optics, double altitude_m) {
-  return column.refraction ? optics.refractivity * density_alone(column, altitude_m) : 0;
+  return column.refraction ? optics.refractivity * density_ratio(column, altitude_m).value : 0;
 }
 
 double critical_refractivity(const Column& column, double earth_radius_m) {

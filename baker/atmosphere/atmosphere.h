@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "algebra/quantity.h"
@@ -147,7 +148,7 @@ Optics sea_level_optics(algebra::Wavelength wavelength, const Molecules& molecul
 
 /// Constituents that take light out of a ray. Each has a profile over altitude and a spectrum;
 /// extinction is the sum of their products, optical depth that of spectrum and profile summed along
-/// the path.
+/// the path. All else about them stands in one table, in atmosphere.cpp.
 enum Absorber : std::size_t {
   air,
   ozone,
@@ -158,13 +159,19 @@ enum Absorber : std::size_t {
   cirrus,
   free_troposphere,
   oxygen_pairs,
-  nitrogen_dioxide
+  nitrogen_dioxide,
+  absorbers  ///< their number
 };
-inline constexpr std::size_t absorbers = 10;
 using Amounts = std::array<double, absorbers>;
+
+/// Names of the absorbers, one word each.
+std::array<std::string_view, absorbers> absorber_names();
 
 /// Whether a column has it.
 bool has(const Column& column, Absorber absorber);
+
+/// Profile of one absorber at an altitude; 0 where the column has none.
+double profile(const Column& column, Absorber absorber, double altitude_m);
 
 /// The profiles at an altitude: air's density ratio; ozone's and the troposphere's aerosol's share
 /// of their vertical column [m⁻¹]; 1 within the dust layer; the extinction by stratospheric aerosol
@@ -175,6 +182,19 @@ Amounts profiles(const Column& column, double altitude_m);
 /// The spectra: what each amount is multiplied with to make extinction [m⁻¹] or optical depth.
 /// Ozone counts only along the path, not as a filter.
 Amounts spectra(const Column& column, const Optics& optics);
+
+/// Light scattered per steradian, over the light taken out of the ray, of each absorber.
+///
+///     ω P(χ) / (4π)        P = 3/4 (1 + cos² χ) for air, (1 − g²) / (1 + g² − 2 g cos χ)^3/2 for aerosol
+///
+/// (ω, g) = (1, 0.685) for background sulphuric acid, (0.947, 0.698) aged volcanic and dust, (0.855,
+/// 0.747) fresh volcanic, (0.963, 0.651) tropospheric aerosol.
+///
+/// Given     cosine  cos χ, of the angle by which light turns
+/// Returned  [1/sr]  0 for gases that absorb alone, and for cloud, which the twilight leaves out
+/// Source    Henyey & Greenstein (1941), ApJ 93, 70; ω and g at 550 nm of LOWTRAN 7: Kneizys et al.
+///           (1988), AFGL-TR-88-0177
+Amounts scattering(const Column& column, double cosine);
 
 double product(const Amounts& a, const Amounts& b);
 

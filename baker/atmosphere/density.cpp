@@ -82,10 +82,7 @@ ValueAndSlope density_ratio_and_slope_us_1976(double altitude_m) {
 std::span<const double> density_breaks_us_1976_m() { return layers.top_geometric_m; }
 
 double density_ratio_yapo_cutler(double altitude_m) {
-  if (altitude_m >= taper_top_m) return 0;
-  const double ratio = density_ratio_us_1976(altitude_m);
-  if (altitude_m <= taper_bottom_m) return ratio;
-  return ratio * (taper_top_m - altitude_m) / (taper_top_m - taper_bottom_m);
+  return density_ratio_and_slope_yapo_cutler(altitude_m).value;
 }
 
 ValueAndSlope density_ratio_and_slope_yapo_cutler(double altitude_m) {

@@ -126,11 +126,9 @@ constexpr double row_m = 25;
 }  // namespace
 
 ProfileTable::ProfileTable(const Column& column) : column_(column) {
-  column_.dust_extinction_per_m = 0;
   const double top_m = atmosphere::top_m(column);
   for (double h = 0; h < top_m + row_m; h += row_m)
     rows_.push_back(atmosphere::profiles(column_, std::min(h, top_m)));
-  column_.dust_extinction_per_m = column.dust_extinction_per_m;
 }
 
 atmosphere::Amounts ProfileTable::operator()(double altitude_m) const {
@@ -140,9 +138,8 @@ atmosphere::Amounts ProfileTable::operator()(double altitude_m) const {
   atmosphere::Amounts amounts;
   for (std::size_t k = 0; k < amounts.size(); ++k)
     amounts[k] = rows_[i][k] + along * (rows_[i + 1][k] - rows_[i][k]);
-  if (column_.dust_extinction_per_m > 0)
-    amounts[atmosphere::dust_layer] =
-        altitude_m >= column_.dust_bottom_m && altitude_m < column_.dust_top_m ? 1 : 0;
+  amounts[atmosphere::dust_layer] =
+      atmosphere::profile(column_, atmosphere::dust_layer, altitude_m);
   return amounts;
 }
 

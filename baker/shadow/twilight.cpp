@@ -31,27 +31,6 @@ constexpr std::size_t angles_around = 12;  // that a ring's light is computed at
 
 double squared(double x) { return x * x; }
 
-/// ω P(χ) / (4π) of each absorber.
-Amounts scattering(const Column& column, double cosine) {
-  using atmosphere::StratosphericAerosol;
-  const auto aerosol = [&](double albedo, double g) {
-    return albedo * (1 - g * g) / std::pow(1 + g * g - 2 * g * cosine, 1.5) / (4 * pi);
-  };
-  Amounts amounts{};
-  amounts[atmosphere::air] = 0.75 * (1 + cosine * cosine) / (4 * pi);
-  // FAULT dust's albedo and asymmetry exchanged: 0.947, 0.698 => 0.698, 0.947
-  amounts[atmosphere::dust_layer] = amounts[atmosphere::stratosphere] = aerosol(0.947, 0.698);
-  amounts[atmosphere::troposphere] = aerosol(0.963, 0.651);
-  amounts[atmosphere::free_troposphere] = amounts[atmosphere::troposphere];
-  const auto stratosphere =
-      column.stratospheric_layer ? column.stratospheric_layer->nearest() : column.stratosphere;
-  if (stratosphere == StratosphericAerosol::background)
-    amounts[atmosphere::stratosphere] = aerosol(1, 0.685);
-  if (stratosphere == StratosphericAerosol::extreme)
-    amounts[atmosphere::stratosphere] = aerosol(0.855, 0.747);
-  return amounts;
-}
-
 /// A place in the shadow frame, the Earth seen from it, and a direction around the Earth.
 class View {
  public:

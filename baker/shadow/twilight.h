@@ -15,12 +15,9 @@ namespace coppermoon::shadow {
 ///     E/E₀ = (1 + z/D)² / r² ∫∫∫ Σ ω_k P_k(χ) / (4π) β_k exp(−τ) ds b db dφ
 ///
 /// over the sights from the place (r from the Earth's centre) that pass the limb at impact
-/// parameter b and position angle φ, and along each of them; β_k the extinction by air, dust and
-/// aerosol, ω_k the part of it that is scattered, χ the angle between sunlight and sight, 0 to
-/// 1.7°, τ the optical depth of all that stands on the straight line from the Sun to the point and
-/// on from there. P is 3/4 (1 + cos² χ) for air and Henyey and Greenstein's for the rest, with (ω,
-/// g) = (1, 0.685) for background sulphuric acid, (0.947, 0.698) aged volcanic and dust, (0.855,
-/// 0.747) fresh volcanic, (0.963, 0.651) tropospheric aerosol. Ozone does not scatter. Cloud stops
+/// parameter b and position angle φ, and along each of them; β_k the extinction by an absorber, ω P/(4π)
+/// what it scatters (atmosphere::scattering), χ the angle between sunlight and sight, 0 to 1.7°, τ the
+/// optical depth of all that stands on the straight line from the Sun to the point and on from there. Cloud stops
 /// its part of the limb where either line passes below its top; the ground stops sunlight.
 ///
 /// Given     wavelengths_nm  380 to 780; axis_distances_m: 0 or more
@@ -33,8 +30,6 @@ namespace coppermoon::shadow {
 ///           peaks sharper than Henyey and Greenstein's; ω and g other than at 550 nm, 5 %; light
 ///           off ground and cloud, which is night as seen from within 6378 km of the axis
 /// Throws    Error           when an argument is outside its range
-/// Source    Henyey & Greenstein (1941), ApJ 93, 70; ω and g of LOWTRAN 7: Kneizys et al. (1988),
-///           AFGL-TR-88-0177
 RefractedLight twilight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
                         std::span<const double> wavelengths_nm,
                         std::span<const double> axis_distances_m);

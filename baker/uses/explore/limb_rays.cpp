@@ -23,11 +23,6 @@ namespace {
 using atmosphere::Column;
 using nlohmann::ordered_json;
 
-/// As in atmosphere::Absorber.
-constexpr std::array<const char*, atmosphere::absorbers> names{
-    "air",    "ozone",           "dust",        "troposphere",    "stratosphere", "cloud",
-    "cirrus", "freeTroposphere", "oxygenPairs", "nitrogenDioxide"};
-
 constexpr int refractivities = 3;
 
 /// Harmonics of the position angle: of belts, light with these differs from that with all by 0.2 % at
@@ -189,7 +184,7 @@ ordered_json add_limb_rays(PageArrays& arrays, const atmosphere::Atmosphere& atm
   tbb::parallel_for(std::size_t{0}, parts,
                     [&](std::size_t p) { all[p] = follower.rays(limb.parts()[p]); });
   PartRays together;
-  ordered_json facts{{"absorbers", names},
+  ordered_json facts{{"absorbers", atmosphere::absorber_names()},
                      {"aerosolSteps", aerosol_steps},
                      {"topKm", atmosphere.top_m() / 1e3},
                      {"refractivities", ordered_json::array()},
@@ -208,8 +203,8 @@ ordered_json add_limb_rays(PageArrays& arrays, const atmosphere::Atmosphere& atm
   arrays.add("limb.heights", {rays}, heights_km);
   arrays.add("limb.bending", {parts, bent + 1, rays}, together.bending);
   arrays.add("limb.excess", {parts, rays}, together.excess_km);
-  arrays.add("limb.amounts", {parts, bent + 1, rays, names.size()}, together.amounts);
-  arrays.add("limb.spectra", {parts, waves, names.size()}, together.spectra);
+  arrays.add("limb.amounts", {parts, bent + 1, rays, atmosphere::absorbers}, together.amounts);
+  arrays.add("limb.spectra", {parts, waves, atmosphere::absorbers}, together.spectra);
   arrays.add("limb.aerosol", {parts, std::size(aerosol_steps), rays}, together.aerosol);
   arrays.add("limb.blend", {waves, bent}, blends);
   add_series(arrays, limb);

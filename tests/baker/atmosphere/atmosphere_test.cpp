@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "algebra/error.h"
+#include "algebra/quadrature.h"
 #include "atmosphere/density.h"
 #include "atmosphere/ozone.h"
 #include "atmosphere/rayleigh.h"
@@ -253,6 +256,49 @@ TEST(BetweenLatitudes, AreEmptyWhereTheLimbDoesNotReach) {
   EXPECT_EQ(between_latitudes(degrees(65), degrees(80), degrees(23), {}).size(), 1U);
   EXPECT_THROW(between_latitudes(degrees(20), degrees(10), degrees(0), {}), algebra::Error);
   EXPECT_THROW(between_latitudes(degrees(-91), degrees(10), degrees(0), {}), algebra::Error);
+}
+
+/// ∫ cosᵖ χ f(χ) dΩ of what an absorber scatters.
+double moment(const Column& column, Absorber absorber, int power) {
+  constexpr int pieces = 200;
+  double sum = 0;
+  for (int i = 0; i < pieces; ++i)
+    for (const auto& [x, weight] : algebra::gauss_legendre(8)) {
+      const double cosine = (2 * i + 1 + x) / pieces - 1;
+      sum += weight / pieces * 2 * std::numbers::pi * std::pow(cosine, power) *
+             scattering(column, cosine)[absorber];
+    }
+  return sum;
+}
+
+TEST(Scattering, SendsOnTheAlbedoWithTheAsymmetryOfLowtran7) {
+  struct Case {
+    Column column;
+    Absorber absorber;
+    double albedo, asymmetry;
+  };
+  using enum StratosphericAerosol;
+  for (const auto& one :
+       {Case{{}, air, 1, 0}, Case{{}, dust_layer, 0.947, 0.698},
+        Case{{}, troposphere, 0.963, 0.651}, Case{{}, free_troposphere, 0.963, 0.651},
+        Case{{.stratosphere = background}, Absorber::stratosphere, 1, 0.685},
+        Case{{.stratosphere = moderate}, Absorber::stratosphere, 0.947, 0.698},
+        Case{{.stratosphere = high}, Absorber::stratosphere, 0.947, 0.698},
+        Case{{.stratosphere = extreme}, Absorber::stratosphere, 0.855, 0.747},
+        Case{{}, ozone, 0, 0}, Case{{}, cloud, 0, 0}, Case{{}, nitrogen_dioxide, 0, 0}}) {
+    SCOPED_TRACE(std::string(absorber_names()[one.absorber]));
+    EXPECT_WITHIN(moment(one.column, one.absorber, 0), one.albedo, 1e-12, "rounding");
+    EXPECT_WITHIN(moment(one.column, one.absorber, 1), one.albedo * one.asymmetry, 1e-12,
+                  "rounding");
+  }
+}
+
+TEST(Profiles, HoldEachAbsorbersOwn) {
+  const Column some{.dust_extinction_per_m = 1e-6, .cirrus = 1, .nitrogen_dioxide = true};
+  for (const double h : {3e3, 9e3, 17e3, 50e3})
+    for (std::size_t k = 0; k < absorbers; ++k)
+      EXPECT_EQ(profiles(some, h)[k], profile(some, static_cast<Absorber>(k), h));
+  EXPECT_EQ(profile(some, ozone, 20e3), 0) << "the column has none";
 }
 
 TEST(Breaks, AreWhereTheProfilesBend) {
