@@ -162,7 +162,7 @@ Json as_json(const uses::ReadPhotograph& photograph, const std::string& file,
              const std::string& instant) {
   Json all{{"file", file},
            {"instant", instant},
-           {"numbers", photograph.numbers},
+           {"numbers", photograph.measurements},
            {"exposure_known", photograph.exposure_known},
            {"coding", photograph.curved ? "camera" : "known"}};
   if (photograph.left_out.empty()) {
@@ -196,7 +196,7 @@ void print_json(const Told& told, const uses::FitReport& found) {
              {"cloud_ozone", p.correlation[1][2]}}},
            {"chi_squared", p.least_chi_squared},
            {"explained", explains(fit)},
-           {"numbers", fit.numbers},
+           {"numbers", fit.measurements},
            {"photographs", Json::array()},
            {"nights", Json::array()}};
   for (std::size_t i = 0; i < photographs.size(); ++i)
@@ -214,8 +214,8 @@ void print_photograph(const ReadPhotograph& photograph, const std::string& file)
     return;
   }
   fmt::print(
-      "{}: {} numbers{}, exposure {}{}, correlation {:.3f}\n", one_line(file), photograph.numbers,
-      photograph.registration.render_to_photo.mirrored ? ", mirrored" : "",
+      "{}: {} numbers{}, exposure {}{}, correlation {:.3f}\n", one_line(file),
+      photograph.measurements, photograph.registration.render_to_photo.mirrored ? ", mirrored" : "",
       photograph.exposure_known ? "known" : "free",
       photograph.curved ? ", by its camera's tone curve" : "", photograph.registration.correlation);
 }
@@ -249,7 +249,7 @@ void print_table(const Told& told, const uses::FitReport& found) {
   fmt::print(
       "correlation  dust and cloud {:+.2f}, dust and ozone {:+.2f}, cloud and ozone {:+.2f}\n",
       p.correlation[0][1], p.correlation[0][2], p.correlation[1][2]);
-  fmt::print("chi squared  {:.1f} of {} numbers\n", p.least_chi_squared, fit.numbers);
+  fmt::print("chi squared  {:.1f} of {} numbers\n", p.least_chi_squared, fit.measurements);
 }
 
 void require_sound(const Options& options) {
@@ -276,7 +276,7 @@ std::string misfit_of(const uses::FitReport& found) {
   }
   return fmt::format(
       "no air explains this: chi squared = {:.1f} of {} numbers, allowed up to {:.1f}; likely: {}",
-      fit.posterior.least_chi_squared, fit.numbers, most_chi_squared(fit), why);
+      fit.posterior.least_chi_squared, fit.measurements, most_chi_squared(fit), why);
 }
 
 void run(const Options& options) {

@@ -71,7 +71,7 @@ void tell(std::size_t night, const NightTruth& truth, const uses::FitReport& ans
       "({:.0f}), clock {:.1f} ± {:.1f} s ({:.1f}), chi squared {:.0f} of {}, {}\n",
       night, std::exp(dust.low), std::exp(dust.high), truth.dust_per_m, cover.low, cover.high,
       truth.cloud_cover, ozone.low, ozone.high, truth.ozone_du, clock.seconds, clock.error_s,
-      truth.clock_s, answer.fit.posterior.least_chi_squared, answer.fit.numbers, truth.camera);
+      truth.clock_s, answer.fit.posterior.least_chi_squared, answer.fit.measurements, truth.camera);
   std::fflush(stdout);
 }
 

@@ -235,9 +235,10 @@ TEST_F(Recovery, OfAHundredPhotographsFindsDustAndCloudAndKnowsHowWell) {
             binned(scene, photo, found.render_to_photo),
             {value_per_cd_m2, 0.1, 0.03, false, uses::place_error_km(scene, found)}};
         const uses::ComparedNight compared(std::span(&night, 1), {});
-        const uses::Witness witness{
-            &light, [&](const auto& of_air) { return compared.weighed(of_air); }, compared.count()};
-        tally.count(taken.truth, uses::fitted_air({&witness, 1}).posterior);
+        const uses::DataSet data{&light,
+                                 [&](const auto& of_air) { return compared.goodness(of_air); },
+                                 compared.count()};
+        tally.count(taken.truth, uses::fitted_air({&data, 1}).posterior);
       } catch (const algebra::Error&) {
         ++tally.refused;  // one whose Moon is lost in noise or light: not found
       }

@@ -26,78 +26,72 @@ Axes whole_axes() {
           evenly(ozone.least, ozone.most, axis_steps[2])};
 }
 
-/// Axes of as many steps over what is probable after a look at all of it.
-Axes axes_about(const Posterior& known, const Axes& whole) {
+/// Axes of as many steps over what is probable by a coarser grid.
+Axes axes_about(const Posterior& known, const Axes& coarser) {
   constexpr double beyond = 2;  // of the interval, to either side of it: five deviations in all
   Axes axes;
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const auto& [median, low, high, information] = known.estimates[a];
-    const double step = whole[a][1] - whole[a][0], width = std::max(high - low, step);
-    axes[a] = evenly(std::max(whole[a].front(), low - beyond * width),
-                     std::min(whole[a].back(), high + beyond * width), axis_steps[a]);
+    const double step = coarser[a][1] - coarser[a][0], width = std::max(high - low, step);
+    axes[a] = evenly(std::max(coarser[a].front(), low - beyond * width),
+                     std::min(coarser[a].back(), high + beyond * width), axis_steps[a]);
   }
   return axes;
 }
 
-/// What all witnesses say at each point: (dust × ozones + ozone, cover).
-struct Weighing {
+/// Goodness of fit at each point of a grid: (dust × ozones + ozone, cover).
+struct Evaluation {
   algebra::Grid<double> chi_squared;
-  std::vector<algebra::Grid<ClockError>> clocks;  ///< [witness]
+  std::vector<algebra::Grid<ClockError>> clocks;  ///< [data set]
 };
 
-/// Adds what a witness says for each cloud cover, at one dust and ozone.
-void add_over_cover(const Witness& witness, const FittedLight::Mixed& mixed,
+/// Adds χ² of a data set, and notes its clock, for each cloud cover at one dust and ozone.
+void add_over_cover(const DataSet& data, const FittedLight::Mixed& mixed,
                     const std::vector<double>& covers, std::span<double> chi_squared,
                     std::span<ClockError> clocks) {
-  auto light = mixed.clear;
   for (std::size_t j = 0; j < covers.size(); ++j) {
-    for (std::size_t i = 0; i < light.values().size(); ++i) {
-      const double clear = mixed.clear.values()[i];
-      light.values()[i] = clear + covers[j] * (mixed.cloudy.values()[i] - clear);
-    }
-    const auto weighed = witness.weighed(light);
-    chi_squared[j] += weighed.chi_squared;
-    clocks[j] = {weighed.clock_s, std::sqrt(weighed.clock_variance_s2)};
+    const auto found = data.goodness(mixed.under(covers[j]));
+    chi_squared[j] += found.chi_squared;
+    clocks[j] = {found.clock_s, std::sqrt(found.clock_variance_s2)};
   }
 }
 
-Weighing weighing_over(const Axes& axes, std::span<const Witness> witnesses,
-                       const algebra::Progress& progress) {
+Evaluation evaluated(const Axes& axes, std::span<const DataSet> data,
+                     const algebra::Progress& progress) {
   const auto &dusts = axes[0], &covers = axes[1], &ozones = axes[2];
   const auto rows = dusts.size() * ozones.size();
-  Weighing all{algebra::Grid<double>(rows, covers.size()), {}};
-  all.clocks.assign(witnesses.size(), algebra::Grid<ClockError>(rows, covers.size()));
+  Evaluation all{algebra::Grid<double>(rows, covers.size()), {}};
+  all.clocks.assign(data.size(), algebra::Grid<ClockError>(rows, covers.size()));
   std::atomic<std::size_t> done = 0;
   tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
     const double dust = std::exp(dusts[row / ozones.size()]), ozone = ozones[row % ozones.size()];
-    for (std::size_t w = 0; w < witnesses.size(); ++w)
-      add_over_cover(witnesses[w], witnesses[w].light->mixed(dust, ozone), covers,
-                     all.chi_squared.row(row), all.clocks[w].row(row));
+    for (std::size_t d = 0; d < data.size(); ++d)
+      add_over_cover(data[d], data[d].light->mixed(dust, ozone), covers, all.chi_squared.row(row),
+                     all.clocks[d].row(row));
     progress(static_cast<double>(++done) / static_cast<double>(rows));
   });
   return all;
 }
 
-/// A clock's error over all air, each as likely as its χ² says.
-ClockError over_all_air(const algebra::Grid<double>& chi_squared, double least, double larger,
+/// Posterior mean and standard error of a clock's correction, over all air; χ² and variances scaled by a factor.
+ClockError over_all_air(const algebra::Grid<double>& chi_squared, double least, double scale,
                         const algebra::Grid<ClockError>& clocks) {
   double sum = 0, mean = 0, squares = 0;
   for (std::size_t i = 0; i < chi_squared.values().size(); ++i) {
-    const double mass = std::exp((least - chi_squared.values()[i]) / larger / 2);
+    const double mass = std::exp((least - chi_squared.values()[i]) / scale / 2);
     const auto& [seconds, error_s] = clocks.values()[i];
     sum += mass;
     mean += mass * seconds;
-    squares += mass * (seconds * seconds + larger * error_s * error_s);
+    squares += mass * (seconds * seconds + scale * error_s * error_s);
   }
   mean /= sum;
   return {mean, std::sqrt(std::max(0., squares / sum - mean * mean))};
 }
 
-/// What is known with all errors larger by the root of a factor.
-Posterior posterior_over(const Axes& axes, const algebra::Grid<double>& chi_squared,
-                         double larger) {
+/// Posterior with all variances larger by a factor.
+Posterior posterior_over(const Axes& axes, const algebra::Grid<double>& chi_squared, double scale) {
   return posterior(axes, [&](const std::array<std::size_t, 3>& at) {
-    return chi_squared(at[0] * axes[2].size() + at[2], at[1]) / larger;
+    return chi_squared(at[0] * axes[2].size() + at[2], at[1]) / scale;
   });
 }
 
@@ -110,45 +104,47 @@ std::array<double, 3> best_of(const Axes& axes, const algebra::Grid<double>& chi
           axes[2][row % axes[2].size()]};
 }
 
-/// Count of numbers above the three unknowns, 1 or more.
-double freedom_of(std::size_t numbers) { return std::max(1., static_cast<double>(numbers) - 3); }
+/// Degrees of freedom, 1 or more.
+double freedom_of(std::size_t measurements) {
+  return std::max(1., static_cast<double>(measurements) - 3);
+}
 
 }  // namespace
 
-double most_chi_squared(const AirFit& fit) { return 10 * freedom_of(fit.numbers); }
+double most_chi_squared(const AirFit& fit) { return 10 * freedom_of(fit.measurements); }
 
 bool explains(const AirFit& fit) {
   return fit.posterior.least_chi_squared <= most_chi_squared(fit);
 }
 
-AirFit fitted_air(std::span<const Witness> witnesses, const algebra::Progress& progress) {
+AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progress) {
   constexpr int looks = 3;
   AirFit result;
-  for (const auto& witness : witnesses) result.numbers += witness.count;
-  const double freedom = freedom_of(result.numbers);
+  for (const auto& set : data) result.measurements += set.count;
+  const double freedom = freedom_of(result.measurements);
   const auto whole = whole_axes();
   auto axes = whole;
   for (int look = 1;; ++look) {
-    const auto [chi_squared, clocks] = weighing_over(axes, witnesses, [&](double part) {
+    const auto [chi_squared, clocks] = evaluated(axes, data, [&](double part) {
       if (progress) progress((look - 1 + part) / looks);
     });
     const double least = *std::ranges::min_element(chi_squared.values()),
-                 larger = std::max(1., least / freedom);
-    result.posterior = posterior_over(axes, chi_squared, larger);
+                 scale = std::max(1., least / freedom);
+    result.posterior = posterior_over(axes, chi_squared, scale);
     result.posterior.least_chi_squared = least;
     if (look == looks) {
       result.best = best_of(axes, chi_squared);
       for (const auto& clock : clocks)
-        result.clocks.push_back(over_all_air(chi_squared, least, larger, clock));
+        result.clocks.push_back(over_all_air(chi_squared, least, scale, clock));
       break;
     }
     axes = axes_about(result.posterior, axes);
   }
-  for (std::size_t a = 0; a < whole.size(); ++a) {  // over what was allowed, not what was looked at
+  for (std::size_t a = 0; a < whole.size();
+       ++a) {  // relative to the whole range, not the last grid's
     auto& information = result.posterior.estimates[a].information;
-    const double looked = axes[a].back() - axes[a].front(),
-                 allowed = whole[a].back() - whole[a].front();
-    information = 1 - (1 - information) * looked * looked / (allowed * allowed);
+    const double share = (axes[a].back() - axes[a].front()) / (whole[a].back() - whole[a].front());
+    information = 1 - (1 - information) * share * share;
   }
   return result;
 }

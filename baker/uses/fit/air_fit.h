@@ -11,45 +11,46 @@
 
 namespace coppermoon::uses {
 
-/// How light agrees with what was seen.
-struct Weighed {
+/// Goodness of fit of a model's light.
+struct GoodnessOfFit {
   double chi_squared;
   double clock_s = 0,
-         clock_variance_s2 = 0;  ///< to be added to instants, and how well that is known
+         clock_variance_s2 = 0;  ///< of the clock's correction, to be added to instants
 };
 
-/// Numbers that tell of the air: photographs', or magnitudes.
-struct Witness {
+/// Measurements of one night, or of one moment's magnitudes.
+struct DataSet {
   const FittedLight* light;
-  std::function<Weighed(const algebra::Grid<double>& light)> weighed;  ///< light on its bins
-  std::size_t count;                                                   ///< how many numbers
+  std::function<GoodnessOfFit(const algebra::Grid<double>& light)> goodness;  ///< of light in bins
+  std::size_t count;                                                          ///< of measurements
 };
 
-/// The error of a clock: what is to be added to instants.
+/// Correction of a clock, to be added to its instants.
 struct ClockError {
-  double seconds = 0, error_s = 0;  ///< expectation and standard error
+  double seconds = 0, error_s = 0;  ///< mean and standard error
 };
 
-/// The air that some witnesses tell of.
+/// Air fitted to data sets.
 struct AirFit {
   Posterior posterior{};             ///< unknowns: logarithm of dust [1/m], cloud cover, ozone [DU]
-  std::size_t numbers = 0;           ///< how many were compared
+  std::size_t measurements = 0;      ///< number of them
   std::array<double, 3> best{};      ///< dust [1/m], cover, ozone [DU] of the least χ²
-  std::vector<ClockError> clocks{};  ///< of each witness
+  std::vector<ClockError> clocks{};  ///< by data set
 };
 
-/// The air that explains all of them best. Where even that is further off than the errors say, all
-/// errors are taken to be as much larger.
-AirFit fitted_air(std::span<const Witness> witnesses, const algebra::Progress& progress = {});
+/// Posterior of the air, given all data sets: a grid over the whole search range, made finer twice about what is
+/// probable. Where the least χ² exceeds the degrees of freedom all errors are scaled up to match.
+AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progress = {});
 
-/// Largest χ² at which air explains what was seen: ten for each number above the three unknowns, as if all
-/// errors were three times as large as believed.
+/// Largest χ² of an acceptable fit: ten times the degrees of freedom, as if all errors were three times as large
+/// as believed.
 ///
-/// Source  a hundred photographs of tests/end_to_end/recovery_test.cpp: 0.2 to 3.2; of one of them with
-///         a tone curve of the power 0.7: 15, at a time 30 minutes off: 98, of another eclipse: 388
+/// Source  χ² per degree of freedom of a hundred photographs of tests/end_to_end/recovery_test.cpp: 0.2 to 3.2;
+///         of one of them with a tone curve of the power 0.7: 15, at a time 30 minutes off: 98, of another
+///         eclipse: 388
 double most_chi_squared(const AirFit& fit);
 
-/// Whether χ² is no larger than that.
+/// Whether χ² is at most most_chi_squared.
 bool explains(const AirFit& fit);
 
 }  // namespace coppermoon::uses

@@ -16,30 +16,34 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Nuisances of a night: its exposure, its colours, its curve; then of each photograph: exposure, colours, the
-/// sky's light in each channel, its place, its glow.
-constexpr std::size_t of_night = 3 + colour::tone_numbers, of_curve = 3, of_photograph = 8;
+/// Columns of the design matrix: nuisance parameters of the night, then those of each photograph.
+namespace of_night {
+enum : std::size_t { exposure, red, blue, curve, count = curve + colour::tone_numbers };
+}
+namespace of_photograph {
+enum : std::size_t { exposure, red, blue, sky, place = sky + 3, glow, count };
+}
 
-/// What tone curves leave between the levels that they are known at.
+/// Error of a tone curve between the levels at which it is known.
 constexpr double between_tents = 0.01;
 
-/// An error that says that nothing is known.
+/// Prior standard deviation (log units) of a nuisance parameter about which nothing is known.
 constexpr double unknown = 10;
 
-/// Relative error of a value that the computation leaves open in each channel by itself: of FittedLight, and of what
-/// wavelengths it is a sum over.
+/// Relative error of the computation, independent in each channel: of FittedLight, and of the number of
+/// wavelengths.
 double error_of_computation(double value, double brightest) {
   constexpr double of_colour = 0.001, of_brightest = 0.0003;
   return std::hypot(of_colour, of_brightest * brightest / value);
 }
 
-/// Variance that the computation leaves open in all channels alike, and in bins so far apart: FittedLight's.
+/// Covariance of the computation between bins so far apart, common to all channels: FittedLight's.
 double common_variance_of_computation(double distance_km) {
   constexpr double of_light = 0.001, alike_km = 500;
   return of_light * of_light * std::exp(-distance_km / alike_km);
 }
 
-/// Covariances of bins, (bin, bin), each channel by itself: the map is off by 1.2 % in each place of 200 km, of
+/// Covariance of the map's errors, (bin, bin), independent in each channel: 1.2 % in each place of 200 km, over
 /// which a bin is the mean.
 algebra::Grid<double> covariances_of_map(const FitScene& scene) {
   constexpr double error = 0.012, place_km = 200,
@@ -67,9 +71,9 @@ algebra::Grid<double> covariances_of_map(const FitScene& scene) {
   return result;
 }
 
-/// How the logarithm of a bin's light grows with distance from the axis [1/km], by its neighbours.
-double growth(const FitScene& scene, const algebra::Grid<double>& values, std::size_t b,
-              std::size_t k) {
+/// Derivative of the logarithm of light by distance from the axis [1/km], from the neighbouring bins.
+double logarithmic_slope(const FitScene& scene, const algebra::Grid<double>& values, std::size_t b,
+                         std::size_t k) {
   const auto known = [&](std::size_t bin) { return bin < scene.bins && values(bin, k) > 0; };
   const auto from = b > 0 && known(b - 1) ? b - 1 : b, to = known(b + 1) ? b + 1 : b;
   if (from == to) return 0;
@@ -77,12 +81,13 @@ double growth(const FitScene& scene, const algebra::Grid<double>& values, std::s
          (scene.distances_km[to] - scene.distances_km[from]);
 }
 
-}  // namespace
-
+/// Moments beside each photograph's at which light is computed, for its derivative by the clock [s].
 std::vector<double> clock_steps_s(double clock_error_s) {
   constexpr double step_s = 60;
   return clock_error_s > 0 ? std::vector<double>{-step_s, 0, step_s} : std::vector<double>{0};
 }
+
+}  // namespace
 
 FittedLight night_light(const LightRequest& request, std::span<const NightPhotograph> photographs,
                         std::span<const almanac::Instant> instants, double clock_error_s,
@@ -109,16 +114,16 @@ ComparedNight::ComparedNight(std::span<const NightPhotograph> photographs,
     curved_ = curved_ || !photograph.light.slopes.empty();
     distances_km_.push_back(photograph.scene.distances_km);
     sunlight_.push_back(sunlight_of(photograph.scene.weights));
-    add_numbers(photograph, distances_km_.size() - 1);
+    add_measurements(photograph, distances_km_.size() - 1);
   }
-  if (numbers_.size() < least)
+  if (measurements_.size() < least)
     throw algebra::Error(fmt::format(
         "{} parts of the disc are neither clipped nor lost in noise, allowed {} or more",
-        numbers_.size(), least));
-  nuisances_ = {own_covariances(photographs), effects(photographs)};
+        measurements_.size(), least));
+  nuisances_ = {noise(photographs), design(photographs)};
 }
 
-std::vector<algebra::Grid<double>> ComparedNight::own_covariances(
+std::vector<algebra::Grid<double>> ComparedNight::noise(
     std::span<const NightPhotograph> photographs) const {
   std::vector<algebra::Grid<double>> all;
   for (std::size_t p = 0, first = 0; p < photographs.size(); ++p) {
@@ -127,7 +132,7 @@ std::vector<algebra::Grid<double>> ComparedNight::own_covariances(
     auto& block = all.emplace_back(count, count);
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = 0; j < count; ++j) {
-        const auto &one = numbers_[first + i], &other = numbers_[first + j];
+        const auto &one = measurements_[first + i], &other = measurements_[first + j];
         block(i, j) = common_variance_of_computation(
             std::abs(distances_km_[p][one.bin] - distances_km_[p][other.bin]));
         if (one.channel == other.channel) block(i, j) += of_map(one.bin, other.bin);
@@ -138,7 +143,7 @@ std::vector<algebra::Grid<double>> ComparedNight::own_covariances(
   return all;
 }
 
-void ComparedNight::add_numbers(const NightPhotograph& photograph, std::size_t index) {
+void ComparedNight::add_measurements(const NightPhotograph& photograph, std::size_t index) {
   constexpr double too_noisy = 0.3, too_dark = 0.01;
   const auto& [values, errors, sky_errors, glow_errors, slopes] = photograph.light;
   for (std::size_t b = 0; b < bins_; ++b) {
@@ -147,42 +152,47 @@ void ComparedNight::add_numbers(const NightPhotograph& photograph, std::size_t i
       const double value = values(b, k), noise = errors(b, k) / value;
       if (value <= 0 || noise > too_noisy || value < too_dark * brightest) continue;
       double logarithm = std::log(value / photograph.errors.value_per_cd_m2.value_or(1));
-      if (!slopes.empty())  // as the mean of cameras has it, to first order
+      if (!slopes.empty())  // by the mean tone curve of cameras, to first order
         for (std::size_t n = 0; n < colour::tone_numbers; ++n)
           logarithm -= slopes(b, k)[n] * errors_.curve.numbers[n];
       const double of_tents = slopes.empty() ? 0 : between_tents;
-      numbers_.push_back({index, b, k, logarithm,
-                          std::hypot(noise, error_of_computation(value, brightest), of_tents)});
+      measurements_.push_back(
+          {index, b, k, logarithm,
+           std::hypot(noise, error_of_computation(value, brightest), of_tents)});
     }
   }
 }
 
-algebra::Grid<double> ComparedNight::effects(std::span<const NightPhotograph> photographs) const {
-  constexpr double of_shutter_and_iris = 0.03;
-  algebra::Grid<double> a(numbers_.size(), of_night + of_photograph * photographs.size());
-  for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    const auto& [p, b, k, logarithm, error] = numbers_[i];
+algebra::Grid<double> ComparedNight::design(std::span<const NightPhotograph> photographs) const {
+  constexpr double shutter_and_iris = 0.03, white_balance_drift = 0.003;
+  algebra::Grid<double> a(measurements_.size(),
+                          of_night::count + of_photograph::count * photographs.size());
+  for (std::size_t i = 0; i < measurements_.size(); ++i) {
+    const auto& [p, b, k, logarithm, error] = measurements_[i];
     const auto& [scene, light, errors] = photographs[p];
-    const auto own = of_night + of_photograph * p;
-    const bool known = errors.value_per_cd_m2.has_value();
-    if (known) a(i, 0) = light.slopes.empty() ? errors.exposure_error : unknown;
-    a(i, own) = known ? of_shutter_and_iris : unknown;
-    constexpr double drift = 0.003;
+    const double value = light.values(b, k);
+    const bool scaled = errors.value_per_cd_m2.has_value(), curved = !light.slopes.empty();
+    const auto night = a.row(i), own = night.subspan(of_night::count + of_photograph::count * p,
+                                                     of_photograph::count);
+    if (scaled) night[of_night::exposure] = curved ? unknown : errors.exposure_error;
+    own[of_photograph::exposure] = scaled ? shutter_and_iris : unknown;
     if (k != 1) {
-      const std::size_t red_or_blue = k / 2;
-      if (errors.white_balance_fixed) a(i, 1 + red_or_blue) = errors.white_balance_error;
-      a(i, own + 1 + red_or_blue) = errors.white_balance_fixed ? drift : errors.white_balance_error;
+      const bool fixed = errors.white_balance_fixed;
+      if (fixed) night[of_night::red + k / 2] = errors.white_balance_error;
+      own[of_photograph::red + k / 2] = fixed ? white_balance_drift : errors.white_balance_error;
     }
-    a(i, own + 6) = errors.place_error_km * growth(scene, light.values, b, k);
-    a(i, own + 3 + k) = light.sky_errors(b, k) / light.values(b, k);
-    a(i, own + 7) = light.glow_errors(b, k) / light.values(b, k);
-    if (!light.slopes.empty()) std::ranges::copy(light.slopes(b, k), &a(i, of_curve));
+    own[of_photograph::sky + k] = light.sky_errors(b, k) / value;
+    own[of_photograph::place] =
+        errors.place_error_km * logarithmic_slope(scene, light.values, b, k);
+    own[of_photograph::glow] = light.glow_errors(b, k) / value;
+    if (curved) std::ranges::copy(light.slopes(b, k), &night[of_night::curve]);
   }
   return a;
 }
 
 std::size_t ComparedNight::count_of(std::size_t photograph) const {
-  return static_cast<std::size_t>(std::ranges::count(numbers_, photograph, &Number::photograph));
+  return static_cast<std::size_t>(
+      std::ranges::count(measurements_, photograph, &Measurement::photograph));
 }
 
 ComparedNight::Residuals ComparedNight::residuals(const algebra::Grid<double>& light) const {
@@ -190,74 +200,75 @@ ComparedNight::Residuals ComparedNight::residuals(const algebra::Grid<double>& l
   const auto middle = steps_s.size() / 2;
   Residuals result;
   std::vector<std::array<double, 3>> logarithms(steps_s.size());
-  for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    const auto& [p, b, k, logarithm, error] = numbers_[i];
-    if (i == 0 || p != numbers_[i - 1].photograph || b != numbers_[i - 1].bin)
+  for (std::size_t i = 0; i < measurements_.size(); ++i) {
+    const auto& [p, b, k, logarithm, error] = measurements_[i];
+    if (i == 0 || p != measurements_[i - 1].photograph || b != measurements_[i - 1].bin)
       for (std::size_t s = 0; s < steps_s.size(); ++s) {
         logarithms[s] = rec709_of(light.row((p * steps_s.size() + s) * bins_ + b));
         for (double& value : logarithms[s]) value = std::log(std::max(value, 1e-12));
       }
-    result.apart.push_back(logarithm - logarithms[middle][k]);
+    result.differences.push_back(logarithm - logarithms[middle][k]);
     if (steps_s.size() > 1)
-      result.a_second.push_back((logarithms.back()[k] - logarithms.front()[k]) /
-                                (steps_s.back() - steps_s.front()));
+      result.per_second.push_back((logarithms.back()[k] - logarithms.front()[k]) /
+                                  (steps_s.back() - steps_s.front()));
   }
   return result;
 }
 
-Weighed ComparedNight::weighed(const algebra::Grid<double>& light) const {
-  const auto [apart, a_second] = residuals(light);
-  const auto seen = nuisances_.whitened(apart);
-  Weighed result{product(seen, seen)};
-  if (a_second.empty()) return result;
-  const auto clock = nuisances_.whitened(a_second);
+GoodnessOfFit ComparedNight::goodness(const algebra::Grid<double>& light) const {
+  const auto [differences, per_second] = residuals(light);
+  const auto whitened = nuisances_.whitened(differences);
+  GoodnessOfFit result{product(whitened, whitened)};
+  if (per_second.empty()) return result;
+  const auto clock = nuisances_.whitened(per_second);
   const double information =
       product(clock, clock) + 1 / (errors_.clock_error_s * errors_.clock_error_s);
-  const double told = product(clock, seen);
-  result.chi_squared -= told * told / information;
-  result.clock_s = told / information;
+  result.clock_s = product(clock, whitened) / information;
   result.clock_variance_s2 = 1 / information;
+  result.chi_squared -= result.clock_s * result.clock_s * information;
   return result;
+}
+
+std::vector<double> ComparedNight::residuals_by_the_clock(
+    const algebra::Grid<double>& light) const {
+  auto [differences, per_second] = residuals(light);
+  const double clock_s = goodness(light).clock_s;
+  for (std::size_t i = 0; i < per_second.size(); ++i) differences[i] -= clock_s * per_second[i];
+  return differences;
 }
 
 colour::ToneCurve ComparedNight::curve(const algebra::Grid<double>& light) const {
   colour::ToneCurve found;
   if (!curved_) return found;
-  auto [apart, a_second] = residuals(light);
-  const double clock_s = weighed(light).clock_s;
-  for (std::size_t i = 0; i < a_second.size(); ++i) apart[i] -= clock_s * a_second[i];
-  const auto nuisances = nuisances_.expected(apart);
+  const auto parameters = nuisances_.expected(residuals_by_the_clock(light));
   for (std::size_t n = 0; n < colour::tone_numbers; ++n)
-    found.numbers[n] = -nuisances[of_curve + n];  // what is read as too bright is made darker
+    found.numbers[n] = -parameters[of_night::curve + n];  // excess light is taken off by the curve
   return found;
 }
 
 std::vector<MeasuredLight> ComparedNight::measured(const algebra::Grid<double>& light) const {
   constexpr double step_km = 100;
-  auto [apart, a_second] = residuals(light);
-  const double clock_s = weighed(light).clock_s;
-  for (std::size_t i = 0; i < a_second.size(); ++i) apart[i] -= clock_s * a_second[i];
-  const auto explained = nuisances_.explained(apart);
-  std::map<std::pair<long, std::size_t>, std::vector<std::size_t>> steps;
-  for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    const auto& number = numbers_[i];
-    const double distance_km = distances_km_[number.photograph][number.bin];
-    steps[{std::lround(distance_km / step_km), number.channel}].push_back(i);
+  const auto differences = residuals_by_the_clock(light);
+  const auto explained = nuisances_.explained(differences);
+  std::map<std::pair<long, std::size_t>, std::vector<std::size_t>> steps;  // [step, channel]
+  for (std::size_t i = 0; i < measurements_.size(); ++i) {
+    const auto& [p, b, k, logarithm, error] = measurements_[i];
+    steps[{std::lround(distances_km_[p][b] / step_km), k}].push_back(i);
   }
   std::vector<MeasuredLight> all;
-  for (const auto& [step, numbers] : steps) {
-    std::vector<double> weights(numbers_.size());
-    double sum = 0, distance_km = 0, seen = 0, expected = 0;
-    for (const auto i : numbers) {
-      const auto& [p, b, k, logarithm, error] = numbers_[i];
+  for (const auto& [step, members] : steps) {
+    std::vector<double> weights(measurements_.size());
+    double sum = 0, distance_km = 0, measured = 0, model = 0;
+    for (const auto i : members) {
+      const auto& [p, b, k, logarithm, error] = measurements_[i];
       const double weight = 1 / (error * error), sunlight = std::log(sunlight_[p][k]);
       weights[i] = weight;
       sum += weight;
       distance_km += weight * distances_km_[p][b];
-      seen += weight * (logarithm - explained[i] - sunlight);
-      expected += weight * (logarithm - apart[i] - sunlight);
+      measured += weight * (logarithm - explained[i] - sunlight);
+      model += weight * (logarithm - differences[i] - sunlight);
     }
-    all.push_back({distance_km / sum, step.second, std::exp(seen / sum), std::exp(expected / sum),
+    all.push_back({distance_km / sum, step.second, std::exp(measured / sum), std::exp(model / sum),
                    nuisances_.error_of_mean(weights)});
   }
   return all;

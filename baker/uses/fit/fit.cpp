@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -25,16 +24,16 @@ struct Earlier {
   }
 };
 
-/// All that tells of the air, for as long as it is asked.
+/// All data, and what they refer to.
 struct Evidence {
   std::vector<std::vector<std::size_t>> photographs;  ///< [night] of the request
   std::vector<std::unique_ptr<Night>> nights;
-  std::list<MagnitudeWitness> magnitudes;
+  std::vector<MagnitudeData> magnitudes;
 
-  std::vector<Witness> witnesses() const {
-    std::vector<Witness> all;
-    for (const auto& night : nights) all.push_back(night->witness());
-    for (const auto& magnitude : magnitudes) all.push_back(magnitude.witness);
+  std::vector<DataSet> data() const {
+    std::vector<DataSet> all;
+    for (const auto& night : nights) all.push_back(night->data());
+    for (const auto& magnitude : magnitudes) all.push_back(magnitude.data);
     return all;
   }
 };
@@ -59,7 +58,7 @@ class Steps {
 using ByNight = std::map<std::pair<std::string, double>, std::vector<std::size_t>>;
 using ByInstant = std::map<almanac::Instant, std::vector<MeasuredMagnitude>, Earlier>;
 
-/// Photographs that tell nothing, and the first one's error.
+/// Photographs that cannot be used, and the first one's error.
 struct LeftOut {
   const FitRequest& request;
   std::vector<ReadPhotograph>& photographs;  ///< in the order of the request
@@ -112,19 +111,19 @@ void add_magnitudes(const FitRequest& request, const ByInstant& by_instant, Step
                     Evidence& evidence) {
   for (const auto& [instant, magnitudes] : by_instant)
     evidence.magnitudes.push_back(
-        witness_of(request.moon, almanac::sky_at(instant), magnitudes, steps.next()));
+        data_of(request.moon, almanac::sky_at(instant), magnitudes, steps.next()));
 }
 
 constexpr int most_readings = 2;
 
-/// The air, with tone curves that were read anew as it asks for.
+/// Air fitted, and again to photographs read by the tone curves found, where curves are in question.
 AirFit fitted(const Evidence& evidence, Steps& steps) {
-  auto fit = fitted_air(evidence.witnesses(), steps.next());
+  auto fit = fitted_air(evidence.data(), steps.next());
   for (int reading = 0; reading < most_readings; ++reading) {
     bool anew = false;
     for (const auto& night : evidence.nights) anew = night->refine(fit) || anew;
     if (!anew) break;
-    fit = fitted_air(evidence.witnesses(), steps.next());
+    fit = fitted_air(evidence.data(), steps.next());
   }
   return fit;
 }

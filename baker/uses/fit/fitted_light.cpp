@@ -17,13 +17,13 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Scale of dust: light's logarithm is smooth in that of 1 + dust / scale. On cubics through ten nodes, even
-/// in it, it errs by 4e-4 up to 3e-6 per metre, 1e-3 up to 8e-6, 5e-3 up to 1.5e-5, 2e-2 beyond.
+/// Scale of dust: the logarithm of light is smooth in ln(1 + dust / scale). Cubics through ten nodes, even in that,
+/// err by 4e-4 up to 3e-6 per metre, 1e-3 up to 8e-6, 5e-3 up to 1.5e-5, 2e-2 beyond.
 constexpr double scale_of_dust_per_m = 2e-6;
 
 double smooth(double dust_per_m) { return std::log1p(dust_per_m / scale_of_dust_per_m); }
 
-/// Dust that light is computed at.
+/// Nodes of dust.
 constexpr std::array coarse_dusts_per_m{4e-7, 2.5e-6, 7.5e-6, 1.7e-5};
 std::vector<double> fine_dusts_per_m() {
   constexpr int count = 10;
@@ -34,14 +34,14 @@ std::vector<double> fine_dusts_per_m() {
   return even;
 }
 
-/// Ozone that light is computed at: one at all ten doses of dust, two more at five of them. The ratio of light
-/// in two ozones is smoother in dust than light is. Between the five it errs, at 100 and 350 DU, by 8e-4 up to
-/// 3e-6 per metre, by 1.4e-3 up to 8e-6, by 3e-3 up to 1.5e-5; near 280 DU not at all.
+/// Nodes of ozone: one at all ten nodes of dust, two more at five of them, for the ratio of light in two ozones is
+/// smoother in dust than light is. Errors between the five, at 100 and 350 DU, are 8e-4 up to 3e-6 per metre, 1.4e-3
+/// up to 8e-6, 3e-3 up to 1.5e-5; near 280 DU 0.
 constexpr double ozone_of_all_dust_du = 280;
 constexpr std::array<double, 2> other_ozones_du{100, 500};
 constexpr std::array<std::size_t, 5> dusts_of_other_ozone{0, 2, 5, 6, 9};
 
-/// Work that makes light as exact as a photograph is known.
+/// Work for light as exact as photographs are.
 constexpr plan::Work work_of_fits{.scattered_light = true,
                                   .bands = 40,
                                   .rays = 200,
@@ -49,14 +49,14 @@ constexpr plan::Work work_of_fits{.scattered_light = true,
                                   .planes = 2,
                                   .place_error = 1e-2};
 
-/// Sectors that cubics run between, and the highest harmonic, in air without sharp borders. Against 96 sectors and all
-/// harmonics places err by 2e-3 at most, by 1e-4 in the mean.
+/// Sectors, interpolated by cubics, and the highest harmonic, in air without sharp borders. Errors against 96 sectors
+/// and all harmonics are 2e-3 at most, 1e-4 in the mean.
 constexpr std::size_t sectors_of_fits = 48;
 constexpr int harmonics_of_fits = 24;
 
 constexpr double darkness = 1e-30;
 
-/// Different air above the observer, and where a part stands among it.
+/// Interpolation between different air above the observer.
 class AirAbove {
  public:
   explicit AirAbove(std::span<const LitBins> parts) {
@@ -77,12 +77,12 @@ class AirAbove {
 
   std::size_t nodes() const { return nodes_.size(); }
 
-  /// How much each node's logarithm counts for a part's.
+  /// Weights of the nodes' logarithms for a part.
   std::vector<double> shares(std::size_t part) const {
     return algebra::on_polynomial(nodes_, dimming_[part]);
   }
 
-  /// Channels of all nodes, one after the other; then all again, of what the ground's colour changes.
+  /// Weights of all nodes' channels, one node after the other; then as many rows for the ground's colour.
   algebra::Grid<double> weights(std::span<const LitBins> parts) const {
     const auto channels = parts.front().weights.rows(), bands = parts.front().weights.columns(),
                rows = channels * nodes();
@@ -111,7 +111,7 @@ class AirAbove {
   std::vector<std::size_t> of_part_;     // [node]
 };
 
-/// What does not change with the air sought.
+/// All that does not depend on the air sought.
 struct Setting {
   const LightRequest& request;
   ShadowedMoon moon;
@@ -119,14 +119,14 @@ struct Setting {
   std::vector<double> waves, distances_m;
   std::span<const LitBins> parts;
   AirAbove above;
-  algebra::Grid<double> weights;  ///< (channel of all nodes, then the ground's colour's; wave)
+  algebra::Grid<double> weights;  ///< as AirAbove::weights: (row, wave)
   bool scattered;
-  std::vector<algebra::Grid<double>> direct{};  ///< [part](place, the same rows)
+  std::vector<algebra::Grid<double>> direct{};  ///< [part](place, row)
 
   std::size_t channels_of_nodes() const { return weights.rows() / 2; }
 };
 
-/// Sunlight that passes clear of Earth and air, at all places: dust, cloud and ozone do not change it.
+/// Adds sunlight that passes clear of Earth and air, which dust, cloud and ozone do not change.
 void add_direct(Setting& setting, const algebra::Progress& progress) {
   const shadow::DirectLight light(setting.moon.air, setting.arrangement, setting.waves);
   const auto layers = light.in_layers(setting.weights);
@@ -185,7 +185,7 @@ algebra::Grid<double> in_bins(const Setting& setting, std::size_t p,
   return light;
 }
 
-/// The same of all parts, each through its own air: (bin, channel).
+/// Logarithms of all parts' light over sunlight, each through its own air above: (bin, channel).
 algebra::Grid<double> in_all_bins(const Setting& setting, const shadow::RefractedLight& refracted) {
   const auto nodes = setting.above.nodes(), channels = setting.channels_of_nodes() / nodes;
   std::size_t bins = 0;
@@ -203,7 +203,7 @@ algebra::Grid<double> in_all_bins(const Setting& setting, const shadow::Refracte
   return all;
 }
 
-/// The same air with other dust, cover and ozone everywhere, as a request's column would set them.
+/// Air with other dust, cover and ozone everywhere, as a request's column would set them.
 atmosphere::Atmosphere changed(atmosphere::Atmosphere air, double dust, double cover,
                                double ozone) {
   const auto change = [&](atmosphere::Column& column) {
@@ -217,16 +217,16 @@ atmosphere::Atmosphere changed(atmosphere::Atmosphere air, double dust, double c
   return air;
 }
 
-/// Some air, and where logarithms of the light in it go, (bin, channel).
-struct Tried {
+/// Air of a node, and where the logarithms of its light go, (bin, channel).
+struct Node {
   double dust_per_m, cover, ozone_du;
   algebra::Grid<double>* logarithms;
 };
 
-/// Lights all air, some at once: of like dust, which ask for places alike.
-void light(const Setting& setting, std::vector<Tried>& all, const algebra::Progress& progress) {
+/// Computes light at all nodes, some at once, in order of dust: air of like dust needs light at like places.
+void light(const Setting& setting, std::vector<Node>& all, const algebra::Progress& progress) {
   constexpr std::size_t at_once = 8;
-  std::ranges::stable_sort(all, {}, &Tried::dust_per_m);
+  std::ranges::stable_sort(all, {}, &Node::dust_per_m);
   for (std::size_t first = 0; first < all.size(); first += at_once) {
     const auto some = std::span(all).subspan(first, std::min(at_once, all.size() - first));
     std::vector<atmosphere::Atmosphere> airs;
@@ -242,7 +242,7 @@ void light(const Setting& setting, std::vector<Tried>& all, const algebra::Progr
   }
 }
 
-/// Weights of nodes for light in some dust: those of a cubic through the four about it.
+/// Weights of the nodes of dust, by a cubic through the four nearest.
 std::vector<double> shares_of_dust(std::span<const double> dusts_per_m, double dust_per_m) {
   const auto above = std::ranges::upper_bound(dusts_per_m, dust_per_m) - dusts_per_m.begin();
   const auto from = static_cast<std::size_t>(
@@ -254,7 +254,7 @@ std::vector<double> shares_of_dust(std::span<const double> dusts_per_m, double d
   return shares;
 }
 
-/// Adds so many times grids of the same size.
+/// Adds a multiple of some light to sums of the same size.
 void add(double times, const FittedLight::Mixed& light, FittedLight::Mixed& sums) {
   for (const auto part : {&FittedLight::Mixed::clear, &FittedLight::Mixed::cloudy}) {
     const auto values = (light.*part).values();
@@ -262,7 +262,7 @@ void add(double times, const FittedLight::Mixed& light, FittedLight::Mixed& sums
   }
 }
 
-/// The Moon at all those moments.
+/// The Moon at all moments.
 ShadowedMoon moon_at(const LightRequest& request, std::span<const almanac::SkyState> skies) {
   auto moon = shadowed_moon(request, skies[skies.size() / 2]);
   if (skies.size() > 1)
@@ -303,13 +303,13 @@ FittedLight::FittedLight(const LightRequest& request, std::span<const almanac::S
       at_wavelengths(above.weights(parts), work_of_fits.bands),
       airs == FittedAirs::fine && request.scattered_light != ScatteredLight::off};
   add_direct(setting, progress);
-  std::vector<Tried> tried;
+  std::vector<Node> nodes;
   for (auto& [ozone, dusts, logarithms] : nodes_)
     for (std::size_t d = 0; d < dusts.size(); ++d) {
-      tried.push_back({dusts[d], 0, ozone, &logarithms[d].clear});
-      tried.push_back({dusts[d], 1, ozone, &logarithms[d].cloudy});
+      nodes.push_back({dusts[d], 0, ozone, &logarithms[d].clear});
+      nodes.push_back({dusts[d], 1, ozone, &logarithms[d].cloudy});
     }
-  light(setting, tried, progress);
+  light(setting, nodes, progress);
   for (auto& other : std::span(nodes_).subspan(1))
     for (std::size_t d = 0; d < other.logarithms.size(); ++d)
       add(-1, nodes_.front().logarithms[dusts_of_other_ozone[d]], other.logarithms[d]);
@@ -319,7 +319,7 @@ FittedLight::Mixed FittedLight::mixed(double dust_per_m, double ozone_du) const 
   std::vector<double> ozones_du;
   for (const auto& node : nodes_) ozones_du.push_back(node.ozone_du);
   auto of_ozone = algebra::on_polynomial(ozones_du, ozone_du);
-  of_ozone.front() = 1;  // the others tell what differs
+  of_ozone.front() = 1;  // the others are ratios to it
   const auto& form = nodes_.front().logarithms.front().clear;
   Mixed result{{form.rows(), form.columns()}, {form.rows(), form.columns()}};
   for (std::size_t o = 0; o < nodes_.size(); ++o) {
@@ -332,12 +332,16 @@ FittedLight::Mixed FittedLight::mixed(double dust_per_m, double ozone_du) const 
   return result;
 }
 
+algebra::Grid<double> FittedLight::Mixed::under(double cloud_cover) const {
+  auto light = clear;
+  for (std::size_t i = 0; i < light.values().size(); ++i)
+    light.values()[i] += cloud_cover * (cloudy.values()[i] - clear.values()[i]);
+  return light;
+}
+
 algebra::Grid<double> FittedLight::at(double dust_per_m, double cloud_cover,
                                       double ozone_du) const {
-  auto [clear, cloudy] = mixed(dust_per_m, ozone_du);
-  for (std::size_t i = 0; i < clear.values().size(); ++i)
-    clear.values()[i] += cloud_cover * (cloudy.values()[i] - clear.values()[i]);
-  return clear;
+  return mixed(dust_per_m, ozone_du).under(cloud_cover);
 }
 
 }  // namespace coppermoon::uses

@@ -14,7 +14,7 @@
 
 namespace coppermoon::uses {
 
-/// A place of an eclipsed Moon, its light without the shadow, and the bin that it counts to.
+/// A place of an eclipsed Moon, its sunlit light, and its bin.
 struct LitPlace {
   eclipse::ShadowPlace place;
   double sunlit;  ///< light without the shadow, in any unit
@@ -22,60 +22,63 @@ struct LitPlace {
   double colour = 0;  ///< c of the ground, as surface::Ground has it
 };
 
-/// Limits within which an unknown is sought.
+/// Range of an unknown.
 struct SearchRange {
   double least, most;
 };
 
-/// Ranges of the three unknowns that an eclipse is explained by: dust [1/m], cover by a deck of cloud (in
-/// place of cloud by chance), ozone [DU] (the same over all of the limb).
+/// Ranges of the three unknowns: dust [1/m], cover by a deck of cloud (in place of cloud by chance), ozone [DU]
+/// (uniform over the limb).
 constexpr std::array<SearchRange, 3> search_range{{{2e-7, 3e-5}, {0, 1}, {100, 500}}};
 
-/// Light that counts together: what one observer sees of the Moon at one moment.
+/// Bins of the Moon's ground at one moment, as one observer sees them.
 struct LitBins {
-  /// (channel, band), of the moonlight seen, of mean ground, none below 0, as those of XYZ
+  /// (channel, band): of the moonlight of mean ground as seen, 0 or more, as those of XYZ
   algebra::Grid<double> weights;
   std::vector<LitPlace> places;  ///< in bins 0 to bins − 1
   std::size_t bins = 0;
 };
 
-/// How closely air is tried: fine as a fit is, coarse (dust in fours, one ozone, no scattered light) to find
-/// out when a photograph was taken.
+/// Nodes of air at which light is computed: fine for fits; coarse (four of dust, one of ozone, no scattered light) for
+/// finding a clock's error.
 enum class FittedAirs { fine, coarse };
 
-/// Light on bins of a Moon on its way, under air of any dust, cloud and ozone.
+/// Light in bins of a Moon on its way through the shadow, in air of any dust, cloud and ozone.
 ///
-/// Light in the shadow is computed once for all moments; between different air above the observer the
-/// logarithm runs along a polynomial of up to four of them.
+/// Light in the shadow is computed once for all moments. Between different air above the observer its logarithm is
+/// interpolated by a polynomial through up to four of them.
 ///
-/// It is computed for some dust and ozone, without cloud and under cloud all around; between those
-/// the logarithm runs along cubics and parabolas, and cloud that covers a part of the limb takes that part
-/// of the one for the other.
+/// Nodes are some dust and ozone, with a clear and with a cloudy limb. Between nodes the logarithm of light is
+/// interpolated by cubics in dust and parabolas in ozone. Partial cloud cover mixes clear and cloudy light linearly.
 ///
 /// Accuracy  of X and Y 0.4 %, of Z 0.8 %, against light_on_the_moon of a tolerance of 0.1 %; more where
 ///           dust is above 8e-6 per metre: 2 % of the darkest places beyond 1.5e-5
 class FittedLight {
  public:
-  /// Given  request  air but for the unknowns, limb darkening, scattered light; nothing else counts
-  ///        skies    of one eclipse, in order of time: all moments that parts are of, one or more
-  ///        parts    of as many channels each
+  /// Given  request  air but for the unknowns, limb darkening, scattered light; the rest is ignored
+  ///        skies    of one eclipse, in order of time: those of all parts, one or more
+  ///        parts    of equal numbers of channels
   FittedLight(const LightRequest& request, std::span<const almanac::SkyState> skies,
               std::span<const LitBins> parts, FittedAirs airs = FittedAirs::fine,
               const algebra::Progress& progress = {});
 
-  /// Light of each bin over what it would be without the shadow.
+  /// Light of each bin over its sunlit light.
   ///
   /// Returned  (bin, channel); bins of all parts, in their order
   algebra::Grid<double> at(double dust_per_m, double cloud_cover, double ozone_du) const;
 
-  /// Light of each bin under a limb without cloud, and under one that is all cloud: each as above.
+  /// Light of each bin with a clear and with a cloudy limb: (bin, channel).
   struct Mixed {
     algebra::Grid<double> clear, cloudy;
+
+    /// Light where cloud covers a part of the limb.
+    algebra::Grid<double> under(double cloud_cover) const;
   };
+  /// Light at some dust and ozone, to be mixed by cloud cover.
   Mixed mixed(double dust_per_m, double ozone_du) const;
 
  private:
-  /// Light of one ozone, by dust.
+  /// Nodes of one ozone.
   struct InOzone {
     double ozone_du;
     std::vector<double> dusts_per_m;
@@ -84,7 +87,7 @@ class FittedLight {
 
   static std::vector<InOzone> nodes_of(FittedAirs airs);
 
-  std::vector<InOzone> nodes_;  // those after the first: light over that of the first
+  std::vector<InOzone> nodes_;  // after the first: light over that of the first
 };
 
 }  // namespace coppermoon::uses

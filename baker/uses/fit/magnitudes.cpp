@@ -25,7 +25,7 @@
 namespace coppermoon::uses {
 namespace {
 
-constexpr std::size_t rows = 128, most_bytes = 1 << 20;
+constexpr std::size_t map_rows = 128, most_bytes = 1 << 20;
 
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
@@ -92,7 +92,7 @@ class Columns {
 };
 
 MeasuredMagnitude measured_in(const std::vector<std::string>& cells, const Columns& columns) {
-  // a whole number would be the part of a magnitude behind a decimal comma
+  // whole numbers are excluded: digits after a decimal comma would pass for an error
   constexpr double least_error = 1e-3, most_error = 0.99;
   auto named = columns.named(cells);
   const auto instant = almanac::instant_from_utc(named["instant"]);
@@ -104,17 +104,18 @@ MeasuredMagnitude measured_in(const std::vector<std::string>& cells, const Colum
   return measured;
 }
 
-/// Texels that the Earth's centre sees, in one bin, each as bright as it is large there.
+/// Texels that the Earth's centre sees, in one bin, weighted by their area.
 std::vector<LitPlace> places_of(const MoonRequest& moon, const almanac::SkyState& sky) {
   const shadow::Lookup whole(shadow::ChannelWeights(1, 1, 1.));
-  const auto lit = texture::bake({normal_albedo(moon), sky, whole}, {"Y"}, rows, moon.photometry);
+  const auto lit =
+      texture::bake({normal_albedo(moon), sky, whole}, {"Y"}, map_rows, moon.photometry);
   const auto axis = eclipse::shadow_axis(sky);
   const auto earth = sky.selenographic_from_gcrs * -sky.moon_m /
                      algebra::in_metres(almanac::lunar_radius);  // Moon-fixed, in lunar radii
   std::vector<LitPlace> places;
-  for (std::size_t r = 0; r < rows; ++r)
-    for (std::size_t c = 0; c < 2 * rows; ++c) {
-      const auto texel = surface::texel_centre(r, c, rows);
+  for (std::size_t r = 0; r < map_rows; ++r)
+    for (std::size_t c = 0; c < 2 * map_rows; ++c) {
+      const auto texel = surface::texel_centre(r, c, map_rows);
       const auto ground = almanac::selenographic_direction(texel);
       const double seen = glm::dot(ground, glm::normalize(earth - ground)) *
                           std::cos(algebra::in_radians(texel.latitude)) * lit(r, c, 0);
@@ -128,7 +129,7 @@ std::vector<double> unshadowed_magnitudes(const MoonRequest& moon, const almanac
                                           const Photometer& meter) {
   const shadow::Lookup whole(meter.weights);
   const auto lit =
-      texture::bake({normal_albedo(moon), sky, whole}, meter.channels, rows, moon.photometry);
+      texture::bake({normal_albedo(moon), sky, whole}, meter.channels, map_rows, moon.photometry);
   return measured(meter, lit, sky).magnitudes;
 }
 
@@ -159,9 +160,9 @@ std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file) {
   return all;
 }
 
-MagnitudeWitness witness_of(const MoonRequest& moon, const almanac::SkyState& sky,
-                            const std::vector<MeasuredMagnitude>& of_one_instant,
-                            const algebra::Progress& progress) {
+MagnitudeData data_of(const MoonRequest& moon, const almanac::SkyState& sky,
+                      const std::vector<MeasuredMagnitude>& of_one_instant,
+                      const algebra::Progress& progress) {
   require_eclipse(sky.when);
   const auto meter = photometer();
   const LitBins whole_disc{meter.weights, places_of(moon, sky), 1};
@@ -173,7 +174,7 @@ MagnitudeWitness witness_of(const MoonRequest& moon, const almanac::SkyState& sk
     const auto row = meter.weights.row(k);
     whole.push_back(std::reduce(row.begin(), row.end()));
   }
-  const auto weighed = [=](const algebra::Grid<double>& found) {
+  const auto goodness = [=](const algebra::Grid<double>& found) {
     constexpr double computed = 0.02;
     double sum = 0;
     for (const auto& seen : of_one_instant) {
@@ -183,10 +184,10 @@ MagnitudeWitness witness_of(const MoonRequest& moon, const almanac::SkyState& sk
       sum +=
           std::pow(magnitude - seen.magnitude, 2) / (seen.error * seen.error + computed * computed);
     }
-    return Weighed{sum};
+    return GoodnessOfFit{sum};
   };
   const auto* fitted = light.get();
-  return {std::move(light), {fitted, weighed, of_one_instant.size()}};
+  return {std::move(light), {fitted, goodness, of_one_instant.size()}};
 }
 
 }  // namespace coppermoon::uses

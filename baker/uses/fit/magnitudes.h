@@ -11,38 +11,36 @@
 
 namespace coppermoon::uses {
 
-/// Brightness of the whole Moon in a band, as someone measured it, reduced to the Earth's centre and
-/// to above the air.
+/// Measured magnitude of the whole Moon, reduced to the Earth's centre and to above the air.
 struct MeasuredMagnitude {
   almanac::Instant instant;
   std::string band;    ///< B, V or R
   double magnitude;    ///< −30 to 30
-  double error = 0.1;  ///< standard, 0.001 to 0.99
+  double error = 0.1;  ///< standard error, 0.001 to 0.99
 };
 
-/// Reads a list of magnitudes: comma-separated, lines that begin with # left out, first the names of the columns
-/// instant, band, magnitude and, if the measurer tells, error, 0.001 to 0.99 (without, or empty: 0.1).
-/// Decimal points; a byte-order mark and any line ends.
+/// Reads a list of magnitudes: comma-separated, with decimal points. The first line names the columns instant, band,
+/// magnitude and, optionally, error, 0.001 to 0.99; default, and of an empty cell: 0.1. Lines that begin with #
+/// and a byte-order mark are ignored; lines may end in any way.
 ///
-/// Throws  Error  with the line, of what is no such list: a column twice or of another name, a line of
-///                more or fewer columns than the first, as one with decimal commas has
+/// Throws  Error  with the line's number: a column twice or of another name, a line of more or fewer columns than
+///                the first, as decimal commas make it
 std::vector<MeasuredMagnitude> read_magnitudes(const std::string& file);
 
-/// Magnitudes of one moment as a witness, and the light that it refers to.
-struct MagnitudeWitness {
+/// Magnitudes of one moment as a data set, and the light that it refers to.
+struct MagnitudeData {
   std::unique_ptr<const FittedLight> light;
-  Witness witness;
+  DataSet data;
 };
 
-/// Magnitudes of one moment as a witness of the air. An error of 0.02 mag of the computation is added
-/// to each of theirs.
+/// Magnitudes of one moment as a data set. Each error gets 0.02 mag of the computation added in quadrature.
 ///
-/// Given   moon             its light as FittedLight takes it, its map and photometry
+/// Given   moon             light as FittedLight takes it, map and photometry
 ///         sky              of that moment
-///         of_one_instant   their own instants are not looked at
+///         of_one_instant   whose own instants are ignored
 /// Throws  Error            when no eclipse is under way
-MagnitudeWitness witness_of(const MoonRequest& moon, const almanac::SkyState& sky,
-                            const std::vector<MeasuredMagnitude>& of_one_instant,
-                            const algebra::Progress& progress = {});
+MagnitudeData data_of(const MoonRequest& moon, const almanac::SkyState& sky,
+                      const std::vector<MeasuredMagnitude>& of_one_instant,
+                      const algebra::Progress& progress = {});
 
 }  // namespace coppermoon::uses

@@ -18,11 +18,11 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Exposure as told, else as the header says; nothing unless all of it is known. A camera's own curve leaves a
-/// factor open that all its photographs share: without an f-number it is taken for the same.
+/// Exposure by the request, else by the header; nothing unless complete. With a camera's own tone curve a common
+/// factor is free, so an unknown f-number may be any constant.
 std::optional<colour::Exposure> exposure_of(const EclipsePhotograph& photograph, bool curved) {
   const auto header = settings_of(photograph.file);
-  const auto either = [](const auto& told, const auto& other) { return told ? told : other; };
+  const auto either = [](const auto& given, const auto& other) { return given ? given : other; };
   const auto time_s = either(photograph.time_s, header.time_s),
              iso = either(photograph.iso, header.iso);
   auto f_number = either(photograph.f_number, header.f_number);
@@ -51,7 +51,7 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
   return errors;
 }
 
-/// Light at the air that explains all best.
+/// Light in the air of the least χ².
 algebra::Grid<double> light_at(const FittedLight& light, const AirFit& fit) {
   return light.at(fit.best[0], fit.best[1], fit.best[2]);
 }
@@ -61,7 +61,7 @@ algebra::Grid<double> light_at(const FittedLight& light, const AirFit& fit) {
 Night::Night(const FitRequest& request, std::vector<const EclipsePhotograph*> photographs,
              const algebra::Progress& progress)
     : request_(request),
-      look_([=](double) {
+      heartbeat_([=](double) {
         if (progress) progress(0);
       }),
       photographs_(std::move(photographs)),
@@ -72,7 +72,7 @@ Night::Night(const FitRequest& request, std::vector<const EclipsePhotograph*> ph
   std::iota(all.begin(), all.end(), 0);
   take(clock_s_, all);
   require_any();
-  // the shadow leads registrations a tenth of its own way astray, so they are made anew
+  // a shadow at a wrong place shifts a registration by a tenth of that, so registrations are repeated
   constexpr int most_registrations = 3;
   constexpr double near_s = 15;
   for (int made = 0; request.clock_error_s > 0 && made < most_registrations; ++made) {
@@ -83,7 +83,7 @@ Night::Night(const FitRequest& request, std::vector<const EclipsePhotograph*> ph
     require_any();
   }
   light_ = std::make_unique<const FittedLight>(
-      night_light(request.moon.light, known_, instants(clock_s_), request.clock_error_s,
+      night_light(request.moon.light, binned_, instants(clock_s_), request.clock_error_s,
                   FittedAirs::fine, progress));
   compare();
 }
@@ -112,13 +112,13 @@ std::vector<almanac::SkyState> Night::way() const {
 
 void Night::compare() {
   compared_ =
-      std::make_unique<const ComparedNight>(known_, NightErrors{request_.clock_error_s, curve_});
+      std::make_unique<const ComparedNight>(binned_, NightErrors{request_.clock_error_s, curve_});
 }
 
 void Night::take_one(double clock_s, std::size_t index) {
   const auto& photograph = *photographs_[index];
   left_out_[index].clear();
-  look_(0);
+  heartbeat_(0);
   try {
     const auto photo = texture::read_light(photograph.file, photograph.coding);
     NightPhotograph known;
@@ -130,7 +130,7 @@ void Night::take_one(double clock_s, std::size_t index) {
     known.errors = errors_of(request_, photograph);
     known.errors.place_error_km = place_error_km(known.scene, registration);
     const double px_per_rad = registration.render_to_photo.scale / known.scene.pixel_rad;
-    known_.push_back(std::move(known));
+    binned_.push_back(std::move(known));
     taken_.push_back({index, registration, {photo.width, photo.height}, px_per_rad});
   } catch (const algebra::Error& error) {
     left_out_[index] = reason_without_name(photograph.file, error);
@@ -139,7 +139,7 @@ void Night::take_one(double clock_s, std::size_t index) {
 
 bool Night::at_odds(const Taken& taken) const {
   constexpr double alike = 0.02;
-  // the scale that most photographs agree with, each as far as its Moon is recognised
+  // scale with the most agreement, by the sum of correlations
   double most = 0, agreed = taken.px_per_rad;
   for (const auto& one : taken_) {
     if (one.extent != taken.extent) continue;
@@ -154,7 +154,7 @@ bool Night::at_odds(const Taken& taken) const {
 
 void Night::take(double clock_s, std::span<const std::size_t> indices) {
   taken_.clear();
-  known_.clear();
+  binned_.clear();
   for (const auto index : indices) take_one(clock_s, index);
   std::vector<std::size_t> odd;
   for (std::size_t place = 0; place < taken_.size(); ++place)
@@ -163,12 +163,12 @@ void Night::take(double clock_s, std::span<const std::size_t> indices) {
   for (const auto place : odd) {
     left_out_[taken_[place].index] = "a Moon of another size than on the night's other photographs";
     taken_.erase(taken_.begin() + static_cast<std::ptrdiff_t>(place));
-    known_.erase(known_.begin() + static_cast<std::ptrdiff_t>(place));
+    binned_.erase(binned_.begin() + static_cast<std::ptrdiff_t>(place));
   }
 }
 
 void Night::require_any() const {
-  if (!known_.empty()) return;
+  if (!binned_.empty()) return;
   const auto first = std::ranges::find_if(left_out_, [](const auto& why) { return !why.empty(); });
   throw algebra::Error(fmt::format(
       "{}: {}", photographs_[static_cast<std::size_t>(first - left_out_.begin())]->file, *first));
@@ -181,20 +181,20 @@ std::vector<almanac::Instant> Night::instants(double clock_s) const {
   return all;
 }
 
-Weighed Night::looked_at(double clock_s) const {
+GoodnessOfFit Night::coarse_fit(double clock_s) const {
   constexpr int dusts = 16, covers = 8;
-  const auto light = night_light(request_.moon.light, known_, instants(clock_s),
-                                 request_.clock_error_s, FittedAirs::coarse, look_);
-  const ComparedNight compared(known_, {request_.clock_error_s, curve_});
+  const auto light = night_light(request_.moon.light, binned_, instants(clock_s),
+                                 request_.clock_error_s, FittedAirs::coarse, heartbeat_);
+  const ComparedNight compared(binned_, {request_.clock_error_s, curve_});
   const auto [dust, cover, ozone] = search_range;
-  Weighed best{std::numeric_limits<double>::infinity()};
+  GoodnessOfFit best{std::numeric_limits<double>::infinity()};
   for (int i = 0; i <= dusts; ++i)
     for (int j = 0; j <= covers; ++j) {
       const double share = static_cast<double>(i) / dusts;
-      const auto weighed = compared.weighed(light.at(
+      const auto found = compared.goodness(light.at(
           dust.least * std::pow(dust.most / dust.least, share),
           cover.least + (cover.most - cover.least) * j / covers, (ozone.least + ozone.most) / 2));
-      if (weighed.chi_squared < best.chi_squared) best = weighed;
+      if (found.chi_squared < best.chi_squared) best = found;
     }
   return best;
 }
@@ -219,7 +219,7 @@ void Night::find_half_hour() {
     });
     if (!all_eclipsed) continue;
     take(clock_s, some);
-    double alike = 0;  // the shadow is where it is on the photographs
+    double alike = 0;  // the better, the nearer the shadow is to its place on the photographs
     for (const auto& taken : taken_) alike += taken.registration.correlation;
     if (alike > most) most = alike, clock_s_ = clock_s;
   }
@@ -232,27 +232,27 @@ void Night::find_clock() {
   constexpr int most_looks = 8;
   constexpr double near_s = 20;
   for (int look = 0; look < most_looks; ++look) {
-    const double further_s = std::clamp(looked_at(clock_s_).clock_s, -300., 300.);
+    const double further_s = std::clamp(coarse_fit(clock_s_).clock_s, -300., 300.);
     clock_s_ += further_s;
     if (std::abs(further_s) < near_s) return;
   }
 }
 
-Witness Night::witness() const {
+DataSet Night::data() const {
   return {light_.get(),
-          [this](const algebra::Grid<double>& light) { return compared_->weighed(light); },
+          [this](const algebra::Grid<double>& light) { return compared_->goodness(light); },
           compared_->count()};
 }
 
 bool Night::curved() const {
-  return std::ranges::any_of(known_, [](const auto& known) { return !known.light.slopes.empty(); });
+  return std::ranges::any_of(binned_, [](const auto& one) { return !one.light.slopes.empty(); });
 }
 
 bool Night::refine(const AirFit& fit) {
   if (!curved()) return false;
   curve_ = compared_->curve(light_at(*light_, fit));
   for (std::size_t place = 0; place < taken_.size(); ++place) {
-    auto& known = known_[place];
+    auto& known = binned_[place];
     if (known.light.slopes.empty()) continue;
     const auto& [index, registration, extent, px_per_rad] = taken_[place];
     const auto photo = texture::read_light(photographs_[index]->file, photographs_[index]->coding);
@@ -276,9 +276,9 @@ std::vector<ReadPhotograph> Night::read() const {
   for (std::size_t place = 0; place < taken_.size(); ++place) {
     const auto& taken = taken_[place];
     all[taken.index] = {taken.registration,
-                        known_[place].errors.value_per_cd_m2.has_value(),
+                        binned_[place].errors.value_per_cd_m2.has_value(),
                         compared_->count_of(place),
-                        !known_[place].light.slopes.empty(),
+                        !binned_[place].light.slopes.empty(),
                         {}};
   }
   return all;

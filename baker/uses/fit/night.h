@@ -14,10 +14,10 @@ struct EclipsePhotograph;
 struct FitRequest;
 struct ReadPhotograph;
 
-/// The photographs of one camera and eclipse, as they are read.
+/// Photographs of one camera and eclipse, read and registered.
 class Night {
  public:
-  /// Reads them, finds the clock's error where there may be one, and computes the light.
+  /// Reads the photographs, finds the clock's error where there may be one, and computes the light.
   ///
   /// Given   request      outlives this
   ///         photographs  of one camera and eclipse, outlive this
@@ -26,52 +26,56 @@ class Night {
   Night(const FitRequest& request, std::vector<const EclipsePhotograph*> photographs,
         const algebra::Progress& progress = {});
 
-  /// Refers to this.
-  Witness witness() const;
+  /// Measurements of all photographs; refers to this.
+  DataSet data() const;
 
-  /// Reads the photographs again with the tone curve that the best air asks for.
+  /// Reads the photographs again by the tone curve found in the best air.
   ///
   /// Returned  whether a curve is in question at all
   bool refine(const AirFit& fit);
 
-  /// What is to be added to the instants told, that moments of the scenes have by now [s].
+  /// Correction of the clock that the scenes already have [s].
   double clock_s() const { return clock_s_; }
+  /// Whether the camera's tone curve is in question.
   bool curved() const;
+  /// Tone curve in the best air.
   colour::ToneCurve curve(const AirFit& fit) const;
+  /// Light by distance from the shadow's axis, in the best air.
   std::vector<MeasuredLight> measured(const AirFit& fit) const;
-  /// In the order of the photographs given.
+  /// Photographs as read, in the order given.
   std::vector<ReadPhotograph> read() const;
 
  private:
-  /// A photograph that was read, and which.
+  /// A photograph that was read and registered.
   struct Taken {
-    std::size_t index;
+    std::size_t index;  ///< of the photographs given
     colour::Registration registration;
-    std::array<std::size_t, 2> extent;  ///< of its picture [pixels]
-    double px_per_rad;                  ///< of its picture
+    std::array<std::size_t, 2> extent;  ///< width and height of its picture [pixels]
+    double px_per_rad;                  ///< scale of its picture
   };
 
+  /// Skies over the photographs' moments, or over the whole eclipse where these are uncertain.
   std::vector<almanac::SkyState> way() const;
-  /// Reads photographs, and recognises the Moon in them. Those of one size of picture have one scale: what is
-  /// at odds with the most of them is left out, for light and shadow hid its limb.
+  /// Reads and registers photographs. Pictures of one size have one scale: a registration of another scale than
+  /// most is wrong, and its photograph is left out.
   void take(double clock_s, std::span<const std::size_t> indices);
   void take_one(double clock_s, std::size_t index);
   bool at_odds(const Taken& taken) const;
   void require_any() const;
   std::vector<almanac::Instant> instants(double clock_s) const;
-  /// What the best of a few airs says.
-  Weighed looked_at(double clock_s) const;
+  /// Least χ² over a coarse grid of air.
+  GoodnessOfFit coarse_fit(double clock_s) const;
   void find_half_hour();
   void find_clock();
   void compare();
 
   const FitRequest& request_;
-  algebra::Progress look_;  ///< told now and then, before the light is computed
+  algebra::Progress heartbeat_;  ///< called at the start of each step; may throw to cancel
   std::unique_ptr<const FitGroundwork> groundwork_;
   std::vector<const EclipsePhotograph*> photographs_;
-  std::vector<std::string> left_out_;  ///< [photograph] why; empty: it is read
+  std::vector<std::string> left_out_;  ///< [photograph] reason; empty: it is read
   std::vector<Taken> taken_;
-  std::vector<NightPhotograph> known_;  ///< of those taken
+  std::vector<NightPhotograph> binned_;  ///< light of those taken
   double clock_s_ = 0;
   colour::ToneCurve curve_{};
   std::unique_ptr<const FittedLight> light_;

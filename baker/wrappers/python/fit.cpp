@@ -126,7 +126,7 @@ exposure_time_s, iso, f_number: without them as its header says
         return fmt::format("<Photograph {} of {}>", one.file, almanac::utc_text(one.instant));
       });
   py::class_<ReadPhotograph>(package, "PhotographRead", "How a photograph was read for a fit.")
-      .def_readonly("numbers", &ReadPhotograph::numbers, "how many numbers it gave")
+      .def_readonly("numbers", &ReadPhotograph::measurements, "how many numbers it gave")
       .def_readonly("exposure_known", &ReadPhotograph::exposure_known,
                     "whether its exposure was known; else any is as likely")
       .def_readonly("curved", &ReadPhotograph::curved,
@@ -201,7 +201,7 @@ void add_fit(py::module_& package) {
           [](const FitReport& found) { return found.fit.posterior.least_chi_squared; },
           "sum of squared differences over the errors, of the best air")
       .def_property_readonly(
-          "numbers", [](const FitReport& found) { return found.fit.numbers; },
+          "numbers", [](const FitReport& found) { return found.fit.measurements; },
           "how many numbers were compared")
       .def_property_readonly(
           "explained", [](const FitReport& found) { return uses::explains(found.fit); },
