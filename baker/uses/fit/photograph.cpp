@@ -28,22 +28,21 @@ Channel channel_of(const colour::Image& image, std::size_t k) {
   return channel;
 }
 
-/// Light of the sky and of a glow in a channel. Where noise is cut off at black no sky is taken off: it has
-/// at most what is left there. Where the sky is darker than a tone curve is known, it tells nothing of the
-/// glow.
+/// Light of the sky and of a glow in a channel. Where the sky's noise is cut off at black the sky counts as 0, with an
+/// error of what is measured. Where the sky is darker than tone curves are known the glow keeps its prior.
 SkyAndGlow light_beside(const AroundTheDisc& light, const AroundTheDisc& black,
-                        const AroundTheDisc& glow, const Uncertain& factor, bool known) {
-  constexpr double much = 0.05, of_glow = 0.25, kept = 1e-9;
-  auto found = sky_and_glow(light, glow, known ? factor : Uncertain{factor.value, kept});
-  if (!known) found.glow = factor;
+                        const AroundTheDisc& glow, const Uncertain& prior, bool linear) {
+  constexpr double much = 0.05, of_glow = 0.25, fixed = 1e-9;
+  auto found = sky_and_glow(light, glow, linear ? prior : Uncertain{prior.value, fixed});
+  if (!linear) found.glow = prior;
   const double black_share =
       std::reduce(black.begin(), black.end()) / static_cast<double>(black.size());
-  if (black_share > much) found = {{0, std::max(median_of(light), found.sky.error)}, factor};
+  if (black_share > much) found = {{0, std::max(median_of(light), found.sky.error)}, prior};
   found.glow.error = std::hypot(found.glow.error, of_glow * found.glow.value);
   return found;
 }
 
-/// The least step of a channel that has 256 values at most: sRGB's near black; else 0.
+/// Quantisation step near black of an 8-bit channel, in linear light; 0 of more than 256 values.
 double step_of(const Channel& channel) {
   std::vector<float> values(channel.values().begin(), channel.values().end());
   std::ranges::sort(values);
@@ -51,29 +50,30 @@ double step_of(const Channel& channel) {
   return end - values.begin() <= 256 ? 1 / 12.92 / 255 : 0;
 }
 
-/// One bin's light over its sunlight, and how well that is known.
+/// Sums over a bin's pixels.
 struct Sum {
-  double light = 0, displayed = 0, sunlit = 0, glow = 0, apart = 0, black = 0;
+  double light = 0, displayed = 0, sunlit = 0, glow = 0, black = 0;
+  double squares = 0;  ///< of differences between pixels two apart
   std::size_t pixels = 0, clipped = 0, pairs = 0;
-  ToneSlopes slopes{};  ///< of its light
+  ToneSlopes slopes{};  ///< derivatives of the light
 
-  /// Noise that is cut off at black, or light that is at saturation, is none to average over.
+  /// Whether few pixels are black or clipped: means over others would be biased.
   bool sound() const {
     constexpr double few = 0.02;
     const auto all = static_cast<double>(pixels);
     return pixels >= 40 && static_cast<double>(clipped) <= 0.005 * all && black <= few * all;
   }
-  /// Whether tone curves are known for as little light.
+  /// Whether the mean is in the range of tone curves.
   bool bright_enough() const {
     return displayed >= colour::least_displayed * static_cast<double>(pixels);
   }
   double ratio() const { return light / sunlit; }
-  /// By pixels that are two apart, for light falls across a bin; neighbours are in part as wrong as each
-  /// other.
+  /// Standard error of the ratio, from pixels two apart: light varies across a bin, and the noise of neighbours is
+  /// correlated.
   double error() const {
-    constexpr double alike = 1.5;
-    const double variance = apart / 2 / static_cast<double>(std::max<std::size_t>(1, pairs));
-    return std::sqrt(alike * variance * static_cast<double>(pixels)) / sunlit;
+    constexpr double correlated = 1.5;
+    const double variance = squares / 2 / static_cast<double>(std::max<std::size_t>(1, pairs));
+    return std::sqrt(correlated * variance * static_cast<double>(pixels)) / sunlit;
   }
 };
 
@@ -94,13 +94,15 @@ Channel clipped_in(const texture::Image& photo, float saturated) {
   return clipped;
 }
 
-/// A channel in the scene's picture: its light, as displayed and as the scene's; and what was computed of
-/// its glow.
+/// A photograph's channel, resampled to the pixels of the scene.
 struct Brought {
-  Channel displayed, light, black, glow;
+  Channel displayed;  ///< by sRGB
+  Channel light;      ///< with the tone curve undone
+  Channel black;      ///< share of black pixels
+  Channel glow;       ///< computed for the usual air
 };
 
-/// Adds how the light of a pixel above the sky's changes with the numbers of a curve.
+/// Adds derivatives of a pixel's light above the sky's by the numbers of a tone curve.
 void add_slopes(ToneSlopes& slopes, double light, double displayed, double sky,
                 double sky_displayed) {
   const auto of_light = colour::tone_derivatives(displayed),
@@ -109,7 +111,7 @@ void add_slopes(ToneSlopes& slopes, double light, double displayed, double sky,
     slopes[k] += light * of_light[k] - sky * of_sky[k];
 }
 
-/// Light to be taken off: the sky's, as displayed and as the scene's; a factor on the glow.
+/// Light to be subtracted: the sky's, as displayed and as the scene's; a factor on the glow.
 struct Off {
   double displayed, sky, glow;
 };
@@ -118,10 +120,10 @@ std::vector<Sum> sums_of(const FitScene& scene, const Brought& channel, const Ch
                          const Off& off, bool curved) {
   const auto& light = channel.light;
   std::vector<Sum> sums(scene.bins);
-  const auto taken_off = [&](std::size_t pixel) {
+  const auto subtracted = [&](std::size_t pixel) {
     return off.sky + off.glow * channel.glow.values()[pixel];
   };
-  const auto lit = [&](std::size_t pixel) { return light.values()[pixel] - taken_off(pixel); };
+  const auto lit = [&](std::size_t pixel) { return light.values()[pixel] - subtracted(pixel); };
   for (const auto& [pixel, ground, sunlit, colour, bin] : scene.grounds) {
     auto& sum = sums[bin];
     ++sum.pixels;
@@ -136,7 +138,7 @@ std::vector<Sum> sums_of(const FitScene& scene, const Brought& channel, const Ch
     sum.glow += channel.glow.values()[pixel];
     if (curved)
       add_slopes(sum.slopes, light.values()[pixel], channel.displayed.values()[pixel],
-                 taken_off(pixel), off.displayed);
+                 subtracted(pixel), off.displayed);
   }
   const auto& grounds = scene.grounds;
   for (std::size_t i = 0; i + 2 < grounds.size(); ++i) {
@@ -145,14 +147,14 @@ std::vector<Sum> sums_of(const FitScene& scene, const Brought& channel, const Ch
     if (clipped.values()[one.pixel] > 1e-3F || clipped.values()[other.pixel] > 1e-3F) continue;
     auto& sum = sums[one.bin];
     const double ratio = lit(one.pixel) / one.sunlit - lit(other.pixel) / other.sunlit;
-    sum.apart += ratio * ratio * one.sunlit * other.sunlit;
+    sum.squares += ratio * ratio * one.sunlit * other.sunlit;
     ++sum.pairs;
   }
   return sums;
 }
 
-/// A lens's usual share of light in its glow, as a factor on the glow that was computed, in a photograph of
-/// a scale that its sound bins tell.
+/// Prior of the factor on the computed glow: a lens's usual share of light, times the photograph's scale, the median
+/// over its sound bins.
 Uncertain usual_glow(const FitScene& scene, std::size_t k, std::span<const Sum> sums) {
   constexpr double share = 0.03, error = 0.02;
   std::vector<double> scales;
@@ -184,7 +186,7 @@ Channel as_scene(const Channel& displayed, const colour::ToneTable& table) {
 
 colour::Registration registration_of(const FitScene& scene, const texture::Image& photo) {
   const auto luminance = luminance_of(photo);
-  std::exception_ptr of_itself;
+  std::exception_ptr first;
   for (double size = 1;; size /= 2) {
     const colour::Similarity smaller{.scale = size};
     const auto extent = [&](std::size_t pixels) {
@@ -199,18 +201,18 @@ colour::Registration registration_of(const FitScene& scene, const texture::Image
       found.render_to_photo = colour::composed(found.render_to_photo, colour::inverse(smaller));
       return found;
     } catch (const algebra::Error&) {
-      if (!of_itself) of_itself = std::current_exception();
-      if (size <= 0.25) std::rethrow_exception(of_itself);
+      if (!first) first = std::current_exception();
+      if (size <= 0.25) std::rethrow_exception(first);
     }
   }
 }
 
 double place_error_km(const FitScene& scene, const colour::Registration& registration) {
-  constexpr double of_umbra = 0.3, of_crescent = 0.8, unlike = 2;
+  constexpr double in_umbra = 0.3, with_crescent = 0.8, by_noise = 2;
   const double pixel_km =
       2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
-  const double pixels = std::hypot(lies_in_umbra(scene) ? of_umbra : of_crescent,
-                                   unlike * (1 - registration.correlation));
+  const double pixels = std::hypot(lies_in_umbra(scene) ? in_umbra : with_crescent,
+                                   by_noise * (1 - registration.correlation));
   return pixels * pixel_km / std::min(1., registration.render_to_photo.scale);
 }
 

@@ -12,7 +12,7 @@ using Indices = std::array<std::size_t, 3>;
 
 Indices sizes_of(const Axes& axes) { return {axes[0].size(), axes[1].size(), axes[2].size()}; }
 
-/// Tells each point of the grid: its indices, and its place in a row of all of them.
+/// Calls `act` with the indices of each grid point and its place among all, the last axis running fastest.
 template <class Act>
 void for_each_point(const Axes& axes, const Act& act) {
   const auto [n0, n1, n2] = sizes_of(axes);
@@ -22,14 +22,14 @@ void for_each_point(const Axes& axes, const Act& act) {
       for (std::size_t k = 0; k < n2; ++k) act(Indices{i, j, k}, place++);
 }
 
-/// Length of the axis that a grid point stands for: half of the way to either neighbour.
+/// Weight of a grid point in the trapezoidal rule.
 double width_at(const std::vector<double>& axis, std::size_t i) {
   const double from = i > 0 ? axis[i - 1] : axis[i],
                to = i + 1 < axis.size() ? axis[i + 1] : axis[i];
   return (to - from) / 2;
 }
 
-/// Value below which a share of the probability lies; between grid points the density is a line.
+/// Quantile of a density that is linear between grid points.
 double quantile(const std::vector<double>& axis, const std::vector<double>& density, double share) {
   std::vector<double> below{0};
   for (std::size_t i = 1; i < axis.size(); ++i)
@@ -44,8 +44,8 @@ double quantile(const std::vector<double>& axis, const std::vector<double>& dens
   return axis[i - 1] + width * std::clamp(way, 0., 1.);
 }
 
-/// Variance of a value that is as likely anywhere on the axis.
-double variance_of_even(const std::vector<double>& axis) {
+/// Variance of the uniform prior.
+double prior_variance(const std::vector<double>& axis) {
   const double length = axis.back() - axis.front();
   return length * length / 12;
 }
@@ -78,12 +78,12 @@ Posterior posterior(const Axes& axes, const std::function<double(const Indices&)
   const auto covariance = [&](std::size_t a, std::size_t b) {
     return moments[a][b] / sum - mean[a] * mean[b] / (sum * sum);
   };
-  constexpr double one_sigma = 0.158655;  // beyond it, of a normal distribution
+  constexpr double one_sigma = 0.158655;  // tail beyond it of a normal distribution
   for (std::size_t a = 0; a < 3; ++a) {
     result.estimates[a] = {quantile(axes[a], density[a], 0.5),
                            quantile(axes[a], density[a], one_sigma),
                            quantile(axes[a], density[a], 1 - one_sigma),
-                           std::max(0., 1 - covariance(a, a) / variance_of_even(axes[a]))};
+                           std::max(0., 1 - covariance(a, a) / prior_variance(axes[a]))};
     for (std::size_t b = 0; b < 3; ++b)
       result.correlation[a][b] =
           covariance(a, b) / std::sqrt(std::max(1e-300, covariance(a, a) * covariance(b, b)));

@@ -7,30 +7,29 @@
 
 namespace coppermoon::uses {
 
-/// Three unknowns, each on a grid of its own, increasing.
+/// Grid over three unknowns: increasing values of each.
 using Axes = std::array<std::vector<double>, 3>;
 
-/// One of three unknowns, as far as it is known.
+/// Marginal posterior of one unknown.
 struct Estimate {
-  double median = 0, low = 0, high = 0;  ///< low to high: the middle 68 % of the probability
-  double information = 0;  ///< 1 − its variance over that before anything was seen: 0 to 1
+  double median = 0, low = 0, high = 0;  ///< low to high: the central 68 % interval
+  double information = 0;                ///< 1 − posterior variance over prior variance: 0 to 1
 };
 
-/// All three unknowns, as far as they are known.
+/// Posterior of three unknowns.
 struct Posterior {
   std::array<Estimate, 3> estimates{};
   std::array<std::array<double, 3>, 3> correlation{};
   double least_chi_squared = 0;
 };
 
-/// Probabilities over a grid, summed up; all values of an axis are as likely before.
+/// Integrates the posterior over a grid; the prior is uniform.
 ///
 ///     p ∝ exp(−χ²/2)
 ///
 /// Given     axes         two points or more on each
 ///           chi_squared  χ² at a point, by its indices on the three axes
-/// Accuracy  medians and limits: a tenth of a grid's step where a step is less than half of the
-///           standard deviation
+/// Accuracy  medians and limits: a tenth of a grid step where steps are below half a standard deviation
 Posterior posterior(const Axes& axes,
                     const std::function<double(const std::array<std::size_t, 3>&)>& chi_squared);
 

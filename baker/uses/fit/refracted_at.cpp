@@ -10,7 +10,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// How much a plane counts.
+/// Weight of a plane.
 struct Share {
   std::size_t index;
   double share;

@@ -10,13 +10,13 @@
 
 namespace coppermoon::uses {
 
-/// Refracted light at a place, by wavelength: straight lines between planes, cubics between sectors.
+/// Refracted light at any place, by wavelength: linear between planes, cubic between sectors.
 class RefractedAt {
  public:
   /// Given  light  in all sectors, or in those of the places and one more at either end; outlives this
   explicit RefractedAt(const shadow::RefractedLight& light);
 
-  /// Writes the ratio to unshaded sunlight at each wavelength.
+  /// Writes the ratio to unshadowed sunlight at each wavelength.
   void read(const eclipse::ShadowPlace& place, std::span<double> ratios);
 
  private:

@@ -27,11 +27,10 @@ using std::numbers::pi;
 
 constexpr std::size_t texture_rows = 512;
 
-/// Light is compared where ground is seen less than this cosine from straight on: the map and the
-/// limb's blur matter more beyond.
+/// Least cosine of emission of ground that is compared: nearer the limb, errors of the map and blur are larger.
 constexpr double least_cosine = 0.4;
 
-constexpr std::size_t most_bins = 16;
+constexpr std::size_t bin_count = 16;
 
 ViewRequest close_view(ViewRequest view, const almanac::SkyState& sky) {
   const double disc =
@@ -41,7 +40,7 @@ ViewRequest close_view(ViewRequest view, const almanac::SkyState& sky) {
   return view;
 }
 
-/// The texture of the ground without the shadow, in white light.
+/// Texture of the sunlit ground in white light.
 Channel sunlit_map(const MoonRequest& moon, const FitGroundwork& groundwork,
                    const almanac::SkyState& sky) {
   const auto* ground = groundwork.ground.get();
@@ -53,7 +52,7 @@ Channel sunlit_map(const MoonRequest& moon, const FitGroundwork& groundwork,
   return map;
 }
 
-/// Ground that a pixel shows, and its place in the shadow.
+/// Ground of a pixel, and its place in the shadow.
 struct Ground {
   std::size_t pixel;
   glm::dvec3 ground;
@@ -77,7 +76,7 @@ std::vector<Ground> grounds_of(const povray_scenes::Camera& camera, const almana
   return grounds;
 }
 
-/// Picture in which each pixel is as bright as its ground.
+/// Picture of a map: each pixel has the value of its ground.
 Channel picture_of(const Channel& map, const std::vector<Ground>& grounds) {
   Channel picture(fit_side_px, fit_side_px);
   for (const auto& ground : grounds)
@@ -86,7 +85,7 @@ Channel picture_of(const Channel& map, const std::vector<Ground>& grounds) {
   return picture;
 }
 
-/// Puts the pixels well within the disc into even steps of axis distance.
+/// Bins the pixels well within the limb in even steps of axis distance.
 void bin(FitScene& scene, const Channel& sunlit, const std::vector<Ground>& grounds,
          const surface::Ground* by_place) {
   double least = 1e12, most = 0;
@@ -96,26 +95,26 @@ void bin(FitScene& scene, const Channel& sunlit, const std::vector<Ground>& grou
     least = std::min(least, algebra::in_metres(ground.place.axis_distance));
     most = std::max(most, algebra::in_metres(ground.place.axis_distance));
   }
-  scene.bins = most_bins;
-  scene.distances_km.assign(most_bins, 0);
-  std::vector<double> counts(most_bins);
+  scene.bins = bin_count;
+  scene.distances_km.assign(bin_count, 0);
+  std::vector<double> counts(bin_count);
   for (const auto& [pixel, ground, cos_emission, place] : grounds) {
     const double bright = sunlit.values()[pixel];
     if (cos_emission < least_cosine || bright <= 0) continue;
     const double share = (algebra::in_metres(place.axis_distance) - least) / (most - least);
     const auto step =
-        std::min(static_cast<std::size_t>(share * static_cast<double>(most_bins)), most_bins - 1);
+        std::min(static_cast<std::size_t>(share * static_cast<double>(bin_count)), bin_count - 1);
     const double colour =
         by_place ? surface::sampled(by_place->colour, almanac::selenographic_point(ground)) : 0;
     scene.grounds.push_back({pixel, ground, bright, colour, step});
     scene.distances_km[step] += algebra::in_kilometres(place.axis_distance);
     ++counts[step];
   }
-  for (std::size_t b = 0; b < most_bins; ++b) scene.distances_km[b] /= std::max(1., counts[b]);
+  for (std::size_t b = 0; b < bin_count; ++b) scene.distances_km[b] /= std::max(1., counts[b]);
 }
 
-/// Light by which the Moon is recognised: 5 % will do.
-LightRequest to_recognise(const LightRequest& light) {
+/// Light for registration, to 5 %.
+LightRequest to_register(const LightRequest& light) {
   LightRequest coarse;
   coarse.air = light.air;
   coarse.limb_darkening = light.limb_darkening;
@@ -125,7 +124,7 @@ LightRequest to_recognise(const LightRequest& light) {
   return coarse;
 }
 
-/// X, Y, Z of the Moon under the usual air, seen from space: of each pixel with ground.
+/// X, Y, Z of each pixel with ground, under the usual air, seen from space.
 std::vector<std::array<double, 3>> usual_light(const FitGroundwork& groundwork,
                                                const Channel& sunlit,
                                                const std::vector<Ground>& grounds) {
@@ -155,9 +154,9 @@ colour::Image moon_in_rgb(const FitScene& scene, const std::vector<Ground>& grou
   return moon;
 }
 
-/// What a lens that gave all its light to its glow would make of a picture.
+/// Glow of a picture, all its light scattered by the lens.
 colour::Image glow_of(const colour::Image& picture, double pixel_rad) {
-  constexpr float share = 0.5;  // any will do
+  constexpr float share = 0.5;  // cancels
   auto glow = colour::with_glow(picture, share, pixel_rad);
   for (std::size_t i = 0; i < glow.values().size(); ++i)
     for (std::size_t k = 0; k < 3; ++k)
@@ -165,7 +164,7 @@ colour::Image glow_of(const colour::Image& picture, double pixel_rad) {
   return glow;
 }
 
-/// A picture's light in each bin over what is sunlit there: (bin, channel).
+/// Light of a picture in each bin over sunlit light: (bin, channel).
 algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& picture) {
   algebra::Grid<double> values(scene.bins, 3);
   std::vector<double> sunlit(scene.bins);
@@ -181,7 +180,7 @@ algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& pi
 }  // namespace
 
 std::array<double, 3> rec709_of(std::span<const double> xyz) {
-  constexpr double dark = 1e-12;  // too little for a colour, rounding makes it less than none
+  constexpr double dark = 1e-12;  // darker colours round to negative values
   if (xyz[1] < dark) return {dark, dark, dark};
   static const auto from_xyz = colour::channels_from_xyz(colour::WorkingSpace::linear_rec709);
   const auto rgb = from_xyz * glm::dvec3(xyz[0], xyz[1], xyz[2]);
@@ -201,7 +200,7 @@ std::array<double, 3> sunlight_of(const algebra::Grid<double>& weights) {
 }
 
 FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::SkyState> skies) {
-  const auto light = to_recognise(moon.light);
+  const auto light = to_register(moon.light);
   const auto usual = skies.size() == 1 ? light_on_the_moon(light, skies.front())
                                        : light_on_the_way(light, moon_on_its_way(light, skies));
   auto albedo = normal_albedo(moon);
@@ -233,12 +232,11 @@ FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
 
 namespace {
 
-/// A few places that stand for all of a bin: groups by distance, and within these by angle, of 10 degrees
-/// at most where they are spread evenly, each where its mean is. Belts of the air make light run unevenly
-/// along wider ones.
+/// Adds a few places that stand for all of a bin: the means of groups by distance, and within these by position
+/// angle. Evenly spread groups are 10 degrees wide at most: across belts of the air light varies unevenly along wider
+/// ones.
 ///
-/// Given  middle_rad  position angle of the disc's centre: opposite to it there is no ground, or ground on
-///                    both sides
+/// Given  middle_rad  position angle of the disc's centre, from which angles are counted
 void add_groups(std::vector<LitPlace> all, double middle_rad, std::vector<LitPlace>& few) {
   constexpr std::size_t by_distance = 8;
   constexpr double widest_rad = pi / 18;

@@ -20,64 +20,63 @@
 
 namespace coppermoon::uses {
 
-/// Ground well within the disc, that a pixel of the scene shows.
+/// Ground that a pixel of the scene shows, well within the limb.
 struct FitGround {
   std::size_t pixel;  ///< row × columns + column
   glm::dvec3 ground;  ///< unit vector, Moon-fixed
-  double sunlit;      ///< its light without the shadow; 1: a white ground at 1 au
+  double sunlit;      ///< light without the shadow; 1: a white ground at 1 au
   double colour;      ///< c, as surface::Ground has it; 0: the mean Moon's
   std::size_t bin;    ///< step of distance from the shadow's axis
 };
 
-/// The Moon of one moment as a place on Earth sees it, which photographs of it are held against.
+/// The Moon of one moment as an observer sees it, fit_side_px on a side, which photographs are compared with.
 struct FitScene {
   almanac::SkyState sky;
-  algebra::Grid<float> usual;  ///< its luminance under the usual air, to be recognised by
+  algebra::Grid<float> usual;  ///< luminance under the usual air, for registration
   std::vector<FitGround> grounds;
   std::size_t bins = 0;
-  std::vector<double> distances_km;  ///< [bin] the mean of its grounds
-  algebra::Grid<double> weights;  ///< (channel, band): X, Y, Z of moonlight through the air above
-  double pixel_rad = 0;           ///< angle that a pixel takes in
-  /// Linear Rec.709 of each pixel: what a lens that gave all its light to its glow would make of the Moon
-  /// under the usual air
-  colour::Image glow;
-  algebra::Grid<double>
-      usual_values;  ///< (bin, channel), linear Rec.709: that Moon's light over sunlit
+  std::vector<double> distances_km;  ///< [bin] mean distance from the axis
+  algebra::Grid<double> weights;     ///< (X Y Z, band): of moonlight through the air above
+  double pixel_rad = 0;              ///< angle that a pixel takes in
+  colour::Image glow;  ///< glow of that Moon, all its light scattered by the lens; linear Rec.709
+  algebra::Grid<double> usual_values;  ///< (bin, channel): light of that Moon over sunlit light
 };
 
-/// What scenes of one eclipse have in common.
+/// Map and light that all scenes of one eclipse share.
 struct FitGroundwork {
-  algebra::Grid<float> albedo;                    ///< normal albedo of the ground
-  std::shared_ptr<const surface::Ground> ground;  ///< what differs by place; none: nothing
+  algebra::Grid<float> albedo;                    ///< normal albedo
+  std::shared_ptr<const surface::Ground> ground;  ///< colour and surge by place; none: uniform
   shadow::Lookup usual;  ///< X, Y, Z of moonlight under the usual air, seen from space
 };
 
-/// Linear Rec.709 as renders have it: within its gamut, never below 1e-12.
+/// Moonlight in linear Rec.709, brought into the gamut, as renders have it; 1e-12 or more.
 ///
 /// Given  xyz  of moonlight, any unit
 std::array<double, 3> rec709_of(std::span<const double> xyz);
 
-/// The same of sunlit ground.
+/// Moonlight of sunlit ground in linear Rec.709, as rec709_of.
 ///
-/// Given  weights  (channel, band): X, Y, Z
+/// Given  weights  (X Y Z, band)
 std::array<double, 3> sunlight_of(const algebra::Grid<double>& weights);
 
-/// Given   moon   its light as FittedLight takes it, its map
+/// Groundwork of an eclipse.
+///
+/// Given   moon   light as FittedLight takes it, map
 ///         skies  in order of time, at most a few minutes apart
 /// Throws  Error  when no eclipse is under way at any of them
 FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::SkyState> skies);
 
-/// The scene that photographs of one moment are held against.
+/// Scene of one moment.
 ///
-/// Given   moon        its photometry
+/// Given   moon        photometry
 ///         groundwork  of that moon and eclipse
-///         view        the observer, and the air above; the frame is one of its own
+///         view        observer, and the air above; its frame is ignored
 /// Throws  Error       as view_of; when no eclipse is under way
 FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
                    const ViewRequest& view, const almanac::SkyState& sky);
 
-/// What a photograph of that scene would show were it taken at another moment: the same ground in the
-/// same bins, elsewhere in the shadow. A few places stand for all of a bin.
+/// Bins of a scene at another moment: the same ground, elsewhere in the shadow. A few places stand for all ground of
+/// a bin.
 LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::uses

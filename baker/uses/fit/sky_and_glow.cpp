@@ -8,12 +8,12 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Standard deviation, by the middle half.
+/// Standard deviation, by the median absolute deviation.
 double spread_of(AroundTheDisc values) {
-  constexpr double of_quartiles = 1.4826;
+  constexpr double of_normal = 1.4826;
   const double middle = median_of(values);
   for (double& value : values) value = std::abs(value - middle);
-  return of_quartiles * median_of(values);
+  return of_normal * median_of(values);
 }
 
 }  // namespace

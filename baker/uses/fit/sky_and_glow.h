@@ -8,16 +8,17 @@
 
 namespace coppermoon::uses {
 
-/// The picture that photographs are brought to: its side, and the Moon's share of it.
+/// Picture of a scene, to which photographs are resampled: its side, and the disc's diameter over it.
 inline constexpr std::size_t fit_side_px = 320;
 inline constexpr double fit_disc_share = 0.8;
 
-/// Means of such a picture's sky beside the disc, from 1.12 to 1.24 of its radius, in twelve parts of the
-/// circle.
+/// Means of such a picture in twelve sectors of the ring from 1.12 to 1.24 radii of the disc.
 using AroundTheDisc = std::array<double, 12>;
+
+/// Means of a picture around the disc.
 AroundTheDisc around_the_disc(const algebra::Grid<float>& picture);
 
-/// The middle one of them.
+/// Median of the sectors.
 double median_of(AroundTheDisc around);
 
 /// A value and its standard error.
@@ -25,17 +26,18 @@ struct Uncertain {
   double value = 0, error = 0;
 };
 
-/// Light beside the disc: the sky's, even; and a glow's, a factor on what was computed of it.
+/// Light beside the disc: the sky's, uniform, and a factor on the computed glow.
 struct SkyAndGlow {
   Uncertain sky, glow;
 };
 
-/// Tells them apart by how the light runs around the disc: least squares, without outliers as stars are.
+/// Separates sky and glow by the glow's variation around the disc: robust least squares with Tukey's biweight, which
+/// rejects stars.
 ///
 /// Given     light   around the disc
-///           glow    what was computed of a glow there
-///           factor  on it, as expected before the light is seen
-/// Returned  the sky's error: what remains uneven; the glow's factor 0 or more
+///           glow    computed, around the disc
+///           factor  prior of the factor on the glow
+/// Returned  the sky's error is the spread of what remains; the glow's factor is 0 or more
 SkyAndGlow sky_and_glow(const AroundTheDisc& light, const AroundTheDisc& glow,
                         const Uncertain& factor);
 
