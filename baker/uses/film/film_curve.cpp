@@ -44,7 +44,7 @@ std::vector<PlotMark> contact_marks(const eclipse::Eclipse& eclipse, double from
   std::vector<PlotMark> marks;
   for (const auto& [name, when] : contacts_of(eclipse))
     if (const double at = hours(eclipse, when); at >= from && at <= to)
-      marks.push_back({PlotMark::instant, at, 0, name});
+      marks.push_back({PlotMark::instant, at, name});
   return marks;
 }
 
@@ -52,10 +52,8 @@ std::vector<PlotMark> contact_marks(const eclipse::Eclipse& eclipse, double from
 PlotCurve drawn(const eclipse::Eclipse& eclipse, const Curve& curve, double CurvePoint::*column) {
   std::string data;
   for (const auto& point : curve)
-    data +=
-        fmt::format("{:.6f},{}\n", hours(eclipse, point.when),
-                    std::isfinite(point.*column) ? fmt::format("{:.6g}", point.*column) : "NaN");
-  return {PlotStyle::line_and_points, data, "#b0432b", "", 2, 7, 0.4};
+    data += fmt::format("{:.6f},{}\n", hours(eclipse, point.when), number(point.*column, 6));
+  return {data, "linespoints pt 7 ps 0.4 lw 2 lc rgb '#b0432b'"};
 }
 
 Plot plot_of(const eclipse::Eclipse& eclipse, const Curve& curve) {

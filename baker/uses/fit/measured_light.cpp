@@ -41,9 +41,10 @@ Plot plot_of(Nights nights) {
         }
       model += '\n';  // no line from one night to the next
     }
-    const std::string name = channel_names[k], colour = channel_colours[k];
-    curves.push_back({PlotStyle::error_bars, light, colour, name, 1, 7, 0.6});
-    curves.push_back({PlotStyle::line, model, colour, name + ", model", 1.5});
+    const std::string name = channel_names[k],
+                      colour = fmt::format("lc rgb '{}'", channel_colours[k]);
+    curves.push_back({light, "yerrorbars pt 7 ps 0.6 " + colour, name});
+    curves.push_back({model, "lines lw 1.5 " + colour, name + ", model"});
   }
   return {.x = {.label = "distance from the shadow's axis [km]"},
           .panels = {{{.label = "light over full sunlight", .logarithmic = true}, curves}},

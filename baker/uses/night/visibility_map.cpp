@@ -81,19 +81,26 @@ std::string shade_rows(const eclipse::Eclipse& eclipse) {
   return text;
 }
 
-std::vector<PlotCurve> curves(const eclipse::Eclipse& eclipse) {
+std::vector<PlotCurve> curves(const eclipse::Eclipse& eclipse,
+                              const std::optional<almanac::Observer>& place) {
   constexpr const char* colours[] = {"#9c9c9c", "#c88a3a", "#b0432b", "#701f1f",
                                      "#b0432b", "#c88a3a", "#9c9c9c"};
   std::vector<PlotCurve> curves{
-      {PlotStyle::shades, shade_rows(eclipse), ""},
-      {PlotStyle::line, std::string(night::tables::coastlines()), "#7d8894"}};
+      {shade_rows(eclipse), "image"},
+      {std::string(night::tables::coastlines()), "lines lc rgb '#7d8894'"}};
   const auto contacts = contacts_of(eclipse);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto& [name, when] = contacts[i];
-    curves.push_back({PlotStyle::line, curve_rows(horizon_circle(when, 361)),
-                      colours[contacts.size() == 7 ? i : (i * 6) / (contacts.size() - 1)],
-                      fmt::format("{} {}", name, almanac::time_of_day_text(when).substr(0, 5)), 2});
+    curves.push_back(
+        {curve_rows(horizon_circle(when, 361)),
+         fmt::format("lines lw 2 lc rgb '{}'",
+                     colours[contacts.size() == 7 ? i : (i * 6) / (contacts.size() - 1)]),
+         fmt::format("{} {}", name, almanac::time_of_day_text(when).substr(0, 5))});
   }
+  if (place)
+    curves.push_back({fmt::format("{:.3f},{:.3f}\n", algebra::in_degrees(place->longitude),
+                                  algebra::in_degrees(place->latitude)),
+                      "points pt 7 ps 0.9 lc rgb '#d02020'"});
   return curves;
 }
 
@@ -121,20 +128,18 @@ std::vector<std::pair<double, double>> horizon_circle(const almanac::Instant& wh
 void write_visibility_map(const std::filesystem::path& picture, const eclipse::Eclipse& eclipse,
                           const std::optional<almanac::Observer>& place) {
   require_plot_ending(picture, "a map", false);
-  Plot map{.title = title(eclipse) +
-                    "\nwhite: all of it is seen; grey: nothing; between: a part. Along each curve "
-                    "the Moon is on the horizon (UTC)",
-           .title_size = 14,
-           .width = 1200,
-           .height = 680,
-           .x = {.range = {{-180, 180}}, .tic_spacing = 30, .unit = "°"},
-           .panels = {{{.range = {{-90, 90}}, .tic_spacing = 30, .unit = "°"}, curves(eclipse)}},
-           .key = "outside right top",
-           .height_per_width = 0.5};
-  if (place)
-    map.marks.push_back({PlotMark::dot, algebra::in_degrees(place->longitude),
-                         algebra::in_degrees(place->latitude)});
-  write_plot(picture, map);
+  write_plot(
+      picture,
+      {.title = title(eclipse) +
+                "\nwhite: all of it is seen; grey: nothing; between: a part. Along each curve "
+                "the Moon is on the horizon (UTC)",
+       .title_size = 14,
+       .width = 1200,
+       .height = 680,
+       .x = {.range = {{-180, 180}}, .tic_spacing = 30, .unit = "°"},
+       .panels = {{{.range = {{-90, 90}}, .tic_spacing = 30, .unit = "°"}, curves(eclipse, place)}},
+       .key = "outside right top",
+       .height_per_width = 0.5});
 }
 
 }  // namespace coppermoon::uses

@@ -31,20 +31,21 @@ std::optional<PlotMark> moon_mark(double centre_m, double end_m) {
   const double from = std::max(0., centre_m - radius_m) / km,
                to = std::min(end_m, centre_m + radius_m) / km;
   if (from >= to) return {};
-  return PlotMark{PlotMark::band, from, to, "Moon"};
+  return PlotMark{PlotMark::band, from, "Moon", to};
 }
 
 std::vector<PlotCurve> curves(const ShadowProfile& profile) {
   std::vector<PlotCurve> curves;
   for (std::size_t w = 0; w < profile.wavelengths_nm.size(); ++w) {
     const double nm = profile.wavelengths_nm[w];
-    auto& curve = curves.emplace_back(PlotStyle::line, "", plot_colour(nm));
-    curve.title = fmt::format("{:g} nm", nm), curve.width = 2.5;
+    std::string rows;
     for (std::size_t d = 0; d < profile.axis_distances_m.size(); ++d) {
       const double ratio = profile.ratio(d, w);
-      curve.rows += fmt::format("{:g},{}\n", profile.axis_distances_m[d] / km,
-                                ratio > 0 ? fmt::format("{:.6g}", ratio) : "NaN");
+      rows +=
+          fmt::format("{:g},{:.6g}\n", profile.axis_distances_m[d] / km, ratio > 0 ? ratio : NAN);
     }
+    curves.push_back({rows, fmt::format("lines lw 2.5 lc rgb '{}'", plot_colour(nm)),
+                      fmt::format("{:g} nm", nm)});
   }
   return curves;
 }
@@ -104,9 +105,9 @@ void write_shadow_plot(const std::filesystem::path& picture, const ShadowProfile
   if (marks.moon_m)
     if (const auto moon = moon_mark(*marks.moon_m, end_m)) plot.marks.push_back(*moon);
   if (marks.umbra_m > 0 && marks.umbra_m < end_m)
-    plot.marks.push_back({PlotMark::edge, marks.umbra_m / km, 0, "edge of the umbra"});
+    plot.marks.push_back({PlotMark::edge, marks.umbra_m / km, "edge of the umbra"});
   if (marks.penumbra_m < end_m)
-    plot.marks.push_back({PlotMark::edge, marks.penumbra_m / km, 0, "edge of the penumbra"});
+    plot.marks.push_back({PlotMark::edge, marks.penumbra_m / km, "edge of the penumbra"});
   write_plot(picture, plot);
 }
 

@@ -21,13 +21,12 @@ std::string literal(std::string_view text) {
 }
 
 std::string terminal(const std::filesystem::path& file, const Plot& plot) {
+  const auto [width, height] = std::pair(plot.width, plot.height);
   if (file.extension() == ".svg")
-    return fmt::format("svg size {},{} background rgb 'white' font 'sans-serif,13'", plot.width,
-                       plot.height);
+    return fmt::format("svg size {},{} background rgb 'white' font 'sans-serif,13'", width, height);
   if (file.extension() == ".pdf")
-    return fmt::format("pdfcairo size {}cm,{}cm font 'Sans,14'", plot.width / 40.,
-                       plot.height / 40.);
-  return fmt::format("pngcairo size {},{} font 'Sans,12'", plot.width, plot.height);
+    return fmt::format("pdfcairo size {}cm,{}cm font 'Sans,14'", width / 40., height / 40.);
+  return fmt::format("pngcairo size {},{} font 'Sans,12'", width, height);
 }
 
 /// Axis `x` or `y`; without numbers where another panel's stand below.
@@ -47,73 +46,32 @@ std::string axis(char name, const PlotAxis& axis, bool numbered = true) {
   return script + fmt::format("set {}range [*:*] {}reverse\n", name, axis.reversed ? "" : "no");
 }
 
-std::string line_at(double x, std::string_view look) {
-  return fmt::format("set arrow from first {0:.8g},graph 0 to first {0:.8g},graph 1 nohead {1}\n",
-                     x, look);
-}
-
 std::string mark(const PlotMark& mark) {
-  const auto name = literal(mark.name);
-  switch (mark.kind) {
-    case PlotMark::edge:
-      return line_at(mark.x, "dashtype 2 lc rgb '#707070'") +
-             fmt::format(
-                 "set label {} at first {:.8g},graph 0.12 rotate by 90 left offset -1,0 "
-                 "tc rgb '#505050'\n",
-                 name, mark.x);
-    case PlotMark::instant:
-      return line_at(mark.x, "lc rgb '#bbbbbb'") +
-             fmt::format("set label {} at first {:.8g},graph 1.05 center font ',11'\n", name,
-                         mark.x);
-    case PlotMark::band:
-      return fmt::format(
-          "set object rectangle from first {:.8g},graph 0 to first {:.8g},graph 1 behind fs solid "
-          "noborder fc rgb '#eeeae2'\n"
-          "set label {} at first {:.8g},graph 0.03 center tc rgb '#505050'\n",
-          mark.x, mark.to, name, (mark.x + mark.to) / 2);
-    case PlotMark::dot:
-      return fmt::format(
-          "set object circle at first {:.8g},{:.8g} size 1.2 fc rgb '#d02020' fs solid front\n",
-          mark.x, mark.to);
-  }
-  return {};
-}
-
-/// Columns and look of a curve.
-std::string drawn_as(const PlotCurve& curve) {
-  const auto line = fmt::format("lw {:g}", curve.width),
-             points = fmt::format("pt {} ps {:g}", curve.symbol, curve.size),
-             colour = " lc rgb " + literal(curve.colour);
-  switch (curve.style) {
-    case PlotStyle::line:
-      return "using 1:2 with lines " + line + colour;
-    case PlotStyle::points:
-      return "using 1:2 with points " + points + colour;
-    case PlotStyle::line_and_points:
-      return "using 1:2 with linespoints " + line + " " + points + colour;
-    case PlotStyle::error_bars:
-      return "using 1:2:3:4 with yerrorbars " + points + colour;
-    case PlotStyle::labels:
-      return "using 1:2:3 with labels offset 0,0.8 font ',9' tc rgb " + literal(curve.colour);
-    case PlotStyle::shades:
-      return "using 1:2:3 with image";
-  }
-  return {};
+  const auto at = fmt::format("first {:.8g},graph", mark.x), name = literal(mark.name);
+  const auto arrow = fmt::format("set arrow from {0} 0 to {0} 1 nohead ", at);
+  if (mark.kind == PlotMark::edge)
+    return fmt::format(
+        "{}dashtype 2 lc rgb '#707070'\n"
+        "set label {} at {} 0.12 rotate by 90 left offset -1,0 tc rgb '#505050'\n",
+        arrow, name, at);
+  if (mark.kind == PlotMark::instant)
+    return fmt::format("{}lc rgb '#bbbbbb'\nset label {} at {} 1.05 center font ',11'\n", arrow,
+                       name, at);
+  return fmt::format(
+      "set object rectangle from {} 0 to first {:.8g},graph 1 behind fs solid noborder fc rgb "
+      "'#eeeae2'\nset label {} at first {:.8g},graph 0.03 center tc rgb '#505050'\n",
+      at, mark.end, name, (mark.x + mark.end) / 2);
 }
 
 /// Data, then the order to plot them.
 std::string curves(const std::vector<PlotCurve>& curves) {
-  std::string data, order;
+  std::string data, order = "plot ";
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    const auto& curve = curves[i];
-    auto look = drawn_as(curve);
-    if (curve.rows.empty())
-      look = "keyentry " + look.substr(look.find("with"));
-    else
-      data += fmt::format("$c{} << EOD\n{}EOD\n", i, curve.rows),
-          look = fmt::format("$c{} {}", i, look);
-    order += fmt::format("{}{} {}", order.empty() ? "plot " : ", ", look,
-                         curve.title.empty() ? "notitle" : "title " + literal(curve.title));
+    const auto& [rows, look, title] = curves[i];
+    if (!rows.empty()) data += fmt::format("$c{} << EOD\n{}EOD\n", i, rows);
+    order += fmt::format("{}{} with {} {}", i == 0 ? "" : ", ",
+                         rows.empty() ? "keyentry" : fmt::format("$c{}", i), look,
+                         title.empty() ? "notitle" : "title " + literal(title));
   }
   return data + order + "\n";
 }

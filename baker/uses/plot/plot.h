@@ -19,37 +19,23 @@ struct PlotAxis {
   std::string unit{};      ///< behind the number of each tic
 };
 
-/// What a curve's rows are drawn as, and the columns that each kind has.
-enum class PlotStyle {
-  line,             ///< x, y
-  points,           ///< x, y
-  line_and_points,  ///< x, y
-  error_bars,       ///< x, y, lowest, highest
-  labels,           ///< x, y, text above that point
-  shades            ///< x, y, 0 (dark), 1 or 2 (white), on a grid in rows: an empty row ends each
-};
-
 /// Data of one look. Without rows it stands in the key alone, without a title in the plot alone.
 struct PlotCurve {
-  PlotStyle style;
   std::string rows;  ///< comma-separated columns; an empty row interrupts a line
-  std::string colour;
+  std::string look;  ///< in gnuplot's words: "lines lw 2 lc rgb 'red'"
   std::string title{};
-  double width = 1;  ///< of a line
-  int symbol = 7;    ///< number of gnuplot's point type: 4 square, 6 circle …, one more: filled
-  double size = 1;   ///< of a symbol
 };
 
-/// Something that is marked in the plane of the plot.
+/// Something that is marked along the x axis.
 struct PlotMark {
   enum Kind {
-    edge,     ///< dashed line at x, the name along it
-    instant,  ///< line at x through all panels, the name above
-    band,     ///< ground between x and `to`, the name at its foot
-    dot       ///< at x and y = `to`
+    edge,     ///< dashed line, the name along it
+    instant,  ///< line through all panels, the name above
+    band      ///< ground up to `end`, the name at its foot
   } kind;
-  double x, to = 0;
-  std::string name{};
+  double x;
+  std::string name;
+  double end = 0;
 };
 
 struct PlotPanel {
@@ -57,7 +43,6 @@ struct PlotPanel {
   std::vector<PlotCurve> curves;
 };
 
-/// Plot as a value: what `write_plot` draws.
 struct Plot {
   std::string title{};
   int title_size = 12;              ///< points

@@ -117,18 +117,22 @@ void add(std::vector<uses::PlotCurve>& curves, uses::PlotCurve curve) {
 }
 
 void add_sweep(std::vector<uses::PlotCurve>& curves, std::span<const Measured> sweep) {
-  using enum uses::PlotStyle;
   const auto& one = sweep[0];
-  const std::string colour(colour_of(one.trial.solver));
+  const auto look = [&](std::string_view as) {
+    return fmt::format("{} lc rgb '{}'", as, colour_of(one.trial.solver));
+  };
   const int symbol = symbol_of(one.varied);
   const Which every = [](const Measured&) { return true; };
-  add(curves, {line, rows_of(sweep, every), colour});
-  add(curves, {points, rows_of(sweep, [](const Measured& of) { return !of.extrapolated; }), colour,
-               fmt::format("{}: {}", one.trial.solver, one.varied), 1, symbol, 0.9});
-  add(curves, {points, rows_of(sweep, [](const Measured& of) { return of.extrapolated; }), colour,
-               "", 1, symbol - 1, 0.9});
+  add(curves, {rows_of(sweep, every), look("lines")});
+  add(curves, {rows_of(sweep, [](const Measured& of) { return !of.extrapolated; }),
+               look(fmt::format("points ps 0.9 pt {}", symbol)),
+               fmt::format("{}: {}", one.trial.solver, one.varied)});
+  add(curves, {rows_of(sweep, [](const Measured& of) { return of.extrapolated; }),
+               look(fmt::format("points ps 0.9 pt {}", symbol - 1))});
   if (apart(sweep.front(), sweep.back()))
-    add(curves, {labels, rows_of(std::array{sweep.front(), sweep.back()}, every), colour});
+    add(curves,
+        {rows_of(std::array{sweep.front(), sweep.back()}, every),
+         fmt::format("labels offset 0,0.8 font ',9' tc rgb '{}'", colour_of(one.trial.solver))});
 }
 
 }  // namespace
@@ -183,27 +187,24 @@ nlohmann::ordered_json as_json(std::span<const Measured> all) {
 }
 
 uses::Plot as_plot(std::span<const Measured> all) {
-  using enum uses::PlotStyle;
   std::vector<uses::PlotCurve> curves;
   while (!all.empty()) {
     const auto sweep = first_sweep(all);
     if (sweep[0].varied != uses::texture_sweep) add_sweep(curves, sweep);
     if (sweep[0].varied == "photons")
-      add(curves,
-          {points, rows_of(sweep, [](const Measured& one) { return is_the_papers(one.trial); }),
-           "black", "Yapo and Cutler (2009)", 1, 3, 2});
+      add(curves, {rows_of(sweep, [](const Measured& one) { return is_the_papers(one.trial); }),
+                   "points pt 3 ps 2 lc rgb 'black'", "Yapo and Cutler (2009)"});
     all = all.subspan(sweep.size());
   }
-  curves.push_back({points, "", "black", "open: extrapolated", 1, 6, 0.9});
-  return {
-      .width = 1100,
-      .height = 680,
-      .x = {.label = "seconds", .logarithmic = true},
-      .panels = {{{.label = "relative error of irradiance in the umbra, RMS", .logarithmic = true},
-                  std::move(curves)}},
-      .key = "outside right top Left reverse",
-      .grid = "lt 1 lc rgb '#dddddd'",
-      .margin = 0.03};
+  curves.push_back({"", "points pt 6 ps 0.9 lc rgb 'black'", "open: extrapolated"});
+  const char* error = "relative error of irradiance in the umbra, RMS";
+  return {.width = 1100,
+          .height = 680,
+          .x = {.label = "seconds", .logarithmic = true},
+          .panels = {{{.label = error, .logarithmic = true}, std::move(curves)}},
+          .key = "outside right top Left reverse",
+          .grid = "lt 1 lc rgb '#dddddd'",
+          .margin = 0.03};
 }
 
 }  // namespace coppermoon::verbs

@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 Plot line_named(const std::string& name) {
   return {.title = name,
           .x = {.label = name},
-          .panels = {{{.label = name}, {{PlotStyle::line, "0,0\n1,1\n", "black", name}}}},
-          .marks = {{PlotMark::edge, 0.5, 0, name}},
+          .panels = {{{.label = name}, {{"0,0\n1,1\n", "lines", name}}}},
+          .marks = {{PlotMark::edge, 0.5, name}},
           .key = "top left"};
 }
 
@@ -53,8 +53,7 @@ TEST_F(Plots, TakeNoWordForAnOrder) {
 
 TEST_F(Plots, HaveAPanelAboveAnother) {
   auto plot = line_named("one");
-  plot.panels.push_back({{.label = "two", .logarithmic = true},
-                         {{PlotStyle::line_and_points, "1,1\n2,100\n", "#b0432b"}}});
+  plot.panels.push_back({{.label = "two", .logarithmic = true}, {{"1,1\n2,100\n", "linespoints"}}});
   const auto svg = drawn(plot);
   EXPECT_NE(svg.find(">one<"), svg.npos);
   EXPECT_NE(svg.find(">two<"), svg.npos);
