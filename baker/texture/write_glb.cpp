@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
-#include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -24,7 +21,7 @@ using json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::uint32_t magic = 0x46546C67, version = 2, json_chunk = 0x4E4F534A,
-                        binary_chunk = 0x004E4942, most_json_bytes = 16 << 20;
+                        binary_chunk = 0x004E4942;
 constexpr const char* unlit = "KHR_materials_unlit";
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they stand");
 
@@ -118,36 +115,11 @@ json add_sphere(Buffer& buffer) {
                    "SCALAR")};
 }
 
-/// A number's shortest digits, or null where JSON has none for it.
-json as_json(float value) { return json::parse(fmt::format("{}", value), nullptr, false); }
-
-json as_json(const Attribute& value) {
-  if (const auto* number = std::get_if<float>(&value))
-    return std::isfinite(*number) ? as_json(*number) : json();
-  if (const auto* number = std::get_if<int>(&value)) return *number;
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  auto list = json::array();
-  for (const float number : std::get<std::vector<float>>(value))
-    list.push_back(as_json(Attribute(number)));
-  return list;
-}
-
 /// A list of one.
 json only(json item) {
   auto list = json::array();
   list.push_back(std::move(item));
   return list;
-}
-
-json asset_of(const Attributes& extras) {
-  json all{{"coppermoon:radius_m", algebra::in_metres(almanac::lunar_radius)}};
-  for (const auto& [name, value] : extras) all[name] = as_json(value);
-  const auto* made_by = extras.contains("coppermoon:version")
-                            ? std::get_if<std::string>(&extras.find("coppermoon:version")->second)
-                            : nullptr;
-  return {{"version", "2.0"},
-          {"generator", made_by ? "coppermoon " + *made_by : "coppermoon"},
-          {"extras", all}};
 }
 
 json material() {
@@ -169,13 +141,16 @@ json sampler() {
           {"wrapT", clamp_to_edge}};
 }
 
-json document(Buffer& buffer, const std::string& png, const Attributes& extras) {
+json document(Buffer& buffer, const std::string& png, const std::string& generator) {
   const json primitive{{"attributes", {{"POSITION", 0}, {"NORMAL", 0}, {"TEXCOORD_0", 1}}},
                        {"indices", 2},
                        {"material", 0}};
   const auto accessors = add_sphere(buffer);
   const int picture = buffer.add(png, {});
-  return {{"asset", asset_of(extras)},
+  return {{"asset",
+           {{"version", "2.0"},
+            {"generator", generator},
+            {"extras", {{"coppermoon:radius_m", algebra::in_metres(almanac::lunar_radius)}}}}},
           {"extensionsUsed", only(unlit)},
           {"scene", 0},
           {"scenes", only({{"name", "Moon"}, {"nodes", only(0)}})},
@@ -195,32 +170,12 @@ void append_chunk(std::string& file, std::uint32_t type, const std::string& byte
   file += bytes;
 }
 
-/// The JSON chunk of a binary glTF, which comes first.
-std::string json_of(const fs::path& path) {
-  const auto fail = [&](std::string_view what) {
-    throw Error(fmt::format("{}: {}", path.string(), what));
-  };
-  files::require_regular_file(path);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) fail("cannot be read");
-  std::array<std::uint32_t, 5> head{};
-  file.read(reinterpret_cast<char*>(head.data()), sizeof head);
-  if (!file || head[0] != magic || head[1] != version || head[4] != json_chunk)
-    fail("is no binary glTF 2.0");
-  if (head[3] > most_json_bytes)
-    fail(fmt::format("has {} bytes of JSON, allowed up to {}", head[3], most_json_bytes));
-  std::string text(head[3], ' ');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!file) fail("ends early");
-  return text;
-}
-
 }  // namespace
 
-void write_glb(const fs::path& path, const Image& developed, const Attributes& extras) {
+void write_glb(const fs::path& path, const Image& developed, const std::string& generator) {
   require_picture(path, developed);
   Buffer buffer;
-  const auto document_of_all = document(buffer, as_png(path, developed), extras);
+  const auto document_of_all = document(buffer, as_png(path, developed), generator);
   auto text = document_of_all.dump(-1, ' ', false, json::error_handler_t::replace);
   pad(text, ' ');
   constexpr std::size_t heads = 12 + 2 * 8;
@@ -230,15 +185,6 @@ void write_glb(const fs::path& path, const Image& developed, const Attributes& e
   append_chunk(file, json_chunk, text);
   append_chunk(file, binary_chunk, buffer.bytes);
   files::write_whole(path, file);
-}
-
-std::optional<std::string> recipe_in_glb(const fs::path& path) {
-  const auto document = json::parse(json_of(path), nullptr, false);
-  if (!document.is_object())
-    throw Error(path.string() + ": is no binary glTF 2.0: its JSON cannot be read");
-  const auto recipe = json::json_pointer("/asset/extras/coppermoon:recipe");
-  if (!document.contains(recipe) || !document[recipe].is_string()) return {};
-  return document[recipe].get<std::string>();
 }
 
 }  // namespace coppermoon::texture

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include "texture/image.h"
@@ -21,18 +20,11 @@ inline constexpr std::size_t most_glb_columns = 8192;
 ///
 /// Given   developed  display-referred: sRGB-coded, 0 to 1, grey or RGB; plate carrée, longitude 0
 ///                    in the middle, north up, 2:1 to a texel, up to most_glb_columns wide
-///         extras     kept in asset.extras by their names, numbers as numbers; the Moon's true
-///                    radius goes with them [m]
+///         generator  name and version of the program; the Moon's true radius goes with it [m]
 /// Throws  Error      values outside 0 to 1, another shape or number of channels; a file that cannot
 ///                    be written
 /// Source  Khronos glTF 2.0.1, KHR_materials_unlit
-void write_glb(const std::filesystem::path& path, const Image& developed, const Attributes& extras);
-
-/// The recipe in a file that write_glb wrote, `coppermoon:recipe` of its extras; nothing when it has
-/// none.
-///
-/// Throws  Error  one line with the path: it cannot be read, is no binary glTF 2.0, ends early, or
-///                has more than 16 MiB of JSON
-std::optional<std::string> recipe_in_glb(const std::filesystem::path& path);
+void write_glb(const std::filesystem::path& path, const Image& developed,
+               const std::string& generator);
 
 }  // namespace coppermoon::texture

@@ -5,15 +5,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <map>
 
 #include "algebra/error.h"
 #include "almanac/lunar_orientation.h"
 #include "files/whole_file.h"
 #include "texture/sphere_mesh.h"
-#include "texture/usda_text.h"
 
 namespace coppermoon::texture {
 namespace {
@@ -21,63 +17,39 @@ namespace {
 using algebra::Error;
 namespace fs = std::filesystem;
 
-constexpr std::string_view first_line = "#usda 1.0";
-constexpr std::size_t most_bytes = 16 << 20;
-
 void require_plain_name(const std::string& name) {
   const bool control =
       std::ranges::any_of(name, [](char c) { return (c >= 0 && c < ' ') || c == 127; });
   if (control || name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
     throw Error(fmt::format(
-        "texture file of the USD layer = {}, allowed a name in its folder without control "
+        "texture file of the USD layer = {:?}, allowed a name in its folder without control "
         "characters",
-        usda_quoted(name)));
+        name));
 }
 
-/// inf and nan are USD's words too.
-std::string as_usda(std::string_view name, const Attribute& value) {
-  const auto key = usda_key(name);
-  if (const auto* text = std::get_if<std::string>(&value))
-    return fmt::format("string {} = {}", key, usda_quoted(*text));
-  if (const auto* number = std::get_if<float>(&value))
-    return fmt::format("float {} = {}", key, *number);
-  if (const auto* number = std::get_if<int>(&value))
-    return fmt::format("int {} = {}", key, *number);
-  return fmt::format("float[] {} = [{}]", key,
-                     fmt::join(std::get<std::vector<float>>(value), ", "));
+/// Asset path of a file beside the layer, between as many @ as its name takes.
+std::string asset(std::string_view file_name) {
+  if (file_name.find('@') == std::string_view::npos) return fmt::format("@./{}@", file_name);
+  std::string name(file_name);
+  for (auto at = name.find("@@@"); at != std::string::npos; at = name.find("@@@", at + 4))
+    name.insert(at, 1, '\\');
+  return fmt::format("@@@./{}@@@", name);
 }
 
-/// USD's own way with names: `coppermoon:recipe` is `recipe` in the dictionary `coppermoon`.
-std::string custom_layer_data(const Attributes& attributes) {
-  std::map<std::string, std::string> dictionaries;
-  for (const auto& [name, value] : attributes) {
-    const auto colon = name.find(':');
-    const bool apart = colon != std::string::npos && colon > 0 && colon + 1 < name.size();
-    auto& entries = dictionaries[apart ? name.substr(0, colon) : ""];
-    entries += fmt::format("{}{}\n", apart ? "            " : "        ",
-                           as_usda(apart ? name.substr(colon + 1) : name, value));
-  }
-  std::string text;
-  for (const auto& [name, entries] : dictionaries)
-    text += name.empty() ? entries
-                         : fmt::format("        dictionary {} = {{\n{}        }}\n", usda_key(name),
-                                       entries);
-  return text;
-}
-
-std::string layer_of(const Attributes& attributes) {
-  auto all = attributes;
-  all["coppermoon:radius_m"] = static_cast<float>(algebra::in_metres(almanac::lunar_radius));
-  return fmt::format(R"({}
+std::string layer() {
+  return fmt::format(R"(#usda 1.0
 (
     defaultPrim = "Moon"
     metersPerUnit = 1
     upAxis = "Y"
     customLayerData = {{
-{}    }}
+        dictionary coppermoon = {{
+            float radius_m = {}
+        }}
+    }}
 )
 )",
-                     first_line, custom_layer_data(all));
+                     algebra::in_metres(almanac::lunar_radius));
 }
 
 template <std::size_t length>
@@ -187,8 +159,7 @@ constexpr const char* looks = R"(    def Scope "Looks"
 }  // namespace
 
 void write_usda(const fs::path& path, const std::string& texture_file_name,
-                std::string_view colour_space_name, const Attributes& layer_data,
-                const std::string& preview_file_name) {
+                std::string_view colour_space_name, const std::string& preview_file_name) {
   const auto& preview = preview_file_name.empty() ? texture_file_name : preview_file_name;
   require_plain_name(texture_file_name);
   require_plain_name(preview);
@@ -196,17 +167,10 @@ void write_usda(const fs::path& path, const std::string& texture_file_name,
     throw Error(fmt::format("colour space of a texture for USD = {}, allowed lin_rec709 or acescg",
                             colour_space_name));
   const auto look =
-      fmt::format(fmt::runtime(looks), usda_asset(texture_file_name), colour_space_name,
-                  usda_asset(preview));
+      fmt::format(fmt::runtime(looks), asset(texture_file_name), colour_space_name, asset(preview));
   files::write_whole(
       path, fmt::format("{}\ndef Xform \"Moon\" (\n    kind = \"component\"\n)\n{{\n{}\n{}}}\n",
-                        layer_of(layer_data), mesh_text(), look));
-}
-
-std::optional<std::string> recipe_in_usda(const fs::path& path) {
-  const auto text = files::beginning_of(path, most_bytes);
-  if (!text.starts_with(first_line)) throw Error(path.string() + ": is no USD text");
-  return string_in_layer_data(text, "coppermoon", "recipe");
+                        layer(), mesh_text(), look));
 }
 
 }  // namespace coppermoon::texture

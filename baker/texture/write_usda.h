@@ -2,22 +2,18 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
-
-#include "texture/image.h"
 
 namespace coppermoon::texture {
 
 /// Writes a text file of USD (.usda), whole or not at all, that puts a scene-linear texture on
 /// sphere_mesh's sphere of radius 1: the default prim `Moon`, Y up, one metre a unit. The ground
-/// shines and reflects nothing, by UsdPreviewSurface and by MaterialX's standard surface.
+/// shines and reflects nothing, by UsdPreviewSurface and by MaterialX's standard surface. The
+/// layer's customLayerData hold the Moon's true radius [m].
 ///
 /// Given   texture_file_name  in the same folder: no path
 ///         colour_space_name  the texture's, lin_rec709 or acescg: MaterialX's own names
-///         layer_data         kept in customLayerData; names with a colon stand in a dictionary of
-///                            what comes before it. The Moon's true radius goes with them [m]
 ///         preview_file_name  of linear Rec.709 in the same folder, for the preview surface, which
 ///                            knows no colour spaces; empty: the texture, which is right with the
 ///                            first
@@ -25,14 +21,6 @@ namespace coppermoon::texture {
 ///                            characters; a file that cannot be written
 /// Source  OpenUSD: UsdGeomMesh, UsdPreviewSurface 2.6; MaterialX 1.38
 void write_usda(const std::filesystem::path& path, const std::string& texture_file_name,
-                std::string_view colour_space_name, const Attributes& layer_data,
-                const std::string& preview_file_name = {});
-
-/// The recipe in a file that write_usda wrote, `coppermoon:recipe` of its customLayerData, also when
-/// other programs have written it again as text; nothing when it has none.
-///
-/// Given   path   of which the first 16 MiB are read
-/// Throws  Error  one line with the path: it cannot be read, or is no USD text
-std::optional<std::string> recipe_in_usda(const std::filesystem::path& path);
+                std::string_view colour_space_name, const std::string& preview_file_name = {});
 
 }  // namespace coppermoon::texture

@@ -143,13 +143,12 @@ void write_picture(const uses::Development& develop, const Output& output,
   const auto exposures = exposures_for(develop, image, space);
   if (output.ends_in(".png"))
     return write_picture(develop, exposures, {image, space}, baked.attributes, output.path);
+  const auto picture = developed(develop, exposures, {image, space});
+  if (!output.for_stellarium())
+    return texture::write_glb(output.path, picture, fmt::format("coppermoon {}", uses::version()));
   auto attributes = baked.attributes;
   uses::add_exposure(attributes, exposures);
-  const auto picture = developed(develop, exposures, {image, space});
-  if (output.for_stellarium())
-    return texture::write_stellarium(output.path, picture, {moon.sky.when, *moon.observer},
-                                     attributes);
-  texture::write_glb(output.path, picture, attributes);
+  texture::write_stellarium(output.path, picture, {moon.sky.when, *moon.observer}, attributes);
 }
 
 /// The recipe of one file alone: with its own space, and without passes where it has none.
@@ -168,8 +167,7 @@ void write(const Options& options, const std::vector<Output>& outputs, const Out
     const auto wide = texture_for(output, colour::WorkingSpace::acescg, outputs);
     const auto& texture = wide != outputs.end() ? *wide : *preview;
     texture::write_usda(output.path, texture.path.filename().string(),
-                        colour::name(space_of(texture.content)), made.attributes,
-                        preview->path.filename().string());
+                        colour::name(space_of(texture.content)), preview->path.filename().string());
   } else if (output.developed())
     write_picture(options.develop, output, moon, made);
   else if (output.ends_in(".tx"))

@@ -83,22 +83,12 @@ TEST_F(HighRange, IsSaidInTheFile) {
     EXPECT_NE(info.find(line), std::string::npos) << line << "\n" << info;
 }
 
-TEST_F(HighRange, HoldsItsRecipe) {
+TEST_F(HighRange, HoldsNoRecipeForItsFrameDoes) {
   make();
-  expect_done(coppermoon({"still", "a.avif", "-o", "again.avif"}));
+  expect_done(coppermoon({"still", "f.exr", "-o", "again.avif"}));
   EXPECT_TRUE(text_of(here("again.avif")) == text_of(here("a.avif")));
-  expect_done(coppermoon({"still", "--recipe", "a.avif", "--time", "0.1", "-o", "brighter.avif"}));
-  EXPECT_NE(text_of(here("brighter.avif")), text_of(here("a.avif")));
-  expect_done(coppermoon({"sky", "a.avif"}));
-  const auto xmp = run({"avifdec", "--info", "a.avif"}).out;
-  EXPECT_NE(xmp.find("XMP Metadata   : Present"), std::string::npos) << xmp;
-  file("empty.avif", std::string("\0\0\0\x18", 4) + "ftypavif");
-  file("other.avif", "no picture");
-  const auto refusal_of = [&](const std::string& name) {
-    return coppermoon({"still", name, "-o", "no.png"}).err;
-  };
-  EXPECT_EQ(refusal_of("empty.avif"), "coppermoon: empty.avif: has no recipe in its header\n");
-  EXPECT_EQ(refusal_of("other.avif"), "coppermoon: other.avif: is no AVIF\n");
+  EXPECT_EQ(text_of(here("a.avif")).find("coppermoon"), std::string::npos);
+  EXPECT_EQ(coppermoon({"still", "a.avif", "-o", "no.png"}).status, 1);
 }
 
 const Words film =

@@ -36,9 +36,9 @@ TEST_F(Refusals, APipeInThePlaceOfAFileIsRefused) {
                           {"bake", eclipsed, "--recipe", "pipe", "-o", "b.exr"},
                           {"bake", eclipsed, "--albedo-map", "pipe", "-o", "b.exr"}})
     expect_refused(words, could_not, "pipe: cannot be read: it is no regular file");
-  ASSERT_EQ(::mkfifo(here("pipe.glb").c_str(), 0666), 0);
-  expect_refused({"bake", "pipe.glb", "-o", "b.exr"}, could_not,
-                 "pipe.glb: cannot be read: it is no regular file");
+  ASSERT_EQ(::mkfifo(here("pipe.exr").c_str(), 0666), 0);
+  expect_refused({"bake", "pipe.exr", "-o", "b.exr"}, could_not,
+                 "pipe.exr: cannot be read: it is no regular file");
 }
 
 TEST_F(Refusals, WholeNumbersThatAreNoneOrTooLargeAreNamed) {

@@ -105,17 +105,18 @@ TEST_F(TextureFiles, NameNoFolderOfTheUser) {
   run({"oiiotool", "--pattern", "constant:color=0.2,0.2,0.2", "64x32", "3", "-o", map});
   bake({"--albedo-map", map, "-o", "a.exr", "-o", "b.tx", "-o", "c.png", "-o",
         "d.glb", "-o", "e.usda"});
-  for (const char* name : {"a.exr", "b.tx", "c.png", "d.glb", "e.usda"}) {
+  for (const std::string name : {"a.exr", "b.tx", "c.png", "d.glb", "e.usda"}) {
     const auto text = text_of(here(name));
-    EXPECT_NE(text.find("map.png"), std::string::npos) << name;
+    const bool has_recipe = name < "d";
+    EXPECT_EQ(text.find("map.png") != std::string::npos, has_recipe) << name;
     EXPECT_EQ(text.find(here().string()), std::string::npos) << name;
   }
 }
 
 TEST_F(TextureFiles, AreMadeAgainFromTheirHeaders) {
-  bake({"-o", "a_acescg.exr", "-o", "b.tx", "-o", "c.png", "-o", "d.glb", "--passes", "--spectral",
-        "20", "--texture-width", "64"});
-  for (const char* name : {"a_acescg.exr", "b.tx", "c.png", "d.glb"}) {
+  bake({"-o", "a_acescg.exr", "-o", "b.tx", "-o", "c.png", "--passes", "--spectral", "20",
+        "--texture-width", "64"});
+  for (const char* name : {"a_acescg.exr", "b.tx", "c.png"}) {
     const auto again = std::string("again") + std::filesystem::path(name).extension().string();
     expect_done(coppermoon({"bake", name, "-o", again}));
     EXPECT_TRUE(text_of(here(again)) == text_of(here(name))) << name;

@@ -36,7 +36,6 @@ struct ImageFunctions {
   decltype(texture::write_tiff)* write_tiff;
   decltype(texture::write_dng)* write_dng;
   decltype(texture::write_glb)* write_glb;
-  decltype(texture::recipe_in_glb)* recipe_in_glb;
 
   decltype(texture::sheet_grid)* sheet_grid;
   decltype(texture::sheet_font)* sheet_font;

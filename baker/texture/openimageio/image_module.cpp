@@ -24,7 +24,6 @@ coppermoon_image_functions() {
       .write_tiff = texture::write_tiff,
       .write_dng = texture::write_dng,
       .write_glb = texture::write_glb,
-      .recipe_in_glb = texture::recipe_in_glb,
       .sheet_grid = texture::sheet_grid,
       .sheet_font = texture::sheet_font,
       .drawn = texture::drawn};

@@ -141,12 +141,8 @@ void write_dng(const fs::path& path, const RawPhotograph& photograph,
   images().write_dng(path, photograph, attributes);
 }
 
-void write_glb(const fs::path& path, const Image& developed, const Attributes& extras) {
-  images().write_glb(path, developed, extras);
-}
-
-std::optional<std::string> recipe_in_glb(const fs::path& path) {
-  return images().recipe_in_glb(path);
+void write_glb(const fs::path& path, const Image& developed, const std::string& generator) {
+  images().write_glb(path, developed, generator);
 }
 
 SheetGrid sheet_grid(std::size_t pictures, std::size_t columns, std::size_t width,

@@ -375,7 +375,7 @@ void write_picture(const Development& asked, const Exposures& exposures, const F
   const auto image = developed(development, exposures, frame);
   attributes["coppermoon:view"] = development.display + ", " + development.view;
   add_exposure(attributes, exposures);
-  if (is_high_range(picture)) return write_avif(picture, image, attributes);
+  if (is_high_range(picture)) return write_avif(picture, image);
   texture::write_png(picture, image, development.bits, attributes);
 }
 

@@ -15,11 +15,8 @@
 #include "files/whole_file.h"
 #include "request/likeness.h"
 #include "texture/read_image.h"
-#include "texture/write_glb.h"
 #include "texture/write_stellarium.h"
-#include "texture/write_usda.h"
 #include "uses/light/light_parameters.h"
-#include "uses/picture/avif_file.h"
 #include "verbs/flags/known_words.h"
 #include "verbs/reports/one_line.h"
 
@@ -54,11 +51,7 @@ constexpr std::size_t most_bytes = 1 << 20;
 
 std::string recipe_text(const std::string& path) {
   if (!holds_recipe(path)) return files::beginning_of(path, most_bytes + 1);
-  const auto ending = std::filesystem::path(path).extension();
-  const auto text = ending == ".glb"    ? texture::recipe_in_glb(path)
-                    : ending == ".usda" ? texture::recipe_in_usda(path)
-                    : ending == ".avif" ? uses::recipe_in_avif(path)
-                                        : texture::read_attribute(path, "coppermoon:recipe");
+  const auto text = texture::read_attribute(path, "coppermoon:recipe");
   if (!text) throw algebra::Error(fmt::format("{}: has no recipe in its header", path));
   return *text;
 }
@@ -333,8 +326,7 @@ std::vector<std::string> frame_of_film(const Reading& reading, const toml::table
 
 bool holds_recipe(const std::filesystem::path& path) {
   const auto ending = path.extension();
-  return ending == ".exr" || ending == ".tx" || ending == ".png" || ending == ".glb" ||
-         ending == ".usda" || ending == ".avif" ||
+  return ending == ".exr" || ending == ".tx" || ending == ".png" ||
          path.filename() == std::filesystem::path(texture::stellarium_picture).filename();
 }
 

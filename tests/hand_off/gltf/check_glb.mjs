@@ -30,7 +30,7 @@ assert.equal(material.map.wrapT, THREE.ClampToEdgeWrapping);
 assert.equal(material.side, THREE.FrontSide);
 assert.deepEqual(kinds, ['image/png']);
 assert.match(asset.generator, /^coppermoon/);
-assert.match(asset.extras['coppermoon:recipe'], /^instant = /m);
+assert.equal(asset.extras['coppermoon:radius_m'], 1737400);
 
 checkPlaces(scene, latitude => 0.5 - latitude / 180);  // glTF counts v from the picture's top
 const camera = new THREE.PerspectiveCamera(30, 1);     // glTF's own looks along -Z, +Y up

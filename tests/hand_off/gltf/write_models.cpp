@@ -19,17 +19,9 @@ int main(int, char** arguments) try {
       picture(r, c, 0) = (static_cast<float>(c) + 0.5F) / 1024;
       picture(r, c, 1) = (static_cast<float>(r) + 0.5F) / 512;
     }
-  const Attributes about{
-      {"capDate", std::string("2008:02:21 03:26:05")},
-      {"whiteLuminance", 1.F},
-      {"chromaticities",
-       std::vector<float>{0.64F, 0.33F, 0.3F, 0.6F, 0.15F, 0.06F, 0.3127F, 0.329F}},
-      {"coppermoon:version", std::string("0.0.0")},
-      {"coppermoon:recipe",
-       std::string("instant = '2008-02-21T03:26:05Z'\nname = \"a \\\"b\\\"\"\n")}};
-  write_glb(folder / "moon.glb", picture, about);
-  write_exr(folder / "moon_lin_rec709.exr", picture, about);
-  write_usda(folder / "moon.usda", "moon_lin_rec709.exr", "lin_rec709", about);
+  write_glb(folder / "moon.glb", picture, "coppermoon 0.0.0");
+  write_exr(folder / "moon_lin_rec709.exr", picture, {});
+  write_usda(folder / "moon.usda", "moon_lin_rec709.exr", "lin_rec709");
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;

@@ -11,7 +11,7 @@ using AvifFile = HelperFolder;
 TEST_F(AvifFile, ThatItsProgramDoesNotWriteIsSaid) {
   stand_in("avifenc", "exit 0");
   const texture::Image picture(2, 2, {"R", "G", "B"});
-  EXPECT_EQ(refusal([&] { write_avif(here() / "a.avif", picture, {}); }),
+  EXPECT_EQ(refusal([&] { write_avif(here() / "a.avif", picture); }),
             "avifenc: ended without a result");
   EXPECT_FALSE(std::filesystem::exists(here() / "a.avif"));
 }
