@@ -38,11 +38,11 @@ eclipse::ShadowConvention convention_from(const std::string& name) {
   return eclipse::ShadowConvention::danjon;
 }
 
-/// An eclipse, and when the umbra's edge crosses the feature that was asked for.
+/// Eclipse of the list, with the crossing times of the feature that was asked for.
 struct Listed {
   eclipse::Eclipse eclipse;
   std::optional<eclipse::FeatureTimes> feature;
-  std::optional<std::string> seen;  ///< from which contact to which, with the Moon above the horizon
+  std::optional<std::string> seen;  ///< first and last contact with the Moon above the horizon
 };
 
 using Contact = std::pair<const char*, std::optional<almanac::Instant>>;
@@ -96,7 +96,7 @@ std::string time_of_day(const std::optional<almanac::Instant>& when) {
   return when ? almanac::time_of_day_text(*when) : "-";
 }
 
-/// The day that the clock shows, and ten years later.
+/// Default span: from today to ten years later.
 std::string today(int years_later, almanac::Calendar calendar) {
   const auto now = std::chrono::year_month_day(
       std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));

@@ -77,7 +77,7 @@ void light_up(uses::Film& film, bool replace, const FilmProgress& told) {
              std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
-/// One part of the photons, for a run that makes more than the light.
+/// Traces one shard of the film's photons.
 void trace(const uses::Film& film, const uses::Shard& shard) {
   ProgressBar bar("light");
   trace_shard(film, shard, bar.progress());

@@ -33,14 +33,14 @@ namespace {
 struct Options {
   MoonOptions moon;
   uses::TextureContent texture;
-  uses::ViewRequest view;  ///< of which only the observer and the air above are asked for
+  uses::ViewRequest view;  ///< observer and the air above alone
   uses::Development develop;
   std::vector<std::string> outputs;
-  std::string cache;  ///< a folder; empty: none
+  std::string cache;  ///< folder of kept textures; empty: none
   bool json = false;
 };
 
-/// One file to be written.
+/// File to be written, and its content.
 struct Output {
   std::filesystem::path path;
   uses::TextureContent content;
@@ -50,7 +50,7 @@ struct Output {
   bool developed() const { return ends_in(".png") || ends_in(".glb") || for_stellarium(); }
 };
 
-/// In the space that the file's name says, if any.
+/// Output of a file; a colour space in its name counts.
 Output output_at(const std::string& file, const uses::TextureContent& asked) {
   Output output{file, asked};
   const auto named = colour::space_in_name(output.path.stem().string());
@@ -66,7 +66,7 @@ Output output_at(const std::string& file, const uses::TextureContent& asked) {
 
 constexpr std::array endings{".exr", ".tx", ".png", ".glb", ".usda", ".stellarium"};
 
-/// The .exr of a space that stands beside a .usda.
+/// Texture in a colour space beside a .usda, if one is written.
 std::vector<Output>::const_iterator texture_for(const Output& scene, colour::WorkingSpace space,
                                                 const std::vector<Output>& outputs) {
   return std::ranges::find_if(outputs, [&](const Output& output) {
@@ -96,7 +96,7 @@ void add_textures_of_usd(const Options& options, std::vector<Output>& outputs) {
   }
 }
 
-/// A folder may be there already; a file is replaced.
+/// Refuses a place where the output cannot be written; existing files are replaced, folders kept.
 void require_place_for(const Output& output) {
   const bool folder = std::filesystem::is_directory(output.path);
   if (output.for_stellarium() && folder) return texture::require_stellarium_place(output.path);
@@ -129,7 +129,7 @@ void require_sound(const Options& options, const std::vector<Output>& outputs) {
     throw algebra::Error("passes and spectra need an output that ends in .exr");
 }
 
-/// All of a texture at once.
+/// Texture with all its rows in memory.
 texture::Image image_of(const texture::Part& part) {
   texture::Image image(part.layout.width, part.layout.height, part.layout.channels);
   part.rows(0, image.values);
@@ -151,7 +151,7 @@ void write_picture(const uses::Development& develop, const Output& output,
   texture::write_stellarium(output.path, picture, {moon.sky.when, *moon.observer}, attributes);
 }
 
-/// The recipe of one file alone: with its own space, and without passes where it has none.
+/// Recipe of one output: its own colour space, and passes or spectra only where it has some.
 std::string recipe_for(const uses::TextureContent& content, const std::string& recipe) {
   const std::string space(colour::name(space_of(content)));
   return fmt::format("space = \"{}\"\n", space) + request::without(recipe, [&](const std::string& flag) {
@@ -177,7 +177,7 @@ void write(const Options& options, const std::vector<Output>& outputs, const Out
     texture::write_exr(output.path, made.parts, made.attributes, {type_of(output.content)});
 }
 
-/// The Moon of the flags, lit, and as its observer sees it.
+/// Lit Moon of the options, seen by their observer.
 uses::LitMoon lit_moon(const Options& options, const uses::MoonRequest& request) {
   const auto sky = eclipsed_sky(options.moon);
   const auto seen = view_of(options.view, sky);
@@ -190,7 +190,7 @@ uses::LitMoon lit_moon(const Options& options, const uses::MoonRequest& request)
   return moon;
 }
 
-/// Bakes what the outputs ask for, each with its recipe.
+/// Bakes every output, each with its recipe.
 Report make(const CLI::App& verb, const Options& options, const std::vector<Output>& outputs) {
   const auto start = std::chrono::steady_clock::now();
   const auto request = moon_request(options.moon);
@@ -211,7 +211,7 @@ Report make(const CLI::App& verb, const Options& options, const std::vector<Outp
   return made;
 }
 
-/// The place of a texture in a folder of textures: its name is a fingerprint of all that it depends on.
+/// Kept texture of these options: its file name is a fingerprint of all that it depends on.
 Output place_in_cache(const CLI::App& verb, const Options& options) {
   const auto depends_on = fmt::format("{}\n{}\n{}", uses::version(), recipe_of(verb),
                                       map_contents(moon_request(options.moon)));
@@ -228,8 +228,8 @@ bool is_kept(const std::filesystem::path& texture) {
   return files::is_users_own(texture) && texture::is_sealed(texture);
 }
 
-/// Tells where the texture stands; whoever comes first bakes it, and others wait. The map is read before
-/// the lock is taken: reading it may bake another texture of that folder.
+/// Prints the path of the kept texture; the first process bakes it, others wait. The map is read before the lock is
+/// taken: reading it may bake another texture of that folder.
 void run_with_cache(const CLI::App& verb, const Options& options) {
   require_sound(options.texture);
   files::make_private_folder(options.cache);

@@ -20,11 +20,11 @@ namespace {
 
 struct Options {
   MoonOptions moon;
-  uses::ViewRequest view;  ///< of which only the observer and the air above are asked for
+  uses::ViewRequest view;  ///< observer and the air above alone
   bool json = false;
 };
 
-/// By the names of the bands.
+/// Magnitudes by the names of their bands.
 nlohmann::ordered_json by_band(const std::vector<double>& numbers) {
   const auto bands = uses::photometric_bands();
   nlohmann::ordered_json all;

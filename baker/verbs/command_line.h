@@ -11,8 +11,8 @@
 
 namespace coppermoon::verbs {
 
-/// Each adds one word to the command line: its flags, and what it does once they are read.
-/// What it does throws algebra::Error when it cannot, WrongUsage when the usage is wrong.
+/// Each adds one command to the program: its flags, and what runs once they are read, which throws algebra::Error when
+/// it cannot be done, WrongUsage when the usage is wrong.
 void add_almanac(CLI::App& program);
 void add_sky(CLI::App& program);
 void add_night(CLI::App& program);
@@ -31,15 +31,15 @@ void add_compare(CLI::App& program);
 void add_fit(CLI::App& program);
 void add_tradeoff(CLI::App& program);
 
-/// All words of the command line, each with its flags.
+/// Adds all commands, each with its flags.
 void add_words(CLI::App& program);
 
-/// --threads of every command, once all are added.
+/// Adds --threads to every command that there is.
 ///
 /// Given  control  holds the number of threads of all that follows; none: one for each processor
 void add_threads(CLI::App& program, std::unique_ptr<tbb::global_control>& control);
 
-/// Reads a command line, recipes put in, and does what it says.
+/// Reads a command line with its recipe, and runs its command.
 ///
 /// Given   arguments  without the program's name
 /// Throws  WrongUsage       when the usage is wrong: also for an argument that is not UTF-8, which

@@ -47,7 +47,7 @@ struct Options {
   bool json = false, csv = false;
 };
 
-/// What of a still's flags says when it is seen and from where.
+/// Options of a still that say when and from where it is seen.
 struct StillFlags {
   MoonOptions moon;
   uses::ViewRequest view;
@@ -71,13 +71,13 @@ StillFlags flags_told_by(const std::string& file) {
   return flags;
 }
 
-/// What a recipe tells of a frame: the places that it shows, and the glow of the camera that takes its picture.
+/// Frame as its recipe has it: places on the Moon by pixel, and the camera's glow.
 struct Told {
   uses::FramePlaces places;
   double glow = 0;
 };
 
-/// By the recipe in a frame's own header or its scene's texture's.
+/// Reads the recipe in the header of a frame, or of its scene's texture.
 Told told_by(const std::string& file) {
   if (!holds_recipe(file))
     throw algebra::Error(
@@ -90,7 +90,7 @@ Told told_by(const std::string& file) {
           camera ? camera->glow : 0};
 }
 
-/// In linear Rec.709, whatever space the header says.
+/// Light of a render in linear Rec.709, converted from the colour space in its header.
 texture::Image light_of(const std::string& render) {
   const auto told = texture::read_attribute(render, "coppermoon:colour_space");
   const auto space = told ? colour::working_space(*told) : uses::picture_space;
@@ -109,11 +109,11 @@ texture::Image read_render(const Options& options, const uses::FramePlaces& plac
   return render;
 }
 
-/// All that was found.
+/// Result of a comparison.
 struct Found {
   almanac::Instant when;
   std::optional<colour::Exposure> exif;
-  texture::Coding coding;  ///< of the photograph's numbers, as it was read
+  texture::Coding coding;  ///< tone curve by which the photograph was read
   uses::Comparison comparison;
 
   double stops_of_fit() const {
@@ -159,7 +159,7 @@ Json exposure_json(const Found& found) {
   return all;
 }
 
-/// Which curve its numbers were taken to have.
+/// Tone curve of the photograph in words.
 std::string coding_in_words(const Found& found) {
   switch (found.coding) {
     case texture::Coding::camera:
@@ -201,7 +201,7 @@ void print_json(const Options& options, const Found& found) {
   fmt::print("{}\n", all.dump(2));
 }
 
-/// Steps of distance, then the whole disc.
+/// Rows of a table: steps of distance, then the whole disc.
 void print_csv(const Found& found) {
   auto rows = Json::array();
   for (const auto& difference : found.comparison.differences) rows.push_back(as_json(difference));
@@ -250,7 +250,7 @@ void require_sound(const Options& options) {
   files::require_place_for(options.output);
 }
 
-/// Nothing where the exposure is to be fitted: with a camera's own tone curve too, which leaves a factor open.
+/// Exposure in the photograph's header; none where it is fitted, or a camera's own tone curve leaves a factor open.
 std::optional<colour::Exposure> exif_to_use(const Options& options, texture::Coding coding) {
   if (options.exposure == "fit") return std::nullopt;
   if (coding == texture::Coding::camera && options.exposure.empty()) return std::nullopt;

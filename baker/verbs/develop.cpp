@@ -30,7 +30,7 @@ struct Options {
   bool json = false;
 };
 
-/// The space that --space, the file's header or its name says; else linear Rec.709.
+/// Colour space of a frame: of --space, its header or its name, in that order; else linear Rec.709.
 colour::WorkingSpace space_of(const Options& options, const std::string& frame) {
   if (!options.space.empty()) return colour::working_space(options.space);
   if (const auto told = texture::read_attribute(frame, "coppermoon:colour_space"))
@@ -46,14 +46,14 @@ texture::Image read_frame(const std::string& frame, colour::WorkingSpace space) 
   return texture::read_channels(frame, {"R", "G", "B"});
 }
 
-/// A frame, and the picture that it becomes.
+/// Frame, and the file of its picture.
 struct Job {
   std::string frame;
   fs::path picture;
   colour::WorkingSpace space;
 };
 
-/// One picture as it is named; in a folder, each by its frame's name.
+/// Jobs: one frame gets the name of --output, several get their own names in that folder.
 std::vector<Job> jobs_of(const Options& options) {
   std::vector<Job> jobs;
   const bool folder = options.frames.size() > 1 || !fs::path(options.output).has_filename() ||
@@ -75,7 +75,7 @@ std::vector<Job> jobs_of(const Options& options) {
   return jobs;
 }
 
-/// The folder that pictures go into, which may have to be made.
+/// Makes the folder of the pictures where it is missing.
 void require_place(const Options& options, const std::vector<Job>& jobs) {
   const fs::path output = options.output;
   const auto& camera = options.develop.camera;
@@ -102,7 +102,7 @@ void require_place(const Options& options, const std::vector<Job>& jobs) {
   }
 }
 
-/// That of all frames together.
+/// Exposure that all frames share.
 uses::Exposures exposures_of(const Options& options, const std::vector<Job>& jobs) {
   if (jobs.size() == 1) {
     const auto& job = jobs.front();

@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  FilmOptions film;  ///< of which only the eclipse and the calendar are asked for
+  FilmOptions film;  ///< eclipse and calendar alone
   std::string from, to, output;
   uses::ExploreRequest request;
   bool embed = false, json = false;
@@ -50,7 +50,7 @@ void require_sound(const Options& options) {
     throw algebra::Error(fmt::format("{}: is no directory", one_line(options.output)));
 }
 
-/// A word as a shell takes it: in quotes where it needs them.
+/// Word for a shell, in quotes where it needs them.
 std::string shell_word(const std::string& word) {
   const bool plain = word.find_first_not_of(
                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
@@ -58,7 +58,7 @@ std::string shell_word(const std::string& word) {
   return plain ? word : in_single_quotes(word);
 }
 
-/// Flags of the air and the map that were given, which other commands take too, for those that the page shows.
+/// Flags of the air and the map that were given, for the commands that the page shows.
 std::string options_shown(const CLI::App& verb) {
   std::string flags;
   for (const auto& parameter : parameters_of(verb)) {

@@ -33,15 +33,15 @@ using uses::Estimate, uses::ReadPhotograph;
 struct Options {
   std::vector<std::string> photos, outputs;
   std::string instants, times, isos, magnitudes;
-  std::string zone;  ///< of the cameras' clocks; empty: as headers say, else any
+  std::string zone;  ///< time zone of the cameras' clocks; empty: the headers', else unknown
   std::optional<double> clock_error_min;
   texture::Coding coding = texture::Coding::as_file_says;
   std::optional<double> f_number;
-  uses::FitRequest request;  ///< all but photographs and magnitudes
+  uses::FitRequest request;  ///< without photographs and magnitudes
   bool despite_misfit = false, json = false;
 };
 
-/// One for each photograph, or one for all.
+/// Refuses a list that has neither one value nor one for each photograph.
 template <class Value>
 const Value& one_of(const std::vector<Value>& values, std::size_t i) {
   return values[values.size() == 1 ? 0 : i];
@@ -53,7 +53,7 @@ void require_one_or(std::size_t photos, std::size_t count, const char* what) {
                                      count, what, photos));
 }
 
-/// Texts of instants, one for each photograph or one for all.
+/// Instants of --instants, one for each photograph.
 std::vector<std::string> instants_of(const Options& options) {
   std::vector<std::string> all;
   std::istringstream parts(options.instants);
@@ -62,7 +62,7 @@ std::vector<std::string> instants_of(const Options& options) {
   return all;
 }
 
-/// A number that is told for each photograph; nothing when none is.
+/// Value of a list for the i-th photograph; nothing for an empty list.
 std::optional<double> number_told(const std::string& list, std::size_t i, std::size_t photos,
                                   const char* what) {
   const auto numbers = algebra::numbers_in(list);
@@ -73,7 +73,7 @@ std::optional<double> number_told(const std::string& list, std::size_t i, std::s
   return one_of(*numbers, i);
 }
 
-/// A photograph whose header does not say when it was taken.
+/// Error of a photograph whose header has no time.
 struct Undated {
   std::string file, why;
 };
@@ -87,8 +87,7 @@ struct Told {
 
 constexpr const char* from_header = "from-header";
 
-/// What a camera's clock said, in UTC as far as its zone is known: that told, the header's, or that of the
-/// place.
+/// Time of a camera's clock in UTC, by the zone of --zone, of the header, or of the place.
 std::string instant_by(const uses::HeaderClock& clock, const Options& options) {
   const auto zone = options.zone.empty() ? clock.offset.value_or("") : options.zone;
   if (zone.starts_with('+') || zone.starts_with('-')) return clock.local + zone;
@@ -98,7 +97,7 @@ std::string instant_by(const uses::HeaderClock& clock, const Options& options) {
                        : almanac::utc_text(uses::instant_of_local(clock.local, named));
 }
 
-/// Adds the i-th photograph, taken at an instant.
+/// Adds the i-th photograph with its instant.
 void add_photograph(const Options& options, std::size_t i, const std::string& instant, Told& told) {
   const auto photos = options.photos.size();
   told.request.photographs.push_back({.file = options.photos[i],
@@ -110,7 +109,7 @@ void add_photograph(const Options& options, std::size_t i, const std::string& in
   told.instants.push_back(instant);
 }
 
-/// Adds photographs by their headers' clocks; those without are left out while there are others.
+/// Adds photographs by the clocks in their headers; photographs without a time are left out while others have one.
 void add_by_headers(const Options& options, Told& told) {
   for (std::size_t i = 0; i < options.photos.size(); ++i) {
     std::optional<uses::HeaderClock> clock;
@@ -147,7 +146,7 @@ Told told_by(const Options& options) {
   return told;
 }
 
-/// Below this nothing was learnt: the interval is what was allowed from the start.
+/// Share by which an interval must shrink for anything to be learnt.
 constexpr double no_information = 0.3;
 
 Json as_json(const Estimate& estimate, bool logarithm) {
@@ -263,7 +262,7 @@ void require_sound(const Options& options) {
   for (const auto& file : options.outputs) uses::require_light_file(file);
 }
 
-/// In one line.
+/// Interval in one line.
 std::string misfit_of(const uses::FitReport& found) {
   const auto& [fit, photographs, nights] = found;
   std::string why = "a list of another eclipse or of other bands, or errors told too small";

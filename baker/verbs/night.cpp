@@ -37,22 +37,22 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  FilmOptions film;  ///< of which only the eclipse and the calendar are asked for
+  FilmOptions film;  ///< eclipse and calendar alone
   MoonOptions moon;
   uses::ViewRequest view;
   uses::Development develop;
-  std::string place, zone;  ///< without a zone: that of the place
+  std::string place, zone;  ///< of the local times; empty: the zone of the place
   std::vector<std::string> outputs;
   bool danjon = true, json = false, csv = false;
 };
 
-/// All that is told of a night.
+/// Night of an eclipse at one place: what the command prints.
 struct Night {
   uses::Circumstances circumstances;
   uses::NightLights lights;
   almanac::City city;  ///< the place, or the nearest one
   bool own_clocks;     ///< the place is that city
-  std::string zone;    ///< of the clocks that are shown
+  std::string zone;    ///< time zone of the local times
 };
 
 constexpr const char* winds[] = {"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
@@ -74,7 +74,7 @@ const uses::NightLight* light_of(const Night& night, const std::string& name) {
   return found == night.lights.moments.end() ? nullptr : &*found;
 }
 
-/// As cameras mark it.
+/// Exposure time as cameras mark it.
 std::string exposure_text(const std::optional<double>& seconds) {
   if (!seconds) return "-";
   const double time = uses::camera_time_s(*seconds);

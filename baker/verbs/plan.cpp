@@ -22,7 +22,7 @@ struct Options {
   bool json = false;
 };
 
-/// Whether a picture is meant: any flag of a view says so.
+/// Whether a picture is planned: any parameter of the view is given.
 bool of_a_picture(const CLI::App& verb) {
   for (const auto* flag :
        {"--at", "--width", "--height", "--field", "--focal-length", "--sensor-width"})
@@ -30,7 +30,7 @@ bool of_a_picture(const CLI::App& verb) {
   return false;
 }
 
-/// A plan, and what it is for.
+/// Plan, and the sizes that it is made for.
 struct Planned {
   plan::Plan plan;
   std::size_t texture_width;

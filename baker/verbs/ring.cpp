@@ -26,7 +26,7 @@ struct Options {
   std::string output;
   std::optional<almanac::SelenographicPoint> on;
   double scale = 1;
-  uses::LightRequest light;  ///< of which only the air is asked for
+  uses::LightRequest light;  ///< air alone
   bool json = false;
 };
 

@@ -43,10 +43,10 @@ std::vector<double> required_list(const std::string& text, const char* what) {
   return *list;
 }
 
-/// Where the shadow is cut: how far behind the Earth, under what Sun.
-/// The year where no moment is given: March of a year without eruptions.
+/// Year of the air where no moment is given: March of a year without eruptions.
 constexpr double an_equinox = 2003.22;
 
+/// Plane across the shadow: its distance behind the Earth, and the Sun's distance and declination.
 struct Cut {
   double sun_distance_m, depth_m;
   algebra::Angle sun_declination{};  ///< of an equinox, where no moment is given
@@ -128,7 +128,7 @@ void require_sound(const Options& options) {
   }
 }
 
-/// Moment and distance; the air on a line by itself.
+/// Title of a plot: moment and distance; below them the air.
 std::string title_of(const Cut& cut, const std::string& air, almanac::Calendar calendar) {
   const auto distance = fmt::format("{:.0f} km from the Earth", cut.depth_m / 1e3);
   if (!cut.sky) return fmt::format("The Earth's shadow {}\n{}", distance, air);
@@ -147,7 +147,7 @@ void write(const std::filesystem::path& file, const uses::ShadowProfile& result,
     uses::write_shadow_plot(file, result, marks);
 }
 
-/// Where no distance is given, the plane stands in the middle of the ground that is lit.
+/// Writes the look-up strip. Without a distance its plane cuts the Moon's near half in the middle.
 void make_lookup(const Options& options, uses::StripShadow shadow, const uses::LightRequest& light,
                  const std::string& recipe) {
   if (!options.moon_distance_km)

@@ -73,7 +73,7 @@ void write_files(const std::filesystem::path& folder, const Options& options,
   uses::write_plot(folder / "tradeoff.svg", as_plot(all));
 }
 
-/// Writes into a folder, made when it is missing, and gone again when nothing could be written.
+/// Writes all files into a folder; a folder that was made for them is removed when none can be written.
 void write_folder(const Options& options, const ReferenceSettings& reference,
                   std::span<const Measured> all) {
   std::error_code ignored;

@@ -110,7 +110,9 @@ void add_files_of_all(CLI::App& verb, FilmOptions& options) {
 
 constexpr double half_a_month_s = 15 * 86400.;
 
-/// The eclipse nearest to a moment, which is half a month away at most: another Moon's is not meant.
+/// Eclipse nearest to a moment, at most half a month away.
+///
+/// Throws  Error  when there is none: names the nearest
 eclipse::Eclipse eclipse_near(const std::string& text, almanac::Calendar calendar) {
   const auto moment = almanac::instant_from_utc(text, calendar);
   auto nearest = eclipse::nearest_eclipse(moment, eclipse::ShadowConvention::danjon);
@@ -122,7 +124,7 @@ eclipse::Eclipse eclipse_near(const std::string& text, almanac::Calendar calenda
   return nearest;
 }
 
-/// The eclipse that is named, or else nearest to a moment that is.
+/// Eclipse that is named, or nearest to the first moment that has a date.
 eclipse::Eclipse eclipse_of(const FilmOptions& options) {
   for (const auto& text : {options.eclipse, options.from, options.to})
     if (eclipse::begins_with_digit(text)) return eclipse_near(text, options.calendar);
@@ -231,7 +233,7 @@ uses::Mounting mounting_of(const FilmOptions& options, bool observed) {
   return mounting;
 }
 
-/// A flag that is given and asks for what is made of the whole film; none without.
+/// First given flag of a file that needs the whole film; null without.
 const char* whole_film_flag(const FilmOptions& options) {
   return !options.movie.empty()           ? "--movie"
          : !options.contact_sheet.empty() ? "--contact-sheet"

@@ -22,7 +22,7 @@ std::string capitals(std::string text) {
   return text;
 }
 
-/// Words of a validator's list "TEXT:{a,b}".
+/// Words of CLI11's list "TEXT:{a,b}".
 std::vector<std::string> words_in(const std::string& type) {
   const auto begin = type.find(":{"), end = type.rfind('}');
   std::vector<std::string> words;
@@ -41,13 +41,13 @@ std::string value_name(const std::string& type, const std::vector<std::string>& 
                                                                 : "TEXT";
 }
 
-/// Letters as a reader counts them: bytes of UTF-8 that begin one.
+/// Number of characters of a UTF-8 text.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char byte) { return (byte & 0xC0) != 0x80; }));
 }
 
-/// A text in lines that end before the page does, those behind the first indented.
+/// Text wrapped to the page, its lines behind the first indented.
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::istringstream words(text);
   std::string lines, line;

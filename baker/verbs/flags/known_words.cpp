@@ -13,7 +13,7 @@ struct Meaning {
   std::string_view elsewhere, here;
 };
 
-/// What other programs call our flags.
+/// Names of flags in other programs, and ours.
 constexpr Meaning flags_elsewhere[] = {
     {"fov", "field"},
     {"field-of-view", "field"},
@@ -74,7 +74,7 @@ constexpr Meaning flags_elsewhere[] = {
     {"aerosol", "stratospheric-aerosol"},
 };
 
-/// What other programs call our verbs.
+/// Names of commands in other programs, and ours.
 constexpr Meaning verbs_elsewhere[] = {
     {"render", "still"},
     {"picture", "still"},

@@ -10,16 +10,16 @@
 
 namespace coppermoon::verbs {
 
-/// Names of a verb's flags, without their dashes.
+/// Names of a command's flags, without their dashes.
 std::vector<std::string> long_flags(const CLI::App& verb);
 
 bool holds(const std::vector<std::string>& words, std::string_view word);
 
-/// "; did you mean --field?": a flag that means what an unknown one does elsewhere, or is spelt almost
-/// alike. Empty where there is none.
+/// Suggestion for an unknown flag, as "; did you mean --field?": the flag that other programs call so, or one that is
+/// spelt almost alike. Empty: none.
 std::string flag_suggested_for(std::string_view flag, const std::vector<std::string>& known);
 
-/// The same for a verb: "; did you mean still?".
+/// Suggestion for an unknown command, as "; did you mean still?".
 std::string verb_suggested_for(std::string_view verb, const std::vector<std::string>& known);
 
 }  // namespace coppermoon::verbs

@@ -10,25 +10,25 @@
 
 namespace coppermoon::verbs {
 
-/// Fields of the flags of light; `light_request` is what they mean.
+/// Fields that the flags of light fill; `light_request` makes a request of them.
 struct LightOptions {
   uses::LightRequest request;
   uses::Effort effort;
-  std::function<std::string()> key;  ///< what photons belong to, once the command line is read
+  std::function<std::string()> key;  ///< recipe that photons depend on, once the command line is read
 };
 
-/// All flags of light but those that share photons among runs.
+/// Adds all flags of light but those that share photons among runs.
 void add_light_options(CLI::App& verb, LightOptions& options);
 
-/// --shard K/N, --keep FILE, --add FILE.
+/// Adds --shard K/N, --keep FILE, --add FILE.
 void add_photon_file_options(CLI::App& verb, LightOptions& options);
 
-/// Wish, knobs and photons put together; the quality "paper" stands for other flags.
+/// Request that the flags of light make; the quality "paper" sets several of them.
 ///
 /// Throws  Error  when they contradict one another
 uses::LightRequest light_request(const LightOptions& options);
 
-/// Tells who waits when no air makes the eclipse as dark or as bright as --danjon asks.
+/// Says on stderr when no air makes the eclipse as dark or as bright as --danjon asks.
 void say_unless_danjon_is_reached(const uses::Air& air, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::verbs

@@ -20,7 +20,7 @@ namespace {
 
 using almanac::Instant;
 
-/// Whether a text is of a pattern in which 0 stands for any digit, and ends where it ends.
+/// Whether a text matches a pattern in which 0 stands for any digit.
 bool is_like(std::string_view text, std::string_view pattern) {
   return text.size() == pattern.size() &&
          std::ranges::equal(text, pattern, [](char letter, char wanted) {
@@ -33,20 +33,20 @@ bool is_day(std::string_view text) {
          is_like(text, "+0000-00-00");
 }
 
-/// Whether a text begins as a time of day or a contact does.
+/// Whether a text begins like a time of day or a contact.
 bool is_contact_or_time(std::string_view text) {
   return is_like(text.substr(0, 5), "00:00") || is_like(text.substr(0, 2), "P0") ||
          is_like(text.substr(0, 2), "U0") || text.starts_with("greatest");
 }
 
-/// A moment to the full second, said to whoever asked for it by another name.
+/// Moment rounded to the full second, which is said on stderr.
 Instant said(const std::string& asked, const Instant& when, almanac::Calendar calendar) {
   fmt::print(stderr, "coppermoon: {} is {} {} UTC\n", asked, almanac::date_text(when, calendar),
              almanac::time_of_day_text(when));
   return almanac::instant_from_utc(almanac::utc_text(when));
 }
 
-/// Whether a text has a time of day, and nothing that says on which clock.
+/// Whether a text has a time of day without an offset.
 bool is_silently_utc(std::string_view text) {
   const auto colon = text.find(':');
   if (colon == std::string_view::npos || !eclipse::begins_with_digit(std::string(text)))

@@ -11,21 +11,21 @@
 
 namespace coppermoon::verbs {
 
-/// A moment as flags tell it.
+/// Moment as the flags give it.
 struct MomentOptions {
   std::string text;
   almanac::Calendar calendar = almanac::Calendar::gregorian;
 };
 
-/// The moment, without a name or as --instant, and --calendar.
+/// Adds the moment, with or without --instant before it, and --calendar.
 ///
-/// Given  more  what else may stand in the moment's place, for the help
+/// Given  more  for help: other things that may stand in the moment's place
 Flag add_moment_options(CLI::App& verb, MomentOptions& options, const std::string& more = "");
 
-/// --calendar.
+/// Adds --calendar.
 void add_calendar_option(CLI::App& verb, almanac::Calendar& calendar);
 
-/// Names the calendar of a document's dates, where it is not the one of ISO 8601.
+/// Adds the key `calendar` to a document whose dates are not Gregorian.
 void say_calendar(nlohmann::ordered_json& document, almanac::Calendar calendar);
 
 /// The moment that is meant. Of a day alone it is the greatest eclipse of that day (UTC), and the
@@ -41,8 +41,8 @@ void say_which_city(const CLI::App& verb);
 /// Says on stderr which times of a command line with a place in it are read as UTC for want of an offset.
 void say_what_is_utc(const CLI::App& verb);
 
-/// A command line in which a day and the contact, or the time of day, behind it are one argument:
-/// "2018-07-27", "U2+10min" become "2018-07-27 U2+10min".
+/// Command line in which a day and the contact or time behind it are one argument: "2018-07-27", "U2+10min" become
+/// "2018-07-27 U2+10min".
 std::vector<std::string> with_moments_joined(const std::vector<std::string>& arguments);
 
 }  // namespace coppermoon::verbs

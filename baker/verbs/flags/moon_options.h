@@ -10,29 +10,28 @@
 
 namespace coppermoon::verbs {
 
-/// What flags say of a Moon; `moon_request` is what they mean.
+/// Fields that the flags of a Moon fill; `moon_request` makes a request of them.
 struct MoonOptions {
   MomentOptions moment;
   uses::MoonRequest request;
   LightOptions light;
 };
 
-/// Flags of the map and the ground; says on stderr when a map seems to be turned by half a circle.
+/// Adds the flags of the map and the ground; a map that seems to be turned by half a circle is said on stderr.
 void add_map_options(CLI::App& verb, uses::MoonRequest& request);
 
-/// All of a Moon of one moment: the instant, the map, the texture's width, its light, and whether it is
-/// unshadowed.
+/// Adds all flags of the Moon of one moment.
 void add_moon_options(CLI::App& verb, MoonOptions& options);
 
-/// All of a Moon whose moments are told otherwise, a film's: without photons' files.
+/// Adds the flags of a film's Moon: without a moment, and without files of photons.
 void add_film_moon_options(CLI::App& verb, MoonOptions& options);
 
-/// The request that flags make, with its light. A draft has half as many texels for each pixel.
+/// Request that the flags make, with its light. A draft has half as many texels per pixel.
 ///
 /// Throws  Error  as light_request
 uses::MoonRequest moon_request(const MoonOptions& options);
 
-/// The sky of the Moon's instant, at which an eclipse is under way unless the Moon is unshadowed.
+/// Sky at the Moon's instant; an eclipse is under way then, unless the Moon is unshadowed.
 ///
 /// Throws  Error  when the text is no instant, or no eclipse is under way
 almanac::SkyState eclipsed_sky(const MoonOptions& options);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file or folder, and the flag that names it.
+/// File or folder, and the flag that names it.
 struct NamedFile {
   std::string flag;
   fs::path path;
@@ -33,7 +33,7 @@ std::vector<NamedFile> files_called(const char* kind, const CLI::App& verb) {
   return files;
 }
 
-/// Where a path leads, links followed, whether or not anything is there yet.
+/// Path with its links followed, whether or not anything is there yet.
 fs::path place_of(const fs::path& path) {
   std::error_code failed;
   const auto place = fs::weakly_canonical(fs::absolute(path, failed), failed);

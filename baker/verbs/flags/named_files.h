@@ -7,17 +7,17 @@
 
 namespace coppermoon::verbs {
 
-/// What --help calls the values of flags that name files; by these names the rules below know them.
+/// Type names of flags that name files, in help and for the rules below.
 inline constexpr const char *read_file = "FILE", *written_file = "NEW-FILE",
                             *written_folder = "FOLDER";
 
-/// Whether a flag says where results go. Only the command line does; no recipe may.
+/// Whether a flag names a file or folder that is written: no recipe may hold it.
 bool says_where_results_go(const CLI::Option& flag);
 
-/// Whether a name ends as those of files do that coppermoon or others make, as "film.mp4".
+/// Whether a name has the ending of a file, as "film.mp4".
 bool ends_as_a_file(const std::filesystem::path& name);
 
-/// Refuses a command line by which one file would be lost to another, before any work is done.
+/// Refuses a command line by which one file would overwrite another, before any work is done.
 ///
 /// Throws  algebra::Error  when a file that is written is also one that is read (the same file by any
 ///                         name or link), two that are written are one, or one that is read stands in

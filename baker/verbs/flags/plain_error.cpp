@@ -18,7 +18,7 @@ namespace {
 
 using Text = std::string;
 
-/// A text cut where another stands in it.
+/// Text before and behind another text in it.
 struct Cut {
   Text before, behind;
 };

@@ -5,8 +5,7 @@
 
 namespace coppermoon::verbs {
 
-/// What CLI11 says of a command line, in the words of all other errors: the value, and what is allowed.
-/// A text of another kind stays as it is.
+/// CLI11's error in the words of all other errors: the value, and what is allowed. Any other text stays as it is.
 ///
 /// Given  error  as "--quality: best not in {draft,standard}"
 std::string plain_error(const std::string& error);

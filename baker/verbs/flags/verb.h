@@ -9,7 +9,7 @@
 
 namespace coppermoon::verbs {
 
-/// A word of the command line with its parameters. CLI11 costs seconds to compile: few files include this.
+/// Command with its parameters. CLI11 takes seconds to compile: few files include this.
 struct Verb : CLI::App {
   Verb() = default;
   Verb(CLI::App& program, std::string name, std::string help)

@@ -14,7 +14,7 @@
 namespace coppermoon::verbs {
 namespace {
 
-/// A command, and what it can be told.
+/// Command, and its flags.
 struct Command {
   std::string name, text;
   std::vector<FlagText> flags;
@@ -27,7 +27,7 @@ std::vector<Command> commands_of(const CLI::App& program) {
   return all;
 }
 
-/// "-o" and "--output", of "-o, --output".
+/// Splits "-o, --output" into "-o" and "--output".
 std::vector<std::string> spellings(const FlagText& flag) {
   std::string names = flag.names;
   std::erase(names, ',');
@@ -45,7 +45,7 @@ bool takes_files(const Command& command) {
   });
 }
 
-/// A text's first thought, which fits beside an option.
+/// Text up to its first punctuation mark, short enough to stand beside an option.
 std::string brief(const std::string& text) {
   auto end = text.size();
   for (const char* stop : {": ", "; ", ". ", " ("}) end = std::min(end, text.find(stop));

@@ -14,7 +14,7 @@
 namespace coppermoon::verbs {
 namespace {
 
-/// Text as roff prints it unchanged, wherever it stands.
+/// Text escaped for roff.
 std::string in_roff(std::string_view text) {
   std::string safe = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
   for (const char letter : text)

@@ -12,7 +12,7 @@
 namespace coppermoon::verbs {
 namespace {
 
-/// The shadow goes over a sixtieth of the disc in it: 33 arcseconds.
+/// Largest time between exposures of one scene [s]: the shadow moves by 33 arcseconds, 1/60 of the disc.
 constexpr double most_apart_s = 60;
 
 std::string words_for(const texture::Window& window) {

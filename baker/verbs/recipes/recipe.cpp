@@ -49,7 +49,7 @@ std::string taken_recipe(std::vector<std::string>& arguments) {
   return {};
 }
 
-/// Where there is no -o, which flags name the files.
+/// Refuses -o of a command that has none, and names its flags of files.
 void require_no_output(const CLI::App& verb, const std::string& argument) {
   if (!argument.starts_with("-o") || verb.get_option_no_throw("-o") != nullptr) return;
   std::vector<std::string> flags;
@@ -61,7 +61,7 @@ void require_no_output(const CLI::App& verb, const std::string& argument) {
                                    : fmt::format("files are named by {}", fmt::join(flags, ", "))));
 }
 
-/// What is said of a flag that there is not.
+/// Advice that ends the error of an unknown flag.
 std::string way_out_for(const std::string& flag, const CLI::App& verb,
                         const std::vector<std::string>& known) {
   if (flag == "verbose" || flag == "progress")
@@ -87,7 +87,7 @@ void require_flags(const CLI::App& verb, const std::vector<std::string>& argumen
   }
 }
 
-/// The first argument that is neither a flag nor a flag's value.
+/// First argument that is neither a flag nor a flag's value.
 std::vector<std::string>::iterator positional(const CLI::App& verb,
                                               std::vector<std::string>& arguments) {
   for (auto argument = arguments.begin(); argument != arguments.end(); ++argument) {
@@ -101,7 +101,7 @@ std::vector<std::string>::iterator positional(const CLI::App& verb,
   return arguments.end();
 }
 
-/// The flag that an argument without one stands for.
+/// Flag whose name may be left out, as --instant; empty: none.
 std::string flag_of_positional(const CLI::App& verb) {
   for (const auto* option : verb.get_options())
     if (option->get_positional() && !option->get_lnames().empty())
@@ -109,7 +109,7 @@ std::string flag_of_positional(const CLI::App& verb) {
   return {};
 }
 
-/// A verb's arguments, and the recipe among them.
+/// Arguments of a command, apart from its recipe.
 struct Arguments {
   std::string recipe;
   std::vector<std::string> mine;
@@ -130,7 +130,7 @@ Arguments apart(const CLI::App& verb, std::vector<std::string> mine) {
   return {path, mine};
 }
 
-/// The recipe's flags, and behind them the user's own.
+/// Flags of the recipe, then the user's own, which win.
 std::vector<std::string> with_recipe(const CLI::App& verb, std::vector<std::string> all) {
   const auto [path, mine] = apart(verb, std::move(all));
   if (path.empty()) return mine;
@@ -139,7 +139,7 @@ std::vector<std::string> with_recipe(const CLI::App& verb, std::vector<std::stri
   return arguments;
 }
 
-/// The first argument that is no flag.
+/// First argument that is no flag: the command.
 auto word_in(const std::vector<std::string>& arguments) {
   return std::find_if(arguments.begin(), arguments.end(),
                       [](const auto& a) { return !a.starts_with("-"); });

@@ -8,9 +8,8 @@
 
 namespace coppermoon::verbs {
 
-/// A command line with its recipes put in: `--recipe file.toml` (or a picture that coppermoon
-/// made, by that flag or in the instant's place) becomes the flags it names, right behind the verb, so
-/// that the user's own flags come later and win.
+/// Command line in which the recipe is replaced by its flags, right behind the command: the user's own flags come later
+/// and win. The recipe is the file of --recipe, or a picture of coppermoon's in the instant's place.
 ///
 /// Given     arguments  without the program's name
 /// Throws    WrongUsage       for a word, flag or recipe key there is not: names the nearest there
@@ -19,15 +18,15 @@ namespace coppermoon::verbs {
 std::vector<std::string> with_recipes(const CLI::App& program,
                                       const std::vector<std::string>& arguments);
 
-/// The recipe that a command line names, by --recipe or in the instant's place; empty: none.
+/// File of the recipe that a command line names, by --recipe or in the instant's place; empty: none.
 ///
 /// Given  arguments  as with_recipes takes them, which refuses what is wrong with them
 std::string recipe_named_in(const CLI::App& program, const std::vector<std::string>& arguments);
 
-/// Recipe of a verb's flags, those given and the defaults of all others, as request::recipe_of has it.
+/// Recipe of a command's parameters, given or by default (request::recipe_of).
 std::string recipe_of(const CLI::App& verb);
 
-/// The option that takes a recipe; read by with_recipes before any other.
+/// Adds --recipe, which with_recipes reads before any other flag.
 void add_recipe_option(CLI::App& verb);
 
 }  // namespace coppermoon::verbs

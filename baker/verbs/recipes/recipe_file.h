@@ -9,16 +9,14 @@
 
 namespace coppermoon::verbs {
 
-/// Whether a file is one that coppermoon made, by its ending, or by its name in Stellarium's folder: it holds
-/// its recipe.
+/// Whether a file is one of coppermoon's that holds its recipe, by its ending, or by its name in Stellarium's folder.
 bool holds_recipe(const std::filesystem::path& path);
 
-/// The flags that a recipe names, a TOML file or what a file that coppermoon
-/// made holds. The
-/// table [atmosphere] holds flags of the Earth's air, its own called `model`, and regions as
-/// [[atmosphere.region]]. Keys that another verb knows are passed over: one recipe serves all verbs.
+/// Flags of a recipe, which is a TOML file or stands in a file of coppermoon's. The table [atmosphere] holds parameters of
+/// the air, --atmosphere itself as `model`, and regions as [[atmosphere.region]]; [camera] likewise. Keys of other commands
+/// are passed over: one recipe serves all.
 ///
-/// Given     mine  the user's own arguments; what they name is left out of the recipe's
+/// Given     mine  the user's own arguments: flags that they name are left out of the recipe's
 /// Returned  "--flag=value", in the order of the alphabet, those in [atmosphere] last
 /// Throws    WrongUsage       for a key there is not: "<file>:<line>: …", with the nearest there is
 ///           algebra::Error   when the recipe cannot be read: "<file>:<line>: …"; when it has

@@ -10,14 +10,14 @@
 
 namespace coppermoon::verbs {
 
-/// A scene as flags ask for it, with its recipe in the texture's header; a progress bar shows its light.
+/// Lit scene of the flags, with its recipe in the texture's header; a progress bar shows the light.
 ///
 /// Given   baking  told how far its texture is baked, once its file is written
 /// Throws  Error  as moon_request, eclipsed_sky, uses::lit_scene
 uses::LitScene lit_scene(const CLI::App& verb, const MoonOptions& moon,
                          const uses::ViewRequest& view, const uses::Baking& baking);
 
-/// What there is to say of a file made from a scene.
+/// Report of a file made from a scene.
 Report report_of(const std::string& file, const uses::LitScene& scene, double seconds);
 
 }  // namespace coppermoon::verbs

@@ -10,8 +10,8 @@
 
 namespace coppermoon::verbs {
 
-/// Tells how a film comes along: on a terminal one bar on stderr with the frame, the rate and the time
-/// left; else a line a frame on stdout; or as JSON an event a line.
+/// Progress of a film: on a terminal a bar on stderr with frame, rate and time left; else a line per frame on stdout, or
+/// one JSON event per line.
 class FilmProgress {
  public:
   FilmProgress(const uses::Film& film, std::size_t frames, bool json);
@@ -19,17 +19,17 @@ class FilmProgress {
   FilmProgress(const FilmProgress&) = delete;
   FilmProgress& operator=(const FilmProgress&) = delete;
 
-  /// Once the light is there, and how long it took.
+  /// Light is there, kept or made in so many seconds.
   void light(bool kept, double seconds) const;
 
-  /// A frame that an earlier run left.
+  /// Frame of an earlier run is kept.
   void kept(std::size_t frame);
   void made(const uses::MadeFrame& frame);
 
-  /// A file made of many frames is there.
+  /// File of the whole film is there.
   void file(const std::filesystem::path& path);
 
-  /// The end.
+  /// Film is done.
   void done() const;
 
  private:

@@ -11,12 +11,11 @@ namespace coppermoon::verbs {
 /// Source  RFC 3629: no longer spelling than needed, no surrogates, nothing above U+10FFFF
 bool is_utf8(std::string_view text);
 
-/// A text from anywhere, such as a file's name, as one line that a terminal may show: control
-/// characters and bytes that are no UTF-8 as \n or \x1b; of more than 2000 bytes the middle is left
-/// out.
+/// Any text, such as a file's name, as one line that a terminal may show: control characters and bytes that are no UTF-8
+/// are escaped, and of more than 2000 bytes the middle is left out.
 std::string one_line(std::string_view text);
 
-/// A text in single quotes, as a POSIX shell takes it for one word.
+/// Text in single quotes, one word for a POSIX shell.
 std::string in_single_quotes(std::string_view text);
 
 }  // namespace coppermoon::verbs

@@ -9,7 +9,7 @@
 
 namespace coppermoon::verbs {
 
-/// A bar on stderr for as long as it lives: only on a terminal, and only once a second has passed.
+/// Progress bar on stderr for as long as it lives: on a terminal alone, and once a second has passed.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string what);
@@ -17,7 +17,7 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// What to hand to a function that tells its progress; it must not outlive the bar.
+  /// Callback for a function that reports its progress; must not outlive the bar.
   algebra::Progress progress();
 
  private:

@@ -10,7 +10,7 @@
 
 namespace coppermoon::verbs {
 
-/// What a verb that made a file has to say.
+/// Report of a command that made files.
 struct Report {
   std::vector<std::string> files;
   std::string recipe;
@@ -18,20 +18,20 @@ struct Report {
   plan::Plan plan;
 };
 
-/// Seconds from a time on until now.
+/// Seconds since a time.
 double seconds_since(std::chrono::steady_clock::time_point start);
 
-/// On stdout: one line, or one JSON document with the keys file (files where there are several),
-/// chosen, left_out, predicted and reached.
+/// Prints a report on stdout: one line, or one JSON document with the keys file (files where there are several), chosen,
+/// left_out, predicted and reached.
 void report(const Report& made, bool json);
 
-/// A recipe as JSON.
+/// Recipe as JSON.
 nlohmann::ordered_json as_json(const std::string& recipe);
 
 /// Rows as CSV under the names of their columns: an array of objects with the same keys, none nested. Null is empty.
 std::string as_csv(const nlohmann::ordered_json& rows);
 
-/// `left_out` and `predicted`, `methods` and `gave_way` where there is more than one, or one did.
+/// Plan as JSON: `left_out`, `predicted`; `methods` where several were weighed, `gave_way` where a wish was not met.
 nlohmann::ordered_json as_json(const plan::Plan& plan);
 
 }  // namespace coppermoon::verbs
