@@ -22,10 +22,10 @@ namespace {
 using atmosphere::Column;
 using atmosphere::StratosphericAerosol;
 
-/// Regions at most, five degrees of the limb each.
+/// Largest number of regions: five degrees of the limb each.
 constexpr std::size_t most_regions = 72;
 
-/// Where and when a column of air stands.
+/// Latitude and year of a column of air.
 struct Standing {
   algebra::Angle latitude;
   double year;
@@ -72,7 +72,7 @@ Column changed(Column column, const ColumnChange& change, const Standing& standi
   return column;
 }
 
-/// The moment of the air: how the pole is tipped, and the year.
+/// Moment of the air: tilt of the pole, and year.
 struct Moment {
   algebra::Angle sun_declination;
   double year;
@@ -140,7 +140,7 @@ bool depends_on_latitude(const ColumnChange& change) {
          (stratosphere && std::holds_alternative<DatedAerosol>(*stratosphere));
 }
 
-/// Whether a term of it differs from latitude to latitude.
+/// Whether a term of the request differs from latitude to latitude.
 bool depends_on_latitude(const Air& asked) {
   return asked.density == atmosphere::Density::seasonal ||
          asked.ozone_profile == OzoneProfile::climatology || depends_on_latitude(asked.column) ||
@@ -196,7 +196,7 @@ Moment moment_of(const almanac::SkyState& sky) {
   return {eclipse::shadow_axis(sky).sun_declination, almanac::year_of(sky.when)};
 }
 
-/// A step of Danjon's scale for the air of a request, or for one region of it.
+/// Step of Danjon's scale that a request asks for, or one of its regions.
 struct Danjon {
   Air asked;
   const AirRegion* region;
@@ -218,7 +218,7 @@ struct Danjon {
   }
 };
 
-/// Clearness that was found; the frames of a film ask for the same again and again.
+/// Cache of clearnesses: all frames of a film ask for the same.
 class Found {
  public:
   double clearness(const Danjon& danjon, const almanac::SkyState& sky) {

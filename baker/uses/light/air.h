@@ -11,33 +11,32 @@
 
 namespace coppermoon::uses {
 
-/// The stratosphere's aerosol: an amount by name; of an optical depth at 550 nm; that of the month.
+/// Aerosol of the stratosphere: an amount by name, an optical depth at 550 nm, or that of the month.
 struct DatedAerosol {
   bool operator==(const DatedAerosol&) const = default;
 };
 using Stratosphere = std::variant<atmosphere::StratosphericAerosol,
                                   double /* optical depth, 0 to 2 */, DatedAerosol>;
 
-/// Ozone's profile: of US 1976, or of the latitude and month.
+/// Height profile of ozone: of US 1976, or of latitude and month.
 enum class OzoneProfile { us_1976, climatology };
 
-/// What may differ from one part of the limb to another. Without a value: as the atmosphere has it.
+/// Changes of a column of air, which may differ along the limb. Without a value: as the atmosphere has it.
 struct ColumnChange {
-  /// Cloud and aerosol of that step of Danjon's scale, 0 to 4; in the air of a month, what makes the
-  /// eclipse of that night such a one (danjon_clearness).
+  /// Step of Danjon's scale, 0 to 4: cloud and aerosol of it; in the air of a month, scaled until the eclipse of that
+  /// night has it (danjon_clearness).
   std::optional<int> danjon{};
   std::optional<double> ozone_du{}, dust_extinction_per_m{}, dust_bottom_km{}, dust_top_km{},
       tropospheric_optical_depth{}, cloud_top_km{}, cloud_cover{};
   std::optional<Stratosphere> stratosphere{};
   std::optional<double> tropopause_km{};
-  /// Factors on what is usual, 0 to 100; of cloud: 0 where a deck is asked for.
+  /// Factors on the usual amounts, 0 to 100; the chance of cloud is 0 where a deck is asked for.
   std::optional<double> cloud_chance{}, cirrus{}, free_troposphere{};
 
   bool operator==(const ColumnChange&) const = default;
 };
 
-/// A part of the limb with air of its own: between two latitudes, or between two position angles,
-/// both in degrees.
+/// Part of the limb with air of its own, between two latitudes or two position angles [degrees].
 struct AirRegion {
   std::optional<double> from_latitude{}, to_latitude{}, from_position_angle{}, to_position_angle{};
   ColumnChange column{};
@@ -47,12 +46,12 @@ struct AirRegion {
 
 enum class EarthFigure { sphere, ellipsoid };
 
-/// The Earth and its air, term by term. Without a value: as the atmosphere of that name has it.
+/// Earth and its air, term by term. Without a value: as the named atmosphere has it.
 struct Air {
   std::string atmosphere = "standard";  ///< one of atmosphere::preset_names()
   bool refraction = true, rayleigh = true;
   std::optional<EarthFigure> earth{};
-  std::optional<atmosphere::Density> density{};  ///< of what has any
+  std::optional<atmosphere::Density> density{};  ///< of air that has any
   std::optional<atmosphere::Dispersion> dispersion{};
   std::optional<atmosphere::KingFactor> king_factor{};
   std::optional<atmosphere::OzonePath> ozone_path{};
@@ -69,18 +68,18 @@ struct Air {
 /// Throws  Error
 void require_place(const AirRegion& region);
 
-/// The air of one moment, belts before Danjon's scale is set to them.
+/// Air of one moment, its belts not yet scaled to Danjon's scale.
 ///
-/// Given   sun_declination  of that moment: tips the Earth's pole
-///         year             of that moment, with its fraction: says the season and the aerosol
+/// Given   sun_declination  at that moment: tilt of the Earth's pole
+///         year             with its fraction: season and aerosol
 /// Throws  Error            when a term is outside its range, or there are more than 72 regions
 atmosphere::Atmosphere atmosphere_of(const Air& air, algebra::Angle sun_declination, double year);
 
-/// The same of a sky, for the air over the limb that the Moon sees.
+/// Air over the limb that the Moon of a sky sees, scaled to Danjon's scale where that is asked for.
 atmosphere::Atmosphere atmosphere_of(const Air& air, const almanac::SkyState& sky);
 
-/// Whether there is air that makes the eclipse of that night one of the step of Danjon's scale that is asked
-/// for; true where none is, or the air has no belts to clear. Without, the clearest or the darkest is taken.
+/// Whether some air gives the eclipse of that night the step of Danjon's scale that is asked for; true where none is asked
+/// for, or the air has no belts. Otherwise the clearest or the darkest air is taken.
 bool reaches_danjon(const Air& asked, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::uses

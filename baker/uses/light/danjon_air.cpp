@@ -25,7 +25,7 @@ using std::numbers::pi;
 constexpr int coarse_bands = 10;
 constexpr std::size_t coarse_sectors = 24;
 
-/// Places of a disc, alike in area.
+/// Places on a disc that stand for equal areas.
 struct Place {
   double axis_distance_m, position_angle_rad;
 };
@@ -45,7 +45,7 @@ std::vector<Place> places_over(const eclipse::ShadowPlace& centre, double axis_d
   return places;
 }
 
-/// The nearest eclipse, its Moon inside the umbra.
+/// Nearest eclipse, its Moon moved inside the umbra.
 class Totality {
  public:
   explicit Totality(const almanac::SkyState& near)
@@ -68,7 +68,7 @@ class Totality {
     for (double d = 0; d < deep + radius + spacing_m; d += spacing_m) distances_m_.push_back(d);
   }
 
-  /// Of the visual band, above the air.
+  /// Visual magnitude above the observer's air.
   double magnitude(const atmosphere::Atmosphere& air) const {
     const auto waves = wavelengths_nm(coarse_bands);
     const auto light =
@@ -86,7 +86,7 @@ class Totality {
 
  private:
   static constexpr double spacing_m = 200e3, mean_distance_m = 3.844e8;
-  static constexpr std::size_t visual = 1;  ///< of the photometer's channels
+  static constexpr std::size_t visual = 1;  ///< index of V among the photometer's channels
   /// Visual magnitude of a full Moon outside the shadow, at mean distances, at a phase of 1.5° (ROLO).
   static constexpr double full_moon = -12.73;
 
@@ -104,7 +104,7 @@ class Totality {
   shadow::Arrangement arrangement_;
   std::vector<Place> places_;
   std::vector<double> distances_m_;
-  double dimmer_ = 1;  ///< by the distances of Sun and Moon
+  double dimmer_ = 1;  ///< factor for the distances of Sun and Moon
 };
 
 void clear(atmosphere::Column& column, double clearness) {

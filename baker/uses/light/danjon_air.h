@@ -6,18 +6,18 @@
 
 namespace coppermoon::uses {
 
-/// Air with all that dims it multiplied by one number, or with more in the stratosphere.
+/// Air whose cloud and aerosol are scaled by one number, or increased in the stratosphere.
 ///
-/// Given     clearness  1: no cloud, no aerosol; 0: the air as it is; below 0: as much is added to the
-///                      stratosphere's optical depth
-/// Returned  the air, of belts, with all its columns changed so
+/// Given     clearness  1: no cloud, no aerosol; 0: the air unchanged; below 0: its amount is added to the optical depth
+///                      of the stratosphere
+/// Returned  air of belts, with all its columns changed
 atmosphere::Atmosphere cleared(atmosphere::Atmosphere air, double clearness);
 
-/// The ends between which clearness is sought; how near to them it is where none does.
+/// Ends between which clearness is sought, and distance from them at which the search has failed.
 inline constexpr double darkest_clearness = -2, brightest_clearness = 1, clearness_error = 2. / 1024;
 
-/// The clearness that makes the eclipse nearest to that moment one of Danjon's scale: its Moon, at the
-/// greatest phase, of the visual magnitude that goes with L.
+/// Clearness for which the eclipse nearest to a moment has the step L of Danjon's scale: at its greatest phase the Moon has
+/// the visual magnitude that goes with L.
 ///
 ///     m = 4.2 − 3 L + (L/2)²
 ///

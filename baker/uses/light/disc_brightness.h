@@ -9,7 +9,7 @@
 
 namespace coppermoon::uses {
 
-/// How bright the whole Moon is in a band:
+/// Irradiance from the whole Moon in each channel:
 ///
 ///     E = Σ L cos e ΔA / d²        e: emission angle, d: texel to the place
 ///
@@ -23,7 +23,7 @@ std::vector<double> irradiance_of_disc(const texture::Image& texture, const alma
 double solid_angle_of_disc(std::size_t rows, const almanac::SkyState& sky,
                            const glm::dvec3& from_m = {0, 0, 0});
 
-/// The Danjon scale that goes with a totally eclipsed Moon's visual magnitude.
+/// Danjon's L of a totally eclipsed Moon, by its visual magnitude.
 ///
 ///     m = 4.2 − 3 L + (L/2)²
 ///

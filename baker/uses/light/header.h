@@ -10,16 +10,16 @@
 
 namespace coppermoon::uses {
 
-/// The version of coppermoon, as "0.2.0".
+/// Version of coppermoon, as "0.2.0".
 std::string_view version();
 
-/// A moment as OpenEXR's capDate writes it: "2008:02:21 03:08:26", UTC.
+/// Moment in UTC as OpenEXR's capDate: "2008:02:21 03:08:26".
 std::string capture_date(const almanac::Instant& instant);
 
-/// What the header of a scene-linear image in cd/m² says: its space, its moment, and who made it.
+/// Attributes of a scene-linear image in cd/m²: colour space, moment, program.
 texture::Attributes scene_linear_header(colour::WorkingSpace space, const almanac::Instant& when);
 
-/// Has a header of a scene-linear image say another space.
+/// Replaces the colour space in the header of a scene-linear image.
 void say_space(texture::Attributes& header, colour::WorkingSpace space);
 
 }  // namespace coppermoon::uses

@@ -101,7 +101,7 @@ void append(const Grids& grids, std::string& bytes) {
                  grid.values().size() * sizeof(double));
 }
 
-/// All grids of the light that a header describes, and where it has noise those of its errors.
+/// Grids that follow a header: light, and with noise its standard errors.
 bool read_grids(std::string_view bytes, shadow::RefractedLight& light) {
   const std::size_t rows = light.axis_distances_m.size(), columns = light.wavelengths_nm.size(),
                     size = rows * columns * sizeof(double),
@@ -129,7 +129,7 @@ bool ascend(std::span<const double> values) {
          std::ranges::adjacent_find(values, std::greater_equal()) == values.end();
 }
 
-/// All but what the grids hold: their sizes must be sound before they are read.
+/// Light that a header describes, its grids sized but empty. Sizes are checked here, before any grid is read.
 void require_sound(const Moonlight& light) {
   const auto& work = light.plan.work;
   const auto& refracted = *light.refracted;
@@ -153,8 +153,7 @@ void require_sound(const Moonlight& light) {
   require(range.sectors > 0 && range.first_sector < refracted.sectors);
 }
 
-/// Light is at most what comes without the Earth, whose air takes more away than it gathers; few photons
-/// say more.
+/// Whether light is within bounds: at most unobstructed sunlight, or more where few photons make noise.
 void require_sound(const shadow::RefractedLight& light) {
   const double most = light.photons > 0 ? 1e12 : 1;
   for (const auto* grids : {&light.ratio, &light.standard_error})

@@ -18,7 +18,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// How many photons, where none are asked for: an end to those that a tolerance asks for.
+/// Largest number of photons that a tolerance may ask for.
 constexpr double most_photons = 1e10;
 
 shadow::PhotonSettings photon_settings(const LightRequest& request) {
@@ -35,7 +35,7 @@ shadow::PhotonSettings photon_settings(const LightRequest& request) {
   return settings;
 }
 
-/// What a solver would find only when it is run, or never when the other one is.
+/// Refuses settings of a solver before it runs, also those of the solver that is not used.
 void require_sound(const LightRequest& request) {
   photon_settings(request);
   require_knobs(request.by_hand);
@@ -57,15 +57,14 @@ std::optional<shadow::PhotonSums> added(const std::vector<std::filesystem::path>
   return all;
 }
 
-/// What the light is computed for: the air, the planes, the wavelengths.
+/// Input of a solver: air, planes, wavelengths.
 struct Rig {
   const atmosphere::Atmosphere& air;
   const shadow::Arrangement& arrangement;
   std::span<const double> wavelengths_nm;
 };
 
-/// Photons, with those that files hold added, of the part asked for; the sums are kept where a file is
-/// named.
+/// Photons of the shard that is asked for, with the sums of files added; the sums are kept where a file is named.
 shadow::RefractedLight light_of_photons(const PhotonFiles& files, const Rig& rig,
                                         shadow::PhotonSettings settings,
                                         const algebra::Progress& progress) {
@@ -80,7 +79,7 @@ shadow::RefractedLight light_of_photons(const PhotonFiles& files, const Rig& rig
   return shadow::estimated(sums);
 }
 
-/// Photons until there are enough of them, and `most` at most; or as many as are asked for.
+/// Traces photons until the tolerance is met, at most `most`; or as many as are asked for.
 shadow::RefractedLight photons_of(const LightRequest& request, const Rig& rig,
                                   const std::optional<shadow::StoppingRule>& enough, double most,
                                   const algebra::Progress& progress) {
@@ -158,14 +157,14 @@ ShadowedMoon shadowed_moon(const LightRequest& request, const almanac::SkyState&
 
 namespace {
 
-/// Whether scattered light was left out that may be a twentieth of the error or more.
+/// Whether scattered light is left out that may be a twentieth of the error or more.
 bool leaves_scattered_light(const plan::Plan& plan) {
   const auto& all = plan.left_out;
   const auto scattered = std::ranges::find(all, "scattered light", &plan::LeftOut::term);
   return scattered != all.end() && scattered->size > plan.error / 20;
 }
 
-/// Relative error of luminance that is found; of photons two standard errors at least.
+/// Relative error of luminance found on the disc; with photons at least two standard errors.
 double found_error(const ShadowedMoon& moon, const Moonlight& light) {
   const auto weights = at_wavelengths(luminance_weights(), light.plan.work.bands);
   const auto luminance = light.in_sums(weights, light.range);
@@ -279,7 +278,7 @@ void add_direct_light(const LightRequest& request, const ShadowedMoon& moon, Moo
                        wavelengths_nm(work.bands));
 }
 
-/// To the metre: other processors round otherwise.
+/// Distance rounded to the metre, for processors round differently.
 bool are_alike(const shadow::Arrangement& a, const shadow::Arrangement& b) {
   const auto alike = [](double x, double y) { return std::abs(x - y) < 1; };
   return a.limb_darkening == b.limb_darkening &&

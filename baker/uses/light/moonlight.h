@@ -21,23 +21,23 @@
 
 namespace coppermoon::uses {
 
-/// How photons are shared among runs: the part that this one traces, and sums that go from run to run.
+/// Photons shared among runs: the shard of this run, and files of sums.
 struct PhotonFiles {
   std::optional<Shard> shard{};              ///< without: all photons
   std::filesystem::path keep{};              ///< file that the sums are written to; empty: none
   std::vector<std::filesystem::path> add{};  ///< files that were kept: their photons count
-  std::string key{};  ///< what the photons belong to; sums of others are refused
+  std::string key{};  ///< recipe that the photons depend on; sums of another are refused
 
-  /// Whether any of them is asked for: they mean nothing to another solver.
+  /// Whether any of these is asked for; other solvers refuse them.
   bool asked_for() const { return shard || !keep.empty() || !add.empty(); }
 };
 
 enum class Solver { automatic, quadrature, photons };
 
-/// Whether sunlight that the air scatters into the shadow is computed; automatic: where it counts.
+/// Sunlight that the air scatters into the shadow: computed or not; automatic: where it counts.
 enum class ScatteredLight { automatic, on, off };
 
-/// The Sun, the Earth and its air, and how light is sent through them.
+/// Request for light: Sun, Earth and air, and the method.
 struct LightRequest {
   Air air{};
   std::optional<bool> limb_darkening{};  ///< without: on, but for the atmosphere "paper"
@@ -46,7 +46,7 @@ struct LightRequest {
   Solver solver =
       Solver::automatic;  ///< automatic: the quicker, or photons where `photons` is given
   plan::Wish wish{.tolerance = 0.01};
-  plan::ByHand by_hand{};           ///< knobs; solver and photons stand here, not there
+  plan::ByHand by_hand{};           ///< settings in place of planned ones, but for solver and photons
   std::optional<double> photons{};  ///< 1 to 1e12; without: as many as the tolerance asks for
   shadow::Trace trace = shadow::Trace::table;
   photons::Precision precision = photons::Precision::full;  ///< of photons that are marched
@@ -57,11 +57,11 @@ struct LightRequest {
   PhotonFiles photon_files{};
 };
 
-/// Whether scattered light is computed: air of Danjon's scale stands for all that was seen of such eclipses,
-/// scattered light included, so with it "automatic" is off.
+/// Scattered light of a request. With air of Danjon's scale `automatic` is off: that scale was fitted to eclipses as they
+/// were seen, scattered light included.
 ScatteredLight scattered_light_of(const LightRequest& request);
 
-/// The Sun's disc, uniform or not, over planes behind the Earth.
+/// Sun's disc, limb-darkened or uniform, and the planes behind the Earth.
 shadow::Arrangement arrangement_of(const LightRequest& request, double sun_distance_m,
                                    std::vector<double> depths_m);
 
@@ -86,14 +86,13 @@ shadow::RefractedLight refracted_light(const LightRequest& request,
                                        const LightGrid& grid,
                                        const algebra::Progress& progress = {});
 
-/// The light that falls on the Moon's sphere; without `refracted` it is sunlight, as if the Earth were
-/// away.
+/// Light that falls on the Moon's sphere; without `refracted` unshadowed sunlight.
 struct Moonlight {
   std::optional<shadow::RefractedLight> refracted;
   std::optional<shadow::DirectLight> direct;
   shadow::LookupRange range;
   plan::Plan plan;
-  double error_found = 0;  ///< of luminance, the largest at some places of the disc
+  double error_found = 0;  ///< largest relative error of luminance at some places of the disc
 
   /// Given  weights  (channel, band)
   shadow::Lookup in_channels(const shadow::ChannelWeights& weights) const;
@@ -121,31 +120,31 @@ Moonlight light_on_the_moon(const LightRequest& request, const almanac::SkyState
 /// Throws  Error  when the request is not sound
 Moonlight unshadowed_light(const LightRequest& request, const almanac::SkyState& sky);
 
-/// What light_on_the_moon would do.
+/// Plan of light_on_the_moon, without its work.
 ///
-/// Throws  Error  as it
+/// Throws  Error  as light_on_the_moon
 plan::Plan planned_light(const LightRequest& request, const almanac::SkyState& sky,
                          const Purpose& purpose = {});
 
-/// Whether light is to be photons: whoever says how many wants them.
+/// Whether photons make the light: they are the solver, or their number is given.
 bool wants_photons(const LightRequest& request);
 
-/// The Moon on its way through the shadow.
+/// Moon on its path through the shadow.
 ///
 /// Given   skies  in order of time, at most a few minutes apart
 /// Throws  Error  when no eclipse is under way at any of them: names the nearest there is
 ShadowedMoon moon_on_its_way(const LightRequest& request, std::span<const almanac::SkyState> skies);
 
-/// Light on all of a Moon's way, from one simulation.
+/// Light on a Moon's whole path, from one simulation.
 Moonlight light_on_the_way(const LightRequest& request, const ShadowedMoon& moon,
                            const Purpose& purpose = {}, const algebra::Progress& progress = {});
 
-/// Adds the direct part, to light that was read without.
+/// Adds direct light to light that was read from a file.
 ///
-/// Returned  whether it is light on that way
+/// Returned  whether the light belongs to that path
 bool complete(const LightRequest& request, const ShadowedMoon& moon, Moonlight& light);
 
-/// What of the light on a Moon's way its disc takes in at one moment; nothing where all is sunlight.
+/// Range of the light on a Moon's path that its disc takes in at one moment; nothing where all is sunlight.
 std::optional<shadow::LookupRange> range_at(const Moonlight& light, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::uses

@@ -12,7 +12,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// The photometric bands, and after them the luminance.
+/// Channels: the photometric bands, then luminance.
 algebra::Grid<double> responses() {
   const auto edges = band_edges_nm();
   const auto bands = photometric_response(edges), xyz = colour::xyz_weights(edges);
@@ -24,7 +24,7 @@ algebra::Grid<double> responses() {
   return all;
 }
 
-/// The Sun's irradiance at 1 au in each.
+/// Irradiance of the Sun at 1 au in each channel.
 std::vector<double> sunlight_in(const algebra::Grid<double>& response) {
   const auto sunlight = photons::solar_irradiance(band_edges_nm());
   std::vector<double> sums(response.rows());

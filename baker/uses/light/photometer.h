@@ -13,7 +13,7 @@
 
 namespace coppermoon::uses {
 
-/// What a texture's channels must be for its Moon to be measured: photometric_bands, and luminance.
+/// Channels of a texture from which a Moon is measured: photometric_bands, and luminance.
 struct Photometer {
   std::vector<std::string> channels;
   algebra::Grid<double> weights;  ///< [channel][band], of moonlight
@@ -23,7 +23,7 @@ struct Photometer {
 /// Given  sightline  through the air above an observer, which dims the Moon; without: above the air
 Photometer photometer(const std::optional<atmosphere::Sightline>& sightline = {});
 
-/// The whole disc as it is seen.
+/// Measures of the whole disc.
 struct DiscBrightness {
   std::vector<double> magnitudes;  ///< [band]; infinite when nothing is lit
   double mean_luminance_cd_m2;

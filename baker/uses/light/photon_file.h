@@ -13,7 +13,7 @@ namespace coppermoon::uses {
 /// Throws  Error  one line with the path, when it cannot
 void write_sums(const std::filesystem::path& path, const shadow::PhotonSums& sums);
 
-/// Reads them again, bit by bit the same.
+/// Reads sums of photons, bit by bit as they were written.
 ///
 /// Throws  Error  "<path>: …" when it cannot be read, is of another kind or version, or holds what
 ///                sums cannot: lists of the wrong length, numbers that are negative or not finite,

@@ -26,12 +26,12 @@ using std::numbers::pi;
 
 const double lunar_radius_m = algebra::in_metres(almanac::lunar_radius);
 
-/// Where the Moon's centre stands, or goes.
+/// Places of the Moon's centre: one, or its path.
 std::span<const eclipse::ShadowPlace> centres(const ShadowedMoon& moon) {
   return moon.path.empty() ? std::span(&moon.centre, 1) : std::span(moon.path);
 }
 
-/// Where half of the lit half of the Moon is.
+/// Depth of the plane that halves the lit half of the Moon.
 double mean_depth_m(const ShadowedMoon& moon) {
   return algebra::in_metres(moon.centre.depth) - lunar_radius_m / 2;
 }
@@ -40,10 +40,10 @@ struct Range {
   double from_m, to_m;
 };
 
-/// Sunlight is whole beyond.
+/// Axis distance beyond which sunlight is whole.
 constexpr double farthest_m = 1.2e7;
 
-/// What its disc takes in.
+/// Range of axis distances and depths that the Moon's disc takes in.
 Range disc_of(const ShadowedMoon& moon) {
   Range disc{farthest_m, 0};
   for (const auto& place : centres(moon)) {
@@ -55,7 +55,7 @@ Range disc_of(const ShadowedMoon& moon) {
   return disc;
 }
 
-/// As many over every diameter of the Moon as over one.
+/// Number of planes over a path, at the density of those over one lunar diameter.
 int places_over(Range disc, int a_diameter) {
   const double diameters = (disc.to_m - disc.from_m) / (2 * lunar_radius_m);
   return static_cast<int>(std::ceil(a_diameter * std::max(1., diameters) - 1e-9));
@@ -70,7 +70,7 @@ std::vector<double> evenly(Range range, int intervals) {
 
 constexpr std::size_t sectors_of_a_trial = 24;
 
-/// Sectors that the disc takes in, going round from the first.
+/// Sectors that the disc takes in, in order of position angle from the first.
 struct Sectors {
   std::size_t first, count;
 };
@@ -88,7 +88,7 @@ Sectors sectors_of(const eclipse::ShadowPlace& place, std::size_t all) {
           std::min(all, static_cast<std::size_t>(to - from + 1))};
 }
 
-/// All but the widest gap between those of all places.
+/// Sectors of all places, without the widest gap between them.
 Sectors sectors_of(const ShadowedMoon& moon, std::size_t all) {
   std::vector<bool> taken(all);
   for (const auto& place : centres(moon)) {
@@ -104,13 +104,13 @@ Sectors sectors_of(const ShadowedMoon& moon, std::size_t all) {
   return {(widest.first + widest.count) % all, all - widest.count};
 }
 
-/// With those on either side, which cubics between sectors go through.
+/// Sectors with one more on either side, for cubics between them.
 Sectors with_neighbours(Sectors some, std::size_t all) {
   if (some.count + 2 >= all) return {0, all};
   return {(some.first + all - 1) % all, some.count + 2};
 }
 
-/// The air alike all around: of belts that which stands where the Moon is, from the axis.
+/// Air made uniform around the limb; of belts, the column at the Moon's position angle.
 atmosphere::Atmosphere of_one_column(const atmosphere::Atmosphere& air,
                                      const eclipse::ShadowPlace& moon) {
   auto one = air;
@@ -122,12 +122,12 @@ atmosphere::Atmosphere of_one_column(const atmosphere::Atmosphere& air,
   return one;
 }
 
-/// Luminance over that of unshadowed sunlight, in every sector of the disc (or one).
+/// Luminance over unshadowed sunlight, by sector of the disc.
 struct CoarseLight {
   std::vector<std::vector<double>> refracted, direct;  ///< [sector][place]
 };
 
-/// A coarse look at the disc's light.
+/// Coarse light of the disc, from few rays and bands.
 CoarseLight tried(const ShadowedMoon& moon, const atmosphere::Atmosphere& whole,
                   std::span<const double> places_m) {
   const auto air = with_fewer_belts(whole);
@@ -166,7 +166,7 @@ CoarseLight tried(const ShadowedMoon& moon, const atmosphere::Atmosphere& whole,
   return coarse;
 }
 
-/// The largest change of luminance, over itself.
+/// Largest relative change of luminance.
 double largest_change(const CoarseLight& all, const CoarseLight& without) {
   double worst = 0;
   for (std::size_t s = 0; s < all.refracted.size(); ++s)
@@ -182,8 +182,7 @@ double largest_change(const CoarseLight& all, const CoarseLight& without) {
   return worst;
 }
 
-/// Scattered light where the disc is darkest: as much as it can be, and where that may count, as much
-/// as it is.
+/// Scattered light where the disc is darkest: its upper bound, and where that may count, its value.
 double scattered_share(const ShadowedMoon& moon, const CoarseLight& coarse,
                        std::span<const double> places_m) {
   constexpr double most = 1.2e-6, counts = 1e-5;
@@ -204,7 +203,7 @@ double scattered_share(const ShadowedMoon& moon, const CoarseLight& coarse,
   return share > 0 ? share / (darkest + share) : 0;
 }
 
-/// Scattered light over unshaded sunlight, of 560 nm for all: the largest around the axis.
+/// Scattered light at 560 nm over unshaded sunlight, the largest around the axis.
 std::vector<double> scattered_at(std::span<const double> places_m,
                                  const atmosphere::Atmosphere& air,
                                  const shadow::Arrangement& arrangement) {
@@ -218,8 +217,8 @@ std::vector<double> scattered_at(std::span<const double> places_m,
   return most;
 }
 
-/// Places where direct light begins, from the pole's umbra to the equator's and a node of the look-up
-/// on: light is least smooth there.
+/// Axis distances where direct light begins, from the umbra of the pole to that of the equator and one node of the
+/// look-up more: light is least smooth there.
 void add_edge_of_the_umbra(const ShadowedMoon& moon, const shadow::Arrangement& arrangement,
                            Range disc, std::vector<double>& places_m) {
   constexpr double a_node_m = 10e3;
@@ -235,7 +234,7 @@ void add_edge_of_the_umbra(const ShadowedMoon& moon, const shadow::Arrangement& 
   places_m.erase(std::unique(places_m.begin(), places_m.end()), places_m.end());
 }
 
-/// Factor on a term's size, for what the coarse look did not see.
+/// Safety factor on the size of a term, for the coarse look misses some.
 constexpr double margin = 2;
 
 }  // namespace
@@ -350,15 +349,15 @@ shadow::ChannelWeights luminance_weights() {
 
 namespace {
 
-/// The depth that is farthest from all planes of some work.
+/// Depth that is farthest from all planes of some work.
 double depth_between_planes(const ShadowedMoon& moon, int planes) {
   if (planes == 1) return mean_depth_m(moon) + lunar_radius_m / 2;
   const auto depths = depths_of(moon, planes);
   return std::midpoint(depths[depths.size() - 2], depths.back());
 }
 
-/// Sectors that errors are found in, those that the disc takes in: no divisor of a plan's, so that they
-/// lie off its middles. Between regions, where each takes time, there are fewer.
+/// Sectors in which errors are found: their number divides none of a plan's, so that they lie off its middles. Fewer
+/// between regions, where each takes time.
 shadow::QuadratureSettings settings_of_check(const plan::Work& finer, const ShadowedMoon& moon) {
   const std::size_t around = moon.air.regions.empty() ? 29 : 13;
   auto settings = quadrature_for(finer, moon, around);
@@ -372,7 +371,7 @@ shadow::QuadratureSettings settings_of_check(const plan::Work& finer, const Shad
   return settings;
 }
 
-/// Light that a look-up is held against.
+/// Reference light for the error of a look-up.
 class ExactLight {
  public:
   ExactLight(const ShadowedMoon& moon, const plan::Work& work, double depth_m,

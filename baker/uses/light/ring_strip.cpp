@@ -26,7 +26,7 @@ using std::numbers::pi;
 constexpr std::size_t ring_columns = 1440, ring_rows = 256;
 constexpr int ring_bands = 40;
 
-/// Who stands on the Moon and looks at the Earth; GCRS axes.
+/// Observer on the Moon who looks at the Earth; GCRS axes.
 struct Lookout {
   almanac::SelenographicPoint place;
   glm::dvec3 position_m, zenith, celestial_pole;
@@ -35,7 +35,7 @@ struct Lookout {
   algebra::Angle earth_altitude() const {
     return algebra::radians(std::asin(glm::dot(earthward(), zenith)));
   }
-  /// On the sky, about the Earth's centre.
+  /// Position angle on the sky about the Earth's centre.
   algebra::Angle position_angle(const glm::dvec3& direction) const {
     return almanac::position_angle(earthward(), direction, celestial_pole);
   }
@@ -70,7 +70,7 @@ void require_umbra(const Lookout& lookout, const atmosphere::Atmosphere& air,
       direct, in_degrees(lookout.place.latitude), in_degrees(lookout.place.longitude)));
 }
 
-/// The Sun's mean radiance in the pictures' space [cd/m²], by wavelength, times a scale.
+/// Mean radiance of the Sun by wavelength in the space of pictures [cd/m²], times a scale.
 shadow::ChannelWeights sun_weights(double scale) {
   auto weights = white_ground_weights(colour::channel_weights(picture_space, band_edges_nm()));
   const double radii = almanac::astronomical_unit_m / photons::solar_radius_m;
@@ -78,7 +78,7 @@ shadow::ChannelWeights sun_weights(double scale) {
   return at_wavelengths(weights, ring_bands);
 }
 
-/// Angles from the Earth's centre between which the strip lies.
+/// Inner and outer edge of the strip: angles from the Earth's centre.
 struct Angles {
   double inner_rad, outer_rad;
 
@@ -117,8 +117,8 @@ texture::Image image_of(const shadow::LimbRing& ring, const Angles& angles, doub
   return image;
 }
 
-/// How the strip and the Earth stand on the sky, by name; position angles about the Earth's centre,
-/// from celestial north, where the Earth's north is, through east.
+/// Orientation of strip and Earth on the sky, by name; position angles about the Earth's centre, from celestial north
+/// through east.
 using Figures = std::vector<std::pair<std::string, double>>;
 
 Figures figures_of(const Lookout& lookout, const glm::dvec3& sun_m, const Angles& angles) {

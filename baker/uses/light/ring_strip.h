@@ -12,17 +12,17 @@
 
 namespace coppermoon::uses {
 
-/// The Earth's ring of sunsets, unrolled, as seen from a place on the eclipsed Moon.
+/// Earth's ring of sunsets, unrolled, as a place on the eclipsed Moon sees it.
 struct RingStrip {
   /// linear Rec.709 [cd/m²]; columns: position angle on the sky about the Earth's centre, from celestial
   /// north through east; rows: even in the angle from that centre, the outer edge on top
   texture::Image light;
-  /// how strip and Earth stand on the sky, by name [degrees, km]
+  /// orientation of strip and Earth on the sky, by name [degrees, km]
   std::vector<std::pair<std::string, double>> figures;
   texture::Attributes attributes;  ///< for a file's header
 };
 
-/// Given   request  of which the air and the Sun are asked for
+/// Given   request  its air and its Sun count
 ///         on       place on the Moon; without: where the Earth stands in the zenith
 ///         scale    factor of all values, 1e-9 to 1e9
 /// Throws  Error    when no eclipse is under way, the Earth is below that place's horizon, direct

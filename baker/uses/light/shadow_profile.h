@@ -10,16 +10,16 @@
 
 namespace coppermoon::uses {
 
-/// Where the shadow is cut: one plane, through what air and under what Sun.
+/// Plane across the shadow, with air and Sun.
 struct ShadowCut {
   atmosphere::Atmosphere air;
   shadow::Arrangement arrangement;  ///< one plane
 };
 
-/// The shadow cut where the Moon's centre is at one moment, in air without the terms that are left out.
+/// Plane through the Moon's centre at one moment, in air without the terms that are left out.
 ShadowCut shadow_at_the_moon(const LightRequest& request, const almanac::SkyState& sky);
 
-/// What is asked of a cut.
+/// Places and wavelengths of a profile.
 struct ProfilePlaces {
   std::vector<double> wavelengths_nm{450, 550, 650};  ///< 380 to 780
   std::vector<double> axis_distances_m{};  ///< increasing; empty: every 100 km, to the shadow's end

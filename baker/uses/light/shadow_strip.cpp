@@ -77,7 +77,7 @@ Strip strip_of(const StripShadow& shadow, const LightRequest& request,
 
 ordered_json as_json(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// The axis as the Moon has it: its nearest point, and the shadow's frame.
+/// Shadow axis at its nearest point to the Moon, with the shadow frame.
 ordered_json axis_of(const almanac::SkyState& sky) {
   const auto axis = eclipse::shadow_axis(sky);
   const auto centre_m = axis.shadow_from_gcrs * sky.moon_m;
@@ -114,7 +114,7 @@ ordered_json facts_of(const std::filesystem::path& file, const Strip& strip,
   return facts;
 }
 
-/// The same as a header has them.
+/// Facts of the strip as attributes of a header.
 texture::Attributes header(const ordered_json& facts) {
   const auto xy = colour::chromaticities(picture_space);
   texture::Attributes attributes{{"chromaticities", std::vector<float>(xy.begin(), xy.end())}};
@@ -152,7 +152,7 @@ void require_kind(const std::filesystem::path& file, const atmosphere::Atmospher
                     file.string()));
 }
 
-/// What stands beside a strip is overwritten if it tells of the strip, and is somebody else's if not.
+/// Refuses a .json beside the strip that is not of a strip: it is somebody else's.
 void require_ours(const fs::path& beside, const fs::path& strip) {
   files::require_no_link(beside);
   if (!fs::exists(beside)) return;

@@ -11,7 +11,7 @@
 
 namespace coppermoon::uses {
 
-/// The shadow that a strip holds.
+/// Shadow of a strip.
 struct StripShadow : ShadowCut {
   std::optional<almanac::SkyState> sky;  ///< where the Moon stands in it
 };
@@ -24,7 +24,7 @@ struct StripShadow : ShadowCut {
 /// position angles from celestial north through east, one row where the shadow is alike all around.
 ///
 /// Given     file      .exr; or .cube, for one row
-/// Returned  what the .json holds
+/// Returned  contents of the .json
 /// Accuracy  straight lines between columns err by less than 0.5 % of the brightest channel where that
 ///           is more than 1e-4. Times a sunlit Moon: within 2.5 % of the brightest channel of a baked
 ///           one, within 0.5 % where more than 1 % of sunlight is left

@@ -7,7 +7,7 @@
 
 namespace coppermoon::uses {
 
-/// One of some equal parts of work, "K/N": K from 1 to N.
+/// One of N equal parts of work, "K/N": K from 1 to N.
 struct Shard {
   std::size_t part = 1, parts = 1;
 };
@@ -15,7 +15,7 @@ struct Shard {
 /// Throws  Error  when the text is no such part, N at most 100000
 Shard shard_from(const std::string& text);
 
-/// Digits alone, nine of them at most; no sign, no fraction.
+/// Whole number of at most nine digits, without a sign.
 std::optional<std::size_t> whole_number(const std::string& text);
 
 }  // namespace coppermoon::uses

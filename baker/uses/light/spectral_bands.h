@@ -11,21 +11,21 @@
 
 namespace coppermoon::uses {
 
-/// Space of frames, strips and sheets: what POV-Ray and shaders take values for.
+/// Colour space of frames, strips and sheets, which POV-Ray and shaders assume.
 constexpr auto picture_space = colour::WorkingSpace::linear_rec709;
 
-/// The bands that sunlight and responses are known in: 400 of 1 nm, from 380 to 780 nm.
+/// Bands of sunlight and responses: 400 of 1 nm, from 380 to 780 nm.
 std::vector<double> band_edges_nm();
 std::vector<double> band_centres_nm();
 
-/// Where light is computed: the middles of so many even bands from 380 to 780 nm, 1 to 400.
+/// Wavelengths at which light is computed: middles of `count` even bands from 380 to 780 nm, 1 to 400.
 ///
 /// Throws  Error  when the count is outside its range
 /// Source  Yapo & Cutler (2009) §2.2, for 200 of them
 std::vector<double> wavelengths_nm(int count);
 
-/// What weights of bands come to at those wavelengths, between which light is taken to run as a cubic
-/// through the four nearest: Σ weight(band) light(band) is the sum over them.
+/// Weights of those wavelengths that stand for weights of bands: between the wavelengths, light is a cubic through the
+/// four nearest, and Σ weight(band) light(band) becomes a sum over wavelengths.
 ///
 /// Given     weights  (channel, band)
 /// Returned  (channel, wavelength), as many as `count`
@@ -35,8 +35,7 @@ algebra::Grid<double> at_wavelengths(const algebra::Grid<double>& weights, int c
 /// as cubics through noise may leave, is black; others are brought into the gamut.
 void into_gamut_or_black(colour::WorkingSpace space, std::span<double> channels);
 
-/// What a white diffuse ground that faces the Sun at 1 au makes of sunlight in some channels, band by
-/// band:
+/// Weights of bands by which a white diffuse ground that faces the Sun at 1 au fills some channels:
 ///
 ///     w = C E / π
 ///
@@ -48,7 +47,7 @@ algebra::Grid<double> white_ground_weights(
     const algebra::Grid<double>& response,
     const std::optional<atmosphere::Sightline>& sightline = {});
 
-/// The same were the ground as reddish as the Moon, and as bright as its normal albedo in V says:
+/// Weights of bands for ground as reddish as the Moon, of normal albedo 1 in V:
 ///
 ///     w = C E k_r / (π k_V)        k_V: k_r averaged over the Sun's light as the eye sees it
 algebra::Grid<double> moonlight_weights(const algebra::Grid<double>& response,
