@@ -41,7 +41,7 @@ glm::dvec3 pixel_of(const texture::Image& image, std::size_t row, std::size_t co
   return {image(row, column, 0), image(row, column, 1), image(row, column, 2)};
 }
 
-/// CIE 1976 u', v': CIE 15:2004, 8.2.1.1; nothing without light.
+/// CIE 1976 u', v' (CIE 15:2004, 8.2.1.1); nothing without light.
 std::optional<std::array<double, 2>> uv_of(const glm::dvec3& rgb) {
   const auto xyz = xyz_from_rgb() * rgb;
   const double whole = xyz.x + 15 * xyz.y + 3 * xyz.z;
@@ -49,12 +49,12 @@ std::optional<std::array<double, 2>> uv_of(const glm::dvec3& rgb) {
   return std::array{4 * xyz.x / whole, 9 * xyz.y / whole};
 }
 
-/// Colour as the display shows it: what is beyond white is white.
+/// Colour as displayed, clipped at white.
 colour::Lab developed(const glm::dvec3& rgb) {
   return colour::lab_from_xyz(xyz_from_rgb() * glm::clamp(rgb, 0., 1.));
 }
 
-/// Sums over pixels that a difference is made of.
+/// Sums over pixels, for a difference.
 struct Sums {
   Difference difference;
   glm::dvec3 photo{0}, render{0};
@@ -84,7 +84,7 @@ struct Sums {
   }
 };
 
-/// Without the stars beside the Moon, which pass for light of its limb.
+/// Frame without the stars beside the Moon, which registration would take for its limb.
 texture::Image moon_alone(texture::Image frame, const povray_scenes::Camera& camera) {
   const auto disc = disc_outline(camera);
   if (!disc) return frame;
@@ -103,7 +103,7 @@ texture::Image glowing(texture::Image frame, double share, const povray_scenes::
   return image_of(colour::with_glow(pixels_of(frame), share, pixel_rad_of(camera)));
 }
 
-/// Light that counts as clipped, over the brightest.
+/// Value that counts as clipped, over the largest.
 constexpr float of_brightest = 0.99F;
 
 float brightest_of(const texture::Image& image) {
@@ -118,39 +118,13 @@ float brightest_of(const texture::Image& image) {
       [](float one, float other) { return std::max(one, other); });
 }
 
-}  // namespace
-
-float clipping_value(const texture::Image& photo) { return of_brightest * brightest_of(photo); }
-
-algebra::Grid<float> luminance_of(const texture::Image& light) {
-  const float most = brightest_of(light), clipped = of_brightest * most;
-  algebra::Grid<float> grid(light.height, light.width);
-  tbb::parallel_for(std::size_t{0}, light.height, [&](std::size_t r) {
-    for (std::size_t c = 0; c < light.width; ++c) {
-      const auto pixel = pixel_of(light, r, c);
-      const bool lost = std::max({pixel.r, pixel.g, pixel.b}) >= double{clipped};
-      grid(r, c) = lost ? most : static_cast<float>(luminance(pixel));
-    }
-  });
-  return grid;
-}
-
-texture::Image resampled(const texture::Image& image, const colour::Similarity& similarity,
-                         std::size_t rows, std::size_t columns) {
-  texture::Image other(columns, rows, {"R", "G", "B"});
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto there = colour::resampled(channel_of(image, k), similarity, rows, columns);
-    for (std::size_t i = 0; i < there.values().size(); ++i)
-      other.values[3 * i + k] = there.values()[i];
-  }
-  return other;
-}
-
+/// Pixels of a photograph where the disc is; of a large photograph every n-th row and column, as if it had some
+/// million pixels in all.
 Pixels shared_pixels(const texture::Image& photo, const texture::Image& render,
                      const FramePlaces& places, const colour::Similarity& render_to_photo) {
   constexpr double enough = 1e6;
   const auto back = colour::inverse(render_to_photo);
-  const float clipped = clipping_value(photo);
+  const float clipped = of_brightest * brightest_of(photo);
   const std::array channels{channel_of(render, 0), channel_of(render, 1), channel_of(render, 2)};
   const std::array there{colour::Resampled(channels[0], render_to_photo),
                          colour::Resampled(channels[1], render_to_photo),
@@ -177,6 +151,8 @@ Pixels shared_pixels(const texture::Image& photo, const texture::Image& render,
   return pixels;
 }
 
+/// Exposure that makes the render as bright as the photograph: the median over pixels that are neither clipped nor
+/// below a hundredth of the brightest.
 double fitted_exposure(const Pixels& pixels) {
   constexpr double least_share = 0.01;
   double most = 0;
@@ -194,32 +170,14 @@ double fitted_exposure(const Pixels& pixels) {
   return *middle;
 }
 
-std::vector<Difference> differences(const Pixels& pixels, double exposure, std::size_t bins) {
-  double nearest = std::numeric_limits<double>::infinity(), furthest = 0;
-  for (const auto& pixel : pixels) {
-    nearest = std::min(nearest, pixel.axis_distance_km);
-    furthest = std::max(furthest, pixel.axis_distance_km);
-  }
-  const double width = std::max(furthest - nearest, 1e-9) / static_cast<double>(bins);
-  std::vector<Sums> sums(bins + 1);
-  for (std::size_t i = 0; i < bins; ++i)
-    sums[i].difference = {.from_km = nearest + width * static_cast<double>(i),
-                          .to_km = nearest + width * static_cast<double>(i + 1)};
-  sums[bins].difference = {.from_km = nearest, .to_km = furthest};
-  for (const auto& pixel : pixels) {
-    const auto bin = static_cast<std::size_t>((pixel.axis_distance_km - nearest) / width);
-    sums[std::min(bin, bins - 1)].add(pixel, exposure);
-    sums[bins].add(pixel, exposure);
-  }
-  std::vector<Difference> made;
-  for (const auto& sum : sums) made.push_back(sum.result());
-  return made;
-}
-
+/// Tone curve of the camera, fitted to pixels as displayed: exposure and colours are free, light of each step of the
+/// render's light has an error of 3 %. Errors of the render in bright and dark pass for the curve's, as far as cameras
+/// differ.
 colour::ToneCurve fitted_curve(const Pixels& pixels) {
   constexpr double step = 0.1, error = 0.03, unknown = 10, of_colours = 0.3;
   constexpr std::size_t many = 50, least = 3;
-  std::map<std::pair<long, int>, std::vector<double>> displayed;  // by rendered light and channel
+  std::map<std::pair<long, int>, std::vector<double>>
+      displayed;  // [step of rendered light, channel]
   for (const auto& pixel : pixels)
     for (int k = 0; k < 3; ++k)
       if (!pixel.clipped && pixel.render_cd_m2[k] > 0)
@@ -255,9 +213,7 @@ colour::ToneCurve fitted_curve(const Pixels& pixels) {
   return curve;
 }
 
-namespace {
-
-/// Makes displayed light that of the scene.
+/// Makes displayed light scene-linear.
 void undo(const colour::ToneCurve& curve, Pixels& pixels) {
   const colour::ToneTable table(curve);
   for (auto& pixel : pixels)
@@ -269,6 +225,52 @@ bool in_highlights(const SharedPixel& pixel) {
 }
 
 }  // namespace
+
+algebra::Grid<float> luminance_of(const texture::Image& light) {
+  const float most = brightest_of(light), clipped = of_brightest * most;
+  algebra::Grid<float> grid(light.height, light.width);
+  tbb::parallel_for(std::size_t{0}, light.height, [&](std::size_t r) {
+    for (std::size_t c = 0; c < light.width; ++c) {
+      const auto pixel = pixel_of(light, r, c);
+      const bool lost = std::max({pixel.r, pixel.g, pixel.b}) >= double{clipped};
+      grid(r, c) = lost ? most : static_cast<float>(luminance(pixel));
+    }
+  });
+  return grid;
+}
+
+texture::Image resampled(const texture::Image& image, const colour::Similarity& similarity,
+                         std::size_t rows, std::size_t columns) {
+  texture::Image other(columns, rows, {"R", "G", "B"});
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto there = colour::resampled(channel_of(image, k), similarity, rows, columns);
+    for (std::size_t i = 0; i < there.values().size(); ++i)
+      other.values[3 * i + k] = there.values()[i];
+  }
+  return other;
+}
+
+std::vector<Difference> differences(const Pixels& pixels, double exposure, std::size_t bins) {
+  double nearest = std::numeric_limits<double>::infinity(), furthest = 0;
+  for (const auto& pixel : pixels) {
+    nearest = std::min(nearest, pixel.axis_distance_km);
+    furthest = std::max(furthest, pixel.axis_distance_km);
+  }
+  const double width = std::max(furthest - nearest, 1e-9) / static_cast<double>(bins);
+  std::vector<Sums> sums(bins + 1);
+  for (std::size_t i = 0; i < bins; ++i)
+    sums[i].difference = {.from_km = nearest + width * static_cast<double>(i),
+                          .to_km = nearest + width * static_cast<double>(i + 1)};
+  sums[bins].difference = {.from_km = nearest, .to_km = furthest};
+  for (const auto& pixel : pixels) {
+    const auto bin = static_cast<std::size_t>((pixel.axis_distance_km - nearest) / width);
+    sums[std::min(bin, bins - 1)].add(pixel, exposure);
+    sums[bins].add(pixel, exposure);
+  }
+  std::vector<Difference> made;
+  for (const auto& sum : sums) made.push_back(sum.result());
+  return made;
+}
 
 Comparison compared(const texture::Image& photo, const texture::Image& frame,
                     const FramePlaces& places, const ComparisonRequest& request) {

@@ -18,9 +18,9 @@
 namespace coppermoon::uses {
 namespace {
 
-constexpr double margin = 1.12;  // of the disc's radius, that is shown
+constexpr double margin = 1.12;  // half of a panel's side over the disc's radius
 
-/// A square about the disc with a little sky around it, of the photograph.
+/// Panel: a square of the photograph about the disc.
 struct Square {
   colour::Similarity from_photo;
   std::size_t side_px;
@@ -34,7 +34,7 @@ Square square_about(const colour::Disc& disc) {
           static_cast<std::size_t>(side)};
 }
 
-/// The scene's light in the square, of means over whole pixels first.
+/// Scene-linear light of the photograph in a square; a large photograph is averaged over blocks of pixels first.
 texture::Image seen_in(const Square& square, const texture::Image& photo, const Comparison& found) {
   auto disc = found.registration.in_photo;
   disc.radius_px = margin * disc.radius_px + 1;

@@ -10,7 +10,7 @@ FramePlaces frame_places(const almanac::SkyState& sky, const povray_scenes::Came
 }
 
 std::optional<double> axis_distance_km(const FramePlaces& places, const glm::dvec2& pixel) {
-  constexpr double least_emission_cosine = 0.25;  // at 0.97 of the disc's radius
+  constexpr double least_emission_cosine = 0.25;  // 0.97 of the disc's radius
   const auto ground = povray_scenes::ground_at(places.sight, pixel);
   if (!ground ||
       glm::dot(*ground, glm::normalize(places.sight.position - *ground)) < least_emission_cosine)

@@ -10,7 +10,7 @@
 
 namespace coppermoon::uses {
 
-/// Places in the Earth's shadow of the ground that a frame shows.
+/// Geometry of a frame: its camera, the sky of its moment, the Earth's shadow.
 struct FramePlaces {
   almanac::SkyState sky;
   eclipse::ShadowAxis axis;
@@ -18,13 +18,13 @@ struct FramePlaces {
   povray_scenes::Sight sight;
 };
 
-/// Places of a frame, by the sky of its moment and the camera that it was rendered with.
+/// Geometry of a frame rendered by a camera.
 ///
 /// Throws  Error  when the camera is not sound
 FramePlaces frame_places(const almanac::SkyState& sky, const povray_scenes::Camera& camera);
 
-/// Distance from the shadow's axis of what a place of the frame shows [km]; nothing beside the Moon,
-/// nor within a thirtieth of its radius of the limb.
+/// Distance from the shadow's axis of the ground that a place of the frame shows [km]; nothing beside the Moon and
+/// beyond 0.97 of its radius.
 std::optional<double> axis_distance_km(const FramePlaces& places, const glm::dvec2& pixel);
 
 }  // namespace coppermoon::uses
