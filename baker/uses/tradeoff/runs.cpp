@@ -20,7 +20,7 @@ double seconds_of(const Action& action) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Least seconds of some runs; of three where one takes less than a second.
+/// Least seconds of some runs; of three or more where one takes less than a second.
 template <class Action>
 double least_seconds(int repeat, const Action& action) {
   double least = seconds_of(action);
@@ -53,7 +53,7 @@ shadow::RefractedLight light_by(const Trial& trial, const Yardstick& yardstick,
   return shadow::by_photons(scene.air, scene.arrangement, waves, photon_settings(trial), progress);
 }
 
-/// Measure of the work that time grows with.
+/// Work, in which time is linear.
 double work_of(const Trial& trial) {
   return trial.photons / (trial.step_km > 0 ? trial.step_km : 1);
 }
@@ -64,7 +64,7 @@ bool differ_in_work_alone(Trial one, const Trial& other) {
   return one == other;
 }
 
-/// The largest trial made that is no more work and like it in all else; none for the quadrature.
+/// Largest trial made of no more work and otherwise equal settings; null for the quadrature.
 const Measured* nearest_smaller(const Trial& trial, std::span<const Measured> made) {
   const Measured* nearest = nullptr;
   for (const auto& one : made)
@@ -75,7 +75,7 @@ const Measured* nearest_smaller(const Trial& trial, std::span<const Measured> ma
   return nearest;
 }
 
-/// A larger trial by a smaller one: errors as N^(-1/2).
+/// Trial extrapolated from a smaller one: errors as N^(-1/2).
 Measured extrapolated(const Measured& from, const Trial& trial, double seconds) {
   Measured far = from;
   far.trial = trial;
@@ -89,7 +89,7 @@ Measured extrapolated(const Measured& from, const Trial& trial, double seconds) 
   return far;
 }
 
-/// Trials being made, and what they share.
+/// Trials being made.
 class Run {
  public:
   Run(const RunLimits& limits, Yardstick& yardstick) : limits_(limits), yardstick_(yardstick) {}
@@ -133,8 +133,8 @@ class Run {
     return seconds;
   }
 
-  /// On the line through the smallest and the largest trial that were timed, of those like it in all but
-  /// work and no larger. Where what grows with the work is lost in what does not, larger ones are timed.
+  /// Seconds on the line through the smallest and the largest timed trial of no more work and otherwise equal
+  /// settings. Where the slope is lost in the intercept, larger trials are timed first.
   double foretold_seconds(const Trial& trial) {
     constexpr double shows = 1.5, larger = 4;
     for (;;) {
@@ -156,7 +156,7 @@ class Run {
     double seconds;
   };
 
-  /// Timed trials of the least and the most work that differ from a trial in work alone. There is one at least.
+  /// Timed trials of the least and the most work among those that differ from a trial in work alone, one or more.
   std::pair<Timed, Timed> least_and_most(const Trial& trial) const {
     std::vector<Timed> alike;
     for (const auto& one : timed_)
@@ -167,7 +167,7 @@ class Run {
     return {least, most};
   }
 
-  /// The bake's own time, and the picture's difference from the widest texture's.
+  /// Times the bake, and compares the picture with that of the widest texture.
   void make_textures(const Sweep& sweep) {
     constexpr std::size_t most_pixels = 1024;
     const auto light = light_by(sweep.middle, yardstick_, {});

@@ -11,31 +11,31 @@
 
 namespace coppermoon::uses {
 
-/// A trial made: its time, and the error of its light.
+/// Time and error of a trial.
 struct Measured {
   Trial trial;
   std::string_view varied;  ///< name of the setting that its sweep varies
   double value;             ///< value of that setting
   double seconds;
   LightErrors errors;
-  bool extrapolated;  ///< from a smaller trial, not made
+  bool extrapolated;  ///< from smaller trials
 };
 
-/// Limits of time.
+/// Limits on the time of runs.
 struct RunLimits {
-  double longest_s = 20;  ///< longest run [s]
-  int repeat = 1;  ///< runs of which the least time counts; three where one is under a second
+  double longest_s = 20;  ///< longest run
+  int repeat =
+      1;  ///< runs, of which the shortest counts; three or more where one is under a second
 };
 
 /// Makes every trial of the sweeps, in their order.
 ///
-/// Seconds are those of the solver, tables included; of a texture's width those of the bake, and
-/// then the picture's error is that against the widest texture. A trial of photons that would take
-/// longer than the limit is extrapolated from smaller ones that differ in photons and step alone: time
-/// on a straight line over photons by step, which has what photons do not change, errors as N^(-1/2).
+/// Seconds are those of the solver, tables included. In a sweep of texture widths they are those of the bake, and the
+/// picture's error is relative to the widest texture. A trial of photons that would exceed the limit is extrapolated
+/// from smaller ones that differ in photons and step alone: time on a straight line over photons by step, whose
+/// intercept is the time of tables; errors as N^(-1/2).
 ///
-/// Omits  that a difference of pictures beyond 10 or so grows slower than the light's error: those
-///        extrapolated from it are too small by up to two times
+/// Omits  saturation of CIEDE2000 beyond 10 or so: values extrapolated from there are too small by up to two times
 std::vector<Measured> measured_trials(std::span<const Sweep> sweeps, Yardstick& yardstick,
                                       const RunLimits& limits,
                                       const algebra::Progress& progress = {});

@@ -19,42 +19,6 @@ Trial in_ten_bands(Trial trial) {
   return trial;
 }
 
-std::vector<Sweep> quick_sweeps(double replicas) {
-  constexpr double width = 256;
-  const Trial exact{.solver = quadrature_solver, .rays = 300, .texture_width = width},
-      table{.solver = table_solver,
-            .photons = 1e5,
-            .wavelengths = 40,
-            .rays = 300,
-            .replicas = 100,
-            .texture_width = width},
-      marched{.solver = marching_solver,
-              .photons = 1e4,
-              .step_km = 3,
-              .wavelengths = 40,
-              .replicas = 100,
-              .texture_width = width},
-      stepped{.solver = step_by_step_solver,
-              .photons = 1e3,
-              .step_km = 3,
-              .wavelengths = 40,
-              .replicas = 100,
-              .texture_width = width};
-  return {
-      {exact, "rays", &Trial::rays, {30, 100, 300, 1000}},
-      {exact, "wavelengths", &Trial::wavelengths, {3, 10, 40}},
-      {exact, texture_sweep, &Trial::texture_width, {64, 128, 256}},
-      {table, "photons", &Trial::photons, {1e3, 1e5, 1e7}},
-      {table, "rays", &Trial::rays, {30, 300}},
-      {table, "wavelengths", &Trial::wavelengths, {3, 40}},
-      with_at_most({in_ten_bands(table), "replicas", &Trial::replicas, {10, 100, 1000}}, replicas),
-      {marched, "photons", &Trial::photons, {1e3, 1e4, 1e5}},
-      {marched, "step", &Trial::step_km, {30, 3}},
-      {marched, "precision", &Trial::precision_bits, {32, 64}},
-      {stepped, "photons", &Trial::photons, {1e3, 1e4, 1e5}},
-      {stepped, "step", &Trial::step_km, {30, 10, 3}}};
-}
-
 }  // namespace
 
 std::vector<Trial> Sweep::trials() const {
@@ -69,26 +33,43 @@ std::vector<std::string> solver_names() {
 }
 
 std::vector<Sweep> sweeps(bool quick, double replicas) {
-  if (quick) return quick_sweeps(replicas);
-  const Trial exact{.solver = quadrature_solver, .rays = 300},
-      table{.solver = table_solver, .photons = 1e6, .rays = 300, .replicas = 100},
-      marched{.solver = marching_solver, .photons = 1e5, .step_km = 1, .replicas = 100},
-      stepped{.solver = step_by_step_solver, .photons = 1e4, .step_km = 1, .replicas = 100};
-  const Values decades{1e3, 1e4, 1e5, 1e6, 1e7, 1e8}, rays{30, 60, 100, 300, 1000, 3000},
-      bands{3, 5, 10, 20, 40, 100, 200, 400};
-  return {{exact, "rays", &Trial::rays, rays},
-          {exact, "wavelengths", &Trial::wavelengths, bands},
-          {exact, texture_sweep, &Trial::texture_width, {256, 512, 1024, 2048, 4096, 8192}},
-          {table, "photons", &Trial::photons, decades},
-          {table, "rays", &Trial::rays, rays},
-          {table, "wavelengths", &Trial::wavelengths, bands},
-          with_at_most({in_ten_bands(table), "replicas", &Trial::replicas, {1000, 100, 10, 1}},
+  const auto values = [=](Values few, Values all) { return quick ? few : all; };
+  const double fewer = quick ? 10 : 1, step_km = quick ? 3 : 1, bands = quick ? 40 : 200,
+               width = quick ? 256 : 512;
+  const Trial exact{.solver = quadrature_solver, .rays = 300, .texture_width = width};
+  const Trial table{.solver = table_solver,
+                    .photons = 1e6 / fewer,
+                    .wavelengths = bands,
+                    .rays = 300,
+                    .replicas = 100,
+                    .texture_width = width};
+  const Trial marched{.solver = marching_solver,
+                      .photons = 1e5 / fewer,
+                      .step_km = step_km,
+                      .wavelengths = bands,
+                      .replicas = 100,
+                      .texture_width = width};
+  auto stepped = marched;
+  stepped.solver = step_by_step_solver;
+  stepped.photons = 1e4 / fewer;
+  const Values all_rays{30, 60, 100, 300, 1000, 3000}, all_bands{3, 5, 10, 20, 40, 100, 200, 400},
+      all_steps_km{30, 10, 3, 1, 0.3, 0.1};
+  const auto decades = [&](Values few) { return values(few, {1e3, 1e4, 1e5, 1e6, 1e7, 1e8}); };
+  return {{exact, "rays", &Trial::rays, values({30, 100, 300, 1000}, all_rays)},
+          {exact, "wavelengths", &Trial::wavelengths, values({3, 10, 40}, all_bands)},
+          {exact, texture_sweep, &Trial::texture_width,
+           values({64, 128, 256}, {256, 512, 1024, 2048, 4096, 8192})},
+          {table, "photons", &Trial::photons, decades({1e3, 1e5, 1e7})},
+          {table, "rays", &Trial::rays, values({30, 300}, all_rays)},
+          {table, "wavelengths", &Trial::wavelengths, values({3, 40}, all_bands)},
+          with_at_most({in_ten_bands(table), "replicas", &Trial::replicas,
+                        values({10, 100, 1000}, {1000, 100, 10, 1})},
                        replicas),
-          {marched, "photons", &Trial::photons, decades},
-          {marched, "step", &Trial::step_km, {30, 10, 3, 1, 0.3, 0.1}},
+          {marched, "photons", &Trial::photons, decades({1e3, 1e4, 1e5})},
+          {marched, "step", &Trial::step_km, values({30, 3}, all_steps_km)},
           {marched, "precision", &Trial::precision_bits, {32, 64}},
-          {stepped, "photons", &Trial::photons, decades},
-          {stepped, "step", &Trial::step_km, {30, 10, 3, 1, 0.3, 0.1}}};
+          {stepped, "photons", &Trial::photons, decades({1e3, 1e4, 1e5})},
+          {stepped, "step", &Trial::step_km, values({30, 10, 3}, all_steps_km)}};
 }
 
 std::vector<Sweep> sweeps_of(std::span<const std::string> solvers, std::vector<Sweep> sweeps) {

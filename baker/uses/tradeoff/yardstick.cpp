@@ -77,7 +77,7 @@ Grid<double> sum(Grid<double> a, const Grid<double>& b) {
   return a;
 }
 
-/// A field over one sector of so many, by place: the mean of four angles in it.
+/// Mean of a field over one of `sectors` sectors, by place, from four angles in it.
 std::vector<double> over_sector(const Grid<double>& field, std::size_t sector,
                                 std::size_t sectors) {
   constexpr int angles = 4;
@@ -94,7 +94,7 @@ std::vector<double> over_sector(const Grid<double>& field, std::size_t sector,
   return mean;
 }
 
-/// Relative errors summed up, each with the area that it stands for.
+/// Sums of relative errors, weighted by area.
 class Errors {
  public:
   void add(double found, double expected, double area) {
@@ -109,7 +109,7 @@ class Errors {
   double squares_ = 0, area_ = 0, worst_ = 0;
 };
 
-/// The disc as the Earth's centre sees it from afar, black around it.
+/// Orthographic view of the disc from the Earth's centre, black around it.
 texture::Image seen_from_earth(const texture::Image& texture, const almanac::SkyState& sky,
                                std::size_t pixels) {
   const glm::dvec3 to_earth = almanac::selenographic_direction(sky.sub_earth);

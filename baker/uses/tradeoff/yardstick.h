@@ -16,7 +16,7 @@
 
 namespace coppermoon::uses {
 
-/// A moment, its air, and the plane behind the Earth where the Moon's centre is.
+/// Scene of one moment, with one plane of shadow through the Moon's centre.
 struct MeasuredScene {
   almanac::SkyState sky;
   atmosphere::Atmosphere air;
@@ -25,30 +25,30 @@ struct MeasuredScene {
   surface::Photometry photometry;
 };
 
-/// The scene of one moment, its light spread over one plane.
+/// Scene of one moment.
 ///
-/// Given   moon   its air and limb darkening, its map, photometry and texture width; nothing else counts
+/// Given   moon   air and limb darkening, map, photometry and texture width; the rest is ignored
 /// Throws  Error  when the air or the map is not sound
 MeasuredScene measured_scene(const MoonRequest& moon, const almanac::SkyState& sky);
 
-/// How finely the reference is made.
+/// Settings of the reference.
 struct ReferenceSettings {
   int rays = 6000;
   std::size_t bands = 400;
-  double spacing_m = 25e3;  ///< step of axis distance, over all that refracted light reaches
+  double spacing_m = 25e3;  ///< step of axis distance, as far as refracted light reaches
   std::size_t texture_width = 512;
 };
 
 /// Settings of a reference that takes seconds.
 constexpr ReferenceSettings quick_reference{3000, 200, 50e3, 256};
 
-/// Error of an irradiance, relative to the reference's total there, refracted and direct: root mean
-/// square over the area, and the worst place's.
+/// Errors of irradiance, relative to the reference's refracted and direct light at the place: root mean square over the
+/// area, and the largest.
 struct Spread {
   double rms = 0, worst = 0;
 };
 
-/// Difference between two pictures: CIEDE2000 over the Moon's disc, mean and 99th percentile.
+/// Difference of two pictures: CIEDE2000 over the Moon's disc, mean and 99th percentile.
 struct PictureErrors {
   double mean = 0, percentile_99 = 0;
 };
@@ -59,29 +59,36 @@ struct LightErrors {
   PictureErrors picture;
 };
 
-/// The light that others are held to, in one scene.
+/// Reference light of one scene, and errors of other light against it.
 ///
-/// Irradiance counts as the eye sees it: Σ over bands of ȳ times sunlight times ratio. Light of the
-/// quadrature is compared place by place; that of photons at the middles of their rings, with the
-/// reference's mean over each sector. The picture is the scene's Moon baked in that light, seen from the Earth's centre, and
-/// developed at the exposure that suits the reference's.
+/// Irradiance is weighted as luminance: Σ over bands of ȳ times sunlight times ratio. Light of the quadrature is
+/// compared place by place; light of photons at the middles of their rings, with the reference's mean over each
+/// sector. Pictures are the scene's Moon baked in the light, seen from the Earth's centre, and developed at the
+/// exposure that suits the reference.
 class Yardstick {
  public:
+  /// Computes the reference.
+  ///
+  /// Throws  Error  when no light reaches the middle of the shadow
   Yardstick(MeasuredScene scene, const ReferenceSettings& settings,
             const algebra::Progress& progress = {});
 
+  /// Scene of the reference.
   const MeasuredScene& scene() const { return scene_; }
-  const ReferenceSettings& settings() const { return settings_; }
-
-  /// The places where a quadrature is asked.
+  /// Axis distances at which a quadrature is to give its light.
   const std::vector<double>& axis_distances_m() const { return distances_m_; }
 
-  /// Given  light  on the scene's plane; of photons: in rings, else at axis_distances_m
+  /// Errors of some light.
+  ///
+  /// Given  light     on the scene's plane, at axis_distances_m or in rings
+  ///        in_rings  light of photons
   LightErrors errors_of(const shadow::RefractedLight& light, bool in_rings);
 
-  /// The scene's Moon in that light, linear Rec.709 [cd/m²].
+  /// Texture of the scene's Moon in some light, linear Rec.709 [cd/m²].
   texture::Image baked(const shadow::RefractedLight& light, std::size_t width) const;
 
+  /// Difference of two textures' pictures.
+  ///
   /// Given  pixels  across the disc as the Earth's centre sees it; between texels bilinear
   PictureErrors picture_errors(const texture::Image& reference, const texture::Image& other,
                                std::size_t pixels) const;
