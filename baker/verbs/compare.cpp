@@ -42,19 +42,19 @@ using Json = nlohmann::ordered_json;
 struct Options {
   std::string photo, render, output, recipe_in;
   texture::Coding coding = texture::Coding::as_file_says;
-  std::string exposure;  ///< empty: exif where there is one
+  std::string exposure;  ///< exif or fit; empty: exif where there is a header
   std::size_t bins = 12;
   bool json = false, csv = false;
 };
 
-/// Options of a still that say when and from where it is seen.
+/// Flags of a still that give its moment, observer and camera.
 struct StillFlags {
   MoonOptions moon;
   uses::ViewRequest view;
   uses::CameraRequest camera;  ///< whose focal length and sensor the view has
 };
 
-StillFlags flags_told_by(const std::string& file) {
+StillFlags still_flags_of(const std::string& file) {
   StillFlags flags;
   Verb still;
   add_moon_options(still, flags.moon);
@@ -71,18 +71,18 @@ StillFlags flags_told_by(const std::string& file) {
   return flags;
 }
 
-/// Frame as its recipe has it: places on the Moon by pixel, and the camera's glow.
-struct Told {
+/// Geometry of a frame, and the glow of the camera that takes its picture.
+struct FrameGeometry {
   uses::FramePlaces places;
   double glow = 0;
 };
 
-/// Reads the recipe in the header of a frame, or of its scene's texture.
-Told told_by(const std::string& file) {
+/// Geometry by the recipe in the header of a frame or of its scene's texture.
+FrameGeometry geometry_of(const std::string& file) {
   if (!holds_recipe(file))
     throw algebra::Error(
         fmt::format("{}: has no recipe, allowed are .exr files made by coppermoon", file));
-  const auto flags = flags_told_by(file);
+  const auto flags = still_flags_of(file);
   const auto sky = almanac::sky_at(instant_of(flags.moon.moment));
   const auto view = uses::seen_through(flags.camera, flags.view);
   const auto camera = uses::camera_of(flags.camera);
@@ -90,10 +90,10 @@ Told told_by(const std::string& file) {
           camera ? camera->glow : 0};
 }
 
-/// Light of a render in linear Rec.709, converted from the colour space in its header.
+/// Light of a render, converted to linear Rec.709 from its header's space.
 texture::Image light_of(const std::string& render) {
-  const auto told = texture::read_attribute(render, "coppermoon:colour_space");
-  const auto space = told ? colour::working_space(*told) : uses::picture_space;
+  const auto name = texture::read_attribute(render, "coppermoon:colour_space");
+  const auto space = name ? colour::working_space(*name) : uses::picture_space;
   const auto light = space == colour::WorkingSpace::ciexyz_d65
                          ? texture::read_channels(render, {"X", "Y", "Z"})
                          : texture::read_light(render, texture::Coding::linear);
@@ -109,11 +109,11 @@ texture::Image read_render(const Options& options, const uses::FramePlaces& plac
   return render;
 }
 
-/// Result of a comparison.
+/// Comparison, and how the photograph was read.
 struct Found {
   almanac::Instant when;
   std::optional<colour::Exposure> exif;
-  texture::Coding coding;  ///< tone curve by which the photograph was read
+  texture::Coding coding;  ///< by which the photograph was read
   uses::Comparison comparison;
 
   double stops_of_fit() const {
@@ -159,7 +159,7 @@ Json exposure_json(const Found& found) {
   return all;
 }
 
-/// Tone curve of the photograph in words.
+/// Coding of the photograph in words.
 std::string coding_in_words(const Found& found) {
   switch (found.coding) {
     case texture::Coding::camera:
@@ -250,7 +250,8 @@ void require_sound(const Options& options) {
   files::require_place_for(options.output);
 }
 
-/// Exposure in the photograph's header; none where it is fitted, or a camera's own tone curve leaves a factor open.
+/// Exposure by the header; nothing where it is to be fitted, as with a camera's own tone curve, which leaves a factor
+/// free.
 std::optional<colour::Exposure> exif_to_use(const Options& options, texture::Coding coding) {
   if (options.exposure == "fit") return std::nullopt;
   if (coding == texture::Coding::camera && options.exposure.empty()) return std::nullopt;
@@ -268,7 +269,7 @@ void run(const Options& options) {
   const auto coding = uses::coding_of(options.photo, options.coding);
   const auto exif = exif_to_use(options, coding);
   const auto [places, glow] =
-      told_by(options.recipe_in.empty() ? options.render : options.recipe_in);
+      geometry_of(options.recipe_in.empty() ? options.render : options.recipe_in);
   const auto photo = texture::read_light(options.photo, coding),
              frame = read_render(options, places);
   const Found found{places.sky.when, exif, coding,

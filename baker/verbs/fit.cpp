@@ -33,7 +33,7 @@ using uses::Estimate, uses::ReadPhotograph;
 struct Options {
   std::vector<std::string> photos, outputs;
   std::string instants, times, isos, magnitudes;
-  std::string zone;  ///< time zone of the cameras' clocks; empty: the headers', else unknown
+  std::string zone;  ///< of the cameras' clocks; empty: by the headers, else unknown
   std::optional<double> clock_error_min;
   texture::Coding coding = texture::Coding::as_file_says;
   std::optional<double> f_number;
@@ -41,7 +41,7 @@ struct Options {
   bool despite_misfit = false, json = false;
 };
 
-/// Refuses a list that has neither one value nor one for each photograph.
+/// Value for a photograph, of a list with one for each or one for all.
 template <class Value>
 const Value& one_of(const std::vector<Value>& values, std::size_t i) {
   return values[values.size() == 1 ? 0 : i];
@@ -53,7 +53,7 @@ void require_one_or(std::size_t photos, std::size_t count, const char* what) {
                                      count, what, photos));
 }
 
-/// Instants of --instants, one for each photograph.
+/// Texts of the instants, one for each photograph or one for all.
 std::vector<std::string> instants_of(const Options& options) {
   std::vector<std::string> all;
   std::istringstream parts(options.instants);
@@ -62,10 +62,10 @@ std::vector<std::string> instants_of(const Options& options) {
   return all;
 }
 
-/// Value of a list for the i-th photograph; nothing for an empty list.
-std::optional<double> number_told(const std::string& list, std::size_t i, std::size_t photos,
-                                  const char* what) {
-  const auto numbers = algebra::numbers_in(list);
+/// Number for a photograph from a list with one for each or one for all; nothing of an empty list.
+std::optional<double> number_for(const std::string& list, std::size_t i, std::size_t photos,
+                                 const char* what) {
+  const auto numbers = number_list(list);
   if (!numbers)
     throw algebra::Error(fmt::format("{} = {}, allowed numbers with commas", what, list));
   if (numbers->empty()) return std::nullopt;
@@ -73,13 +73,13 @@ std::optional<double> number_told(const std::string& list, std::size_t i, std::s
   return one_of(*numbers, i);
 }
 
-/// Error of a photograph whose header has no time.
+/// A photograph without a date in its header.
 struct Undated {
   std::string file, why;
 };
 
-/// What is to be explained, and the instants of its photographs as they were told.
-struct Told {
+/// Request of the fit, the texts of its instants, and photographs left out.
+struct Input {
   uses::FitRequest request;
   std::vector<std::string> instants;
   std::vector<Undated> undated{};
@@ -87,7 +87,8 @@ struct Told {
 
 constexpr const char* from_header = "from-header";
 
-/// Time of a camera's clock in UTC, by the zone of --zone, of the header, or of the place.
+/// Instant in UTC by a camera's clock, in the option's zone, else the header's, else the place's; without any, the
+/// clock's reading passes for UTC.
 std::string instant_by(const uses::HeaderClock& clock, const Options& options) {
   const auto zone = options.zone.empty() ? clock.offset.value_or("") : options.zone;
   if (zone.starts_with('+') || zone.starts_with('-')) return clock.local + zone;
@@ -97,56 +98,57 @@ std::string instant_by(const uses::HeaderClock& clock, const Options& options) {
                        : almanac::utc_text(uses::instant_of_local(clock.local, named));
 }
 
-/// Adds the i-th photograph with its instant.
-void add_photograph(const Options& options, std::size_t i, const std::string& instant, Told& told) {
+/// Adds the i-th photograph, taken at an instant.
+void add_photograph(const Options& options, std::size_t i, const std::string& instant,
+                    Input& input) {
   const auto photos = options.photos.size();
-  told.request.photographs.push_back({.file = options.photos[i],
-                                      .instant = almanac::instant_from_utc(instant),
-                                      .coding = options.coding,
-                                      .time_s = number_told(options.times, i, photos, "times"),
-                                      .iso = number_told(options.isos, i, photos, "ISO speeds"),
-                                      .f_number = options.f_number});
-  told.instants.push_back(instant);
+  input.request.photographs.push_back({.file = options.photos[i],
+                                       .instant = almanac::instant_from_utc(instant),
+                                       .coding = options.coding,
+                                       .time_s = number_for(options.times, i, photos, "times"),
+                                       .iso = number_for(options.isos, i, photos, "ISO speeds"),
+                                       .f_number = options.f_number});
+  input.instants.push_back(instant);
 }
 
-/// Adds photographs by the clocks in their headers; photographs without a time are left out while others have one.
-void add_by_headers(const Options& options, Told& told) {
+/// Adds photographs by their headers' clocks; photographs without a date are left out while there are others.
+void add_by_headers(const Options& options, Input& input) {
   for (std::size_t i = 0; i < options.photos.size(); ++i) {
     std::optional<uses::HeaderClock> clock;
     try {
       clock = uses::clock_of(options.photos[i]);
     } catch (const algebra::Error& error) {
-      told.undated.push_back(
+      input.undated.push_back(
           {options.photos[i], uses::reason_without_name(options.photos[i], error)});
       continue;
     }
-    add_photograph(options, i, instant_by(*clock, options), told);
-    told.request.half_hours_free |= options.zone.empty() && !clock->offset;
+    add_photograph(options, i, instant_by(*clock, options), input);
+    input.request.half_hours_free |= options.zone.empty() && !clock->offset;
   }
-  if (told.request.photographs.empty() && !told.undated.empty())
+  if (input.request.photographs.empty() && !input.undated.empty())
     throw algebra::Error(
-        fmt::format("{}: {}", told.undated.front().file, told.undated.front().why));
+        fmt::format("{}: {}", input.undated.front().file, input.undated.front().why));
 }
 
-Told told_by(const Options& options) {
+Input input_of(const Options& options) {
   constexpr double usual_clock_error_min = 10;
   const bool by_headers = options.instants == from_header;
-  Told told{options.request, {}};
-  told.request.clock_error_s =
+  Input input{options.request, {}};
+  input.request.clock_error_s =
       60 * options.clock_error_min.value_or(by_headers ? usual_clock_error_min : 0);
   if (by_headers) {
-    add_by_headers(options, told);
+    add_by_headers(options, input);
   } else if (!options.photos.empty()) {
     const auto instants = instants_of(options);
     for (std::size_t i = 0; i < options.photos.size(); ++i)
-      add_photograph(options, i, one_of(instants, i), told);
+      add_photograph(options, i, one_of(instants, i), input);
   }
   if (!options.magnitudes.empty())
-    told.request.magnitudes = uses::read_magnitudes(options.magnitudes);
-  return told;
+    input.request.magnitudes = uses::read_magnitudes(options.magnitudes);
+  return input;
 }
 
-/// Share by which an interval must shrink for anything to be learnt.
+/// Least information of an estimate that counts as determined.
 constexpr double no_information = 0.3;
 
 Json as_json(const Estimate& estimate, bool logarithm) {
@@ -173,17 +175,17 @@ Json as_json(const uses::ReadPhotograph& photograph, const std::string& file,
   return all;
 }
 
-Json as_json(const uses::FittedNight& night, const Told& told) {
+Json as_json(const uses::FittedNight& night, const Input& input) {
   Json all{{"photographs", Json::array()}, {"clock", Json()}, {"tone_curve", Json()}};
   for (const auto i : night.photographs)
-    all["photographs"].push_back(told.request.photographs[i].file);
+    all["photographs"].push_back(input.request.photographs[i].file);
   if (night.clock)
     all["clock"] = {{"add_s", night.clock->seconds}, {"standard_error_s", night.clock->error_s}};
   if (night.curve) all["tone_curve"] = components_of(*night.curve);
   return all;
 }
 
-void print_json(const Told& told, const uses::FitReport& found) {
+void print_json(const Input& input, const uses::FitReport& found) {
   const auto& [fit, photographs, nights] = found;
   const auto& p = fit.posterior;
   Json all{{"dust_extinction_per_m", as_json(p.estimates[0], true)},
@@ -200,10 +202,10 @@ void print_json(const Told& told, const uses::FitReport& found) {
            {"nights", Json::array()}};
   for (std::size_t i = 0; i < photographs.size(); ++i)
     all["photographs"].push_back(
-        as_json(photographs[i], told.request.photographs[i].file, told.instants[i]));
-  for (const auto& [file, why] : told.undated)
+        as_json(photographs[i], input.request.photographs[i].file, input.instants[i]));
+  for (const auto& [file, why] : input.undated)
     all["photographs"].push_back({{"file", file}, {"instant", Json()}, {"left_out", why}});
-  for (const auto& night : nights) all["nights"].push_back(as_json(night, told));
+  for (const auto& night : nights) all["nights"].push_back(as_json(night, input));
   fmt::print("{}\n", all.dump(2));
 }
 
@@ -219,8 +221,8 @@ void print_photograph(const ReadPhotograph& photograph, const std::string& file)
       photograph.curved ? ", by its camera's tone curve" : "", photograph.registration.correlation);
 }
 
-void print_night(const uses::FittedNight& night, const Told& told) {
-  const auto& first = told.request.photographs[night.photographs.front()].file;
+void print_night(const uses::FittedNight& night, const Input& input) {
+  const auto& first = input.request.photographs[night.photographs.front()].file;
   const auto camera = uses::camera_of(first).value_or("camera of " + first);
   if (night.curve) fmt::print("tone curve   {} ({})\n", in_words(*night.curve), one_line(camera));
   if (night.clock)
@@ -229,12 +231,12 @@ void print_night(const uses::FittedNight& night, const Told& told) {
                (night.clock->seconds + night.clock->error_s) / 60, one_line(camera));
 }
 
-void print_table(const Told& told, const uses::FitReport& found) {
+void print_table(const Input& input, const uses::FitReport& found) {
   const auto& [fit, photographs, nights] = found;
   const auto& p = fit.posterior;
   for (std::size_t i = 0; i < photographs.size(); ++i)
-    print_photograph(photographs[i], told.request.photographs[i].file);
-  for (const auto& [file, why] : told.undated)
+    print_photograph(photographs[i], input.request.photographs[i].file);
+  for (const auto& [file, why] : input.undated)
     fmt::print("{}: left out: {}\n", one_line(file), one_line(why));
   const auto print = [](const char* name, const Estimate& e, bool logarithm, const char* unit) {
     const auto value = [&](double x) { return logarithm ? std::exp(x) : x; };
@@ -244,7 +246,7 @@ void print_table(const Told& told, const uses::FitReport& found) {
   print("dust", p.estimates[0], true, "1/m");
   print("cloud cover", p.estimates[1], false, "");
   print("ozone", p.estimates[2], false, "DU");
-  for (const auto& night : nights) print_night(night, told);
+  for (const auto& night : nights) print_night(night, input);
   fmt::print(
       "correlation  dust and cloud {:+.2f}, dust and ozone {:+.2f}, cloud and ozone {:+.2f}\n",
       p.correlation[0][1], p.correlation[0][2], p.correlation[1][2]);
@@ -262,7 +264,7 @@ void require_sound(const Options& options) {
   for (const auto& file : options.outputs) uses::require_light_file(file);
 }
 
-/// Interval in one line.
+/// Message, in one line, for air that explains nothing.
 std::string misfit_of(const uses::FitReport& found) {
   const auto& [fit, photographs, nights] = found;
   std::string why = "a list of another eclipse or of other bands, or errors told too small";
@@ -280,10 +282,10 @@ std::string misfit_of(const uses::FitReport& found) {
 
 void run(const Options& options) {
   require_sound(options);
-  const auto told = told_by(options);
+  const auto input = input_of(options);
   const auto found = [&] {
     ProgressBar bar("fit");
-    return uses::fitted_air(told.request, bar.progress());
+    return uses::fitted_air(input.request, bar.progress());
   }();
   if (!explains(found.fit)) {
     if (!options.despite_misfit)
@@ -296,7 +298,7 @@ void run(const Options& options) {
   for (const auto& night : found.nights)
     if (const auto doubt = night.curve ? doubt_of(*night.curve) : ""; !doubt.empty())
       fmt::print(stderr, "coppermoon: {}\n", doubt);
-  options.json ? print_json(told, found) : print_table(told, found);
+  options.json ? print_json(input, found) : print_table(input, found);
 }
 
 void add_photograph_options(CLI::App& verb, Options& options) {

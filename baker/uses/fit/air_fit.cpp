@@ -26,9 +26,9 @@ Axes whole_axes() {
           evenly(ozone.least, ozone.most, axis_steps[2])};
 }
 
-/// Axes of as many steps over what is probable by a coarser grid.
+/// Axes of as many steps over the range that is probable by a coarser grid.
 Axes axes_about(const Posterior& known, const Axes& coarser) {
-  constexpr double beyond = 2;  // of the interval, to either side of it: five deviations in all
+  constexpr double beyond = 2;  // interval widths beyond it: five deviations from the median
   Axes axes;
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const auto& [median, low, high, information] = known.estimates[a];
@@ -140,8 +140,8 @@ AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progre
     }
     axes = axes_about(result.posterior, axes);
   }
-  for (std::size_t a = 0; a < whole.size();
-       ++a) {  // relative to the whole range, not the last grid's
+  // information is relative to the whole range, not to the last grid's
+  for (std::size_t a = 0; a < whole.size(); ++a) {
     auto& information = result.posterior.estimates[a].information;
     const double share = (axes[a].back() - axes[a].front()) / (whole[a].back() - whole[a].front());
     information = 1 - (1 - information) * share * share;

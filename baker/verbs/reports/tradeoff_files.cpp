@@ -41,14 +41,14 @@ std::array<Figure, 7> figures_of(const Measured& one) {
            {"delta_e_99", one.errors.picture.percentile_99}}};
 }
 
-/// 1e6 as that, 0.3 as that.
+/// Number in text: 10000 and more as 1e4, less as it is.
 std::string number(double value) {
   if (value < 1e4) return fmt::format("{:g}", value);
   const double power = std::floor(std::log10(value));
   return fmt::format("{:.3g}e{:g}", value / std::pow(10, power), power);
 }
 
-/// All settings that the solver has, but for the one that is varied.
+/// Settings that the solver has, without the varied one.
 std::string settings_of(const Measured& one) {
   std::string text;
   for (const auto& [column, setting] : setting_columns) {
@@ -66,7 +66,7 @@ std::string percent(double part) {
   return part < 1 ? fmt::format("{:.3g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
 }
 
-/// A sweep's rows, as long as they stand together.
+/// Trials of the first sweep.
 std::span<const Measured> first_sweep(std::span<const Measured> all) {
   const auto end = std::ranges::find_if(all, [&](const Measured& one) {
     return one.varied != all[0].varied || one.trial.solver != all[0].trial.solver;
@@ -95,9 +95,9 @@ bool is_the_papers(const Trial& trial) {
 
 using Which = bool (*)(const Measured&);
 
-/// Some of the trials as rows: seconds, error, value.
-std::string rows_of(std::span<const Measured> all, Which which) {
-  std::string rows;
+/// Data block for gnuplot of the trials that `which` accepts; empty without any.
+std::string block(std::string_view name, std::span<const Measured> all, Which which) {
+  std::string points;
   for (const auto& one : all)
     if (which(one) && one.seconds > 0 && one.errors.umbra.rms > 0)
       rows +=
@@ -105,7 +105,20 @@ std::string rows_of(std::span<const Measured> all, Which which) {
   return rows;
 }
 
-/// Far enough on the plot for both to be named.
+/// Plot commands, and the data blocks that they need.
+struct Drawing {
+  std::string blocks, plots;
+
+  void add(std::string_view name, std::span<const Measured> all, Which which,
+           const std::string& style) {
+    const auto data = block(name, all, which);
+    if (data.empty()) return;
+    blocks += data;
+    plots += fmt::format("{}${} {}", plots.empty() ? "plot " : ", \\\n  ", name, style);
+  }
+};
+
+/// Whether two points are far enough apart on the plot for labels of both.
 bool apart(const Measured& one, const Measured& other) {
   const auto differ = [](double a, double b) { return std::max(a, b) > 4 * std::min(a, b); };
   return differ(one.seconds, other.seconds) || differ(one.errors.umbra.rms, other.errors.umbra.rms);

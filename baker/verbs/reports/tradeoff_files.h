@@ -10,17 +10,17 @@
 
 namespace coppermoon::verbs {
 
-/// Trials as CSV, one a row; a cell is empty where a solver has no such setting.
+/// Trials as CSV, a row each; a cell is empty where the solver has no such setting.
 std::string as_csv(std::span<const uses::Measured> all);
 
 /// Trials as a table in Markdown, the settings in one cell.
 std::string as_markdown(std::span<const uses::Measured> all);
 
-/// Trials as a JSON list; null where a solver has no such setting.
+/// Trials as a list; null where the solver has no such setting.
 nlohmann::ordered_json as_json(std::span<const uses::Measured> all);
 
-/// Plot of seconds against the umbra's error: a line per sweep, a colour per solver; open symbols are extrapolated, a
-/// star is the paper's own setting.
-uses::Plot as_plot(std::span<const uses::Measured> all);
+/// Script for gnuplot: the umbra's error by seconds, a line for each sweep, a colour for each solver. Open symbols are
+/// extrapolated, a star is the setting of Yapo and Cutler (2009).
+std::string as_plot(std::span<const uses::Measured> all);
 
 }  // namespace coppermoon::verbs
