@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "files/fingerprint.h"
 
-#include <OpenImageIO/detail/farmhash.h>
+#include <xxhash.h>
 
 namespace coppermoon::files {
 
 std::uint64_t fingerprint(std::string_view bytes) {
-  return OIIO::farmhash::inlined::Fingerprint64(bytes.data(), bytes.size());
+  return XXH3_64bits(bytes.data(), bytes.size());
 }
 
 }  // namespace coppermoon::files

@@ -6,9 +6,9 @@
 
 namespace coppermoon::files {
 
-/// 64 bits that tell two texts apart unless someone means them not to: the same on every machine.
+/// 64 bits that tell two contents apart unless someone forges one: the same on every machine.
 ///
-/// Source  FarmHash's Fingerprint64, by OpenImageIO
+/// Source  XXH3_64bits of xxHash 0.8
 std::uint64_t fingerprint(std::string_view bytes);
 
 }  // namespace coppermoon::files

@@ -6,8 +6,8 @@
 namespace coppermoon::files {
 namespace {
 
-TEST(Fingerprint, IsFarmHashs) {
-  EXPECT_EQ(fingerprint(""), 0x9ae16a3b2f90404fULL) << "k2 of the published algorithm, for no bytes";
+TEST(Fingerprint, IsXxHashs) {
+  EXPECT_EQ(fingerprint(""), 0x2d06800538d394c2ULL) << "the published value for no bytes";
 }
 
 TEST(Fingerprint, TellsOneBitApart) {
