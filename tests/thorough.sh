@@ -15,7 +15,7 @@ processors=$(nproc)
 export ASAN_OPTIONS=intercept_tls_get_addr=0
 export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppressions=0" UBSAN_OPTIONS=print_stacktrace=1
 
-steps="compiled_alone quick_in_release heavy_under_sanitizers fuzzers libraries_thoroughly program_thoroughly
+steps="compiled_alone quick_in_release heavy_under_sanitizers races fuzzers libraries_thoroughly program_thoroughly
 extremes_thoroughly films_and_convergence plans_kept plans_kept_with_regions air_recovered nights_recovered planted_faults other_programs packages measurements
 small_examples full_examples full_film sweep_1 sweep_2 sweep_3 sweep_4 sweep_5"
 
@@ -45,6 +45,11 @@ heavy_under_sanitizers() {
     baker_verbs_manuals_heavy_tests baker_verbs_recipes_heavy_tests baker_verbs_reports_heavy_tests colour_heavy_tests extremes_heavy_tests
   ctest --test-dir build/sanitizers --output-on-failure --no-tests=error --parallel "$processors" -L '^heavy$' \
     -E '^(baker/shadow/(by_photons|landing_statistics|ring_middles)|baker/uses/film/film_light|end_to_end/|extremes/(faults|words)|povray_scenes/|baker/wrappers/)'
+}
+
+races() {
+  released coppermoon_test_main
+  tests/races.sh
 }
 
 fuzzers() {

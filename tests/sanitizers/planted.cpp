@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A fault of each kind that the sanitizers have to catch, planted: `planted overflow|leak|past_the_end`. Says "went on" when
+// A fault of each kind that the sanitizers have to catch, planted: `planted overflow|leak|past_the_end|race`. Says "went on" when
 // nothing ended it.
+#include <atomic>
 #include <climits>
 #include <cstddef>
 #include <cstdio>
 #include <string_view>
+#include <thread>
 
 namespace {
 
@@ -26,6 +28,18 @@ void past_the_end(int count) {
   std::printf("%g\n", value);
 }
 
+/// One write after another, but nothing orders them: a relaxed flag does not.
+void race(int count) {
+  int shared = 0;
+  std::atomic<bool> written = false;
+  std::jthread other([&] {
+    shared = count;
+    written.store(true, std::memory_order_relaxed);
+  });
+  while (!written.load(std::memory_order_relaxed)) std::this_thread::yield();
+  shared = -count;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -33,5 +47,6 @@ int main(int count, char** words) {
   if (fault == "overflow") overflow(count);
   if (fault == "leak") leak(count);
   if (fault == "past_the_end") past_the_end(count);
+  if (fault == "race") race(count);
   std::puts("went on");
 }
