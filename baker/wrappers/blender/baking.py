@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Textures of a Moon's values, by the program; and the scene built from them."""
+"""Baking of a Moon's textures by the program, and the scene built from them."""
 import hashlib
 import json
 import os
@@ -25,8 +25,7 @@ def light_of(texture):
 
 
 def parts_of(contacts, textures):
-    """The part of the time from the first texture to the last, less than a day, that has passed at each
-    contact between them."""
+    """Contacts between the first texture and the last, each with its share of that time, which is less than a day."""
     first = textures[0].second()
     length = (textures[-1].second() - first) % 86400
     # A header has whole seconds: the first and the last contact may be half of one outside.
@@ -35,7 +34,7 @@ def parts_of(contacts, textures):
 
 
 def eclipses(first, last):
-    """Yields as `program.run`; returns what the almanac says of the eclipses between two moments."""
+    """Yields as `program.run`; returns the almanac's eclipses between two moments."""
     lines = []
     yield from program.run(["almanac", "--json", f"--from={first}", f"--to={last}"], lines.append)
     return json.loads("".join(lines))
@@ -49,7 +48,7 @@ def bake_moment(wanted):
 
 
 def film_folder(day, words):
-    """Its name says what the film is made from."""
+    """Folder of a film, named by what the film is made from."""
     name = hashlib.sha256("\n".join(words).encode()).hexdigest()[:12]
     return os.path.join(preferences.texture_folder(), f"{day}_{name}")
 
@@ -67,7 +66,7 @@ def bake_film(wanted):
     words = film_words(wanted)
     folder = film_folder(day, words)
     os.makedirs(folder, exist_ok=True)
-    measured = {}  # as they come, so that it takes no time at the end
+    measured = {}  # while textures come, so that the end takes no time
 
     def take(line):
         for file in json.loads(line).get("files", ()):
@@ -95,7 +94,7 @@ def bake(wanted):
 
 
 def show(of_moon, baked):
-    """Has the Moon, its light, its observer and its scene be those of these textures."""
+    """Builds Moon, light, observer and scene from these textures."""
     wanted = of_moon.coppermoon
     moon.put_textures(of_moon, baked.textures)
     for scene in of_moon.users_scene:
@@ -112,7 +111,7 @@ def show(of_moon, baked):
 
 
 def new_eclipse(context, own_scene):
-    """A Moon that does not shine yet, with its light; with a scene of its own an observer too."""
+    """Adds a Moon that does not shine yet, and its light; in a scene of its own also an observer."""
     scene = film.new_scene() if own_scene else context.scene
     of_moon = moon.new_moon(scene)
     wanted = of_moon.coppermoon

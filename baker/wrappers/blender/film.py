@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The scene of an eclipse: a black sky, the time line, and how it is rendered and looked at."""
+"""Scene of an eclipse: black sky, time line, settings of rendering and view."""
 import math
 
 import bpy
@@ -7,8 +7,8 @@ import bpy
 from . import values
 from .moon import first_known
 
-VIEWS = ("Un-tone-mapped", "Standard")  # colours as they are: ours, Blender's
-MEAN = 0.25  # what the exposure brings the mean of the disc's strongest channel to: nothing clips
+VIEWS = ("Un-tone-mapped", "Standard")  # without tone mapping: in our configuration, in Blender's
+MEAN = 0.25  # of the disc's strongest channel, after exposure: nothing clips
 
 
 def new_scene():
@@ -20,7 +20,7 @@ def new_scene():
 
 
 def set_render(scene):
-    """Each pixel is the mean of its own area, in cd/m² where it is kept as OpenEXR."""
+    """Sets rendering: each pixel is the mean of its area, in cd/m² in OpenEXR."""
     scene.render.engine = "CYCLES"
     cycles = scene.cycles
     cycles.device = "CPU"
@@ -37,7 +37,7 @@ def set_render(scene):
 
 
 def set_time(scene, textures, parts, wanted):
-    """The time line from the first texture to the last, with a marker at each contact.
+    """Sets the time line from the first texture to the last, with a marker at each contact.
 
     Given  parts   by name of the contact, the part of the time from the first to the last texture
            wanted  the Moon's values
@@ -74,7 +74,7 @@ def remove_curve(owner, path):
 
 
 def set_exposure(scene, textures, lights):
-    """The exposure of the view follows the disc's mean brightness; a render in OpenEXR keeps cd/m².
+    """Has the view's exposure follow the disc's mean brightness; a render in OpenEXR keeps cd/m².
 
     Given  lights  illuminance by channel [lux], of each texture
     """

@@ -7,13 +7,13 @@ import bpy
 from .texture import COLOUR_SPACES
 from .wrong import Wrong
 
-# The limb is a polygon: with n corners it falls short of the circle by up to 1 - cos(pi / n) of
-# its radius, for 512 by 1.9e-5: a fiftieth of a pixel in a disc 2000 pixels wide.
+# Corners of the limb. A polygon of n corners falls short of the circle by 1 - cos(pi / n) of the radius at most: for
+# 512 by 1.9e-5, a fiftieth of a pixel in a disc 2000 pixels wide.
 SEGMENTS, RINGS = 512, 256
 
 
 def first_known(owner, setting, names):
-    """Sets what Blender has under one of several names."""
+    """Sets a property that Blender has under one of several names."""
     for name in names:
         try:
             setattr(owner, setting, name)
@@ -24,13 +24,13 @@ def first_known(owner, setting, names):
 
 
 def set_colours(texture):
-    """What sets the colour space of an image to that of the texture."""
+    """Sets the colour space of an image to that of the texture."""
     return lambda image: first_known(image.colorspace_settings, "name",
                                      COLOUR_SPACES[texture.colour_space])
 
 
 def new_mesh():
-    """Its UV is plate carrée: longitude 0 in the middle, east to the right, north up."""
+    """Sphere with UV in plate carrée: longitude 0 in the middle, east to the right, north up."""
     across, up = range(SEGMENTS + 1), range(RINGS + 1)
     uv = [(i / SEGMENTS, j / RINGS) for j in up for i in across]
     angles = [(math.tau * (u - 0.5), math.pi * (v - 0.5)) for u, v in uv]
@@ -75,7 +75,7 @@ def new_moon(scene):
 
 
 def texture_node(moon):
-    """The node that holds the Moon's texture."""
+    """Node of the Moon's texture."""
     for slot in moon.material_slots:
         if slot.material and slot.material.use_nodes:
             for node in slot.material.node_tree.nodes:
@@ -85,7 +85,7 @@ def texture_node(moon):
 
 
 def put_textures(moon, textures):
-    """Has the Moon shine by these; of a film by one in each frame."""
+    """Has the Moon shine by these textures, in a film by one in each frame."""
     node = texture_node(moon)
     first = textures[0]
     image = bpy.data.images.load(first.path)

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The light of the whole disc on what faces it: a Sun lamp, whose strength is illuminance in lux where
-radiance is luminance in cd/m²."""
+"""Moonlight in a scene: a Sun lamp, whose strength is illuminance in lux where radiance is luminance in cd/m²."""
 import array
 import math
 
@@ -12,7 +11,7 @@ ROWS = 128  # of the texture, shrunk; to 0.2 % of its light
 
 
 def shrunk(path, set_colours):
-    """The texels of a texture, [row][column][RGBA] from the south up, scene-linear."""
+    """Texels of a texture, [row][column][RGBA] from the south up, scene-linear."""
     image = bpy.data.images.load(path)
     try:
         set_colours(image)
@@ -25,7 +24,7 @@ def shrunk(path, set_colours):
 
 
 def illuminance(texture, set_colours):
-    """Of a surface at the observer's place that faces the Moon, by channel [lux]:
+    """Illuminance by channel [lux] of a surface at the observer's place that faces the Moon:
 
         E = sum L cos e dA / d^2        e: emission angle, d: texel to observer
     """
@@ -54,12 +53,12 @@ def illuminance(texture, set_colours):
 
 
 def luminance(colour):
-    """Of linear Rec.709."""
+    """Luminance of linear Rec.709."""
     return 0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2]
 
 
 def new_lamp(scene, moon):
-    """The sphere is seen, straight and in mirrors; the lamp lights the rest, or both would."""
+    """Lets the sphere be seen, straight and in mirrors, but not light the scene, which the lamp does."""
     lamp = bpy.data.objects.new("Moonlight", bpy.data.lights.new("Moonlight", "SUN"))
     lamp.rotation_mode = "QUATERNION"
     lamp.parent = moon
@@ -70,13 +69,13 @@ def new_lamp(scene, moon):
 
 
 def keep_dim_light(scene):
-    """Cycles drops light below this threshold at random, and moonlight is below its default."""
+    """Ends Cycles' threshold below which light is dropped at random: moonlight is below its default."""
     if hasattr(scene, "cycles"):
         scene.cycles.light_sampling_threshold = 0
 
 
 def place_lamp(lamp, textures, lights):
-    """Has it shine from the Moon to the observer, as bright as the disc is, of a film in each frame.
+    """Has the lamp shine from the Moon to the observer, as bright as the disc, in each frame of a film.
 
     Given  lights  illuminance by channel [lux], of each texture
     """

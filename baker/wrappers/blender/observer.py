@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Who looks: the camera, and the way to it. The Moon has radius 1 and stands at the origin; longitude 0
-is at +X, 90 east at +Y, north at +Z."""
+"""Camera of the observer. The Moon has radius 1 and stands at the origin: longitude 0 at +X, 90 east at +Y, north
+at +Z."""
 import math
 
 import bpy
@@ -25,7 +25,7 @@ def axes_of(texture, up):
 
 
 def turn(thing, axes):
-    """Turns an object so that its X, Y and Z point along these; the shorter way from where it was."""
+    """Turns an object so that its X, Y and Z point along these axes, the shorter way from its last rotation."""
     turned = Matrix(axes).transposed().to_quaternion()
     turned.make_compatible(thing.rotation_quaternion)
     thing.rotation_quaternion = turned
@@ -42,14 +42,14 @@ def new_camera(scene, moon):
 def set_lens(data, render, wanted):
     """Has the shorter side of the picture hold the field, unless the user has chosen another lens since."""
     wide = render.resolution_x * render.pixel_aspect_x > render.resolution_y * render.pixel_aspect_y
-    # By the lens: an angle that is set directly is at least 0.37 degrees in Blender.
+    # By the focal length: Blender takes no angle below 0.37 degrees.
     side = data.sensor_height if wide else data.sensor_width
     values.put(wanted, data, anew=values.changed(wanted, "field"),
                sensor_fit="VERTICAL" if wide else "HORIZONTAL", lens=side / 2 / math.tan(wanted.field / 2))
 
 
 def place_camera(camera, textures, wanted, render):
-    """Has the camera stand where the observer does, of a film in each frame.
+    """Puts the camera in the observer's place, in each frame of a film.
 
     Given  wanted  the Moon's values
     """

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Add an eclipse, bake it again, import its textures. In a window the program works in the background;
-without one, each waits until it is done."""
+"""Operators that add an eclipse, bake it again and import its textures. In a window the program works in the
+background; without a window an operator waits for it."""
 import datetime
 import os
 import time
@@ -17,7 +17,7 @@ PAUSE_S = 0.1
 
 
 def result(steps):
-    """What a generator returns, waited for."""
+    """Value that a generator returns at its end."""
     while True:
         try:
             next(steps)
@@ -27,7 +27,7 @@ def result(steps):
 
 
 class Running:
-    """The bake under way in the background, of which there is one at a time; or None."""
+    """Bake under way in the background, one at a time; or None."""
     now = None
 
     def __init__(self, moon):
@@ -40,7 +40,7 @@ class Running:
 
 
 def moon_named(name):
-    """By name, for what undo made anew has another address."""
+    """Moon of that name: undo makes objects anew, at other addresses."""
     moon = bpy.data.objects.get(name)
     return moon if moon and moon.coppermoon.is_moon else None
 
@@ -115,7 +115,7 @@ class BakeEclipse(bpy.types.Operator):
         return how
 
     def cancel(self, context):
-        """Also when Blender is closed: the program ends with it."""
+        """Ends the program, also when Blender closes."""
         context.window_manager.event_timer_remove(self.timer)
         Running.now.steps.close()
         Running.now = None
@@ -135,7 +135,7 @@ class StopBaking(bpy.types.Operator):
         return {"FINISHED"}
 
 
-# The list of eclipses. Blender keeps no reference to what the function gives, so it is kept here.
+# List of eclipses, kept here since Blender keeps no reference to what the function returns.
 listed = {}
 
 

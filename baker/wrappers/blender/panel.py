@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What one sees: Add > Eclipse, File > Import, and the panel of a Moon in the viewport's sidebar."""
+"""Menus and panel: Add > Eclipse, File > Import, and the panel of a Moon in the viewport's sidebar."""
 import bpy
 
 from . import operators, saving, values

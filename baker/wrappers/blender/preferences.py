@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where the program is, and where its textures go."""
+"""Preferences: the path of the program, and the folder of its textures."""
 import os
 import shutil
 
@@ -25,13 +25,13 @@ class CoppermoonPreferences(bpy.types.AddonPreferences):
 
 
 def chosen(name):
-    """What a preference says; empty where the add-on was enabled for this session alone, with --addons."""
+    """Value of a preference; empty where the add-on was enabled for one session, by --addons."""
     addon = bpy.context.preferences.addons.get(__package__)
     return bpy.path.abspath(getattr(addon.preferences, name)) if addon else ""
 
 
 def program():
-    """The path of the program."""
+    """Path of the program."""
     name = chosen("program") or "coppermoon"
     path = shutil.which(name)
     if not path:
@@ -40,19 +40,19 @@ def program():
 
 
 def texture_folder():
-    """The folder of baked textures."""
+    """Folder of baked textures."""
     if chosen("textures"):
         return os.path.abspath(chosen("textures"))
     return beside_file() if bpy.data.filepath else cache_folder()
 
 
 def beside_file():
-    """The folder of textures beside the .blend file."""
+    """Folder of textures beside the .blend file."""
     return bpy.path.abspath("//coppermoon")
 
 
 def cache_folder():
-    """The folder of textures as long as the scene is not saved: that of OpenImageIO's reader."""
+    """Folder of textures until the scene is saved: the cache of OpenImageIO's reader."""
     if os.environ.get("COPPERMOON_CACHE"):
         return os.path.abspath(os.environ["COPPERMOON_CACHE"])
     cache = os.environ.get("XDG_CACHE_HOME", "")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The program coppermoon in the background: what it prints, how far it is, what it finds wrong."""
+"""The program coppermoon in the background: its output, progress and errors."""
 import os
 import re
 import subprocess
@@ -12,7 +12,7 @@ ESCAPES = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 
 
 class Stream:
-    """The text behind a file descriptor, as far as it has come."""
+    """Text from a file descriptor, as far as it has come."""
 
     def __init__(self, descriptor):
         self.descriptor = descriptor
@@ -20,15 +20,15 @@ class Stream:
         os.set_blocking(descriptor, False)
 
     def read(self):
-        """Takes what has come."""
+        """Reads what has come."""
         try:
             while some := os.read(self.descriptor, 65536):
                 self.text += some.decode("utf-8", "replace")
-        except OSError:  # nothing yet; or, of a terminal, nothing any more
+        except OSError:  # nothing yet; or the terminal's end
             pass
 
     def lines(self):
-        """The whole lines that have come; each is given once."""
+        """Whole lines that have come, each once."""
         *whole, self.text = re.split(r"[\r\n]+", self.text)
         return [line for line in (ESCAPES.sub("", line).strip() for line in whole) if line]
 

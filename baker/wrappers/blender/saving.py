@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A cache may be emptied: what a saved scene shows stands in the folder coppermoon beside the .blend file."""
+"""Textures of a saved scene, kept in the folder coppermoon beside the .blend file, since a cache may be emptied."""
 import os
 import shutil
 import sys
@@ -10,21 +10,21 @@ from . import preferences
 
 
 def name_in_cache(path):
-    """A path from the cache folder on; nothing where it leads elsewhere."""
+    """Path below the cache folder; None outside."""
     path = os.path.abspath(bpy.path.abspath(path))
     cache = os.path.join(os.path.abspath(preferences.cache_folder()), "")
     return path.removeprefix(cache) if path.startswith(cache) else None
 
 
 def left_in_cache():
-    """Images whose files stand in the cache, of a scene that is saved elsewhere."""
+    """Images of a saved scene whose files stand in the cache."""
     if not bpy.data.filepath or name_in_cache(bpy.data.filepath):
         return []
     return [image for image in bpy.data.images if image.filepath and name_in_cache(image.filepath)]
 
 
 def link_or_copy(source, target):
-    """A second name for the file, which takes no space and no time; a copy where there is no such thing."""
+    """Makes a hard link, which takes no space; a copy where there are no links."""
     try:
         os.link(source, target)
     except OSError:
@@ -33,7 +33,7 @@ def link_or_copy(source, target):
 
 
 def bring(image):
-    """Has the image's file, of a film all of its folder, stand beside the .blend file too."""
+    """Keeps the image's file, or all of a film's folder, beside the .blend file too."""
     name = name_in_cache(image.filepath)
     first = name.split(os.sep)[0]
     source, folder = os.path.join(preferences.cache_folder(), first), preferences.beside_file()
@@ -48,7 +48,7 @@ def bring(image):
 
 @bpy.app.handlers.persistent
 def keep_textures(*_):
-    """Called when a scene has been saved, for only then is it known where; so it is saved again."""
+    """Handler of a saved scene, whose place is known only then; saves it again."""
     images = left_in_cache()
     try:
         for image in images:

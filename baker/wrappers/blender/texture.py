@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the header of a baked texture says of the globe and of who looks at it."""
+"""Header of a baked texture: the globe and its observer."""
 import os
 import re
 import struct
@@ -8,8 +8,7 @@ from .wrong import Wrong
 
 MOON_RADIUS_KM = 1737.4
 
-# By coppermoon:colour_space, what it is called in colour/config.ocio, in Blender 4's own
-# configuration, and in Blender 3's.
+# Names of each coppermoon:colour_space in colour/config.ocio, in Blender 4's own configuration, and in Blender 3's.
 COLOUR_SPACES = {
     "lin_rec709": ("Linear Rec.709 (sRGB)", "Linear Rec.709", "Linear"),
     "acescg": ("ACEScg", "Linear ACEScg"),
@@ -40,7 +39,7 @@ def value_of(kind, data):
 
 
 def header_of(path):
-    """The strings, floats and rationals of an OpenEXR header, by name."""
+    """Strings, floats and rationals of an OpenEXR header, by name."""
     try:
         with open(path, "rb") as file:
             if file.read(4) != struct.pack("<i", 20000630):
@@ -59,7 +58,7 @@ def header_of(path):
 
 
 class Texture:
-    """A baked texture and who looks at it, in degrees and lunar radii."""
+    """Baked texture and its observer, in degrees and lunar radii."""
 
     def __init__(self, path):
         self.path = os.path.abspath(path)
@@ -83,15 +82,15 @@ class Texture:
         return value
 
     def frame(self):
-        """The frame of the scene that shows it."""
+        """Frame of the scene that shows it."""
         return self.number() + self.frames_later
 
     def second(self):
-        """The time of day of its moment [s]."""
+        """Time of day of its moment [s]."""
         return second_of_day(self.header.get("capDate", ""))
 
     def number(self):
-        """The number that the name ends in, as 1 of moon_lin_rec709.0001.exr."""
+        """Number at the end of the name, as 1 of moon_lin_rec709.0001.exr."""
         number = re.search(r"(\d+)\.exr$", self.path)
         if not number:
             raise Wrong(f"{self.path}: its name has no frame number, as .0001.exr")
@@ -99,7 +98,7 @@ class Texture:
 
 
 def second_of_day(text):
-    """The time of day [s] of 2018-07-27T19:30:17Z, or of a header's 2018:07:27 19:30:17."""
+    """Time of day [s] of 2018-07-27T19:30:17Z, or of a header's 2018:07:27 19:30:17."""
     time = re.search(r"[T ](\d+):(\d+):(\d+(?:\.\d+)?)", text)
     if not time:
         raise Wrong(f"{text}: is no moment, as 2018-07-27T19:30:17Z")
@@ -107,12 +106,12 @@ def second_of_day(text):
 
 
 def stem_of(path):
-    """What stands before the number, as moon_lin_rec709. of moon_lin_rec709.0001.exr."""
+    """Name before the number, as moon_lin_rec709. of moon_lin_rec709.0001.exr."""
     return re.sub(r"\d+\.exr$", "", path)
 
 
 def textures_of(path):
-    """The texture of a file, or those of a film's folder in the order of their frames.
+    """Texture of a file, or those of a film's folder in the order of their frames.
 
     Throws  Wrong  where a frame is missing: Blender finds them by their numbers alone, beside the first
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What an eclipse is made from: the values that its Moon keeps, and the program's words for them."""
+"""Values that an eclipse is made from, which its Moon keeps, and the program's options for them."""
 import json
 import math
 import re
@@ -46,7 +46,7 @@ UPS = (
 
 
 class Values:
-    """What one asks for; of the operator that adds, and of the Moon that it makes."""
+    """Values asked for, of the operator that adds a Moon and of the Moon itself."""
     date: StringProperty(
         name="Date", default="2018-07-27",
         description="Day of greatest eclipse (UTC), as 2018-07-27; or a moment in UTC, as "
@@ -120,12 +120,12 @@ def copy(source, target):
 
 
 def changed(wanted, name):
-    """Whether a value of the Moon is another than at the last bake."""
+    """Whether a value of the Moon has changed since the last bake."""
     return json.loads(wanted.last_set).get(name, getattr(wanted, name)) != getattr(wanted, name)
 
 
 def put(wanted, owner, anew=False, **settings):
-    """Sets them together, unless the user has changed one of them since they were last set.
+    """Sets values together, unless the user has changed one of them since they were last set.
 
     Given     wanted  the Moon's values, which remember what was set
               anew    whatever the user has changed
@@ -143,12 +143,12 @@ def put(wanted, owner, anew=False, **settings):
 
 
 def remember(wanted, name):
-    """Has `changed` compare with the value as it is now."""
+    """Makes the present value the one that `changed` compares with."""
     wanted.last_set = json.dumps(json.loads(wanted.last_set) | {name: getattr(wanted, name)})
 
 
 def plain(source):
-    """The values as they are now, for later; Blender's own are gone after an undo."""
+    """Copy of the values, since Blender's own are gone after an undo."""
     return SimpleNamespace(**{name: getattr(source, name) for name in NAMES})
 
 
@@ -161,7 +161,7 @@ def is_day(values):
 
 
 def require_sound(values):
-    # The date of a stranger's file must be neither an option nor a path.
+    # A date from a stranger's file could be an option or a path.
     if not re.fullmatch(r"[+-]?\d[\w:.+ -]*", values.date.strip(), re.ASCII):
         raise Wrong(f"date = {values.date.strip()}; allowed is a day, as 2018-07-27, or a moment in UTC, "
                     "as 2018-07-27T20:40Z")
@@ -172,7 +172,7 @@ def require_sound(values):
 
 
 def moment(values):
-    """As the program reads it: 2018-07-27 U2+600s."""
+    """Moment as the program reads it: 2018-07-27 U2+600s."""
     if not is_day(values):
         return values.date.strip()
     if values.contact == "greatest" and values.offset == 0:
@@ -182,7 +182,7 @@ def moment(values):
 
 
 def options(values):
-    """The program's options for all but the moment. With = for a place may begin with a minus."""
+    """Options of the program for all but the moment; with "=", since a place may begin with a minus."""
     words = [f"--atmosphere={values.air}", f"--quality={values.quality}",
              f"--texture-width={values.texture_width}", f"--space={values.space}"]
     if values.by_danjon:
@@ -193,7 +193,7 @@ def options(values):
 
 
 def span(values):
-    """The program's options for the first and the last moment of a film."""
+    """Options of the program for the first and the last moment of a film."""
     observed = bool(values.place.strip())
     first, last = values.begin.strip() or (observed and "moonrise"), values.end.strip() or (observed and "moonset")
     return [f"--{name}={moment}" for name, moment in (("from", first), ("to", last)) if moment]

@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: MIT
 class Wrong(Exception):
-    """What the user can put right, in one line."""
+    """Error that the user can put right, in one line."""
