@@ -14,14 +14,22 @@ almanac::SkyState Film::sky(std::size_t frame) const {
   return almanac::sky_at(moments.frames.at(frame - 1));
 }
 
+namespace {
+
+std::filesystem::path linear_file(const Film& film, const char* kind, std::size_t frame) {
+  return film.folder /
+         numbered_file(fmt::format("{}_{}", kind, colour::name(space_of(film.content))), frame,
+                       film.moments.frames.size());
+}
+
+}  // namespace
+
 std::filesystem::path Film::texture(std::size_t frame) const {
-  const auto space = colour::name(space_of(content));
-  return folder / numbered_file(fmt::format("moon_{}", space), frame, moments.frames.size());
+  return linear_file(*this, "moon", frame);
 }
 
 std::filesystem::path Film::linear_frame(std::size_t frame) const {
-  const auto space = colour::name(space_of(content));
-  return folder / numbered_file(fmt::format("frame_{}", space), frame, moments.frames.size());
+  return linear_file(*this, "frame", frame);
 }
 
 std::filesystem::path Film::picture(std::size_t frame, const char* stem) const {

@@ -17,51 +17,52 @@
 
 namespace coppermoon::uses {
 
-/// What a film's textures are called before their number where POV-Ray reads them.
+/// Stem of the numbered textures that POV-Ray reads.
 inline constexpr const char* texture_stem = "moon_lin_rec709";
 
-/// What is made of each frame; light alone is made where nothing else is.
+/// Kinds of files that are made of each frame; without any, the film's light alone.
 struct Products {
   bool light = false, textures = false, scenes = false, frames = false, pictures = false;
-  bool high_range = false;  ///< beside each picture another for screens of high dynamic range
+  bool high_range = false;  ///< a second picture, of high dynamic range, beside each
 
   bool light_alone() const { return !textures && !scenes && !frames && !pictures; }
   bool framed() const { return scenes || rendered(); }  ///< by a camera
   bool rendered() const { return frames || pictures; }
 };
 
-/// What makes a film's frames, for as long as any is made.
+/// Film: its requests, its moments, its folder, and the light that all frames share.
 struct Film {
   double fps = 24;   ///< frames in a second of the film, 1 to 1000
-  MoonRequest moon;  ///< with its texture's width, once the film is set up
+  MoonRequest moon;  ///< set_up gives it a texture width
   ViewRequest view;
   Development development;
   TextureContent content;
-  std::optional<double> bracket_ev;  ///< pictures so many stops under and over as well, 0.01 to 10
+  std::optional<double> bracket_ev;  ///< stops between a picture and its under- and overexposed companions, 0.01 to 10
   Products products;
   std::filesystem::path folder;
   Moments moments{};
   FilmRecord record{};
   std::shared_ptr<const Moonlight> light{};
   std::shared_ptr<const algebra::Grid<float>> albedo{};  ///< at the textures' size
-  std::shared_ptr<const surface::Ground> ground{};       ///< what else differs by place, if any
-  /// exposures [s] at moments, in order of time; empty: as `development` says
+  std::shared_ptr<const surface::Ground> ground{};       ///< colour and surge by place, where they count
+  /// exposure times [s] at moments, in order of time; empty: as `development` has it
   std::vector<std::pair<almanac::Instant, double>> time_keys{};
 
   almanac::SkyState sky(std::size_t frame) const;
 
-  /// In the folder: "moon_lin_rec709.0007.exr" and "frame_lin_rec709.0007.exr" (the space they are in),
-  /// "frame.0007.png", "frame_under.0007.png"; "frame_hdr.0007.png" is of high dynamic range.
+  /// Paths of a frame's files. Linear ones are named by their space: "moon_lin_rec709.0007.exr",
+  /// "frame_lin_rec709.0007.exr". Pictures: "frame.0007.png", "frame_under.0007.png", "frame_hdr.0007.png" (of high
+  /// dynamic range).
   std::filesystem::path texture(std::size_t frame) const;
   std::filesystem::path linear_frame(std::size_t frame) const;
   std::filesystem::path picture(std::size_t frame, const char* stem = "frame") const;
   std::filesystem::path high_range_picture(std::size_t frame) const;
 
-  /// All files that its products leave of a frame.
+  /// All files of a frame, as the products ask for them.
   std::vector<std::filesystem::path> files(std::size_t frame) const;
 };
 
-/// What a frame shows.
+/// View of the camera at a frame's moment.
 View view_of(const Film& film, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::uses

@@ -26,6 +26,7 @@ double exposure_scale_of(const Development& development, const fs::path& frame) 
                    number_in_header(frame, "isoSpeed")});
 }
 
+/// Adds a frame's exposure to the film, which is empty before the first.
 void expose(const Development& development, texture::Image& film, const fs::path& frame) {
   const auto image = texture::read_image(frame);
   if (film.values.empty()) film = texture::Image(image.width, image.height, image.channels);

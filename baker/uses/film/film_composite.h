@@ -9,13 +9,12 @@
 
 namespace coppermoon::uses {
 
-/// A multiple exposure: the film's scene-linear frames, each as long as its own header says, on one
-/// picture, which is then developed.
+/// Multiple exposure: the sum of scene-linear frames, each exposed as its header says, developed as one picture.
 ///
 ///     value = Σ s L        s: exposure_scale of the frame
 ///
-/// Omits   that Moons which overlap hide one another
-/// Throws  Error  when a frame cannot be read, differs in size from the first, or tells no exposure
+/// Omits   occultation where Moons overlap
+/// Throws  Error  when a frame cannot be read, differs in size from the first, or has no exposure in its header
 void write_composite(const std::filesystem::path& path, const Film& film,
                      const std::vector<std::size_t>& frames);
 

@@ -19,13 +19,13 @@ namespace {
 
 using Curve = std::vector<CurvePoint>;
 
-constexpr std::size_t rows = 180;
+constexpr std::size_t rows = 180;  ///< of the textures that are measured
 
 double hours(const eclipse::Eclipse& eclipse, const almanac::Instant& when) {
   return almanac::seconds_between(eclipse.greatest, when) / 3600;
 }
 
-/// A number, or nothing for one that is none.
+/// Number as text; empty where it is not finite.
 std::string number(double value, int decimals) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "";
 }

@@ -9,7 +9,7 @@
 
 namespace coppermoon::uses {
 
-/// How bright the whole disc is in a frame, above the air, seen from the Earth's centre.
+/// Brightness of the whole disc in a frame, above the air, from the Earth's centre.
 struct CurvePoint {
   std::size_t frame;
   almanac::Instant when;
@@ -17,7 +17,7 @@ struct CurvePoint {
   double mean_luminance_cd_m2;
 };
 
-/// Brightness of the disc in some frames, in the film's own light.
+/// Light curve of some frames, from the film's own light.
 ///
 /// Given     frames  increasing
 /// Accuracy  5e-4 mag, and as much of luminance, from brightness_of, which simulates each moment on
@@ -31,7 +31,7 @@ std::vector<CurvePoint> light_curve(const Film& film, const std::vector<std::siz
 void write_curve(const std::filesystem::path& path, const eclipse::Eclipse& eclipse,
                  const std::vector<CurvePoint>& curve);
 
-/// Refuses a file that a curve cannot be written to.
+/// Refuses the name of a file that no curve is written to.
 ///
 /// Throws  Error  for another ending than write_curve knows
 void require_curve_ending(const std::filesystem::path& path);

@@ -18,13 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Given  file  empty: none is asked for
+/// Given  file  may be empty
 void require_ending(const fs::path& file, const char* what, const char* ending) {
   if (!file.empty() && file.extension() != ending)
     throw algebra::Error(fmt::format("{}: a {} ends in {}", file.string(), what, ending));
 }
 
-/// Names of frames are no others' in the film's folder.
+/// Refuses a file in the film's folder that has the name of a frame's.
 void require_no_frame(const fs::path& file, Film film) {
   film.products = {.textures = true, .frames = true, .pictures = true, .high_range = true};
   film.bracket_ev = 1;
@@ -35,7 +35,7 @@ void require_no_frame(const fs::path& file, Film film) {
             fmt::format("{}: is the name of a frame, allowed another", file.string()));
 }
 
-/// The film's own folder need not be there yet.
+/// Refuses a path where no file can be; the film's own folder need not be there yet.
 void require_place_for(const fs::path& file, const Film& film) {
   if (file.empty()) return;
   const auto folder = fs::weakly_canonical(fs::absolute(file)).parent_path();

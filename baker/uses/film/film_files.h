@@ -11,7 +11,7 @@
 
 namespace coppermoon::uses {
 
-/// Files that are made of a whole film, once its frames are there; empty: not.
+/// Files to make of a whole film, once its frames are there; an empty path asks for none.
 struct FilmFiles {
   std::filesystem::path contact_sheet, movie, composite;
   std::vector<std::filesystem::path> curves;
@@ -19,20 +19,20 @@ struct FilmFiles {
   bool any() const;
 };
 
-/// Refuses files that could be made of no film.
+/// Refuses files that no film could have.
 ///
-/// Throws  Error  for a shard, which has not all frames; for an ending that a file cannot have
+/// Throws  Error  for a shard, which lacks frames; for a wrong ending
 void require_sound(const FilmFiles& files, const Shard& shard);
 
 /// Refuses files that cannot be made of this film, before any frame is made.
 ///
-/// Throws  Error  for a place that a file cannot have; when the film's products lack what a file is
-///                made of; without a font or ffmpeg
+/// Throws  Error  for a path where no file can be; for products that lack the pictures or frames that a file
+///                is made of; without a font or ffmpeg
 void require_makeable(const FilmFiles& files, const Film& film);
 
-/// Makes them, each whole or not at all, in the frames' order of time.
+/// Makes the files, each whole or not at all, from frames in order of time.
 ///
-/// Given   made   told each file once it is there; may be empty
+/// Given   made   called with each file once it is there; may be empty
 /// Throws  Error  as write_contact_sheet, write_composite, write_curve, write_movie
 void write_film_files(const FilmFiles& files, const Film& film, std::vector<std::size_t> frames,
                       const std::function<void(const std::filesystem::path&)>& made = {});

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "frame" and ".png" of "frame.0012.png": a numbered file's name without its number.
+/// Name of a numbered file without its number: "frame" and ".png" of "frame.0012.png".
 std::pair<std::string, std::string> around_number(const fs::path& file) {
   return {file.stem().stem().string(), file.extension().string()};
 }
@@ -30,8 +30,8 @@ bool is_number(const std::string& text) {
   return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// All files in the folder that are called as frames of the film's products are, whatever their number.
-std::vector<fs::path> files_so_called(const Film& film) {
+/// Files in the folder that are named as the film's frames are, whatever their number.
+std::vector<fs::path> numbered_files(const Film& film) {
   std::set<std::pair<std::string, std::string>> own;
   for (const auto& file : film.files(1)) own.insert(around_number(file));
   std::vector<fs::path> files;
@@ -44,10 +44,10 @@ std::vector<fs::path> files_so_called(const Film& film) {
   return files;
 }
 
-/// A file that is not of the film.
+/// File that may not be of the film.
 struct Foreign {
   fs::path file;
-  std::string contents;  ///< in words; empty: it is of this film, or damaged
+  std::string contents;  ///< in words; empty where the file is of this film, or damaged
 };
 
 std::string contents_of(const Film& film, const fs::path& file) {
@@ -55,7 +55,7 @@ std::string contents_of(const Film& film, const fs::path& file) {
   return film.record.foreign_contents(file);
 }
 
-/// Files of a film's folder that are of no frame, as far as they are written over.
+/// Files beside the frames that the film would overwrite: its light and its scene.
 std::vector<fs::path> files_beside_frames(const Film& film) {
   std::vector<fs::path> files{film.folder / light_file};
   if (film.products.scenes)
@@ -65,7 +65,7 @@ std::vector<fs::path> files_beside_frames(const Film& film) {
   return files;
 }
 
-/// Another film's light is told apart where it is read.
+/// Contents of a link, or of a file that coppermoon did not write, in words. film_light refuses another film's light.
 std::string contents_beside_frames(const fs::path& file) {
   if (fs::is_symlink(file)) return "a link";
   const bool ours = file.filename() == light_file ? is_light(file) : files::is_stamped(file);
@@ -74,7 +74,7 @@ std::string contents_beside_frames(const fs::path& file) {
 
 std::vector<Foreign> foreign_files(const Film& film) {
   std::vector<Foreign> all;
-  for (const auto& file : files_so_called(film)) all.push_back({file, {}});
+  for (const auto& file : numbered_files(film)) all.push_back({file, {}});
   tbb::parallel_for(std::size_t{0}, all.size(),
                     [&](std::size_t i) { all[i].contents = contents_of(film, all[i].file); });
   std::erase_if(all, [](const auto& one) { return one.contents.empty(); });
@@ -84,13 +84,13 @@ std::vector<Foreign> foreign_files(const Film& film) {
   return all;
 }
 
-/// PNG has checks of its own.
+/// By its seal, or by PNG's own checksums.
 bool is_whole(const fs::path& file) {
   return file.extension() == ".exr" ? texture::is_sealed(file)
                                     : texture::read_image(file).width > 0;
 }
 
-/// Whether a file is of that frame, whole, and made from what the film is, as the record's `alike` says.
+/// Whether a file is of that frame, whole, and of this film as `alike` finds.
 bool is_whole_of(const fs::path& file, std::size_t frame, const auto& alike) try {
   return fs::is_regular_file(fs::symlink_status(file)) &&
          texture::read_attribute(file, "coppermoon:frame") == fmt::format("{}", frame) &&

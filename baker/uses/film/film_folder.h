@@ -9,10 +9,9 @@
 
 namespace coppermoon::uses {
 
-/// Keeps the film's folder, which is there, to the film for as long as this lives: all who make some of
-/// it share the folder.
+/// Claim on the film's folder, which is there, for this object's lifetime; processes that make the same film share it.
 ///
-/// Throws  Error  while another film is made in it
+/// Throws  Error  while another film is made in the folder
 class FilmClaim {
  public:
   explicit FilmClaim(const Film& film);
@@ -21,22 +20,20 @@ class FilmClaim {
   files::FolderClaim claim_;
 };
 
-/// A folder holds one film: files of another are not overwritten unless that is asked for, nor links, nor a
-/// scene that was changed.
+/// Refuses a folder in which files of another film, of no film, links or a changed scene have names of this film's
+/// files.
 ///
-/// Given   replace  files of another film may be overwritten: those that this one has no frame for are
-///                  removed, and links
-/// Throws  Error    where files of another film, or of nobody's, have the names of this one's: says
-///                  what they hold, in the record's words
+/// Given   replace  accepts files of another film: removes links, and files that this film has no frame for
+/// Throws  Error    names the first such file, and the film that it is of
 void require_own(const Film& film, bool replace);
 
-/// Whether a file is this film's, of that frame, and whole.
+/// Whether a file is of this film and that frame, and whole.
 bool is_own(const Film& film, const std::filesystem::path& file, std::size_t frame);
 
-/// Whether a frame's files are all there and its own.
+/// Whether all files of a frame are there, whole and of this film.
 bool is_made(const Film& film, std::size_t frame);
 
-/// Whether a linear frame has the very pixels that it would be made with, under any exposure.
+/// Whether a linear frame is whole and has this film's pixels; its exposure may be another.
 bool shows_scene(const Film& film, std::size_t frame);
 
 }  // namespace coppermoon::uses

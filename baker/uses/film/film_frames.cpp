@@ -32,7 +32,7 @@ namespace {
 
 using Frames = std::span<const std::size_t>;
 
-/// Attributes that each file of a frame has in its header.
+/// Attributes in the header of each file of a frame.
 texture::Attributes header_of(const Film& film, std::size_t frame) {
   auto header = film.record.frame_header();
   header["coppermoon:frame"] = fmt::format("{}", frame);
@@ -48,7 +48,7 @@ BakedMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& vi
                     film.ground,   film.light,    range_at(*film.light, sky),
                     view.observer, view.sightline};
   auto content = film.content;
-  if (film.products.framed()) content.space = picture_space;  // that POV-Ray renders
+  if (film.products.framed()) content.space = picture_space;  // of POV-Ray's frames
   auto moon = baked(lit, content, {extent});
   for (const auto& [name, value] : header_of(film, frame)) moon.attributes[name] = value;
   moon.attributes["framesPerSecond"] = static_cast<float>(film.fps);
@@ -59,8 +59,7 @@ void write_texture(const Film& film, std::size_t frame, const BakedMoon& moon) {
   texture::write_exr(film.texture(frame), moon.parts, moon.attributes, {type_of(film.content)});
 }
 
-/// Exposure time at a moment [s]: its logarithm goes on a line between the two keys about it; the
-/// outermost keys hold beyond them.
+/// Exposure time at a moment [s]: logarithms are interpolated between keys; the outermost keys hold beyond them.
 double keyed_time_s(const Film& film, const almanac::Instant& when) {
   const auto& keys = film.time_keys;
   const auto above = std::ranges::find_if(
@@ -73,7 +72,7 @@ double keyed_time_s(const Film& film, const almanac::Instant& when) {
   return before * std::pow(above->second / before, share);
 }
 
-/// A frame on its way to its files.
+/// Header of a frame, and sight of its camera.
 struct Rendered {
   std::size_t frame;
   texture::Attributes attributes;
@@ -108,6 +107,8 @@ void write_pictures(const Film& film, const Rendered& rendered, const texture::I
   write(film.picture(frame, "frame_over"), *film.bracket_ev);
 }
 
+/// Writes a frame and its pictures.
+///
 /// Given  image  in the film's space
 MadeFrame finished(const Film& film, const Rendered& rendered, const texture::Image& image) {
   const auto exposures = exposures_of(film, rendered, image);
@@ -123,10 +124,10 @@ MadeFrame finished(const Film& film, const Rendered& rendered, const texture::Im
   return {rendered.frame, exposures};
 }
 
-using Told = std::function<void(const MadeFrame&)>;
+using WhenMade = std::function<void(const MadeFrame&)>;
 
-/// Bakes a few frames, has POV-Ray render them in one go, and develops each as it comes.
-void render(const Film& film, Frames frames, int threads, const Told& told) {
+/// Bakes a batch of frames, has one process of POV-Ray render it, and develops each frame as it comes.
+void render(const Film& film, Frames frames, int threads, const WhenMade& when_made) {
   const files::TemporaryFolder folder;
   const auto texture_file = [&](std::size_t number) {
     return folder.path() / povray_scenes::numbered_file(texture_stem, number, frames.size());
@@ -162,15 +163,15 @@ void render(const Film& film, Frames frames, int threads, const Told& told) {
   povray_scenes::render_sequence(
       folder.path(), 1, frames.size(),
       [&](std::size_t number, const std::filesystem::path& rendered) {
-        told(finished(film, batch[number - 1], in_film_space(number, rendered)));
+        when_made(finished(film, batch[number - 1], in_film_space(number, rendered)));
         std::filesystem::remove(rendered);
         std::filesystem::remove(texture_file(number));
       },
       {.threads = threads, .window = disc_window(sequence.cameras)});
 }
 
-/// Under another exposure a linear frame keeps its pixels: its header and its pictures change.
-void expose(const Film& film, std::size_t frame, const Told& told) {
+/// Writes a linear frame's header and pictures anew under another exposure; its pixels stay.
+void expose(const Film& film, std::size_t frame, const WhenMade& when_made) {
   const auto sky = film.sky(frame);
   const auto view = view_of(film, sky);
   const auto moon = moon_of(film, sky, view, frame);
@@ -179,17 +180,17 @@ void expose(const Film& film, std::size_t frame, const Told& told) {
   auto made = finished(film, {frame, moon.attributes, seen_by(view, sky)},
                        texture::read_image(film.linear_frame(frame)));
   made.developed_again = true;
-  told(made);
+  when_made(made);
 }
 
-void bake(const Film& film, std::size_t frame, const Told& told) {
+void bake(const Film& film, std::size_t frame, const WhenMade& when_made) {
   const auto sky = film.sky(frame);
   const auto moon = moon_of(film, sky, view_of(film, sky), frame);
   write_texture(film, frame, moon);
-  told({frame, std::nullopt});
+  when_made({frame, std::nullopt});
 }
 
-/// Memory that the system can give [bytes].
+/// Memory available in the system [bytes].
 double available_memory() {
   std::ifstream file("/proc/meminfo");
   for (std::string name; file >> name;
@@ -203,15 +204,14 @@ double texels_of(const Film& film) {
   return width * width / 2;
 }
 
-/// What a frame takes on its way through a camera [bytes]: its glow is a convolution on four times as many
-/// pixels, of two grids of complex numbers.
+/// Memory for a frame's glow [bytes]: a convolution of two grids of complex numbers, on four times its pixels.
 double camera_memory(const Film& film) {
   if (film.development.camera.model.empty()) return 0;
   return 4. * 2 * 16 * static_cast<double>(film.view.width) * static_cast<double>(film.view.height);
 }
 
-/// Some frames at a time: one more than there are processors, for POV-Ray sleeps at its start, as
-/// long as half of the memory takes them: POV-Ray takes 28 bytes a texel.
+/// Number of batches at a time: one more than processors, since POV-Ray sleeps at its start, within half of the
+/// memory. POV-Ray takes 28 bytes a texel.
 std::size_t lanes_of(const Film& film, std::size_t processors) {
   if (processors == 1) return 1;
   const double a_lane = 28 * texels_of(film) + camera_memory(film) + 64e6;
@@ -219,8 +219,8 @@ std::size_t lanes_of(const Film& film, std::size_t processors) {
   return static_cast<std::size_t>(std::min(most, static_cast<double>(processors + 1)));
 }
 
-/// Frames that one start of POV-Ray renders: as many as wait in 256 MB of textures, and few enough
-/// that all lanes end together.
+/// Number of frames that one process of POV-Ray renders: their textures take 256 MB at most, and every lane gets two
+/// batches or more, so that all end together.
 std::size_t frames_a_batch(const Film& film, std::size_t frames, std::size_t lanes) {
   if (!film.products.rendered()) return 1;
   constexpr double waiting = 256e6, most = 16;
@@ -230,7 +230,7 @@ std::size_t frames_a_batch(const Film& film, std::size_t frames, std::size_t lan
 
 }  // namespace
 
-void make_frames(const Film& film, const std::vector<std::size_t>& frames, const Told& made) {
+void make_frames(const Film& film, const std::vector<std::size_t>& frames, const WhenMade& made) {
   const auto processors =
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   const auto most = lanes_of(film, processors);
@@ -241,7 +241,7 @@ void make_frames(const Film& film, const std::vector<std::size_t>& frames, const
   std::atomic<std::size_t> next = 0;
   std::mutex one_at_a_time;
   std::exception_ptr failure;
-  const Told told = [&](const MadeFrame& frame) {
+  const WhenMade when_made = [&](const MadeFrame& frame) {
     const std::lock_guard lock(one_at_a_time);
     if (failure) std::rethrow_exception(failure);
     made(frame);
@@ -250,12 +250,12 @@ void make_frames(const Film& film, const std::vector<std::size_t>& frames, const
     std::vector<std::size_t> unseen;
     for (const std::size_t frame : batch)
       if (!film.products.rendered())
-        bake(film, frame, told);
+        bake(film, frame, when_made);
       else if (shows_scene(film, frame))
-        expose(film, frame, told);
+        expose(film, frame, when_made);
       else
         unseen.push_back(frame);
-    if (!unseen.empty()) render(film, unseen, threads, told);
+    if (!unseen.empty()) render(film, unseen, threads, when_made);
   };
   const auto work = [&] {
     try {

@@ -10,22 +10,22 @@
 
 namespace coppermoon::uses {
 
-/// A frame that was made: its number, and how its picture was exposed, where it has one.
+/// Frame that was made.
 struct MadeFrame {
   std::size_t frame;
-  std::optional<Exposures> exposures;
-  bool developed_again = false;  ///< of a linear frame that was kept
+  std::optional<Exposures> exposures;  ///< of its picture, where it has one
+  bool developed_again = false;  ///< from a linear frame that was kept
 };
 
-/// Makes frames, some at a time, as memory and processors allow.
+/// Makes frames, as many at a time as memory and processors allow.
 ///
 /// Given   film   with its light and its albedo
-///         made   told each frame once its files are there, from any thread, one at a time
-/// Throws  Error  the first that any frame met; those under way are then left
+///         made   called with each frame once its files are there, from any thread, one call at a time
+/// Throws  Error  the first of any frame; frames under way are abandoned
 void make_frames(const Film& film, const std::vector<std::size_t>& frames,
                  const std::function<void(const MadeFrame&)>& made);
 
-/// The POV-Ray scene of all frames, beside their textures.
+/// Writes the POV-Ray scene of all frames, beside their textures.
 void write_film_scene(const Film& film);
 
 }  // namespace coppermoon::uses

@@ -17,8 +17,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Moments of the Moon's way through a film, at most three minutes apart: it leaves a straight line by
-/// 0.1 km.
+/// Skies along the Moon's path, at most three minutes apart: the path leaves a chord by 0.1 km.
 std::vector<almanac::SkyState> skies_of(const Moments& moments) {
   constexpr double apart_s = 180;
   const auto& first = moments.frames.front();
@@ -41,7 +40,7 @@ Purpose purpose_of(const Film& film) {
   return {width * width / 2, reads_map(film.moon)};
 }
 
-/// With the photons that shards left in a folder.
+/// Request that adds the photons of all shards in a folder.
 LightRequest with_shards(LightRequest request, const std::filesystem::path& folder) {
   if (!wants_photons(request)) return request;
   request.solver = Solver::photons;
@@ -52,7 +51,7 @@ LightRequest with_shards(LightRequest request, const std::filesystem::path& fold
   return request;
 }
 
-/// Whether a folder's light is what is asked for, by a film's command or by a frame's header.
+/// Whether the folder's light is the one asked for, by a request or by a recipe whose work is planned.
 bool same_light(const KeptLight& known, const std::string& asked) {
   return known.key == asked ||
          request::differences(with_work(known.key, known.light.plan.work), asked).empty();

@@ -31,21 +31,21 @@ std::vector<fs::path> pictures_of(const Film& film, const std::vector<std::size_
   return pictures;
 }
 
-/// Pictures by names that ffmpeg counts through without a gap.
+/// Links pictures under numbers without a gap, as ffmpeg reads them.
 void number_pictures(const fs::path& folder, const std::vector<fs::path>& pictures) {
   for (std::size_t i = 0; i < pictures.size(); ++i)
     fs::create_symlink(fs::absolute(pictures[i]), folder / fmt::format("{:07}.png", i));
 }
 
-/// How the pictures are coded, as ffmpeg is told.
-std::string usual_coding() {
+/// Arguments of ffmpeg for a film of standard dynamic range.
+std::string standard_range_coding() {
   return "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,"
          "format=yuv420p -c:v libx264 -crf 16 "
          "-color_primaries bt709 -color_trc bt709 -colorspace bt709";
 }
 
-/// Mastering display: chromaticities of Rec.2020 in steps of 0.00002, light in steps of 0.0001 cd/m²
-/// (SMPTE ST 2086).
+/// Arguments of ffmpeg for HDR10. SMPTE ST 2086 counts chromaticities, here Rec.2020's, in steps of 0.00002, and light
+/// in steps of 0.0001 cd/m².
 std::string high_range_coding(const LightLevels& levels) {
   const auto whole = [](double light) { return std::max(1., std::ceil(light)); };
   return fmt::format(
@@ -59,7 +59,7 @@ std::string high_range_coding(const LightLevels& levels) {
       1e4 * whole(levels.brightest), whole(levels.brightest), whole(levels.brightest_mean));
 }
 
-/// Into its standard output by name: it needs a file in which it can go back.
+/// Command line of ffmpeg. Output by name to a descriptor that can seek, which its standard output as a pipe cannot.
 std::vector<std::string> command(double fps, const std::string& coding) {
   std::istringstream words(
       fmt::format("ffmpeg -nostdin -loglevel error -xerror -y -framerate {} -f image2 -i %07d.png "
@@ -71,7 +71,7 @@ std::vector<std::string> command(double fps, const std::string& coding) {
 
 constexpr std::size_t codes = 65536;
 
-/// Light of each code of 16 bits [cd/m²].
+/// Luminance of each 16-bit code of PQ [cd/m²].
 std::vector<double> light_of_codes() {
   constexpr double most = 1e4;
   std::vector<double> light(codes);
@@ -89,7 +89,7 @@ void write_movie(const fs::path& path, const Film& film, const std::vector<std::
   const auto pictures = pictures_of(film, frames);
   number_pictures(folder.path(), pictures);
   const auto coding =
-      film.products.high_range ? high_range_coding(light_levels(pictures)) : usual_coding();
+      film.products.high_range ? high_range_coding(light_levels(pictures)) : standard_range_coding();
   files::write_whole(path, [&](int descriptor) {
     files::run_program(
         {.words = command(film.fps, coding), .package = package, .folder = folder.path()},

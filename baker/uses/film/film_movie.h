@@ -14,24 +14,23 @@ namespace coppermoon::uses {
 /// Throws  Error  when it cannot be run: names the package
 void require_ffmpeg();
 
-/// Writes the pictures of some frames as a film, by ffmpeg, whole or not at all: H.264 in 4:2:0, tagged
-/// BT.709, a frame for each picture in the order given; a side of an odd number of pixels gets one
-/// more, black.
+/// Encodes the pictures of some frames, in the order given, by ffmpeg: H.264 in 4:2:0, tagged BT.709. An odd number of
+/// pixels on a side gets a black one more. The file appears whole or not at all.
 ///
-/// Where the film has pictures of high dynamic range, the film is one too (HDR10): HEVC, 10 bits in 4:2:0,
-/// PQ, Rec.2020, with the film's light levels, and as mastering display the least that shows all of it.
+/// Pictures of high dynamic range become HDR10: HEVC, 10 bits in 4:2:0, PQ, Rec.2020, with the film's light levels,
+/// and the least mastering display that shows all of them.
 ///
 /// Accuracy  of high dynamic range: light within 2 % where it is even, from 1 cd/m² on
 /// Throws  Error  when ffmpeg is not there, or fails (with its own first words)
 void write_movie(const std::filesystem::path& path, const Film& film,
                  const std::vector<std::size_t>& frames);
 
-/// Light of a film of high dynamic range [cd/m²].
+/// Light levels of a film of high dynamic range [cd/m²].
 ///
 /// Source  CTA-861.3, annex P
 struct LightLevels {
-  double brightest = 0;       ///< of all pixels, by their brightest channel (MaxCLL)
-  double brightest_mean = 0;  ///< of all frames (MaxFALL)
+  double brightest = 0;       ///< MaxCLL: the brightest channel of any pixel
+  double brightest_mean = 0;  ///< MaxFALL: the largest mean of a frame
 };
 
 /// Given   pictures  .png, coded as PQ

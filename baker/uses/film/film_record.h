@@ -12,14 +12,14 @@
 
 namespace coppermoon::uses {
 
-/// What a film is made from, as the headers of its files keep it; tells a file of this film from another's.
+/// Settings that a film is made from, as its files' headers keep them; tells the film's own files from others.
 /// Functions may be called from any thread.
 struct FilmRecord {
   std::string recipe{};  ///< as asked for, with the textures' width; empty: no file is of this film
   std::map<std::string, request::Affects, std::less<>> affected{};  ///< by each parameter of it
   std::string map_contents{}, view_contents{};  ///< fingerprints of files that the recipe names
   std::optional<plan::Work> work{};             ///< of the light, once it is planned
-  std::string way_out{};  ///< ends a refusal of another film's files, behind "allowed another folder"
+  std::string way_out{};  ///< end of the refusal of another film's files, behind "allowed another folder"
 
   /// Attributes in the header of each file of a frame, beside its number.
   texture::Attributes frame_header() const;
@@ -28,12 +28,12 @@ struct FilmRecord {
 
   /// Recipe of all that the light depends on but time, before it is planned.
   std::string light_key() const;
-  /// A text that tells this film from others, whatever is made of it.
+  /// Recipe that tells this film from others, whichever products are made of it.
   std::string film_key() const;
 
-  /// Whether a file was made from the same, as far as that file depends on it.
+  /// Whether a file was made from this film's settings, those that the file depends on.
   bool made_alike(const std::filesystem::path& file) const;
-  /// Whether a linear frame's pixels were made from the same, whatever its exposure.
+  /// Whether a linear frame's pixels were made from this film's settings; its exposure may differ.
   bool shows_the_same(const std::filesystem::path& frame) const;
   /// Contents of a file that is not of this film, in words; empty where it is of it, or damaged. Work counts by what
   /// it is planned from.

@@ -15,7 +15,8 @@
 namespace coppermoon::uses {
 namespace {
 
-/// POV-Ray reads textures of its own colours, and of nothing else; frames are changed afterwards.
+/// Refuses textures that POV-Ray cannot read: other spaces, passes and spectra. Frames get their space after
+/// rendering.
 void require_content(const Film& film) {
   require_sound(film.content);
   if (!film.products.framed()) return;
@@ -54,7 +55,7 @@ void mount(Film& film, const Mounting& mounting) {
       mounting.aim ? *mounting.aim : apparent_place(*film.view.observer, film.sky(half_way));
 }
 
-/// The Moon is up in all frames that show it, as far as a few hundred of them tell.
+/// Refuses a Moon below the horizon in any of a few hundred frames, spread evenly.
 void require_up(const Film& film, const std::vector<std::size_t>& frames) {
   if (!film.view.observer || film.products.light_alone() || frames.empty()) return;
   const std::size_t step = std::max<std::size_t>(1, frames.size() / 240);
@@ -75,7 +76,7 @@ void require_up(const Film& film, const std::vector<std::size_t>& frames) {
       almanac::utc_text(film.moments.frames[first - 1], film.moments.eclipse.calendar), last));
 }
 
-/// Width of all textures [texels]: as the frame needs it where the Moon is nearest.
+/// Width of all textures [texels], for the nearest Moon of the first, middle and last frame.
 std::size_t widest_texture(const Film& film) {
   if (film.moon.texture_width || !film.products.framed()) return texture_width_of(film.moon);
   std::size_t widest = 0;

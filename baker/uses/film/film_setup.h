@@ -10,28 +10,28 @@
 
 namespace coppermoon::uses {
 
-/// What holds a film's camera.
+/// Mount of a film's camera.
 enum class Mount {
-  tracking,  ///< the Moon is in the picture's middle, and up is as the view says
-  horizon,   ///< the Moon is in the picture's middle, and the zenith up
-  fixed      ///< a tripod: the Moon goes through the picture, and the zenith is up
+  tracking,  ///< keeps the Moon in the middle; up as the view has it
+  horizon,   ///< keeps the Moon in the middle; the zenith up
+  fixed      ///< tripod: the Moon crosses the picture; the zenith up
 };
 
-/// How a film's camera is held.
+/// Mount, and where it points.
 struct Mounting {
   Mount mount = Mount::tracking;
-  /// where a fixed mount points, as seen; without: where the Moon is half way through the film
+  /// apparent direction of a fixed mount; without: the Moon's half way through the film
   std::optional<povray_scenes::HorizonPlace> aim = {};
 };
 
-/// Sets up a film of which the wishes and the moments are known: its view is that of its camera on its
-/// mount, its textures have one width, as much as the frame needs where the Moon is nearest.
+/// Completes a film whose requests and moments are known: the view of its camera on its mount, and one texture width
+/// for all frames, as wide as the nearest Moon needs.
 ///
-/// Given   frames  those that are to be made
-/// Throws  Error   for all that can be refused before any work: textures that POV-Ray does not read,
-///                 exposure and view that are not sound, a fixed mount without an observer, an aim
-///                 without a fixed mount, a Moon below the horizon in any of a few hundred of the
-///                 frames, a folder that cannot be, an albedo map that cannot be read
+/// Given   frames  to be made
+/// Throws  Error   for all that can be refused before any work: textures that POV-Ray does not read, an unsound
+///                 exposure or view, a fixed mount without an observer, an aim without a fixed mount, a Moon
+///                 below the horizon in any of a few hundred frames, a path where no folder can be, an albedo
+///                 map that cannot be read
 void set_up(Film& film, const Mounting& mounting, const std::vector<std::size_t>& frames);
 
 }  // namespace coppermoon::uses

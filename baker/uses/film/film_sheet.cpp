@@ -20,8 +20,8 @@ double seconds_from(const Moments& moments, const almanac::Instant& when, std::s
   return almanac::seconds_between(when, moments.frames[frame - 1]);
 }
 
-/// The frame nearest to each contact within the frames' time, with the names of those that it shows:
-/// within a minute, the finest that a sheet says.
+/// Frames nearest to contacts within the film's time, each with the names of the contacts less than a minute away; a
+/// sheet's times are no finer.
 std::map<std::size_t, std::string> frames_at_contacts(const Moments& moments,
                                                       const std::vector<std::size_t>& frames) {
   const double all = seconds_from(moments, moments.frames[frames.front() - 1], frames.back());

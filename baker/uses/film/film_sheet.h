@@ -10,21 +10,21 @@
 
 namespace coppermoon::uses {
 
-/// A frame that a contact sheet shows.
+/// Frame on a contact sheet.
 struct SheetFrame {
   std::size_t frame;
-  std::string moment;  ///< "U2", or from the nearest contact on: "U2+35min", "U4-20s"
-  bool at_contact;     ///< none of the film's frames is nearer to it
+  std::string moment;  ///< time from the nearest contact: "U2+35min", "U4-20s"; "U2" within a minute of it
+  bool at_contact;     ///< nearest frame of a contact, within a minute
 };
 
-/// The frames that a contact sheet shows: all of a short film; of a longer one some 40, evenly, and
-/// besides them the nearest to each contact and to the greatest phase.
+/// Frames for a contact sheet: all of a short film; of a longer film 40 at even steps, and those nearest to the
+/// contacts and the greatest phase.
 ///
 /// Given   frames  of the film, increasing
 std::vector<SheetFrame> frames_of_sheet(const Moments& moments,
                                         const std::vector<std::size_t>& frames);
 
-/// Draws the pictures of some frames, as frames_of_sheet chooses, each with its time and moment.
+/// Draws the contact sheet of some frames: pictures with their times and moments.
 ///
 /// Throws  Error  as texture::drawn, texture::write_png
 void write_contact_sheet(const std::filesystem::path& path, const Film& film,

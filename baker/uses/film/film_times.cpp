@@ -32,7 +32,7 @@ std::size_t count_of(const FilmTimes& times, double seconds) {
   return frames;
 }
 
-/// The moment between one at which the Moon is up and one at which it is not, and still up.
+/// Rise or set between a moment when the Moon is up and one when it is down, to a second; the Moon is still up.
 Instant edge_of(const ViewRequest& view, Instant up, Instant down) {
   while (std::abs(almanac::seconds_between(up, down)) > 1) {
     const auto middle = almanac::later(up, almanac::seconds_between(up, down) / 2);

@@ -9,9 +9,9 @@
 namespace coppermoon::uses {
 namespace {
 
-/// The frames that are not made yet; the others are told.
+/// Frames that are not made yet; calls events.kept for the others.
 std::vector<std::size_t> missing_of(const Film& film, const std::vector<std::size_t>& frames,
-                                    const FilmEvents& told) {
+                                    const FilmEvents& events) {
   std::vector<char> there(frames.size());
   tbb::parallel_for(std::size_t{0}, frames.size(),
                     [&](std::size_t i) { there[i] = is_made(film, frames[i]); });
@@ -19,12 +19,12 @@ std::vector<std::size_t> missing_of(const Film& film, const std::vector<std::siz
   for (std::size_t i = 0; i < frames.size(); ++i)
     if (!there[i])
       missing.push_back(frames[i]);
-    else if (told.kept)
-      told.kept(frames[i]);
+    else if (events.kept)
+      events.kept(frames[i]);
   return missing;
 }
 
-/// With its albedo at the textures' own size, so that no frame has to make it so again.
+/// Film with its ground: the albedo at the textures' size, which no frame need resize again.
 Film with_ground(Film film) {
   const auto albedo = normal_albedo(film.moon);
   film.albedo = std::make_shared<const algebra::Grid<float>>(
@@ -35,13 +35,13 @@ Film with_ground(Film film) {
 
 }  // namespace
 
-void make_film(const Film& film, const std::vector<std::size_t>& frames, const FilmEvents& told) {
+void make_film(const Film& film, const std::vector<std::size_t>& frames, const FilmEvents& events) {
   if (film.products.light_alone() || frames.empty()) return;
   if (film.products.scenes) write_film_scene(film);
-  const auto missing = missing_of(film, frames, told);
+  const auto missing = missing_of(film, frames, events);
   if (missing.empty()) return;
   make_frames(with_ground(film), missing, [&](const MadeFrame& frame) {
-    if (told.made) told.made(frame);
+    if (events.made) events.made(frame);
   });
 }
 

@@ -10,18 +10,18 @@
 
 namespace coppermoon::uses {
 
-/// What a film tells while it is made, one call at a time; any may be empty.
+/// Callbacks while a film is made, one call at a time; either may be empty.
 struct FilmEvents {
-  std::function<void(std::size_t frame)> kept = {};       ///< a frame that an earlier run left
-  std::function<void(const MadeFrame& frame)> made = {};  ///< a frame, from any thread
+  std::function<void(std::size_t frame)> kept = {};       ///< for a frame that an earlier run left
+  std::function<void(const MadeFrame& frame)> made = {};  ///< for a frame made now, from any thread
 };
 
-/// Makes what is missing of some frames: frames whose files are all there, whole and of this film are
-/// kept. The scene of all frames is written where the film has one.
+/// Makes the missing ones of some frames, and the scene of all frames where the film has one. A frame is kept whose
+/// files are all there, whole and of this film.
 ///
 /// Given   film   with its light; its folder is there
 /// Throws  Error  as make_frames, normal_albedo
 void make_film(const Film& film, const std::vector<std::size_t>& frames,
-               const FilmEvents& told = {});
+               const FilmEvents& events = {});
 
 }  // namespace coppermoon::uses
