@@ -6,20 +6,20 @@
 
 namespace coppermoon::files {
 
-/// Makes a folder that its user alone may look into, unless it is there already.
+/// Makes a folder that its user alone may enter, unless it is there already.
 ///
 /// Throws  Error  when it cannot be made, or belongs to another user
 void make_private_folder(const std::filesystem::path& folder);
 
-/// Whether a regular file, no link, is there that this user made, or the administrator.
+/// Whether a path is a regular file, no link, that belongs to this user or to root.
 bool is_users_own(const std::filesystem::path& path);
 
-/// Exclusive lock on a file that is yet to be made, for this object's lifetime: an empty file beside it,
-/// ".NAME.lock", that this user alone can open, and that stays there. Other processes of the user wait. A
-/// file system without locks grants it to all; a lock file of another user's is passed over.
+/// Exclusive lock on a file that is yet to be made, for this object's lifetime; other processes of the user wait. It
+/// is an empty file beside the other, ".NAME.lock", that this user alone can open, and that stays. A file system
+/// without locks grants every lock; another user's lock file is ignored.
 class FileLock {
  public:
-  /// Given  waiting  called before it waits
+  /// Given  waiting  called before a wait
   FileLock(const std::filesystem::path& file, const std::function<void()>& waiting);
   ~FileLock();
   FileLock(const FileLock&) = delete;

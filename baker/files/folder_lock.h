@@ -6,8 +6,8 @@
 
 namespace coppermoon::files {
 
-/// Exclusive lock on an output folder for this object's lifetime; other processes wait for it. A file
-/// system without locks grants it to all.
+/// Exclusive lock on a folder for this object's lifetime; other processes wait. A file system without locks grants
+/// every lock.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);
@@ -19,10 +19,10 @@ class FolderLock {
   int descriptor_;
 };
 
-/// Folder kept to one purpose for this object's lifetime: processes of one purpose share it. Beside a
-/// FolderLock neither waits for the other. A file system without locks grants it to all.
+/// Claim on a folder for one purpose, for this object's lifetime; processes of the same purpose share it. Independent
+/// of FolderLock. A file system without locks grants every claim.
 ///
-/// Given  purpose  a number that tells purposes apart, as a fingerprint
+/// Given  purpose  as a fingerprint
 class FolderClaim {
  public:
   FolderClaim(const std::filesystem::path& folder, std::uint64_t purpose);
@@ -30,8 +30,7 @@ class FolderClaim {
   FolderClaim(const FolderClaim&) = delete;
   FolderClaim& operator=(const FolderClaim&) = delete;
 
-  /// Whether nobody keeps the folder to another purpose. Of two that claim it in the same
-  /// microseconds, neither may be alone.
+  /// Whether no other purpose has a claim. Of two purposes within microseconds, neither may be alone.
   bool alone() const { return alone_; }
 
  private:

@@ -6,13 +6,13 @@
 
 namespace coppermoon::files {
 
-/// A file's name as it may stand in a file for others: no folder of the user's own.
+/// Name of a file without the user's own folders, for files that others get.
 ///
-/// Returned  a relative name as it is; of an absolute one what follows the current folder, where it is in
-///           it; /usr/… as it is; of any other the bare name
+/// Returned  a relative name as it is; an absolute one relative to the current folder, where the file is in it;
+///           /usr/… as it is; of any other the file name alone
 std::string name_to_share(const std::filesystem::path& path);
 
-/// Where a file stands that a shared file names: beside that file, unless one is in the current folder.
+/// Path of a file that a shared file names: in the current folder if it is there, else beside the shared file.
 std::string shared_file(const std::string& name, const std::filesystem::path& named_in);
 
 }  // namespace coppermoon::files

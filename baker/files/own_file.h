@@ -7,19 +7,17 @@
 
 namespace coppermoon::files {
 
-/// A text that tells later whether somebody has changed it: its last line is a fingerprint of the
-/// lines before, in a comment.
+/// Text with its own fingerprint in a comment on a last line, by which a later change is found.
 ///
 /// Given  text     whole lines
-///        comment  begins a comment in the text's language, as "//"
-///        end      ends it where the line does not: " -->"
+///        comment  begin of a comment in the text's language, as "//"
+///        end      end of the comment where the line's is none: " -->"
 std::string stamped(std::string_view text, std::string_view comment, std::string_view end = {});
 
-/// Whether a file ends in its own fingerprint. A link does not count, wherever it leads.
+/// Whether a file ends in its own fingerprint; false for a link.
 bool is_stamped(const std::filesystem::path& file);
 
-/// Refuses a link where a file or a folder gets its name from us: links are followed only where the
-/// user named them.
+/// Refuses a link under a name that the program chose; links that the user named are followed.
 ///
 /// Throws  Error
 void require_no_link(const std::filesystem::path& path);
@@ -27,10 +25,9 @@ void require_no_link(const std::filesystem::path& path);
 /// Error message for a file that is not ours and would be overwritten.
 std::string not_as_written(const std::filesystem::path& file);
 
-/// Refuses a file that was not written as `stamped` has it, or was changed since: it would be
-/// overwritten. None at all may be there.
+/// Refuses to overwrite a file that is not stamped, or was changed since. A missing file passes.
 ///
-/// Throws  Error  for a link too
+/// Throws  Error  also for a link
 void require_stamped(const std::filesystem::path& file);
 
 }  // namespace coppermoon::files

@@ -10,7 +10,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// "20180727T202145Z".
+/// Time of RFC 5545: "20180727T202145Z".
 std::string stamp(const almanac::Instant& when) {
   std::string digits;
   for (const char c : almanac::utc_text(when))
@@ -18,7 +18,7 @@ std::string stamp(const almanac::Instant& when) {
   return digits;
 }
 
-/// A line of RFC 5545, folded after 75 bytes, no letter of UTF-8 cut.
+/// Line of RFC 5545, folded after 75 bytes between characters of UTF-8.
 std::string line(const std::string& text) {
   std::string folded;
   std::size_t in_line = 0;
@@ -36,7 +36,7 @@ std::string line(const std::string& text) {
   return folded + "\r\n";
 }
 
-/// A text as a value: RFC 5545, 3.3.11.
+/// Text with escapes: RFC 5545, 3.3.11.
 std::string escaped(const std::string& text) {
   std::string value;
   for (const char c : text) {
@@ -46,16 +46,16 @@ std::string escaped(const std::string& text) {
   return value;
 }
 
-/// Texts that all events of a file share: place, its coordinates in names, and when the file was made.
+/// Fields that all events of a file share.
 struct Shared {
-  std::string place, where, made;
+  std::string place, coordinates, made;
 };
 
-/// An event; of no length where it has no end.
+/// Event; without an end, of no length.
 std::string event(const Shared& shared, const std::string& id, const almanac::Instant& from,
                   const std::optional<almanac::Instant>& to, const std::string& title,
                   const std::string& text) {
-  return line("BEGIN:VEVENT") + line(fmt::format("UID:{}{}@coppermoon", id, shared.where)) +
+  return line("BEGIN:VEVENT") + line(fmt::format("UID:{}{}@coppermoon", id, shared.coordinates)) +
          line("DTSTAMP:" + shared.made) + line("DTSTART:" + stamp(from)) +
          (to ? line("DTEND:" + stamp(*to)) : "") + line("SUMMARY:" + escaped(title)) +
          line("DESCRIPTION:" + escaped(text)) + line("LOCATION:" + escaped(shared.place)) +

@@ -7,12 +7,11 @@
 
 namespace coppermoon::uses {
 
-/// The eclipse and each of its contacts that is seen, as events of a calendar: RFC 5545, times in UTC, so
-/// that each calendar shows its own. Another place's events have other names (UID): a calendar keeps both.
-/// A file of the same place that is made later replaces the events of the earlier one.
+/// Calendar file, RFC 5545 with times in UTC, of an eclipse and those of its contacts that a place sees. Events of the
+/// same eclipse and place keep their UIDs, so that a later file replaces them; another place's events have others.
 ///
 /// Given  place_name  "Honolulu", or coordinates
-///        made        when the file is made
+///        made        time of the file
 std::string as_calendar(const Circumstances& night, const std::string& place_name,
                         const almanac::Instant& made);
 

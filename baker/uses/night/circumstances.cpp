@@ -22,13 +22,13 @@ double height(const almanac::Observer& place, const Instant& when) {
   return algebra::in_radians(above_horizon(place, almanac::sky_at(when)));
 }
 
-/// When the Moon comes up, or goes down.
+/// Moonrise or moonset.
 struct Crossing {
   Instant when;
   bool rises;
 };
 
-/// Where the altitude goes through 0 between two moments, by bisection to 0.02 s.
+/// Zero of the height between two moments, by bisection to 0.02 s.
 Crossing crossing(const almanac::Observer& place, Instant from, double seconds) {
   const bool up = height(place, from) > 0;
   while (seconds > 0.02) {
@@ -39,11 +39,11 @@ Crossing crossing(const almanac::Observer& place, Instant from, double seconds) 
   return {from, !up};
 }
 
-/// Moments from one to another, with the heights there: every half hour, and where a Moon that grazes the
-/// horizon is highest or lowest.
+/// Times [s from the first moment] and heights [rad]: every half hour, and at extremes so near the horizon that a rise
+/// and a set may lie within a step.
 std::vector<std::pair<double, double>> heights(const almanac::Observer& place, const Instant& from,
                                                double seconds) {
-  constexpr double grazing = 3e-3;  // (2π / a day · half a step)² / 2: most that it rises between steps
+  constexpr double grazing = 3e-3;  // largest rise within a step: (2π / a day · half a step)² / 2
   const auto steps = static_cast<int>(std::ceil(seconds / step_s));
   const double step = seconds / steps;
   const auto at = [&](double s) {
@@ -78,7 +78,7 @@ NightMoment moment_at(const almanac::Observer& place, std::string name, const In
           height(place, when) > 0};
 }
 
-/// Rise and set around the greatest phase.
+/// Moonrise and moonset within the night.
 std::vector<NightMoment> horizon_crossings(const Circumstances& night) {
   std::vector<NightMoment> all;
   const auto& greatest = night.eclipse.greatest;
@@ -91,7 +91,7 @@ std::vector<NightMoment> horizon_crossings(const Circumstances& night) {
   return all;
 }
 
-/// "12 min after U1", from the nearest contact on.
+/// Time from the nearest contact: "12 min after U1".
 std::string from_contact(const Circumstances& night, const Instant& when) {
   const auto contacts = contacts_of(night.eclipse);
   const auto away = [&](const auto& contact) {
@@ -104,7 +104,7 @@ std::string from_contact(const Circumstances& night, const Instant& when) {
   return fmt::format("{:.0f} min {} {}", std::abs(minutes), minutes > 0 ? "after" : "before", name);
 }
 
-/// Whether the Moon is up from one moment to another: always, or at some time.
+/// Whether the Moon is up in all of an interval, or in some of it.
 struct Share {
   bool all = true, some = false;
 };

@@ -10,36 +10,35 @@
 
 namespace coppermoon::uses {
 
-/// A moment of a night, and the Moon then.
+/// Contact, moonrise or moonset, and the Moon then.
 struct NightMoment {
   std::string name;  ///< "P1" … "greatest" … "P4", "moonrise", "moonset"
   almanac::Instant when;
-  povray_scenes::HorizonPlace moon;  ///< its centre as it is seen, refraction counted
-  bool up;                           ///< some of its disc is above the horizon
+  povray_scenes::HorizonPlace moon;  ///< apparent place of its centre, with refraction
+  bool up;                           ///< whether some of its disc is above the horizon
 };
 
-/// An eclipse as a place sees it.
+/// Local circumstances of an eclipse.
 struct Circumstances {
   eclipse::Eclipse eclipse;
   almanac::Observer place;
   std::vector<NightMoment> moments;  ///< in order of time
 };
 
-/// Contacts, and the Moonrise and Moonset of that night, which are up to 13 hours from the greatest phase.
+/// Contacts of an eclipse, and moonrise and moonset within 13 hours of the greatest phase: zeros of above_horizon,
+/// which has parallax.
 ///
-/// The Moon rises and sets when above_horizon is 0; parallax is counted.
-///
-/// Accuracy  0.1 s of rise and set, of the Moon's place; weather changes refraction, and the time by a
+/// Accuracy  0.1 s of rise and set, by the Moon's place; weather changes refraction, and so the time by a
 ///           minute or more
 /// Throws    Error  as require_on_earth
 Circumstances circumstances(const eclipse::Eclipse& eclipse, const almanac::Observer& place);
 
-/// What is seen of the eclipse, in one sentence: "All of the eclipse is seen.", "The Moon rises 12 min
+/// Sentence about how much of the eclipse is seen: "All of the eclipse is seen.", "The Moon rises 12 min
 /// after U1; all of totality is seen.", "Nothing of the eclipse is seen: the Moon is below the horizon."
 std::string what_is_seen(const Circumstances& night);
 
-/// From which contact to which a place sees some of the Moon, which need not be up at any: "all", "none",
-/// "U2 to P4", "between U1 and U2", "P1 to U1 and U4 to P4".
+/// Contacts between which a place sees some of the Moon: "all", "none", "U2 to P4", "between U1 and U2", "P1 to U1 and
+/// U4 to P4".
 ///
 /// Throws  Error  as require_on_earth
 std::string contacts_seen(const eclipse::Eclipse& eclipse, const almanac::Observer& place);

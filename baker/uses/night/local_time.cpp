@@ -16,7 +16,7 @@ namespace coppermoon::uses {
 
 namespace {
 
-/// Time by a clock of UTC without leap seconds, as system clocks count.
+/// UTC to the second, without leap seconds.
 absl::CivilSecond civil_time(const almanac::Instant& when) {
   const auto text = almanac::utc_text(when);
   const std::size_t sign = text.starts_with('-');
@@ -36,7 +36,7 @@ std::string clock_text(const absl::CivilSecond& time) {
   return fmt::format("{:02}:{:02}:{:02}", time.hour(), time.minute(), time.second());
 }
 
-/// Names of the IANA's data are of these letters; others would be files.
+/// Whether a text has only the characters of IANA's names; with others it could name a file.
 bool is_plain(const std::string& name) {
   return std::ranges::all_of(name, [](unsigned char c) {
     return std::isalnum(c) || c == '_' || c == '-' || c == '+' || c == '/';
@@ -71,8 +71,8 @@ LocalTime local_time(const almanac::Instant& when, const std::string& zone) {
 almanac::Instant instant_of_local(const std::string& local, const std::string& zone) {
   const auto time = civil_time(almanac::instant_from_utc(local));
   const auto found = zone_named(zone).At(time);
-  const bool leapt = found.kind == absl::TimeZone::TimeInfo::SKIPPED;
-  const auto utc = absl::ToCivilSecond(leapt ? found.trans : found.pre, absl::UTCTimeZone());
+  const bool skipped = found.kind == absl::TimeZone::TimeInfo::SKIPPED;
+  const auto utc = absl::ToCivilSecond(skipped ? found.trans : found.pre, absl::UTCTimeZone());
   return almanac::instant_from_utc(date_text(utc) + "T" + clock_text(utc) + "Z");
 }
 

@@ -153,7 +153,7 @@ NightLight light_at(const MoonSurvey& survey, const NightMoment& moment,
           faintest_star(zenith_luminance_cd_m2(place, sky, V))};
 }
 
-/// Share of the Moon's diameter in the umbra, from U1 on.
+/// Share of the Moon's diameter in the umbra, by the axis distance since U1.
 double immersed(const Instant& u1, const Instant& when) {
   const auto distance_m = [](const Instant& then) {
     const auto sky = almanac::sky_at(then);
@@ -203,7 +203,7 @@ std::vector<almanac::SkyState> skies_from(const eclipse::Eclipse& eclipse) {
   return skies;
 }
 
-/// Progress of one part of a whole: its fractions 0 to 1 are passed on as `from` to `to`.
+/// Progress of a part: passes its fractions 0 to 1 on as `from` to `to`.
 algebra::Progress part_of(const algebra::Progress& whole, double from, double to) {
   if (!whole) return {};
   return [whole, from, to](double fraction) { whole(std::lerp(from, to, fraction)); };

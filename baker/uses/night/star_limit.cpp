@@ -24,8 +24,8 @@ double moonlit_sky_cd_m2(double moon_magnitude, algebra::Angle moon_altitude) {
 }
 
 double faintest_star(double sky_cd_m2) {
-  const double of_zero = atmosphere::luminance_of_magnitude_cd_m2(0),
-               magnitude = -2.5 * std::log10(sky_cd_m2 / of_zero);
+  const double zero_point = atmosphere::luminance_of_magnitude_cd_m2(0),
+               magnitude = -2.5 * std::log10(sky_cd_m2 / zero_point);
   return 7.93 - 5 * std::log10(1 + std::pow(10, 4.316 - magnitude / 5));
 }
 

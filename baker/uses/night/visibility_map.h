@@ -11,10 +11,8 @@
 
 namespace coppermoon::uses {
 
-/// Where the Moon stands in the horizon at a moment: a circle about the place under it.
-///
-/// Its upper limb is seen within 90° of that place, less the parallax and more the refraction of 34′ and
-/// its semidiameter.
+/// Circle of places that have the Moon's upper limb in the horizon, about the place that has the Moon in its zenith.
+/// Its radius is 90° less the parallax, plus a refraction of 34′ and the semidiameter.
 ///
 /// Given     points  how many, evenly around, 3 or more
 /// Returned  latitude and longitude [degrees], longitude −180 to 180; no elevation counts
@@ -22,8 +20,8 @@ namespace coppermoon::uses {
 std::vector<std::pair<double, double>> horizon_circle(const almanac::Instant& when,
                                                       std::size_t points);
 
-/// Draws where on the Earth an eclipse is seen: the circles of its contacts on a map in plate carrée, the
-/// parts that see all and nothing of it, and a place. By gnuplot, whole or not at all.
+/// Draws a map, in plate carrée, of where an eclipse is seen: a circle for each contact, the regions that see all or
+/// nothing of the eclipse, and a place.
 ///
 /// Given   picture  .png, .svg or .pdf
 /// Throws  Error    for another ending; as write_plot
