@@ -517,7 +517,7 @@ const Asked sayings(page_2018,
       "const before = {readout: readout(), dust: Number(slider('Volcanic dust').value),\n"
       "  cloud: slider('Cloud').parentElement.querySelector('output').textContent};\n"
       "page.set({ms: page.state.ms + 18e5});\n"
-      "const later = readout(), told = page.told(page.marked);\n"
+      "const later = readout(), told = page.described(page.marked);\n"
       "page.set({ms: page.state.ms - 18e5});\n"
       "page.find('steps').querySelectorAll('button')[0].click();\n"
       "page.draw();\n"

@@ -34,14 +34,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Wavelengths that light is summed at, and terms of the Sun's disc.
+/// Numbers of wavelengths, and of terms of the Sun's disc, that light is summed over.
 constexpr int bands = 40, sun_terms = 3;
 
-/// Before the first contact and after the last [s].
+/// Time that is shown before the first contact and after the last [s].
 constexpr double margin_s = 600;
 
 constexpr std::size_t map_rows = 1024;
-/// Longitudes that are seen from some place on the Earth [degrees].
+/// Largest longitude that libration shows [degrees].
 constexpr double seen_longitude = 99;
 
 constexpr std::size_t cities = 1500;
@@ -57,7 +57,7 @@ std::vector<double> numbers_of(const algebra::Grid<double>& grid) {
   return {grid.values().begin(), grid.values().end()};
 }
 
-/// Milliseconds from 1970 on, as a script's Date has them: the days of UTC are taken as 86 400 s.
+/// Milliseconds since 1970 as JavaScript's Date counts them: every day of UTC has 86 400 s.
 double unix_ms(const almanac::Instant& when) {
   const auto text = almanac::utc_text(when, 3);
   const auto date = text.substr(0, text.find('T'));
@@ -71,9 +71,11 @@ double unix_ms(const almanac::Instant& when) {
          almanac::seconds_between(almanac::instant_from_utc(date), when) * 1e3;
 }
 
-/// Colour and surge of the ground that is seen, in even steps over these ranges to both sides of 0.
+/// Surge that the highest code of the ground's map stands for; the lowest stands for its negative.
 constexpr double widest_surge = 0.8;
 constexpr std::size_t ground_rows = 180, ground_columns = 198;
+
+/// Adds colour and surge of the visible ground, each coded in 256 even steps.
 
 ordered_json add_ground(PageArrays& arrays, const surface::Ground* ground) {
   constexpr std::size_t columns = 2 * ground_rows, first = (columns - ground_columns) / 2;
@@ -98,7 +100,7 @@ ordered_json add_ground(PageArrays& arrays, const surface::Ground* ground) {
           {"longitudes", ground_columns}};
 }
 
-/// The albedo of the ground that is seen, coded so that equal steps are equal ratios.
+/// Adds the albedo of the visible ground, coded in 256 steps of equal ratio.
 ordered_json add_map(PageArrays& arrays, const MoonRequest& request) {
   const auto albedo = normal_albedo(request);
   const auto ground = ground_of(request, albedo);
@@ -126,8 +128,8 @@ ordered_json add_map(PageArrays& arrays, const MoonRequest& request) {
           {"longitudes", 360. * static_cast<double>(width) / columns}};
 }
 
-/// The Sun's disc and what the channels, red, green, blue and V, make of its light on the reddest
-/// ground, and all again on the bluest.
+/// Adds the Sun's disc, and the weights by which the channels red, green, blue and V sum up its light: on the reddest
+/// ground, then on the bluest.
 ordered_json add_sunlight(PageArrays& arrays, bool limb_darkening,
                           const std::vector<double>& wavelengths) {
   const auto terms = photons::disc_terms(wavelengths, limb_darkening, sun_terms);
@@ -157,10 +159,11 @@ ordered_json add_sunlight(PageArrays& arrays, bool limb_darkening,
           {"VAt1au", meter.sunlight[V_band]}};
 }
 
-/// A view of the display sRGB as a table: log2(1 + 2^10 x) / 17 of each channel, 0 to 1, in even steps.
+/// Axis of a view's table: even steps of log2(1 + gain x) / stops, from 0 to 1.
 constexpr int table_size = 33;
 constexpr double table_gain = 1024, table_stops = 17;
 
+/// Adds a view of the display sRGB as a table of colours.
 void add_view(PageArrays& arrays, const std::string& view) {
   const auto level = [](int i) {
     return static_cast<float>((std::exp2(table_stops * i / (table_size - 1.)) - 1) / table_gain);
@@ -216,15 +219,15 @@ void add_names(PageArrays& arrays) {
   arrays.add("features", text);
 }
 
-/// The contacts' names and moments.
-ordered_json moments_of(const eclipse::Eclipse& eclipse) {
+/// Names of the contacts, and their times.
+ordered_json contacts_in_ms(const eclipse::Eclipse& eclipse) {
   ordered_json all;
   for (const auto& [name, when] : eclipse::contacts_of(eclipse))
     all.push_back({{"name", name}, {"ms", unix_ms(when)}});
   return all;
 }
 
-/// The clearness of each step of Danjon's scale; none of air that is not in belts.
+/// Clearness for each step of Danjon's scale; empty for air without belts.
 ordered_json danjon_steps(const atmosphere::Atmosphere& air, const almanac::SkyState& sky) {
   ordered_json steps = ordered_json::array();
   for (int l = 0; l <= 4 && !air.belts.empty(); ++l) steps.push_back(danjon_clearness(l, air, sky));
@@ -245,9 +248,6 @@ ordered_json place_of(const ExploreRequest& request) {
 Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest& request,
                            const algebra::Progress& progress) {
   Exploration made{title(eclipse), {}, {}};
-  const auto told = [&](double part) {
-    if (progress) progress(part);
-  };
   const auto sky = almanac::sky_at(eclipse.greatest);
   const auto moments = eclipse::contacts_of(eclipse);
   const auto from = almanac::later(moments.front().second, -margin_s),
@@ -267,7 +267,7 @@ Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest
                        [&] { danjon = danjon_steps(air, sky); },
                        [&] { add_scattered_light(scattered, air, arrangement, wavelengths); },
                        [&] { limb = add_limb_rays(arrays, air, wavelengths); });
-  told(0.8);
+  if (progress) progress(0.8);
   arrays.append(map);
   arrays.append(scattered);
   const auto sun = add_sunlight(arrays, arrangement.limb_darkening, wavelengths);
@@ -281,7 +281,7 @@ Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest
                 {"umbralMagnitude", eclipse.umbral_magnitude},
                 {"penumbralMagnitude", eclipse.penumbral_magnitude},
                 {"fromMs", unix_ms(from)},
-                {"contacts", moments_of(eclipse)},
+                {"contacts", contacts_in_ms(eclipse)},
                 {"motion", motion},
                 {"moonRadiusKm", algebra::in_kilometres(almanac::lunar_radius)},
                 {"earth",
@@ -303,7 +303,7 @@ Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest
                 {"viewTable", {{"size", table_size}, {"gain", table_gain}, {"stops", table_stops}}},
                 {"place", place_of(request)},
                 {"options", request.options}};
-  told(1);
+  if (progress) progress(1);
   return made;
 }
 

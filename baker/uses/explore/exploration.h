@@ -13,38 +13,37 @@
 
 namespace coppermoon::uses {
 
-/// What an eclipse is explored with.
+/// Request for the page of an eclipse.
 struct ExploreRequest {
   MoonRequest moon{};  ///< map, photometry, and of its light the air and the Sun
-  std::optional<almanac::Observer>
-      observer{};                    ///< who looks when the page opens; none: the Earth's centre
-  std::string place{}, time_zone{};  ///< the observer's
-  std::string options{};  ///< of the command line, that the page adds to the commands it shows
+  std::optional<almanac::Observer> observer{};  ///< when the page opens; none: the Earth's centre
+  std::string place{}, time_zone{};             ///< the observer's
+  std::string options{};                        ///< options that end each command the page shows
 };
 
-/// All numbers that a page needs to light the Moon of one eclipse at any moment of it.
+/// Numbers by which a page lights the Moon at any moment of one eclipse.
 struct Exploration {
   std::string title;  ///< "Total eclipse of the Moon, 2018-07-27"
   nlohmann::ordered_json facts;
   PageArrays arrays;
 };
 
-/// Gathers them: limb rays, motions, albedo, responses, views, places, names. No light is computed: the
-/// page sums it up itself, as shadow::by_quadrature does, from rays of the same table.
+/// Gathers limb rays, motions, albedo, responses, views, places and names. No light is computed: the page sums it up
+/// from the rays, as shadow::by_quadrature does.
 ///
 /// Throws  Error  as normal_albedo and atmosphere_of
 Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest& request,
                            const algebra::Progress& progress = {});
 
-/// Whether an HTML text is a page by itself, or a part for somebody's own.
+/// Extent of an HTML text: a page, or a fragment for another page.
 enum class PageExtent { whole, fragment };
 
-/// The page: one text that needs no other file and no network.
+/// HTML text that needs no other file and no network.
 std::string page_of(const Exploration& exploration, PageExtent extent = PageExtent::whole);
 
-/// A page that lists eclipses and links to their own.
+/// Page that lists eclipses, with links to their pages.
 ///
-/// Given  pages  for each eclipse the name of its page's file
+/// Given  pages  names of their files, one for each eclipse
 std::string calendar_page(const std::vector<eclipse::Eclipse>& eclipses,
                           const std::vector<std::string>& pages);
 

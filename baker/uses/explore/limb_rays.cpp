@@ -25,8 +25,8 @@ using nlohmann::ordered_json;
 
 constexpr int refractivities = 3;
 
-/// Harmonics of the position angle: of belts, light with these differs from that with all by 0.2 % at
-/// most; of regions borders are rounded over some ten degrees.
+/// Number of harmonics of the position angle. Light of belts differs by 0.2 % at most from that of all harmonics;
+/// borders of regions are smoothed over some ten degrees.
 constexpr int most_harmonics = 24;
 
 std::vector<double> tangent_heights_m(const atmosphere::Atmosphere& air) {
@@ -35,7 +35,7 @@ std::vector<double> tangent_heights_m(const atmosphere::Atmosphere& air) {
     for (double h = heights.empty() ? 0 : heights.back() + step; h <= to && h <= air.top_m();
          h += step)
       heights.push_back(h);
-  for (const auto* column : air.columns()) {  // and where terms begin and end
+  for (const auto* column : air.columns()) {  // edges of dust and cloud
     if (column->dust_extinction_per_m > 0)
       heights.insert(heights.end(), {column->dust_bottom_m, column->dust_top_m});
     if (column->cloud_cover > 0) heights.push_back(column->cloud_top_m);
@@ -47,7 +47,7 @@ std::vector<double> tangent_heights_m(const atmosphere::Atmosphere& air) {
   return heights;
 }
 
-/// Of ozone as a filter: its optical depth stands along every path.
+/// Whether ozone is a filter, of the same optical depth on every path.
 bool ozone_filters(const Column& column) {
   return column.ozone_du > 0 && column.ozone_path == atmosphere::OzonePath::filter;
 }
@@ -58,12 +58,12 @@ void set_aerosol(Column& column, double depth) {
       std::make_shared<atmosphere::StratosphericLayer>(depth, column.tropopause_m);
 }
 
-/// The rays of one part.
+/// Rays of one part of the limb.
 struct PartRays {
   std::vector<double> bending, excess_km, amounts, spectra, aerosol;
 };
 
-/// Everything that rays are followed with.
+/// Tracer of a part's rays.
 struct Follower {
   std::vector<double> heights_m, nodes;
   std::vector<atmosphere::Optics> optics;
@@ -97,7 +97,7 @@ struct Follower {
     }
   }
 
-  /// By the middle refractivity.
+  /// At the middle refractivity.
   void add_aerosol(const photons::WholeLimb::Part& part, PartRays& rays) const {
     const double middle = nodes[(nodes.size() - 1) / 2];  // the last is that of straight rays
     for (const double depth : aerosol_steps) {
@@ -152,7 +152,7 @@ void add_spectra_of_aerosol(PageArrays& arrays, std::span<const double> waveleng
   arrays.add("limb.aerosolSpectra", {std::size(aerosol_steps), wavelengths_nm.size()}, numbers);
 }
 
-/// The same air with as much aerosol everywhere.
+/// Air with an optical depth of the stratosphere's aerosol everywhere.
 atmosphere::Atmosphere with_aerosol(atmosphere::Atmosphere air, double depth) {
   const auto set = [&](Column& column, atmosphere::Belts& belts) {
     set_aerosol(column, depth);
@@ -169,7 +169,7 @@ ordered_json add_limb_rays(PageArrays& arrays, const atmosphere::Atmosphere& atm
                            std::span<const double> wavelengths_nm) {
   Follower follower{
       tangent_heights_m(atmosphere), {}, shadow::optics_of(atmosphere, wavelengths_nm)};
-  // a part's place on the limb is asked for here, and no fan of rays
+  // of the limb only the parts are needed: one wavelength and two rays are the fewest
   const photons::WholeLimb limb(atmosphere, std::span(follower.optics).first(1), 2);
   const auto& first = limb.parts()[0].column;
   follower.nodes = photons::refractivity_nodes(first, follower.optics, refractivities);

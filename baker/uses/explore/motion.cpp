@@ -23,12 +23,13 @@ using std::numbers::pi;
 
 constexpr int nodes = 14;
 
-/// All that moves, component by component.
+/// Components of all series at one moment.
 struct Positions {
   std::vector<double> numbers;
   double sidereal_time;
 };
 
+/// Names of the series, and their numbers of components.
 const std::vector<std::pair<const char*, int>> parts{
     {"centre", 3}, {"sunDistance", 1}, {"moonFrame", 9}, {"equatorFrame", 9}};
 
@@ -37,7 +38,7 @@ void append(std::vector<double>& all, const glm::dmat3& matrix) {
     for (int row = 0; row < 3; ++row) all.push_back(matrix[column][row]);
 }
 
-/// The right ascension of the zenith on the equator at Greenwich.
+/// Right ascension of the zenith where the equator crosses Greenwich's meridian.
 double sidereal_time(const almanac::SkyState& sky) {
   const auto zenith = sky.equator_from_gcrs * almanac::view_from({}, sky).zenith;
   return std::atan2(zenith.y, zenith.x);
@@ -57,7 +58,7 @@ Positions positions_at(const almanac::Instant& when) {
 
 double node(int i) { return -std::cos(pi * (i + 0.5) / nodes); }
 
-/// Σ c_k T_k through the values at all nodes.
+/// Coefficients c of the series Σ c_k T_k through the values at all nodes.
 std::vector<double> series_through(const std::vector<Positions>& known, std::size_t component) {
   std::vector<double> coefficients;
   for (int k = 0; k < nodes; ++k) {

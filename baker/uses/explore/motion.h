@@ -7,15 +7,15 @@
 
 namespace coppermoon::uses {
 
-/// How Sun, Moon and Earth move between two moments, as sums of Chebyshev polynomials of a time that runs
-/// from −1 to 1. In the frame of eclipse::ShadowAxis, origin at the Earth's centre:
+/// Motions of Sun, Moon and Earth between two moments, as Chebyshev series in a time from −1 to 1. In the frame of
+/// eclipse::ShadowAxis, origin at the Earth's centre:
 ///
 ///     centre        the Moon's centre [km]
 ///     sunDistance   [km]; the Sun is at 0, 0, −sunDistance
-///     moonFrame     what turns Moon-fixed axes into the shadow's, column by column
-///     equatorFrame  the same for the true equator and equinox of date
+///     moonFrame     rotation from Moon-fixed axes, column by column
+///     equatorFrame  rotation from the true equator and equinox of date
 ///
-/// and siderealTime [rad], sidereal time at Greenwich when the time is −1, and how much it grows until 1.
+/// and siderealTime [rad], at Greenwich at the time −1, and its growth until 1.
 ///
 /// Given     from, to  an hour to a day apart
 /// Returned  {"series": {name: [component][coefficient]}, "siderealTime": […], "seconds": …}

@@ -1,39 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <map>
+
 #include "explore/tables.h"
 #include "uses/explore/exploration.h"
 
 namespace coppermoon::uses {
 namespace {
 
-/// JSON in which a browser sees neither the end of a script nor a comment: no "<" stands in it.
-std::string within_script(const std::string& json) {
-  std::string safe;
-  for (const char letter : json) {
-    if (letter == '<')
-      safe += "\\u003c";
-    else
-      safe += letter;
-  }
-  return safe;
-}
-
-std::string within_html(const std::string& text) {
+/// Text with some characters replaced.
+std::string escaped(const std::string& text, const std::map<char, const char*>& escapes) {
   std::string safe;
   for (const char letter : text) {
-    if (letter == '&')
-      safe += "&amp;";
-    else if (letter == '<')
-      safe += "&lt;";
-    else if (letter == '>')
-      safe += "&gt;";
-    else
-      safe += letter;
+    const auto found = escapes.find(letter);
+    safe += found == escapes.end() ? std::string(1, letter) : found->second;
   }
   return safe;
 }
 
+/// Page's own part. In its JSON "<" is escaped, so that it neither ends a script nor begins a comment.
 std::string fragment_of(const Exploration& exploration, PageExtent extent) {
   auto facts = exploration.facts;
   facts["arrays"] = exploration.arrays.index();
@@ -44,7 +30,8 @@ std::string fragment_of(const Exploration& exploration, PageExtent extent) {
       "<script type=\"text/plain\" class=\"arrays\">{}</script>\n"
       "<script>{}</script>\n"
       "</div>\n",
-      extent == PageExtent::fragment ? " data-embedded" : "", within_script(facts.dump()), exploration.arrays.text(), explore::tables::page());
+      extent == PageExtent::fragment ? " data-embedded" : "", 
+      escaped(facts.dump(), {{'<', "\\u003c"}}), exploration.arrays.text(), explore::tables::page());
 }
 
 std::string whole_page(const std::string& title, const std::string& style,
@@ -53,7 +40,7 @@ std::string whole_page(const std::string& title, const std::string& style,
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-      within_html(title), style, body);
+      escaped(title, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}}), style, body);
 }
 
 }  // namespace

@@ -10,31 +10,33 @@
 
 namespace coppermoon::uses {
 
-/// Arrays of numbers for a script in a page: little-endian, one behind another, compressed together.
+/// Arrays for a script in a page: little-endian, one behind another, compressed together.
 class PageArrays {
  public:
   using Shape = std::vector<std::size_t>;  ///< the last index runs fastest
 
-  /// Throws  Error  when a number is not finite, or there are more or fewer than the shape says
+  /// Adds numbers as floats of 32 bits.
+  ///
+  /// Throws  Error  when a number is not finite, or their count is not the shape's
   void add(const std::string& name, const Shape& shape, const std::vector<double>& numbers);
 
-  /// Bytes, each kept as its difference from the one before it in its row, which takes less space.
+  /// Adds bytes, each as its difference from the byte before it in its row, which compresses better.
   ///
-  /// Throws  Error  when there are more or fewer than the shape says
+  /// Throws  Error  when their count is not the shape's
   void add(const std::string& name, const Shape& shape, const std::vector<std::uint8_t>& bytes);
 
-  /// A text in UTF-8.
+  /// Adds a text in UTF-8.
   void add(const std::string& name, std::string_view text);
 
-  /// All arrays of another, behind these.
+  /// Adds all arrays of another.
   void append(const PageArrays& others);
 
-  /// Where each array stands: {name: {"kind": "f32", "u8" or "text", "shape": […], "at": byte}}.
+  /// Places of the arrays: {name: {"kind": "f32", "u8" or "text", "shape": […], "at": byte}}.
   const nlohmann::ordered_json& index() const { return index_; }
 
-  /// All of them in zlib's format (RFC 1950), as base64.
+  /// All arrays in zlib's format (RFC 1950), as base64.
   ///
-  /// Throws  Error  when there is not enough memory
+  /// Throws  Error  when there is too little memory
   std::string text() const;
 
  private:

@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: MIT
-// What the reader does to the Earth's air, and what then stands along each ray of the limb.
+// Changes of the Earth's air, and the transmittance of the limb's rays in it.
 
-/** The air as it was. */
+/** Air as it was on that day. */
 export const airAsItWas = {
   refraction: true, scattering: true, ozone: true, gases: true, aerosol: true, clouds: true,
   cloud: 1,  // factor on the chance of cloud and on cirrus
   haze: 1,  // factor on the aerosol below the stratosphere
-  dust: null,  // optical depth of the stratosphere's aerosol at 550 nm; null: as it was
-  ozoneDu: null,  // column of ozone everywhere; null: as it was
-  clearness: 0,  // 1: no cloud, no aerosol; below 0: as much is added to the stratosphere's depth
+  dust: null,  // optical depth of the stratosphere's aerosol at 550 nm
+  ozoneDu: null,  // column of ozone everywhere
+  clearness: 0,  // share of cloud and aerosol taken away; below 0: depth added to the stratosphere
 };
 
-/** The same air, its clearness in cloud, haze and dust: what sliders show. The dust is even then. */
+/** Share of cloud and aerosol that the clearness leaves. */
+export const remaining = (air) => 1 - Math.max(0, air.clearness);
+
+/** Mean of a number over the parts of the limb. */
+export const meanOver = (parts, value) => parts.reduce((total, part) => total + value(part), 0) / parts.length;
+
+/** Air with its clearness turned into cloud, haze and even dust, as sliders show it. */
 export function withoutClearness(air, meanDepth) {
   if (air.clearness === 0) return air;
-  const left = 1 - Math.max(0, air.clearness);
-  return {...air, cloud: air.cloud * left, haze: air.haze * left,
+  return {...air, cloud: air.cloud * remaining(air), haze: air.haze * remaining(air),
     dust: Math.min(2, aerosolDepth({...air, aerosol: true}, {aerosolDepth: meanDepth})), clearness: 0};
 }
 
@@ -23,14 +28,13 @@ export function withoutClearness(air, meanDepth) {
 export function aerosolDepth(air, part) {
   if (!air.aerosol) return 0;
   const asIs = air.dust ?? part.aerosolDepth;
-  return asIs * (1 - Math.max(0, air.clearness)) - Math.min(0, air.clearness);
+  return asIs * remaining(air) - Math.min(0, air.clearness);
 }
 
-/** Factors on what each absorber has in one part of the limb; the stratosphere's aerosol apart. */
+/** Factors on the amounts of the absorbers in one part of the limb; 0 of the stratosphere's aerosol, which is apart. */
 export function factors(air, part, absorbers) {
-  const left = 1 - Math.max(0, air.clearness);
   const on = (term) => (term ? 1 : 0);
-  const aerosol = on(air.aerosol) * left;
+  const aerosol = on(air.aerosol) * remaining(air);
   const all = {
     air: on(air.scattering),
     ozone: on(air.ozone) * (air.ozoneDu === null || !part.ozoneDu ? 1 : air.ozoneDu / part.ozoneDu),
@@ -38,19 +42,19 @@ export function factors(air, part, absorbers) {
     troposphere: aerosol * air.haze,
     freeTroposphere: aerosol * air.haze,
     stratosphere: 0,
-    cloud: on(air.clouds) * air.cloud * left,
-    cirrus: on(air.clouds) * air.cloud * left,
+    cloud: on(air.clouds) * air.cloud * remaining(air),
+    cirrus: on(air.clouds) * air.cloud * remaining(air),
     oxygenPairs: on(air.gases),
     nitrogenDioxide: on(air.gases),
   };
   return absorbers.map((name) => all[name]);
 }
 
-/** Part of the limb under a deck of cloud. */
+/** Share of a part of the limb under a deck of cloud. */
 export const cloudCover = (air, part) =>
-  air.clouds ? Math.min(1, part.cloudCover * air.cloud * (1 - Math.max(0, air.clearness))) : 0;
+  air.clouds ? Math.min(1, part.cloudCover * air.cloud * remaining(air)) : 0;
 
-/** Rays of the limb by wavelength, and how much of their light the air lets through. */
+/** Rays of the limb by wavelength: paths and transmittance. */
 export class LimbRays {
   constructor(facts, arrays) {
     this.limb = facts.limb;
@@ -64,14 +68,14 @@ export class LimbRays {
     this.absorbers = facts.limb.absorbers.length;
   }
 
-  /** Weights of the refractivities that make a wavelength's ray. */
+  /** Weights of the refractivities whose blend is a wavelength's ray. */
   shares(air, wave) {
     const bent = this.refractivities - 1;
     if (!air.refraction) return [...Array(bent).fill(0), 1];
     return [...this.blend.subarray(wave * bent, (wave + 1) * bent), 0];
   }
 
-  /** Bending [rad] and impact parameter [km] of the rays of one wavelength over one part. */
+  /** Bending [rad] and impact parameter [km] of a part's rays at one wavelength. */
   paths(air, part, wave) {
     const shares = this.shares(air, wave);
     const bending = new Float64Array(this.rays), impact = new Float64Array(this.rays);
@@ -84,7 +88,7 @@ export class LimbRays {
     return {bending, impact};
   }
 
-  /** Amounts of the absorbers along the same rays: [ray][absorber]. */
+  /** Amounts of the absorbers along a part's rays at one wavelength: [ray][absorber]. */
   amountsOf(air, part, wave) {
     const shares = this.shares(air, wave);
     const amounts = new Float64Array(this.rays * this.absorbers);
@@ -97,7 +101,7 @@ export class LimbRays {
     return amounts;
   }
 
-  /** Optical depth of the stratosphere's aerosol along a ray: between steps, in logarithms. */
+  /** Optical depth of the stratosphere's aerosol along a ray, interpolated in logarithms between steps. */
   aerosolAlong(part, wave, ray, depth) {
     if (depth <= 0) return 0;
     const steps = this.limb.aerosolSteps;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Drawings beside the Moon: the curve of its brightness, the spectrum of its light, the Earth's ring of sunsets.
+// Charts beside the Moon: light curve, spectrum, the Earth's ring of sunsets.
 
 import {darker, stopColours} from './picture.js';
 import {signed} from './words.js';
 
-/** A canvas cleared and scaled to the screen's own pixels. */
+/** Pen on a canvas that is cleared and scaled to the screen's pixels, and the canvas's size. */
 function begun(canvas) {
   const ratio = Math.min(2, window.devicePixelRatio || 1);
   const width = canvas.clientWidth, height = canvas.clientHeight;
@@ -23,7 +23,7 @@ function line(pen, points) {
   pen.stroke();
 }
 
-/** Magnitude over time, brighter above; the contacts, and the moment that is shown. */
+/** Draws V magnitude over time, brighter above, with the contacts and the moment shown. */
 export function drawCurve(canvas, curve, facts, nowMs) {
   const {pen, width, height} = begun(canvas);
   if (curve.length < 2) return;
@@ -46,7 +46,7 @@ export function drawCurve(canvas, curve, facts, nowMs) {
   line(pen, [[x(nowMs), 0], [x(nowMs), height]]);
 }
 
-/** What the colours of "stops below a full Moon" stand for. */
+/** Fills the legend of "stops below a full Moon". */
 export function fillLegend(legend) {
   const steps = document.createElement('ol');
   stopColours.forEach((colour, i) => {
@@ -58,7 +58,7 @@ export function fillLegend(legend) {
   legend.replaceChildren('Stops below a full Moon', steps);
 }
 
-/** A colour of the spectrum, about. */
+/** Approximate colour of a wavelength. */
 function colourOf(nm) {
   const near = (middle, width) => Math.exp(-(((nm - middle) / width) ** 2));
   const red = near(610, 55) + 0.35 * near(430, 25) + (nm > 620 ? near(650, 90) * 0.7 : 0);
@@ -66,7 +66,7 @@ function colourOf(nm) {
   return `rgb(${rgb.join(' ')})`;
 }
 
-/** Light over full sunlight by wavelength, in powers of ten. */
+/** Draws light over full sunlight by wavelength, on a logarithmic scale. */
 export function drawSpectrum(canvas, wavelengths, ratios) {
   const {pen, width, height} = begun(canvas);
   const top = Math.ceil(Math.log10(Math.max(1e-9, ...ratios)) + 0.01), decades = 4, floor = height - 16;
@@ -87,9 +87,10 @@ export function drawSpectrum(canvas, wavelengths, ratios) {
 
 const superscript = (n) => String(n).replace('-', '⁻').replace(/\d/g, (d) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[d]);
 
+/** Code of sRGB, 0 to 255. */
 const code = (x) => Math.round(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * Math.min(1, x) ** (1 / 2.4) - 0.055));
 
-/** The brightest hundredth of the ring becomes white. */
+/** Level of the ring that becomes white: the 99th percentile of red. */
 function whiteOf(ring) {
   const levels = ring.flatMap((row) => [...row].filter((_, i) => i % 3 === 0)).filter((x) => x > 0);
   levels.sort((a, b) => a - b);
@@ -97,7 +98,7 @@ function whiteOf(ring) {
 }
 
 /**
- * The Earth from the Moon: its black disc, and around it forty kilometres of air, drawn eighty times as thick.
+ * Draws the Earth from the Moon: a black disc in forty kilometres of air, eighty times as thick.
  *
  * Given  ring  Shadow.ring;  heights  of its rays [km]
  */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Begins the page beside whose numbers this script stands.
+// Starts the page whose numbers stand beside this script.
 
 import {readArrays} from './arrays.js';
 import style from './page.css';

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The whole Moon in numbers: exposure, magnitude, luminance.
+// Measurements of the whole Moon: magnitude, luminance, exposure.
 
 import {viewFrom} from './motion.js';
+import {luminance} from './vectors.js';
 
-const samples = 96;  // across the picture that is summed up
+const samples = 96;  // across the picture that is measured
 const whole = {middle: [0, 0], pixel: 2.04 / samples, width: samples, height: samples};
 
-const luminance = (p, i) => 0.2126390059 * p[i] + 0.7151686788 * p[i + 1] + 0.0721923154 * p[i + 2];
-
-/** V magnitude as from the Earth's centre, above the air, and mean luminance [cd/m²]. */
+/** V magnitude and mean luminance [cd/m²] above the air, from the Earth's centre. */
 export function brightness(picture, facts, sky, shadowed = true) {
   const view = viewFrom(sky, null, 'north');
   const pixels = picture.read(sky, view, whole, {shadowed});
@@ -23,11 +22,13 @@ export function brightness(picture, facts, sky, shadowed = true) {
   return {V, luminance: count ? light / count : 0};
 }
 
-/** Exposure of 1 s: saturation is 1, for 1 cd/m². */
+/** Exposure by 1 cd/m² in 1 s, over saturation. */
 export const scaleOfOneSecond = (facts, {iso, fNumber}) => facts.exposureScale * iso / 100 / fNumber ** 2;
 
-/** The time [s] that follows the eclipse in the air as it was: the cube of the cube roots' mean comes to a
- * quarter of saturation, as uses::ExposureTime::Rule::follow. So another air is seen brighter or dimmer. */
+/**
+ * Exposure time [s] that follows the eclipse: with the air as it was, the cube of the mean cube root of luminance
+ * comes to a quarter of saturation, as by uses::ExposureTime::Rule::follow. Another air so looks brighter or dimmer.
+ */
 export function followedTime(picture, facts, sky, view, exposure) {
   const pixels = picture.read(sky, view, whole, {light: 'asItWas'});
   let roots = 0, count = 0;

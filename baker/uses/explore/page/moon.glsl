@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The Moon, lit pixel by pixel: in the shadow's frame [km]. Compiled twice: for the screen, and with RAW for
-// numbers, luminance and V's radiance as their bits.
+// The Moon, lit pixel by pixel, in the shadow's frame [km]. Compiled twice: for the screen, and with RAW for the bits
+// of red, green, blue and V's radiance.
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 precision highp sampler3D;
 
-uniform vec3 centre;         // the Moon's
+uniform vec3 centre;         // of the Moon
 uniform float sunDistance;
 uniform float moonRadius;
 uniform mat3 moonFromShadow; // to Moon-fixed axes
@@ -15,20 +15,20 @@ uniform float au;
 
 uniform sampler2D light;     // log2, [plane × sector][node, on the reddest ground before the bluest]
 uniform int nodes, sectors;
-uniform vec3 ends, stretches;  // of nodes: axis distances, and how many in each
+uniform vec3 ends, stretches;  // of nodes: axis distances of the ends, numbers of nodes
 uniform vec2 depths;         // of the planes
 uniform float middleDepth;
 
 uniform sampler2D map;       // albedo's logarithm
-uniform vec2 mapLogs;        // the lowest, and the range
-uniform vec2 mapLongitudes;  // the first, and how many [rad]
+uniform vec2 mapLogs;        // least logarithm, and range
+uniform vec2 mapLongitudes;  // first longitude, and range [rad]
 
 uniform sampler2D ground;    // colour and surge by place: 0 to 1 from the least to the most
 uniform vec2 groundLongitudes;
 uniform float widestSurge;
 
-uniform vec4 law;            // of the cosines: scale, incidence, emission, constant
-uniform float phases[61], surges[61];  // and what they change by for each unit of surge
+uniform vec4 law;            // photometric law: scale, and weights of incidence, emission, 1
+uniform float phases[61], surges[61];  // phase factors, and their change by a unit of surge
 uniform float phaseStep;     // [rad]
 uniform bool shadowed;
 
@@ -39,8 +39,8 @@ uniform float pixel;         // in lunar radii
 uniform vec2 size;           // of the picture [pixels]
 
 #ifdef RAW
-uniform sampler2D places;    // of ground, Moon-fixed; where they are asked for
-uniform bool atPlaces;
+uniform sampler2D places;    // of ground, Moon-fixed
+uniform bool atPlaces;       // rather than in a picture
 #endif
 
 const float pi = 3.14159265358979;
@@ -49,13 +49,14 @@ float sheared(float d, float deeper) {
   return d + (d - 6390.0) * (deeper - 1.0) * min(1.0, d / 1500.0);
 }
 
-// The place among the nodes of an axis distance.
+// Place among the nodes, of an axis distance.
 float nodeAt(float d) {
   if (d < ends.x) return d / ends.x * stretches.x;
   if (d < ends.y) return stretches.x + (d - ends.x) / (ends.y - ends.x) * stretches.y;
   return stretches.x + stretches.y + (d - ends.y) / (ends.z - ends.y) * stretches.z;
 }
 
+// Light of a row at a place among the nodes, on the reddest (0) or bluest (1) ground.
 vec4 atNode(int row, float node, int bluest) {
   int low = clamp(int(floor(node)), 0, nodes - 2);
   float part = clamp(node - float(low), 0.0, 1.0);
@@ -63,8 +64,8 @@ vec4 atNode(int row, float node, int bluest) {
     texelFetch(light, ivec2(2 * low + 2 + bluest, row), 0), part);
 }
 
-// What a white ground that faces the Sun at 1 au makes of the light at a place in the shadow, were it as
-// red, or as blue, as ground is.
+// Radiance of white ground that faces the Sun at 1 au, in the light at a place in the shadow; as red or as blue as
+// ground is.
 vec4 lightAt(vec3 place, int bluest) {
   if (!shadowed) return exp2(texelFetch(light, ivec2(2 * (nodes - 1) + bluest, 0), 0));
   float node = nodeAt(sheared(length(place.xy), middleDepth / place.z));
@@ -88,7 +89,7 @@ float phaseFactor(vec3 toSun, vec3 toEarth, float surge) {
   return mix(phases[low], phases[low + 1], part) + surge * mix(surges[low], surges[low + 1], part);
 }
 
-// Longitude, and the part of the way from the north pole to the south pole.
+// Longitude, and the share of the way from north pole to south pole.
 vec2 onMap(vec3 normal) {
   vec3 fixedGround = moonFromShadow * normal;
   return vec2(atan(fixedGround.y, fixedGround.x), 0.5 - asin(clamp(fixedGround.z, -1.0, 1.0)) / pi);
@@ -97,12 +98,12 @@ vec2 onMap(vec3 normal) {
 float albedoAt(vec2 place) {
   vec2 at = vec2((place.x - mapLongitudes.x) / mapLongitudes.y, place.y);
 #ifdef RAW
-  if (atPlaces) return exp(mapLogs.x + mapLogs.y * textureLod(map, at, 0.0).r);  // they are no neighbours
+  if (atPlaces) return exp(mapLogs.x + mapLogs.y * textureLod(map, at, 0.0).r);  // pixels are no neighbours
 #endif
   return exp(mapLogs.x + mapLogs.y * texture(map, at).r);
 }
 
-// Luminance [cd/m²] as red, green and blue, and V's radiance, of ground by its normal.
+// Red, green and blue [cd/m²] and V's radiance of ground, by its normal.
 vec4 radianceOf(vec3 normal) {
   vec3 place = centre + moonRadius * normal;
   vec3 toSun = vec3(0.0, 0.0, -sunDistance) - place;
@@ -118,7 +119,7 @@ vec4 radianceOf(vec3 normal) {
     mix(lightAt(place, 0), lightAt(place, 1), own.r);
 }
 
-// The ground that a place of the picture shows, and how far inside the limb that is [lunar radii].
+// Ground at a point of the picture, and its distance inside the limb [lunar radii].
 vec3 groundAt(vec2 at, out float inside) {
   float reach = length(at), away = moonRadius / moonDistance * reach;
   float cosine = inversesqrt(1.0 + away * away), sine = away * cosine;
@@ -145,7 +146,7 @@ void main() {
   bits = floatBitsToUint(value);
 }
 #else
-uniform float exposure;      // 1 where the sensor is saturated, per cd/m²
+uniform float exposure;      // of 1 cd/m², over saturation
 uniform int look;            // 0: display sRGB, 1: a table, 2: stops
 uniform sampler3D view;
 uniform vec2 viewCode;       // gain, stops
@@ -185,7 +186,7 @@ void main() {
   if (cover <= 0.0) { colour = vec4(0.0, 0.0, 0.0, 1.0); return; }
   vec3 seen = max(radianceOf(ground).rgb, 0.0);
   vec3 shown = look == 2 ? stops(seen) : look == 1 ? viewed(seen * exposure) : srgb(seen * exposure);
-  // the limb's share is of the light that the screen shows: light that is clipped has no stairs there
+  // the limb's cover weighs light as the screen shows it, so that a clipped limb has no stairs
   colour = vec4(srgb(linear(shown) * cover) + noise(gl_FragCoord.xy) / 255.0, 1.0);
 }
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where everything is at one moment, and how somebody sees it: in the shadow's frame, X to celestial east,
-// Y to celestial north, Z away from the Sun, origin at the Earth's centre, in kilometres.
+// Positions at one moment, and the view from a place, in the shadow's frame: X to celestial east, Y to celestial
+// north, Z away from the Sun, origin at the Earth's centre, in kilometres.
 
 import {cross, degree, difference, direction, dot, length, scaled, times, transposed, unit} from './vectors.js';
 
@@ -19,7 +19,7 @@ export class Motion {
     this.toMs = facts.fromMs + facts.motion.seconds * 1e3;
   }
 
-  /** The sky at a moment [ms since 1970]; beyond the ends of the series those of the ends. */
+  /** Sky at a moment [ms since 1970], held within the time of the series. */
   at(ms) {
     const within = Math.min(Math.max(ms, this.fromMs), this.toMs);
     const x = 2 * (within - this.fromMs) / (this.toMs - this.fromMs) - 1;
@@ -34,7 +34,7 @@ export class Motion {
     };
   }
 
-  /** Depths in the shadow of all ground that is seen, from first to last [km]. */
+  /** Least and largest depth in the shadow of visible ground, during the eclipse [km]. */
   depths() {
     const radius = this.facts.moonRadiusKm;
     const depths = [];
@@ -46,7 +46,7 @@ export class Motion {
 
 const equatorial = 6378.137, flattening = 1 / 298.257223563;  // WGS 84
 
-/** A place on the Earth [degrees, km] in the shadow's frame, and its vertical. */
+/** Position [km] and vertical of a place on the Earth. */
 function placeOnEarth(sky, place) {
   const latitude = place.latitude * degree;
   const longitude = place.longitude * degree + sky.siderealTime;
@@ -59,7 +59,7 @@ function placeOnEarth(sky, place) {
   return {position: times(sky.equatorFrame, position), zenith: times(sky.equatorFrame, up)};
 }
 
-/** What refraction adds to a true altitude [degrees], as atmosphere::apparent_altitude. */
+/** Refraction at a true altitude [degrees], as in atmosphere::apparent_altitude. */
 export function refraction(altitude) {
   const lowest = Math.max(altitude, -1), fades = Math.min(1, Math.max(0, altitude + 2));
   return fades * (1.02 / Math.tan((lowest + 10.3 / (lowest + 5.11)) * degree) + 0.0019279) / 60;
@@ -75,10 +75,10 @@ function horizonPlace(sky, zenith, sight) {
 }
 
 /**
- * How the Moon is seen.
+ * View of the Moon.
  *
  * Given    place  on the Earth; none: the Earth's centre
- *          up     'north', 'zenith' or 'moon': what points up in the picture
+ *          up     direction in the picture: 'north', 'zenith' or 'moon'
  * Returned distance [km]; forward, right and up: the picture's axes; altitude and azimuth [degrees]
  */
 export function viewFrom(sky, place, up) {
@@ -97,10 +97,10 @@ export function viewFrom(sky, place, up) {
 }
 
 /**
- * The ground that a place of the picture shows.
+ * Ground at a point of the picture.
  *
  * Given    x, y  from the disc's middle to the right and up, in lunar radii at its distance
- * Returned unit vector, shadow's frame; nothing beside the Moon
+ * Returned unit vector, shadow's frame; null beside the Moon
  */
 export function groundAt(view, radius, x, y) {
   const away = radius / view.distance * Math.hypot(x, y);  // tangent of the angle from the middle
@@ -117,7 +117,7 @@ export function groundAt(view, radius, x, y) {
   });
 }
 
-/** Where ground appears, as groundAt has it, backwards; nothing behind the limb. */
+/** Point of the picture at which ground is seen, the inverse of groundAt; null behind the limb. */
 export function pictureOf(view, radius, ground) {
   const depth = view.distance + radius * dot(ground, view.forward);
   const towards = dot(ground, view.forward);
@@ -137,7 +137,7 @@ export function groundOf(sky, {longitude, latitude}) {
   return times(sky.moonFrame, direction(longitude * degree, latitude * degree));
 }
 
-/** Where ground stands in the shadow: axis distance and depth [km], position angle [rad]. */
+/** Place of ground in the shadow: axis distance and depth [km], position angle [rad]. */
 export function placeInShadow(sky, radius, ground) {
   const p = sky.centre.map((c, i) => c + radius * ground[i]);
   return {axisDistance: Math.hypot(p[0], p[1]), angle: Math.atan2(p[0], p[1]), depth: p[2]};

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What is drawn over the Moon: the shadow's edges, the place that is marked, which way is north.
+// Drawings over the Moon: the shadow's edges, the marked place, north and east.
 
 import {groundOf, pictureOf} from './motion.js';
 import {difference, dot, times} from './vectors.js';
 
-/** The edges of umbra and penumbra at the Moon's distance, as the bare Earth throws them [km]. */
+/** Radii of umbra and penumbra at the Moon's distance, of an Earth without air [km]. */
 export function edges(facts, sky) {
   const depth = sky.centre[2], {equatorialKm} = facts.earth, {radiusKm} = facts.sun;
   const sun = radiusKm * depth / sky.sunDistance, earth = equatorialKm * (1 + depth / sky.sunDistance);
   return {umbra: earth - sun, penumbra: earth + sun};
 }
 
-/** Where a point of the plane through the Moon's centre, across the shadow's axis, is seen [lunar radii]. */
+/** Place in the picture [lunar radii] of a point in the plane through the Moon's centre, across the shadow's axis. */
 function seenAt(facts, sky, view, east, north) {
   const point = difference([east, north, sky.centre[2]], view.position);
   const scale = view.distance / dot(point, view.forward) / facts.moonRadiusKm;
@@ -44,7 +44,7 @@ export function drawOver(canvas, {facts, sky, view, frame, circle, marked}) {
   pen.stroke();
 }
 
-/** An N and an E, where north and east are on the sky. */
+/** Draws arrows to celestial north and east. */
 function drawNorth(pen, {sky, view, frame}) {
   const pole = times(sky.equatorFrame, [0, 0, 1]);
   const north = [dot(pole, view.right), dot(pole, view.up)], size = Math.hypot(...north) || 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One eclipse on one page: the state, and everything that shows it.
+// Page of one eclipse: its state, and everything that shows the state.
 
 import {airAsItWas} from './air.js';
 import {rowsOf} from './arrays.js';
@@ -11,14 +11,14 @@ import {Panel, Places} from './panel.js';
 import {Picture} from './picture.js';
 import {Shadow} from './shadow.js';
 import {commandOf, linkOf, stateOf} from './state.js';
-import {direction, degree, unit} from './vectors.js';
+import {direction, degree, luminance, unit} from './vectors.js';
 import {exposureTime, localTime, meanings, number, placeText, signed, utc} from './words.js';
 
 const curveMoments = 72;
-const playedRate = 600;  // seconds of the eclipse in one
+const playedRate = 600;  // seconds of the eclipse in a second of playing
 
 export class Page {
-  /** Given  embedded  in a page of somebody's own, whose address and keys are not ours */
+  /** Given  embedded  whether it stands in another page, whose address and keys it leaves alone */
   constructor(root, facts, arrays, embedded = false) {
     Object.assign(this, {root, facts, arrays, embedded});
     this.find = (name) => root.querySelector(`.${name}`);
@@ -37,17 +37,18 @@ export class Page {
     const unshadowed = brightness(this.picture, facts, greatest, false);
     this.fullMoon = unshadowed.luminance;
     this.listen();
-    this.marks();
+    this.makeMarks();
     fillLegend(this.find('legend'));
     this.draw();
   }
 
-  /** What was changed is shown; drawings that take longer wait until nothing is. */
+  /** Shows a change of the state: 'view', 'look' or 'air'. */
   changed(what) {
     if (what === 'air') this.airIsOld = true;
     this.redraw();
   }
 
+  /** Draws with the next frame of the screen. */
   redraw() {
     if (this.waiting) return;
     this.waiting = requestAnimationFrame(() => { this.waiting = 0; this.draw(); });
@@ -60,7 +61,7 @@ export class Page {
     this.curve = null;
   }
 
-  /** The frame: the whole Moon with a margin at zoom 1. */
+  /** Frame of the picture: at zoom 1 the whole Moon with a margin. */
   frame() {
     const {canvas} = this.picture, ratio = Math.min(2, window.devicePixelRatio || 1);
     const width = Math.max(1, Math.round(canvas.clientWidth * ratio));
@@ -71,12 +72,13 @@ export class Page {
     return {middle: this.state.middle, pixel, width, height, ratio};
   }
 
-  /** The sky, the view and the frame of the moment that is shown. */
+  /** Sky, view and frame of the moment shown. */
   scene() {
     const sky = this.motion.at(this.state.ms);
     return {sky, view: viewFrom(sky, this.state.place, this.state.up), frame: this.frame()};
   }
 
+  /** Draws the Moon at once, and slower drawings once changes pause. */
   draw() {
     if (this.picture.gl.isContextLost()) return;
     if (this.airIsOld) this.setAir(this.state.air);
@@ -93,7 +95,7 @@ export class Page {
     if (this.curve) drawCurve(this.find('curve'), this.curve, facts, state.ms);
   }
 
-  /** Words about what is shown. */
+  /** Shows moment, place and brightness in words. */
   say({sky, view}) {
     const {state, facts} = this, {place} = state;
     const local = localTime(state.ms, place?.timeZone);
@@ -114,10 +116,10 @@ export class Page {
     this.find('moment').setAttribute('aria-valuetext', utc(state.ms));
     this.find('command').textContent = below
       ? 'none: from that place the Moon is below the horizon' : commandOf(state, facts, this.seconds);
-    this.find('readout').textContent = this.marked ? this.told(this.marked) : '';
+    this.find('readout').textContent = this.marked ? this.described(this.marked) : '';
   }
 
-  /** What takes a tenth of a second: the curve, the place that is marked, the link. */
+  /** Draws what takes a tenth of a second: the light curve and the marked place. Updates the link. */
   drawBeside() {
     const {facts, motion, picture} = this;
     if (picture.gl.isContextLost()) return;
@@ -130,7 +132,7 @@ export class Page {
     if (!this.playing && !this.embedded) history.replaceState(null, '', `#${linkOf(this.state, facts)}`);
   }
 
-  /** Light at the place that is marked: its ring of sunsets and its spectrum. */
+  /** Draws the ring of sunsets and the spectrum at the marked place. */
   drawPlace() {
     if (!this.marked || !this.find('place-in-shadow').open) return;
     const sky = this.motion.at(this.state.ms);
@@ -139,7 +141,7 @@ export class Page {
     drawRing(this.find('ring'), this.shadow.ring(place, 180), [...this.shadow.rays.heights]);
   }
 
-  /** The ground under a place of the screen: its selenographic place; nothing beside the Moon. */
+  /** Selenographic place under the pointer; null beside the Moon. */
   under(event) {
     const {sky, view, frame} = this.scene(), box = this.picture.canvas.getBoundingClientRect();
     const x = (event.clientX - box.left) * frame.ratio - frame.width / 2;
@@ -150,27 +152,27 @@ export class Page {
 
   point(event) {
     this.marked = this.under(event);
-    this.find('readout').textContent = this.marked ? this.told(this.marked) : '';
+    this.find('readout').textContent = this.marked ? this.described(this.marked) : '';
     clearTimeout(this.placeLater);
     this.placeLater = setTimeout(() => this.drawPlace(), 60);
   }
 
-  /** What is there: the place's name, its luminance, how it is lit. */
-  told(at) {
-    const [luminance] = this.luminanceAt([at]);
+  /** Text about a place: its name, its coordinates, its luminance. */
+  described(at) {
+    const [light] = this.luminanceAt([at]);
     const near = this.features.filter((f) => distance(at, f) < f.km / 2 / (this.facts.moonRadiusKm * degree))
       .sort((a, b) => a.km - b.km)[0];
-    const below = Math.log2(this.fullMoon / Math.max(luminance, 1e-12));
-    return `${near ? `${near.name}\n` : ''}${placeText(at)}\n${number(luminance)} cd/m²\n` +
+    const below = Math.log2(this.fullMoon / Math.max(light, 1e-12));
+    return `${near ? `${near.name}\n` : ''}${placeText(at)}\n${number(light)} cd/m²\n` +
       `${below.toFixed(1)} stops below a full Moon`;
   }
 
-  /** Luminance [cd/m²] at selenographic places [degrees], at the moment that is shown. */
+  /** Luminance [cd/m²] at selenographic places [degrees], at the moment shown. */
   luminanceAt(places) {
-    return this.radianceAt(places).map(([r, g, b]) => 0.2126390059 * r + 0.7151686788 * g + 0.0721923154 * b);
+    return this.radianceAt(places).map((rgb) => luminance(rgb));
   }
 
-  /** Red, green, blue [cd/m²] and V's radiance there. */
+  /** Red, green and blue [cd/m²] and V's radiance at selenographic places. */
   radianceAt(places) {
     const {sky, view} = this.scene();
     const numbers = this.picture.readAt(sky, view, places.map(({longitude, latitude}) =>
@@ -178,7 +180,7 @@ export class Page {
     return places.map((_, i) => [...numbers.subarray(4 * i, 4 * i + 4)]);
   }
 
-  /** Pixel of the canvas where a selenographic place is seen; nothing behind the limb. */
+  /** Pixel of the canvas that shows a selenographic place; null behind the limb. */
   pixelOf(at) {
     const {sky, view, frame} = this.scene();
     const place = pictureOf(view, this.facts.moonRadiusKm, unit(groundOf(sky, at)));
@@ -220,8 +222,8 @@ export class Page {
     requestAnimationFrame(step);
   }
 
-  /** The contacts over the slider of time. */
-  marks() {
+  /** Makes a button for each contact, over the time slider. */
+  makeMarks() {
     const {contacts} = this.facts, {fromMs, toMs} = this.motion;
     const marks = contacts.map(({name, ms}) => {
       const button = Object.assign(document.createElement('button'), {
@@ -233,7 +235,7 @@ export class Page {
     this.find('marks').replaceChildren(...marks);
   }
 
-  /** Each contact in the first row that has room for it. */
+  /** Puts each contact into the first row with room for it. */
   placeMarks() {
     const marks = this.find('marks'), ends = [];
     if (marks.clientWidth === this.marksWidth) return;
@@ -272,7 +274,7 @@ export class Page {
     });
   }
 
-  /** Twice as near, to the place that is marked. */
+  /** Doubles the zoom, about the marked place. */
   nearer() {
     const {sky, view} = this.scene();
     const place = this.marked && pictureOf(view, this.facts.moonRadiusKm, groundOf(sky, this.marked));
@@ -333,7 +335,7 @@ export class Page {
   }
 }
 
-/** The angle between two selenographic places [degrees]. */
+/** Angle between two selenographic places [degrees]. */
 function distance(a, b) {
   const [p, q] = [a, b].map(({longitude, latitude}) => direction(longitude * degree, latitude * degree));
   return Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) / degree;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The controls. Each shows what the state says, and tells of what is changed.
+// Controls. Each shows a part of the state, and changes it.
 
-import {airAsItWas, withoutClearness} from './air.js';
+import {airAsItWas, meanOver, withoutClearness} from './air.js';
 import {rowsOf} from './arrays.js';
 import {exposureTime, meanings, number, switches} from './words.js';
 
@@ -11,14 +11,14 @@ function element(name, properties = {}, ...children) {
   return made;
 }
 
-/** The cities of the page, by name. */
+/** Cities by name. */
 export class Places {
   constructor(text) {
     this.cities = rowsOf(text).map(([name, region, latitude, longitude, metres, timeZone]) => ({
       name, region, latitude: Number(latitude), longitude: Number(longitude), timeZone, elevationKm: metres / 1e3}));
   }
 
-  /** What was typed: a city, or "-1.28, 36.82"; nothing where it is neither. */
+  /** Place of a typed text: a city, or "-1.28, 36.82"; null for another text. */
   named(text) {
     const typed = text.trim().toLowerCase();
     const pair = typed.match(/^(-?[\d.]+)\s*[, ]\s*(-?[\d.]+)$/);
@@ -38,12 +38,12 @@ export class Places {
   }
 }
 
-/** Cameras, as f-number and speed. */
+/** F-numbers and ISO speeds of cameras. */
 const cameras = {
   'Telescope, f/12': [12.1, 800], 'Refractor 80 mm, f/7.5': [7.5, 800], 'Lens 400 mm, f/5.6': [5.6, 800],
   'Lens 200 mm, f/2.8': [2.8, 400], 'Phone, f/1.8': [1.8, 400]};
 
-/** A slider that moves in equal ratios; its left end is nothing, or what it was. */
+/** Slider in equal ratios; its left end is 0. */
 function slider({title, meaning, low, high, value, show, set}) {
   const shown = element('output', {textContent: show(value)});
   const ratio = Math.log(high / low);
@@ -63,15 +63,15 @@ const pressed = (button, on) => button.setAttribute('aria-pressed', String(on));
 
 export class Panel {
   /**
-   * Given  root     what holds the page
-   *        changed  told 'view', 'look' or 'air' when the state is
+   * Given  root     of the page's elements
+   *        changed  called with 'view', 'look' or 'air' after a change of the state
    */
   constructor(root, facts, places, state, changed) {
     Object.assign(this, {root, facts, places, state, changed});
     this.show();
   }
 
-  /** All controls anew, as the state is. */
+  /** Makes all controls anew from the state. */
   show() {
     for (const part of ['who', 'exposure', 'air', 'why'])
       this.root.querySelector(`.${part}`).replaceChildren(...this[part]());
@@ -142,12 +142,12 @@ export class Panel {
     this.changed('air');
   }
 
-  /** The air as sliders show it: a step of Danjon's scale is cloud, haze and dust. */
+  /** Air as sliders show it: a step of Danjon's scale as cloud, haze and dust. */
   plainAir() {
     return withoutClearness(this.state.air, this.mean('aerosolDepth'));
   }
 
-  /** Moves a slider: no step of Danjon's scale is pressed any more. */
+  /** Changes the air by a slider, and releases the steps of Danjon's scale. */
   slide(change) {
     this.setAir({...this.plainAir(), ...change});
     for (const button of this.root.querySelectorAll('.steps button')) pressed(button, false);
@@ -169,8 +169,7 @@ export class Panel {
   }
 
   mean(name) {
-    const {parts} = this.facts.limb;
-    return parts.reduce((total, part) => total + part[name], 0) / parts.length;
+    return meanOver(this.facts.limb.parts, (part) => part[name]);
   }
 
   presets() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Moon on a canvas, through WebGL 2: no extension is needed.
+// Picture of the Moon on a canvas, by WebGL 2 without extensions.
 
 import shader from './moon.glsl';
 import {transposed} from './vectors.js';
@@ -7,14 +7,13 @@ import {transposed} from './vectors.js';
 const corners = `#version 300 es
 void main() { gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0); }`;
 
-/** The colours of "stops below a full Moon", one for every two, as the display has them; the lower of the
- * two is darker. */
+/** Colours of "stops below a full Moon" in sRGB, one for every two stops; the lower of the two is darker. */
 export const stopColours = [
   [1, 1, 1], [1, 0.95, 0.5], [1, 0.75, 0.2], [0.95, 0.45, 0.15], [0.8, 0.2, 0.25],
   [0.6, 0.2, 0.55], [0.35, 0.3, 0.75], [0.2, 0.5, 0.75], [0.15, 0.55, 0.5], [0.2, 0.25, 0.25]];
 export const darker = 0.85;
 
-const widest = 1024;  // row of the texture that places stand in
+const widest = 1024;  // longest row of the texture of places
 
 function compiled(gl, kind, text) {
   const part = gl.createShader(kind);
@@ -25,7 +24,7 @@ function compiled(gl, kind, text) {
   return part;
 }
 
-/** A program, and where its uniforms are. */
+/** Shader program, and the locations of its uniforms. */
 function programOf(gl, define) {
   const program = gl.createProgram();
   gl.attachShader(program, compiled(gl, gl.VERTEX_SHADER, corners));
@@ -48,7 +47,7 @@ export class Picture {
     this.build();
   }
 
-  /** All that the graphics card holds; again where the context was lost. */
+  /** Makes all that the graphics card holds; anew after a loss of the context. */
   build() {
     const {gl, facts, arrays} = this;
     this.screen = programOf(gl, '');
@@ -86,7 +85,7 @@ export class Picture {
     return texture;
   }
 
-  /** The light that the Moon is lit by, Shadow.table: 'now', or in the air 'asItWas'. */
+  /** Sets the light on the Moon (Shadow.table): 'now', or 'asItWas' for the air as it was. */
   setLight(name, table, shadow) {
     const {gl} = this;
     this.tables[name] = table;
@@ -95,8 +94,8 @@ export class Picture {
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 2 * table.nodes, table.rows, 0, gl.RGBA, gl.FLOAT, table.values);
   }
 
-  /** What both programs are told. */
-  tell({program, at}, sky, view, frame, {shadowed = true, light = 'now'} = {}) {
+  /** Sets the uniforms of a program that both programs have. */
+  setUniforms({program, at}, sky, view, frame, {shadowed = true, light = 'now'} = {}) {
     const {gl, facts, shadow} = this, {map, photometry} = facts, table = this.tables[light];
     gl.useProgram(program);
     gl.uniform3fv(at('centre'), sky.centre);
@@ -141,7 +140,7 @@ export class Picture {
    */
   draw(sky, view, frame, look) {
     const {gl, facts} = this, {at} = this.screen;
-    this.tell(this.screen, sky, view, frame);
+    this.setUniforms(this.screen, sky, view, frame);
     const table = this.views[look.view];
     gl.activeTexture(gl.TEXTURE3);
     gl.bindTexture(gl.TEXTURE_3D, table ?? this.noView);
@@ -158,10 +157,10 @@ export class Picture {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  /** Numbers of a picture, or of `places`: [pixel × 4], luminance as red, green, blue, and V's radiance. */
+  /** Radiance in a picture, or at `places`: [pixel × 4], red, green and blue [cd/m²], and V. */
   read(sky, view, frame, {shadowed = true, light = 'now', places = null} = {}) {
     const {gl} = this, {at} = this.raw, {width, height} = frame;
-    this.tell(this.raw, sky, view, frame, {shadowed, light});
+    this.setUniforms(this.raw, sky, view, frame, {shadowed, light});
     gl.activeTexture(gl.TEXTURE3);
     gl.bindTexture(gl.TEXTURE_2D, this.places);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, places ? width : 1, places ? height : 1, 0, gl.RGBA, gl.FLOAT,
@@ -182,7 +181,7 @@ export class Picture {
     return new Float32Array(bits.buffer);
   }
 
-  /** The same at places of the Moon, unit vectors in Moon-fixed axes. */
+  /** Radiance at places of the Moon, unit vectors in Moon-fixed axes. */
   readAt(sky, view, directions) {
     const width = Math.min(directions.length, widest), height = Math.ceil(directions.length / widest);
     const places = new Float32Array(4 * width * height);

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-// One plane behind the Earth: where light lands on it that passed the limb, and what of it the Sun's disc about a
-// place draws (shadow::by_quadrature has the equation).
+// Plane behind the Earth: where light from the limb lands on it, and the light of the Sun's whole disc at its places
+// (shadow::by_quadrature has the equation).
 
-// nodes of three stretches of axis distance: within the umbra, where direct light begins, beyond
+// Nodes of three stretches of axis distance: within the umbra, about the begin of direct light, beyond.
 export const stretches = [150, 110, 80];
 export const nodes = stretches[0] + stretches[1] + stretches[2] + 1, sectors = 48;
 export const colours = 4;  // red, green, blue, V
-export const channels = 2 * colours;  // of light on the reddest ground, and again on the bluest
-// Bins of the distance from the axis where light from the Sun's centre lands; the narrow ones begin where rays
-// land that pass the limb some 25 km high: direct light begins with theirs.
+export const channels = 2 * colours;  // on the reddest ground, then on the bluest
+// Widths of bins of the axis distance at which light from the Sun's centre lands. Narrow bins begin where rays land
+// that pass the limb 25 km high: direct light begins there.
 const wideKm = 30, narrowKm = 5, highRaysKm = 360;
 const limbKm = 6390, oneLimbKm = 1500;  // as shadow::limb_m and one_limb_m
 
-/** Where a line from the limb that crosses a plane at one axis distance crosses a deeper one. */
+/** Axis distance at which a line from the limb crosses a plane that is so many times as deep. */
 export const sheared = (distance, deeper) =>
   distance + (distance - limbKm) * (deeper - 1) * Math.min(1, distance / oneLimbKm);
 
-/** Signed distance from the axis where a ray from the Sun's centre lands, as shadow::landing_m. */
+/** Signed axis distance at which a ray from the Sun's centre lands, as shadow::landing_m. */
 export function landing(impact, bending, sunDistance, depth) {
   const slope = Math.tan(Math.asin(impact / sunDistance) - bending);
   return impact * Math.sqrt(1 + slope * slope) + depth * slope;
@@ -46,18 +46,20 @@ export class Plane {
     this.factor = (1 + depth / shadow.sunDistance) ** 2 / (Math.PI * this.sunRadius ** 2);
     const straight = landing(shadow.facts.earth.equatorialKm, 0, shadow.sunDistance, depth);
     const top = landing(shadow.facts.earth.equatorialKm + shadow.facts.limb.topKm, 0, shadow.sunDistance, depth);
-    this.wide = Math.floor((straight - highRaysKm) / wideKm);  // how many are
+    this.wide = Math.floor((straight - highRaysKm) / wideKm);  // number of wide bins
     this.bins = this.wide + Math.ceil((top + narrowKm - this.wide * wideKm) / narrowKm);
-    this.clear = null;  // direct light, once it is asked for
+    this.clear = null;  // direct light, once asked for
   }
 
-  /** Where a bin begins [km], and the bin of a distance. */
+  /** Begin of a bin [km]. */
   edge(bin) { return bin < this.wide ? bin * wideKm : this.wide * wideKm + (bin - this.wide) * narrowKm; }
+  /** Bin of an axis distance [km]. */
   binOf(distance) {
     const beyond = distance - this.wide * wideKm;
     return Math.floor((beyond < 0 ? distance / wideKm : this.wide + beyond / narrowKm) + 1e-9);
   }
 
+  /** Axis distance of a node in this plane [km]. */
   at(node) { return sheared(this.shadow.distanceOf(node), this.depth / this.shadow.middleDepth); }
 
   /** ∫ f(μ) cos mψ dψ over the arc of radius r, added to arcs[term × harmonics + m]. */
@@ -85,7 +87,7 @@ export class Plane {
       }
   }
 
-  /** The arcs of one place: {first bin, last bin, values[bin][term × harmonics + m]}. */
+  /** Arcs of the Sun's disc about an axis distance: {first bin, last bin, values[bin][term × harmonics + m]}. */
   arcs(gamma) {
     const first = Math.min(this.bins, this.binOf(Math.max(0, gamma - this.sunRadius)));
     const last = Math.min(this.bins, this.binOf(gamma + this.sunRadius) + 1);
@@ -101,13 +103,13 @@ export class Plane {
     return {first, last, values};
   }
 
-  /** All places' arcs. */
+  /** Arcs about all nodes. */
   allArcs() {
     this.kept ??= Array.from({length: nodes}, (_, i) => this.arcs(this.at(i)));
     return this.kept;
   }
 
-  /** ∫ T b db of one part and wavelength by where it lands: [bin], beyond the axis in the second half. */
+  /** ∫ T b db of one part and wavelength, by the bin where it lands; beyond the axis in the second half of the array. */
   landed(paths, through, cover, topKm) {
     const landed = new Float64Array(2 * this.bins);
     const {bending, impact} = paths;
@@ -131,7 +133,7 @@ export class Plane {
     if (low < 0) this.spreadOn(landed, this.bins, Math.max(0, -high), -low, each);
   }
 
-  /** The same on one side of the axis: light for each kilometre. */
+  /** Spreads light on one side of the axis; `each` is light for a kilometre. */
   spreadOn(landed, offset, low, high, each) {
     for (let bin = this.binOf(low), from = low; bin < this.bins && from < high; ++bin) {
       const next = Math.min(high, this.edge(bin + 1));
@@ -140,7 +142,7 @@ export class Plane {
     }
   }
 
-  /** What the Earth and its air leave clear of each layer of the Sun's disc, over the disc's area. */
+  /** Share of the Sun's disc in each of its layers that the Earth and its air leave clear. */
   clearParts(gamma, angle) {
     const {facts, layers} = this.shadow;
     const {equatorialKm, polarKm, sunDeclination} = facts.earth;

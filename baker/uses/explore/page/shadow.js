@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Light in the Earth's shadow, summed up from rays of the limb: by distance from the axis, position angle and
-// depth.
+// Light in the Earth's shadow, summed up from rays of the limb, by axis distance, position angle and depth.
 
-import {aerosolDepth, cloudCover, LimbRays} from './air.js';
+import {aerosolDepth, cloudCover, LimbRays, meanOver} from './air.js';
 import {channels, colours, landing, nodes, Plane, sectors, sheared, stretches} from './plane.js';
+import {luminance} from './vectors.js';
 
 export class Shadow {
-  /** Given  sunDistance [km];  depths: of the planes, nearest first [km] */
+  /** Given  sunDistance [km];  depths  of the planes, the nearest first [km] */
   constructor(facts, arrays, sunDistance, depths) {
     this.facts = facts;
     this.rays = new LimbRays(facts, arrays);
@@ -50,11 +50,11 @@ export class Shadow {
     return from;
   }
 
-  /** What lands on each plane in that air: [plane][part][wavelength][bin]. */
+  /** Changes the air, and the light that lands on each plane: [plane][part][wavelength][bin]. */
   setAir(air) {
     this.air = air;
     this.landed = this.planes.map(() => []);
-    this.spectral = [];  // what is shed of each wavelength, once it is asked for
+    this.spectral = [];  // series of each wavelength, once asked for
     for (let p = 0; p < this.rays.parts.length; ++p)
       for (let w = 0; w < this.waves; ++w) {
         const {paths, amounts} = this.followed(air, p, w);
@@ -65,7 +65,7 @@ export class Shadow {
       }
   }
 
-  /** Paths hardly change: only with refraction. */
+  /** Paths and amounts of a part's rays at a wavelength; kept until refraction changes. */
   followed(air, part, wave) {
     if (this.pathsAre !== air.refraction) [this.pathsAre, this.paths] = [air.refraction, []];
     return this.paths[part * this.waves + wave] ??= {
@@ -73,8 +73,10 @@ export class Shadow {
   }
 
   /**
-   * What the limb sheds in some weights of wavelengths, as a series in the position angle, by term of the
-   * Sun's disc: [harmonic, cosine before sine][bin][term × weights], both sides of the axis put together.
+   * Light that lands on a plane from a point of the Sun, as a series in position angle: by term of the Sun's disc, and
+   * by sums over wavelengths with some weights. Light from both sides of the axis is one.
+   *
+   * Returned [harmonic, cosine before sine][bin][term × weights]
    */
   shed(k, weights) {
     const {bins} = this.planes[k], {harmonics, terms} = this;
@@ -105,7 +107,7 @@ export class Shadow {
     return shed;
   }
 
-  /** Light of one place as a series: [harmonic, cosine before sine][weight]. */
+  /** Light of the Sun's disc at an axis distance, as a series: [harmonic, cosine before sine][weight]. */
   gathered(k, arcs, shed, count) {
     const {first, last, values} = arcs, {harmonics, terms} = this;
     const size = terms.length * harmonics, width = terms.length * count;
@@ -123,7 +125,7 @@ export class Shadow {
     return series;
   }
 
-  /** The sum of a series at a position angle. */
+  /** Sum of a series at a position angle. */
   summed(series, angle, count) {
     const sums = new Float64Array(count);
     for (let h = 0; h * count < series.length; ++h) {
@@ -135,8 +137,7 @@ export class Shadow {
   }
 
   /**
-   * The table that the picture is lit by: logarithms to base 2 of what a white ground that faces the Sun
-   * at 1 au makes of the light.
+   * Table that lights the picture: log2 of the radiance of white ground that faces the Sun at 1 au.
    *
    * Returned {values: [plane][sector, the first again at the end][node][channel], nodes, rows}
    */
@@ -170,9 +171,9 @@ export class Shadow {
   }
 
   /**
-   * Light that the air scatters into the shadow, over sunlight, by wavelength: between amounts of the
-   * stratosphere's aerosol in logarithms. Other changes of the air do not change it, but for the switch that
-   * leaves nothing to scatter. Air of Danjon's scale stands for all that was seen, scattered light included.
+   * Light that the air scatters into the shadow, over sunlight, by wavelength: interpolated in logarithms between
+   * depths of the stratosphere's aerosol. No other change of the air counts, but for the switch that ends scattering.
+   * Air of Danjon's scale gives all light that was seen, scattered light included.
    */
   scatteredAt(distance) {
     const [, distances, waves] = this.scattered.shape, {data} = this.scattered;
@@ -189,25 +190,25 @@ export class Shadow {
     });
   }
 
-  /** Between which amounts of the aerosol it is, and how far. */
+  /** Rows of the table between which the aerosol's mean depth lies, and its place between them. */
   scatteringAmounts() {
-    const {parts} = this.rays, mean = (of) => parts.reduce((total, part) => total + of(part), 0) / parts.length;
-    const depth = mean((part) => aerosolDepth(this.air, part));
-    if (depth === mean((part) => part.aerosolDepth)) return [0, 0, 0];
+    const {parts} = this.rays;
+    const depth = meanOver(parts, (part) => aerosolDepth(this.air, part));
+    if (depth === meanOver(parts, (part) => part.aerosolDepth)) return [0, 0, 0];
     const steps = this.facts.limb.aerosolSteps, step = steps.findLastIndex((one) => one <= depth);
     if (step < 0) return [1, 2, depth / steps[0]];
     if (step + 1 === steps.length) return [step + 2, step + 2, 0];
     return [step + 2, step + 3, Math.log(depth / steps[step]) / Math.log(steps[step + 1] / steps[step])];
   }
 
-  /** What the limb sheds of each wavelength by itself. */
+  /** Series of each wavelength by itself. */
   spectralShed(k) {
     const each = () => Array.from({length: this.waves}, (_, w) =>
       Float64Array.from({length: this.waves}, (_, i) => (i === w ? 1 : 0)));
     return this.spectral[k] ??= this.shed(k, each());
   }
 
-  /** Light over sunlight by wavelength, at a place in the shadow (motion.placeInShadow). */
+  /** Light over sunlight by wavelength at a place in the shadow (placeInShadow). */
   spectrum(place) {
     const k = Math.abs(place.depth - this.depths[0]) < Math.abs(place.depth - this.depths[1]) ? 0 : 1;
     const plane = this.planes[k];
@@ -222,10 +223,10 @@ export class Shadow {
   }
 
   /**
-   * The Earth's ring of sunsets as a place in the shadow sees it: luminance of the Sun's image, over that
-   * of the Sun's disc, in red, green and blue.
+   * Ring of sunsets that a place in the shadow sees: luminance of the Sun's image over that of its disc, in red,
+   * green and blue.
    *
-   * Given    angles  how many position angles
+   * Given    angles  number of position angles
    * Returned [angle][ray × 3], rays from the ground up
    */
   ring(place, angles) {
@@ -261,18 +262,19 @@ export class Shadow {
     });
   }
 
+  /** Share of a part in the limb at a position angle. */
   share(part, psi) {
     return this.summed(Float64Array.from(
       [...this.series[2 * part], ...(this.turning ? this.series[2 * part + 1] : [])]), psi, 1)[0];
   }
 }
 
-/** Moves a colour of linear Rec.709 with a channel below 0 towards the grey of its luminance, as
- * colour::into_gamut. Light of no luminance is black. */
+/** Moves a colour of linear Rec.709 with a negative channel towards the grey of its luminance, as colour::into_gamut; to
+ * black without luminance. */
 export function intoGamut(light) {
   const least = Math.min(light[0], light[1], light[2]);
   if (least >= 0) return;
-  const grey = 0.2126390059 * light[0] + 0.7151686788 * light[1] + 0.0721923154 * light[2];
+  const grey = luminance(light);
   const share = grey > 0 ? -least / (grey - least) : 1;
   for (let c = 0; c < 3; ++c) light[c] = grey > 0 ? Math.max(0, light[c] + share * (grey - light[c])) : 0;
 }

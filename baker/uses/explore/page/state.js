@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// All that the reader has set, as a link keeps it behind its #, and the command that makes the same picture.
+// State that the reader has set: as the fragment of a link, and as the command that makes the same picture.
 
-import {airAsItWas} from './air.js';
+import {airAsItWas, meanOver, remaining} from './air.js';
 import {switches, utc} from './words.js';
 
 export function firstState(facts) {
@@ -26,7 +26,7 @@ const numberIn = (text, low, high) => {
 const airNumbers = {
   cloud: [0, 10], haze: [0, 10], dust: [0, 2], ozoneDu: [0, 1000], clearness: [-2, 1]};
 
-/** Behind a link's #: only what differs from the first state. */
+/** Fragment of a link: all that differs from the first state. */
 export function linkOf(state, facts) {
   const first = firstState(facts), words = new URLSearchParams();
   if (Math.abs(state.ms - first.ms) >= 500) words.set('t', utc(state.ms));
@@ -47,7 +47,7 @@ export function linkOf(state, facts) {
   return words.toString();
 }
 
-/** The state that a link says; what it says wrongly is as at first. */
+/** State of a link's fragment; where a value is wrong, that of the first state. */
 export function stateOf(link, facts) {
   const state = firstState(facts), words = new URLSearchParams(link);
   const ms = Date.parse(words.get('t') ?? '');
@@ -75,7 +75,7 @@ export function stateOf(link, facts) {
   return state;
 }
 
-/** A time zone that the browser knows; none else. */
+/** Name of a time zone that the browser knows; empty for any other. */
 function zoneNamed(name) {
   try {
     return name && new Intl.DateTimeFormat('en', {timeZone: name}) ? name : '';
@@ -89,9 +89,7 @@ const short = (value) => String(Number(value.toPrecision(4)));
 /** Options of the command line that make the same air. */
 function airOptions(air, facts) {
   const options = [], cloud = air.clouds ? air.cloud : 0, haze = air.aerosol ? air.haze : 0;
-  const left = 1 - Math.max(0, air.clearness);
-  const parts = facts.limb.parts;
-  const mean = (name) => parts.reduce((total, part) => total + part[name], 0) / parts.length;
+  const mean = (name) => meanOver(facts.limb.parts, (part) => part[name]), share = remaining(air);
   const add = (changed, ...words) => { if (changed) options.push(...words); };
   const step = air.clearness === 0 ? -1 : facts.danjon.indexOf(air.clearness);
   if (step >= 0) return ['--danjon', String(step)];
@@ -100,14 +98,14 @@ function airOptions(air, facts) {
   add(!air.gases, '--oxygen-pairs', 'off', '--nitrogen-dioxide', 'off');
   if (!air.ozone || air.ozoneDu !== null) options.push('--ozone-du', short(air.ozone ? air.ozoneDu : 0));
   if (facts.dated) {
-    add(cloud * left !== 1, '--cloud-chance', short(cloud * left), '--cirrus', short(cloud * left));
-    add(haze * left !== 1, '--free-troposphere', short(haze * left));
-    add(haze * left !== 1, '--tropospheric-aerosol', short(haze * left * facts.haze));
+    add(cloud * share !== 1, '--cloud-chance', short(cloud * share), '--cirrus', short(cloud * share));
+    add(haze * share !== 1, '--free-troposphere', short(haze * share));
+    add(haze * share !== 1, '--tropospheric-aerosol', short(haze * share * facts.haze));
   } else {
     add(cloud !== 1, '--cloud-cover', short(Math.min(1, cloud * mean('cloudCover'))));
     add(haze !== 1, '--tropospheric-aerosol', short(haze * facts.haze));
   }
-  const depth = (air.dust ?? mean('aerosolDepth')) * left - Math.min(0, air.clearness);
+  const depth = (air.dust ?? mean('aerosolDepth')) * share - Math.min(0, air.clearness);
   if (!air.aerosol) options.push('--stratospheric-aerosol', '0');
   else add(air.dust !== null || air.clearness !== 0, '--stratospheric-aerosol', short(Math.min(2, depth)));
   return options;
@@ -115,7 +113,7 @@ function airOptions(air, facts) {
 
 const quoted = (word) => (/^[\w.,:+/-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
-/** The command line that makes the picture that is seen. */
+/** Command line that makes the picture shown. */
 export function commandOf(state, facts, seconds) {
   const {place, exposure} = state, words = ['still', utc(state.ms)];
   if (place) {

@@ -14,9 +14,12 @@ export const times = (m, v) =>
 
 export const transposed = (m) => [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]];
 
-/** The unit vector towards a longitude and a latitude [rad]. */
+/** Unit vector towards a longitude and a latitude [rad]. */
 export const direction = (longitude, latitude) => [
   Math.cos(latitude) * Math.cos(longitude), Math.cos(latitude) * Math.sin(longitude),
   Math.sin(latitude)];
 
 export const degree = Math.PI / 180;
+
+/** Luminance of linear Rec.709: of three numbers, or of those from the i-th on. */
+export const luminance = (rgb, i = 0) => 0.2126390059 * rgb[i] + 0.7151686788 * rgb[i + 1] + 0.0721923154 * rgb[i + 2];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the page says, and what its words mean.
+// Texts of the page, and the meanings of its words.
 
 export const meanings = {
   P1: 'P1: the Moon touches the penumbra, where the Earth covers a part of the Sun.',
@@ -26,7 +26,7 @@ export const switches = {
   gases: 'Other gases', aerosol: 'Dust and haze', clouds: 'Cloud',
 };
 
-/** 0.0333 as "1/30 s". */
+/** Exposure time in words: 0.0333 is "1/30 s". */
 export function exposureTime(seconds) {
   if (seconds >= 0.4) return `${Number(seconds.toPrecision(2))} s`;
   return `1/${Number((1 / seconds).toPrecision(2))} s`;
@@ -38,10 +38,10 @@ export function utc(ms) {
   return `${new Date(wholeSeconds(ms)).toISOString().slice(0, 19)}Z`;
 }
 
-/** −2.71, with a minus sign. */
+/** Number with a minus sign in place of a hyphen: "−2.71". */
 export const signed = (value, decimals) => value.toFixed(decimals).replace('-', '−');
 
-/** Clock time in a time zone; in the browser's own where none is given. */
+/** Date and time in a time zone; without one, in the browser's. */
 export function localTime(ms, timeZone) {
   const options = {
     month: 'short', day: 'numeric', hour: '2-digit', minute: '2-digit', second: '2-digit',
@@ -50,11 +50,11 @@ export function localTime(ms, timeZone) {
   return new Intl.DateTimeFormat('en-GB', timeZone ? {...options, timeZone} : options).format(wholeSeconds(ms));
 }
 
-/** 12.3° N or S, E or W. */
+/** Angle with its hemisphere: "12.3° N". */
 const half = (value, [positive, negative]) => `${Math.abs(value).toFixed(1)}° ${value < 0 ? negative : positive}`;
 export const placeText = ({latitude, longitude}) => `${half(latitude, 'NS')}, ${half(longitude, 'EW')}`;
 
-/** Three digits, without an exponent where it can be read. */
+/** Number to three digits, without an exponent from 1e-4 to 1e5. */
 export function number(value) {
   if (value === 0 || !Number.isFinite(value)) return '0';
   if (value >= 1e5 || value < 1e-4) return value.toExponential(2);
