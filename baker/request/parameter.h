@@ -38,7 +38,7 @@ enum class Affects {
   frame,    ///< the camera's place and field: frames
   picture,  ///< exposure and development: pictures
   share,    ///< part of the work that this run does
-  run       ///< where results go, and how a run is told
+  run       ///< where results go, and how a run is reported
 };
 
 /// Lowest and highest value allowed.

@@ -66,15 +66,15 @@ void require_photons(const uses::Film& film, const uses::Shard& shard) {
                     shard.parts));
 }
 
-void light_up(uses::Film& film, bool replace, const FilmProgress& told) {
+void light_up(uses::Film& film, bool replace, const FilmProgress& progress) {
   const auto start = std::chrono::steady_clock::now();
   auto found = [&] {
     ProgressBar bar("light");
     return film_light(film, replace, bar.progress());
   }();
   film.light = std::make_shared<const uses::Moonlight>(std::move(found.light));
-  told.light(found.kept,
-             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  progress.light(found.kept,
+                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
 /// Traces one shard of the film's photons.

@@ -46,11 +46,11 @@ void add_threads(CLI::App& program, std::unique_ptr<tbb::global_control>& contro
         ->check(CLI::Range(0, 512));
 }
 
-void run(CLI::App& program, const std::vector<std::string>& told) {
-  for (const auto& argument : told)
+void run(CLI::App& program, const std::vector<std::string>& typed) {
+  for (const auto& argument : typed)
     if (!is_utf8(argument))
       throw WrongUsage(fmt::format("argument '{}', allowed is UTF-8", argument));
-  const auto arguments = with_moments_joined(told);
+  const auto arguments = with_moments_joined(typed);
   auto all = with_recipes(program, arguments);
   if (const auto recipe = recipe_named_in(program, arguments); !recipe.empty())
     all.push_back("--recipe=" + recipe);  // a file like others that are read

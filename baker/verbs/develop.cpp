@@ -33,8 +33,8 @@ struct Options {
 /// Colour space of a frame: of --space, its header or its name, in that order; else linear Rec.709.
 colour::WorkingSpace space_of(const Options& options, const std::string& frame) {
   if (!options.space.empty()) return colour::working_space(options.space);
-  if (const auto told = texture::read_attribute(frame, "coppermoon:colour_space"))
-    return colour::working_space(*told);
+  if (const auto name = texture::read_attribute(frame, "coppermoon:colour_space"))
+    return colour::working_space(*name);
   const auto stem = fs::path(frame).stem().string();
   return colour::space_in_name(stem).value_or(colour::WorkingSpace::linear_rec709);
 }

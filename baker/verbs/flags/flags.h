@@ -82,7 +82,7 @@ Flag add_flag(CLI::App& verb, const std::string& names, Value& value, const std:
 
 /// A flag whose value is read by a function, as "2s" or "42.86,-73.77".
 ///
-/// Given  take  told the text; throws algebra::Error for one that it cannot understand
+/// Given  take  reads the text; throws algebra::Error when it cannot
 ///        text  of the default, where it has one
 Flag add_parsed(CLI::App& verb, const std::string& names,
                 std::function<void(const std::string&)> take, const std::string& help,

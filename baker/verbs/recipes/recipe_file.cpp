@@ -107,11 +107,11 @@ toml::table parsed(const std::string& path) {
   }
 }
 
-/// A recipe that is read for a verb.
+/// Recipe that is read for a command.
 struct Reading {
   const CLI::App& verb;
   const std::string& path;
-  /// A recipe that another verb wrote into a file may know more than this one asks for.
+  /// Whether keys that the command has not are passed over: another command wrote the recipe into its file.
   bool lenient = holds_recipe(path);
 
   bool heeds(const std::vector<std::string>& keys, const std::string& flag) const {
@@ -123,18 +123,18 @@ struct Reading {
   }
 };
 
-/// One flag as a recipe tells it.
-struct Told {
-  std::string flag;
+/// Key of a recipe, and its value.
+struct Entry {
+  std::string key;
   const toml::node* value;
   std::string table = {};  ///< "[atmosphere]"; empty: above all tables
 };
 
-/// What a table of a recipe may hold.
+/// Keys that a table of a recipe may hold.
 struct Table {
   std::string name;
   std::vector<std::string> keys;
-  std::string model = {};  ///< the flag whose name it has; empty: what stands above all tables
+  std::string model = {};  ///< parameter that it is called after; empty: the keys above all tables
 };
 
 /// Keys of a recipe's table: the parameters of the request that it is called after. The parameter with the table's
@@ -151,7 +151,7 @@ bool has_table(const CLI::App& verb, const std::string& name) {
   return model != nullptr && model->table == name;
 }
 
-/// Whether a key is no key of this verb, but one of another's: one recipe serves all of them.
+/// Whether a key belongs to another command alone: one recipe serves all.
 bool is_anothers(const Reading& reading, const Table& table, const std::string& key) {
   const auto* program = reading.verb.get_parent();
   if (program == nullptr || holds(table.keys, key)) return false;
@@ -161,79 +161,78 @@ bool is_anothers(const Reading& reading, const Table& table, const std::string& 
   });
 }
 
-bool is_table(const Reading& reading, const Told& told) {
-  return told.value->is_table() && has_table(reading.verb, told.flag);
+bool is_table(const Reading& reading, const Entry& entry) {
+  return entry.value->is_table() && has_table(reading.verb, entry.key);
 }
 
-void require_key(const Reading& reading, const Table& table, const Told& told) {
-  if (holds(table.keys, told.flag)) return;
-  const bool elsewhere = holds(long_flags(reading.verb), told.flag);
-  throw WrongUsage(fmt::format("{}{}: {} has no such key; {}", reading.where(*told.value),
-                               one_line(told.flag), table.name,
+void require_key(const Reading& reading, const Table& table, const Entry& entry) {
+  if (holds(table.keys, entry.key)) return;
+  const bool elsewhere = holds(long_flags(reading.verb), entry.key);
+  throw WrongUsage(fmt::format("{}{}: {} has no such key; {}", reading.where(*entry.value),
+                               one_line(entry.key), table.name,
                                elsewhere ? "it belongs above all tables"
-                                         : "the nearest is " + request::nearest(told.flag, table.keys)));
+                                         : "the nearest is " + request::nearest(entry.key, table.keys)));
 }
 
-/// A recipe may be a stranger's: it says neither where files go and what they replace, nor how this run is
-/// made and told.
-void require_no_output(const Reading& reading, const Told& told) {
+/// Refuses keys that say where files go, or how a run goes: a recipe may be a stranger's.
+void require_no_output(const Reading& reading, const Entry& entry) {
   static constexpr std::array of_the_run{"help", "help-all", "threads"};
-  const auto* parameter = parameters_of(reading.verb).find(told.flag);
+  const auto* parameter = parameters_of(reading.verb).find(entry.key);
   const bool place = parameter != nullptr && is_written(parameter->kind),
              run = parameter != nullptr && parameter->affects == request::Affects::run;
-  if (run || std::ranges::find(of_the_run, told.flag) != of_the_run.end())
+  if (run || std::ranges::find(of_the_run, entry.key) != of_the_run.end())
     throw WrongUsage(fmt::format("{}{}: {} is said on the command line alone",
-                                 reading.where(*told.value), told.flag,
+                                 reading.where(*entry.value), entry.key,
                                  place ? "where files go" : "how a run goes"));
 }
 
-/// The table's keys as they stand.
-std::vector<Told> told_in(const Reading& reading, const toml::table& entries, const Table& table) {
-  std::vector<Told> all;
+/// Entries of a table in their order.
+std::vector<Entry> entries_in(const Reading& reading, const toml::table& entries, const Table& table) {
+  std::vector<Entry> all;
   for (const auto& [key, value] : entries) {
-    const Told told{std::string(key.str()), &value};
-    if (reading.lenient && !reading.heeds(table.keys, told.flag)) continue;
-    require_no_output(reading, told);
-    if (is_anothers(reading, table, told.flag)) continue;
-    require_key(reading, table, told);
-    all.push_back(told);
+    const Entry entry{std::string(key.str()), &value};
+    if (reading.lenient && !reading.heeds(table.keys, entry.key)) continue;
+    require_no_output(reading, entry);
+    if (is_anothers(reading, table, entry.key)) continue;
+    require_key(reading, table, entry);
+    all.push_back(entry);
   }
   return all;
 }
 
-void require_once(const Reading& reading, const std::vector<Told>& all) {
-  for (auto told = all.begin(); told != all.end(); ++told)
-    if (std::any_of(all.begin(), told, [&](const Told& t) { return t.flag == told->flag; }))
+void require_once(const Reading& reading, const std::vector<Entry>& all) {
+  for (auto entry = all.begin(); entry != all.end(); ++entry)
+    if (std::any_of(all.begin(), entry, [&](const Entry& t) { return t.key == entry->key; }))
       throw algebra::Error(fmt::format("{}{}: given twice, above all tables and in {}",
-                                       reading.where(*told->value), told->flag, told->table));
+                                       reading.where(*entry->value), entry->key, entry->table));
 }
 
-/// The flags that a recipe names, those in tables behind the others.
-std::vector<Told> told_by(const Reading& reading, const toml::table& recipe) {
-  std::vector<Told> all, in_tables;
-  for (const auto& told :
-       told_in(reading, recipe, {reading.verb.get_name(), long_flags(reading.verb)})) {
-    if (!is_table(reading, told)) {
-      all.push_back(told);
+/// Entries of a recipe, those in tables behind the others.
+std::vector<Entry> entries_of(const Reading& reading, const toml::table& recipe) {
+  std::vector<Entry> all, in_tables;
+  for (const auto& entry :
+       entries_in(reading, recipe, {reading.verb.get_name(), long_flags(reading.verb)})) {
+    if (!is_table(reading, entry)) {
+      all.push_back(entry);
       continue;
     }
-    const auto table = table_of(reading.verb, told.flag);
-    for (const auto& inner : told_in(reading, *told.value->as_table(), table))
+    const auto table = table_of(reading.verb, entry.key);
+    for (const auto& inner : entries_in(reading, *entry.value->as_table(), table))
       in_tables.push_back(
-          {inner.flag == "model" ? told.flag : inner.flag, inner.value, table.name});
+          {inner.key == "model" ? entry.key : inner.key, inner.value, table.name});
   }
   all.insert(all.end(), in_tables.begin(), in_tables.end());
   require_once(reading, all);
   return all;
 }
 
-/// A number or a word, as it may stand between the commas of a region.
-std::string part_of_region(const Reading& reading, const Told& told) {
-  const auto where = reading.where(*told.value) + told.flag;
-  const auto text = as_text(*told.value, where);
+/// Part of a value as text, "cloud-cover=1".
+std::string part_of_region(const Reading& reading, const Entry& entry) {
+  const auto where = reading.where(*entry.value) + entry.key;
+  const auto text = as_text(*entry.value, where);
   if (text.empty() || text.find(',') != std::string::npos)
     throw algebra::Error(fmt::format("{} = '{}', allowed is a number or a word", where, text));
-  return told.flag + "=" + text;
+  return entry.key + "=" + text;
 }
 
 /// A table of parts as its flag spells it: "cloud-cover=1,from-latitude=-90,to-latitude=0".
@@ -243,9 +242,9 @@ std::string text_of_parts(const Reading& reading, const request::Parameter& grou
   for (const auto& part : *grouped.parts) table.keys.push_back(part.name);
   std::vector<std::string> parts;
   for (const auto& [key, value] : entries) {
-    const Told told{std::string(key.str()), &value};
-    require_key(reading, table, told);
-    parts.push_back(part_of_region(reading, told));
+    const Entry entry{std::string(key.str()), &value};
+    require_key(reading, table, entry);
+    parts.push_back(part_of_region(reading, entry));
   }
   const auto text = fmt::format("{}", fmt::join(parts, ","));
   try {
@@ -256,7 +255,7 @@ std::string text_of_parts(const Reading& reading, const request::Parameter& grou
   return text;
 }
 
-/// The one value of a parameter, or each of one that may be given again.
+/// Value of a parameter, or all values of one that may be given again.
 std::vector<const toml::node*> values_of(const request::Parameter& parameter,
                                          const toml::node& value) {
   if (!value.is_array() || !parameter.many) return {&value};
@@ -272,19 +271,19 @@ std::string spelt(const request::Parameter& parameter, const toml::node& value,
   return text == "true" ? "on" : "off";
 }
 
-/// `--key=value`, as often as the flag is told.
-std::vector<std::string> flags_of(const Reading& reading, const Told& told) {
-  const auto& parameter = *parameters_of(reading.verb).find(told.flag);
+/// `--key=value`, once for each value.
+std::vector<std::string> flags_of(const Reading& reading, const Entry& entry) {
+  const auto& parameter = *parameters_of(reading.verb).find(entry.key);
   std::vector<std::string> flags;
-  for (const auto* value : values_of(parameter, *told.value)) {
-    const std::string where = reading.where(*value) + told.flag;
+  for (const auto* value : values_of(parameter, *entry.value)) {
+    const std::string where = reading.where(*value) + entry.key;
     const bool grouped = parameter.parts && value->is_table();
     std::string text = grouped ? text_of_parts(reading, parameter, *value->as_table())
                                : spelt(parameter, *value, as_text(*value, where));
     if (text.empty()) throw algebra::Error(where + ": is empty; leave it out instead");
     if (reading.lenient && parameter.kind == request::Kind::file_read)
       text = files::shared_file(text, reading.path);
-    flags.push_back(fmt::format("--{}={}", told.flag, text));
+    flags.push_back(fmt::format("--{}={}", entry.key, text));
   }
   return flags;
 }
@@ -295,8 +294,7 @@ bool names(const std::vector<std::string>& arguments, const std::string& flag) {
   });
 }
 
-/// The recipe of a film's file is that of all frames: flags that make it the one of the file's own frame,
-/// in place of the recipe's.
+/// Flags that turn the recipe of a film, which is that of all its frames, into that of the file's own frame.
 std::vector<std::string> frame_of_film(const Reading& reading, const toml::table& recipe,
                                        const std::vector<std::string>& mine) {
   const auto& verb = reading.verb;
@@ -334,11 +332,11 @@ std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string
                                          const std::vector<std::string>& mine) {
   const Reading reading{verb, path};
   const auto recipe = parsed(path);
-  const auto all = told_by(reading, recipe);
+  const auto all = entries_of(reading, recipe);
   std::vector<std::string> flags;
-  for (const auto& told : all)
-    for (auto& flag : flags_of(reading, told))
-      if (!names(mine, told.flag)) flags.push_back(std::move(flag));
+  for (const auto& entry : all)
+    for (auto& flag : flags_of(reading, entry))
+      if (!names(mine, entry.key)) flags.push_back(std::move(flag));
   for (const auto& own : frame_of_film(reading, recipe, mine)) {
     const auto name = own.substr(0, own.find('=') + 1);
     std::erase_if(flags, [&](const std::string& flag) { return flag.starts_with(name); });

@@ -12,7 +12,7 @@ namespace coppermoon::verbs {
 
 /// Lit scene of the flags, with its recipe in the texture's header; a progress bar shows the light.
 ///
-/// Given   baking  told how far its texture is baked, once its file is written
+/// Given   baking  gets the progress of the texture once its file is written
 /// Throws  Error  as moon_request, eclipsed_sky, uses::lit_scene
 uses::LitScene lit_scene(const CLI::App& verb, const MoonOptions& moon,
                          const uses::ViewRequest& view, const uses::Baking& baking);
