@@ -102,9 +102,7 @@ class AirAbove {
   static constexpr double alike = 0.02, most_nodes = 4;
 
   static double dimming_of(const algebra::Grid<double>& weights) {
-    double sum = 0;
-    for (const double weight : weights.values()) sum += weight;
-    return -std::log(sum);
+    return -std::log(std::accumulate(weights.values().begin(), weights.values().end(), 0.));
   }
 
   std::vector<double> dimming_, nodes_;  // [part]; increasing

@@ -21,7 +21,7 @@ namespace {
 
 using Channel = algebra::Grid<float>;
 
-Channel channel_of(const colour::Image& image, std::size_t k) {
+Channel plane_of(const colour::Image& image, std::size_t k) {
   Channel channel(image.rows(), image.columns());
   for (std::size_t i = 0; i < channel.values().size(); ++i)
     channel.values()[i] = image.values()[i][k];
@@ -77,13 +77,14 @@ struct Sum {
   }
 };
 
-/// 1 where a channel is black.
-Channel black_in(const Channel& light) {
-  Channel black(light.rows(), light.columns());
-  for (std::size_t i = 0; i < black.values().size(); ++i)
-    black.values()[i] = light.values()[i] <= 0 ? 1 : 0;
-  return black;
+/// Channel of a function of each value.
+template <class Function>
+Channel mapped(Channel channel, const Function& function) {
+  for (float& value : channel.values()) value = function(value);
+  return channel;
 }
+
+float is_black(float value) { return value <= 0 ? 1 : 0; }
 
 /// 1 where any channel is clipped.
 Channel clipped_in(const texture::Image& photo, float saturated) {
@@ -176,12 +177,6 @@ bool lies_in_umbra(const FitScene& scene) {
          algebra::in_metres(eclipse::axis_distance_at(edge, moon));
 }
 
-Channel as_scene(const Channel& displayed, const colour::ToneTable& table) {
-  auto light = displayed;
-  for (float& value : light.values()) value = table(value);
-  return light;
-}
-
 }  // namespace
 
 colour::Registration registration_of(const FitScene& scene, const texture::Image& photo) {
@@ -233,8 +228,9 @@ BinnedPhotograph binned(const FitScene& scene, const texture::Image& photo,
   const double stretched = curve ? std::exp(colour::tone_logarithm(*curve, 0)) : 1;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto channel = channel_of(photo, k);
-    Brought there{brought(channel), {}, brought(black_in(channel)), channel_of(scene.glow, k)};
-    there.light = curve ? brought(as_scene(channel, table)) : there.displayed;
+    Brought there{
+        brought(channel), {}, brought(mapped(channel, is_black)), plane_of(scene.glow, k)};
+    there.light = curve ? brought(mapped(channel, table)) : there.displayed;
     const double step = stretched * step_of(channel);
     const auto around = around_the_disc(there.light);
     Off off{median_of(around_the_disc(there.displayed)), median_of(around), 0};

@@ -18,6 +18,7 @@
 #include "uses/light/moonlight.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/camera.h"
+#include "uses/picture/pixels.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -47,9 +48,7 @@ Channel sunlit_map(const MoonRequest& moon, const FitGroundwork& groundwork,
   const shadow::Lookup whole(shadow::ChannelWeights(ground ? 2 : 1, 1, 1.));
   const auto image =
       texture::bake({groundwork.albedo, sky, whole, ground}, {"Y"}, texture_rows, moon.photometry);
-  Channel map(image.height, image.width);
-  std::ranges::copy(image.values, map.values().begin());
-  return map;
+  return channel_of(image, 0);
 }
 
 /// Ground of a pixel, and its place in the shadow.
@@ -177,6 +176,54 @@ algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& pi
   return values;
 }
 
+/// Adds a few places that stand for all of a bin: the means of groups by distance, and within these by position
+/// angle. Evenly spread groups are 10 degrees wide at most: across belts of the air light varies unevenly along wider
+/// ones.
+///
+/// Given  middle_rad  position angle of the disc's centre, from which angles are counted
+void add_groups(std::vector<LitPlace> all, double middle_rad, std::vector<LitPlace>& few) {
+  constexpr std::size_t by_distance = 8;
+  constexpr double widest_rad = pi / 18;
+  const auto distance_of = [](const LitPlace& lit) {
+    return algebra::in_metres(lit.place.axis_distance);
+  };
+  const auto angle_of = [=](const LitPlace& lit) {
+    return std::remainder(algebra::in_radians(lit.place.position_angle) - middle_rad, 2 * pi);
+  };
+  std::ranges::sort(all, {}, distance_of);
+  const auto part = [](std::span<LitPlace> whole, std::size_t i, std::size_t parts) {
+    const auto from = whole.size() * i / parts, to = whole.size() * (i + 1) / parts;
+    return whole.subspan(from, to - from);
+  };
+  for (std::size_t i = 0; i < by_distance; ++i) {
+    const auto ring = part(all, i, by_distance);
+    if (ring.empty()) continue;
+    std::ranges::sort(ring, {}, angle_of);
+    const auto by_angle =
+        static_cast<std::size_t>(1 + (angle_of(ring.back()) - angle_of(ring.front())) / widest_rad);
+    for (std::size_t j = 0; j < by_angle; ++j) {
+      double sunlit = 0, distance = 0, depth = 0, east = 0, north = 0, colour = 0;
+      const auto group = part(ring, j, by_angle);
+      for (const auto& lit : group) {
+        sunlit += lit.sunlit;
+        distance += lit.sunlit * distance_of(lit);
+        depth += lit.sunlit * algebra::in_metres(lit.place.depth);
+        colour += lit.sunlit * lit.colour;
+        const double angle_rad = algebra::in_radians(lit.place.position_angle);
+        east += lit.sunlit * std::sin(angle_rad);
+        north += lit.sunlit * std::cos(angle_rad);
+      }
+      if (sunlit == 0) continue;
+      few.push_back({{algebra::metres(distance / sunlit),
+                      algebra::within_circle(algebra::radians(std::atan2(east, north))),
+                      algebra::metres(depth / sunlit)},
+                     sunlit,
+                     group.front().bin,
+                     colour / sunlit});
+    }
+  }
+}
+
 }  // namespace
 
 std::array<double, 3> rec709_of(std::span<const double> xyz) {
@@ -229,58 +276,6 @@ FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
   scene.usual_values = over_sunlit(scene, moon_seen);
   return scene;
 }
-
-namespace {
-
-/// Adds a few places that stand for all of a bin: the means of groups by distance, and within these by position
-/// angle. Evenly spread groups are 10 degrees wide at most: across belts of the air light varies unevenly along wider
-/// ones.
-///
-/// Given  middle_rad  position angle of the disc's centre, from which angles are counted
-void add_groups(std::vector<LitPlace> all, double middle_rad, std::vector<LitPlace>& few) {
-  constexpr std::size_t by_distance = 8;
-  constexpr double widest_rad = pi / 18;
-  const auto distance_of = [](const LitPlace& lit) {
-    return algebra::in_metres(lit.place.axis_distance);
-  };
-  const auto angle_of = [=](const LitPlace& lit) {
-    return std::remainder(algebra::in_radians(lit.place.position_angle) - middle_rad, 2 * pi);
-  };
-  std::ranges::sort(all, {}, distance_of);
-  const auto part = [](std::span<LitPlace> whole, std::size_t i, std::size_t parts) {
-    const auto from = whole.size() * i / parts, to = whole.size() * (i + 1) / parts;
-    return whole.subspan(from, to - from);
-  };
-  for (std::size_t i = 0; i < by_distance; ++i) {
-    const auto ring = part(all, i, by_distance);
-    if (ring.empty()) continue;
-    std::ranges::sort(ring, {}, angle_of);
-    const auto by_angle =
-        static_cast<std::size_t>(1 + (angle_of(ring.back()) - angle_of(ring.front())) / widest_rad);
-    for (std::size_t j = 0; j < by_angle; ++j) {
-      double sunlit = 0, distance = 0, depth = 0, east = 0, north = 0, colour = 0;
-      const auto group = part(ring, j, by_angle);
-      for (const auto& lit : group) {
-        sunlit += lit.sunlit;
-        distance += lit.sunlit * distance_of(lit);
-        depth += lit.sunlit * algebra::in_metres(lit.place.depth);
-        colour += lit.sunlit * lit.colour;
-        const double angle_rad = algebra::in_radians(lit.place.position_angle);
-        east += lit.sunlit * std::sin(angle_rad);
-        north += lit.sunlit * std::cos(angle_rad);
-      }
-      if (sunlit == 0) continue;
-      few.push_back({{algebra::metres(distance / sunlit),
-                      algebra::within_circle(algebra::radians(std::atan2(east, north))),
-                      algebra::metres(depth / sunlit)},
-                     sunlit,
-                     group.front().bin,
-                     colour / sunlit});
-    }
-  }
-}
-
-}  // namespace
 
 LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky) {
   LitBins lit{scene.weights, {}, scene.bins};

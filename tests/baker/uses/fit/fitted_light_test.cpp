@@ -16,7 +16,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// What a ground's colour changes of those weights, for c = 1.
+/// Weights of what the ground's colour adds, for c = 1.
 algebra::Grid<double> coloured(algebra::Grid<double> weights) {
   const auto centres_nm = band_centres_nm();
   for (std::size_t k = 0; k < weights.rows(); ++k)
@@ -24,7 +24,7 @@ algebra::Grid<double> coloured(algebra::Grid<double> weights) {
   return weights;
 }
 
-/// Five places of the Moon's near side in the shadow, a bin each, and one of both ends.
+/// Five places of the Moon's near side in the shadow, a bin each, and a sixth bin of both ends.
 std::vector<LitPlace> five_places(const almanac::SkyState& sky) {
   std::vector<LitPlace> all;
   const auto axis = eclipse::shadow_axis(sky);

@@ -14,41 +14,41 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Three numbers, of which the first two share an error of 0.15; two nuisances.
-const std::array own_errors{0.1, 0.2, 0.05};
+/// Three residuals, of which the first two share an error of 0.15; two nuisance parameters.
+const std::array noise_errors{0.1, 0.2, 0.05};
 constexpr double shared_error = 0.15;
-const std::array<std::array<double, 2>, 3> effects{{{1, 0}, {1, 0.3}, {1, -0.4}}};
+const std::array<std::array<double, 2>, 3> design{{{1, 0}, {1, 0.3}, {1, -0.4}}};
 const std::vector<double> residuals{0.4, 0.7, -0.1};
 
-double own(std::size_t i, std::size_t j) {
-  return (i == j ? own_errors[i] * own_errors[i] : 0) +
+double noise(std::size_t i, std::size_t j) {
+  return (i == j ? noise_errors[i] * noise_errors[i] : 0) +
          (i < 2 && j < 2 ? shared_error * shared_error : 0);
 }
 
-/// The block of the first two numbers.
+/// Noise covariance of the first two residuals.
 algebra::Grid<double> first_block() {
   algebra::Grid<double> block(2, 2);
   for (std::size_t i = 0; i < 2; ++i)
-    for (std::size_t j = 0; j < 2; ++j) block(i, j) = own(i, j);
+    for (std::size_t j = 0; j < 2; ++j) block(i, j) = noise(i, j);
   return block;
 }
 
 Nuisances nuisances() {
   algebra::Grid<double> a(3, 2);
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 2; ++k) a(i, k) = effects[i][k];
+    for (std::size_t k = 0; k < 2; ++k) a(i, k) = design[i][k];
   algebra::Grid<double> last(1, 1);
-  last(0, 0) = own(2, 2);
+  last(0, 0) = noise(2, 2);
   return {std::array{first_block(), last}, a};
 }
 
-/// The covariance, made.
+/// Covariance C of the residuals.
 glm::dmat3 covariance() {
   glm::dmat3 c(0);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       c[static_cast<int>(i)][static_cast<int>(j)] =
-          effects[i][0] * effects[j][0] + effects[i][1] * effects[j][1] + own(i, j);
+          design[i][0] * design[j][0] + design[i][1] * design[j][1] + noise(i, j);
   return c;
 }
 
@@ -65,7 +65,7 @@ TEST(Nuisances, AreExpectedAsTheirCovarianceWithTheResidualsSays) {
   const auto expected = nuisances().expected(residuals);
   for (std::size_t k = 0; k < 2; ++k) {
     double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) sum += effects[i][k] * weighted[static_cast<int>(i)];
+    for (std::size_t i = 0; i < 3; ++i) sum += design[i][k] * weighted[static_cast<int>(i)];
     EXPECT_WITHIN_RELATIVE(expected[k], sum, 1e-9, "E(u | r) = Aᵀ C⁻¹ r");
   }
 }
@@ -74,14 +74,14 @@ TEST(Nuisances, ExplainWhatTheyExpect) {
   const auto expected = nuisances().expected(residuals);
   const auto explained = nuisances().explained(residuals);
   for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_WITHIN(explained[i], effects[i][0] * expected[0] + effects[i][1] * expected[1], 1e-12,
+    EXPECT_WITHIN(explained[i], design[i][0] * expected[0] + design[i][1] * expected[1], 1e-12,
                   "A u");
 }
 
 TEST(Nuisances, LeaveTheErrorOfAMeanThatIsBetterThanTheirOwnPriorSays) {
   const std::vector<double> one{1, 0, 0};
-  // the number itself is known to its own error and to what remains of both nuisances, given all three
-  const double error = nuisances().error_of_mean(one), itself = std::sqrt(own(0, 0));
+  // a residual has its noise, and the posterior errors of both parameters, given all three
+  const double error = nuisances().error_of_mean(one), itself = std::sqrt(noise(0, 0));
   EXPECT_GT(error, itself);
   EXPECT_LT(error, std::hypot(itself, 1));
 }

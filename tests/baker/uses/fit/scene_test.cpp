@@ -25,7 +25,7 @@ struct Sum {
   double mean() const { return light / sunlit; }
 };
 
-/// The disc takes in the axis, and the direction from which angles about it are counted, or neither.
+/// Discs with the axis on them, with the direction from which angles about it are counted, and with neither.
 TEST(LitBins, StandForAllTheirGround) {
   for (const char* utc : {"2018-07-27T20:40:00Z", "2008-02-21T03:12:00Z", "2000-07-16T13:20:00Z"}) {
     const auto sky = almanac::sky_at(almanac::instant_from_utc(utc));
