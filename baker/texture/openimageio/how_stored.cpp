@@ -109,9 +109,8 @@ void heed_tiff(const fs::path& path, const OIIO::ImageSpec& spec, Storage& stora
   const int interpretation = spec.get_int_attribute("tiff:PhotometricInterpretation", 1);
   require_photometric(path, interpretation);
   const TiffTags tags(path);
-  std::uint32_t count = 0;
   const void* dng = nullptr;
-  if (beginning_of(path).substr(8, 2) == "CR" || tags.get(dng_version, &count, &dng))
+  if (beginning_of(path).substr(8, 2) == "CR" || tags.get(dng_version, &dng))
     throw cannot_read(path, "a camera's raw file that does not end as one, as .dng or .cr2");
   if ((spec.get_int_attribute("tiff:subfiletype") & FILETYPE_REDUCEDIMAGE) != 0)
     throw cannot_read(path, "NewSubfileType: its first page is a thumbnail");
