@@ -10,13 +10,12 @@
 #include <string_view>
 #include <utility>
 
-#include "algebra/error.h"
-#include "texture/read_image.h"
+#include "texture/openimageio/image_input.h"
 
 namespace coppermoon::texture {
 namespace {
 
-/// A file that is read word by word; nothing comes once it has ended.
+/// Reads a file word by word; past its end, nothing.
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& path)
@@ -87,9 +86,19 @@ void pass_texts(Reader& file, std::int64_t end) {
   }
 }
 
-/// Goes over channels, each a name and 16 bytes, and the empty name behind them.
-void pass_channels(Reader& file) {
-  while (file.good() && !file.name().empty()) file.go_to(file.at() + 16);
+/// Goes over channels, each a name, a pixel type and 12 bytes, and the empty name behind them.
+/// OpenImageIO 2.4.7 ends the program at a pixel type that OpenEXR does not have.
+void pass_channels(Reader& file, const std::filesystem::path& path) {
+  constexpr std::int64_t whole_number = 0, half = 1, floating = 2;
+  for (auto name = file.name(); file.good() && !name.empty(); name = file.name()) {
+    const auto type = file.integer();
+    if (!type) return;
+    if (*type < whole_number || *type > floating)
+      throw cannot_read(path, fmt::format("pixel type of channel \"{}\" = {}, allowed {} (whole "
+                                          "numbers), {} (half) and {} (float)",
+                                          name, *type, whole_number, half, floating));
+    file.go_to(file.at() + 12);
+  }
 }
 
 /// Goes over a small picture: its sides, and 4 bytes for each of its pixels.
@@ -115,7 +124,8 @@ bool moderate_tile(Reader& file) {
 }
 
 /// Whether an attribute ends where its own counts say.
-bool honest(Reader& file, const std::string& type, std::int64_t size) {
+bool honest(Reader& file, const std::filesystem::path& path, const std::string& type,
+            std::int64_t size) {
   const std::int64_t end = file.at() + size;
   if (size < 0 || size > file.left()) return false;
   if (const auto bytes = bytes_of(type))
@@ -124,7 +134,7 @@ bool honest(Reader& file, const std::string& type, std::int64_t size) {
   if (type == "stringvector")
     pass_texts(file, end);
   else if (type == "chlist")
-    pass_channels(file);
+    pass_channels(file, path);
   else if (type == "preview")
     pass_preview(file, size);
   else
@@ -135,9 +145,8 @@ bool honest(Reader& file, const std::string& type, std::int64_t size) {
 void require(bool holds, const std::filesystem::path& path, const std::string& what,
              std::int64_t size) {
   if (!holds)
-    throw algebra::Error(
-        fmt::format("{}: cannot be read: {} of {} bytes, allowed as many as it and the file hold",
-                    path.string(), what, size));
+    throw cannot_read(
+        path, fmt::format("{} of {} bytes, allowed as many as it and the file hold", what, size));
 }
 
 void require_honest_exr(const std::filesystem::path& path, Reader& file) {
@@ -154,7 +163,7 @@ void require_honest_exr(const std::filesystem::path& path, Reader& file) {
     const auto size = file.integer();
     if (!size) return;
     const auto begin = file.at();
-    require(honest(file, type, *size), path, fmt::format("attribute \"{}\"", name), *size);
+    require(honest(file, path, type, *size), path, fmt::format("attribute \"{}\"", name), *size);
     file.go_to(begin + *size);
   }
 }

@@ -141,6 +141,28 @@ TEST_F(ReadImage, ClaimsOfADisplayWindowAreNotBelieved) {
                "a.exr: cannot be read: attribute \"displayWindow\"");
 }
 
+/// OpenEXR looks at no pixel type of a part whose own type it does not know; OpenImageIO 2.4.7 then ends
+/// the program.
+TEST_F(ReadImage, PixelTypesThatOpenExrDoesNotHaveAreRefused) {
+  const Layout layout{4, 2, {"R"}};
+  const Rows black = [](std::size_t, std::span<float> values) { std::ranges::fill(values, 0.F); };
+  const std::vector<Part> parts{{"one", layout, black}, {"two", layout, black}};
+  write_exr(in_folder("a.exr"), parts, {});
+  const auto whole = bytes_of(in_folder("a.exr"));
+  const std::string channel("R\0\x01\0\0\0", 6);
+  const auto first = whole.find(channel), second = whole.find(channel, first + 1);
+  const auto unknown = whole.find("scanlineimage");
+  ASSERT_NE(std::max({first, second, unknown}), std::string::npos);
+  for (const auto at : {first, second}) {
+    auto bytes = whole;
+    bytes[at + 2] = '\x07';
+    bytes[unknown] = 'S';
+    EXPECT_ERROR(read_image(file("b.exr", bytes)),
+                 "b.exr: cannot be read: pixel type of channel \"R\" = 7, allowed 0 (whole numbers), "
+                 "1 (half) and 2 (float)");
+  }
+}
+
 /// libpng and libtiff say a line of their own of such files.
 TEST_F(ReadImage, OfBrokenFilesNobodyPrints) {
   Image image(64, 32, {"R", "G", "B"});
