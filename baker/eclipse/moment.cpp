@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -37,7 +38,29 @@ FromContact from_contact(const std::string& text) {
   return {text.substr(0, sign), near ? std::optional(way * *seconds) : std::nullopt};
 }
 
+/// Whether a text is of a pattern in which 0 stands for any digit, and ends where it ends.
+bool is_like(std::string_view text, std::string_view pattern) {
+  return text.size() == pattern.size() &&
+         std::ranges::equal(text, pattern, [](char letter, char wanted) {
+           return wanted == '0' ? letter >= '0' && letter <= '9' : letter == wanted;
+         });
+}
+
+Instant to_the_second(const Instant& when) {
+  return almanac::instant_from_utc(almanac::utc_text(when));
+}
+
 }  // namespace
+
+bool is_day(std::string_view text) {
+  return is_like(text, "0000-00-00") || is_like(text, "-0000-00-00") ||
+         is_like(text, "+0000-00-00");
+}
+
+bool is_contact_or_time(std::string_view text) {
+  return is_like(text.substr(0, 5), "00:00") || is_like(text.substr(0, 2), "P0") ||
+         is_like(text.substr(0, 2), "U0") || text.starts_with("greatest");
+}
 
 bool begins_with_digit(const std::string& text) {
   return !text.empty() && text.find_first_of("0123456789") <= (text.front() == '-' ? 1 : 0);
@@ -49,11 +72,11 @@ bool is_from_contact(const std::string& text) {
 }
 
 Instant moment_in(const std::string& text, almanac::Calendar calendar) {
+  if (is_day(text)) return to_the_second(eclipse_on(text, calendar).greatest);
   if (!is_from_contact(text)) return almanac::instant_from_utc(text, calendar);
   const auto space = text.find(' ');
-  const auto moment =
-      moment_from(text.substr(space + 1), eclipse_on(text.substr(0, space), calendar));
-  return almanac::instant_from_utc(almanac::utc_text(moment));
+  return to_the_second(
+      moment_from(text.substr(space + 1), eclipse_on(text.substr(0, space), calendar)));
 }
 
 Instant moment_from(const std::string& text, const Eclipse& eclipse, almanac::Calendar calendar) {

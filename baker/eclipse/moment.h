@@ -2,19 +2,26 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "almanac/instant.h"
 #include "eclipse/contacts.h"
 
 namespace coppermoon::eclipse {
 
-/// A moment as text: an instant, "2018-07-27T18:24:00Z", or a day and a contact of the eclipse that is
-/// greatest on it (UTC), "2018-07-27 U2", "2018-07-27 U2+10min", "2018-07-27 greatest-90s".
+/// A moment as text: an instant, "2018-07-27T18:24:00Z"; a day (UTC), "2018-07-27", which stands for its
+/// greatest eclipse; or a day and a contact of that eclipse, "2018-07-27 U2+10min", "2018-07-27 greatest-90s".
 ///
-/// Returned  of a contact, to the full second
+/// Returned  of a day alone or a contact, to the full second
 /// Throws    Error  when the text is no moment; when the day has no eclipse: names the nearest
 almanac::Instant moment_in(const std::string& text,
                            almanac::Calendar calendar = almanac::Calendar::gregorian);
+
+/// Whether a text is a day alone, as "2018-07-27" or "-0584-05-22".
+bool is_day(std::string_view text);
+
+/// Whether a text begins as a time of day or a contact does.
+bool is_contact_or_time(std::string_view text);
 
 /// Whether a text begins as a date or a time of day does.
 bool begins_with_digit(const std::string& text);

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -20,30 +19,10 @@ namespace {
 
 using almanac::Instant;
 
-/// Whether a text matches a pattern in which 0 stands for any digit.
-bool is_like(std::string_view text, std::string_view pattern) {
-  return text.size() == pattern.size() &&
-         std::ranges::equal(text, pattern, [](char letter, char wanted) {
-           return wanted == '0' ? letter >= '0' && letter <= '9' : letter == wanted;
-         });
-}
-
-bool is_day(std::string_view text) {
-  return is_like(text, "0000-00-00") || is_like(text, "-0000-00-00") ||
-         is_like(text, "+0000-00-00");
-}
-
-/// Whether a text begins like a time of day or a contact.
-bool is_contact_or_time(std::string_view text) {
-  return is_like(text.substr(0, 5), "00:00") || is_like(text.substr(0, 2), "P0") ||
-         is_like(text.substr(0, 2), "U0") || text.starts_with("greatest");
-}
-
-/// Moment rounded to the full second, which is said on stderr.
-Instant said(const std::string& asked, const Instant& when, almanac::Calendar calendar) {
+/// Says on stderr which moment is meant by another name.
+void say(const std::string& asked, const Instant& when, almanac::Calendar calendar) {
   fmt::print(stderr, "coppermoon: {} is {} {} UTC\n", asked, almanac::date_text(when, calendar),
              almanac::time_of_day_text(when));
-  return almanac::instant_from_utc(almanac::utc_text(when));
 }
 
 /// Whether a text has a time of day without an offset.
@@ -79,12 +58,13 @@ void say_calendar(nlohmann::ordered_json& document, almanac::Calendar calendar) 
 }
 
 Instant instant_of(const MomentOptions& options) {
-  const auto& text = options.text;
-  if (is_day(text))
-    return said("the greatest eclipse of " + text,
-                eclipse::eclipse_on(text, options.calendar).greatest, options.calendar);
-  const auto moment = eclipse::moment_in(text, options.calendar);
-  return eclipse::is_from_contact(text) ? said(text, moment, options.calendar) : moment;
+  const auto& [text, calendar] = options;
+  const auto moment = eclipse::moment_in(text, calendar);
+  if (eclipse::is_day(text))
+    say("the greatest eclipse of " + text, moment, calendar);
+  else if (eclipse::is_from_contact(text))
+    say(text, moment, calendar);
+  return moment;
 }
 
 void say_which_city(const CLI::App& verb) {
@@ -107,7 +87,7 @@ void say_what_is_utc(const CLI::App& verb) {
 std::vector<std::string> with_moments_joined(const std::vector<std::string>& arguments) {
   std::vector<std::string> all;
   for (const auto& argument : arguments) {
-    if (!all.empty() && is_day(all.back()) && is_contact_or_time(argument))
+    if (!all.empty() && eclipse::is_day(all.back()) && eclipse::is_contact_or_time(argument))
       all.back() += " " + argument;
     else
       all.push_back(argument);

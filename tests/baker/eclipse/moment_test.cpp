@@ -30,6 +30,13 @@ TEST(Moment, OfADayAndAContactCountsFromIt) {
                   0, 12, "s: what the contacts' published times are met by, at worst");
 }
 
+TEST(Moment, OfADayAloneIsItsGreatestEclipse) {
+  EXPECT_EQ(text_of("2018-07-27"), text_of("2018-07-27 greatest"));
+  EXPECT_TRUE(is_day("-0584-05-22"));
+  EXPECT_FALSE(is_day("2018-07-27T00:00"));
+  EXPECT_NE(refusal_of("2018-07-28").find("2018-07-28: no lunar eclipse"), std::string::npos);
+}
+
 TEST(Moment, OfAContactIsToTheFullSecond) {
   EXPECT_TRUE(text_of("2018-07-27 greatest").ends_with(".000Z"));
 }
@@ -37,7 +44,6 @@ TEST(Moment, OfAContactIsToTheFullSecond) {
 TEST(Moment, OfATimeOfDayIsThatTime) {
   EXPECT_EQ(text_of("2018-07-27T20:22:01.250Z"), "2018-07-27T20:22:01.250Z");
   EXPECT_EQ(text_of("2018-07-27 20:22"), "2018-07-27T20:22:00.000Z");
-  EXPECT_EQ(text_of("2018-07-27"), "2018-07-27T00:00:00.000Z");
   EXPECT_FALSE(is_from_contact("2018-07-27 20:22"));
   EXPECT_TRUE(is_from_contact("2018-07-27 U2"));
 }
