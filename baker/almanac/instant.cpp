@@ -159,7 +159,7 @@ Instant instant_from_utc(std::string_view text, Calendar calendar) {
 }
 
 std::string utc_text(const Instant& instant, int decimals) {
-  algebra::require_within("decimals of a second", decimals, 0, 3);
+  algebra::require_within("decimals of a second", decimals, 0, 9);
   double day = instant.tt_day, fraction = instant.tt_fraction - delta_t_s(instant) / ERFA_DAYSEC;
   int year = 0, month = 0, day_of_month = 0;
   double rest = 0;

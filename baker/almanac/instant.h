@@ -26,7 +26,7 @@ enum class Calendar { gregorian, julian };
 /// Throws  Error  when the text is no such date: names the text and an example
 Instant instant_from_utc(std::string_view text, Calendar calendar = Calendar::gregorian);
 
-/// ISO 8601 UTC, rounded to `decimals` decimals of a second (0 to 3): "2008-02-21T03:26:05Z".
+/// ISO 8601 UTC, rounded to `decimals` decimals of a second (0 to 9): "2008-02-21T03:26:05Z".
 ///
 /// Throws  Error  when the decimals are outside their range
 std::string utc_text(const Instant& instant, int decimals = 0);

@@ -7,6 +7,8 @@
 #include "support/within.h"
 #include "texture/read_image.h"
 #include "texture/write_image.h"
+#include "uses/picture/lit_scene.h"
+#include "uses/picture/place_text.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -128,6 +130,36 @@ TEST_F(Recipes, OfVersion01HaveNoGlow) {
   make({"still", "glow.png", "-o", "again.png"});
   EXPECT_FALSE(texture::read_image(here("again.png")).values == without.values);
   EXPECT_TRUE(bytes("again.png") == bytes("glow.png"));
+}
+
+// A program of one's own, as docs/library.md has it, need not write the texture's recipe: its header holds it.
+TEST_F(Recipes, OfTheLibraryBakeTheSameTexels) {
+  uses::MoonRequest request{.texture_width = 32};
+  request.light.wish.tolerance = 0.05;
+  request.light.air.atmosphere = "undated";
+  request.light.air.column.ozone_du = 280.1;
+  request.light.air.regions = {{.from_latitude = -90,
+                                .to_latitude = 0.1,
+                                .column = {.dust_extinction_per_m = 1e-5}}};
+  request.ground_by_place = false;
+  uses::ViewRequest view{.observer = uses::observer_from("-1.2833333,36.8166667,1684.3")};
+  view.observer_ozone_du = 250;
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:21:45.123456Z"));
+  const auto scene = uses::lit_scene(request, view, sky);
+  for (const bool passes : {false, true}) {
+    auto made = uses::baked(scene.moon, {.space = colour::WorkingSpace::acescg,
+                                         .type = texture::ExrType::floating,
+                                         .spectral_nm = 100,
+                                         .passes = passes});
+    texture::write_exr(here("library.exr"), made.parts, made.attributes,
+                       {texture::ExrType::floating});
+    const auto recipe = recipe_in("library.exr");
+    file("library.toml", recipe);
+    make({"bake", "--recipe", "library.toml", "-o", "program.exr"});
+    EXPECT_TRUE(texture::read_image(here("program.exr")).values ==
+                texture::read_image(here("library.exr")).values)
+        << recipe;
+  }
 }
 
 TEST_F(Recipes, GiveWayToTheUsersFlags) {

@@ -19,6 +19,7 @@
 #include "files/name_to_share.h"
 #include "uses/light/header.h"
 #include "uses/light/spectral_bands.h"
+#include "uses/picture/texture_recipe.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -63,6 +64,7 @@ texture::Attributes header(const LitMoon& moon, const TextureContent& content) {
   auto attributes = scene_linear_header(space_of(content), moon.sky.when);
   attributes["coppermoon:albedo_map"] = files::name_to_share(moon.request.albedo_map);
   attributes["coppermoon:relative_error"] = static_cast<float>(moon.light->error_found);
+  attributes["coppermoon:recipe"] = texture_recipe(moon, content);
   attributes.merge(attitude(moon));
   if (content.spectral_nm) {
     attributes["spectralLayoutVersion"] = std::string("1.0");

@@ -74,7 +74,8 @@ struct Baking {
 ///
 /// Ground by place colours all but irradiance, which is the luminance over the reflectance.
 ///
-/// Colours outside the space are brought into it in each part by itself.
+/// Colours outside the space are brought into it in each part by itself. The attribute `coppermoon:recipe` has the
+/// recipe that bakes the same texels again (texture_recipe).
 BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking& baking = {});
 
 }  // namespace coppermoon::uses

@@ -168,11 +168,17 @@ void describe_width(Parameters& is, MoonRequest& moon) {
       .within(4, 32768);
 }
 
+void describe_unshadowed(Parameters& is, MoonRequest& moon) {
+  is.begin({}, "", Affects::light);
+  is.add(request::presence("--unshadowed", moon.unshadowed,
+                           "lights the Moon as if the Earth were away"));
+}
+
 void describe_observer(Parameters& is, ViewRequest& view) {
   is.begin(view_heading, "", Affects::sight);
   is.add(parsed(
       "at", view.observer,
-      [&view] { return view.observer ? place_text(*view.observer) : std::string(); },
+      [&view] { return view.observer ? exact_text(*view.observer) : std::string(); },
       [&view](const std::string& text) { view.observer = observer_from(text); },
       "place of the observer: a city, as Chicago or Springfield/Illinois, or LAT,LON[,ELEV] "
       "[degrees north and east, metres]; default: the Earth's centre"));

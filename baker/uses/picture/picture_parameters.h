@@ -19,6 +19,9 @@ void describe_map(request::Parameters& is, MoonRequest& moon);
 /// Width of the texture.
 void describe_width(request::Parameters& is, MoonRequest& moon);
 
+/// Whether the Moon is lit as if the Earth were away.
+void describe_unshadowed(request::Parameters& is, MoonRequest& moon);
+
 /// The observer, and the air above.
 void describe_observer(request::Parameters& is, ViewRequest& view);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -71,6 +72,20 @@ almanac::Observer observer_from(const std::string& text) {
                                    algebra::metres(numbers.size() == 3 ? numbers[2] : 0)};
   almanac::require_on_earth(observer);
   return observer;
+}
+
+std::string exact_text(const almanac::Observer& place) {
+  constexpr int fewest = 7, most = 17;
+  const auto numbers = [](const almanac::Observer& o) {
+    return std::array{algebra::in_degrees(o.latitude), algebra::in_degrees(o.longitude),
+                      algebra::in_metres(o.elevation)};
+  };
+  const auto [latitude, longitude, elevation_m] = numbers(place);
+  for (int digits = fewest;; ++digits) {
+    auto text = fmt::format("{:.{}g},{:.{}g}", latitude, digits, longitude, digits);
+    if (elevation_m != 0) text += fmt::format(",{:.{}g}", elevation_m, digits);
+    if (digits == most || numbers(observer_from(text)) == numbers(place)) return text;
+  }
 }
 
 almanac::SelenographicPoint feature_from(const std::string& text) {

@@ -15,6 +15,9 @@ namespace coppermoon::uses {
 ///              name is nearest
 almanac::Observer observer_from(const std::string& text);
 
+/// "LAT,LON" or "LAT,LON,ELEVATION" in degrees and metres, in as many digits as it takes to read the same place.
+std::string exact_text(const almanac::Observer& place);
+
 /// A place on the Moon: a feature's name (almanac::lunar_feature_named), or "LAT,LON" in degrees.
 ///
 /// Throws Error when the text is no such place: names the feature whose name is nearest

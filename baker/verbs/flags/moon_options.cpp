@@ -27,9 +27,7 @@ void add_moon_options(CLI::App& verb, MoonOptions& options) {
       .required();
   add_map_options(verb, options.request);
   add_described(verb, options.request, uses::describe_width);
-  add_switch(verb, "--unshadowed", options.request.unshadowed,
-             "lights the Moon as if the Earth were away")
-      .of(request::Affects::light);
+  add_described(verb, options.request, uses::describe_unshadowed);
   add_light_options(verb, options.light);
   add_photon_file_options(verb, options.light);
 }

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "uses/picture/texture_recipe.h"
+
+#include "request/recipe.h"
+#include "uses/light/light_parameters.h"
+#include "uses/picture/picture_parameters.h"
+
+namespace coppermoon::uses {
+namespace {
+
+/// ISO 8601 with as many decimals of a second as it takes to read the same instant.
+std::string exact_text(const almanac::Instant& when) {
+  constexpr int most = 9;
+  for (int decimals = 0;; ++decimals) {
+    const auto text = almanac::utc_text(when, decimals);
+    if (decimals == most || almanac::seconds_between(almanac::instant_from_utc(text), when) == 0)
+      return text;
+  }
+}
+
+/// Observer and air that the Moon's sightline passes through.
+ViewRequest view_in(const LitMoon& moon) {
+  ViewRequest view{.observer = moon.observer};
+  if (!moon.observer) return view;
+  view.reddening = moon.sightline.has_value();
+  if (!moon.sightline) return view;
+  view.observer_ozone_du = moon.sightline->air.ozone_du;
+  view.observer_aerosol = moon.sightline->air.aerosol_optical_depth;
+  return view;
+}
+
+}  // namespace
+
+std::string texture_recipe(const LitMoon& moon, const TextureContent& content) {
+  auto instant = exact_text(moon.sky.when);
+  auto request = moon.request;
+  auto view = view_in(moon);
+  auto held = content;
+  held.space = space_of(content);
+  request::Parameters all;
+  all.add(request::parameter("instant", instant, ""));
+  describe_map(all, request);
+  describe_width(all, request);
+  describe_unshadowed(all, request);
+  describe(all, request.light.air);
+  describe_sunlight(all, request.light);
+  describe_knobs(all, request.light.by_hand);
+  describe_solver(all, request.light);
+  describe_observer(all, view);
+  describe(all, held);
+  const auto recipe = request::recipe_of(all);
+  return request.unshadowed ? recipe : with_work(recipe, moon.light->plan.work);
+}
+
+}  // namespace coppermoon::uses
