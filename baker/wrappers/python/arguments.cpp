@@ -16,10 +16,7 @@ bool is_datetime(py::handle object) {
   return py::isinstance(object, py::module_::import("datetime").attr("datetime"));
 }
 
-}  // namespace
-
-almanac::Instant instant_of(py::handle moment) {
-  if (py::isinstance<py::str>(moment)) return eclipse::moment_in(moment.cast<std::string>());
+almanac::Instant instant_of_datetime(py::handle moment) {
   if (!is_datetime(moment))
     throw py::type_error(fmt::format(
         "{}: no moment, allowed a datetime with a time zone, or a text as 2018-07-27T20:21:45Z",
@@ -31,6 +28,19 @@ almanac::Instant instant_of(py::handle moment) {
                     py::str(moment).cast<std::string>()));
   const auto text = moment.attr("astimezone")(utc()).attr("isoformat")();
   return almanac::instant_from_utc(text.cast<std::string>());
+}
+
+}  // namespace
+
+almanac::Instant instant_of(py::handle moment) {
+  if (py::isinstance<py::str>(moment)) return eclipse::moment_in(moment.cast<std::string>());
+  return instant_of_datetime(moment);
+}
+
+almanac::Instant instant_of_date(py::handle date) {
+  const bool is_day =
+      py::isinstance<py::str>(date) && eclipse::is_day(date.cast<std::string>());
+  return is_day ? almanac::instant_from_utc(date.cast<std::string>()) : instant_of(date);
 }
 
 py::object datetime_of(const almanac::Instant& instant) {

@@ -18,20 +18,21 @@
 #include "algebra/grid.h"
 #include "almanac/instant.h"
 #include "almanac/observer.h"
-#include "atmosphere/atmosphere.h"
 #include "eclipse/contacts.h"
-#include "shadow/by_photons.h"
-#include "surface/photometry.h"
 #include "texture/read_image.h"
-#include "uses/light/moonlight.h"
-#include "uses/picture/moon.h"
 
 namespace coppermoon::python {
 
 namespace py = pybind11;
 
-/// A moment as Python tells it: a datetime with a time zone, an ISO 8601 text, or a day and a contact.
+/// Moment of an eclipse: a datetime with a time zone, an ISO 8601 text, a day, which stands for its greatest eclipse,
+/// or a day and a contact.
 struct Moment {
+  almanac::Instant instant;
+};
+
+/// End of a search, or its middle: a datetime with a time zone, or an ISO 8601 text; a day alone is its midnight.
+struct Date {
   almanac::Instant instant;
 };
 
@@ -43,6 +44,7 @@ struct Place {
 /// Throws  Error       when it is no such moment; datetimes without a time zone are none
 ///         type_error  when it is neither a datetime nor a text
 almanac::Instant instant_of(py::handle moment);
+almanac::Instant instant_of_date(py::handle date);
 
 /// A datetime in UTC, to the millisecond.
 ///
@@ -58,7 +60,7 @@ almanac::Observer observer_of(py::handle place);
 ///         type_error  when they are no numbers
 std::vector<double> numbers_of(const char* what, py::handle numbers);
 
-/// The words that stand for the values of an enumeration: those of the command's options.
+/// Words of an enumeration: those of the command's options.
 template <class Value>
 struct Words;
 
@@ -78,115 +80,12 @@ struct Words<eclipse::ShadowConvention> {
 };
 
 template <>
-struct Words<uses::EarthFigure> {
-  static constexpr std::string_view what = "earth";
-  static constexpr std::array all{std::pair{"sphere", uses::EarthFigure::sphere},
-                                  std::pair{"ellipsoid", uses::EarthFigure::ellipsoid}};
-};
-
-template <>
-struct Words<atmosphere::Density> {
-  static constexpr std::string_view what = "density";
-  static constexpr std::array all{std::pair{"seasonal", atmosphere::Density::seasonal},
-                                  std::pair{"us-1976", atmosphere::Density::us_1976},
-                                  std::pair{"yapo-cutler", atmosphere::Density::yapo_cutler}};
-};
-
-template <>
-struct Words<atmosphere::Dispersion> {
-  static constexpr std::string_view what = "dispersion";
-  static constexpr std::array all{std::pair{"ciddor", atmosphere::Dispersion::ciddor_1996},
-                                  std::pair{"crc", atmosphere::Dispersion::crc}};
-};
-
-template <>
-struct Words<atmosphere::KingFactor> {
-  static constexpr std::string_view what = "king_factor";
-  static constexpr std::array all{std::pair{"bates", atmosphere::KingFactor::bates_1984},
-                                  std::pair{"fixed", atmosphere::KingFactor::fixed}};
-};
-
-template <>
-struct Words<atmosphere::OzonePath> {
-  static constexpr std::string_view what = "ozone_path";
-  static constexpr std::array all{std::pair{"bent", atmosphere::OzonePath::bent},
-                                  std::pair{"filter", atmosphere::OzonePath::filter}};
-};
-
-template <>
-struct Words<uses::OzoneProfile> {
-  static constexpr std::string_view what = "ozone_profile";
-  static constexpr std::array all{std::pair{"climatology", uses::OzoneProfile::climatology},
-                                  std::pair{"us-1976", uses::OzoneProfile::us_1976}};
-};
-
-template <>
-struct Words<atmosphere::StratosphericAerosol> {
-  static constexpr std::string_view what = "stratospheric_aerosol";
-  static constexpr std::array all{
-      std::pair{"none", atmosphere::StratosphericAerosol::none},
-      std::pair{"background", atmosphere::StratosphericAerosol::background},
-      std::pair{"moderate", atmosphere::StratosphericAerosol::moderate},
-      std::pair{"high", atmosphere::StratosphericAerosol::high},
-      std::pair{"extreme", atmosphere::StratosphericAerosol::extreme}};
-};
-
-template <>
-struct Words<uses::ScatteredLight> {
-  static constexpr std::string_view what = "scattered_light";
-  static constexpr std::array all{std::pair{"auto", uses::ScatteredLight::automatic},
-                                  std::pair{"on", uses::ScatteredLight::on},
-                                  std::pair{"off", uses::ScatteredLight::off}};
-};
-
-template <>
-struct Words<uses::Solver> {
-  static constexpr std::string_view what = "solver";
-  static constexpr std::array all{std::pair{"auto", uses::Solver::automatic},
-                                  std::pair{"quadrature", uses::Solver::quadrature},
-                                  std::pair{"photons", uses::Solver::photons}};
-};
-
-template <>
-struct Words<shadow::Trace> {
-  static constexpr std::string_view what = "trace";
-  static constexpr std::array all{std::pair{"table", shadow::Trace::table},
-                                  std::pair{"marched", shadow::Trace::marched},
-                                  std::pair{"each", shadow::Trace::step_by_step}};
-};
-
-template <>
-struct Words<photons::Precision> {
-  static constexpr std::string_view what = "precision";
-  static constexpr std::array all{std::pair{"full", photons::Precision::full},
-                                  std::pair{"single", photons::Precision::single}};
-};
-
-template <>
-struct Words<surface::Photometry> {
-  static constexpr std::string_view what = "photometry";
-  static constexpr std::array all{
-      std::pair{"lommel-seeliger-rolo", surface::Photometry::lommel_seeliger_rolo},
-      std::pair{"yapo-cutler", surface::Photometry::yapo_cutler}};
-};
-
-template <>
 struct Words<texture::Coding> {
   static constexpr std::string_view what = "coding";
   static constexpr std::array all{std::pair{"as-file-says", texture::Coding::as_file_says},
                                   std::pair{"srgb", texture::Coding::srgb},
                                   std::pair{"linear", texture::Coding::linear},
                                   std::pair{"camera", texture::Coding::camera}};
-};
-
-template <>
-struct Words<uses::AlbedoEncoding> {
-  static constexpr std::string_view what = "albedo_encoding";
-  static constexpr std::array all{
-      std::pair{"image", uses::AlbedoEncoding::image},
-      std::pair{"normal-albedo", uses::AlbedoEncoding::normal_albedo},
-      std::pair{"cgi-moon-kit-2019", uses::AlbedoEncoding::cgi_moon_kit_2019},
-      std::pair{"cgi-moon-kit-2025", uses::AlbedoEncoding::cgi_moon_kit_2025}};
 };
 
 /// Throws  Error  when the word is none of them: names them
@@ -243,6 +142,15 @@ struct type_caster<coppermoon::python::Moment> {
   PYBIND11_TYPE_CASTER(coppermoon::python::Moment, const_name("datetime | str"));
   bool load(handle source, bool) {
     value = {coppermoon::python::instant_of(source)};
+    return true;
+  }
+};
+
+template <>
+struct type_caster<coppermoon::python::Date> {
+  PYBIND11_TYPE_CASTER(coppermoon::python::Date, const_name("datetime | str"));
+  bool load(handle source, bool) {
+    value = {coppermoon::python::instant_of_date(source)};
     return true;
   }
 };

@@ -4,6 +4,7 @@
 #include "uses/picture/baked_moon.h"
 #include "wrappers/python/arguments.h"
 #include "wrappers/python/computing.h"
+#include "wrappers/python/fields.h"
 #include "wrappers/python/nouns.h"
 #include "wrappers/python/requests.h"
 
@@ -48,42 +49,33 @@ struct Baked {
   texture::Attributes header;
 };
 
-Baked baked_of(const uses::MoonRequest& request, const almanac::Instant& when,
-               const uses::ViewRequest& view, const uses::TextureContent& content,
+Baked baked_of(const TextureKeywords& asked, const almanac::Instant& when,
                const algebra::Progress& progress) {
   const auto sky = almanac::sky_at(when);
-  const auto seen = uses::view_of(view, sky);
-  auto moon = uses::lit_moon(request, sky, part_of(progress, 0, 0.5));
+  const auto seen = uses::view_of(asked.view, sky);
+  auto moon = uses::lit_moon(asked.moon, sky, part_of(progress, 0, 0.5));
   moon.observer = seen.observer;
   moon.sightline = seen.sightline;
-  auto made = uses::baked(moon, content, {.progress = part_of(progress, 0.5, 1)});
+  auto made = uses::baked(moon, asked.content, {.progress = part_of(progress, 0.5, 1)});
   Baked baked{{}, std::move(made.attributes)};
   for (const auto& part : made.parts) baked.parts.push_back({part.name, image_of(part)});
   return baked;
 }
 
-Texture texture_of(const Moment& when, std::size_t width, const std::string& space,
-                   const std::optional<uses::Air>& air,
-                   const std::optional<uses::LightRequest>& light, const std::string& albedo_map,
-                   uses::AlbedoEncoding albedo_encoding, int albedo_map_centre,
-                   double albedo_exponent,
-                   surface::Photometry photometry, bool unshadowed, const std::optional<Place>& at,
-                   bool reddening, std::optional<double> spectral_nm, bool passes,
-                   const Told& told) {
-  auto request = moon_request(light_request(air, light),
-                              {albedo_map, albedo_encoding, albedo_map_centre, albedo_exponent,
-                               photometry, unshadowed});
-  request.texture_width = width;
-  const uses::TextureContent content{
-      .space = colour::working_space(space), .spectral_nm = spectral_nm, .passes = passes};
-  uses::require_sound(content);
-  uses::texture_width_of(request);
-  uses::require_map(request);
+Texture texture_of(const Moment& when, const std::optional<uses::Air>& air,
+                   const std::optional<uses::LightRequest>& light, const std::optional<Place>& at,
+                   const Told& told, const py::kwargs& more) {
+  TextureKeywords asked;
+  take_objects(asked, air, light, at);
+  take(bake_keywords(asked), "bake", more);
+  uses::require_sound(asked.content);
+  uses::texture_width_of(asked.moon);
+  uses::require_map(asked.moon);
   auto baked = computed(told, [&](const algebra::Progress& progress) {
-    return baked_of(request, when.instant, view_request(at, reddening), content, progress);
+    return baked_of(asked, when.instant, progress);
   });
   Texture texture{
-      baked.parts.front().image.channels, std::string(colour::name(*content.space)), {}, {}};
+      baked.parts.front().image.channels, std::string(colour::name(*asked.content.space)), {}, {}};
   for (auto& [name, image] : baked.parts)
     texture.parts[py::str(name)] = array_of_image(std::move(image));
   for (const auto& [name, value] : baked.header) texture.header[py::str(name)] = value;
@@ -109,7 +101,7 @@ void add_bake(py::module_& package) {
                     "names of the channels: the colours; spectral ones are in W/(m² sr nm)")
       .def_readonly("space", &Texture::space,
                     "colour space: 'lin_rec709', 'acescg' or 'lin_ciexyzd65_scene'")
-      .def_readonly("header", &Texture::header, "what the header of its file would say, by name")
+      .def_readonly("header", &Texture::header, "what the header of its file would say, by name; its recipe is 'coppermoon:recipe'")
       .def_readonly("parts", &Texture::parts,
                     "all arrays by name: with passes also what the light is made of")
       .def("__array__",
@@ -121,35 +113,25 @@ void add_bake(py::module_& package) {
         return fmt::format("<Texture {} of shape {}>", texture.space,
                            py::str(shape).cast<std::string>());
       });
-  package.def(
-      "bake", texture_of, "when"_a, py::kw_only(), "width"_a = 4096, "space"_a = "lin_rec709",
-      "air"_a = py::none(), "light"_a = py::none(), "albedo_map"_a = "built-in",
-      "albedo_encoding"_a = uses::AlbedoEncoding::image, "albedo_map_centre"_a = 0, "albedo_exponent"_a = 1.,
-      "photometry"_a = surface::Photometry::lommel_seeliger_rolo, "unshadowed"_a = false,
-      "at"_a = py::none(), "reddening"_a = true, "spectral_nm"_a = py::none(), "passes"_a = false,
-      "progress"_a = py::none(),
-      R"(bake(when, *, width=4096, space='lin_rec709', air=None, light=None, albedo_map='built-in', albedo_encoding='image', albedo_map_centre=0, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', unshadowed=False, at=None, reddening=True, spectral_nm=None, passes=False, progress=None)
+  TextureKeywords keywords;
+  const auto parameters = bake_keywords(keywords);
+  const auto doc = fmt::format(
+      R"(bake(when, *, air=None, light=None, at=None, {}, progress=None)
 
-The lit texture of the Moon at a moment of an eclipse: luminances of a scene-linear colour space [cd/m²].
+The lit texture of the Moon at a moment of an eclipse: luminances of a scene-linear colour space [cd/m²]. The texture's
+header['coppermoon:recipe'], saved to a file, is the recipe that bakes it again: coppermoon bake --recipe FILE -o OTHER.exr
 
-width: of the texture [texels], even, 4 to 32768
-space: 'lin_rec709', 'acescg' or 'lin_ciexyzd65_scene'
-albedo_map: an image file of 2:1, or 'built-in'
-albedo_encoding: how the numbers of a map's file stand for albedo, by the words of --albedo-encoding
-albedo_map_centre: longitude in the map's middle [degrees], 0, or 180 of a map from 0 to 360
-albedo_exponent: power of what is decoded, 0.1 to 10
-photometry: of the ground, 'lommel-seeliger-rolo' or 'yapo-cutler'
-unshadowed: lit as if the Earth were away
-at: who sees it, through the air of that place; a city, or (latitude, longitude) in degrees
-spectral_nm: width of bands of spectral radiance [nm], which follow the colours; it goes into 400 evenly
-passes: also the parts that the light is made of
-progress: called with the fraction that is done, some times a second
+at: place that sees it, through its air: a city, or (latitude, longitude) in degrees
+{}progress: called with the fraction that is done, some times a second
 
 >>> moon = coppermoon.bake('2018-07-27T20:21:45Z', width=64, space='acescg',
 ...                        air=coppermoon.Air(atmosphere='clear'), light=coppermoon.Light(bands=4, rays=60))
 >>> moon.pixels.shape, moon.pixels.dtype, moon.header['capDate']
 ((32, 64, 3), dtype('float32'), '2018:07:27 20:21:45')
-)");
+)",
+      signature_of(parameters), lines_of(parameters));
+  package.def("bake", texture_of, "when"_a, py::kw_only(), "air"_a = py::none(),
+              "light"_a = py::none(), "at"_a = py::none(), "progress"_a = py::none(), doc.c_str());
 }
 
 }  // namespace coppermoon::python

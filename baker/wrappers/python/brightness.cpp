@@ -5,6 +5,7 @@
 #include "uses/light/photometric_bands.h"
 #include "wrappers/python/arguments.h"
 #include "wrappers/python/computing.h"
+#include "wrappers/python/fields.h"
 #include "wrappers/python/nouns.h"
 #include "wrappers/python/requests.h"
 
@@ -19,20 +20,16 @@ py::dict by_band(const std::vector<double>& numbers) {
 }
 
 uses::MoonBrightness brightness_at(const Moment& when, const std::optional<uses::Air>& air,
-                         const std::optional<uses::LightRequest>& light,
-                         const std::string& albedo_map,
-                         uses::AlbedoEncoding albedo_encoding,
-                         int albedo_map_centre, double albedo_exponent,
-                         surface::Photometry photometry, bool unshadowed,
-                         const std::optional<Place>& at, bool reddening, const Told& told) {
-  const auto request =
-      moon_request(light_request(air, light),
-                   {albedo_map, albedo_encoding, albedo_map_centre, albedo_exponent, photometry,
-                    unshadowed});
-  uses::require_map(request);
+                                   const std::optional<uses::LightRequest>& light,
+                                   const std::optional<Place>& at, const Told& told,
+                                   const py::kwargs& more) {
+  TextureKeywords asked{.moon = {}};
+  take_objects(asked, air, light, at);
+  take(brightness_keywords(asked), "brightness", more);
+  uses::require_map(asked.moon);
   return computed(told, [&](const algebra::Progress& progress) {
     const auto sky = almanac::sky_at(when.instant);
-    return uses::brightness_of(request, sky, view_request(at, reddening), progress);
+    return uses::brightness_of(asked.moon, sky, asked.view, progress);
   });
 }
 
@@ -77,20 +74,23 @@ void add_brightness(py::module_& package) {
       .def_readonly("danjon", &Brightness::danjon,
                     "step of Danjon's scale, 0 to 4, in totality; else None")
       .def_readonly("seen", &Brightness::seen, "what a place sees, or None");
-  package.def(
-      "brightness", brightness_at, "when"_a, py::kw_only(), "air"_a = py::none(),
-      "light"_a = py::none(), "albedo_map"_a = "built-in", "albedo_encoding"_a = uses::AlbedoEncoding::image,
-      "albedo_map_centre"_a = 0,
-      "albedo_exponent"_a = 1., "photometry"_a = surface::Photometry::lommel_seeliger_rolo,
-      "unshadowed"_a = false, "at"_a = py::none(), "reddening"_a = true, "progress"_a = py::none(),
-      R"(brightness(when, *, air=None, light=None, albedo_map='built-in', albedo_encoding='image', albedo_map_centre=0, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', unshadowed=False, at=None, reddening=True, progress=None)
+  TextureKeywords keywords{.moon = {}};
+  const auto parameters = brightness_keywords(keywords);
+  const auto doc = fmt::format(
+      R"(brightness(when, *, air=None, light=None, at=None, {}, progress=None)
 
-Magnitudes, luminance and illuminance of the whole Moon at a moment of an eclipse. Arguments are those of bake.
+Magnitudes, luminance and illuminance of the whole Moon at a moment of an eclipse.
+
+at: place that sees it, through its air: a city, or (latitude, longitude) in degrees
+{}progress: called with the fraction that is done, some times a second
 
 >>> full = coppermoon.brightness('2018-07-27T20:21:45Z', unshadowed=True)
 >>> sorted(full.magnitudes), 0.1 < full.illuminance_lx < 0.4
 (['B', 'R', 'V'], True)
-)");
+)",
+      signature_of(parameters), lines_of(parameters));
+  package.def("brightness", brightness_at, "when"_a, py::kw_only(), "air"_a = py::none(),
+              "light"_a = py::none(), "at"_a = py::none(), "progress"_a = py::none(), doc.c_str());
 }
 
 }  // namespace coppermoon::python

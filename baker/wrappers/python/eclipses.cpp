@@ -20,7 +20,7 @@ py::dict contacts_by_name(const Eclipse& one) {
 }
 
 /// Some years at a time, so that one may stop between them.
-std::vector<Eclipse> eclipses_in(const Moment& start, const Moment& stop,
+std::vector<Eclipse> eclipses_in(const Date& start, const Date& stop,
                                  ShadowConvention convention, const Told& told) {
   constexpr double at_a_time_s = 2e8;
   return computed(told, [&](const algebra::Progress& progress) {
@@ -41,7 +41,7 @@ std::vector<Eclipse> eclipses_in(const Moment& start, const Moment& stop,
   });
 }
 
-Eclipse nearest(const Moment& when, ShadowConvention convention) {
+Eclipse nearest(const Date& when, ShadowConvention convention) {
   const py::gil_scoped_release others_run;
   return eclipse::nearest_eclipse(when.instant, convention);
 }
@@ -76,7 +76,7 @@ void add_eclipses(py::module_& package) {
               "convention"_a = ShadowConvention::danjon, "progress"_a = py::none(),
               R"(eclipses(start, stop, *, convention='danjon', progress=None)
 
-The eclipses whose greatest phase lies between two moments, in their order.
+The eclipses whose greatest phase lies between two moments, in their order. A day alone begins at its midnight, UTC.
 
 convention: how the air enlarges the shadow. Times are right to 8 s at worst from 1951 to 2025. A datetime knows the
 years 1 to 9999; contacts of other years raise an Error.
@@ -88,7 +88,7 @@ years 1 to 9999; contacts of other years raise an Error.
               "convention"_a = ShadowConvention::danjon,
               R"(nearest_eclipse(when, *, convention='danjon')
 
-The eclipse whose greatest phase is nearest in time, before or after.
+The eclipse whose greatest phase is nearest in time, before or after. A day alone is its midnight, UTC.
 
 >>> eclipse = coppermoon.nearest_eclipse('2018-07-27')
 >>> eclipse.type, round(eclipse.umbral_magnitude, 2)

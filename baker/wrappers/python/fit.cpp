@@ -8,6 +8,7 @@
 #include "uses/light/photometric_bands.h"
 #include "wrappers/python/arguments.h"
 #include "wrappers/python/computing.h"
+#include "wrappers/python/fields.h"
 #include "wrappers/python/nouns.h"
 #include "wrappers/python/requests.h"
 
@@ -55,16 +56,16 @@ FitReport fit_of(const py::iterable& magnitudes, std::vector<EclipsePhotograph> 
                  const std::optional<Place>& at, const std::string& camera, double exposure_error,
                  std::optional<double> white_balance_error, double clock_error_s,
                  bool half_hours_free, const std::optional<uses::Air>& air,
-                 const std::optional<uses::LightRequest>& light, const std::string& albedo_map,
-                 uses::AlbedoEncoding albedo_encoding, int albedo_map_centre,
-                 double albedo_exponent, surface::Photometry photometry, const Told& told) {
+                 const std::optional<uses::LightRequest>& light, const Told& told,
+                 const py::kwargs& more) {
+  TextureKeywords asked{.moon = {}};
+  take_objects(asked, air, light, at);
+  take(fit_keywords(asked), "fit", more);
   const uses::FitRequest request{
       .photographs = std::move(photographs),
       .magnitudes = measured_by(magnitudes),
-      .moon = moon_request(
-          light_request(air, light),
-          {albedo_map, albedo_encoding, albedo_map_centre, albedo_exponent, photometry, false}),
-      .view = view_request(at, true),
+      .moon = asked.moon,
+      .view = asked.view,
       .camera = camera,
       .exposure_error = exposure_error,
       .white_balance_error = white_balance_error,
@@ -208,15 +209,10 @@ void add_fit(py::module_& package) {
           "whether that air explains them; if not, the estimates mean little")
       .def_readonly("photographs", &FitReport::photographs, "how each photograph was read")
       .def_readonly("nights", &FitReport::nights, "what was found of the camera of each night");
-  package.def(
-      "fit", fit_of, "magnitudes"_a = py::tuple(), py::kw_only(),
-      "photographs"_a = std::vector<EclipsePhotograph>{}, "at"_a = py::none(), "camera"_a = "",
-      "exposure_error"_a = 0.1, "white_balance_error"_a = py::none(), "clock_error_s"_a = 0.,
-      "half_hours_free"_a = false, "air"_a = py::none(), "light"_a = py::none(),
-      "albedo_map"_a = "built-in", "albedo_encoding"_a = uses::AlbedoEncoding::image,
-      "albedo_map_centre"_a = 0, "albedo_exponent"_a = 1.,
-      "photometry"_a = surface::Photometry::lommel_seeliger_rolo, "progress"_a = py::none(),
-      R"(fit(magnitudes=(), *, photographs=(), at=None, camera='', exposure_error=0.1, white_balance_error=None, clock_error_s=0.0, half_hours_free=False, air=None, light=None, albedo_map='built-in', albedo_encoding='image', albedo_map_centre=0, albedo_exponent=1.0, photometry='lommel-seeliger-rolo', progress=None)
+  TextureKeywords keywords{.moon = {}};
+  const auto parameters = fit_keywords(keywords);
+  const auto doc = fmt::format(
+      R"(fit(magnitudes=(), *, photographs=(), at=None, camera='', exposure_error=0.1, white_balance_error=None, clock_error_s=0.0, half_hours_free=False, air=None, light=None, {}, progress=None)
 
 The dust, cloud cover and ozone that explain photographs of the Moon and measured magnitudes of the whole Moon, of one
 eclipse or several, all at once.
@@ -226,14 +222,14 @@ magnitudes: (moment, band, magnitude) or (moment, band, magnitude, error): band 
 photographs: Photograph(file, when); those of one camera and eclipse share a clock, a tone curve and a factor of exposure. One of
     several that cannot be used is left out
 at: where the photographs were taken, a city or (latitude, longitude) in degrees
-camera: whose saturation is meant, by the names of --camera; default: ISO 12232's
+camera: name of the camera whose saturation is meant, as the command knows it; default: ISO 12232's
 exposure_error: standard, of the exposures' logarithm, 0.001 to 10
 white_balance_error: standard, of red and blue over green, 0.001 to 10; None: 0.03, of a camera's own tone curve 0.3
 clock_error_s: standard, of each camera's clock, 0 to 3600; its own error is then found
 half_hours_free: moments may be wrong by any whole number of half hours besides
 air: all but dust, cloud cover and ozone
 light: limb_darkening, scattered_light and starlight; nothing else of it counts
-progress: called with the fraction that is done, some times a second
+{}progress: called with the fraction that is done, some times a second
 
 >>> when = '2018-07-27T20:21:45Z'
 >>> found = coppermoon.fit([(when, 'B', 2.55), (when, 'V', -0.47), (when, 'R', -3.20)],
@@ -241,7 +237,13 @@ progress: called with the fraction that is done, some times a second
 ...                        light=coppermoon.Light(scattered_light='off'))
 >>> found.explained, found.numbers
 (True, 3)
-)");
+)",
+      signature_of(parameters), lines_of(parameters));
+  package.def("fit", fit_of, "magnitudes"_a = py::tuple(), py::kw_only(),
+              "photographs"_a = std::vector<EclipsePhotograph>{}, "at"_a = py::none(),
+              "camera"_a = "", "exposure_error"_a = 0.1, "white_balance_error"_a = py::none(),
+              "clock_error_s"_a = 0., "half_hours_free"_a = false, "air"_a = py::none(),
+              "light"_a = py::none(), "progress"_a = py::none(), doc.c_str());
 }
 
 }  // namespace coppermoon::python

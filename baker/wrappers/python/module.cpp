@@ -14,8 +14,7 @@ PYBIND11_MODULE(_coppermoon, package) {
       "Wrong input, in one line: the value, its unit, what is allowed.";
   python::add_eclipses(package);
   python::add_sky(package);
-  python::add_air(package);
-  python::add_light(package);
+  python::add_requests(package);
   python::add_shadow(package);
   python::add_moonlight(package);
   python::add_bake(package);

@@ -8,8 +8,7 @@ namespace coppermoon::python {
 
 void add_eclipses(pybind11::module_& package);
 void add_sky(pybind11::module_& package);
-void add_air(pybind11::module_& package);
-void add_light(pybind11::module_& package);
+void add_requests(pybind11::module_& package);
 void add_shadow(pybind11::module_& package);
 void add_moonlight(pybind11::module_& package);
 void add_bake(pybind11::module_& package);

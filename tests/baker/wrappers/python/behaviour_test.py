@@ -156,22 +156,26 @@ class Errors(unittest.TestCase):
                 ("no such city", coppermoon.sky, {"when": when, "at": "Nowhere"}),
                 (r"latitude \[deg\] = nan", coppermoon.sky, {"when": when, "at": (float("nan"), 0)}),
                 ("place of 1 numbers", coppermoon.sky, {"when": when, "at": [1]}),
-                ("no lunar eclipse at .*; the nearest is", coppermoon.bake, {"when": "2018-07-20"}),
-                ("texture width .* = 3", coppermoon.bake, {"when": when, "width": 3}),
+                ("no lunar eclipse at .*; the nearest is", coppermoon.bake, {"when": "2018-07-20T00:00Z"}),
+                ("no lunar eclipse is greatest on that day .*; the nearest is", coppermoon.bake, {"when": "2018-07-20"}),
+                ("width = 3, allowed 4 to 32768", coppermoon.bake, {"when": when, "width": 3}),
                 ("space", coppermoon.bake, {"when": when, "space": "sepia"}),
                 ("/nowhere.png", coppermoon.bake, {"when": when, "albedo_map": "/nowhere.png"}),
                 ("below the horizon", coppermoon.bake, {**small, "when": when, "at": "Honolulu"}),
                 ("photometry = x, allowed", coppermoon.brightness, {"when": when, "photometry": "x"}),
                 ("neither a tolerance nor a budget", coppermoon.moonlight,
                  {"when": when, "light": coppermoon.Light(tolerance=None)}),
-                ("tolerance = nan", coppermoon.moonlight, {"when": when, "light": coppermoon.Light(tolerance=float("nan"))}),
-                ("photons = nan", coppermoon.shadow_profile,
-                 {"when": when, "light": coppermoon.Light(photons=float("nan"))}),
+                ("tolerance = nan", coppermoon.Light, {"tolerance": float("nan")}),
+                ("photons = nan", coppermoon.Light, {"photons": float("nan")}),
+                ("ground = x, allowed by-place, mean", coppermoon.bake, {"when": when, "ground": "x"}),
+                ("albedo_map_centre = 90, allowed 0, 180", coppermoon.bake, {"when": when, "albedo_map_centre": 90}),
                 (r"wavelength \[nm\] = inf", coppermoon.shadow_profile, {"when": when, "wavelengths_nm": [float("inf")]}),
                 ("axes, allowed 1", coppermoon.shadow_profile, {"when": when, "wavelengths_nm": [[550]]}),
                 ("above 3", coppermoon.shadow_profile, {"when": when, "axis_distances_km": [3, 2]}),
                 ("no number", coppermoon.shadow_profile, {"when": when, "axis_distances_km": []}),
-                ("Danjon = 7", coppermoon.shadow_profile, {"when": when, "air": coppermoon.Air(danjon=7)}),
+                ("texture width .* = 5, allowed even", coppermoon.bake, {"when": when, "width": 5}),
+                ("danjon = 7, allowed 0 to 4", coppermoon.Air, {"danjon": 7}),
+                ("dust_extinction = inf, allowed", coppermoon.Air, {"dust_extinction": float("inf")}),
                 ("density = thick, allowed seasonal", coppermoon.Air, {"density": "thick"}),
                 ("allowed 0 to 2", coppermoon.Air, {"stratospheric_aerosol": 3}),
                 ("stop = ", coppermoon.eclipses, {"start": "2019-01-01", "stop": "2018-01-01"}),
@@ -191,6 +195,8 @@ class Errors(unittest.TestCase):
                 (coppermoon.Air, {"thick": True}), (coppermoon.Air, {"refraction": "off"}), (coppermoon.Air, {"ozone_du": "x"}),
                 (coppermoon.Air, {"regions": [3]}), (coppermoon.Light, {"seed": -1}), (coppermoon.Light, {"bands": 2.5}),
                 (coppermoon.bake, {"when": when, "width": -2}), (coppermoon.bake, {"when": when, "width": 10**30}),
+                (coppermoon.bake, {"when": when, "thick": True}), (coppermoon.bake, {"when": when, "unshadowed": None}),
+                (coppermoon.Light, {"seed": None}), (coppermoon.Light, {"leave_out": ["ellipsoid"]}),
                 (coppermoon.bake, {"when": when, "air": 3}), (coppermoon.bake, {"when": when, "progress": 3}),
                 (coppermoon.shadow_profile, {"when": when, "wavelengths_nm": ["red"]}), (coppermoon.fit, {"magnitudes": [1]}),
                 (coppermoon.fit, {"photographs": ["a.jpg"]}), (coppermoon.fit, {"magnitudes": [(when, "V", "bright")]})]:
@@ -271,6 +277,12 @@ class Texts(unittest.TestCase):
                             self.assertEqual(getattr(made, argument.arg), word)
         for word in ("dated", "none", "background", "moderate", "high", "extreme", 0.25):
             self.assertEqual(coppermoon.Air(stratospheric_aerosol=word).stratospheric_aerosol, word)
+
+    def test_docstrings_have_the_meanings_of_the_commands_help(self):
+        self.assertIn("\nozone_du: vertical column of ozone [DU], 0 to 1000\n", coppermoon.Air.__doc__)
+        self.assertIn("\nground: colour and opposition surge", coppermoon.bake.__doc__)
+        for name in public:
+            self.assertNotIn(" --", getattr(coppermoon, name).__doc__.replace("coppermoon bake --recipe", ""), name)
 
     def test_requests_show_how_they_were_made(self):
         air = coppermoon.Air(atmosphere="undated", ozone_du=250,

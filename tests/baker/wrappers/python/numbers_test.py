@@ -48,7 +48,7 @@ class Shadow(unittest.TestCase):
 
 class Eclipses(unittest.TestCase):
     def test_have_moments_by_their_contacts_as_for_the_command(self):
-        for text in ("2018-07-27 U2+10min", "2018-07-27 greatest", "2018-07-27 P4-0.5h"):
+        for text in ("2018-07-27", "2018-07-27 U2+10min", "2018-07-27 greatest", "2018-07-27 P4-0.5h"):
             said = json.loads(command("sky", text, "--json"))["instant"]
             self.assertEqual(coppermoon.sky(text).when, datetime.datetime.fromisoformat(said))
         with self.assertRaisesRegex(coppermoon.Error, "allowed an instant or one of"):
@@ -116,6 +116,29 @@ class Texture(unittest.TestCase):
         self.assertEqual((moon.space, moon.header["coppermoon:colour_space"]), ("acescg", "acescg"))
         distance = "coppermoon:distance_km"
         self.assertEqual(moon.header[distance], numpy.float32(spec.get_float_attribute(distance)))
+
+    def baked_by_its_recipe(self, moon):
+        """Pixels that the program bakes by the recipe in a texture's header."""
+        with tempfile.TemporaryDirectory() as folder:
+            recipe, file = pathlib.Path(folder) / "moon.toml", str(pathlib.Path(folder) / "again.exr")
+            recipe.write_text(moon.header["coppermoon:recipe"])
+            command("bake", "--recipe", str(recipe), "-o", file)
+            return OpenImageIO.ImageInput.open(file).read_image("float")
+
+    def test_has_the_recipe_that_bakes_it_again(self):
+        south = coppermoon.Region(from_latitude=-90, to_latitude=0.1, dust_extinction=1e-5, stratospheric_aerosol=0.3)
+        for text, settings in {
+                "small": small,
+                "regions": {**small, "air": coppermoon.Air(atmosphere="undated", ozone_du=280.1, regions=[south])},
+                "a place": {**small, "at": (-1.2833333, 36.8166667, 1684.3), "observer_ozone_du": 250},
+                "a city": {**small, "at": "Nairobi", "reddening": False, "space": "acescg"},
+                "mean ground": {**small, "ground": "mean", "light": coppermoon.Light(tolerance=0.1)},
+                "photons": {**small, "light": coppermoon.Light(bands=4, photons=1e4, seed=2**63 + 1)},
+                "sunlight": {**small, "unshadowed": True},
+                "spectra": {**small, "spectral_nm": 100, "passes": True}}.items():
+            with self.subTest(text):
+                moon = coppermoon.bake("2018-07-27T20:21:45.123456Z", **settings)
+                numpy.testing.assert_array_equal(self.baked_by_its_recipe(moon), moon.pixels)
 
     def test_has_spectra_and_passes(self):
         moon = coppermoon.bake(when, spectral_nm=100, passes=True, **small)

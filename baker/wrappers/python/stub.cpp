@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Writes the package's stub: its template, in which a line @NAME@ stands for the parameters of a class or a function.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <map>
+#include <string>
+
+#include "wrappers/python/described.h"
+
+namespace coppermoon::python {
+namespace {
+
+std::string keywords(const request::Parameters& parameters, const std::string& indent) {
+  std::string text;
+  for (const auto& parameter : parameters)
+    text += fmt::format("{}{}: {} = {},\n", indent, name_of(parameter), type_of(parameter),
+                        literal_of(parameter));
+  return text;
+}
+
+template <class Request>
+std::string members() {
+  Request request;
+  const auto parameters = parameters_of(request);
+  auto text = fmt::format("    def __init__(\n        self,\n        *,\n{}    ) -> None: ...\n",
+                          keywords(parameters, "        "));
+  for (const auto& parameter : parameters)
+    text += fmt::format("    @property\n    def {}(self) -> {}: ...\n", name_of(parameter),
+                        type_of(parameter));
+  return text;
+}
+
+std::map<std::string, std::string> all_parts() {
+  TextureKeywords texture, brightness, fit;
+  const std::string indent(4, ' ');
+  return {{"    @Air@", members<uses::Air>()},
+          {"    @Region@", members<uses::AirRegion>()},
+          {"    @Light@", members<uses::LightRequest>()},
+          {"    @bake@", keywords(bake_keywords(texture), indent)},
+          {"    @brightness@", keywords(brightness_keywords(brightness), indent)},
+          {"    @fit@", keywords(fit_keywords(fit), indent)}};
+}
+
+}  // namespace
+}  // namespace coppermoon::python
+
+int main() {
+  const auto parts = coppermoon::python::all_parts();
+  for (std::string line; std::getline(std::cin, line);) {
+    const auto part = parts.find(line);
+    std::cout << (part == parts.end() ? line + "\n" : part->second);
+  }
+}
