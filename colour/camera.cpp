@@ -73,7 +73,7 @@ Response of_matrix(const glm::dmat3& from_xyz) {
 }
 
 /// π/4 τ (1 − ε²): illuminance in the focus over luminance, times N².
-double light_passed(const Optics& optics) {
+double light_passed(const CameraOptics& optics) {
   return pi / 4 * optics.transmission * (1 - optics.obstruction * optics.obstruction);
 }
 

@@ -13,7 +13,7 @@
 namespace coppermoon::colour {
 
 /// A telescope or a lens, focused on the Moon.
-struct Optics {
+struct CameraOptics {
   double focal_length_mm = 1540;  ///< 1 to 1e6
   double aperture_mm = 127;       ///< 0.1 to 1e5; what the f-number says
   double obstruction = 0;         ///< diameter of the secondary over the aperture's, 0 to 0.9
@@ -37,7 +37,7 @@ struct Sensor {
 
 /// A camera: all that is between a scene and a raw file, without its exposure.
 struct Camera {
-  Optics optics{};
+  CameraOptics optics{};
   Sensor sensor{};
   double seeing_arcsec = 0;  ///< full width at half maximum of a star, 0 to 600
   double glow = 0;           ///< share of the light that optics and air spread far, 0 to 0.5

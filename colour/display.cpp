@@ -90,7 +90,7 @@ std::string known_name(const ocio::Config& config, WorkingSpace space) {
       fmt::format("the configuration names no colour space {}", fmt::join(aliases(space), " or ")));
 }
 
-ocio::ConstProcessorRcPtr processor(WorkingSpace space, const Development& development) try {
+ocio::ConstProcessorRcPtr processor(WorkingSpace space, const DisplayTransform& development) try {
   const auto config = config_at(development.config);
   const auto display = display_named(development.display, development.config);
   const auto transform = ocio::DisplayViewTransform::Create();
@@ -136,11 +136,11 @@ std::string view_named(const std::string& name, const std::string& display,
   return one_of("view", name, views(display, config));
 }
 
-std::string fingerprint(WorkingSpace space, const Development& development) {
+std::string fingerprint(WorkingSpace space, const DisplayTransform& development) {
   return processor(space, development)->getCacheID();
 }
 
-Image developed(Image picture, WorkingSpace space, const Development& development) {
+Image developed(Image picture, WorkingSpace space, const DisplayTransform& development) {
   if (!(development.scale > 0 && std::isfinite(development.scale)))
     throw Error(fmt::format("exposure scale = {:g}, allowed above 0", development.scale));
   const auto view = processor(space, development)->getDefaultCPUProcessor();

@@ -16,7 +16,7 @@ using Rgb = std::array<float, 3>;
 using Image = algebra::Grid<Rgb>;  ///< [row][column], the top row first
 
 /// How a frame becomes a picture.
-struct Development {
+struct DisplayTransform {
   double scale = 1;  ///< exposure: of every channel, before the view; above 0
   std::string view = "Un-tone-mapped";
   std::string display = "sRGB";
@@ -33,14 +33,14 @@ struct Development {
 ///                  has) or does not know the working space, or a look-up table of it has an entry
 ///                  that is not finite (names file and line) or is no regular file, or names such a
 ///                  file; when what it describes is made of itself, or has no reasonable end
-Image developed(Image scene_linear, WorkingSpace space, const Development& development = {});
+Image developed(Image scene_linear, WorkingSpace space, const DisplayTransform& development = {});
 
 /// A text that tells apart what two developments do to colours, whatever their files are called; it
 /// leaves out the scale.
 ///
 /// Throws  Error   as developed
 /// Source  OpenColorIO's cache identifier of the processor, which holds the numbers of its tables
-std::string fingerprint(WorkingSpace space, const Development& development);
+std::string fingerprint(WorkingSpace space, const DisplayTransform& development);
 
 /// The displays of a configuration (empty: the built-in one), the default first.
 ///

@@ -274,7 +274,7 @@ std::size_t reduction_of(std::size_t rows, std::size_t columns) {
 }
 
 /// The same in a part of a picture, made as small as need be, and smaller where noise hides the limb.
-Found found_within(const Luminance& image, const Window& part) {
+Found found_within(const Luminance& image, const PicturePart& part) {
   constexpr double least_reduced_px = 20;  // a square's corners are seen
   std::size_t by = reduction_of(part.rows, part.columns);
   for (int level = 0; level < 3; ++level, by *= 2) {
@@ -290,7 +290,7 @@ Found found_within(const Luminance& image, const Window& part) {
 }
 
 /// A piece about the brightest place: where a Moon is that is small in the picture.
-Window about_the_brightest(const Luminance& image) {
+PicturePart about_the_brightest(const Luminance& image) {
   constexpr std::size_t mean_over = 4, reach = 8;
   const auto by = mean_over * reduction_of(image.rows(), image.columns());
   const auto small = reduced(image, {0, 0, image.columns(), image.rows()}, by);
@@ -308,7 +308,7 @@ Window about_the_brightest(const Luminance& image) {
 std::optional<Disc> limb_of(const Luminance& luminance) {
   require_luminance(luminance);
   constexpr double margin = 1.6;
-  Window window{0, 0, luminance.columns(), luminance.rows()};
+  PicturePart window{0, 0, luminance.columns(), luminance.rows()};
   auto found = found_within(luminance, window);
   if (found.evidence == 0) {
     window = about_the_brightest(luminance);

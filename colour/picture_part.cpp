@@ -8,7 +8,7 @@
 
 namespace coppermoon::colour {
 
-Window window_about(const Disc& disc, std::size_t rows, std::size_t columns) {
+PicturePart window_about(const Disc& disc, std::size_t rows, std::size_t columns) {
   const auto within = [](double at, std::size_t most) {
     return static_cast<std::size_t>(std::clamp(at, 0., static_cast<double>(most)));
   };
@@ -18,7 +18,7 @@ Window window_about(const Disc& disc, std::size_t rows, std::size_t columns) {
           within(disc.y_px + disc.radius_px, rows) - top};
 }
 
-algebra::Grid<float> reduced(const algebra::Grid<float>& picture, const Window& part,
+algebra::Grid<float> reduced(const algebra::Grid<float>& picture, const PicturePart& part,
                              std::size_t by) {
   algebra::Grid<float> small(part.rows / by, part.columns / by);
   tbb::parallel_for(std::size_t{0}, small.rows(), [&](std::size_t r) {

@@ -26,8 +26,8 @@ glm::dvec3 place_of(const almanac::SkyState& sky, const glm::dvec3& position_m) 
          ((position_m - sky.moon_m) / in_metres(almanac::lunar_radius));
 }
 
-Camera looking_from(const almanac::SkyState& sky, const glm::dvec3& position_m,
-                    const glm::dvec3& up_gcrs, Up up, Camera camera) {
+SceneCamera looking_from(const almanac::SkyState& sky, const glm::dvec3& position_m,
+                         const glm::dvec3& up_gcrs, Up up, SceneCamera camera) {
   camera.position = place_of(sky, position_m);
   camera.up = up == Up::moon_north ? glm::dvec3(0, 0, 1) : sky.selenographic_from_gcrs * up_gcrs;
   require_sound(camera);
@@ -63,15 +63,15 @@ algebra::Angle field_of_view(algebra::Length focal_length, algebra::Length senso
   return algebra::radians(2 * std::atan(0.5 * (sensor_width / focal_length)));
 }
 
-Camera camera_at(const almanac::SkyState& sky, const almanac::ObserverView& view, Up up,
-                 const Picture& picture) {
-  Camera camera{{}, {}, picture.field, picture.width, picture.height};
+SceneCamera camera_at(const almanac::SkyState& sky, const almanac::ObserverView& view, Up up,
+                      const Picture& picture) {
+  SceneCamera camera{{}, {}, picture.field, picture.width, picture.height};
   camera.zenith = sky.selenographic_from_gcrs * view.zenith;
   return looking_from(sky, view.position_m, up == Up::zenith ? view.zenith : celestial_north(sky),
                       up, camera);
 }
 
-Camera camera_at(const almanac::SkyState& sky, Up up, const Picture& picture) {
+SceneCamera camera_at(const almanac::SkyState& sky, Up up, const Picture& picture) {
   if (up == Up::zenith)
     throw algebra::Error(
         "up = zenith, which the Earth's centre has not: celestial-north or moon-north");
@@ -79,26 +79,26 @@ Camera camera_at(const almanac::SkyState& sky, Up up, const Picture& picture) {
                       {{}, {}, picture.field, picture.width, picture.height});
 }
 
-Camera camera_fixed(const almanac::SkyState& sky, const almanac::ObserverView& view,
-                    const HorizonPlace& aim, const Picture& picture) {
+SceneCamera camera_fixed(const almanac::SkyState& sky, const almanac::ObserverView& view,
+                         const HorizonPlace& aim, const Picture& picture) {
   require_within("altitude of the aim [degrees]", in_degrees(aim.altitude), -90, 90);
   require_within("azimuth of the aim [degrees]", in_degrees(aim.azimuth), -360, 360);
   const glm::dmat3 from_apparent =
       sky.selenographic_from_gcrs * without_refraction(sky.moon_m - view.position_m, view.zenith);
-  Camera camera{place_of(sky, view.position_m), from_apparent * view.zenith, picture.field,
-                picture.width, picture.height};
+  SceneCamera camera{place_of(sky, view.position_m), from_apparent * view.zenith, picture.field,
+                     picture.width, picture.height};
   camera.zenith = sky.selenographic_from_gcrs * view.zenith;
   camera.direction = from_apparent * direction_of(aim, view);
   require_sound(camera);
   return camera;
 }
 
-glm::dvec3 line_of_sight(const Camera& camera) {
+glm::dvec3 line_of_sight(const SceneCamera& camera) {
   const bool at_centre = camera.direction == glm::dvec3(0, 0, 0);
   return glm::normalize(at_centre ? -camera.position : camera.direction);
 }
 
-glm::dmat3 flattened_by_air(const Camera& camera) {
+glm::dmat3 flattened_by_air(const SceneCamera& camera) {
   require_sound(camera);
   const glm::dvec3 sight = glm::normalize(camera.position);
   const glm::dvec3 across = camera.zenith - glm::dot(camera.zenith, sight) * sight;
@@ -107,7 +107,8 @@ glm::dmat3 flattened_by_air(const Camera& camera) {
   return glm::dmat3(1) + (camera.flattening - 1) / squared * glm::outerProduct(across, across);
 }
 
-std::optional<glm::dvec2> pixel_of(const Camera& camera, const almanac::SelenographicPoint& place) {
+std::optional<glm::dvec2> pixel_of(const SceneCamera& camera,
+                                   const almanac::SelenographicPoint& place) {
   require_sound(camera);
   const glm::dvec3 on_sphere = almanac::selenographic_direction(place);
   if (glm::dot(on_sphere, camera.position) <= 1) return std::nullopt;
@@ -126,7 +127,7 @@ std::optional<glm::dvec2> pixel_of(const Camera& camera, const almanac::Selenogr
   return glm::dvec2(half_width + x, half_height - scale * glm::dot(seen, upward));
 }
 
-void require_sound(const Camera& camera) {
+void require_sound(const SceneCamera& camera) {
   const double distance = glm::length(camera.position);
   require_within("distance of the camera [lunar radii]", distance, 1 + 1e-9, 1e6);
   require_within("field of view [degrees]", in_degrees(camera.horizontal_field), 1e-8, 179.9);

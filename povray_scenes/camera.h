@@ -21,7 +21,7 @@ enum class Up {
 };
 
 /// A pinhole camera, pixels square.
-struct Camera {
+struct SceneCamera {
   glm::dvec3 position;              ///< Moon-fixed (X to 0°, Y to 90° E, Z north), in lunar radii
   glm::dvec3 up;                    ///< Moon-fixed, any length; not along the line of sight
   algebra::Angle horizontal_field;  ///< the whole width of the picture
@@ -58,13 +58,13 @@ algebra::Angle field_of_view(algebra::Length focal_length, algebra::Length senso
 /// Omits   refraction in the observer's air: it lifts the Moon, and flattens it near the horizon by
 ///         what the camera's `flattening` is then set to
 /// Throws  Error  when the camera would not be sound (see require_sound)
-Camera camera_at(const almanac::SkyState& sky, const almanac::ObserverView& view, Up up,
-                 const Picture& picture);
+SceneCamera camera_at(const almanac::SkyState& sky, const almanac::ObserverView& view, Up up,
+                      const Picture& picture);
 
 /// The same from the Earth's centre.
 ///
 /// Throws  Error  also for Up::zenith, which the Earth's centre does not have
-Camera camera_at(const almanac::SkyState& sky, Up up, const Picture& picture);
+SceneCamera camera_at(const almanac::SkyState& sky, Up up, const Picture& picture);
 
 /// A camera on a tripod, the zenith up: the Moon goes through its picture as through the sky.
 ///
@@ -76,13 +76,13 @@ Camera camera_at(const almanac::SkyState& sky, Up up, const Picture& picture);
 /// Omits   the horizon: a Moon below it is shown none the less. Its flattening, as camera_at
 /// Throws  Error  when the aim is out of its range, or the camera would not be sound, as with the
 ///                aim in the zenith (see require_sound)
-Camera camera_fixed(const almanac::SkyState& sky, const almanac::ObserverView& view,
-                    const HorizonPlace& aim, const Picture& picture);
+SceneCamera camera_fixed(const almanac::SkyState& sky, const almanac::ObserverView& view,
+                         const HorizonPlace& aim, const Picture& picture);
 
 /// Where the picture's middle is: a unit vector from the camera, Moon-fixed.
 ///
 /// Given  camera  sound
-glm::dvec3 line_of_sight(const Camera& camera);
+glm::dvec3 line_of_sight(const SceneCamera& camera);
 
 /// What air makes of the Moon for a camera: its places squashed towards a plane through its centre.
 ///
@@ -92,7 +92,7 @@ glm::dvec3 line_of_sight(const Camera& camera);
 /// Returned  Moon-fixed axes; nothing is moved along that line. The identity where the zenith is
 ///           along it, or nowhere
 /// Throws    Error  when the camera is not sound
-glm::dmat3 flattened_by_air(const Camera& camera);
+glm::dmat3 flattened_by_air(const SceneCamera& camera);
 
 /// Where a place on the Moon (a sphere, flattened by air) appears in the picture.
 ///
@@ -102,7 +102,8 @@ glm::dmat3 flattened_by_air(const Camera& camera);
 ///           behind the camera
 /// Accuracy  0.25 pixel against POV-Ray's own frames, fields of 0.02 to 120 degrees
 /// Throws    Error  when the camera is not sound
-std::optional<glm::dvec2> pixel_of(const Camera& camera, const almanac::SelenographicPoint& place);
+std::optional<glm::dvec2> pixel_of(const SceneCamera& camera,
+                                   const almanac::SelenographicPoint& place);
 
 /// Refuses a camera that no picture can be taken with.
 ///
@@ -110,6 +111,6 @@ std::optional<glm::dvec2> pixel_of(const Camera& camera, const almanac::Selenogr
 ///                is 1e-8 to 179.9 degrees, its sides 1 to 65535 pixels, its flattening 0.8 to 1,
 ///                its direction 0 or 1e-100 to 1e100 long, and `up` is off the line of sight by at
 ///                least 1e-6 radians. The Moon need not be in the picture
-void require_sound(const Camera& camera);
+void require_sound(const SceneCamera& camera);
 
 }  // namespace coppermoon::povray_scenes

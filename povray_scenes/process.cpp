@@ -66,7 +66,7 @@ struct Conversation {
 };
 
 /// POV-Ray takes numbers up to 1 for shares of the picture; without one the picture's own edge counts.
-std::vector<std::string> words_for(const Window& window) {
+std::vector<std::string> words_for(const RenderWindow& window) {
   algebra::require_within("width of the window [pixels]",
                           static_cast<double>(window.right) - static_cast<double>(window.left), 2,
                           65535);

@@ -12,7 +12,7 @@
 namespace coppermoon::povray_scenes {
 
 /// Pixels of a picture: columns left to right - 1, rows top to bottom - 1.
-struct Window {
+struct RenderWindow {
   std::size_t left, top, right, bottom;
 };
 
@@ -22,7 +22,7 @@ struct RenderSettings {
   double timeout_s = 0;           ///< POV-Ray is stopped after that long; 0: never
   std::string povray = "povray";  ///< a program on the PATH, or an absolute path
   /// Part of the picture that is rendered, at least two pixels wide and high; all else is black.
-  std::optional<Window> window = {};
+  std::optional<RenderWindow> window = {};
 };
 
 /// Runs `povray eclipse.ini` in a scene's folder.

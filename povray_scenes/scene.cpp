@@ -39,13 +39,13 @@ void require_one_line(std::string_view caption) {
 
 std::string left_handed(const glm::dvec3& v) { return fmt::format("<{}, {}, {}>", v.x, v.z, v.y); }
 
-glm::dvec3 middle(const Camera& camera) {
+glm::dvec3 middle(const SceneCamera& camera) {
   if (camera.direction == glm::dvec3(0, 0, 0)) return {0, 0, 0};
   return camera.position + glm::length(camera.position) * line_of_sight(camera);
 }
 
 /// The matrix is symmetric: its rows are its columns.
-std::string squash(const Camera& camera) {
+std::string squash(const SceneCamera& camera) {
   if (camera.flattening == 1) return {};
   const auto m = flattened_by_air(camera);
   return fmt::format("{}, {}, {}, {}, {}, {}, {}, {}, {}", m[0].x, m[0].z, m[0].y, m[2].x, m[2].z,
@@ -55,7 +55,7 @@ std::string squash(const Camera& camera) {
 /// A sphere that gives a light's illuminance where the camera is.
 ///
 /// Given  away  of the light from the camera, in the scene's units
-std::string sphere_of(const SkyLight& light, const Scene& scene, double away) {
+std::string sphere_of(const SkyLight& light, const MoonScene& scene, double away) {
   constexpr double pi = std::numbers::pi, most_luminance = 3e4;  // a half float ends at 65504
   const auto& camera = scene.camera;
   const double pixel =
@@ -73,7 +73,7 @@ std::string sphere_of(const SkyLight& light, const Scene& scene, double away) {
 }
 
 /// Behind the Moon, as near as can be: POV-Ray renders black from 1e7, and bounds nothing from 1e6.
-std::string spheres_of(const Scene& scene) {
+std::string spheres_of(const MoonScene& scene) {
   const double away = std::min(2 * scene.moon_radius * glm::length(scene.camera.position), 0.995e7);
   std::string text;
   for (const auto& light : scene.lights) text += sphere_of(light, scene, away);
@@ -82,7 +82,7 @@ std::string spheres_of(const Scene& scene) {
 
 }  // namespace
 
-void require_renderable(const Scene& scene) {
+void require_renderable(const MoonScene& scene) {
   require_sound(scene.camera);
   require_texture_name(scene.texture);
   require_one_line(scene.caption);
@@ -92,13 +92,13 @@ void require_renderable(const Scene& scene) {
   algebra::require_within("sampling depth", scene.sampling_depth, 0, 9);
 }
 
-CameraText camera_text(const Camera& camera, double moon_radius) {
+CameraText camera_text(const SceneCamera& camera, double moon_radius) {
   return {left_handed(moon_radius * camera.position), left_handed(glm::normalize(camera.up)),
           left_handed(moon_radius * middle(camera)), squash(camera)};
 }
 
-std::string pov_text(const Scene& scene, const PovText& text) {
-  const Camera& camera = scene.camera;
+std::string pov_text(const MoonScene& scene, const PovText& text) {
+  const SceneCamera& camera = scene.camera;
   return fmt::format(
       R"(// {caption}
 // Emission only: the frame has the texture's own values, scene-linear [cd/m2].
@@ -132,7 +132,8 @@ sphere {{
       fmt::arg("flattened", text.flattened), fmt::arg("lights", text.lights));
 }
 
-std::string ini_text(const Scene& scene, const std::string& output, const std::string& animation) {
+std::string ini_text(const MoonScene& scene, const std::string& output,
+                     const std::string& animation) {
   return fmt::format(
       R"(; {caption}
 ; In this folder: povray {settings}
@@ -172,7 +173,7 @@ void write_texts(const std::filesystem::path& folder, const std::string& pov,
   files::write_whole(folder / settings_file, files::stamped(ini, ";"));
 }
 
-std::string to_pov(const Scene& scene) {
+std::string to_pov(const MoonScene& scene) {
   require_renderable(scene);
   const auto camera = camera_text(scene.camera, scene.moon_radius);
   const auto flattened =
@@ -186,7 +187,7 @@ std::string to_pov(const Scene& scene) {
                           .lights = spheres_of(scene)});
 }
 
-std::string to_ini(const Scene& scene) {
+std::string to_ini(const MoonScene& scene) {
   require_renderable(scene);
   return ini_text(scene, frame_file, {});
 }
@@ -195,7 +196,7 @@ void require_scene_place(const std::filesystem::path& folder) {
   for (const char* file : {scene_file, settings_file}) files::require_stamped(folder / file);
 }
 
-void write_scene(const std::filesystem::path& folder, const Scene& scene) {
+void write_scene(const std::filesystem::path& folder, const MoonScene& scene) {
   write_texts(folder, to_pov(scene), to_ini(scene));
 }
 

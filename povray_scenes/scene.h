@@ -25,8 +25,8 @@ struct SkyLight {
 
 /// The textured Moon before a black sky. Nothing lights it: the texture is the luminance itself, so
 /// the frame is in the texture's unit (cd/m²), scene-linear, in its primaries.
-struct Scene {
-  Camera camera;
+struct MoonScene {
+  SceneCamera camera;
   std::string texture;     ///< an .exr in the scene's folder: a plain ASCII file name
   double moon_radius = 1;  ///< in the scene's own units: 1737.4 makes a scene in kilometres
   /// pixels are means of (2^(depth - 1) + 1)² rays, those on their edges counting less; 0: one ray, to
@@ -48,7 +48,7 @@ struct Scene {
 ///                  the camera beyond 0.99e7 units (POV-Ray renders black from 1e7); when the
 ///                  texture's name is not plain, not ASCII or not .exr; when the sampling depth is
 ///                  outside 0 to 9, or the caption not one line
-std::string to_pov(const Scene& scene);
+std::string to_pov(const MoonScene& scene);
 
 /// POV-Ray's settings for it: size, file names and anti-aliasing that also works in the dark (the
 /// threshold is 0, since POV-Ray compares absolute values; a gamma of 1 spares it powers that do not count
@@ -56,7 +56,7 @@ std::string to_pov(const Scene& scene);
 /// No range of frames: POV-Ray's clock is not a number in a range of one.
 ///
 /// Throws  Error  as to_pov
-std::string to_ini(const Scene& scene);
+std::string to_ini(const MoonScene& scene);
 
 /// Refuses a folder in which a scene would overwrite an eclipse.pov or eclipse.ini of somebody's own: one
 /// that was changed, or is a link. None at all may be there.
@@ -71,6 +71,6 @@ void require_scene_place(const std::filesystem::path& folder);
 /// Given   folder  made when only its last part is missing
 /// Throws  Error   as to_pov, before anything is written; or when the folder or a file cannot be
 ///                 made
-void write_scene(const std::filesystem::path& folder, const Scene& scene);
+void write_scene(const std::filesystem::path& folder, const MoonScene& scene);
 
 }  // namespace coppermoon::povray_scenes

@@ -14,7 +14,7 @@ struct CameraText {
   std::string location, sky, look_at;  ///< vectors
   std::string squash;                  ///< a matrix's nine numbers; empty: the disc is round
 };
-CameraText camera_text(const Camera& camera, double moon_radius);
+CameraText camera_text(const SceneCamera& camera, double moon_radius);
 
 /// What stands in eclipse.pov where a single scene and a sequence differ.
 struct PovText {
@@ -26,14 +26,15 @@ struct PovText {
 };
 
 /// All of eclipse.pov but for what is handed in `text` is the scene's.
-std::string pov_text(const Scene& scene, const PovText& text);
+std::string pov_text(const MoonScene& scene, const PovText& text);
 
 /// Given  output     the name of the frame's file
 ///        animation  whole lines at the end
-std::string ini_text(const Scene& scene, const std::string& output, const std::string& animation);
+std::string ini_text(const MoonScene& scene, const std::string& output,
+                     const std::string& animation);
 
 /// Throws  Error  as to_pov of a single scene
-void require_renderable(const Scene& scene);
+void require_renderable(const MoonScene& scene);
 
 /// Makes the folder when only its last part is missing, and in it both files.
 void write_texts(const std::filesystem::path& folder, const std::string& pov,

@@ -24,7 +24,7 @@ std::size_t digits(std::size_t last) {
   return std::max(std::to_string(last).size(), std::size_t{4});
 }
 
-Scene single_scene(const Sequence& sequence, std::size_t frame) {
+MoonScene single_scene(const Sequence& sequence, std::size_t frame) {
   return {.camera = sequence.cameras[frame - 1],
           .texture = numbered_file(sequence.textures, frame, sequence.cameras.size()),
           .moon_radius = sequence.moon_radius,
@@ -32,11 +32,11 @@ Scene single_scene(const Sequence& sequence, std::size_t frame) {
           .caption = sequence.caption};
 }
 
-void require_same_picture(const Camera& camera, const Camera& first) {
+void require_same_picture(const SceneCamera& camera, const SceneCamera& first) {
   if (camera.width == first.width && camera.height == first.height &&
       camera.horizontal_field == first.horizontal_field && camera.mirrored == first.mirrored)
     return;
-  const auto picture = [](const Camera& of) {
+  const auto picture = [](const SceneCamera& of) {
     return fmt::format("{} x {} pixels, {} degrees wide{}", of.width, of.height,
                        in_degrees(of.horizontal_field), of.mirrored ? ", mirrored" : "");
   };

@@ -16,13 +16,13 @@ namespace coppermoon::povray_scenes {
 /// What the frames of a sequence are called, before their number.
 inline constexpr const char* frame_stem = "frame";
 
-/// The Moon of Scene in as many frames as there are cameras, a texture for each.
+/// The Moon of MoonScene in as many frames as there are cameras, a texture for each.
 struct Sequence {
-  std::vector<Camera> cameras;  ///< all of the same width, height, field and mirroring
+  std::vector<SceneCamera> cameras;  ///< all of the same width, height, field and mirroring
   std::string textures;  ///< what numbered_file puts a number to, for frames 1 to the last: beside
                          ///< the scene; plain ASCII
-  double moon_radius = 1;    ///< in the scene's own units, as Scene's
-  int sampling_depth = 2;    ///< as Scene's
+  double moon_radius = 1;    ///< in the scene's own units, as MoonScene's
+  int sampling_depth = 2;    ///< as MoonScene's
   std::string caption = {};  ///< one line, written as a comment at the head of both files
 };
 

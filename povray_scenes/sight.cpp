@@ -7,7 +7,7 @@
 
 namespace coppermoon::povray_scenes {
 
-Sight sight_of(const Camera& camera) {
+Sight sight_of(const SceneCamera& camera) {
   require_sound(camera);
   const glm::dvec3 forward = line_of_sight(camera);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));

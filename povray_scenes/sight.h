@@ -17,7 +17,7 @@ struct Sight {
 };
 
 /// Throws  Error  when the camera is not sound
-Sight sight_of(const Camera& camera);
+Sight sight_of(const SceneCamera& camera);
 
 /// The ground that a place of the picture shows: pixel_of, backwards.
 ///

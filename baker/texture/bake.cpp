@@ -46,7 +46,7 @@ struct Baking {
   const shadow::Lookup& light;
   ResizedRows albedo;
   std::optional<ResizedRows> colour, surge;  // by place
-  Quantity quantity;
+  TexelQuantity quantity;
   std::vector<double> sunlit;
   algebra::Progress progress;
   std::atomic<std::size_t> done = 0;
@@ -56,10 +56,10 @@ struct Baking {
   /// What is written of one texel: a value a channel.
   void write(double reflected, std::span<const double> there, std::span<float> texel) const {
     const std::size_t count = texel.size();
-    if (quantity == Quantity::luminance)
+    if (quantity == TexelQuantity::luminance)
       for (std::size_t c = 0; c < count; ++c)
         texel[c] = static_cast<float>(reflected * there[c] + 0.);  // no -0 in the dark
-    else if (quantity == Quantity::irradiance)
+    else if (quantity == TexelQuantity::irradiance)
       for (std::size_t c = 0; c < count; ++c)
         // FAULT irradiance without the Sun's distance: globe.inverse_square * there => there
         texel[c] = static_cast<float>(reflected > 0 ? globe.inverse_square * there[c] : 0);
@@ -120,7 +120,7 @@ struct Baking {
     Texels ground{albedo.row(row, scratch.albedo), {}, {}};
     if (colour) ground.colour = colour->row(row, scratch.colour);
     if (surge) ground.surge = surge->row(row, scratch.surge);
-    if (quantity == Quantity::irradiance) {
+    if (quantity == TexelQuantity::irradiance) {
       scratch.albedo.assign(ground.albedo.size(), 1);
       ground.albedo = scratch.albedo;
     }

@@ -59,7 +59,7 @@ enum class Extent {
 };
 
 /// The quantity of L = E ρ / π that a texel holds.
-enum class Quantity {
+enum class TexelQuantity {
   luminance,    ///< L
   irradiance,   ///< E / π: of a white diffuse ground that faces the Sun; 0 on the night side
   reflectance,  ///< ρ, the radiance factor, times the light, which is then a colour of the ground
@@ -69,7 +69,7 @@ enum class Quantity {
 struct Lighting {
   surface::Photometry photometry = surface::Photometry::lommel_seeliger_rolo;
   Extent extent = Extent::whole;
-  Quantity quantity = Quantity::luminance;
+  TexelQuantity quantity = TexelQuantity::luminance;
   /// [as the light's channels] with irradiance: what its grounds make of sunlight over a white one;
   /// the light is divided by it, mixed for the place as the light is. Empty: by nothing
   std::vector<double> sunlit = {};

@@ -40,15 +40,15 @@ Image read_image(const std::filesystem::path& path);
 Image read_channels(const std::filesystem::path& path, const std::vector<std::string>& names);
 
 /// Texels of a plane.
-struct Window {
+struct ImageWindow {
   int left = 0, top = 0;
   std::size_t width = 0, height = 0;
-  bool operator==(const Window&) const = default;
+  bool operator==(const ImageWindow&) const = default;
 };
 
 /// Where an image's texels are, and where its picture is.
 struct Windows {
-  Window data, display;
+  ImageWindow data, display;
   bool operator==(const Windows&) const = default;
 };
 

@@ -38,7 +38,7 @@ Image image_of(const std::vector<Rgb>& colours) {
   return image;
 }
 
-float grey_shown(float grey, const Development& development) {
+float grey_shown(float grey, const DisplayTransform& development) {
   return developed(image_of({{grey, grey, grey}}), linear_rec709, development)(0, 0)[1];
 }
 
@@ -98,7 +98,7 @@ TEST(Display, ShowsMiddleGreyThroughAcesAtATenthOfWhite) {
 }
 
 TEST(Display, RollsHighlightsOffThroughAces) {
-  const Development aces{.view = "ACES 1.0 SDR Video"};
+  const DisplayTransform aces{.view = "ACES 1.0 SDR Video"};
   EXPECT_LT(grey_shown(1.0f, aces), 0.85f);
   EXPECT_LT(grey_shown(8.0f, aces), 1.0f);
   EXPECT_GT(grey_shown(8.0f, aces), grey_shown(4.0f, aces));
@@ -142,7 +142,7 @@ TEST(Display, ShowsAPictureAsItShowsItsPixels) {
     for (std::size_t column = 0; column < image.columns(); ++column)
       image(row, column) = {0.003f * static_cast<float>(row), 0.1f * static_cast<float>(column),
                             0.4f};
-  const Development aces{.view = "ACES 1.0 SDR Video"};
+  const DisplayTransform aces{.view = "ACES 1.0 SDR Video"};
   const auto shown = developed(image, linear_rec709, aces);
   for (const auto row : {0u, 8u, 150u, 299u})
     for (const auto column : {0u, 6u})
@@ -218,7 +218,7 @@ TEST(Filmic, ShowsMoreLightBrighter) {
 
 TEST(Filmic, EndsInBlackAndWhite) {
   for (const auto& display : standard_dynamic_range()) {
-    const Development filmic{.view = "Filmic", .display = display};
+    const DisplayTransform filmic{.view = "Filmic", .display = display};
     EXPECT_WITHIN(grey_shown(0, filmic), 0, 1e-6, "floats");
     for (const float bright : {16.0f, 1000.0f, 65504.0f})
       EXPECT_WITHIN(grey_shown(bright, filmic), 1, 1e-5, "the display's matrices are floats");

@@ -58,7 +58,7 @@ struct Scene {
 
 /// Distances from the shadow axis [km] of all pixels that hold ground, by row and column.
 inline std::map<std::pair<std::size_t, std::size_t>, double> axis_distances(
-    const almanac::SkyState& sky, const povray_scenes::Camera& camera) {
+    const almanac::SkyState& sky, const povray_scenes::SceneCamera& camera) {
   const auto axis = eclipse::shadow_axis(sky);
   std::map<std::pair<std::size_t, std::size_t>, double> all;
   constexpr double step_deg = 0.5;  // 15 km of ground
@@ -79,7 +79,7 @@ inline std::map<std::pair<std::size_t, std::size_t>, double> axis_distances(
 
 /// Given     camera  its pixels 30 km or more on the Moon, which is whole and off the frame's edges
 /// Returned  without the pixels at the limb, with sky in them or beside them
-inline Scene scene_at(const almanac::SkyState& sky, const povray_scenes::Camera& camera) {
+inline Scene scene_at(const almanac::SkyState& sky, const povray_scenes::SceneCamera& camera) {
   const auto axis = eclipse::shadow_axis(sky);
   const auto moon = eclipse::place_in_shadow(axis, sky.moon_m);
   Scene scene{{in_metres(moon.depth) / 1e3, in_metres(axis.sun_distance) / 1e3},

@@ -240,9 +240,9 @@ TEST_F(ScenesThoroughly, RenderInFoldersOfAnyName) {
 /// The caption is all that a scene takes from elsewhere: a comment, whatever it says.
 TEST_F(Scenes, TakeACaptionForNoOrder) {
   inside(tiny("scene", {"-o", "scene"}));
-  povray_scenes::Scene described{.camera = {{221, 0, 0}, {0, 0, 1}, algebra::degrees(1), 8, 8},
-                                 .texture = "moon_lin_rec709.exr",
-                                 .caption = {}};
+  povray_scenes::MoonScene described{.camera = {{221, 0, 0}, {0, 0, 1}, algebra::degrees(1), 8, 8},
+                                     .texture = "moon_lin_rec709.exr",
+                                     .caption = {}};
   write_scene(named("scene"), described);
   const auto reference = texture::read_image(povray_scenes::render(named("scene"), {.threads = 1}));
   for (const std::string caption :

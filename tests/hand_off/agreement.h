@@ -27,7 +27,7 @@ inline glm::dvec2 from_middle(const Luminances& frame, std::size_t row, std::siz
 }
 
 /// Radius of the disc, in pixels.
-inline double radius_px(const povray_scenes::Camera& camera) {
+inline double radius_px(const povray_scenes::SceneCamera& camera) {
   const double distance = glm::length(camera.position);
   return static_cast<double>(camera.width) / 2 / std::tan(in_radians(camera.horizontal_field) / 2) /
          std::sqrt(distance * distance - 1);

@@ -27,7 +27,7 @@ struct Look {
 
   almanac::SkyState sky() const { return almanac::sky_at(almanac::instant_from_utc(instant)); }
   almanac::ObserverView view() const { return almanac::view_from(observer, sky()); }
-  povray_scenes::Camera camera() const {
+  povray_scenes::SceneCamera camera() const {
     return povray_scenes::camera_at(sky(), view(), up, {algebra::degrees(field_deg), side, side});
   }
 };

@@ -46,7 +46,7 @@ inline std::optional<glm::dvec3> met(const glm::dvec3& from, const glm::dvec3& r
 ///
 /// Given  camera  towards the Moon's centre, neither mirrored nor flattened
 inline texture::Image reference_projection(const texture::Image& map,
-                                           const povray_scenes::Camera& camera, int rays = 8) {
+                                           const povray_scenes::SceneCamera& camera, int rays = 8) {
   const glm::dvec3 forward = -glm::normalize(camera.position);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
   const glm::dvec3 down = glm::cross(forward, right);

@@ -25,7 +25,7 @@ const Look in_umbra = from_the_north(Up::zenith);
 const Look partial{
     "2018-07-27T21:40:00Z", {algebra::degrees(-33.9), algebra::degrees(18.4), {}}, Up::zenith};
 
-povray_scenes::Camera camera_of(const Look& look) {
+povray_scenes::SceneCamera camera_of(const Look& look) {
   return povray_scenes::camera_at(look.sky(), look.view(), look.up,
                                   {algebra::degrees(field_across_deg), width, height});
 }

@@ -20,7 +20,7 @@ using algebra::metres;
 
 constexpr const char* rounding = "rounding of doubles";
 
-Camera ten_radii_away(double field_deg) {
+SceneCamera ten_radii_away(double field_deg) {
   return {{10, 0, 0}, {0, 0, 1}, degrees(field_deg), 200, 100};
 }
 
@@ -180,7 +180,7 @@ TEST(PixelOf, EndsAtTheLimbThatTheDistanceAllows) {
 }
 
 /// Where a place stands from the middle of the picture.
-glm::dvec2 offset(const Camera& camera, const almanac::SelenographicPoint& at) {
+glm::dvec2 offset(const SceneCamera& camera, const almanac::SelenographicPoint& at) {
   return *pixel_of(camera, at) - glm::dvec2(100, 50);
 }
 
@@ -240,7 +240,7 @@ TEST(CameraAt, KnowsTheZenithWhicheverWayIsUp) {
   }
 }
 
-Camera turned_right(double by_deg, double field_deg) {
+SceneCamera turned_right(double by_deg, double field_deg) {
   auto camera = ten_radii_away(field_deg);
   const double by = in_radians(degrees(by_deg));
   camera.direction = 7.0 * glm::dvec3(-std::cos(by), std::sin(by), 0);  // 90 E is on the right

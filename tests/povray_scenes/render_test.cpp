@@ -28,7 +28,7 @@ namespace {
 using algebra::degrees;
 using algebra::Error;
 
-std::filesystem::path rendered(const std::filesystem::path& folder, const Camera& camera,
+std::filesystem::path rendered(const std::filesystem::path& folder, const SceneCamera& camera,
                                const OIIO::ImageBuf& texture, double moon_radius = 1) {
   write_scene(folder, {.camera = camera, .texture = "moon.exr", .moon_radius = moon_radius});
   if (!texture.write((folder / "moon.exr").string())) throw std::runtime_error(texture.geterror());
@@ -39,7 +39,7 @@ std::filesystem::path rendered(const std::filesystem::path& folder, const Camera
 const std::vector<Texel> pattern = {{720, 360}, {860, 270}, {590, 310},
                                     {700, 480}, {880, 380}, {670, 230}};
 
-void expect_pattern(const Camera& camera, double moon_radius = 1) {
+void expect_pattern(const SceneCamera& camera, double moon_radius = 1) {
   const TemporaryFolder folder;
   const Luminance frame(rendered(folder.path, camera, texture_with(pattern), moon_radius));
   for (const auto& texel : pattern) {
@@ -52,7 +52,7 @@ void expect_pattern(const Camera& camera, double moon_radius = 1) {
   }
 }
 
-Camera seen_from(double latitude_deg, Up up = Up::zenith) {
+SceneCamera seen_from(double latitude_deg, Up up = Up::zenith) {
   return camera_at(moon_at_the_equinox(), on_the_meridian(degrees(latitude_deg)), up,
                    {degrees(0.6), 240, 240});
 }
@@ -82,7 +82,7 @@ TEST(Frame, ShowsPlacesWherePixelOfSaysInKilometres) { expect_pattern(seen_from(
 
 TEST(Frame, ShowsPlacesWherePixelOfSaysInANarrowField) {
   // 0.02 degrees is 0.077 lunar radii: a texel is six pixels, a bright one a tent of twelve.
-  Camera camera{{221, 0, 0}, {0, 0, 1}, degrees(0.02), 100, 100};
+  SceneCamera camera{{221, 0, 0}, {0, 0, 1}, degrees(0.02), 100, 100};
   const TemporaryFolder folder;
   const Luminance frame(rendered(folder.path, camera, texture_with({{722, 357}})));
   const auto expected = *pixel_of(camera, centre({722, 357}));
@@ -123,12 +123,12 @@ TEST(Frame, ShowsPlacesWherePixelOfSaysFromATripod) {
 
 TEST(Frame, IsBlackWhereTheMoonIsNot) {
   for (const auto& direction : {glm::dvec3(1, 0, 0), glm::dvec3(-1, 0.02, 0)}) {
-    const Camera camera{.position = {221, 0, 0},
-                        .up = {0, 0, 1},
-                        .horizontal_field = degrees(1),
-                        .width = 60,
-                        .height = 40,
-                        .direction = direction};
+    const SceneCamera camera{.position = {221, 0, 0},
+                             .up = {0, 0, 1},
+                             .horizontal_field = degrees(1),
+                             .width = 60,
+                             .height = 40,
+                             .direction = direction};
     const TemporaryFolder folder;
     EXPECT_EQ(Luminance(rendered(folder.path, camera, uniform_texture(1))).total(), 0);
   }
@@ -162,7 +162,7 @@ TEST(Frame, HasTheTexturesLuminanceOverTheDiscThatGeometryGives) {
 }
 
 /// Seen low, with the zenith 40 degrees from the top of the picture.
-Camera seen_low(double flattening) {
+SceneCamera seen_low(double flattening) {
   auto camera = seen_from(52, Up::celestial_north);
   const glm::dvec3 right = glm::normalize(glm::cross(-camera.position, camera.up));
   camera.zenith = std::cos(in_radians(degrees(40))) * glm::normalize(camera.up) +
@@ -193,7 +193,7 @@ TEST(Frame, ShowsAFlattenedDiscAsAnEllipseTowardsTheZenith) {
 }
 
 /// The frame of a scene written by hand, of the camera's size, with the pattern for its texture.
-Luminance frame_by_hand(const Camera& camera, const std::string& scene) {
+Luminance frame_by_hand(const SceneCamera& camera, const std::string& scene) {
   const TemporaryFolder folder;
   write_scene(folder.path, {.camera = camera, .texture = "moon.exr"});
   std::filesystem::copy(std::filesystem::path(COPPERMOON_INC_FOLDER) / "coppermoon.inc",
@@ -205,7 +205,7 @@ Luminance frame_by_hand(const Camera& camera, const std::string& scene) {
   return Luminance(render(folder.path));
 }
 
-void expect_pattern_in(const Luminance& frame, const Camera& camera) {
+void expect_pattern_in(const Luminance& frame, const SceneCamera& camera) {
   for (const auto& texel : pattern) {
     const auto expected = *pixel_of(camera, centre(texel));
     const auto spot = spot_near(frame, expected);
@@ -216,7 +216,7 @@ void expect_pattern_in(const Luminance& frame, const Camera& camera) {
 
 TEST(CoppermoonInc, GivesTheMoonAndThePlacesOfOurOwnScenes) {
   const auto camera =
-      Camera{{200 * std::cos(0.1), 0, 200 * std::sin(0.1)}, {0, 0, 1}, degrees(0.7), 240, 200};
+      SceneCamera{{200 * std::cos(0.1), 0, 200 * std::sin(0.1)}, {0, 0, 1}, degrees(0.7), 240, 200};
   const auto frame = frame_by_hand(
       camera,
       "camera { location 200*Coppermoon_Place(degrees(0.1), 0) right x*240/200 up y sky y\n"
@@ -226,7 +226,7 @@ TEST(CoppermoonInc, GivesTheMoonAndThePlacesOfOurOwnScenes) {
 
 /// A camera in the Moon's own frame that sees what an observer sees: the place under him in the
 /// middle, and north turned from the top of the picture anticlockwise, towards the left.
-Camera seen_by_observer(double latitude_deg, double longitude_deg, double axis_angle_deg) {
+SceneCamera seen_by_observer(double latitude_deg, double longitude_deg, double axis_angle_deg) {
   const auto toward = almanac::selenographic_direction(place(latitude_deg, longitude_deg));
   const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), toward));
   const glm::dvec3 north = glm::cross(toward, right);
@@ -349,8 +349,8 @@ TEST(Render, MakesTheSameBitsOnAnyNumberOfThreads) {
 TEST(Render, OfAWindowIsTheSameThereAndBlackElsewhere) {
   const SmallScene scene;
   const Luminance whole(render(scene.folder));
-  for (const Window window :
-       {Window{20, 10, 70, 60}, {0, 0, 50, 40}, {1, 1, 96, 72}, {0, 0, 2, 2}}) {
+  for (const RenderWindow window :
+       {RenderWindow{20, 10, 70, 60}, {0, 0, 50, 40}, {1, 1, 96, 72}, {0, 0, 2, 2}}) {
     const Luminance part(render(scene.folder, {.window = window}));
     for (std::size_t y = 0; y < 72; ++y)
       for (std::size_t x = 0; x < 96; ++x) {
@@ -360,7 +360,7 @@ TEST(Render, OfAWindowIsTheSameThereAndBlackElsewhere) {
         EXPECT_EQ(part.at(column, row), within ? whole.at(column, row) : 0) << x << ", " << y;
       }
   }
-  EXPECT_EQ(refusal(scene, {.window = Window{20, 10, 21, 60}}),
+  EXPECT_EQ(refusal(scene, {.window = RenderWindow{20, 10, 21, 60}}),
             "width of the window [pixels] = 1, allowed 2 to 65535");
 }
 

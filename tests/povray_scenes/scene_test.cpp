@@ -16,7 +16,7 @@ namespace {
 
 using algebra::Error;
 
-Scene plain_scene() {
+MoonScene plain_scene() {
   return {.camera = {{221.25, -3.5, 7.125}, {0, 0.25, 1}, algebra::degrees(0.625), 640, 480},
           .texture = "moon.0001.exr"};
 }

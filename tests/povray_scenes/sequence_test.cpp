@@ -21,7 +21,7 @@ using algebra::degrees;
 using algebra::Error;
 using Frames = std::vector<std::size_t>;
 
-Camera camera_of(std::size_t frame) {
+SceneCamera camera_of(std::size_t frame) {
   const auto step = static_cast<double>(frame);
   return {.position = {221 + 0.1 * step, 3 * step, -step},
           .up = {0, 0.1 * step, 1},
@@ -66,7 +66,7 @@ TEST(SequenceToPov, NeverAsksForTheClock) {
 
 TEST(SequenceToPov, IsTheSingleScenesTextButForWhatMoves) {
   auto sequence = of_frames(1);
-  const auto single = to_pov(Scene{.camera = sequence.cameras[0], .texture = "moon.0001.exr"});
+  const auto single = to_pov(MoonScene{.camera = sequence.cameras[0], .texture = "moon.0001.exr"});
   const auto text = to_pov(sequence);
   const auto camera = text.find("camera {"), moves = single.find("  location");
   ASSERT_NE(camera, std::string::npos);
@@ -90,13 +90,14 @@ TEST(SequenceToPov, RefusesFramesOfDifferentPictures) {
     return refusal(sequence);
   };
   EXPECT_EQ(
-      with([](Camera& camera) { camera.height = 41; }),
+      with([](SceneCamera& camera) { camera.height = 41; }),
       "frame 2: picture = 60 x 41 pixels, 0.7 degrees wide, allowed: that of the first frame, "
       "60 x 40 pixels, 0.7 degrees wide");
-  EXPECT_TRUE(says(with([](Camera& camera) { camera.width = 61; }), "61 x 40"));
+  EXPECT_TRUE(says(with([](SceneCamera& camera) { camera.width = 61; }), "61 x 40"));
   EXPECT_TRUE(
-      says(with([](Camera& camera) { camera.mirrored = true; }), "wide, mirrored, allowed"));
-  EXPECT_TRUE(says(with([](Camera& camera) { camera.horizontal_field = degrees(0.75); }), "0.75"));
+      says(with([](SceneCamera& camera) { camera.mirrored = true; }), "wide, mirrored, allowed"));
+  EXPECT_TRUE(
+      says(with([](SceneCamera& camera) { camera.horizontal_field = degrees(0.75); }), "0.75"));
 }
 
 TEST(SequenceToPov, RefusesNoFramesAndNamesThatPovRayDoesNotFind) {

@@ -15,9 +15,9 @@ constexpr const char* rounding =
     "rounding of doubles 220 radii from the Moon, over the slope of ground seen aslant";
 
 /// Cameras of all kinds: mirrored, flattened by air, aimed beside the Moon's centre.
-std::vector<Camera> cameras() {
-  Camera plain{{220, 10, -5}, {0.2, 0.3, 1}, degrees(0.7), 300, 200};
-  Camera mirrored = plain, flat = plain, aimed = plain;
+std::vector<SceneCamera> cameras() {
+  SceneCamera plain{{220, 10, -5}, {0.2, 0.3, 1}, degrees(0.7), 300, 200};
+  SceneCamera mirrored = plain, flat = plain, aimed = plain;
   mirrored.mirrored = true;
   flat.flattening = 0.85;
   flat.zenith = {0, 1, 0.5};

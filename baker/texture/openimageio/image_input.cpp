@@ -144,7 +144,8 @@ bool is_openexr(const OIIO::ImageInput& input) {
 Windows windows_of(const OIIO::ImageInput& input) {
   const auto& spec = input.spec();
   const auto window = [](int left, int top, int width, int height) {
-    return Window{left, top, static_cast<std::size_t>(width), static_cast<std::size_t>(height)};
+    return ImageWindow{left, top, static_cast<std::size_t>(width),
+                       static_cast<std::size_t>(height)};
   };
   const auto data = window(spec.x, spec.y, spec.width, spec.height);
   if (!is_openexr(input)) return {data, data};

@@ -85,7 +85,7 @@ struct Sums {
 };
 
 /// Frame without the stars beside the Moon, which registration would take for its limb.
-texture::Image moon_alone(texture::Image frame, const povray_scenes::Camera& camera) {
+texture::Image moon_alone(texture::Image frame, const povray_scenes::SceneCamera& camera) {
   const auto disc = disc_outline(camera);
   if (!disc) return frame;
   tbb::parallel_for(std::size_t{0}, frame.height, [&](std::size_t r) {
@@ -98,7 +98,8 @@ texture::Image moon_alone(texture::Image frame, const povray_scenes::Camera& cam
   return frame;
 }
 
-texture::Image glowing(texture::Image frame, double share, const povray_scenes::Camera& camera) {
+texture::Image glowing(texture::Image frame, double share,
+                       const povray_scenes::SceneCamera& camera) {
   if (share == 0) return frame;
   return image_of(colour::with_glow(pixels_of(frame), share, pixel_rad_of(camera)));
 }

@@ -5,7 +5,7 @@
 
 namespace coppermoon::uses {
 
-FramePlaces frame_places(const almanac::SkyState& sky, const povray_scenes::Camera& camera) {
+FramePlaces frame_places(const almanac::SkyState& sky, const povray_scenes::SceneCamera& camera) {
   return {sky, eclipse::shadow_axis(sky), camera, povray_scenes::sight_of(camera)};
 }
 

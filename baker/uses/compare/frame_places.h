@@ -14,14 +14,14 @@ namespace coppermoon::uses {
 struct FramePlaces {
   almanac::SkyState sky;
   eclipse::ShadowAxis axis;
-  povray_scenes::Camera camera;
+  povray_scenes::SceneCamera camera;
   povray_scenes::Sight sight;
 };
 
 /// Geometry of a frame rendered by a camera.
 ///
 /// Throws  Error  when the camera is not sound
-FramePlaces frame_places(const almanac::SkyState& sky, const povray_scenes::Camera& camera);
+FramePlaces frame_places(const almanac::SkyState& sky, const povray_scenes::SceneCamera& camera);
 
 /// Distance from the shadow's axis of the ground that a place of the frame shows [km]; nothing beside the Moon and
 /// beyond 0.97 of its radius.

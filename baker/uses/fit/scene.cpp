@@ -59,7 +59,8 @@ struct Ground {
   eclipse::ShadowPlace place;
 };
 
-std::vector<Ground> grounds_of(const povray_scenes::Camera& camera, const almanac::SkyState& sky) {
+std::vector<Ground> grounds_of(const povray_scenes::SceneCamera& camera,
+                               const almanac::SkyState& sky) {
   const auto sight = povray_scenes::sight_of(camera);
   const auto axis = eclipse::shadow_axis(sky);
   std::vector<Ground> grounds;

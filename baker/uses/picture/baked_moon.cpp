@@ -25,7 +25,7 @@ namespace coppermoon::uses {
 namespace {
 
 using shadow::LightPart;
-using texture::Quantity;
+using texture::TexelQuantity;
 
 std::vector<std::string> channel_names(colour::WorkingSpace space) {
   if (space == colour::WorkingSpace::ciexyz_d65) return {"X", "Y", "Z"};
@@ -191,7 +191,7 @@ struct LitGround {
 
 /// What a part holds, and what its light is divided by.
 struct Held {
-  Quantity quantity;
+  TexelQuantity quantity;
   std::vector<double> sunlit = {};
 };
 
@@ -302,7 +302,7 @@ BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking
                        const Held& held) {
     made.parts.push_back(part(moon, name, channels, std::move(light), held, baking));
   };
-  using enum Quantity;
+  using enum TexelQuantity;
   const Channels colour{names, at_wavelengths(of_moon, wavelengths)};
   const auto whole = content.spectral_nm
                          ? with_spectrum(colour, *content.spectral_nm, wavelengths, moon.sightline)

@@ -97,7 +97,7 @@ ViewRequest seen_through(const CameraRequest& request, ViewRequest view) {
   return view;
 }
 
-double pixel_rad_of(const povray_scenes::Camera& camera) {
+double pixel_rad_of(const povray_scenes::SceneCamera& camera) {
   return 2 * std::tan(algebra::in_radians(camera.horizontal_field) / 2) /
          static_cast<double>(camera.width);
 }

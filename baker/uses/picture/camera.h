@@ -41,7 +41,7 @@ std::optional<colour::Camera> camera_of(const CameraRequest& request,
 ViewRequest seen_through(const CameraRequest& request, ViewRequest view);
 
 /// Angle that a pixel takes in, in the middle of a frame.
-double pixel_rad_of(const povray_scenes::Camera& camera);
+double pixel_rad_of(const povray_scenes::SceneCamera& camera);
 
 /// What the development has to know of a frame beside its light.
 struct SeenFrame {

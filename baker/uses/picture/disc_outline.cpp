@@ -18,7 +18,7 @@ namespace coppermoon::uses {
 
 /// A sight v passes the sphere at a distance below 1 where (|f|² − 1) |v|² < (f·v)², f the camera's place; v
 /// is linear in the pixel's x and y, so this is a conic.
-std::optional<DiscOutline> disc_outline(const povray_scenes::Camera& camera) {
+std::optional<DiscOutline> disc_outline(const povray_scenes::SceneCamera& camera) {
   const auto sight = povray_scenes::sight_of(camera);
   const auto& round = sight.round_from_flattened;
   const glm::dvec3 from = round * sight.position;
@@ -64,7 +64,7 @@ double covered_share(const DiscOutline& o, double x, double y) {
 
 namespace {
 
-using povray_scenes::Window;
+using povray_scenes::RenderWindow;
 
 /// Pixels that a line's part from middle - reach to middle + reach touches, and one more on each side: the
 /// first, and the one after the last; no fewer than two of those that there are.
@@ -77,7 +77,7 @@ std::optional<std::pair<std::size_t, std::size_t>> pixels_about(double middle, d
                    static_cast<std::size_t>(std::clamp(end, 2., most))};
 }
 
-Window around(const Window& a, const Window& b) {
+RenderWindow around(const RenderWindow& a, const RenderWindow& b) {
   return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
           std::max(a.bottom, b.bottom)};
 }
@@ -85,17 +85,17 @@ Window around(const Window& a, const Window& b) {
 }  // namespace
 
 /// An ellipse reaches as far across as down: sqrt(yy / (xx yy - xy²/4)), and with xx.
-std::optional<Window> window_of(const DiscOutline& o, std::size_t width, std::size_t height) {
+std::optional<RenderWindow> window_of(const DiscOutline& o, std::size_t width, std::size_t height) {
   if (width < 2 || height < 2) return std::nullopt;
   const double determinant = o.xx * o.yy - o.xy * o.xy / 4;
   const auto across = pixels_about(o.x, std::sqrt(o.yy / determinant), width),
              down = pixels_about(o.y, std::sqrt(o.xx / determinant), height);
   if (!across || !down) return std::nullopt;
-  return Window{across->first, down->first, across->second, down->second};
+  return RenderWindow{across->first, down->first, across->second, down->second};
 }
 
-std::optional<Window> disc_window(std::span<const povray_scenes::Camera> cameras) {
-  std::optional<Window> all;
+std::optional<RenderWindow> disc_window(std::span<const povray_scenes::SceneCamera> cameras) {
+  std::optional<RenderWindow> all;
   for (const auto& camera : cameras) {
     const auto outline = disc_outline(camera);
     if (!outline) return std::nullopt;

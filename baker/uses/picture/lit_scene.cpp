@@ -23,7 +23,7 @@ constexpr const char *texture_file = "moon_lin_rec709.exr", *moon_file = "moon.i
                      *stars_file = "eclipse_stars.inc", *macros_file = "coppermoon.inc";
 
 /// Diameter of the disc [pixels].
-double diameter(const povray_scenes::Camera& camera) {
+double diameter(const povray_scenes::SceneCamera& camera) {
   const double away = glm::length(camera.position);  // in lunar radii
   const double tangent = 1 / std::sqrt(away * away - 1);
   return static_cast<double>(camera.width) * tangent /
@@ -45,7 +45,7 @@ FrameView view_for_frame(const ViewRequest& request, const almanac::SkyState& sk
   return frame;
 }
 
-MoonRequest fitted(MoonRequest moon, const povray_scenes::Camera& camera) {
+MoonRequest fitted(MoonRequest moon, const povray_scenes::SceneCamera& camera) {
   if (moon.texture_width) return moon;
   const double width = moon.texels_per_pixel * std::numbers::pi * diameter(camera);
   moon.texture_width =
@@ -105,7 +105,7 @@ void write_moon_include(const std::filesystem::path& folder, const LitScene& sce
 void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
                      const std::vector<povray_scenes::SkyLight>& lights,
                      const texture::ExrOptions& options) {
-  const povray_scenes::Scene pov{
+  const povray_scenes::MoonScene pov{
       .camera = scene.view.camera, .texture = texture_file, .caption = {}, .lights = lights};
   std::error_code ignored;
   const bool made = std::filesystem::create_directory(folder, ignored);

@@ -30,7 +30,7 @@ FrameView view_for_frame(const ViewRequest& request, const almanac::SkyState& sk
 
 /// A texture without a width of its own has as many texels around the equator as the middle of the
 /// disc has pixels: π times the disc's diameter, times its `texels_per_pixel`.
-MoonRequest fitted(MoonRequest moon, const povray_scenes::Camera& camera);
+MoonRequest fitted(MoonRequest moon, const povray_scenes::SceneCamera& camera);
 
 /// How a scene's texture is made, and who is told how far its light has come.
 struct SceneBaking {

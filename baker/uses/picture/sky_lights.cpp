@@ -140,7 +140,7 @@ class Dome {
 };
 
 /// What a frame takes in, and a degree around it: refraction may raise a light by as much.
-Cone cone_of(const povray_scenes::Camera& camera, const almanac::SkyState& sky) {
+Cone cone_of(const povray_scenes::SceneCamera& camera, const almanac::SkyState& sky) {
   constexpr double margin = std::numbers::pi / 180;
   const double half_width = std::tan(algebra::in_radians(camera.horizontal_field) / 2),
                half_height = half_width * static_cast<double>(camera.height) /
@@ -242,7 +242,7 @@ Spread spread_about(double place) {
 
 }  // namespace
 
-void add_lights(texture::Image& frame, const povray_scenes::Camera& camera,
+void add_lights(texture::Image& frame, const povray_scenes::SceneCamera& camera,
                 std::span<const SkyLight> lights) {
   const auto sight = povray_scenes::sight_of(camera);
   const glm::dvec3 forward = line_of_sight(camera), area = glm::cross(sight.across, sight.down);

@@ -35,7 +35,7 @@ std::vector<SkyLight> scene_lights(const View& view, const almanac::SkyState& sk
 /// Returned  numbers that half floats hold, as those of a frame are, where they are below 65504
 /// Accuracy  light over a pixel's own solid angle sums up to the illuminance to 5e-4, but for what
 ///           falls beside the frame
-void add_lights(texture::Image& frame, const povray_scenes::Camera& camera,
+void add_lights(texture::Image& frame, const povray_scenes::SceneCamera& camera,
                 std::span<const SkyLight> lights);
 
 /// All stars and planets above a view's horizon, the brightest first, the Moon or no Moon before them: to

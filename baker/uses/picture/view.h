@@ -39,7 +39,7 @@ struct ViewRequest {
 
 /// A view of the Moon: the camera, and where the Moon stands for who holds it.
 struct View {
-  povray_scenes::Camera camera;
+  povray_scenes::SceneCamera camera;
   std::optional<almanac::Observer> observer;
   std::optional<atmosphere::Sightline> sightline;  ///< through the air that reddens the Moon
   StarRequest stars = {};

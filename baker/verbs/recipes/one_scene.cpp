@@ -15,18 +15,18 @@ namespace {
 /// Largest time between exposures of one scene [s]: the shadow moves by 33 arcseconds, 1/60 of the disc.
 constexpr double most_apart_s = 60;
 
-std::string words_for(const texture::Window& window) {
+std::string words_for(const texture::ImageWindow& window) {
   return fmt::format("{} x {} pixels", window.width, window.height);
 }
 
-std::string words_with_place_for(const texture::Window& window) {
+std::string words_with_place_for(const texture::ImageWindow& window) {
   return fmt::format("{} from {}, {}", words_for(window), window.left, window.top);
 }
 
 void require_one_window(const std::string& first, const std::string& other) {
   const auto mine = texture::windows_of(other), its = texture::windows_of(first);
-  const auto require_equal = [&](const auto& what, const texture::Window& a,
-                                 const texture::Window& b) {
+  const auto require_equal = [&](const auto& what, const texture::ImageWindow& a,
+                                 const texture::ImageWindow& b) {
     if (a == b) return;
     const bool alike = a.width == b.width && a.height == b.height;
     const auto words = alike ? words_with_place_for : words_for;

@@ -60,7 +60,7 @@ TEST(Bake, IrradianceIsThatOfTheSunAtItsDistanceWhateverTheGround) {
   const auto light = sunlight(1000);
   const auto ground = uniform(rows, 0.3F);
   const auto lit =
-      lit_rows({ground, sky, light}, rows, {yapo_cutler, Extent::whole, Quantity::irradiance});
+      lit_rows({ground, sky, light}, rows, {yapo_cutler, Extent::whole, TexelQuantity::irradiance});
   std::vector<float> values(2 * rows * rows);
   lit(0, values);
   const float sunlit = values[row_of(algebra::in_degrees(sky.sub_solar.latitude), rows) * 2 * rows +

@@ -16,7 +16,7 @@ namespace coppermoon::uses {
 namespace {
 
 /// A camera 220 lunar radii away, off the Moon's middle, its Moon flattened.
-povray_scenes::Camera camera(double field_deg, double flattening = 0.9) {
+povray_scenes::SceneCamera camera(double field_deg, double flattening = 0.9) {
   return {.position = {219, 14, -9},
           .up = {0, 0.3, 1},
           .horizontal_field = algebra::degrees(field_deg),

@@ -45,7 +45,7 @@ struct Sum {
   glm::dvec2 middle{0, 0};
 };
 
-Sum sum_of(const texture::Image& frame, const povray_scenes::Camera& camera) {
+Sum sum_of(const texture::Image& frame, const povray_scenes::SceneCamera& camera) {
   const auto sight = povray_scenes::sight_of(camera);
   Sum sum;
   double green = 0;
