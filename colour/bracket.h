@@ -8,23 +8,23 @@
 
 namespace coppermoon::colour {
 
-/// One of several photographs of a scene that holds still.
+/// Exposure of a bracketed set.
 struct Bracketed {
   Image scene_linear;          ///< [cd/m²]
   algebra::Grid<float> valid;  ///< 1 where no channel is clipped, else 0
-  double light = 1;  ///< electrons for each cd/m², in any unit: time over f-number squared
+  double light = 1;  ///< weight: exposure time over f-number squared, in any unit
 };
 
-/// The scene's luminance from a bracketed set.
+/// Luminance of the scene, from all exposures of a bracketed set.
 ///
-///     L = Σ wᵢ Lᵢ / Σ wᵢ      wᵢ: the light, where a pixel is valid
+///     L = Σ wᵢ Lᵢ / Σ wᵢ      wᵢ: `light`, where a pixel is valid
 ///
-/// Photons' noise is least so: Lᵢ has the variance L / wᵢ.
+/// These weights minimise photon noise: Lᵢ has the variance L / wᵢ.
 ///
 /// Given     photographs  of one size; light above 0
-/// Returned  scene_linear, valid where any is; elsewhere that of the photograph with least light, at
-///           its saturation. light: the sum of all
-/// Omits     read noise, which weighs down a short exposure's dark more than this does
+/// Returned  valid where any photograph is; elsewhere scene_linear is that of the shortest exposure, at its
+///           saturation. light: the sum of all
+/// Omits     read noise, for which the dark of a short exposure should weigh less
 /// Throws    Error  when there is none, sizes differ, or a light is not above 0
 Bracketed merged(std::span<const Bracketed> photographs);
 

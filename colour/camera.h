@@ -12,30 +12,30 @@
 
 namespace coppermoon::colour {
 
-/// A telescope or a lens, focused on the Moon.
+/// Telescope or lens, focused on the Moon.
 struct CameraOptics {
   double focal_length_mm = 1540;  ///< 1 to 1e6
-  double aperture_mm = 127;       ///< 0.1 to 1e5; what the f-number says
-  double obstruction = 0;         ///< diameter of the secondary over the aperture's, 0 to 0.9
+  double aperture_mm = 127;       ///< 0.1 to 1e5
+  double obstruction = 0;         ///< central obstruction, diameter over aperture: 0 to 0.9
   double transmission = 1;        ///< of the glass, 0.01 to 1
 };
 
-/// The sensor in its focus.
+/// Image sensor.
 struct Sensor {
   double width_mm = 22.7;  ///< 0.1 to 1000
   double pixel_um = 7.4;   ///< a pixel's side, 0.1 to 1000
-  /// electrons of the most sensitive channel under white light, per equal-luminance photon of 555 nm,
-  /// filters and fill factor included; 0.001 to 1
+  /// Electrons of the most sensitive channel under white light, for each photon of 555 nm of the same
+  /// luminance; filters and fill factor included; 0.001 to 1.
   double quantum_efficiency = 0.5;
   double full_well_e = 50000;     ///< 10 to 1e9
-  double read_noise_e = 3;        ///< before the gain, 0 to 1e4
-  double converter_noise_dn = 1;  ///< behind it, 0 to 1e4
-  double black_level_dn = 0;      ///< 0 to half of what the bits hold
+  double read_noise_e = 3;        ///< before the amplifier, 0 to 1e4
+  double converter_noise_dn = 1;  ///< behind the amplifier, 0 to 1e4
+  double black_level_dn = 0;      ///< 0 to half the range of the bits
   int bits = 14;                  ///< 1 to 16
   std::string response = "colorimetric";
 };
 
-/// A camera: all that is between a scene and a raw file, without its exposure.
+/// Optics, sensor and air between a scene and a raw file; the exposure stands apart.
 struct Camera {
   CameraOptics optics{};
   Sensor sensor{};
@@ -44,22 +44,22 @@ struct Camera {
   bool diffraction = true, noise = true;
 };
 
-/// A camera by name, of data/cameras.csv: paper, 400mm, schmidt-cassegrain, refractor.
+/// Camera of data/cameras.csv: paper, 400mm, schmidt-cassegrain, refractor.
 ///
-/// Throws  Error  when there is none: names those there are
+/// Throws  Error  for another name: lists those there are
 Camera camera_named(std::string_view name);
 std::vector<std::string> camera_names();
 
-/// How a sensor's channels see colour.
+/// Spectral response of a sensor's channels, as a matrix.
 struct Response {
-  glm::dmat3 from_xyz;     ///< to channels that see D65's white as 1, 1, 1
-  glm::dvec3 sensitivity;  ///< of each before it is balanced so, the largest 1: green's
+  glm::dmat3 from_xyz;     ///< to channels that are 1, 1, 1 for D65
+  glm::dvec3 sensitivity;  ///< of each before white balance, the largest is 1
 };
 
-/// colorimetric: linear Rec.709 itself; luminance: a sensor without colours; or of
+/// Response by name: colorimetric (linear Rec.709 itself), luminance (a monochrome sensor), or one of
 /// data/camera_responses.csv.
 ///
-/// Throws  Error  when there is none: names those there are
+/// Throws  Error  for another name: lists those there are
 Response response_named(std::string_view name);
 std::vector<std::string> response_names();
 
@@ -73,26 +73,28 @@ std::vector<std::string> response_names();
 /// Throws    Error  when camera or exposure is outside its range
 double electrons_per_cd_m2(const Camera& camera, const Exposure& exposure);
 
-/// The numbers that a sensor gives at a speed.
+/// Gain of a sensor at an ISO speed.
 struct Gain {
   double dn_per_electron;
   double white_dn;  ///< above the black level, whole; 1 to 65535
 };
 
-/// Gain at the speed S: the electrons of 78/S lx s fill the range of the numbers. White is at its
-/// end, or lower where pixels are full before.
+/// Gain at the speed S, at which the electrons of 78/S lx s fill the converter's range. White is at the end of
+/// that range, or at full well where that is lower.
 ///
 /// Source  ISO 12232
 /// Throws  Error  when camera or speed is outside its range, or white is not one number above black
 Gain gain_at(const Camera& camera, double iso);
 
-/// Luminance that becomes the camera's white [cd/m²]: as colour::exposure_scale has it, with the
-/// optics' own transmission in place of a usual lens's; lower where a pixel is full before.
+/// Luminance at which the camera saturates [cd/m²]: that of exposure_scale with the optics' own transmission,
+/// lower where full well comes first.
 ///
 /// Throws  Error  as electrons_per_cd_m2
 double saturation_cd_m2(const Camera& camera, const Exposure& exposure);
 
-/// Throws  Error  when anything of it is outside its range
+/// Refuses a camera with a number outside its range.
+///
+/// Throws  Error
 void require_sound(const Camera& camera);
 
 }  // namespace coppermoon::colour

@@ -25,7 +25,7 @@ float nth_of(std::vector<float> values, double share) {
   return values[static_cast<std::size_t>(at)];
 }
 
-/// Straight below a part of the range from the sky to the brightest, logarithmic above.
+/// Light on an asinh scale: linear below `floor_share` of the range from sky to brightest, logarithmic above.
 Picture toned(Picture image, double floor_share) {
   const double sky = nth_of({image.values().begin(), image.values().end()}, 0.2),
                range = *std::ranges::max_element(image.values()) - sky;
@@ -35,7 +35,7 @@ Picture toned(Picture image, double floor_share) {
   return image;
 }
 
-/// Weights 1, 2, 1 both ways, twice.
+/// Binomial smoothing, 1 2 1 along both axes, twice.
 Picture softened(const Picture& image) {
   Picture soft = image;
   for (int pass = 0; pass < 2; ++pass) {
@@ -51,7 +51,7 @@ Picture softened(const Picture& image) {
   return soft;
 }
 
-/// A place where light changes most, and towards where it grows.
+/// Edge pixel: its sub-pixel place and the direction of growing light.
 struct Edge {
   glm::dvec2 at, inward;
 };
@@ -60,7 +60,7 @@ glm::dvec2 slope(const Picture& image, std::size_t r, std::size_t c) {
   return {0.5 * (image(r, c + 1) - image(r, c - 1)), 0.5 * (image(r + 1, c) - image(r - 1, c))};
 }
 
-/// Pixels whose slope is the steepest across the edge, and well above what most pixels have.
+/// Pixels where the gradient is greatest along its own direction, and well above the median.
 std::vector<Edge> edges_of(const Picture& image) {
   constexpr double of_steepest = 0.1, of_median = 3.5;
   Picture steepness(image.rows(), image.columns());
@@ -106,7 +106,7 @@ bool lies_on(const Edge& edge, const Disc& disc) {
          -glm::dot(outward, edge.inward) > least_cosine * away;
 }
 
-/// How much of a circle has an edge on it, in steps of five degrees.
+/// Steps of five degrees of a circle that have an edge on them.
 std::size_t covered(const std::vector<Edge>& edges, const Disc& disc) {
   constexpr std::size_t steps = 72;
   std::bitset<steps> has;
@@ -119,7 +119,7 @@ std::size_t covered(const std::vector<Edge>& edges, const Disc& disc) {
   return has.count();
 }
 
-/// The circle that is covered most, of those through three random edges.
+/// Best covered circle of those through three random edges (RANSAC).
 std::optional<Disc> voted(const std::vector<Edge>& edges, double most_radius_px) {
   constexpr int ballots = 20000, counts = 600;
   if (edges.size() < 12) return std::nullopt;

@@ -8,8 +8,8 @@
 
 namespace coppermoon::colour {
 
-/// Circles that many edges of a small picture lie on with light falling outward: one for each of
-/// some tone curves, from one that shows the dimmest limb to one that shows only the brightest.
+/// Circles on which many edges of a small picture lie, light falling outward: one for each of four tone
+/// curves, from one that shows the dimmest limb to one that shows only the brightest.
 ///
 /// Given     image  some hundred pixels a side, of any scale
 /// Returned  within 1.5 pixels, of 5 pixels' radius or more; in no order

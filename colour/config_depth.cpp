@@ -22,7 +22,7 @@ namespace {
 constexpr int most_depth = 64;
 constexpr double most_transforms = 4096;
 
-/// Counts the transforms that what has a name is made of, all that they name in turn included.
+/// Count of the transforms behind a named space, view or look, with all that those name in turn.
 class Unfolding {
  public:
   explicit Unfolding(const ocio::Config& config) : config_(config) {}
@@ -113,7 +113,7 @@ class Unfolding {
     return transform ? 1 : 0;
   }
 
-  /// Names of looks in a text as "a, +b : -c | d".
+  /// Names in OpenColorIO's list of looks: "a, +b : -c | d".
   static std::set<std::string> names_in(std::string_view looks) {
     std::set<std::string> names;
     while (!looks.empty()) {
@@ -132,7 +132,7 @@ class Unfolding {
     return sum;
   }
 
-  /// The default view transform, where spaces of a scene and of a display meet.
+  /// Count of the default view transform, where scene-referred and display-referred spaces meet.
   double crossing(const std::string& looks, std::set<std::string> spaces) {
     for (const auto& name : names_in(resolved(looks)))
       if (const auto look = config_.getLook(name.c_str())) spaces.insert(look->getProcessSpace());
@@ -149,7 +149,7 @@ class Unfolding {
   std::set<std::string> under_way_{};
 };
 
-/// Aliases in a line of YAML, as "*name"; some that stand in a text are counted too.
+/// Count of aliases ("*name") in a line of YAML; some within quoted text are counted too.
 std::ptrdiff_t aliases_in(const std::string& line) {
   const auto begin = line.find_first_not_of(" \t");
   if (begin == std::string::npos || line[begin] == '#') return 0;

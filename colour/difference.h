@@ -7,7 +7,7 @@
 
 namespace coppermoon::colour {
 
-/// A colour as a surface under D65 would look: CIE 1976 L*a*b*.
+/// Colour in CIE 1976 L*a*b*, relative to D65.
 struct Lab {
   double L;     ///< lightness: 0 black, 100 white
   double a, b;  ///< towards red, towards yellow; 0 for greys
@@ -29,14 +29,13 @@ Lab lab_from_xyz(const glm::dvec3& xyz);
 /// Source  IEC 61966-2-1
 Lab lab_from_srgb(const Rgb& coded);
 
-/// How different two colours look, CIEDE2000 with k_L = k_C = k_H = 1.
+/// Colour difference CIEDE2000 with k_L = k_C = k_H = 1.
 ///
 ///     ΔE = √(l² + c² + h² + R_T c h),   l = ΔL'/S_L, c = ΔC'/S_C, h = ΔH'/S_H
 ///
-/// Returned  0 for equal colours; about 1 is the least that is seen side by side. The same
-///           whichever comes first
+/// Returned  0 for equal colours; about 1 is just noticeable side by side. Symmetric
 /// Accuracy  1e-4 from the 34 published pairs, which are printed to that
-/// Omits     what the eye does with darkness, neighbours and size: it is for samples in a lit room
+/// Omits     adaptation to darkness, neighbouring colours, size: it holds for samples in a lit room
 /// Source    Sharma, Wu & Dalal (2005), Color Res. Appl. 30, 21
 double delta_e_2000(const Lab& one, const Lab& other);
 

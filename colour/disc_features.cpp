@@ -18,7 +18,7 @@ double away_from(double x_px, double y_px, std::size_t row, std::size_t column) 
                     static_cast<double>(row) + 0.5 - y_px);
 }
 
-/// The values within a part of the disc's radius and another.
+/// Values in a ring, inner and outer radius in units of the disc's.
 std::vector<float> values_between(const Values& picture, const Disc& disc, double inner,
                                   double outer) {
   const double reach = outer * disc.radius_px;
@@ -44,7 +44,7 @@ float quantile(std::vector<float> values, double share) {
   return values[static_cast<std::size_t>(at)];
 }
 
-/// Means over 2 reach + 1 pixels of a line, those beyond its ends counting as 0.
+/// Box mean over 2 reach + 1 pixels of a line, 0 beyond its ends.
 void blur_line(std::span<float> line, std::size_t stride, std::size_t reach) {
   const std::size_t n = (line.size() + stride - 1) / stride;
   std::vector<double> sums(n + 1);
@@ -56,7 +56,7 @@ void blur_line(std::span<float> line, std::size_t stride, std::size_t reach) {
   }
 }
 
-/// Three box means both ways: all but a Gaussian of σ² = reach (reach + 1).
+/// Three box means along both axes: nearly a Gaussian of σ² = reach (reach + 1).
 Values blurred(Values grid, std::size_t reach) {
   for (int pass = 0; pass < 3; ++pass) {
     for (std::size_t r = 0; r < grid.rows(); ++r) blur_line(grid.row(r), 1, reach);
@@ -66,7 +66,7 @@ Values blurred(Values grid, std::size_t reach) {
   return grid;
 }
 
-/// 1 where it is so.
+/// 1 where a test holds, else 0.
 template <class PixelTest>
 Values where(const Values& like, const PixelTest& so) {
   Values grid(like.rows(), like.columns());
@@ -75,7 +75,7 @@ Values where(const Values& like, const PixelTest& so) {
   return grid;
 }
 
-/// The mean of what counts, nearby.
+/// Weighted local mean.
 Values mean_nearby(const Values& light, const Values& counts, std::size_t reach) {
   Values weighted = light;
   for (std::size_t i = 0; i < light.values().size(); ++i)
@@ -87,8 +87,7 @@ Values mean_nearby(const Values& light, const Values& counts, std::size_t reach)
   return mean;
 }
 
-/// Noise of the sky beside the disc: the standard deviation of a pixel, from how much one differs
-/// from the next.
+/// Standard deviation of a sky pixel beside the disc, from the median difference of diagonal neighbours.
 double noise_of(const Values& light, const Disc& disc) {
   Values rough(light.rows(), light.columns());
   for (std::size_t r = 1; r < light.rows(); ++r)
@@ -102,11 +101,11 @@ float brightest_of(const Values& picture, const Disc& disc, double share) {
   return quantile(values_between(picture, disc, 0, 1), 1 - share);
 }
 
-/// A disc brought into the middle of a grid, the sky taken off.
+/// Disc in the middle of a grid, sky subtracted.
 struct Centred {
   Disc disc;
   Values light, usable;  ///< usable: 1 where the picture reaches
-  float too_bright;      ///< what is clipped has this light
+  float too_bright;      ///< light of clipped pixels
 };
 
 Centred centred(const Values& picture, const Disc& disc, const Similarity& to_grid,
@@ -125,7 +124,7 @@ Centred centred(const Values& picture, const Disc& disc, const Similarity& to_gr
           cap - sky};
 }
 
-/// The mean light of the disc near each place.
+/// Local mean of the disc's light.
 Values light_nearby(const Centred& picture) {
   constexpr double edge = 0.97, reach = 0.25;  // of the radius
   const auto& disc = picture.disc;
@@ -137,7 +136,7 @@ Values light_nearby(const Centred& picture) {
                      static_cast<std::size_t>(std::max(2., std::round(reach * disc.radius_px))));
 }
 
-/// 0 where the picture ends, and at a limb that is clipped: blur moves that outward.
+/// Weight 0 beyond the picture, and at a clipped limb, which blur moves outward.
 Values weights_of(const Centred& picture) {
   constexpr double inner = 0.92;  // of the radius
   const auto& disc = picture.disc;

@@ -7,27 +7,27 @@
 
 namespace coppermoon::colour {
 
-/// Markings of a disc: light over its mean nearby, less 1.
+/// Local contrast on a disc: light over its local mean, less 1.
 struct DiscFeatures {
   algebra::Grid<float> contrast;  ///< −1 beyond the limb
-  algebra::Grid<float> weight;    ///< 0 to 1; 0 where a picture has nothing to say
+  algebra::Grid<float> weight;    ///< 0 to 1; 0 where the picture carries no information
   Similarity from_picture;        ///< to these grids; the disc's centre is the middle of both
-  double floor;  ///< light that noise hides, over that which a hundredth of the disc exceeds
+  double floor;  ///< noise floor, over the 99th percentile of the disc's light
 };
 
-/// The range within which a camera told light apart.
+/// Range of light that a picture resolves.
 struct TonalRange {
-  double clipped = 0;  ///< share of the disc, its brightest part, that looks the same
+  double clipped = 0;  ///< saturated share of the disc
   double floor = 0;    ///< as DiscFeatures has it
 };
 
-/// The share of a disc's pixels that have the picture's largest value, within a hundredth.
+/// Saturated share of a disc: pixels within a hundredth of the picture's largest value.
 double clipped_share(const algebra::Grid<float>& picture, const Disc& disc);
 
-/// The features of a disc brought to a radius.
+/// Features of a disc scaled to a radius.
 ///
 /// Given  radius_px  not above the disc's own
-///        range      at most what the picture itself tells apart
+///        range      no wider than the picture's own
 DiscFeatures features_of(const algebra::Grid<float>& picture, const Disc& disc, double radius_px,
                          const TonalRange& range);
 

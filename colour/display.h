@@ -15,15 +15,15 @@ namespace coppermoon::colour {
 using Rgb = std::array<float, 3>;
 using Image = algebra::Grid<Rgb>;  ///< [row][column], the top row first
 
-/// How a frame becomes a picture.
+/// Exposure, view and display that make a picture of a scene-linear frame.
 struct DisplayTransform {
-  double scale = 1;  ///< exposure: of every channel, before the view; above 0
+  double scale = 1;  ///< exposure: factor of every channel before the view; above 0
   std::string view = "Un-tone-mapped";
   std::string display = "sRGB";
   std::filesystem::path config = {};  ///< an OpenColorIO configuration; empty: the built-in one
 };
 
-/// A scene-linear image as a display shows it.
+/// Scene-linear image transformed for a display.
 ///
 /// Returned  display-referred, nominally 0 to 1 and coded for the display. Not clamped: a view may
 ///           leave values below 0 or above 1, for whoever writes 8 or 16 bits to clip
@@ -35,32 +35,32 @@ struct DisplayTransform {
 ///                  file; when what it describes is made of itself, or has no reasonable end
 Image developed(Image scene_linear, WorkingSpace space, const DisplayTransform& development = {});
 
-/// A text that tells apart what two developments do to colours, whatever their files are called; it
-/// leaves out the scale.
+/// Identifier of a colour transform, equal for equal tables whatever their files are called; the scale is left
+/// out.
 ///
 /// Throws  Error   as developed
 /// Source  OpenColorIO's cache identifier of the processor, which holds the numbers of its tables
 std::string fingerprint(WorkingSpace space, const DisplayTransform& development);
 
-/// The displays of a configuration (empty: the built-in one), the default first.
+/// Displays of a configuration (empty: the built-in one), the default first.
 ///
 /// Throws  Error  when the configuration cannot be read
 std::vector<std::string> displays(const std::filesystem::path& config = {});
 
-/// The views that a display has, the default first.
+/// Views of a display, the default first.
 ///
 /// Throws  Error  when the configuration cannot be read or has no such display
 std::vector<std::string> views(const std::string& display = "sRGB",
                                const std::filesystem::path& config = {});
 
-/// A display or view as the configuration spells it, by its name in any case of letters.
+/// Display or view as the configuration spells it, found in any case of letters.
 ///
 /// Throws  Error  when the configuration cannot be read or has none of that name: names those it has
 std::string display_named(const std::string& name, const std::filesystem::path& config = {});
 std::string view_named(const std::string& name, const std::string& display,
                        const std::filesystem::path& config = {});
 
-/// The built-in configuration, as installed in share/coppermoon/config.ocio.
+/// Text of the built-in configuration, as installed in share/coppermoon/config.ocio.
 std::string_view config_text();
 
 }  // namespace coppermoon::colour

@@ -44,7 +44,7 @@ double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(at)];
 }
 
-/// Where the limb is found along a radius.
+/// Limb point on a radius.
 struct LimbPlace {
   glm::dvec2 outward;
   double offset_px;  ///< outward from the circle tried
@@ -52,7 +52,7 @@ struct LimbPlace {
   double seen;       ///< root of the step of light
 };
 
-/// Light along a radius, the mean over a little of the limb to both sides.
+/// Light along a radius, averaged over 2/3 degree of position angle; empty where it leaves the picture.
 std::vector<double> profile(const Luminance& image, const Disc& disc, double angle,
                             double half_width_px) {
   constexpr int steps = 32;
@@ -85,14 +85,14 @@ Spread spread_of(std::span<const double> values) {
   return {mean, std::sqrt(squares) / n};
 }
 
-/// A picture, and the light of what is clipped in it.
+/// Picture, and the light above which it is clipped.
 struct Picture {
   const Luminance& image;
   double clipped;
 };
 
-/// The profile without what lies behind the brightest ground and is less than three quarters as
-/// bright: a thin crescent ends there.
+/// Profile from the inner end of its brightest stretch on, where light is above three quarters of the brightest: a
+/// thin crescent ends there.
 std::span<const double> ground_and_sky(std::span<const double> light) {
   constexpr double of_brightest = 0.75;
   const auto quarter = light.size() / 4;
@@ -104,7 +104,7 @@ std::span<const double> ground_and_sky(std::span<const double> light) {
   return light.subspan(static_cast<std::size_t>(begin - ground.begin()));
 }
 
-/// The step of light at the limb: as much light as there is fills it so far from within.
+/// Step of light at the limb, placed where a sharp step has the same area under it.
 std::optional<LimbPlace> limb_place(const Picture& picture, const Disc& disc, double angle,
                                     double half_width_px) {
   constexpr double clearly = 4, of_clipped = 0.3;
@@ -139,8 +139,7 @@ double residual(const LimbPlace& place, const glm::dvec3& shift) {
   return place.offset_px - glm::dot(place.outward, glm::dvec2(shift)) - shift.z;
 }
 
-/// The correction that moves the circle onto the places: x, y and radius, by least squares whose
-/// weights leave out what lies far off (Tukey's).
+/// Correction of a circle's x, y and radius: least squares with Tukey's biweight against outliers.
 glm::dvec3 shift_onto(const std::vector<LimbPlace>& places) {
   glm::dvec3 shift(0);
   for (int pass = 0; pass < 12; ++pass) {
@@ -162,14 +161,14 @@ glm::dvec3 shift_onto(const std::vector<LimbPlace>& places) {
   return shift;
 }
 
-/// A circle, and how much of the picture's light ends on it.
+/// Circle, and the evidence that it is a limb.
 struct Found {
   Disc disc;
   double evidence;
 };
 
-/// The steps of light on a circle, by their roots and lengths; 0 when less than a quarter of it is
-/// limb, or a quarter of the steps of light lie beside it.
+/// Sum of the roots of the steps of light on a circle, times its radius; 0 when less than a quarter of the circle is
+/// limb, or more than a quarter of the steps lie beside it.
 double evidence_of(const std::vector<LimbPlace>& places, const Disc& disc) {
   const double near_px = std::max(0.7, 0.03 * disc.radius_px);
   int degrees = 0;
@@ -185,7 +184,7 @@ double evidence_of(const std::vector<LimbPlace>& places, const Disc& disc) {
   return degrees >= 85 && on_it >= 0.75 * all ? disc.radius_px * evidence : 0;
 }
 
-/// The circle on the limb, measured again and again along narrower pieces of the radii.
+/// Circle fitted to the limb repeatedly, along ever narrower pieces of the radii.
 Found measured(const Picture& picture, Disc disc, double last_share) {
   std::vector<LimbPlace> places;
   for (const double wider : {1.6, 1.2, 1., 1., 1.}) {
@@ -200,9 +199,9 @@ Found measured(const Picture& picture, Disc disc, double last_share) {
   return {disc, evidence_of(places, disc)};
 }
 
-/// How uneven the sky is beside a disc: its steps of light, and what is above its darkest fifth, over
-/// the steps from the disc to it. What goes on beyond the circle, as a corner or a horizon does, or
-/// falls as steadily as inside it, is above a half; what nobody sees before the sky is infinite.
+/// Unevenness of the sky beside a disc: its own steps of light and its excess over its darkest fifth, over the steps
+/// from disc to sky. Above a half for edges that go on beyond the circle (corner, horizon) or a steady slope; infinite
+/// for a disc without visible contrast.
 double unevenness(const Luminance& image, const Disc& disc) {
   constexpr double band = 0.1;
   const double wide_px = std::max(2., band * disc.radius_px);
@@ -227,7 +226,7 @@ double unevenness(const Luminance& image, const Disc& disc) {
   return uneven / limb;
 }
 
-/// The share of the steps of light near a disc's edge that lie on it.
+/// Share of the steps of light near a disc's edge that lie on the edge.
 double roundness(const Picture& picture, const Disc& disc) {
   const double near_px = std::max(0.6, 0.05 * disc.radius_px);
   double on_it = 0, all = 0;
@@ -238,7 +237,7 @@ double roundness(const Picture& picture, const Disc& disc) {
   return all > 0 ? on_it / all : 0;
 }
 
-/// Round, and before an even sky.
+/// Whether a disc is round and before an even sky.
 bool stands_alone(const Picture& picture, const Disc& disc) {
   return unevenness(picture.image, disc) <= 0.5 && roundness(picture, disc) >= 0.75;
 }
@@ -249,7 +248,7 @@ bool alike(const Disc& a, const Disc& b) {
          std::abs(a.radius_px - b.radius_px) < near_px;
 }
 
-/// The circle with the most evidence, of those likely.
+/// Circle of most evidence among the likely ones.
 Found found_in(const Luminance& image) {
   const Picture picture{image, 0.98 * *std::ranges::max_element(image.values())};
   std::vector<Disc> tried;
@@ -273,7 +272,7 @@ std::size_t reduction_of(std::size_t rows, std::size_t columns) {
   return (std::max(rows, columns) + longest_px - 1) / longest_px;
 }
 
-/// The same in a part of a picture, made as small as need be, and smaller where noise hides the limb.
+/// Best circle in a part of a picture, binned to 400 pixels, and further where noise hides the limb.
 Found found_within(const Luminance& image, const PicturePart& part) {
   constexpr double least_reduced_px = 20;  // a square's corners are seen
   std::size_t by = reduction_of(part.rows, part.columns);
@@ -289,7 +288,7 @@ Found found_within(const Luminance& image, const PicturePart& part) {
   return {{}, 0};
 }
 
-/// A piece about the brightest place: where a Moon is that is small in the picture.
+/// Surroundings of the brightest place, where a Moon may be that is small in the picture.
 PicturePart about_the_brightest(const Luminance& image) {
   constexpr std::size_t mean_over = 4, reach = 8;
   const auto by = mean_over * reduction_of(image.rows(), image.columns());

@@ -7,12 +7,12 @@
 
 namespace coppermoon::colour {
 
-/// The Moon's disc in a picture, in pixels from the upper left corner; y down.
+/// Disc of the Moon in a picture, in pixels from the upper left corner; y down.
 struct Disc {
   double x_px, y_px, radius_px;
 };
 
-/// The disc of a Moon whose limb is in a picture, all or some of it.
+/// Disc of a Moon whose limb is wholly or partly in a picture.
 ///
 /// Edges vote for circles, three random ones at a time, under four tone curves from one that shows
 /// the dimmest limb to one in which JPEG's blocks and ringing are nothing beside the brightest; light

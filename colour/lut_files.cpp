@@ -22,7 +22,7 @@ namespace ocio = OCIO_NAMESPACE;
 namespace coppermoon::colour {
 namespace {
 
-/// Files that a look-up table in CTF names, `<Reference path="…"/>`; none in any other format.
+/// Files named by a look-up table in CTF, `<Reference path="…"/>`; none in any other format.
 ///
 /// Throws  Error  for a name written in other ways than plainly, in parts or with entities
 std::vector<std::string> files_named_in(const std::string& path) {
@@ -58,7 +58,7 @@ std::vector<std::string> files_named_in(const std::string& path) {
   return names;
 }
 
-/// Given  from  how many files lead there, one by the other
+/// Given  from  length of the chain of files that name one another up to this one
 void require_regular(const ocio::Config& config, const char* name, int from = 0) {
   constexpr int most = 16;
   std::string path;
@@ -86,7 +86,7 @@ void require_regular_in(const ocio::Config& config, const ocio::ConstTransformRc
     require_regular(config, file->getSrc());
 }
 
-/// The first word of a line that is infinite or no number, where all words but the first are numbers.
+/// First word of a line that is infinite or NaN, where all words but the first are numbers.
 std::optional<std::string> word_that_is_none(std::string line) {
   if (line.starts_with('#') || line.starts_with("TITLE") || line.find_first_of("nN") == line.npos)
     return {};

@@ -23,10 +23,10 @@ using std::numbers::pi;
 
 constexpr double arcsec_rad = pi / 180 / 3600;
 
-/// Where a working space's red, green and blue have their weight.
+/// Mean wavelengths of a working space's red, green and blue.
 constexpr std::array channels_nm{600., 545., 455.};
 
-/// The project's random numbers, for the library's distributions.
+/// Random numbers of algebra as a generator for the standard distributions.
 struct Bits {
   using result_type = std::uint64_t;
   algebra::Random random;
@@ -45,7 +45,7 @@ void require_finite(const Image& scene) {
               fmt::format("pixel {}, {} [cd/m2] = {}, allowed finite", c, r, value));
 }
 
-/// A picture as aperture and air spread it.
+/// Picture blurred by glow, diffraction and seeing.
 Image spread(const Image& scene_linear, const Camera& camera, double pixel_rad) {
   auto scene = with_glow(scene_linear, camera.glow, pixel_rad);
   if (!camera.diffraction && camera.seeing_arcsec == 0) return scene;

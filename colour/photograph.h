@@ -14,24 +14,23 @@ namespace coppermoon::colour {
 /// One release of the shutter.
 struct Shot {
   Exposure exposure{};
-  double pixel_rad = 1e-5;  ///< angle that a pixel of the scene's frame takes in
-  double sky_cd_m2 = 0;     ///< luminance that the sky adds, as white as D65; 0 or more
+  double pixel_rad = 1e-5;  ///< angle across a pixel of the scene's frame
+  double sky_cd_m2 = 0;     ///< luminance of the sky, white as D65; 0 or more
   std::uint64_t seed = 1, frame = 0;
 };
 
 using RawPixel = std::array<std::uint16_t, 3>;
 
-/// The photograph that comes of a shot.
+/// Photograph, developed and raw.
 struct Photograph {
-  /// luminances of the scene as far as the camera knows: noise and all, also below 0; what is clipped
-  /// is white at saturation
+  /// Luminances with the camera's noise, also below 0; clipped pixels are white at saturation.
   Image scene_linear;
   algebra::Grid<float> valid;   ///< 1 below nine tenths of saturation in each channel, else 0
   algebra::Grid<RawPixel> raw;  ///< black level included [DN]; red, green, blue of every pixel
-  double saturation_cd_m2 = 0;  ///< of white, within its noise
+  double saturation_cd_m2 = 0;  ///< of white
 };
 
-/// A photograph of a scene.
+/// Simulated photograph of a scene.
 ///
 /// Light is spread by aperture and air, near its place and far (glow.h), the sky's added, and turned into electrons by the sensor's
 /// response: with noise, as many as a Poisson process sets free. A pixel holds no more than its full

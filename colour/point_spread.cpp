@@ -22,17 +22,17 @@ using std::numbers::pi;
 /// 2 J₁(x)/x
 double jinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 8 : 2 * ::j1(x) / x; }
 
-/// Where a wrapped index stands, from 0 on either side.
+/// Distance of a wrapped index from 0.
 double from_first(std::size_t i, std::size_t length) {
   return static_cast<double>(std::min(i, length - i));
 }
 
-/// Spreads λ/D that a pixel takes in.
+/// Width of a pixel in λ/D.
 double spreads_a_pixel(const Blur& blur, double pixel_rad) {
   return pixel_rad * blur.aperture.diameter_m / (blur.wavelength_nm * 1e-9);
 }
 
-/// The spread's mean over the pixel at that offset, in pixels: four places for each λ/D, where it is
+/// Mean of the diffraction pattern over the pixel at an offset in pixels, sampled four times in λ/D where it is
 /// steep.
 double over_a_pixel(const Blur& blur, double pixel_rad, double x, double y) {
   const double away = std::hypot(x, y), most = away < 2 ? 128 : away < 8 ? 16 : 1;
@@ -48,7 +48,7 @@ double over_a_pixel(const Blur& blur, double pixel_rad, double x, double y) {
   return sum / (parts * parts);
 }
 
-/// Share of each frequency's contrast that diffraction leaves.
+/// Transfer function of diffraction.
 Spectrum diffraction_transfer(const Blur& blur, double pixel_rad, std::size_t rows,
                               std::size_t columns) {
   Spectrum spread(rows, columns);
@@ -67,14 +67,13 @@ Spectrum diffraction_transfer(const Blur& blur, double pixel_rad, std::size_t ro
   return spread;
 }
 
-/// Narrower seeing spreads less than 1e-5 beyond a pixel.
+/// Least seeing that is applied: narrower spreads less than 1e-5 beyond a pixel.
 constexpr double least_seeing_px = 1 / 32.;
 
-/// What seeing, sampled pixel by pixel, leaves of a frequency in cycles a pixel: that of all
-/// frequencies that a pixel takes for it.
+/// Transfer function of seeing sampled at pixels: the sum over all aliases of a frequency in cycles a pixel.
 ///
-/// What the others have is smooth in the squares of the frequency's parts: a polynomial of them,
-/// through Chebyshev's nodes.
+/// The sum over the aliases alone is smooth in the squares of the frequency's components: it is interpolated by a
+/// polynomial through Chebyshev nodes.
 ///
 /// Accuracy  1e-9
 class SampledSeeing {
@@ -92,12 +91,12 @@ class SampledSeeing {
     whole_ = 1 + summed(along(counts(0)), counts(0));
   }
 
-  /// Weight of each node for a part of a frequency, -1/2 to 1/2.
+  /// Weight of each node for a component of a frequency, -1/2 to 1/2.
   Counts counts(double frequency) const {
     return algebra::on_polynomial<count>(squares_, frequency * frequency);
   }
 
-  /// The others' nodes for one part of a frequency.
+  /// Sums over aliases at the nodes of x, for one component y.
   Counts along(const Counts& of_y) const {
     Counts line{};
     for (std::size_t i = 0; i < count; ++i)
@@ -152,8 +151,8 @@ void multiply_by_seeing(Spectrum& spectrum, double width_px) {
   });
 }
 
-/// An index of the padded picture as one of the picture: its last row or column holds for the first
-/// half of what was added, its first for the second.
+/// Index in the picture for one in the padded picture: the first half of the padding repeats the last row or
+/// column, the second half the first.
 std::size_t inside(std::size_t i, std::size_t length, std::size_t padded) {
   if (i < length) return i;
   return i < (length + padded) / 2 ? length - 1 : 0;
@@ -171,7 +170,7 @@ Spectrum padded(const algebra::Grid<double>& picture) {
   return all;
 }
 
-/// As it was, but for what the transforms' rounding takes below the least there was.
+/// Picture without its padding; rounding of the transforms takes no value below the picture's least.
 algebra::Grid<double> cut_out(const Spectrum& all, const algebra::Grid<double>& picture) {
   const double count = static_cast<double>(all.rows() * all.columns());
   const double least = *std::ranges::min_element(picture.values());

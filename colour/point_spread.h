@@ -5,45 +5,45 @@
 
 namespace coppermoon::colour {
 
-/// A round hole that light comes in by.
+/// Round aperture.
 struct Aperture {
   double diameter_m = 0.127;  ///< 1e-5 to 100
-  double obstruction = 0;     ///< diameter of what stands before its middle, over its own: 0 to 0.9
+  double obstruction = 0;     ///< central obstruction, diameter over aperture: 0 to 0.9
 };
 
-/// Light of a point, spread over angle by diffraction.
+/// Point-spread function of diffraction.
 ///
 ///     p = π D² (1 − ε²) / 4λ² · [ (2 J₁(x)/x − ε² 2 J₁(εx)/εx) / (1 − ε²) ]²      x = π D θ / λ
 ///
-/// Returned  per steradian: over all angles it comes to 1
+/// Returned  per steradian: its integral over all angles is 1
 /// Source    Born & Wolf, Principles of Optics, 8.5 and 8.6.2
 double diffraction_spread_per_sr(const Aperture& aperture, double wavelength_nm, double angle_rad);
 
-/// The share of a pattern's contrast that long exposures through turbulent air leave.
+/// Long-exposure transfer function of turbulent air (seeing).
 ///
-///     exp(−3.44 (ν F / 0.976)^(5/3))      F: the full width at half maximum of a point
+///     exp(−3.44 (ν F / 0.976)^(5/3))      F: full width at half maximum of a star
 ///
 /// Given   cycles_per_rad  ν
-/// Omits   that F falls with the fifth root of wavelength; the outer scale of turbulence
+/// Omits   the fall of F with the fifth root of wavelength; the outer scale of turbulence
 /// Source  Fried (1966), J. Opt. Soc. Am. 56, 1372, with r₀ = 0.976 λ/F
 double seeing_transfer(double cycles_per_rad, double width_rad);
 
-/// What blurs one channel of a picture.
+/// Blur of one channel: diffraction and seeing.
 struct Blur {
   Aperture aperture{};
   double wavelength_nm = 550;  ///< of diffraction; 0: none
   double seeing_rad = 0;       ///< full width at half maximum; 0: none
 };
 
-/// A picture whose every point is spread by aperture and air.
+/// Picture convolved with diffraction and seeing.
 ///
-/// Given     picture    pixels square; beyond its edge it goes on as at the edge
-///           pixel_rad  angle that a pixel takes in, above 0
-/// Returned  nothing below 0 where the picture is not; all light kept, but for what crosses an edge
-/// Accuracy  1e-9 of the brightest pixel: of the transforms. Diffraction is averaged over a pixel,
+/// Given     picture    of square pixels; continued beyond its edge by its edge pixels
+///           pixel_rad  angle across a pixel, above 0
+/// Returned  not below 0 where the picture is not; light is conserved, but for what crosses an edge
+/// Accuracy  1e-9 of the brightest pixel, of the transforms. Diffraction is averaged over a pixel,
 ///           which widens it by 0.29 pixel (standard deviation)
-/// Omits     diffraction where a pixel takes in 32 λ/D: some hundredth of a point's light; seeing
-///           of less than 1/32 pixel: 1e-5 of it
+/// Omits     diffraction where a pixel is 32 λ/D or more across: some hundredth of a star's light; seeing of
+///           less than 1/32 pixel: 1e-5 of that light
 /// Throws    Error  when the aperture, an angle or the wavelength is outside its range
 algebra::Grid<double> blurred(const algebra::Grid<double>& picture, const Blur& blur,
                               double pixel_rad);

@@ -23,7 +23,7 @@ using std::numbers::pi;
 constexpr double within_limb = 0.92, beyond_limb = 1.2;  // of the disc's radius
 constexpr double least_correlation = 0.4, least_of_markings = 0.3;  // by chance up to 0.29
 
-/// Sums that a weighted correlation is made of.
+/// Sums of a weighted correlation.
 struct Sums {
   double w = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
 
@@ -35,14 +35,14 @@ struct Sums {
     yy += weight * b * b;
     xy += weight * a * b;
   }
-  /// 0 where nothing differs.
+  /// Correlation coefficient; 0 without variance.
   double correlation() const {
     const double spread = (w * xx - x * x) * (w * yy - y * y);
     return spread > 0 ? (w * xy - x * y) / std::sqrt(spread) : 0;
   }
 };
 
-/// A turn, growth and shift between two discs of one size in the middle of their grids.
+/// Rotation, scale and shift between two discs of one size, each in the middle of its grid.
 struct Pose {
   bool mirrored = false;
   std::array<double, 4> parts{};  ///< rotation [rad], logarithm of scale, shift [radii]
@@ -52,13 +52,13 @@ double middle_of(const DiscFeatures& features) {
   return 0.5 * static_cast<double>(features.contrast.columns());
 }
 
-/// Radius of the discs in the grids.
+/// Features of both discs at one radius.
 struct Pair {
   DiscFeatures photo, render;
   double radius_px;
 };
 
-/// From the render's grid to the photograph's.
+/// Map from the render's grid to the photograph's.
 Similarity similarity_of(const Pair& pair, const Pose& pose) {
   const auto& [turn, growth, x, y] = pose.parts;
   Similarity similarity{std::exp(growth), turn, 0, 0, pose.mirrored};
@@ -69,8 +69,8 @@ Similarity similarity_of(const Pair& pair, const Pose& pose) {
   return similarity;
 }
 
-/// Acts on all pixels of the photograph's disc that the render shows too, out to a part of the radius: on
-/// the share of that part, the weight, and the contrasts in the photograph and in the render.
+/// Calls `act` for each pixel of the photograph's disc within a share of the radius that the render shows too: with
+/// the distance from the centre over that limit, the weight, and both contrasts.
 void for_all_shared(const Pair& pair, const Pose& pose, double out_to, const auto& act) {
   const auto back = inverse(similarity_of(pair, pose));
   const auto corner = moved(back, {0.5, 0.5}), across = moved(back, {1.5, 0.5}) - corner,
@@ -90,7 +90,7 @@ void for_all_shared(const Pair& pair, const Pose& pose, double out_to, const aut
     }
 }
 
-/// How alike the discs are in a pose, out to a part of their radius.
+/// Correlation of the discs in a pose, within a share of their radius.
 double correlation(const Pair& pair, const Pose& pose, double out_to) {
   Sums sums;
   for_all_shared(pair, pose, out_to, [&](double, double weight, double a, double b) {
@@ -99,8 +99,7 @@ double correlation(const Pair& pair, const Pose& pose, double out_to) {
   return sums.correlation();
 }
 
-/// How alike the markings are: the mean of each ring about the disc's middle is taken off both, since any
-/// bright ball darkens towards its limb.
+/// Correlation without the mean of each ring about the centre, since any bright ball darkens towards its limb.
 double correlation_of_markings(const Pair& pair, const Pose& pose) {
   constexpr std::size_t count = 24;
   std::array<Sums, count> rings;
@@ -117,7 +116,7 @@ double correlation_of_markings(const Pair& pair, const Pose& pose) {
   return all.correlation();
 }
 
-/// Rings of a disc, a value each degree.
+/// Disc in polar coordinates: a row for each ring, a column for each degree.
 struct Rings {
   Values contrast, weight;
 };
@@ -148,7 +147,7 @@ double correlation(const Rings& photo, const Rings& render, std::size_t turn, bo
   return sums.correlation();
 }
 
-/// The turns that no neighbour is better than, the best first.
+/// Rotations at which the correlation of the rings peaks, the best first.
 std::vector<Pose> likely_poses(const Pair& pair) {
   constexpr std::size_t some = 4;
   const auto photo = rings_of(pair.photo, pair.radius_px),
@@ -181,8 +180,7 @@ struct Corner {
   double height;
 };
 
-/// Moves the lowest corner of a simplex through the middle of the others, further or less far, or
-/// draws all towards the highest: one step of Nelder & Mead (1965), Computer Journal 7, 308.
+/// One step of the simplex method, which maximises. Source: Nelder & Mead (1965), Computer Journal 7, 308.
 void climb(std::array<Corner, 5>& simplex, const std::function<double(const Parts&)>& height) {
   std::ranges::sort(simplex, std::greater{}, &Corner::height);
   Parts middle{};
@@ -210,7 +208,7 @@ void climb(std::array<Corner, 5>& simplex, const std::function<double(const Part
   }
 }
 
-/// The best pose near one, by steps that begin as large as told and end as small.
+/// Pose of greatest correlation near a first guess: steps of `begin` at first, of `end_px` at last.
 Pose refined(const Pair& pair, Pose pose, double begin, double end_px) {
   const auto height = [&](const Parts& parts) {
     return correlation(pair, {pose.mirrored, parts}, beyond_limb);
@@ -233,7 +231,7 @@ Pose refined(const Pair& pair, Pose pose, double begin, double end_px) {
   return pose;
 }
 
-/// A Moon with some sky about it, in pixels no smaller than it takes to see it well.
+/// Moon with some sky about it, binned while its features stay resolved.
 struct CloseUp {
   Values picture;
   Disc disc;
@@ -257,11 +255,10 @@ CloseUp close_up(const Values& picture, const Disc& disc) {
           {by, 0, left, top}};
 }
 
-/// Markings of both discs, brought to one radius, the render with the photograph's tonal range:
-/// what is brightest on the one is so on the other.
+/// Both discs. Features are taken at one radius, those of the render within the photograph's tonal range.
 struct Discs {
   CloseUp photo, render;
-  double clipped;  ///< share of the photograph's disc
+  double clipped;  ///< saturated share of the photograph's disc
 
   Pair at_radius(double most_px) const {
     const double radius_px = std::min({most_px, photo.disc.radius_px, render.disc.radius_px});

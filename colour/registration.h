@@ -7,11 +7,11 @@
 
 namespace coppermoon::colour {
 
-/// Where a rendered Moon lies in a photograph.
+/// Position of a rendered Moon in a photograph.
 struct Registration {
   Similarity render_to_photo;
-  double correlation;  ///< of maria and other markings within 0.92 of the disc's radius, −1 to 1
-  Disc in_photo{};     ///< where the photograph's limb is
+  double correlation;  ///< of local contrasts within 0.92 of the disc's radius, −1 to 1
+  Disc in_photo{};     ///< fitted to the photograph's limb
 };
 
 /// Finds a rendered Moon in a photograph of it.

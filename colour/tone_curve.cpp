@@ -11,7 +11,7 @@
 namespace coppermoon::colour {
 namespace {
 
-/// What three components leave of a camera's curve, at any level: see ToneCurve's Accuracy.
+/// Standard deviation that three components leave at any level: see ToneCurve's Accuracy.
 constexpr double left_over = 0.025;
 
 constexpr double first_level = 0.04, last_level = 0.96;
@@ -22,7 +22,7 @@ const algebra::Table& table() {
   return read;
 }
 
-/// IEC 61966-2-1.
+/// sRGB coding (IEC 61966-2-1).
 double level_of(double displayed) {
   return displayed <= 0.0031308 ? 12.92 * displayed : 1.055 * std::pow(displayed, 1 / 2.4) - 0.055;
 }

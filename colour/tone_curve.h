@@ -30,7 +30,7 @@ struct ToneCurve {
   std::array<double, tone_numbers> numbers{};
 };
 
-/// Displayed light that curves are known for: levels 0.047 to 0.93. Below, they were measured of few
+/// Range of displayed light for which curves are known: levels 0.047 to 0.93. Below, they were measured of few
 /// cameras; above, cameras let highlights run into white.
 inline constexpr double least_displayed = 0.00364, most_displayed = 0.8481;
 
@@ -39,16 +39,16 @@ inline constexpr double least_displayed = 0.00364, most_displayed = 0.8481;
 /// Given  displayed  0 to 1; below level 0.047 as there
 double tone_logarithm(const ToneCurve& curve, double displayed);
 
-/// How that logarithm changes with each number.
+/// Derivative of tone_logarithm by each number of the curve.
 std::array<double, tone_numbers> tone_derivatives(double displayed);
 
-/// A curve tabulated, for pixels.
+/// Tone curve as a table, for pixels.
 class ToneTable {
  public:
   explicit ToneTable(const ToneCurve& curve);
-  /// Scene light.
+  /// Scene light of displayed light.
   ///
-  /// Given     displayed  what is below 0 stays, what is above 1 counts as 1
+  /// Given     displayed  values below 0 stay, those above 1 count as 1
   /// Accuracy  1e-3
   float operator()(float displayed) const;
 

@@ -42,7 +42,7 @@ Primaries primaries_of(WorkingSpace space) {
 
 glm::dvec3 direction_of(glm::dvec2 xy) { return {xy.x, xy.y, 1 - xy.x - xy.y}; }
 
-/// XYZ of luminance 1.
+/// XYZ of a chromaticity at luminance 1.
 glm::dvec3 unit_xyz(glm::dvec2 xy) { return direction_of(xy) / xy.y; }
 
 glm::dmat3 xyz_from_rgb(const Primaries& p) {
@@ -82,7 +82,7 @@ glm::dvec3 vector_of(std::span<const double> channels) {
   return {channels[0], channels[1], channels[2]};
 }
 
-/// How far to go from a colour (0) to the grey (1) so that no channel is negative.
+/// Least share of grey in a mixture with a colour at which no channel is negative.
 double share_of_grey(const glm::dvec3& colour, const glm::dvec3& grey) {
   double share = 0;
   for (int i = 0; i < 3; ++i)

@@ -12,29 +12,27 @@
 
 namespace coppermoon::colour {
 
-/// What the three channels of a scene-linear image mean. All see D65 as white: R = G = B for the
-/// RGB spaces.
+/// Colour space of a scene-linear image. White is D65 in all: R = G = B in the RGB spaces.
 enum class WorkingSpace { linear_rec709, acescg, ciexyz_d65 };
 
-/// The space's name in file names and in config.ocio: lin_rec709, acescg, lin_ciexyzd65_scene.
+/// Name of a space in file names and in config.ocio: lin_rec709, acescg, lin_ciexyzd65_scene.
 std::string_view name(WorkingSpace space);
 
-/// All its names, `name` first.
+/// All names of a space, `name` first.
 std::span<const std::string_view> aliases(WorkingSpace space);
 
-/// The space that a name or alias stands for, in any case of letters.
+/// Space of a name or alias, in any case of letters.
 ///
-/// Throws  Error  when none does; names the three
+/// Throws  Error  for another name: lists the three spaces
 WorkingSpace working_space(std::string_view name_or_alias);
 
-/// The space that a file's name says: as a part of it, in any case of letters, "moon_acescg.0001.exr".
+/// Space named within a file's name, in any case of letters: "moon_acescg.0001.exr".
 std::optional<WorkingSpace> space_in_name(std::string_view file_name);
 
-/// Whether a file's name has a word of colour spaces, as "moon_aces.exr", and yet says none of these.
+/// Whether a file's name names a colour space other than these, as "moon_aces.exr" does.
 bool names_another_space(std::string_view file_name);
 
-/// Turns absolute XYZ (D65 scene) into the channels of the space, luminance kept: Y of white is R =
-/// G = B.
+/// Matrix from absolute XYZ (of a D65 scene) to the channels of a space; white of luminance Y has R = G = B = Y.
 ///
 /// Rec.709 shares the white of the scene; ACEScg's white is D60-like, so colours are adapted by
 /// Bradford's cone responses. Derived in double from the primaries.
@@ -42,30 +40,28 @@ bool names_another_space(std::string_view file_name);
 /// Source  ITU-R BT.709; SMPTE ST 2065-1 and S-2014-004 (ACEScg); Lam (1985), as in ICC.1 annex E
 glm::dmat3 channels_from_xyz(WorkingSpace space);
 
-/// Weights that turn band means of a spectral radiance into the channels of the space.
+/// Weights from band means of spectral radiance to the channels of a space.
 ///
 /// Given     edges_nm  as in xyz_weights
 /// Returned  weights   [channel][band], cd/m² per W m⁻² sr⁻¹ nm⁻¹
 /// Throws    Error     as xyz_weights
 algebra::Grid<double> channel_weights(WorkingSpace space, std::span<const double> edges_nm);
 
-/// x, y of red, green, blue, white: the `chromaticities` attribute of an OpenEXR file. XYZ has its
-/// axes as primaries and the equal-energy white, as (1, 1, 1) is.
+/// x, y of red, green, blue, white: the `chromaticities` attribute of an OpenEXR file. For XYZ: its axes, and
+/// the equal-energy white (1, 1, 1).
 std::array<float, 8> chromaticities(WorkingSpace space);
 
-/// Luminance [cd/m²] of a colour: Y of the XYZ it came from.
+/// Luminance of a colour, Y [cd/m²].
 ///
 /// Given  channels  three
 double luminance(WorkingSpace space, std::span<const double> channels);
 
-/// The scene's white, D65, of luminance 1 in the channels of the space.
+/// D65 of luminance 1 in the channels of a space.
 glm::dvec3 white(WorkingSpace space);
 
-/// Moves a colour with a negative channel straight towards the grey of its luminance, until none
-/// is.
+/// Desaturates a colour with a negative channel towards the grey of its luminance, until none is negative.
 ///
-/// Deep reds and blue-greens lie outside Rec.709: they become paler, not brighter or darker.
-/// Colours inside stay as they are.
+/// Deep reds and blue-greens lie outside Rec.709: they become paler at the same luminance. Colours inside stay.
 ///
 /// Given   channels  three, changed in place
 /// Throws  Error     when a channel is not finite, or the luminance is negative

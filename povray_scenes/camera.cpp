@@ -43,7 +43,7 @@ glm::dvec3 direction_of(const HorizonPlace& place, const almanac::ObserverView& 
          std::sin(altitude) * view.zenith;
 }
 
-/// Turns the apparent Moon to where it is without air.
+/// Rotation from the apparent direction of the Moon to the one without air.
 glm::dmat3 without_refraction(const glm::dvec3& moon, const glm::dvec3& zenith) {
   const glm::dvec3 level = glm::cross(moon, zenith);
   const double across = glm::length(level);

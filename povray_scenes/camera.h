@@ -13,10 +13,10 @@
 
 namespace coppermoon::povray_scenes {
 
-/// Which way is up in the picture.
+/// Direction that is up in the picture.
 enum class Up {
   celestial_north,  ///< as on a chart: north up, east to the left
-  zenith,           ///< as the eye sees it, standing there
+  zenith,           ///< as an observer standing there sees it
   moon_north        ///< the Moon's own north pole up
 };
 
@@ -24,27 +24,27 @@ enum class Up {
 struct SceneCamera {
   glm::dvec3 position;              ///< Moon-fixed (X to 0°, Y to 90° E, Z north), in lunar radii
   glm::dvec3 up;                    ///< Moon-fixed, any length; not along the line of sight
-  algebra::Angle horizontal_field;  ///< the whole width of the picture
+  algebra::Angle horizontal_field;  ///< angle across the picture
   std::size_t width, height;        ///< in pixels
   bool mirrored = false;            ///< left and right exchanged, as behind one flat mirror
-  double flattening = 1;            ///< of the disc by refraction: its height over its width
-  glm::dvec3 zenith{0, 0, 0};       ///< Moon-fixed, any length: where its height points; 0: nowhere
+  double flattening = 1;            ///< of the disc by refraction: height over width
+  glm::dvec3 zenith{0, 0, 0};       ///< Moon-fixed, any length: direction of flattening; 0: none
   glm::dvec3 direction{0, 0, 0};    ///< Moon-fixed, any length: of the picture's middle; 0: the
                                     ///< Moon's centre
 };
 
-/// What a camera takes in, and in how many pixels.
+/// Field of a camera and size of its picture.
 struct Picture {
-  algebra::Angle field;       ///< of its whole width; the Moon's disc is about 0.52 degrees
+  algebra::Angle field;       ///< across the width; the Moon's disc is about 0.52 degrees
   std::size_t width, height;  ///< in pixels
 };
 
-/// A place in the sky over an observer, as it is seen: refraction included.
+/// Apparent place in an observer's sky, refraction included.
 struct HorizonPlace {
   algebra::Angle altitude, azimuth;  ///< above the horizon; from north through east
 };
 
-/// The angle that a camera takes in across its sensor.
+/// Field of view across a sensor.
 ///
 ///     2 atan(w / 2f)
 ///
@@ -52,39 +52,39 @@ struct HorizonPlace {
 /// Throws  Error  when either is not above 0
 algebra::Angle field_of_view(algebra::Length focal_length, algebra::Length sensor_width);
 
-/// The Moon as a place on Earth sees it, east to the left when north is up (not mirrored).
+/// Camera at a place on Earth, directed to the Moon; east is to the left when north is up (not mirrored).
 ///
 /// Given   sky, view  the moment, and that place's view of it
-/// Omits   refraction in the observer's air: it lifts the Moon, and flattens it near the horizon by
-///         what the camera's `flattening` is then set to
+/// Omits   refraction in the observer's air, which lifts the Moon and flattens it near the horizon: the caller sets
+///         `flattening`
 /// Throws  Error  when the camera would not be sound (see require_sound)
 SceneCamera camera_at(const almanac::SkyState& sky, const almanac::ObserverView& view, Up up,
                       const Picture& picture);
 
-/// The same from the Earth's centre.
+/// Camera at the Earth's centre, directed to the Moon.
 ///
 /// Throws  Error  also for Up::zenith, which the Earth's centre does not have
 SceneCamera camera_at(const almanac::SkyState& sky, Up up, const Picture& picture);
 
-/// A camera on a tripod, the zenith up: the Moon goes through its picture as through the sky.
+/// Camera on a tripod, the zenith up: the Moon moves through its picture as through the sky.
 ///
 /// Given   sky, view  the moment, and that place's view of it
-///         aim        the place of the sky in the picture's middle; altitude -90 to 90 degrees,
+///         aim        apparent place in the picture's middle; altitude -90 to 90 degrees,
 ///                    azimuth -360 to 360
-/// Returned  a camera that stands where the observer does; aim and zenith are turned down along the
-///           Moon's vertical by the Moon's refraction, so that it appears at its apparent place
-/// Omits   the horizon: a Moon below it is shown none the less. Its flattening, as camera_at
+/// Returned  at the observer's place; aim and zenith are turned down along the Moon's vertical by the Moon's
+///           refraction, so that the Moon appears at its apparent place
+/// Omits   the horizon: a Moon below it is shown none the less; flattening, as camera_at
 /// Throws  Error  when the aim is out of its range, or the camera would not be sound, as with the
 ///                aim in the zenith (see require_sound)
 SceneCamera camera_fixed(const almanac::SkyState& sky, const almanac::ObserverView& view,
                          const HorizonPlace& aim, const Picture& picture);
 
-/// Where the picture's middle is: a unit vector from the camera, Moon-fixed.
+/// Unit vector from the camera to the picture's middle, Moon-fixed.
 ///
 /// Given  camera  sound
 glm::dvec3 line_of_sight(const SceneCamera& camera);
 
-/// What air makes of the Moon for a camera: its places squashed towards a plane through its centre.
+/// Map from the round Moon to the one flattened by refraction: a compression towards a plane through the centre.
 ///
 ///     I + (k − 1) v vᵀ        k: the flattening;  v: towards the zenith, across the line from the
 ///                             camera to the Moon's centre
@@ -94,9 +94,9 @@ glm::dvec3 line_of_sight(const SceneCamera& camera);
 /// Throws    Error  when the camera is not sound
 glm::dmat3 flattened_by_air(const SceneCamera& camera);
 
-/// Where a place on the Moon (a sphere, flattened by air) appears in the picture.
+/// Pixel of a place on the Moon (a sphere, flattened by refraction).
 ///
-/// Given     place     longitudes of any turn
+/// Given     place     of any longitude, also beyond 360 degrees
 /// Returned  x to the right, y down, in pixels from the upper left corner: the first pixel's
 ///           centre is (0.5, 0.5); also outside the frame. Nothing for a place behind the limb or
 ///           behind the camera
@@ -105,7 +105,7 @@ glm::dmat3 flattened_by_air(const SceneCamera& camera);
 std::optional<glm::dvec2> pixel_of(const SceneCamera& camera,
                                    const almanac::SelenographicPoint& place);
 
-/// Refuses a camera that no picture can be taken with.
+/// Refuses a camera outside its ranges.
 ///
 /// Throws  Error  unless the camera stands outside the Moon and within 1e6 lunar radii, its field
 ///                is 1e-8 to 179.9 degrees, its sides 1 to 65535 pixels, its flattening 0.8 to 1,

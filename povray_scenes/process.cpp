@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 using algebra::Error;
 using Clock = std::chrono::steady_clock;
 
-/// What POV-Ray says: its count of frames and pixels, and what it complains of.
+/// Parser of POV-Ray's messages: counts of frames and pixels, and errors.
 struct Conversation {
   const Run& run;
   std::string line{}, last_line{}, complaint{};
@@ -55,7 +55,7 @@ struct Conversation {
     }
     line.clear();
   }
-  /// From the first line that speaks of an error on; POV-Ray folds long lines before a space.
+  /// Collects lines from the first error on; POV-Ray folds long lines before a space.
   void heed() {
     const bool begun = !complaint.empty();
     if (!begun && line.find("rror") == std::string::npos) return;
@@ -65,7 +65,7 @@ struct Conversation {
   const std::string& last_words() const { return complaint.empty() ? last_line : complaint; }
 };
 
-/// POV-Ray takes numbers up to 1 for shares of the picture; without one the picture's own edge counts.
+/// Arguments for a window. An edge at 0 is left out, since POV-Ray takes numbers up to 1 for shares of the picture.
 std::vector<std::string> words_for(const RenderWindow& window) {
   algebra::require_within("width of the window [pixels]",
                           static_cast<double>(window.right) - static_cast<double>(window.left), 2,
@@ -101,7 +101,7 @@ int milliseconds_left(const RenderSettings& settings, Clock::time_point start) {
   return static_cast<int>(std::min(settings.timeout_s - used_s, 1e3) * 1e3) + 1;
 }
 
-/// Tells when a file in a folder is closed by who wrote it; never, where the system has no more watches.
+/// Watch for the closing of a written file; never reports where the system has no more watches.
 class Closing {
  public:
   Closing(const fs::path& folder, std::string file) : file_(std::move(file)) {
@@ -130,7 +130,9 @@ class Closing {
   files::FileDescriptor watch_;
 };
 
-/// Returned  whether POV-Ray closed its file and may still run; else it has ended
+/// Reads POV-Ray's messages until it ends, or closes its file.
+///
+/// Returned  whether it closed its file and may still run
 bool listen(Conversation& heard, int from, const Closing* closing, const RenderSettings& settings) {
   const auto start = Clock::now();
   std::array<char, 4096> buffer;

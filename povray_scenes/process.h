@@ -11,11 +11,10 @@
 
 namespace coppermoon::povray_scenes {
 
-/// The files of frames that POV-Ray is still writing, under names of their own; none is left
-/// behind.
+/// Files that POV-Ray is still writing, under temporary names; none is left behind.
 struct Draft {
   std::filesystem::path folder;
-  std::string stem;  ///< of all that POV-Ray writes
+  std::string stem;  ///< of all temporary names
 
   /// Given   in    a folder that write_scene or write_sequence left
   /// Throws  Error  when there is no scene
@@ -24,7 +23,7 @@ struct Draft {
   Draft& operator=(const Draft&) = delete;
   ~Draft();
 
-  /// Gives a whole file its name in the folder, in place of an earlier one.
+  /// Renames a finished file, replacing an earlier one.
   ///
   /// Given     ending  of the draft's name, after the stem
   /// Returned  the path
@@ -33,24 +32,24 @@ struct Draft {
                                const std::string& povray) const;
 };
 
-/// What POV-Ray is to be asked for, and who is told what it says.
+/// One run of POV-Ray: what it renders, and callbacks.
 struct Run {
-  std::string output;                    ///< the name of its file, of the draft's stem
+  std::string output;                    ///< file name, beginning with the draft's stem
   std::vector<std::string> subset = {};  ///< of an animation: +SF3, +EF5
   algebra::Progress progress = {};       ///< within the frame under way, below 1
-  /// Told that this frame of the subset begins, from 1: those before are whole. May be empty, may
-  /// be told twice, and may throw.
+  /// Called when a frame of the subset begins, counted from 1: those before are whole. May be empty, is perhaps
+  /// called twice, and may throw.
   std::function<void(std::size_t)> begun = {};
-  /// Ends POV-Ray once it has closed its output, where the system tells of that: its words and exit status
-  /// after that are not waited for, nor known.
+  /// Ends POV-Ray once it has closed its output, where the system reports that; later messages and the exit status
+  /// are then lost.
   bool until_closed = false;
 };
 
-/// Runs POV-Ray in the draft's folder to its end, or until it has closed its output. It does not outlive this call, whether that
-/// returns, throws, or the process is killed.
+/// Runs POV-Ray in the draft's folder to its end, or until it has closed its output. POV-Ray does not outlive this
+/// call, whether that returns, throws, or the process is killed.
 ///
 /// Throws  Error  when it cannot be run, fails (with its own last words) or takes longer than
-///                allowed; also what is thrown by those who are told
+///                allowed; also what the callbacks throw
 void run_povray(const RenderSettings& settings, const Draft& draft, const Run& run);
 
 }  // namespace coppermoon::povray_scenes

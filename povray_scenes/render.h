@@ -16,7 +16,7 @@ struct RenderWindow {
   std::size_t left, top, right, bottom;
 };
 
-/// How POV-Ray is run.
+/// Settings of a run of POV-Ray.
 struct RenderSettings {
   int threads = 0;                ///< 0: as many as there are processors; at most 512
   double timeout_s = 0;           ///< POV-Ray is stopped after that long; 0: never
@@ -28,7 +28,7 @@ struct RenderSettings {
 /// Runs `povray eclipse.ini` in a scene's folder.
 ///
 /// Given     folder    as write_scene left it, with its texture; may hold spaces and any letters
-///           progress  told the fraction of the pixels rendered; 1 when the frame is there
+///           progress  called with the fraction of the pixels rendered; 1 when the frame is there
 /// Returned  the path of frame.exr, scene-linear half floats; it appears whole or not at all.
 ///           POV-Ray does not outlive the calling thread, not even one that is killed
 /// Accuracy  the same bits on any number of threads, and in any window
@@ -38,8 +38,8 @@ std::filesystem::path render(const std::filesystem::path& folder,
                              const RenderSettings& settings = {},
                              const algebra::Progress& progress = {});
 
-/// The same for who reads the frame at once, and only once: POV-Ray is ended when it has closed the file, and so
-/// does not sleep for a third of a second before it ends by itself.
+/// Renders a frame that is read at once, and only once. POV-Ray is ended when it has closed the file, which saves the
+/// third of a second that it sleeps before its own end.
 ///
 /// Given   read  reads the whole file, and throws where it is not whole, as on a full disk; the file is then
 ///               gone

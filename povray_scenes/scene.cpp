@@ -52,9 +52,9 @@ std::string squash(const SceneCamera& camera) {
                      m[2].y, m[1].x, m[1].z, m[1].y);
 }
 
-/// A sphere that gives a light's illuminance where the camera is.
+/// Emitting sphere that gives a light's illuminance at the camera.
 ///
-/// Given  away  of the light from the camera, in the scene's units
+/// Given  away  distance from the camera, in the scene's units
 std::string sphere_of(const SkyLight& light, const MoonScene& scene, double away) {
   constexpr double pi = std::numbers::pi, most_luminance = 3e4;  // a half float ends at 65504
   const auto& camera = scene.camera;
@@ -72,7 +72,8 @@ std::string sphere_of(const SkyLight& light, const MoonScene& scene, double away
       lux[2] / solid_angle);
 }
 
-/// Behind the Moon, as near as can be: POV-Ray renders black from 1e7, and bounds nothing from 1e6.
+/// Spheres of all lights, as near behind the Moon as can be: POV-Ray renders black from 1e7, and bounds nothing from
+/// 1e6.
 std::string spheres_of(const MoonScene& scene) {
   const double away = std::min(2 * scene.moon_radius * glm::length(scene.camera.position), 0.995e7);
   std::string text;

@@ -11,37 +11,36 @@
 
 namespace coppermoon::povray_scenes {
 
-/// The names of what stands in a scene's folder, beside the texture.
+/// Names of files in a scene's folder, beside the texture.
 inline constexpr const char* scene_file = "eclipse.pov";
 inline constexpr const char* settings_file = "eclipse.ini";
 inline constexpr const char* frame_file = "frame.exr";
 
-/// A star or planet before a camera.
+/// Star or planet before a camera.
 struct SkyLight {
   glm::dvec3 direction;                   ///< unit, Moon-fixed axes
   std::array<double, 3> illuminance_lux;  ///< linear Rec.709, on a surface that faces it
   double radius_rad = 0;                  ///< of a planet's disc
 };
 
-/// The textured Moon before a black sky. Nothing lights it: the texture is the luminance itself, so
-/// the frame is in the texture's unit (cd/m²), scene-linear, in its primaries.
+/// Textured Moon before a black sky. The texture is emission: the frame has its unit (cd/m²) and primaries,
+/// scene-linear.
 struct MoonScene {
   SceneCamera camera;
   std::string texture;     ///< an .exr in the scene's folder: a plain ASCII file name
   double moon_radius = 1;  ///< in the scene's own units: 1737.4 makes a scene in kilometres
-  /// pixels are means of (2^(depth - 1) + 1)² rays, those on their edges counting less; 0: one ray, to
-  /// the centre
+  /// A pixel is the weighted mean of (2^(depth - 1) + 1)² rays; 0: one ray, through its centre.
   int sampling_depth = 2;
   std::string caption = {};  ///< one line, written as a comment at the head of both files
-  /// behind the Moon: spheres with the radius of a pixel, a planet's where that is larger; as bright as
-  /// their light is. One hides another that is closer than that
+  /// Lights behind the Moon: emitting spheres with the radius of a pixel, or of the planet where that is larger. Of
+  /// two closer than that one hides the other.
   std::vector<SkyLight> lights = {};
 };
 
-/// The scene in POV-Ray's language, with nothing included.
+/// Text of the scene for POV-Ray, without includes.
 ///
 /// Frames: the Moon-fixed X, Y, Z are POV-Ray's x, z, y, since its axes are left-handed.
-/// The camera's flattening squashes the textured sphere in the frame; the texture is left alone.
+/// The camera's flattening compresses the textured sphere in the frame; the texture is left alone.
 /// Accuracy  POV-Ray reads the texture and writes the frame as half floats: 5e-4 relative above
 ///           6.1e-5, 3e-8 below; infinite above 65504
 /// Throws    Error  when the camera is not sound; when the moon_radius is outside 1e-2 to 1e5, or
@@ -50,7 +49,7 @@ struct MoonScene {
 ///                  outside 0 to 9, or the caption not one line
 std::string to_pov(const MoonScene& scene);
 
-/// POV-Ray's settings for it: size, file names and anti-aliasing that also works in the dark (the
+/// Text of POV-Ray's settings: size, file names and anti-aliasing that also works in the dark (the
 /// threshold is 0, since POV-Ray compares absolute values; a gamma of 1 spares it powers that do not count
 /// then) and repeats exactly (no jitter).
 /// No range of frames: POV-Ray's clock is not a number in a range of one.
@@ -59,14 +58,14 @@ std::string to_pov(const MoonScene& scene);
 std::string to_ini(const MoonScene& scene);
 
 /// Refuses a folder in which a scene would overwrite an eclipse.pov or eclipse.ini of somebody's own: one
-/// that was changed, or is a link. None at all may be there.
+/// that was changed, or is a link. Absence is sound.
 ///
 /// Throws  Error
 void require_scene_place(const std::filesystem::path& folder);
 
 /// Writes eclipse.pov and eclipse.ini, each whole or not at all; with the texture put beside them,
-/// `povray eclipse.ini` in that folder makes frame.exr. The last line of each tells whether it was changed
-/// since.
+/// `povray eclipse.ini` in that folder makes frame.exr. The last line of each is a fingerprint, by which later
+/// changes are recognised.
 ///
 /// Given   folder  made when only its last part is missing
 /// Throws  Error   as to_pov, before anything is written; or when the folder or a file cannot be

@@ -8,15 +8,14 @@
 
 namespace coppermoon::povray_scenes {
 
-/// Where the camera of one frame stands and looks, in POV-Ray's numbers; the same of a single scene
-/// and of a frame of a sequence.
+/// Place and direction of a frame's camera as POV-Ray's numbers.
 struct CameraText {
   std::string location, sky, look_at;  ///< vectors
   std::string squash;                  ///< a matrix's nine numbers; empty: the disc is round
 };
 CameraText camera_text(const SceneCamera& camera, double moon_radius);
 
-/// What stands in eclipse.pov where a single scene and a sequence differ.
+/// Parts of eclipse.pov in which a single scene and a sequence differ.
 struct PovText {
   std::string declarations;            ///< before the camera: whole lines
   std::string location, sky, look_at;  ///< expressions
@@ -25,10 +24,12 @@ struct PovText {
   std::string lights = {};             ///< whole lines at the end
 };
 
-/// All of eclipse.pov but for what is handed in `text` is the scene's.
+/// Text of eclipse.pov.
 std::string pov_text(const MoonScene& scene, const PovText& text);
 
-/// Given  output     the name of the frame's file
+/// Text of eclipse.ini.
+///
+/// Given  output     name of the frame's file
 ///        animation  whole lines at the end
 std::string ini_text(const MoonScene& scene, const std::string& output,
                      const std::string& animation);
@@ -36,7 +37,7 @@ std::string ini_text(const MoonScene& scene, const std::string& output,
 /// Throws  Error  as to_pov of a single scene
 void require_renderable(const MoonScene& scene);
 
-/// Makes the folder when only its last part is missing, and in it both files.
+/// Writes both files into a folder, made when only its last part is missing.
 void write_texts(const std::filesystem::path& folder, const std::string& pov,
                  const std::string& ini);
 

@@ -59,7 +59,7 @@ void require_renderable(const Sequence& sequence) {
   for (std::size_t frame = 1; frame <= last; ++frame) require_frame(sequence, frame);
 }
 
-/// An array of POV-Ray's, a line for each frame.
+/// Declaration of an array in POV-Ray's language, a line for each frame.
 template <class ElementOf>
 std::string array(std::string_view name, const std::vector<CameraText>& frames, ElementOf element) {
   std::string text = fmt::format("#declare {} {{\n", name);
@@ -96,7 +96,7 @@ constexpr const char* squashed_sphere = R"(  #if (Flattened[Frame])
   #end
 )";
 
-/// How many frames the folder's sequence has.
+/// Count of frames of the sequence in a folder.
 std::size_t last_frame(const std::filesystem::path& folder) {
   std::ifstream settings(folder / settings_file);
   const std::string_view key = last_frame_key;
@@ -109,7 +109,7 @@ std::size_t last_frame(const std::filesystem::path& folder) {
   return last;
 }
 
-/// The frames of a run as they come.
+/// Hand-over of a run's frames as they are finished.
 struct Delivery {
   const Draft& draft;
   const FrameDone& frame_done;

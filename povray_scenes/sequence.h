@@ -13,26 +13,25 @@
 
 namespace coppermoon::povray_scenes {
 
-/// What the frames of a sequence are called, before their number.
+/// Name of a sequence's frames, before their number.
 inline constexpr const char* frame_stem = "frame";
 
-/// The Moon of MoonScene in as many frames as there are cameras, a texture for each.
+/// Moon in as many frames as there are cameras, a texture for each.
 struct Sequence {
   std::vector<SceneCamera> cameras;  ///< all of the same width, height, field and mirroring
-  std::string textures;  ///< what numbered_file puts a number to, for frames 1 to the last: beside
-                         ///< the scene; plain ASCII
+  std::string textures;  ///< file name for numbered_file, beside the scene; plain ASCII
   double moon_radius = 1;    ///< in the scene's own units, as MoonScene's
   int sampling_depth = 2;    ///< as MoonScene's
   std::string caption = {};  ///< one line, written as a comment at the head of both files
 };
 
-/// A file of a sequence.
+/// Name of a numbered file of a sequence.
 ///
 ///     moon_lin_rec709.0007.exr        at least four digits, as many as the last frame has
 std::string numbered_file(const std::string& stem, std::size_t frame, std::size_t last);
 
-/// One scene for all frames: places and texture are found by POV-Ray's frame_number, never by its
-/// clock. Frames count from 1; without an animation it is the first, past the last an error.
+/// Text of one scene for all frames: places and texture are selected by POV-Ray's frame_number, never by its clock.
+/// Frames count from 1; without an animation the first is rendered, past the last is an error.
 ///
 /// Accuracy  a frame has the very pixels of its own single scene (see to_pov of that)
 /// Throws    Error  as to_pov of a single scene, with the number of the frame; when there are no
@@ -40,7 +39,7 @@ std::string numbered_file(const std::string& stem, std::size_t frame, std::size_
 ///                  height, field or mirroring
 std::string to_pov(const Sequence& sequence);
 
-/// POV-Ray's settings for it: those of a single scene, and the range of frames. Final_Frame is made
+/// Text of POV-Ray's settings: those of a single scene, and the range of frames. Final_Frame is made
 /// of nines, which gives frame.0001.exr four digits in a short sequence too: the last frame is
 /// Subset_End_Frame.
 ///
@@ -55,7 +54,7 @@ std::string to_ini(const Sequence& sequence);
 ///                 made
 void write_sequence(const std::filesystem::path& folder, const Sequence& sequence);
 
-/// A callback that is told of each frame when its file is whole.
+/// Callback for each frame whose file is whole.
 using FrameDone = std::function<void(std::size_t frame, const std::filesystem::path& exr)>;
 
 /// Renders frames in one run of POV-Ray.

@@ -10,19 +10,19 @@
 
 namespace coppermoon::povray_scenes {
 
-/// A camera's lines of sight, Moon-fixed axes, in lunar radii: corner + x across + y down.
+/// Lines of sight of a camera, Moon-fixed, in lunar radii: corner + x across + y down.
 struct Sight {
   glm::dvec3 position, corner, across, down;
-  glm::dmat3 round_from_flattened;  ///< what undoes flattened_by_air
+  glm::dmat3 round_from_flattened;  ///< inverse of flattened_by_air
 };
 
 /// Throws  Error  when the camera is not sound
 Sight sight_of(const SceneCamera& camera);
 
-/// The ground that a place of the picture shows: pixel_of, backwards.
+/// Place on the Moon that a pixel shows: inverse of pixel_of.
 ///
 /// Given     pixel  from the upper left corner, y down, the first pixel's centre at (0.5, 0.5)
-/// Returned  a unit vector, Moon-fixed; nothing beside the Moon
+/// Returned  unit vector, Moon-fixed; nothing beside the Moon
 std::optional<glm::dvec3> ground_at(const Sight& sight, const glm::dvec2& pixel);
 
 }  // namespace coppermoon::povray_scenes

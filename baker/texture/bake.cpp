@@ -17,9 +17,8 @@ namespace {
 
 constexpr std::size_t texels_at_once = 256;
 
-/// The sine of the angle below the horizon of the Earth's centre from which on no place on Earth
-/// sees the ground: the Earth's radius is up to 0.0181 of its distance, refraction and the texels
-/// beside are added generously.
+/// Sine of the depression of the Earth's centre below which no place on Earth sees the ground: the Earth's radius is up
+/// to 0.0181 of its distance; refraction and neighbouring texels are allowed for.
 double sine_of_the_unseen(std::size_t rows) {
   return 0.04 + 1.5 * std::numbers::pi / static_cast<double>(rows);
 }
@@ -40,7 +39,7 @@ struct Scratch {
   std::vector<float> albedo{}, colour{}, surge{};
 };
 
-/// All that the rows of a texture need.
+/// Everything that the rows of a texture share.
 struct Baking {
   Globe globe;
   const shadow::Lookup& light;
@@ -53,7 +52,7 @@ struct Baking {
 
   std::size_t channels() const { return colour ? light.channels() / 2 : light.channels(); }
 
-  /// What is written of one texel: a value a channel.
+  /// Channels of one texel.
   void write(double reflected, std::span<const double> there, std::span<float> texel) const {
     const std::size_t count = texel.size();
     if (quantity == TexelQuantity::luminance)
@@ -69,8 +68,7 @@ struct Baking {
         texel[c] = static_cast<float>(reflected / globe.inverse_square * there[c] + 0.);
   }
 
-  /// Brings what was looked up of one texel to its own ground: on a line between the reddest and the
-  /// bluest.
+  /// Interpolates light between the reddest and the bluest ground, by the texel's own colour.
   void mix(std::span<double> there, double bluer) const {
     const std::size_t count = channels();
     const double share = 0.5 + bluer / (2 * surface::strongest_colour);
@@ -87,7 +85,7 @@ struct Baking {
       for (std::size_t c = 0; c < there.size(); ++c) there[c] /= sunlit[c];
   }
 
-  /// What some texels' ground is.
+  /// Colour and surge of some texels' ground.
   struct Texels {
     std::span<const float> albedo, colour, surge;
     Texels part(std::size_t first, std::size_t count) const {

@@ -15,20 +15,19 @@
 
 namespace coppermoon::texture {
 
-/// What a texture is baked from.
+/// Moon, light and ground from which a texture is baked.
 struct LitSurface {
   const algebra::Grid<float>& normal_albedo;  ///< A, plate carrée, 2:1
   const almanac::SkyState& sky;
   const shadow::Lookup& light;  ///< w, each channel's radiance at 1 au of a white ground that faces
                                 ///< the Sun
-  /// what differs by place beside albedo; none: all is the mean Moon's. With it the light has every
-  /// channel twice: as the reddest ground returns it, c = −strongest_colour, and then all as the
-  /// bluest does
+  /// Colour and surge by place; none: those of the mean Moon. With it the light has every channel twice: first all as
+  /// the reddest ground returns them, c = −strongest_colour, then all as the bluest does.
   const surface::Ground* ground = nullptr;
 };
 
-/// The Moon of one moment, every texel lit: what comes through the shadow at the texel's own place
-/// on the sphere, times the ground's normal albedo and photometric function.
+/// Texture of the Moon at one moment: each texel has the light at its own place in the shadow, times the ground's
+/// normal albedo and photometric function.
 ///
 ///     L = A f(mu0, mu, g) w (1 au / d)^2      mu0, mu: cosines of the angles between the ground's
 ///                                             normal and the Sun, the Earth's centre; g: phase;
@@ -52,39 +51,39 @@ struct LitSurface {
 Image bake(const LitSurface& moon, std::vector<std::string> channels, std::size_t rows,
            surface::Photometry photometry, const algebra::Progress& progress = {});
 
-/// Which texels are lit.
+/// Texels that are lit.
 enum class Extent {
   whole,            ///< all
   seen_from_earth,  ///< those that some place on Earth sees, and some beyond; the others stay 0
 };
 
-/// The quantity of L = E ρ / π that a texel holds.
+/// Quantity of L = E ρ / π in a texel.
 enum class TexelQuantity {
   luminance,    ///< L
   irradiance,   ///< E / π: of a white diffuse ground that faces the Sun; 0 on the night side
   reflectance,  ///< ρ, the radiance factor, times the light, which is then a colour of the ground
 };
 
-/// How a texture is lit.
+/// Options of lighting.
 struct Lighting {
   surface::Photometry photometry = surface::Photometry::lommel_seeliger_rolo;
   Extent extent = Extent::whole;
   TexelQuantity quantity = TexelQuantity::luminance;
-  /// [as the light's channels] with irradiance: what its grounds make of sunlight over a white one;
-  /// the light is divided by it, mixed for the place as the light is. Empty: by nothing
+  /// Divisor of the light for irradiance, channel by channel: light of the ground under sunlight over that of white,
+  /// mixed by place as the light is. Empty: 1.
   std::vector<double> sunlit = {};
 };
 
-/// The same texture, row by row as it is asked for, on all threads: memory does not grow with it.
+/// Rows of that texture, computed as they are asked for, on all threads: memory does not grow with the texture.
 ///
 /// Given     moon      its albedo and light must outlive what is returned
-///           progress  told the fraction of rows lit
+///           progress  called with the fraction of rows lit
 /// Returned  the same values whatever rows are asked for at once and on how many threads
 /// Accuracy  1e-5 of the expression above: of the phase curve between its table's entries
 Rows lit_rows(const LitSurface& moon, std::size_t rows, const Lighting& lighting = {},
               const algebra::Progress& progress = {});
 
-/// The normal albedo itself, at the texture's size: one channel, the night side too.
+/// Rows of normal albedo at the texture's size: one channel, also on the night side.
 Rows albedo_rows(const algebra::Grid<float>& normal_albedo, std::size_t rows);
 
 }  // namespace coppermoon::texture

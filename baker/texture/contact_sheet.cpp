@@ -39,7 +39,7 @@ void require_done(bool done, const OIIO::ImageBuf& buffer) {
 /// Text on a sheet, and where.
 struct Line {
   const std::string& text;
-  std::size_t x, y;  ///< of the end that it is held at, and of the line that it stands on
+  std::size_t x, y;  ///< anchor on the baseline
   TextAlignX held;
   int size;
   Colour colour;
@@ -68,7 +68,7 @@ int fitting_size(const Image& sheet, const ContactSheet& of) {
   return size;
 }
 
-/// A picture's light, made smaller.
+/// Picture averaged to a smaller size.
 Image thumbnail(Image picture, const SheetGrid& grid) {
   for (float& value : picture.values) value = OIIO::sRGB_to_linear(value);
   Image small(SheetGrid::picture_width, grid.picture_height, picture.channels);

@@ -10,11 +10,11 @@
 
 namespace coppermoon::texture {
 
-/// A picture of a contact sheet, and what stands under its left and its right end.
+/// Picture of a contact sheet, with captions under its left and right end.
 struct SheetPicture {
   std::filesystem::path file;  ///< sRGB-coded, three channels
   std::string left, right;
-  bool marked = false;  ///< what stands under it is bright, else dim
+  bool marked = false;  ///< captions are bright, else dim
 };
 
 /// Pictures side by side, row by row, under a title.
@@ -25,7 +25,7 @@ struct ContactSheet {
   std::filesystem::path font;  ///< a TrueType file
 };
 
-/// Where things stand on it [pixels].
+/// Layout of a contact sheet [pixels].
 struct SheetGrid {
   static constexpr std::size_t picture_width = 240, gap = 24, title_height = 60,
                                title_baseline = 38, label_height = 20, baseline = 18;
@@ -45,13 +45,13 @@ struct SheetGrid {
 SheetGrid sheet_grid(std::size_t pictures, std::size_t columns, std::size_t width,
                      std::size_t height);
 
-/// A font of the system's for it.
+/// Path of a system font for a contact sheet.
 ///
 /// Throws  Error  when there is none where systems keep them: names a package
 std::filesystem::path sheet_font();
 
-/// Draws it on black, one picture in memory at a time. Pictures get the width of SheetGrid, light
-/// averaged, all in the shape of the first; a title that is too long for the sheet is smaller.
+/// Contact sheet on black; one picture is in memory at a time. Pictures are scaled to the width of SheetGrid by
+/// averaging light, all in the shape of the first; a title that is too long is set smaller.
 ///
 /// Returned  sRGB-coded, 0 to 1: R, G, B
 /// Throws    Error  as read_image; when there is no picture, a picture has not three channels, or

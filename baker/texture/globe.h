@@ -20,8 +20,7 @@ struct AlongRow {
   double constant, cosine, sine;
 };
 
-/// The Moon's sphere as it stands between Sun and Earth: all that one texel's light depends on but
-/// its albedo and the shadow.
+/// Geometry of the Moon between Sun and Earth: everything on which a texel's light depends but albedo and shadow.
 struct Globe {
   /// Given  rows               of the texture
   ///        beyond_the_limb    lit ground is left dark where the Earth's centre is lower than that
@@ -46,18 +45,18 @@ struct Globe {
   double beyond_the_limb;
   surface::CosineLaw law;
   std::vector<double> phase_factors;  ///< even in sin(g/2), 0 to 1
-  std::vector<double> surge_factors;  ///< as many: what they change by for each unit of surge
+  std::vector<double> surge_factors;  ///< as many: derivative by surge
 };
 
-/// What a row's texels have in common, and where the first of them stands in the column lists.
+/// Values that the texels of a row share, and the index of the first in the lists by column.
 struct TexelRow {
   AlongRow sun, moon, east, north, depth;
   const double *cos_longitude, *sin_longitude;
   const float *albedo, *surge;  ///< surge may be nullptr: the mean Moon's
 };
 
-/// Light that ground reflects over what falls on ground that faces the Sun at 1 au: albedo times
-/// the photometric function times (1 au / d)², and where the ground is.
+/// Reflected light over that of white ground facing the Sun at 1 au: albedo times photometric function times
+/// (1 au / d)²; and places in the shadow.
 struct LitTexels {
   std::span<double> reflected, east_m, north_m, depth_m;
 };

@@ -46,8 +46,7 @@ struct Layout {
   std::vector<std::string> channels;
 };
 
-/// An image made as it is asked for: writes the values of whole rows, [row][column][channel], from
-/// that row of the image on.
+/// Image that is made as it is asked for: fills whole rows, [row][column][channel], from a row of the image on.
 using Rows = std::function<void(std::size_t first_row, std::span<float> values)>;
 
 /// A value in an image file's header.

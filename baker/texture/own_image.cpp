@@ -12,7 +12,7 @@
 namespace coppermoon::texture {
 namespace {
 
-/// By what every image of ours has one of in its header: a texture its recipe, a picture its view.
+/// Whether an image's header has an attribute of ours: a texture its recipe, a picture its view.
 bool is_ours(const std::filesystem::path& file) try {
   constexpr std::array<std::string_view, 2> names{"coppermoon:recipe", "coppermoon:view"};
   return std::ranges::any_of(read_attributes(file, names),

@@ -5,8 +5,7 @@
 
 namespace coppermoon::texture {
 
-/// Refuses an image that coppermoon did not make, or a link: it would be overwritten. None at all may
-/// be there.
+/// Refuses to overwrite an image that coppermoon did not make, or a link; absence is sound.
 ///
 /// Throws  Error
 void require_own_image(const std::filesystem::path& file);

@@ -26,7 +26,7 @@ namespace coppermoon::texture {
 namespace {
 
 namespace fs = std::filesystem;
-/// What does not fit into memory is an error of the file's.
+/// Calls a function; memory that it lacks becomes an Error of the file.
 template <class Make>
 auto within_memory(const fs::path& path, const OIIO::ImageSpec& spec, Make make) {
   try {
@@ -37,7 +37,7 @@ auto within_memory(const fs::path& path, const OIIO::ImageSpec& spec, Make make)
   throw cannot_read(path, fmt::format("no memory for {} x {} texels", spec.width, spec.height));
 }
 
-/// The curve from the file's numbers to linear light: a power, or sRGB.
+/// Curve from a file's numbers to linear light: a power, or sRGB's.
 struct Curve {
   bool srgb;
   float power;
@@ -64,7 +64,7 @@ float linear(float v, Curve curve) {
   return curve.power == 1 ? v : std::pow(v, curve.power);
 }
 
-/// Channels as a line tells of them, not all of very many.
+/// List of channels for an error, shortened when very many.
 std::string names_of(const std::vector<std::string>& channels) {
   constexpr std::size_t most = 12;
   const auto shown = static_cast<std::ptrdiff_t>(std::min(most, channels.size()));
@@ -126,7 +126,7 @@ void for_all_texels(OIIO::ImageInput& input, const fs::path& path, const Put& pu
                       });
 }
 
-/// An image of what the file shows, black so far.
+/// Black image of the size that the file shows.
 Image black(const OIIO::ImageInput& input, std::vector<std::string> channels) {
   const auto shown = windows_of(input).display;
   return {shown.width, shown.height, std::move(channels)};
@@ -147,7 +147,7 @@ struct FloatingTone {
   }
 };
 
-/// The same for 8 bits: each of their 256 values computed once.
+/// Table of that light for the 256 values of 8 bits.
 struct ByteTone {
   using Number = std::uint8_t;
   explicit ByteTone(const FloatingTone& of) {
@@ -163,7 +163,7 @@ struct ByteTone {
   std::array<float, 256> light{};
 };
 
-/// Colours by a profile of the file's.
+/// Converts colours by the file's own profile.
 struct ProfiledTone {
   using Number = float;
   const ColourProfile& profile;

@@ -46,7 +46,7 @@ struct ImageWindow {
   bool operator==(const ImageWindow&) const = default;
 };
 
-/// Where an image's texels are, and where its picture is.
+/// Data window, where an image's texels are, and display window, where its picture is.
 struct Windows {
   ImageWindow data, display;
   bool operator==(const Windows&) const = default;
@@ -63,11 +63,11 @@ Windows windows_of(const std::filesystem::path& path);
 /// Throws  Error  as read_image
 std::optional<std::string> read_attribute(const std::filesystem::path& path, std::string_view name);
 
-/// Several of them, in their order.
+/// Several attributes of an image file's header, in the order of the names.
 std::vector<std::optional<std::string>> read_attributes(const std::filesystem::path& path,
                                                         std::span<const std::string_view> names);
 
-/// How the numbers of an integer format stand for light. Not every file says it: a TIFF never does.
+/// Coding of an integer format's numbers. Not every file states it: a TIFF never does.
 enum class Coding {
   as_file_says,  ///< and where it says nothing: integers are sRGB, floating point is linear
   srgb,
@@ -75,7 +75,7 @@ enum class Coding {
   camera,  ///< by its camera's own tone curve (colour/tone_curve.h): read as sRGB, for what it displays
 };
 
-/// The light of an image of any kind: channels R, G, B, all the same for grey, upright. Of an EXR file they
+/// Light of an image of any kind: channels R, G, B, all the same for grey, upright. Of an EXR file they
 /// are taken by name, R, G and B, or Y alone.
 ///
 /// Colour profiles, primaries, orientation, and whether white is zero are heeded; colours only where the

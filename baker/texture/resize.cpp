@@ -44,7 +44,7 @@ std::vector<LineShare> column_shares(std::size_t columns, std::size_t map_column
   return shares;
 }
 
-/// Rows of a map added up, each as much as it counts.
+/// Weighted sum of rows of a map.
 std::vector<double> summed_rows(const Grid<float>& map, const LineShare& rows, double full) {
   std::vector<double> sums(map.columns());
   const auto add = [&](std::size_t row, double part) {

@@ -9,7 +9,7 @@
 
 namespace coppermoon::texture {
 
-/// Neighbouring texels of a line of the map, those between `first` and `last` counting alike.
+/// Weighted range of neighbouring texels in a line of the map; those between `first` and `last` have equal weight.
 struct LineShare {
   std::size_t first, last;
   double first_part, last_part;

@@ -23,7 +23,7 @@ using namespace std::string_view_literals;
 
 constexpr std::size_t seal_digits = 16;
 
-/// A file's bytes, in memory as far as they are looked at; writes to them stay there.
+/// Private memory map of a file: writes do not reach the file.
 class MappedFile {
  public:
   explicit MappedFile(int descriptor) {
@@ -48,7 +48,7 @@ class MappedFile {
   std::size_t size_ = 0;
 };
 
-/// Where the digits begin: behind the attribute's name, its type and its length, as OpenEXR writes them.
+/// Offset of the digits: behind the attribute's name, type and length, as OpenEXR writes them.
 std::optional<std::size_t> place_of_digits(std::string_view bytes) {
   const auto before = std::string(seal_attribute) + std::string("\0string\0\x10\0\0\0"sv);
   const auto found = bytes.find(before);

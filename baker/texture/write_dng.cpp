@@ -33,7 +33,7 @@ void require_sound(const RawPhotograph& photograph) {
                           1e-3, 1e3);
 }
 
-/// libtiff's own words, as it has them last.
+/// Last message of libtiff.
 int keep_words(TIFF*, void* words, const char*, const char* form, std::va_list values) {
   std::array<char, 256> text{};
   std::vsnprintf(text.data(), text.size(), form, values);
@@ -141,7 +141,9 @@ void set_camera(TiffFile& file, const RawPhotograph& photograph) {
   file.set(TIFFTAG_CALIBRATIONILLUMINANT1, d65);
 }
 
-/// Writes the directory of EXIF's tags; gives its place in the file.
+/// Writes the directory of EXIF's tags.
+///
+/// Returned  its offset in the file
 std::uint64_t exif_directory(TiffFile& file, const RawPhotograph& photograph,
                              const Attributes& attributes) {
   constexpr std::array<std::uint8_t, 4> version{'0', '2', '3', '1'};

@@ -12,13 +12,13 @@
 
 namespace coppermoon::texture {
 
-/// What a sensor under a mosaic of colour filters counted.
+/// Counts of a sensor under a mosaic of colour filters.
 struct RawPhotograph {
   /// [DN], black level included; even rows are red and green in turn, odd ones green and blue
   algebra::Grid<std::uint16_t> numbers;
   double black_dn = 0, white_dn = 65535;  ///< of no light; of saturation, black included
   glm::dmat3 camera_from_xyz{
-      1};  ///< numbers above black under D65, 1 at saturation, of XYZ with white's Y as 1
+      1};  ///< matrix from XYZ (white of D65 has Y = 1) to numbers above black, 1 at saturation
   std::string camera;          ///< its name
   double focal_length_mm = 0;  ///< more than 0
 };

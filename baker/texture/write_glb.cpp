@@ -68,7 +68,7 @@ void append(std::string& bytes, std::initializer_list<Number> numbers) {
 
 void pad(std::string& bytes, char with) { bytes.resize((bytes.size() + 3) / 4 * 4, with); }
 
-/// The binary chunk, with a view of it for each thing that lies in it.
+/// Binary chunk, with a glTF buffer view for each of its contents.
 struct Buffer {
   std::string bytes{};
   json views = json::array();
@@ -115,7 +115,7 @@ json add_sphere(Buffer& buffer) {
                    "SCALAR")};
 }
 
-/// A list of one.
+/// JSON list of one item.
 json only(json item) {
   auto list = json::array();
   list.push_back(std::move(item));

@@ -10,10 +10,10 @@
 
 namespace coppermoon::texture {
 
-/// How a texel is stored: `half` has 11 bits, steps of 6e-8 near 0, and ends at 65504.
+/// Type of a texel's numbers: `half` has 11 bits, steps of 6e-8 near 0, and ends at 65504.
 enum class ExrType { half, floating };
 
-/// What an OpenEXR file is to be like.
+/// Options of an OpenEXR file.
 struct ExrOptions {
   ExrType type = ExrType::half;
   bool allow_negative = false;  ///< light is never negative, colours outside a gamut are
@@ -31,9 +31,8 @@ struct ExrOptions {
 void write_exr(const std::filesystem::path& path, const Image& image, const Attributes& attributes,
                const ExrOptions& options = {});
 
-/// The same, rows made as they are written: some of them are in memory at a time, 16 MB or 64 rows,
-/// and the next are made while some are written. What making them throws ends the writing, and no
-/// file is left.
+/// Writes rows that are made meanwhile: 16 MB or 64 rows are in memory at a time, and the next are made while they are
+/// written. An exception while making them ends the writing, and no file is left.
 void write_exr(const std::filesystem::path& path, const Layout& layout, const Rows& rows,
                const Attributes& attributes, const ExrOptions& options = {});
 

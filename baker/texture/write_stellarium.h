@@ -13,7 +13,7 @@ namespace coppermoon::texture {
 /// and goes by what the file holds.
 inline constexpr const char* stellarium_picture = "textures/moon_4k.jpg";
 
-/// From where, and when, Stellarium looks when it starts.
+/// Moment and place at which Stellarium starts.
 struct StellariumSight {
   almanac::Instant when;
   almanac::Observer observer;

@@ -12,7 +12,7 @@
 
 namespace coppermoon::texture {
 
-/// The range that a file's values must be in.
+/// Allowed range of a file's values.
 struct Limits {
   float lowest, highest;
 
@@ -40,7 +40,9 @@ struct Source {
   /// Throws  Error  a value outside the limits, with its place and channel
   void for_each_band(const std::function<void(const Band&)>& act) const;
 
-  /// Throws  Error  as for_each_band, for rows that are there
+  /// Checks rows that are there.
+  ///
+  /// Throws  Error  as for_each_band
   void require_all(std::span<const float> values, std::size_t first_row = 0) const;
 
  private:
@@ -55,7 +57,7 @@ void require_layout(const std::filesystem::path& path, const Layout& layout);
 /// OpenImageIO's description of an image.
 OIIO::ImageSpec spec_of(const Layout& layout, OIIO::TypeDesc type, const Attributes& attributes);
 
-/// The same of an OpenEXR file, yet unsealed; without `capDate` that attribute is empty.
+/// OpenImageIO's description of an OpenEXR file, yet unsealed; without `capDate` that attribute is empty.
 OIIO::ImageSpec exr_spec(const Layout& layout, ExrType type, const Attributes& attributes);
 
 /// Largest value that a texel of the type can hold.

@@ -214,7 +214,7 @@ std::optional<std::string_view> chunk_of_webp(std::string_view all, std::string_
   return std::nullopt;
 }
 
-/// OpenImageIO passes over what a WebP says.
+/// Heeds a WebP's header, which OpenImageIO passes over.
 void heed_webp(const fs::path& path, Storage& storage) {
   std::string bytes(fs::file_size(path), '\0');
   std::ifstream(path, std::ios::binary).read(bytes.data(), static_cast<std::streamsize>(bytes.size()));

@@ -11,7 +11,7 @@
 
 namespace coppermoon::texture {
 
-/// How a file stores its numbers, as far as OpenImageIO does not heed it.
+/// Properties of a file's numbers that OpenImageIO does not heed.
 struct Storage {
   int orientation = 1;              ///< EXIF's: 1 upright, 2 to 4 flipped or turned, 5 to 8 on a side
   bool white_is_zero = false;       ///< black is the largest number
@@ -21,7 +21,7 @@ struct Storage {
   bool on_its_side() const { return orientation >= 5; }
 };
 
-/// Reads it from the header of an open image.
+/// Properties by the header of an open image.
 ///
 /// Throws  Error  with the path and the tag's name, where what it says can not be heeded: photometric
 ///                interpretations but grey, colours of light, palettes and CMYK; a page that is a
@@ -29,7 +29,7 @@ struct Storage {
 ///                other than Rec. 709; GDAL's offset; a broken profile; the curves of PQ and HLG
 Storage storage_of(const std::filesystem::path& path, const OIIO::ImageInput& input);
 
-/// Turns texels as EXIF's orientation says.
+/// Turns and flips texels by EXIF's orientation.
 ///
 /// Given  stored   [row][column][channel], of that width and height
 ///        turned   as many numbers; of an image on its side width and height change places

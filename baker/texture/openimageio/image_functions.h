@@ -42,10 +42,10 @@ struct ImageFunctions {
   decltype(texture::drawn)* drawn;
 };
 
-/// The one name that the module gives away.
+/// Only exported name of the module.
 inline constexpr const char* image_functions_name = "coppermoon_image_functions";
 
-/// What stands under that name.
+/// Type of the function of that name.
 using GiveImageFunctions = const ImageFunctions*();
 
 }  // namespace coppermoon::texture

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int tile_side = 64;
 
-/// Share of each of `from` texels in a row that lies in one of half as many.
+/// Weight of a source texel in the destination texel when a row is halved.
 struct Halving {
   std::size_t from, to;
 

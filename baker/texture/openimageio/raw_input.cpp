@@ -32,8 +32,7 @@ Matrix matrix_of(const std::filesystem::path& path, const OIIO::ImageSpec& spec)
   return matrix;
 }
 
-/// Where a channel of a pixel is clipped. Cameras saturate up to a hundredth below the white level that is
-/// told of them.
+/// Mask of pixels with a clipped channel. Cameras saturate up to a hundredth below their nominal white level.
 std::vector<std::uint8_t> clipped_in(const Image& camera) {
   constexpr float saturated = 0.99F;
   std::vector<std::uint8_t> clipped(camera.width * camera.height);
@@ -44,7 +43,7 @@ std::vector<std::uint8_t> clipped_in(const Image& camera) {
   return clipped;
 }
 
-/// The same, and all eight neighbours of such pixels: linear interpolation goes no further.
+/// Mask grown by all eight neighbours: linear interpolation reaches no further.
 std::vector<std::uint8_t> with_neighbours(const std::vector<std::uint8_t>& clipped,
                                           std::size_t width, std::size_t height) {
   auto all = clipped;

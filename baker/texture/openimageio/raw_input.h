@@ -14,7 +14,7 @@ bool has_raw_ending(const std::filesystem::path& path);
 /// Whether an image is a camera's raw file.
 bool is_raw(const OIIO::ImageInput& input);
 
-/// What OpenImageIO is told before it opens a file; other kinds of files pass it over. A raw file gives
+/// Settings that OpenImageIO gets before it opens a file; only raw files heed them. A raw file gives
 /// the camera's own three channels, upright and linear, interpolated linearly from the mosaic of its
 /// filters. Black is subtracted, noise below it cut off. D65's white is neutral, whatever white balance
 /// the camera was set to; 1 is its saturation, where the most sensitive channel ends.

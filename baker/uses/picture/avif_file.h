@@ -15,7 +15,7 @@ namespace coppermoon::uses {
 /// Throws    Error       when avifenc is not there or fails, or the file cannot be written
 void write_avif(const std::filesystem::path& file, const texture::Image& picture);
 
-/// PQ: light over 10 000 cd/m², 0 to 1, from its code and back.
+/// PQ decoding and coding: codes 0 to 1, light over 10 000 cd/m².
 ///
 /// Source  SMPTE ST 2084:2014
 double light_of_pq(double code);

@@ -75,7 +75,7 @@ texture::Attributes header(const LitMoon& moon, const TextureContent& content) {
 
 constexpr std::size_t colours = 3;
 
-/// What a band is of the light that is looked up after the colours, from the first on.
+/// Spectral band as weights of the light looked up after the colours.
 struct Band {
   std::size_t first = 0;
   std::vector<float> shares;
@@ -89,7 +89,7 @@ struct Channels {
   std::vector<Band> bands = {};  // after the colours
 };
 
-/// The rows of one, then those of the other.
+/// Two matrices, one below the other.
 algebra::Grid<double> stacked(const algebra::Grid<double>& upper,
                               const algebra::Grid<double>& lower) {
   algebra::Grid<double> both(upper.rows() + lower.rows(), upper.columns());
@@ -141,7 +141,7 @@ Channels with_spectrum(Channels channels, double width_nm, int wavelengths,
   return channels;
 }
 
-/// The colours as they are, and the bands from what follows them: not less than nothing.
+/// Colours unchanged, bands computed from the light after them, at least 0.
 void write_bands(std::span<const Band> bands, std::span<const float> looked_up,
                  std::span<float> texel) {
   std::ranges::copy(looked_up.first(colours), texel.begin());
@@ -165,7 +165,7 @@ texture::Rows with_bands(texture::Rows lit, std::size_t looked_up, std::vector<B
   };
 }
 
-/// Weights as bake wants them: of the reddest ground and of the bluest where it differs by place.
+/// Weights for the bake: for the reddest and the bluest ground where it differs by place.
 algebra::Grid<double> of_grounds(const LitMoon& moon, const algebra::Grid<double>& weights) {
   if (!moon.ground) return weights;
   return reddest_and_bluest(weights, wavelengths_nm(static_cast<int>(weights.columns())));
@@ -182,14 +182,14 @@ shadow::Lookup light_in(const LitMoon& moon, const Channels& channels, colour::W
   return light;
 }
 
-/// What the rows of a part are made from, for as long as any may be asked for.
+/// Source of a part's rows, kept as long as any may be asked for.
 struct LitGround {
   std::shared_ptr<const algebra::Grid<float>> albedo;
   std::shared_ptr<const surface::Ground> ground;
   shadow::Lookup light;
 };
 
-/// What a part holds, and what its light is divided by.
+/// Quantity of a part, and the divisor of its light.
 struct Held {
   TexelQuantity quantity;
   std::vector<double> sunlit = {};
@@ -212,8 +212,7 @@ texture::Part part(const LitMoon& moon, const std::string& name, const Channels&
           channels.bands.empty() ? kept : with_bands(kept, looked_up, channels.bands)};
 }
 
-/// The grounds' colours under sunlight, over a white one's: the mean Moon's, or the reddest and the
-/// bluest.
+/// Colours of the ground under sunlight over those of white: of the mean Moon, or of the reddest and the bluest.
 std::vector<double> ground_colours(const LitMoon& moon, const algebra::Grid<double>& of_moon,
                                    const algebra::Grid<double>& of_white) {
   const auto of_ground = moon.ground ? reddest_and_bluest(of_moon, band_centres_nm()) : of_moon;

@@ -17,12 +17,12 @@
 
 namespace coppermoon::uses {
 
-/// What a texture holds, and how it is stored.
+/// Contents of a texture and the type of its numbers.
 struct TextureContent {
   std::optional<colour::WorkingSpace> space{};  ///< without: linear Rec.709
   std::optional<texture::ExrType> type{};       ///< without: half, float for a spectrum
-  std::optional<double> spectral_nm{};  ///< width of bands of spectral radiance, where asked for
-  bool passes = false;                  ///< also what the light is made of
+  std::optional<double> spectral_nm{};  ///< width of bands of spectral radiance; without: none
+  bool passes = false;                  ///< also the components of the light
 };
 
 /// Throws  Error  when a band is outside 1 to 100 nm, or does not go into 400 nm evenly
@@ -32,37 +32,37 @@ colour::WorkingSpace space_of(const TextureContent& content);
 
 texture::ExrType type_of(const TextureContent& content);
 
-/// What the textures of one moment are made from.
+/// Moon of one moment and its light, from which textures are baked.
 struct LitMoon {
   MoonRequest request;
   almanac::SkyState sky;
   std::shared_ptr<const algebra::Grid<float>> albedo;
-  std::shared_ptr<const surface::Ground> ground;  ///< none: the mean Moon's everywhere
+  std::shared_ptr<const surface::Ground> ground;  ///< none: the mean Moon everywhere
   std::shared_ptr<const Moonlight> light;
-  /// what of the light the disc takes in; nothing: all is sunlight
+  /// Range of the light that reaches the disc; nothing: all is direct sunlight.
   std::optional<shadow::LookupRange> within;
-  /// who sees it, and through what air, which reddens it; without: from the Earth's centre
+  /// Observer, and the path through the air that reddens the Moon; without: from the Earth's centre.
   std::optional<almanac::Observer> observer = {};
   std::optional<atmosphere::Sightline> sightline = {};
 };
 
-/// Reads the map, and plans and computes the light.
+/// Moon with its map read and its light planned and computed.
 LitMoon lit_moon(const MoonRequest& request, const almanac::SkyState& sky,
                  const algebra::Progress& progress = {});
 
-/// A texture that is baked as its rows are asked for, and what its file's header says.
+/// Texture that is baked as its rows are asked for, and its header.
 struct BakedMoon {
   std::vector<texture::Part> parts;
   texture::Attributes attributes;
 };
 
-/// How a Moon is baked.
+/// Options of baking.
 struct Baking {
   texture::Extent extent = texture::Extent::whole;
   algebra::Progress progress = {};  ///< of rows being baked
 };
 
-/// The texture in its space [cd/m²], and what else was asked for:
+/// Texture in its space [cd/m²], with the parts asked for:
 ///
 ///     S0.…nm      spectral radiance [W m⁻² sr⁻¹ nm⁻¹], the mean over each band, after Fichet et
 ///                 al. (2021), beside the colours
@@ -74,7 +74,7 @@ struct Baking {
 ///
 /// Ground by place colours all but irradiance, which is the luminance over the reflectance.
 ///
-/// Colours outside the space are brought into it in each part by itself. The attribute `coppermoon:recipe` has the
+/// Colours outside the space are brought into it, in each part separately. The attribute `coppermoon:recipe` has the
 /// recipe that bakes the same texels again (texture_recipe).
 BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking& baking = {});
 

@@ -10,24 +10,24 @@
 
 namespace coppermoon::uses {
 
-/// The whole Moon as a place on the Earth sees it, at its distance and through its air.
+/// Brightness of the whole Moon at a place on the Earth, through its air.
 struct BrightnessSeen {
-  povray_scenes::HorizonPlace moon;    ///< refraction counted
+  povray_scenes::HorizonPlace moon;    ///< refraction included
   DiscBrightness disc;                 ///< through the air
-  std::vector<double> extinction_mag;  ///< [band], by which the air dims; 0 without reddening
+  std::vector<double> extinction_mag;  ///< [band]; 0 without reddening
 };
 
-/// The whole Moon of one moment.
+/// Brightness of the whole Moon at one moment.
 struct MoonBrightness {
   DiscBrightness disc;           ///< above the air, from the Earth's centre
   std::optional<double> danjon;  ///< of Danjon's scale, in totality alone
   std::optional<BrightnessSeen> seen = {};
 };
 
-/// Planned, computed and summed up on a texture of 360 rows.
+/// Brightness by a simulation, summed over a texture of 360 rows.
 ///
-/// Given   view   of which the observer and the air above are asked for
-/// Omits   what the horizon and refraction do to the disc's outline
+/// Given   view   for its observer and air
+/// Omits   the horizon, and flattening of the disc
 /// Throws  Error  as light_on_the_moon, normal_albedo, view_of
 MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& sky,
                              const ViewRequest& view = {}, const algebra::Progress& progress = {});

@@ -14,8 +14,7 @@
 
 namespace coppermoon::uses {
 
-/// A camera between the scene and its picture. Without a model there is none: the picture is the
-/// scene's, without noise.
+/// Camera as asked for. Without a model the picture is the scene itself, without noise.
 struct CameraRequest {
   std::string model{};  ///< one of colour::camera_names(); empty: none
   std::optional<double> aperture_mm{}, obstruction{}, transmission{}, pixel_um{},
@@ -30,36 +29,36 @@ struct CameraRequest {
   std::filesystem::path raw{}, photograph{};  ///< files; empty: not written
 };
 
-/// The camera, f-number and focal length its own unless they are given; nothing without a model.
+/// Camera of a request; its own f-number and focal length hold unless others are given; nothing without a model.
 ///
 /// Throws  Error  when anything of it is outside its range, or is given without a model
 std::optional<colour::Camera> camera_of(const CameraRequest& request,
                                         const std::optional<double>& f_number = {},
                                         const std::optional<double>& focal_length_mm = {});
 
-/// The view through a camera: focal length and sensor are its own unless they are given.
+/// View with the focal length and sensor of a camera, unless others are given.
 ViewRequest seen_through(const CameraRequest& request, ViewRequest view);
 
-/// Angle that a pixel takes in, in the middle of a frame.
+/// Angle across a pixel in the middle of a frame.
 double pixel_rad_of(const povray_scenes::SceneCamera& camera);
 
-/// What the development has to know of a frame beside its light.
+/// Facts of a frame that its development needs beside its light.
 struct SeenFrame {
-  double pixel_rad = 0;                  ///< in the middle; 0: as the sensor's width says
+  double pixel_rad = 0;                  ///< angle across the middle pixel; 0: from the sensor's width
   std::optional<double> sky_cd_m2 = {};  ///< nothing: not known
   std::optional<DiscOutline> disc = {};  ///< the Moon's edge; nothing: not known
 };
 
-/// The same for a frame of that view; an observer's sky is lit by the Sun below the horizon.
+/// Facts of a frame of a view; twilight comes from the Sun below the observer's horizon.
 SeenFrame seen_by(const View& view, const almanac::SkyState& sky);
 
-/// What a frame's header says.
+/// Facts of a frame by its header.
 SeenFrame seen_by(const std::filesystem::path& frame);
 
-/// The same, for the header.
+/// Header attributes of such facts.
 void add_seen(texture::Attributes& attributes, const SeenFrame& seen);
 
-/// A scene-linear frame on its way to a picture.
+/// Scene-linear frame to be developed.
 struct Frame {
   const texture::Image& light;  ///< [cd/m²]
   colour::WorkingSpace space;
@@ -68,10 +67,10 @@ struct Frame {
   texture::Attributes attributes = {};  ///< for the headers of files made from it
 };
 
-/// Luminance that the sky adds before a camera [cd/m²]: what is asked for, or the frame's; 0 without a model.
+/// Luminance of the sky before a camera [cd/m²]: as asked for, or the frame's; 0 without a model.
 double sky_before(const CameraRequest& request, const SeenFrame& seen);
 
-/// What the camera makes of a scene-linear frame.
+/// Photograph of a scene-linear frame.
 colour::Photograph photographed(const CameraRequest& request, const colour::Camera& camera,
                                 const Frame& frame, const colour::Exposure& exposure);
 

@@ -26,8 +26,8 @@ constexpr const char *usual_display = "sRGB", *high_range_display = "Rec.2100-PQ
 
 bool is_high_range(const std::filesystem::path& picture) { return picture.extension() == ".avif"; }
 
-/// The display that a file's ending means, where none is asked for; display and view as the configuration
-/// spells them.
+/// Development with the display that a file's ending implies, where none is asked for; names spelt as in the
+/// configuration.
 Development for_file(Development development, const std::filesystem::path& picture) {
   const auto& config = development.config;
   development.display = colour::display_named(
@@ -38,7 +38,7 @@ Development for_file(Development development, const std::filesystem::path& pictu
   return development;
 }
 
-/// Luminances of all lit pixels that the Moon covers, some or all of them, without the sky's [cd/m²].
+/// Luminances of lit pixels that the Moon covers wholly or partly, without the sky's [cd/m²].
 std::vector<double> luminances(const texture::Image& frame, colour::WorkingSpace space,
                                const std::optional<DiscOutline>& disc) {
   std::vector<double> lit;
@@ -55,7 +55,7 @@ std::vector<double> luminances(const texture::Image& frame, colour::WorkingSpace
   return lit;
 }
 
-/// Luminances of all lit pixels, with the sky's light before the camera [cd/m²].
+/// Luminances of lit pixels, with the sky's before a camera [cd/m²].
 std::vector<double> luminances(const Development& development, const texture::Image& frame,
                                colour::WorkingSpace space, const SeenFrame& seen) {
   auto lit = luminances(frame, space, seen.disc);
@@ -64,14 +64,14 @@ std::vector<double> luminances(const Development& development, const texture::Im
   return lit;
 }
 
-/// Luminance above which a hundredth of them are.
+/// 99th percentile of the luminances.
 double bright_luminance(std::vector<double> lit) {
   const auto bright = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() * 99 / 100);
   std::nth_element(lit.begin(), bright, lit.end());
   return *bright;
 }
 
-/// A luminance's leading bits, which are in its order; and the middle of all that share them.
+/// Leading bits of a luminance, which sort like it; and the middle of all luminances that share them.
 constexpr unsigned dropped_bits = 12;
 
 std::size_t step_of(double luminance) {
@@ -99,25 +99,24 @@ LitSums sums_of(std::span<const double> lit) {
   return sums;
 }
 
-/// The cube of their cube roots' mean: as the shadow creeps over the disc it leaves sunlight's for the
-/// shadow's without a step.
+/// Cube of the mean cube root: it changes without a step while the shadow covers the disc.
 double cubic_mean(const LitSums& sums) {
   const double mean = sums.cube_roots / static_cast<double>(sums.count);
   return mean * mean * mean;
 }
 
-/// Near the luminance of what is bright, however little of the disc that is.
+/// Mean weighted by luminance: near that of the bright part, however small.
 double bright_mean(const LitSums& sums) { return sums.fourth_powers / sums.cubes; }
 
-/// Near the luminance of what is dark, as soon as a tenth of the disc is: the harmonic mean.
+/// Harmonic mean: near that of the dark part as soon as it is a tenth of the disc.
 double dark_mean(const LitSums& sums) { return static_cast<double>(sums.count) / sums.inverses; }
 
-/// Camera settings for one second.
+/// Exposure settings with a time of one second.
 colour::Exposure one_second(const Development& development) {
   return {1, f_number_of(development), development.iso};
 }
 
-/// Time that brings a luminance to a level of saturation.
+/// Exposure time at which a luminance reaches a share of saturation.
 double time_for(const Development& development, double luminance, double level) {
   const double scaled = level / luminance;
   return std::clamp(scaled / scale_of(development, one_second(development)), 1e-6, 1e5);
@@ -129,10 +128,10 @@ Exposures exposed_for(const Development& development, double time_s) {
   return {exposure};
 }
 
-/// Levels of saturation that luminances come to.
+/// Shares of saturation at which the rules expose.
 constexpr double brightest_level = 0.8, followed_level = 0.25, bright_level = 0.5, dark_level = 0.4;
 
-/// By a rule of sums.
+/// Exposures by a rule over sums.
 Exposures exposed_for(const Development& development, const LitSums& sums) {
   if (development.time.rule == ExposureTime::Rule::follow)
     return exposed_for(development, time_for(development, cubic_mean(sums), followed_level));
@@ -158,7 +157,7 @@ void write_files(const CameraRequest& request, const colour::Camera& camera,
                        attributes, {.type = texture::ExrType::floating, .allow_negative = true});
 }
 
-/// What the camera sees of a frame, by the same unit; the frame itself without a camera.
+/// Photograph of a frame in the frame's unit; the frame itself without a camera.
 colour::Image taken(const Development& development, const colour::Exposure& exposure,
                     const Frame& frame) {
   const auto camera = camera_of(development);
@@ -217,7 +216,7 @@ colour::Image shadow_taken(Development development, const colour::Exposure& expo
   return shadow;
 }
 
-/// Two exposures of a frame in one, in units of saturation.
+/// Composite of two exposures, in units of saturation.
 colour::Image composite(const Development& development, const Exposures& exposures,
                         const Frame& frame) {
   constexpr double share = 0.3;  // of white, for the longer exposure
@@ -234,7 +233,7 @@ colour::Image composite(const Development& development, const Exposures& exposur
   return all;
 }
 
-/// What a display shows of a scene that is multiplied by a scale, held to 0 to 1.
+/// Picture of scaled light on a display, clamped to 0 to 1.
 texture::Image shown_of(const Development& development, double scale, colour::Image scene,
                         colour::WorkingSpace space) {
   auto image = image_of(colour::developed(

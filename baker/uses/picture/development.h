@@ -13,19 +13,19 @@
 
 namespace coppermoon::uses {
 
-/// How long a frame is exposed.
+/// Rule for the exposure time of a frame.
 struct ExposureTime {
   enum class Rule {
-    automatic,  ///< exposes the brightest hundredth of what is lit to 0.8 of saturation
-    follow,     ///< exposes the cube of the mean cube root of luminance to 0.25: without a step
-    composite,  ///< two exposures in one picture: one of what is bright, one of the shadow
+    automatic,  ///< 99th percentile of lit ground at 0.8 of saturation
+    follow,     ///< cube of the mean cube root of luminance at 0.25: no step when totality begins
+    composite,  ///< two exposures in one picture: for the bright part and for the shadow
     fixed
   };
   Rule rule = Rule::automatic;
-  double seconds = 1;  ///< where it is fixed, 1e-6 to 1e6
+  double seconds = 1;  ///< of a fixed exposure, 1e-6 to 1e6
 };
 
-/// How the camera is set and its frame developed.
+/// Settings of camera and development.
 struct Development {
   ExposureTime time{};
   std::optional<double> f_number{};  ///< without: 12.1, or the camera's
@@ -37,27 +37,27 @@ struct Development {
   std::optional<double> focal_length_mm{};  ///< given for the view; without: the camera's
 };
 
-/// How the camera was set for a picture; for a composite the longer exposure's time too.
+/// Exposure of a picture; of a composite both exposures.
 struct Exposures {
   colour::Exposure shorter;
   std::optional<double> longer_s = {};  ///< not less than the shorter one's
 };
 
-/// The camera's settings, the time by its rule; 1 s when nothing is lit.
+/// Exposure by the rule of a development; 1 s when nothing is lit.
 ///
-/// Given  seen  the Moon's edge: what stands beside it, as stars, sets no exposure; without: all is counted.
-///              The sky's light, which a camera adds to the Moon's
+/// Given  seen  outline of the Moon: stars beside it are not counted; without: all pixels are. Light of the sky, which
+///              adds to the Moon's before a camera
 /// Throws Error when a setting is outside its range, or the frame has fewer than three channels
 Exposures exposures_for(const Development& development, const texture::Image& frame,
                         colour::WorkingSpace space, const SeenFrame& seen = {});
 
-/// How many times as bright the sky is as the Moon's brightest hundredth; 0 without a camera or a lit Moon.
+/// Luminance of the sky over the 99th percentile of the Moon's; 0 without a camera or a lit Moon.
 ///
 /// Throws Error when the frame has fewer than three channels
 double sky_over_moon(const Development& development, const texture::Image& frame,
                      colour::WorkingSpace space, const SeenFrame& seen);
 
-/// Sums over luminances Y of what is lit [cd/m²], that exposure times follow from.
+/// Sums over luminances Y of lit pixels [cd/m²], from which exposure times follow.
 struct LitSums {
   std::size_t count = 0;
   double inverses = 0, cube_roots = 0, cubes = 0, fourth_powers = 0;
@@ -66,8 +66,8 @@ struct LitSums {
   void add(const LitSums& more);
 };
 
-/// Exposures that a set of frames shares, by the same rule as if they were one: told of each, it keeps
-/// counts and sums alone.
+/// Exposure shared by a set of frames, by the rule for a single one applied to all their pixels. Only counts and
+/// sums are kept.
 ///
 /// Accuracy  automatic times to 1/2000: luminances are counted in steps of 2^-11
 class SharedExposure {
@@ -82,28 +82,28 @@ class SharedExposure {
   LitSums sums_;
 };
 
-/// Fingerprint of what the view and its display make of colours, whatever their configuration is called.
+/// Identifier of the colour transform of view and display, whatever their configuration is called.
 std::string fingerprint(const Development& development, colour::WorkingSpace space);
 
-/// What a luminance of 1 cd/m² becomes where white is 1, at those settings.
+/// Factor from luminance [cd/m²] to the scale on which white is 1.
 double scale_of(const Development& development, const colour::Exposure& exposure);
 
-/// The camera's settings under OpenEXR's standard names; `coppermoon:longer_exposure_s` of a composite.
+/// Adds an exposure under OpenEXR's standard names; of a composite also `coppermoon:longer_exposure_s`.
 void add_exposure(texture::Attributes& attributes, const Exposures& exposures);
 
-/// The same for screens of high dynamic range: the display Rec.2100-PQ, in 16 bits.
+/// Development for screens of high dynamic range: the display Rec.2100-PQ, in 16 bits.
 Development of_high_range(Development development);
 
 /// Throws Error when the development cannot be made whatever the frame holds: a setting outside its
 /// range, a picture that ends neither in .png nor in .avif, a view there is not
 void require_sound(const Development& development, const std::filesystem::path& picture);
 
-/// A scene-linear frame as the display shows it, 1/scale of it as white: channels R, G, B, 0 to 1.
+/// Frame transformed for its display, with luminance 1/scale as white: channels R, G, B, 0 to 1.
 texture::Image shown(const Development& development, double scale, const texture::Image& frame,
                      colour::WorkingSpace space);
 
-/// A scene-linear frame [cd/m²] as the display shows it: channels R, G, B, 0 to 1. With a camera, what
-/// the camera sees of it; its own files are written, where any are asked for.
+/// Developed picture of a frame [cd/m²]: channels R, G, B, 0 to 1. With a camera it is the camera's photograph, whose
+/// own files are written where asked for.
 ///
 /// A composite lays the longer exposure under the shorter one. Where x is a luminance in units of
 /// saturation, it becomes 0.7 x_shorter + 0.3 (1 - exp(-x_longer)), and a colour keeps its ratios: what

@@ -16,8 +16,8 @@
 
 namespace coppermoon::uses {
 
-/// A sight v passes the sphere at a distance below 1 where (|f|² − 1) |v|² < (f·v)², f the camera's place; v
-/// is linear in the pixel's x and y, so this is a conic.
+/// Derivation: a line of sight v from the camera's place f passes within 1 of the centre where
+/// (|f|² − 1) |v|² < (f·v)². v is linear in the pixel's x and y, so the limit is a conic.
 std::optional<DiscOutline> disc_outline(const povray_scenes::SceneCamera& camera) {
   const auto sight = povray_scenes::sight_of(camera);
   const auto& round = sight.round_from_flattened;
@@ -39,9 +39,9 @@ std::optional<DiscOutline> disc_outline(const povray_scenes::SceneCamera& camera
 
 namespace {
 
-/// Area of a pixel on one side of a straight line.
+/// Area of a pixel on the inner side of a straight line.
 ///
-/// Given  inside  of the pixel's middle, its distance from the line; along, across: the line's normal, unit
+/// Given  inside  distance of the pixel's middle from the line; along, across: unit normal of the line
 double area_inside(double inside, double along, double across) {
   const double a = std::max(std::abs(along), std::abs(across)),
                b = std::min(std::abs(along), std::abs(across));
@@ -66,8 +66,8 @@ namespace {
 
 using povray_scenes::RenderWindow;
 
-/// Pixels that a line's part from middle - reach to middle + reach touches, and one more on each side: the
-/// first, and the one after the last; no fewer than two of those that there are.
+/// Range of pixels that [middle - reach, middle + reach] touches, one wider on each side, within the frame and at
+/// least two: the first, and one past the last.
 std::optional<std::pair<std::size_t, std::size_t>> pixels_about(double middle, double reach,
                                                                 std::size_t count) {
   const auto most = static_cast<double>(count);
@@ -84,7 +84,7 @@ RenderWindow around(const RenderWindow& a, const RenderWindow& b) {
 
 }  // namespace
 
-/// An ellipse reaches as far across as down: sqrt(yy / (xx yy - xy²/4)), and with xx.
+/// Half width of the ellipse: sqrt(yy / (xx yy - xy²/4)); half height: the same with xx above.
 std::optional<RenderWindow> window_of(const DiscOutline& o, std::size_t width, std::size_t height) {
   if (width < 2 || height < 2) return std::nullopt;
   const double determinant = o.xx * o.yy - o.xy * o.xy / 4;

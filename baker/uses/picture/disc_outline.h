@@ -11,37 +11,35 @@
 
 namespace coppermoon::uses {
 
-/// The Moon's edge in a frame, an ellipse: xx dx² + xy dx dy + yy dy² = 1 about its middle, in pixels from
-/// the upper left corner, y down.
+/// Ellipse of the Moon's edge in a frame: xx dx² + xy dx dy + yy dy² = 1 about its middle, in pixels from the upper
+/// left corner, y down.
 struct DiscOutline {
   double x, y, xx, xy, yy;
 };
 
-/// Given     camera  sound
-/// Returned  nothing where the Moon has no closed edge before the camera: it stands behind, or too near
+/// Outline of the Moon before a sound camera; nothing where its edge is not closed: behind the camera, or too near.
 std::optional<DiscOutline> disc_outline(const povray_scenes::SceneCamera& camera);
 
-/// Share of the pixel that the Moon covers, 0 to 1, its edge taken as straight there.
+/// Share of a pixel that the Moon covers, 0 to 1, its edge taken as straight within the pixel.
 ///
 /// Given  x, y  of the pixel's middle
 double covered_share(const DiscOutline& outline, double x, double y);
 
-/// The pixels that an outline goes about, and one more on each side.
+/// Bounding rectangle of an outline, one pixel wider on each side.
 ///
 /// Given     width, height  of the frame
 /// Returned  two columns and rows or more; nothing where the disc is beside the frame
 std::optional<povray_scenes::RenderWindow> window_of(const DiscOutline& outline, std::size_t width,
                                                      std::size_t height);
 
-/// The part of their picture that the Moon takes in any of some cameras' frames.
+/// Bounding rectangle of the Moon over the frames of several cameras.
 ///
 /// Given     cameras  of one width and height
-/// Returned  a pixel more on each side; nothing where the Moon has no closed edge in one of them, or is
-///           in none of them
+/// Returned  one pixel wider on each side; nothing where the edge is not closed in one of them, or the Moon is in none
 std::optional<povray_scenes::RenderWindow> disc_window(
     std::span<const povray_scenes::SceneCamera> cameras);
 
-/// The outline as a header's text holds it, to the last digit, and back; nothing where a text holds none.
+/// Outline as text for a header, to the last digit, and back; nothing for another text.
 std::string text_of(const DiscOutline& outline);
 std::optional<DiscOutline> outline_in(std::string_view text);
 

@@ -57,7 +57,7 @@ void LimbPixels::cover(texture::Image& picture, bool pq) const {
     }
 }
 
-/// The nearest pixel towards the disc's middle that the Moon covers; none in a disc of few pixels.
+/// Nearest pixel towards the disc's middle that the Moon covers wholly; none in a disc of few pixels.
 std::optional<LimbPixels::Place> LimbPixels::beside(const DiscOutline& disc,
                                                     const texture::Image& frame, std::size_t row,
                                                     std::size_t column) {

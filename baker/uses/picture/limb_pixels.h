@@ -11,21 +11,20 @@
 
 namespace coppermoon::uses {
 
-/// Pixels that the Moon's edge crosses. A frame has the mean of their light; where that is clipped, the edge
-/// would show as stairs. So the light of the ground beside them is developed, and the mean is taken of what
-/// the display shows of it and of the black sky.
+/// Pixels that the Moon's edge crosses. A frame holds their mean light, and clipping it would show the edge as stairs.
+/// So the light of the ground beside them is developed, and the developed colour is mixed with the black sky.
 class LimbPixels {
  public:
   /// Given  disc  without: none
   LimbPixels(const std::optional<DiscOutline>& disc, const texture::Image& frame);
 
-  /// The frame, these pixels with the whole light of the ground beside them.
+  /// Frame in which these pixels have the whole light of the ground beside them.
   texture::Image with_ground(texture::Image frame) const;
 
-  /// The frame, these pixels with as much of their light as the Moon covers of them: with_ground, backwards.
+  /// Frame in which these pixels have the share of their light that the Moon covers: inverse of with_ground.
   texture::Image covered(texture::Image frame) const;
 
-  /// Has the Moon cover these pixels of the developed picture as far as it does.
+  /// Mixes these pixels of a developed picture with black by the share that the Moon does not cover.
   ///
   /// Given  pq  codes are PQ's; else they are taken for sRGB's (IEC 61966-2-1)
   void cover(texture::Image& picture, bool pq) const;

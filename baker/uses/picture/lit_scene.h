@@ -11,15 +11,14 @@
 
 namespace coppermoon::uses {
 
-/// A scene made: what it holds, and for whom.
+/// Scene that was made, and its view.
 struct LitScene {
   LitMoon moon;
   View view;
   BakedMoon texture;
 };
 
-/// A view with what its frame does not show left out: the flattening of a disc by less than a quarter
-/// of a pixel.
+/// View for a frame: flattening of the disc by less than a quarter of a pixel is left out.
 struct FrameView {
   View view;
   std::vector<std::string> left_out;
@@ -28,17 +27,17 @@ struct FrameView {
 /// Throws  Error  as view_of
 FrameView view_for_frame(const ViewRequest& request, const almanac::SkyState& sky);
 
-/// A texture without a width of its own has as many texels around the equator as the middle of the
-/// disc has pixels: π times the disc's diameter, times its `texels_per_pixel`.
+/// Moon with its texture's width, where none is asked for: `texels_per_pixel` times π times the disc's diameter, which
+/// matches the pixels in the middle of the disc.
 MoonRequest fitted(MoonRequest moon, const povray_scenes::SceneCamera& camera);
 
-/// How a scene's texture is made, and who is told how far its light has come.
+/// Options of a scene's texture.
 struct SceneBaking {
   Baking texture = {};
   algebra::Progress light = {};
 };
 
-/// The view, and the Moon ready to be baked: all of a scene but its files.
+/// View, and the Moon ready to be baked: a scene without its files.
 LitScene lit_scene(const MoonRequest& moon, const ViewRequest& view, const almanac::SkyState& sky,
                    const SceneBaking& baking = {});
 

@@ -14,7 +14,7 @@
 
 namespace coppermoon::uses {
 
-/// How the numbers of a map stand for normal albedo, up to a factor.
+/// Coding of a map's numbers as normal albedo, up to a factor.
 enum class AlbedoEncoding {
   image,          ///< light, as the image file says
   normal_albedo,  ///< themselves, whatever the file says
@@ -22,25 +22,27 @@ enum class AlbedoEncoding {
   cgi_moon_kit_2025,  ///< sRGB's curve over I/F at 60 degrees of phase
 };
 
-/// Told by how much a map's near side is brighter than its far side, which has fewer maria.
+/// Callback with the ratio by which a map's near side is brighter than its far side, which has fewer maria.
 using WhenNearSideIsBrighter = std::function<void(double near_over_far)>;
 
-/// Which Moon is baked, and under what light.
+/// Moon that is baked: map, photometry, light, size of the texture.
 struct MoonRequest {
   LightRequest light{};
   std::string albedo_map = "built-in";  ///< an image file 2:1; or the library's own map
   surface::Photometry photometry = surface::Photometry::lommel_seeliger_rolo;
   AlbedoEncoding albedo_encoding = AlbedoEncoding::image;  ///< of a file, as the next two
-  double albedo_exponent = 1;   ///< power of what is decoded, 0.1 to 10
+  double albedo_exponent = 1;   ///< power applied to decoded albedo, 0.1 to 10
   int albedo_map_centre_deg = 0;  ///< longitude in the map's middle: 0, or 180 of maps from 0 to 360
-  WhenNearSideIsBrighter when_near_side_brighter{};  ///< by more than 3 %; without, nobody is told
+  WhenNearSideIsBrighter when_near_side_brighter{};  ///< called above 3 %
   bool ground_by_place = true;  ///< colour and surge of each place; or those of the mean Moon
-  std::optional<std::size_t> texture_width{};  ///< without: 4096, or what the frame can show
+  std::optional<std::size_t> texture_width{};  ///< without: 4096, or as the frame resolves
   double texels_per_pixel = 1;  ///< of a texture whose width the frame says, in the disc's middle
   bool unshadowed = false;      ///< lit as if the Earth were away
 };
 
-/// Throws Error when it is odd, or outside 4 to 32768
+/// Refuses a texture's width that is odd, or outside 4 to 32768.
+///
+/// Throws Error
 std::size_t texture_width_of(const MoonRequest& moon);
 
 /// Whether the albedo comes from a file.
@@ -57,7 +59,7 @@ bool reads_map(const MoonRequest& moon);
 ///        neither 0 nor 180
 algebra::Grid<float> normal_albedo(const MoonRequest& moon);
 
-/// What of the ground differs by place under that albedo; nothing where all is to be the mean Moon's.
+/// Colour and surge of the ground by place under that albedo; nothing where the mean Moon is asked for.
 ///
 /// Throws Error as surface::ground_under
 std::shared_ptr<const surface::Ground> ground_of(const MoonRequest& moon,

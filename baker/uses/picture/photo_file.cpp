@@ -23,19 +23,19 @@ namespace {
 
 using Names = std::initializer_list<std::string_view>;
 
-/// What a photograph's header has by each of some names.
+/// Values of a photograph's header by name.
 std::vector<std::optional<std::string>> all_in_header(const std::string& photo, Names names) {
   return texture::read_attributes(photo, std::span(names.begin(), names.size()));
 }
 
-/// The first of some names that a photograph's header knows a text by.
+/// Text of the first of several names that a photograph's header has.
 std::optional<std::string> text_in_header(const std::string& photo, Names names) {
   for (auto& text : all_in_header(photo, names))
     if (text && !text->empty()) return std::move(text);
   return std::nullopt;
 }
 
-/// The first of some names that a photograph's header knows a number by.
+/// Number of the first of several names that a photograph's header has.
 std::optional<double> number_in_header(const std::string& photo, Names names) {
   for (const auto& text : all_in_header(photo, names)) {
     const auto value = algebra::number_in(text.value_or(""));
@@ -78,7 +78,7 @@ double seconds_at(const HeaderClock& clock) {
   return (when.tt_day + when.tt_fraction) * 86400;
 }
 
-/// EXIF's first tag for it holds 16 bits: of faster speeds it says 65535, and another tag says how fast.
+/// ISO speed. EXIF's first tag holds 16 bits: for faster speeds it is 65535, and another tag has the speed.
 std::optional<double> iso_of(const std::string& photo) {
   constexpr double most = 65535;
   const auto iso =

@@ -12,7 +12,7 @@
 
 namespace coppermoon::uses {
 
-/// How a camera was set, as far as a header says.
+/// Exposure settings in a photograph's header.
 struct CameraSettings {
   std::optional<double> time_s{}, f_number{}, iso{};
 };
@@ -25,7 +25,7 @@ std::optional<std::string> camera_of(const std::string& photo);
 /// Whether the camera's colours were set by hand, and not by itself for each photograph.
 bool white_balance_is_fixed(const std::string& photo);
 
-/// What a camera's own clock said.
+/// Reading of a camera's clock.
 struct HeaderClock {
   std::string local;                  ///< "2018-07-27T23:40:12", by the clock's own zone
   std::optional<std::string> offset;  ///< of that zone, as "+03:00", where the header has it
@@ -41,16 +41,16 @@ struct HeaderClock {
 /// Throws    Error  when either is anything else
 std::optional<HeaderClock> clock_in(const std::string& date, const std::string& offset = {});
 
-/// When the shutter was released, by the camera's clock.
+/// Time of exposure by the camera's clock.
 ///
 /// Throws  Error  with the photograph's name: when its header does not say, or as clock_in
 HeaderClock clock_of(const std::string& photo);
 
-/// How its numbers stand for light: as told; where its file is to say, that of a camera's own tone curve
-/// when they are coded as sRGB and the header names a camera; never of a raw file, which is linear.
+/// Coding of a photograph's numbers: as asked for; where the file is to say, the camera's tone curve when they are
+/// coded as sRGB and the header names a camera, but never for a raw file, which is linear.
 texture::Coding coding_of(const std::string& photo, texture::Coding told);
 
-/// What its header says of how the camera was set; nothing when it does not say all of it.
+/// Exposure settings of a photograph's header; nothing when one is missing.
 std::optional<colour::Exposure> exif_of(const std::string& photo);
 
 /// The light of a camera's raw file by the exposure in its header, as colour::exposure_scale has it: channels
@@ -59,23 +59,20 @@ std::optional<colour::Exposure> exif_of(const std::string& photo);
 /// Throws  Error  when its header does not say all of the exposure; as texture::read_light
 texture::Image raw_light(const std::string& photo, colour::WorkingSpace space);
 
-/// What the header of a frame or photograph says of the scene, under the names that texture::Attributes
-/// has: its recipe and moment, what the numbers stand for.
+/// Attributes of a frame or photograph that describe the scene: recipe, moment, meaning of the numbers.
 texture::Attributes scene_attributes(const std::string& file);
 
-/// A header's date in seconds of a time that goes on evenly; nothing for that of a camera whose clock was
-/// not set.
+/// Date of a header in seconds on a uniform scale; nothing where the camera's clock was not set.
 ///
 /// Throws  Error  as clock_in
 std::optional<double> seconds_of_date(const std::string& date);
 
-/// When a photograph was taken; nothing when its header does not say.
+/// Time of a photograph on that scale; nothing when its header does not say.
 ///
 /// Throws  Error  with the photograph's name, as seconds_of_date
 std::optional<double> taken_at_s(const std::string& photo);
 
-/// A photograph of a bracketed set, as coppermoon takes them: its light, which of its pixels are valid,
-/// and how much light it took in.
+/// Photograph of a bracketed set made by coppermoon: its light, its valid pixels, and its weight.
 ///
 /// Throws  Error  with the file's name: for channels, numbers or a header that no such photograph has
 colour::Bracketed bracketed(const std::string& file);

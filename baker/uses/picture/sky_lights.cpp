@@ -39,7 +39,7 @@ struct Source {
   double radius_rad = 0;
 };
 
-/// Whatever stands in that part of the sky, to a magnitude.
+/// Stars and planets in a part of the sky, down to a magnitude.
 ///
 /// Given  from_m  the observer, geocentric
 std::vector<Source> sources_in(const Cone& cone, double faintest, const almanac::SkyState& sky,
@@ -61,7 +61,7 @@ std::vector<Source> sources_in(const Cone& cone, double faintest, const almanac:
   return sources;
 }
 
-/// A planet in as many equal points, spread over its disc; a star as it is.
+/// Planet as equal points spread over its disc; a star as one point.
 std::vector<Source> in_points(const Source& source) {
   constexpr int points = 64;
   constexpr double golden_angle = std::numbers::pi * (3 - 2.23606797749979);
@@ -103,7 +103,7 @@ class Dome {
                        std::max(altitude(source.direction), atmosphere::lowest_true_altitude));
   }
 
-  /// How far refraction raises a direction.
+  /// Angle by which refraction raises a direction.
   double lift_rad(const glm::dvec3& direction) const {
     const auto stands = altitude(direction);
     return algebra::in_radians(atmosphere::apparent_altitude(stands) - stands);
@@ -139,7 +139,7 @@ class Dome {
   StarLights lights_;
 };
 
-/// What a frame takes in, and a degree around it: refraction may raise a light by as much.
+/// Cone about a frame's field, a degree wider: refraction may raise a light by as much.
 Cone cone_of(const povray_scenes::SceneCamera& camera, const almanac::SkyState& sky) {
   constexpr double margin = std::numbers::pi / 180;
   const double half_width = std::tan(algebra::in_radians(camera.horizontal_field) / 2),
@@ -149,7 +149,7 @@ Cone cone_of(const povray_scenes::SceneCamera& camera, const almanac::SkyState& 
   return {glm::transpose(sky.selenographic_from_gcrs) * line_of_sight(camera), std::cos(reach)};
 }
 
-/// Who looks at a view's lights.
+/// Observer of a view's lights.
 class Eye {
  public:
   Eye(const View& view, const almanac::SkyState& sky) : view_(view), sky_(sky) {
@@ -210,7 +210,7 @@ std::vector<SkyLight> scene_lights(const View& view, const almanac::SkyState& sk
 
 namespace {
 
-/// The shares of a Gaussian that fall into pixels along a line.
+/// Shares of a Gaussian in the pixels along a line.
 struct Spread {
   std::ptrdiff_t first = 0;
   std::vector<double> shares;

@@ -16,8 +16,8 @@ using povray_scenes::SkyLight;
 
 /// Stars and planets before a view's camera, but for those that the Moon or the ground hides.
 ///
-/// Refraction raises each as much more or less than the Moon as its altitude says. A planet is a disc of
-/// points, of which the Moon may hide some.
+/// Each is refracted by its own altitude, relative to the Moon. A planet is a disc of points, of which the Moon may
+/// hide some.
 ///
 /// Returned  none where the view wants none
 /// Accuracy  places 0.1″ of stars, 0.1″ of planets; times of occultations some seconds, by the Moon's
@@ -26,15 +26,14 @@ using povray_scenes::SkyLight;
 /// Throws    Error  when a catalogue is damaged
 std::vector<SkyLight> sky_lights(const View& view, const almanac::SkyState& sky);
 
-/// The same for a scene: each planet as one disc, and with what the Moon hides, for the scene hides it.
+/// Lights for a scene: each planet as one disc, also those behind the Moon, since the scene hides them.
 std::vector<SkyLight> scene_lights(const View& view, const almanac::SkyState& sky);
 
-/// Adds lights to a frame: each is spread by a Gaussian with a standard deviation of 0.6 pixel.
+/// Adds lights to a frame, each as a Gaussian with a standard deviation of 0.6 pixel.
 ///
 /// Given     frame   scene-linear, linear Rec.709 [cd/m²], of the camera's size
 /// Returned  numbers that half floats hold, as those of a frame are, where they are below 65504
-/// Accuracy  light over a pixel's own solid angle sums up to the illuminance to 5e-4, but for what
-///           falls beside the frame
+/// Accuracy  the sum of luminance times solid angle is the illuminance to 5e-4, but for what falls beside the frame
 void add_lights(texture::Image& frame, const povray_scenes::SceneCamera& camera,
                 std::span<const SkyLight> lights);
 

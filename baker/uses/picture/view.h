@@ -21,23 +21,23 @@ struct StarRequest {
   std::optional<double> faintest{};
 };
 
-/// From where, and through what, the Moon is seen.
+/// Observer, air and field of a view of the Moon.
 struct ViewRequest {
   std::optional<almanac::Observer> observer{};  ///< without: from the Earth's centre, without air
-  /// Of a lens; without one of them: that of the paper. Without both: the whole Moon, with some margin,
-  /// wherever it is, on a frame of any shape: the shorter side takes in 0.6 degrees.
+  /// Of a lens; without one of them: that of the paper. Without both: the shorter side of the frame is 0.6 degrees,
+  /// enough for the whole Moon at any distance.
   std::optional<double> focal_length_mm{}, sensor_width_mm{};
   std::optional<double> field_deg{};        ///< angle across the frame, instead of these two
   std::size_t width = 1500, height = 1000;  ///< of the frame [pixels]
   povray_scenes::Up up = povray_scenes::Up::celestial_north;
   bool reddening = true, flattening = true;  ///< by the observer's air
   double observer_ozone_du = 300, observer_aerosol = 0.1;
-  /// where the picture's middle points, as seen; without: to the Moon. Of a camera on a tripod
+  /// Apparent place in the picture's middle, for a camera on a tripod; without: the Moon.
   std::optional<povray_scenes::HorizonPlace> aim = {};
   StarRequest stars = {};
 };
 
-/// A view of the Moon: the camera, and where the Moon stands for who holds it.
+/// View of the Moon: camera, observer, and the Moon's place in the observer's sky.
 struct View {
   povray_scenes::SceneCamera camera;
   std::optional<almanac::Observer> observer;
@@ -46,14 +46,14 @@ struct View {
   bool refracted = false;  ///< by the observer's air, which flattens a disc and moves stars
 };
 
-/// A place on Earth in words: "42.86,-73.77", and its elevation where it has one [degrees, m].
+/// Text of a place on Earth: "42.86,-73.77" [degrees], with its elevation where it has one [m].
 std::string place_text(const almanac::Observer& observer);
 
-/// Where an observer sees the Moon, refraction counted.
+/// Apparent place of the Moon in an observer's sky.
 povray_scenes::HorizonPlace apparent_place(const almanac::Observer& observer,
                                            const almanac::SkyState& sky);
 
-/// True altitude of a light that a place sees on its horizon: that of the sea, with refraction.
+/// True altitude of a light that appears on the sea's horizon, seen from a place.
 ///
 ///     h = −34′ − 2.12′ √(H / m)        H: the place's elevation; one below the sea counts as 0
 ///
@@ -62,13 +62,13 @@ povray_scenes::HorizonPlace apparent_place(const almanac::Observer& observer,
 /// Source  Explanatory Supplement to the Ephemeris (1961), on rising and setting: 34′, and 1.17′ √(H / ft)
 algebra::Angle horizon_altitude(const almanac::Observer& observer);
 
-/// How far the Moon's upper limb is above a place's horizon; below 0 nothing of the Moon is seen.
+/// Altitude of the Moon's upper limb above a place's horizon; below 0 nothing of the Moon is seen.
 algebra::Angle above_horizon(const almanac::Observer& observer, const almanac::SkyState& sky);
 
 /// Whether some of the Moon is above the observer's horizon; true without an observer.
 bool moon_is_up(const ViewRequest& request, const almanac::SkyState& sky);
 
-/// Takes out of a frame what the horizon hides, by the part of each pixel that is below it.
+/// Removes from a frame what the horizon hides: each pixel by its share below the horizon.
 ///
 /// Given  frame  of the view's camera; from space nothing is hidden
 void hide_below_horizon(texture::Image& frame, const View& view, const almanac::SkyState& sky);
