@@ -24,10 +24,6 @@ using algebra::Grid;
 using atmosphere::Atmosphere;
 using std::numbers::pi;
 
-double sector_angle(std::size_t sector, std::size_t sectors) {
-  return 2 * pi * static_cast<double>(sector) / static_cast<double>(sectors);
-}
-
 /// The highest harmonic of the position angle that the limb's parts are taken to. Measured at 400 to
 /// 700 nm up to 6000 km from the axis, worst and mean: of 13 belts against 192 harmonics, 1e-4 and
 /// 3e-6, every other one dusty 4e-4 and 2e-5; of regions against arcs cut at their borders, aerosol
@@ -51,15 +47,15 @@ struct Directions {
 Directions directions(const Atmosphere& atmosphere, const QuadratureSettings& settings) {
   if (atmosphere.symmetric()) return {{0}};
   if (atmosphere.one_column()) return {{0, pi / 2}};
-  Directions all{{}, std::vector<std::optional<std::size_t>>(settings.around)};
-  std::vector<std::optional<std::size_t>> computed(settings.around);
-  for (std::size_t i = 0; i < std::min(settings.sectors, settings.around); ++i) {
-    const std::size_t sector = (settings.first_sector + i) % settings.around,
-                      mirrored = (settings.around - sector) % settings.around,
+  const auto& sectors = settings.sectors;
+  Directions all{{}, std::vector<std::optional<std::size_t>>(sectors.around)};
+  std::vector<std::optional<std::size_t>> computed(sectors.around);
+  for (std::size_t i = 0; i < sectors.count; ++i) {
+    const std::size_t sector = sectors[i], mirrored = sectors.mirrored(sector),
                       like = atmosphere.regions.empty() ? std::min(sector, mirrored) : sector;
     if (!computed[like]) {
       computed[like] = all.angles_rad.size();
-      all.angles_rad.push_back(sector_angle(like, settings.around));
+      all.angles_rad.push_back(sectors.angle_rad(like));
     }
     all.of_sector[sector] = computed[like];
   }
@@ -205,8 +201,8 @@ void fill(std::span<const Ring> rings, std::size_t first_wave, const Atmosphere&
     const std::size_t plane = g / light.sectors, s = g % light.sectors;
     const auto computed = directions.of_sector.empty() ? std::size_t{0} : directions.of_sector[s];
     if (!computed) return;
-    // FAULT light of an ellipsoid once around the axis: 2 * sector_angle => sector_angle
-    const double along = std::cos(2 * sector_angle(s, light.sectors));
+    // FAULT light of an ellipsoid once around the axis: 2 * Sectors => Sectors
+    const double along = std::cos(2 * Sectors{light.sectors}.angle_rad(s));
     for (std::size_t d = 0; d < rings.size(); ++d) {
       const auto to = light.ratio[g].row(d);
       const auto row = rings[d].ratio.row(plane * a_plane + *computed).subspan(first_wave, waves);
@@ -281,10 +277,11 @@ std::vector<Ring> rings_of(std::span<const Atmosphere> airs, const Arrangement& 
 
 void require_valid(const QuadratureSettings& settings) {
   algebra::require_within("rays", settings.rays, 2, 1e7);
-  algebra::require_within("first sector", static_cast<double>(settings.first_sector), 0,
-                          static_cast<double>(settings.around) - 1);
-  algebra::require_within("sectors around", static_cast<double>(settings.around), 4, 360);
-  algebra::require_within("sectors", static_cast<double>(settings.sectors), 1, 360);
+  const auto around = static_cast<double>(settings.sectors.around);
+  algebra::require_within("sectors around", around, 4, 360);
+  algebra::require_within("first sector", static_cast<double>(settings.sectors.first), 0,
+                          around - 1);
+  algebra::require_within("sectors", static_cast<double>(settings.sectors.count), 1, around);
   algebra::require_within("harmonics", settings.harmonics, 2, 160);
   algebra::require_within("error between places", settings.place_error, 0, 1);
   algebra::require_within("ratio of darkness", settings.dark_ratio, darkness_ratio, 1);
@@ -302,7 +299,7 @@ std::vector<RefractedLight> by_quadrature_in(std::span<const Atmosphere> airs,
   require_valid(arrangement);
   require_valid(settings);
   const auto& first = airs.front();
-  const std::size_t sectors = first.symmetric() ? 1 : settings.around;
+  const std::size_t sectors = first.symmetric() ? 1 : settings.sectors.around;
   if (first.top_m() <= 0 || wavelengths_nm.empty() || axis_distances_m.empty())
     return {airs.size(), darkness(arrangement, wavelengths_nm, axis_distances_m, sectors)};
   std::vector<RefractedLight> all(airs.size());

@@ -19,10 +19,9 @@ struct QuadratureSettings {
   /// are 4 km wide at 300 rays, and in proportion
   int rays = 300;
   int sun_terms = 6;                    ///< of a limb-darkened disc (photons::disc_terms), 1 to 6
-  std::size_t around = sectors_around;  ///< sectors that all position angles make, 4 to 360
-  /// sectors that are computed, going round from the first; the others stay dark. They count only
-  /// where the air has regions
-  std::size_t first_sector = 0, sectors = 360;
+  /// sectors that are computed, 4 to 360 around; the others stay dark. All are computed at once where the
+  /// air has one column
+  Sectors sectors{sectors_around};
   /// highest harmonic of the position angle that light is computed to, 2 to 160; some air needs fewer
   int harmonics = 160;
   /// relative error of a cubic through four axis distances above which one more is put between the

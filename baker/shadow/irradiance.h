@@ -8,6 +8,7 @@
 #include "algebra/grid.h"
 #include "atmosphere/atmosphere.h"
 #include "photons/limb_darkening.h"
+#include "shadow/sectors.h"
 
 namespace coppermoon::shadow {
 
@@ -20,9 +21,6 @@ struct Arrangement {
 
 /// Throws Error when a distance is outside its range
 void require_valid(const Arrangement& arrangement);
-
-/// Parts of the position angle that light is given in where it differs around the axis.
-inline constexpr std::size_t sectors_around = 24;
 
 /// Light that came through the Earth's air, over what an unshaded surface there would receive: a
 /// function of place in the shadow and wavelength.

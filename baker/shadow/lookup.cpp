@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "algebra/error.h"
@@ -85,11 +84,6 @@ Cubic cubic_at(std::span<const double> x, std::size_t beyond_axis, double at) {
   return cubic;
 }
 
-/// The sector on the other side of the axis; the same where none is opposite.
-std::size_t opposite(std::size_t sector, std::size_t sectors) {
-  return sectors % 2 == 0 ? (sector + sectors / 2) % sectors : sector;
-}
-
 using Rows = std::array<std::span<const double>, 4>;
 
 /// The rows of a cubic's places, the last again where there are fewer than four.
@@ -122,12 +116,12 @@ bool in_logarithm(const Rows& logs, std::size_t k) {
 }
 
 std::size_t sector_of(const LookupTable& table, std::size_t row) {
-  return (table.first_sector + row / table.nodes.count() % table.held) % table.sectors;
+  return table.sectors[row / table.nodes.count() % table.held];
 }
 
 /// Whether a row is of the sectors that nobody asked for.
 bool is_dark(const LookupTable& table, std::size_t row) {
-  return table.held < table.sectors && row / table.nodes.count() % table.held == table.held - 1;
+  return !table.sectors.all() && row / table.nodes.count() % table.held == table.held - 1;
 }
 
 /// Fills a table, node by node.
@@ -148,10 +142,8 @@ struct Filling {
                       sector = sector_of(table, row);
     const double depth_m = table.depths_m[plane];
     const double at_m = sheared(table.nodes.at_m[row % nodes], depth_m / table.middle_depth_m);
-    const double angle =
-        // FAULT direct light of the north in all sectors: 2 * std::numbers::pi => 0
-        2 * std::numbers::pi * static_cast<double>(sector) / static_cast<double>(table.sectors);
-    direct.clear_parts(at_m, angle, depth_m, clear);
+    // FAULT direct light of the north in all sectors: table.sectors.angle_rad(sector) => 0
+    direct.clear_parts(at_m, table.sectors.angle_rad(sector), depth_m, clear);
     std::ranges::fill(ratios, 0);
     if (part != LightPart::direct) between.read(plane, sector, at_m, ratios);
     const double of_direct = part == LightPart::refracted ? 0 : 1;
@@ -258,7 +250,7 @@ void BetweenPlaces::read(std::size_t plane, std::size_t sector, double at_m,
     return;
   }
   const std::size_t here = plane * light_.sectors + sector,
-                    across = plane * light_.sectors + opposite(sector, light_.sectors);
+                    across = plane * light_.sectors + Sectors{light_.sectors}.opposite(sector);
   const auto cubic = cubic_at(places, beyond_axis_, at_m);
   const auto rows = rows_of(cubic, light_.ratio[here], light_.ratio[across]);
   for (std::size_t k = 0; k < ratios.size(); ++k)
@@ -281,9 +273,8 @@ Lookup::Lookup(const RefractedLight& light, const DirectLight& direct,
   algebra::require_within("tolerance of the look-up", range.tolerance, 1e-6, 0.1);
   table_.depths_m = light.arrangement.depths_m;
   table_.middle_depth_m = std::midpoint(table_.depths_m.front(), table_.depths_m.back());
-  table_.sectors = light.sectors;
-  table_.first_sector = range.first_sector % light.sectors;
-  table_.held = range.sectors < light.sectors ? range.sectors + 1 : light.sectors;
+  table_.sectors = range.sectors.in(light.sectors);
+  table_.held = table_.sectors.all() ? light.sectors : table_.sectors.count + 1;
   table_.end_m = direct.penumbra_m(table_.depths_m.back());
   const double first_m = std::clamp(range.from_m, 0., table_.end_m),
                to_m = std::clamp(range.to_m, first_m, table_.end_m);
@@ -329,7 +320,7 @@ double Lookup::worst_relative_error(const RefractedLight& light, const ChannelWe
   for (std::size_t i = 0; i < table_.values.rows(); ++i) {
     if (is_dark(table_, i)) continue;
     const std::size_t nodes = table_.nodes.count(), plane = i / nodes / table_.held, n = i % nodes;
-    const auto& known = light.standard_error[plane * table_.sectors + sector_of(table_, i)];
+    const auto& known = light.standard_error[plane * light.sectors + sector_of(table_, i)];
     if (n == 0)
       for (std::size_t p = 0; p < errors.size(); ++p)
         errors[p] = combined_error(light, known.row(p), weights.row(0));

@@ -28,9 +28,9 @@ struct LookupRange {
   double from_m = 0;
   double to_m = std::numeric_limits<double>::infinity();  ///< at most to the penumbra's end
   double tolerance = 1e-4;                                ///< see Lookup's Accuracy; 1e-6 to 0.1
-  /// sectors that are read, two on either side of each place, going round from the first; the others
-  /// may stay dark
-  std::size_t first_sector = 0, sectors = std::numeric_limits<std::size_t>::max();
+  /// sectors that are read, two on either side of each place: the others may stay dark. All are, of light
+  /// in another number of sectors around
+  Sectors sectors{};
 };
 
 /// Refracted light between the places where it is known, each wavelength by itself: a cubic through

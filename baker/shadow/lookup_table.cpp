@@ -121,12 +121,12 @@ void find_lanes(D d, const LookupTable& table, const Places& places, std::size_t
   };
   hn::StoreU(node.part, d, &found.along[k]);
   hn::StoreU(plane.part, d, &found.deeper[k]);
-  if (table.sectors == 1) return store_start(hn::Zero(d), &found.start[0][k]);
-  const auto count = hn::Set(d, static_cast<double>(table.sectors));
+  if (table.sectors.around == 1) return store_start(hn::Zero(d), &found.start[0][k]);
+  const auto count = hn::Set(d, static_cast<double>(table.sectors.around));
   const auto size = hn::Set(d, static_cast<double>(table.nodes.count() * table.values.columns()));
   const auto turn = hn::Mul(position_angle(d, east, north),
                             hn::Mul(count, hn::Set(d, 1 / (2 * std::numbers::pi))));
-  const auto whole = hn::Floor(turn), first = hn::Set(d, static_cast<double>(table.first_sector)),
+  const auto whole = hn::Floor(turn), first = hn::Set(d, static_cast<double>(table.sectors.first)),
              dark = hn::Set(d, static_cast<double>(table.held - 1));
   const auto start_of = [&](auto sector) {  // -1 to `count` + 2: a turn may round up to `count`
     auto after = hn::Sub(sector, first);
@@ -159,7 +159,7 @@ V blended(D d, const LookupTable& table, const Found& found, std::size_t k, std:
                  mixed(load(at + plane), load(at + plane + node), along), deeper);
   };
   auto value = in_sector(found.start[0][k]);
-  if (table.sectors == 1) return value;
+  if (table.sectors.around == 1) return value;
   auto lowest = hn::Min(value, hn::Zero(d));
   value = hn::Mul(hn::Set(d, found.share[0][k]), value);
   for (std::size_t s = 1; s < sectors_about; ++s) {

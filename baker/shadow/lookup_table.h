@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algebra/grid.h"
+#include "shadow/sectors.h"
 
 namespace coppermoon::shadow {
 
@@ -35,8 +36,8 @@ struct LookupTable {
   std::vector<double> depths_m;  ///< of the planes, increasing
   double middle_depth_m = 0;     ///< where nodes are at their axis distances; see `sheared`
   std::vector<double> sunlight;  ///< [channel], padded
-  std::size_t sectors = 1, first_sector = 0;  ///< around the axis, and the first of those held
-  std::size_t held = 1;                       ///< if not all, the last of them is all others, dark
+  Sectors sectors{};             ///< that are held
+  std::size_t held = 1;  ///< their number; with one more, all others, dark, where they are not all
   UnevenNodes nodes;
   double end_m = 0;  ///< beyond this axis distance all is sunlight
   /// ((plane × held + sector, counted from the first held) × nodes + node, padded channel)

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "shadow/sectors.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace coppermoon::shadow::HWY_NAMESPACE {
 namespace {
@@ -170,10 +172,7 @@ void multiply(std::span<const Between> places, algebra::Grid<float>& rows) {
 
 std::size_t Rings::row(double x_m, double y_m) const {
   const auto ring = static_cast<std::size_t>(std::hypot(x_m, y_m) / width_m);
-  const double turn = std::atan2(x_m, y_m) / (2 * std::numbers::pi);
-  const auto nearest =
-      static_cast<std::size_t>(std::floor((turn + 1) * static_cast<double>(sectors) + 0.5));
-  return nearest % sectors * (rings + 1) + std::min(ring, rings);
+  return Sectors{sectors}.nearest(std::atan2(x_m, y_m)) * (rings + 1) + std::min(ring, rings);
 }
 
 void gather(std::span<const Aside> photons, const algebra::Grid<float>& landing_m,

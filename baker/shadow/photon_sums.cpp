@@ -107,9 +107,8 @@ constexpr std::size_t beyond = 2;
 
 void fill_line(const RefractedLight& means, std::size_t grid, std::size_t wave,
                std::vector<RingLight>& line) {
-  const std::size_t sectors = means.sectors, sector = grid % sectors;
-  const std::size_t across =
-      sectors % 2 == 0 ? grid - sector + (sector + sectors / 2) % sectors : grid;
+  const std::size_t sector = grid % means.sectors,
+                    across = grid - sector + Sectors{means.sectors}.opposite(sector);
   const auto ring = [&](std::size_t g, std::size_t r) {
     return ring_light(means.ratio[g](r, wave), means.standard_error[g](r, wave));
   };

@@ -38,14 +38,13 @@ class TrueLuminance {
                          std::span<const double> angles_rad) const {
     const auto around = moon_.air.one_column() ? shadow::sectors_around : sectors_of_belts;
     if (moon_.air.regions.empty())
-      return around_all(depth_m, distances_m, angles_rad, {.rays = truth_.rays, .around = around});
+      return around_all(depth_m, distances_m, angles_rad,
+                        {.rays = truth_.rays, .sectors = {around}});
     std::vector<double> all;
     for (std::size_t i = 0; i < distances_m.size(); ++i)
-      all.push_back(around_all(depth_m, distances_m.subspan(i, 1), angles_rad.subspan(i, 1),
-                               {.rays = truth_.rays,
-                                .around = degrees,
-                                .first_sector = degree_of(angles_rad[i]),
-                                .sectors = 1})[0]);
+      all.push_back(
+          around_all(depth_m, distances_m.subspan(i, 1), angles_rad.subspan(i, 1),
+                     {.rays = truth_.rays, .sectors = {degrees, degree_of(angles_rad[i]), 1}})[0]);
     return all;
   }
 
@@ -74,8 +73,8 @@ class TrueLuminance {
       add_at(scattered, d, angles_rad[d], twilight);
       for (std::size_t w = 0; w < waves_.size(); ++w)
         ratios[w] += algebra::interpolated(twilight_nm_, twilight, waves_[w]);
-      if (settings.sectors == 1)
-        add(refracted.ratio[settings.first_sector].row(d), 1, ratios);
+      if (settings.sectors.count == 1)
+        add(refracted.ratio[settings.sectors.first].row(d), 1, ratios);
       else
         add_at(refracted, d, angles_rad[d], ratios);
       double sum = 0;

@@ -73,7 +73,7 @@ class Totality {
     const auto waves = wavelengths_nm(coarse_bands);
     const auto light =
         shadow::by_quadrature(with_fewer_belts(air), arrangement_, waves, distances_m_,
-                              {.rays = 100, .sun_terms = 2, .around = coarse_sectors});
+                              {.rays = 100, .sun_terms = 2, .sectors = {coarse_sectors}});
     const auto weights = at_wavelengths(photometer().weights, coarse_bands);
     double all = 0, seen = 0;
     for (std::size_t w = 0; w < waves.size(); ++w) {
@@ -91,12 +91,10 @@ class Totality {
   static constexpr double full_moon = -12.73;
 
   double at(const shadow::RefractedLight& light, const Place& place, std::size_t wave) const {
-    const double turn = place.position_angle_rad / (2 * pi) * static_cast<double>(light.sectors);
-    const auto sector =
-        static_cast<std::size_t>(std::lround(turn + 2. * coarse_sectors)) % light.sectors;
     const double along = place.axis_distance_m / spacing_m;
     const auto i = std::min(static_cast<std::size_t>(along), distances_m_.size() - 2);
-    const auto& ratio = light.ratio[sector];
+    const auto& ratio =
+        light.ratio[shadow::Sectors{light.sectors}.nearest(place.position_angle_rad)];
     return std::lerp(ratio(i, wave), ratio(i + 1, wave), along - static_cast<double>(i));
   }
 

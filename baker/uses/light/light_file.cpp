@@ -72,7 +72,7 @@ ordered_json described(const Moonlight& light, const std::string& key) {
           {"photons", refracted.photons},
           {"errors_add", refracted.errors_correlated},
           {"range", {light.range.from_m, light.range.to_m, light.range.tolerance}},
-          {"range_sectors", {light.range.first_sector, light.range.sectors}},
+          {"range_sectors", {light.range.sectors.first, light.range.sectors.count}},
           {"error_found", light.error_found},
           {"plan", described(light.plan)}};
 }
@@ -87,7 +87,8 @@ Moonlight light_from(const ordered_json& all) {
   refracted.photons = all.at("photons");
   refracted.errors_correlated = all.at("errors_add");
   const auto &range = all.at("range"), &sectors = all.at("range_sectors");
-  light.range = {range.at(0), range.at(1), range.at(2), sectors.at(0), sectors.at(1)};
+  light.range = {
+      range.at(0), range.at(1), range.at(2), {refracted.sectors, sectors.at(0), sectors.at(1)}};
   light.error_found = all.at("error_found");
   light.plan = plan_from(all.at("plan"));
   return light;
@@ -150,7 +151,7 @@ void require_sound(const Moonlight& light) {
   const auto& range = light.range;
   require(range.from_m >= 0 && range.to_m > range.from_m && range.to_m <= 1e9);
   require(range.tolerance >= 1e-6 && range.tolerance <= 0.1);
-  require(range.sectors > 0 && range.first_sector < refracted.sectors);
+  require(range.sectors.count > 0 && range.sectors.first < range.sectors.around);
 }
 
 /// Whether light is within bounds: at most unobstructed sunlight, or more where few photons make noise.

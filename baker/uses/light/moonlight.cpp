@@ -139,7 +139,7 @@ shadow::RefractedLight refracted_light(const LightRequest& request,
     const auto work = plan::work_of_rays(tolerance, arrangement.limb_darkening, request.by_hand);
     return shadow::by_quadrature(
         air, arrangement, grid.wavelengths_nm, grid.axis_distances_m,
-        {.rays = work.rays, .sun_terms = work.sun_terms, .around = grid.around}, progress);
+        {.rays = work.rays, .sun_terms = work.sun_terms, .sectors = {grid.around}}, progress);
   }();
   const bool left_out = terms && !terms->scattered_light;
   if (!left_out && scattered_light_of(request) != ScatteredLight::off)
@@ -261,14 +261,10 @@ Moonlight refracted_light_of(const LightRequest& request, const ShadowedMoon& mo
     light.plan.work.photons = static_cast<double>(light.refracted->photons);
   if (work.scattered_light) shadow::add_twilight(*light.refracted, moon.air);
   if (request.starlight) shadow::add_starlight(*light.refracted);
-  const auto settings = quadrature_for(work, moon);
   light.range = {light.refracted->axis_distances_m.front(),
                  light.refracted->axis_distances_m.back(),
-                 std::clamp(light.plan.tolerance / 10, 1e-5, 1e-3)};
-  if (work.method == plan::Method::quadrature) {  // photons are gathered all around
-    light.range.first_sector = settings.first_sector;
-    light.range.sectors = settings.sectors;
-  }
+                 std::clamp(light.plan.tolerance / 10, 1e-5, 1e-3),
+                 quadrature_for(work, moon).sectors.in(light.refracted->sectors)};
   return light;
 }
 
@@ -350,11 +346,7 @@ std::optional<shadow::LookupRange> range_at(const Moonlight& light, const almana
   if (distances.front() >= light.direct->penumbra_m(depth)) return std::nullopt;
   range.from_m = std::max(range.from_m, distances.front());
   range.to_m = std::min(range.to_m, distances.back());
-  const auto settings = quadrature_for(light.plan.work, moon);
-  if (light.refracted->sectors == settings.around) {  // a plan's, not those that photons come in
-    range.first_sector = settings.first_sector;
-    range.sectors = settings.sectors;
-  }
+  range.sectors = quadrature_for(light.plan.work, moon).sectors;
   return range;
 }
 

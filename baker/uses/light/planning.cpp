@@ -70,44 +70,31 @@ std::vector<double> evenly(Range range, int intervals) {
 
 constexpr std::size_t sectors_of_a_trial = 24;
 
-/// Sectors that the disc takes in, in order of position angle from the first.
-struct Sectors {
-  std::size_t first, count;
-};
-
-Sectors sectors_of(const eclipse::ShadowPlace& place, std::size_t all) {
+/// Sectors that the disc takes in where the Moon stands at a place.
+shadow::Sectors sectors_of(const eclipse::ShadowPlace& place, std::size_t around) {
   const double centre = algebra::in_metres(place.axis_distance);
-  if (centre <= lunar_radius_m) return {0, all};
-  const double a_sector = 2 * pi / static_cast<double>(all);
+  if (centre <= lunar_radius_m) return {around};
   const double half = std::asin(lunar_radius_m / centre),
                middle = algebra::in_radians(place.position_angle);
-  const int from = static_cast<int>(std::floor((middle - half) / a_sector)),
-            to = static_cast<int>(std::ceil((middle + half) / a_sector));
-  const int count = static_cast<int>(all);
-  return {static_cast<std::size_t>(((from % count) + count) % count),
-          std::min(all, static_cast<std::size_t>(to - from + 1))};
+  return shadow::between_angles(around, middle - half, middle + half);
 }
 
 /// Sectors of all places, without the widest gap between them.
-Sectors sectors_of(const ShadowedMoon& moon, std::size_t all) {
-  std::vector<bool> taken(all);
-  for (const auto& place : centres(moon)) {
-    const auto some = sectors_of(place, all);
-    for (std::size_t i = 0; i < some.count; ++i) taken[(some.first + i) % all] = true;
-  }
-  Sectors widest{0, 0};  // gap
-  for (std::size_t first = 0; first < all; ++first) {
+shadow::Sectors sectors_of(const ShadowedMoon& moon, std::size_t around) {
+  std::vector<shadow::Sectors> taken;
+  for (const auto& place : centres(moon)) taken.push_back(sectors_of(place, around));
+  const shadow::Sectors all{around};
+  shadow::Sectors widest{around, 0, 0};  // gap
+  for (std::size_t first = 0; first < around; ++first) {
+    const auto is_taken = [&](std::size_t i) {
+      return std::ranges::any_of(taken,
+                                 [&](const auto& some) { return some.hold(all[first + i]); });
+    };
     std::size_t gap = 0;
-    while (gap < all && !taken[(first + gap) % all]) ++gap;
-    if (gap > widest.count) widest = {first, gap};
+    while (gap < around && !is_taken(gap)) ++gap;
+    if (gap > widest.count) widest = {around, first, gap};
   }
-  return {(widest.first + widest.count) % all, all - widest.count};
-}
-
-/// Sectors with one more on either side, for cubics between them.
-Sectors with_neighbours(Sectors some, std::size_t all) {
-  if (some.count + 2 >= all) return {0, all};
-  return {(some.first + all - 1) % all, some.count + 2};
+  return {around, widest[widest.count], around - widest.count};
 }
 
 /// Air made uniform around the limb; of belts, the column at the Moon's position angle.
@@ -145,17 +132,14 @@ CoarseLight tried(const ShadowedMoon& moon, const atmosphere::Atmosphere& whole,
       moon.sun_distance_m, {mean_depth_m(moon)}, moon.limb_darkening};
   const auto sectors = sectors_of(moon, sectors_of_a_trial);
   const auto light = shadow::by_quadrature(air, arrangement, waves, places_m,
-                                           {.rays = 100,
-                                            .sun_terms = 2,
-                                            .around = sectors_of_a_trial,
-                                            .first_sector = sectors.first,
-                                            .sectors = sectors.count});
+                                           {.rays = 100, .sun_terms = 2, .sectors = sectors});
   const shadow::DirectLight clear(air, arrangement, waves);
   CoarseLight coarse;
   std::vector<double> ratios(waves.size());
-  for (std::size_t i = 0; i < std::min(light.sectors, sectors.count); ++i) {
-    const std::size_t s = (sectors.first + i) % light.sectors;
-    const double angle = 2 * pi * static_cast<double>(s) / static_cast<double>(light.sectors);
+  const auto computed = sectors.in(light.sectors);
+  for (std::size_t i = 0; i < computed.count; ++i) {
+    const std::size_t s = computed[i];
+    const double angle = computed.angle_rad(s);
     auto &refracted = coarse.refracted.emplace_back(), &direct = coarse.direct.emplace_back();
     for (std::size_t d = 0; d < places_m.size(); ++d) {
       refracted.push_back(luminance(light.ratio[s].row(d)));
@@ -284,12 +268,9 @@ atmosphere::Atmosphere air_for(const plan::Work& work, const ShadowedMoon& moon)
 
 shadow::QuadratureSettings quadrature_for(const plan::Work& work, const ShadowedMoon& moon,
                                           std::size_t around) {
-  const auto sectors = with_neighbours(sectors_of(moon, around), around);
   return {.rays = work.rays,
           .sun_terms = work.sun_terms,
-          .around = around,
-          .first_sector = sectors.first,
-          .sectors = sectors.count,
+          .sectors = sectors_of(moon, around).widened(),  // cubics between sectors go through them
           .place_error = work.place_error};
 }
 
@@ -362,12 +343,10 @@ shadow::QuadratureSettings settings_of_check(const plan::Work& finer, const Shad
   const std::size_t around = moon.air.regions.empty() ? 29 : 13;
   auto settings = quadrature_for(finer, moon, around);
   const auto taken_in = sectors_of(moon, sectors_of_a_plan);
-  if (taken_in.count == sectors_of_a_plan) return settings;
-  settings.first_sector = (taken_in.first * around + sectors_of_a_plan - 1) / sectors_of_a_plan;
-  const std::size_t end =
-      (taken_in.first + taken_in.count - 1) * around / sectors_of_a_plan + 1;
-  settings.sectors = end > settings.first_sector ? end - settings.first_sector : 1;
-  settings.first_sector %= around;
+  if (taken_in.all()) return settings;
+  const std::size_t first = (taken_in.first * around + sectors_of_a_plan - 1) / sectors_of_a_plan,
+                    end = (taken_in.first + taken_in.count - 1) * around / sectors_of_a_plan + 1;
+  settings.sectors = {around, first % around, end > first ? end - first : 1};
   return settings;
 }
 
@@ -397,19 +376,17 @@ class ExactLight {
     middle_rad_ = algebra::in_radians(moon.centre.position_angle);
   }
 
-  std::size_t sectors() const { return std::min(light_.sectors, settings_.sectors); }
+  std::size_t sectors() const { return computed().count; }
   std::span<const double> places_m() const { return light_.axis_distances_m; }
   double sunlight() const { return sunlight_; }
 
   double angle_rad(std::size_t i) const {
-    return light_.sectors == 1 ? middle_rad_
-                               : 2 * pi * static_cast<double>(sector(i)) /
-                                     static_cast<double>(light_.sectors);
+    return light_.sectors == 1 ? middle_rad_ : computed().angle_rad(computed()[i]);
   }
 
   double luminance(std::size_t i, std::size_t place) const {
     double sum = direct(i, places_m()[place]);
-    const auto ratio = light_.ratio[sector(i)].row(place);
+    const auto ratio = light_.ratio[computed()[i]].row(place);
     for (std::size_t w = 0; w < ratio.size(); ++w)
       sum += weights_(0, w) * (ratio[w] + left_out_[place]);
     return sum;
@@ -424,9 +401,7 @@ class ExactLight {
   }
 
  private:
-  std::size_t sector(std::size_t i) const {
-    return (settings_.first_sector + i) % light_.sectors;
-  }
+  shadow::Sectors computed() const { return settings_.sectors.in(light_.sectors); }
 
   double depth_m_;
   shadow::QuadratureSettings settings_;

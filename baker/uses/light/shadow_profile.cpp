@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "algebra/error.h"
 #include "algebra/interpolation.h"
@@ -83,8 +82,7 @@ ShadowProfile shadow_profile(const LightRequest& request, const ShadowCut& cut,
   std::vector<double> clear(profile.wavelengths_nm.size()), refracted(clear);
   for (std::size_t s = 0; s < shares.size(); ++s) {
     if (shares[s] == 0) continue;
-    const double angle =
-        2 * std::numbers::pi * static_cast<double>(s) / static_cast<double>(shares.size());
+    const double angle = shadow::Sectors{shares.size()}.angle_rad(s);
     const auto error = errors_at(light, s, distances);
     for (std::size_t d = 0; d < distances.size(); ++d) {
       direct.ratios(distances[d], angle, cut.arrangement.depths_m[0], clear);

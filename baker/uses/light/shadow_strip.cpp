@@ -5,7 +5,6 @@
 #include <array>
 #include <filesystem>
 #include <glm/matrix.hpp>
-#include <numbers>
 
 #include "algebra/error.h"
 #include "almanac/instant.h"
@@ -64,8 +63,7 @@ Strip strip_of(const StripShadow& shadow, const LightRequest& request,
   std::ranges::fill(strip.light.values, 1.F);  // the last column stays so
   for (std::size_t r = 0; r < rows; ++r)
     for (std::size_t c = 0; c + 1 < columns; ++c) {
-      const double angle =
-          2 * std::numbers::pi * static_cast<double>(r) / static_cast<double>(rows);
+      const double angle = shadow::Sectors{rows}.angle_rad(r);
       lookup.read({algebra::metres(static_cast<double>(c) * strip.step_m()),
                    algebra::radians(angle), algebra::metres(depth_m)},
                   here);

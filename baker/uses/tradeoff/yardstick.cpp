@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 #include <numeric>
 
 #include "algebra/error.h"
@@ -28,7 +27,6 @@ namespace coppermoon::uses {
 namespace {
 
 using algebra::Grid;
-using std::numbers::pi;
 
 constexpr double umbra_m = 4500e3;
 
@@ -62,7 +60,7 @@ Grid<double> luminance_of(const shadow::DirectLight& light, double depth_m, std:
   const auto weights = luminance_of_sunlight(bands);
   Grid<double> luminance(sectors, distances_m.size());
   tbb::parallel_for(std::size_t{0}, sectors, [&](std::size_t s) {
-    const double angle = 2 * pi * static_cast<double>(s) / static_cast<double>(sectors);
+    const double angle = shadow::Sectors{sectors}.angle_rad(s);
     std::vector<double> ratios(bands);
     for (std::size_t d = 0; d < distances_m.size(); ++d) {
       light.ratios(distances_m[d], angle, depth_m, ratios);

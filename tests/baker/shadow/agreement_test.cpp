@@ -170,7 +170,7 @@ Cells means(const atmosphere::Atmosphere& air, std::span<const double> waves, co
   for (std::size_t i = 0; i < in.rings * inside; ++i)
     distances.push_back((static_cast<double>(i) + 0.5) / inside * in.ring_m);
   const auto fine =
-      by_quadrature(air, arrangement, waves, distances, {.rays = 1000, .around = angles_around});
+      by_quadrature(air, arrangement, waves, distances, {.rays = 1000, .sectors = {angles_around}});
   Cells cells;
   const int wide = static_cast<int>(fine.sectors / in.sectors);
   for (std::size_t s = 0; s < in.sectors; ++s)
@@ -296,12 +296,12 @@ TEST(ByQuadrature, OfPlanesTogetherIsThatOfEachByItself) {
   for (int i = 0; i < 40; ++i) waves.push_back(400 + 8 * i);
   const std::vector<double> gammas{3e6, 3.5e6, 4e6, 4.5e6, 5e6};
   const std::vector<double> depths{3.79e8, 3.80e8, 3.81e8, 3.82e8, 3.83e8, 3.84e8};
-  const QuadratureSettings settings{.rays = 12000, .around = 4, .place_error = 1e-4};
+  const QuadratureSettings settings{.rays = 12000, .sectors = {4}, .place_error = 1e-4};
   const auto all = by_quadrature(air, {1.5e11, depths}, waves, gammas, settings);
   EXPECT_GT(all.axis_distances_m.size(), gammas.size()) << "more places are put between";
   for (std::size_t plane = 0; plane < depths.size(); ++plane) {
     const auto one = by_quadrature(air, {1.5e11, {depths[plane]}}, waves, gammas,
-                                   {.rays = settings.rays, .around = 4});
+                                   {.rays = settings.rays, .sectors = {4}});
     for (std::size_t d = 0; d < gammas.size(); ++d) {
       const auto there = std::ranges::find(all.axis_distances_m, gammas[d]);
       ASSERT_NE(there, all.axis_distances_m.end());

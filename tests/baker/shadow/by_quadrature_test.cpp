@@ -166,7 +166,7 @@ void expect_the_sum_around(const atmosphere::Atmosphere& air, double tolerance, 
       spots.push_back({gamma, 2 * std::numbers::pi * static_cast<double>(s) / 12});
   const auto sums = added_up(air, february_2008, 600, spots, 300, 200);
   const auto light = by_quadrature(air, february_2008, std::vector<double>{600}, gammas,
-                                   {.rays = 1000, .around = 12});
+                                   {.rays = 1000, .sectors = {12}});
   for (std::size_t g = 0; g < gammas.size(); ++g)
     for (std::size_t i = 0; i < sectors.size(); ++i)
       EXPECT_WITHIN_RELATIVE(light.ratio[sectors[i]](g, 0), sums[g * sectors.size() + i], tolerance,
@@ -265,7 +265,7 @@ TEST(ByQuadrature, ComputesOnlyTheSectorsAskedFor) {
   const auto distances = up_to(6e6, 1e6);
   const auto all = by_quadrature(air, february_2008, waves, distances);
   const auto some =
-      by_quadrature(air, february_2008, waves, distances, {.first_sector = 22, .sectors = 4});
+      by_quadrature(air, february_2008, waves, distances, {.sectors = {sectors_around, 22, 4}});
   for (std::size_t s = 0; s < sectors_around; ++s)
     for (std::size_t d = 0; d < distances.size(); ++d)
       EXPECT_EQ(some.ratio[s](d, 0), s >= 22 || s < 2 ? all.ratio[s](d, 0) : 0) << s;

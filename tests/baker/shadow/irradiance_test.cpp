@@ -103,7 +103,7 @@ TEST(MeanRatio, OfAnEllipsoidIsNoOneSectors) {
   const atmosphere::Atmosphere air{.earth = atmosphere::ellipsoid(0)};
   const std::vector<double> waves{600}, places{3.5e6};
   const auto in = [&](std::size_t sectors) {
-    return by_quadrature(air, {sun_m, {moon_m}}, waves, places, {.around = sectors});
+    return by_quadrature(air, {sun_m, {moon_m}}, waves, places, {.sectors = {sectors}});
   };
   const auto light = in(24);
   EXPECT_WITHIN_RELATIVE(mean_ratio(light)(0, 0), mean_ratio(in(90))(0, 0), 1e-12,

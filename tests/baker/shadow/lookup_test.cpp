@@ -425,7 +425,7 @@ TEST(Lookup, HoldsTheSectorsAskedForAlone) {
   const auto light = light_by_sector(sectors);
   const auto lookup = [&](std::size_t first, std::size_t count) {
     return Lookup(light, direct({500, 600}), {3, 2, 1},
-                  {.to_m = 3e6, .first_sector = first, .sectors = count});
+                  {.to_m = 3e6, .sectors = {sectors, first, count}});
   };
   const auto all = lookup(0, sectors);
   const auto value = [](const Lookup& of, double sector) {

@@ -47,9 +47,8 @@ std::vector<double> luminances(const ShadowedMoon& moon, const std::vector<doubl
   const auto waves = wavelengths_nm(bands);
   const double depth = algebra::in_metres(moon.centre.depth) - radius_m / 2;
   const shadow::Arrangement arrangement{moon.sun_distance_m, {depth}, moon.limb_darkening};
-  auto light =
-      shadow::by_quadrature(moon.air, arrangement, waves, places_m,
-                            {.rays = 400, .around = 96, .first_sector = sector, .sectors = 1});
+  auto light = shadow::by_quadrature(moon.air, arrangement, waves, places_m,
+                                     {.rays = 400, .sectors = {96, sector, 1}});
   if (scattered) shadow::add_twilight(light, moon.air);
   const auto weights = at_wavelengths(luminance_weights(), bands);
   const shadow::DirectLight clear(moon.air, arrangement, waves);
@@ -79,8 +78,8 @@ double change(const ShadowedMoon& all, const ShadowedMoon& without) {
   const auto places = over_the_disc(all, 16);
   const auto settings = quadrature_for({}, all);
   double worst = 0;
-  for (std::size_t i = 0; i < settings.sectors; ++i) {
-    const std::size_t sector = (settings.first_sector + i) % settings.around;
+  for (std::size_t i = 0; i < settings.sectors.count; ++i) {
+    const std::size_t sector = settings.sectors[i];
     const auto one = luminances(all, places, sector), other = luminances(without, places, sector);
     for (std::size_t d = 0; d < places.size(); ++d)
       if (one[d] > 0) worst = std::max(worst, std::abs(other[d] / one[d] - 1));
@@ -187,7 +186,7 @@ TEST(QuadratureFor, TakesEverySectorThatCubicsOverTheDiscGoThrough) {
         const double sector = std::atan2(east, north) / (2 * std::numbers::pi) * 96;
         for (const double between : {std::floor(sector) - 1, std::ceil(sector) + 1}) {
           const auto s = static_cast<std::size_t>(static_cast<int>(between) + 192) % 96;
-          EXPECT_LT((s + 96 - settings.first_sector) % 96, settings.sectors)
+          EXPECT_LT((s + 96 - settings.sectors.first) % 96, settings.sectors.count)
               << distance << " m, " << middle << " degrees, sector " << s;
         }
       }
@@ -195,8 +194,8 @@ TEST(QuadratureFor, TakesEverySectorThatCubicsOverTheDiscGoThrough) {
 }
 
 TEST(QuadratureFor, TakesFewSectorsFarFromTheAxisAndAllOnIt) {
-  EXPECT_EQ(quadrature_for({}, standing(1e6, 10)).sectors, 96U);
-  EXPECT_LE(quadrature_for({}, standing(6e6, 10)).sectors, 2 * 17 / 3.75 + 5)
+  EXPECT_EQ(quadrature_for({}, standing(1e6, 10)).sectors, shadow::Sectors{96});
+  EXPECT_LE(quadrature_for({}, standing(6e6, 10)).sectors.count, 2 * 17 / 3.75 + 5)
       << "an angle of 17 degrees to either side, begun sectors and two for cubics";
 }
 
