@@ -21,9 +21,11 @@ run_one='
 seconds=$0 target=$1 status=0 log=build/fuzz/$1.log length=16384 piece=512
 case $target in albedo_map | frames) length=4096 piece=2048 ;; esac
 mkdir -p "build/fuzz/corpus/$target" build/fuzz/found
+dictionary=build/fuzzers/tests/fuzz/$target.dict  # with the words of all parameters
+[ -f "$dictionary" ] || dictionary=tests/fuzz/dictionaries/$target.dict
 "build/fuzzers/tests/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -malloc_limit_mb="$piece" \
   -max_len=$length -close_fd_mask=3 -print_final_stats=1 -artifact_prefix="build/fuzz/found/$target-" \
-  -dict="tests/fuzz/dictionaries/$target.dict" "build/fuzz/corpus/$target" "tests/fuzz/corpus/$target" \
+  -dict="$dictionary" "build/fuzz/corpus/$target" "tests/fuzz/corpus/$target" \
   >"$log" 2>&1 || status=1
 executions=$(sed -n "s/^stat::number_of_executed_units: *//p" "$log")
 coverage=$(sed -n "s/.* cov: \([0-9]*\).*/\1/p" "$log" | tail -n 1)

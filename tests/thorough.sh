@@ -16,7 +16,7 @@ export ASAN_OPTIONS=intercept_tls_get_addr=0
 export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppressions=0" UBSAN_OPTIONS=print_stacktrace=1
 
 steps="compiled_alone quick_in_release heavy_under_sanitizers races fuzzers libraries_thoroughly program_thoroughly
-extremes_thoroughly films_and_convergence plans_kept plans_kept_with_regions air_recovered nights_recovered planted_faults other_programs packages measurements
+extremes_thoroughly films_and_convergence plans_kept plans_kept_with_regions air_recovered nights_recovered planted_faults planted_parameter other_programs packages measurements
 small_examples full_examples full_film sweep_1 sweep_2 sweep_3 sweep_4 sweep_5"
 
 released() { sh examples/build.sh "$1" packages.tests.debian; }
@@ -101,6 +101,11 @@ nights_recovered() {
 planted_faults() {
   released coppermoon_program
   tests/faults.sh
+}
+
+planted_parameter() {
+  released coppermoon_program
+  tests/planted_parameter.sh
 }
 
 other_programs() { tests/hand_off.sh; }

@@ -22,9 +22,10 @@ namespace {
 void require_valid(const Column& column) {
   algebra::require_within("ozone [DU]", column.ozone_du, 0, 1000);
   algebra::require_within("dust extinction [1/m]", column.dust_extinction_per_m, 0, 0.01);
-  algebra::require_within("dust bottom [m]", column.dust_bottom_m, 0, top_of_us_1976_m);
-  algebra::require_within("dust top [m]", column.dust_top_m, column.dust_bottom_m,
-                          top_of_us_1976_m);
+  algebra::require_within("dust bottom [km]", column.dust_bottom_m / 1e3, 0,
+                          top_of_us_1976_m / 1e3);
+  algebra::require_within("dust top [km]", column.dust_top_m / 1e3, column.dust_bottom_m / 1e3,
+                          top_of_us_1976_m / 1e3);
   algebra::require_within("tropospheric optical depth", column.tropospheric_optical_depth, 0, 10);
   algebra::require_within("tropospheric scale height [m]", column.tropospheric_scale_m, 500, 1e4);
   algebra::require_within("cloud top [km]", column.cloud_top_m / 1e3, 0, 30);

@@ -314,7 +314,8 @@ void add_compare(CLI::App& program) {
       "camera's own tone curve); default: exif where there is a header")
       .one_of({"exif", "fit"});
   add_flag(*verb, "--bins", options->bins,
-           "number of steps of distance from the shadow's axis, 1 to 1000");
+           "number of steps of distance from the shadow's axis, 1 to 1000")
+      .within(1, 1000);
   add_coding_option(
       *verb, options->coding,
       "coding of the photograph's numbers: camera (its own tone curve, which the frame "

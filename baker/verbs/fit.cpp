@@ -319,14 +319,16 @@ void add_photograph_options(CLI::App& verb, Options& options) {
   add("--camera", options.request.camera,
       "camera whose saturation is meant; default: that of ISO 12232");
   add("--exposure-error", options.request.exposure_error,
-      "standard error of the exposures' logarithm");
+      "standard error of the exposures' logarithm, 0.001 to 10")
+      .within(1e-3, 10);
   add("--white-balance-error", options.request.white_balance_error,
-      "standard error of red and blue over green; default: 0.03, with a camera's own tone "
-      "curve "
-      "0.3");
+      "standard error of red and blue over green, 0.001 to 10; default: 0.03, with a camera's own "
+      "tone curve 0.3")
+      .within(1e-3, 10);
   add("--clock-error", options.clock_error_min,
       "standard error of a camera's clock [minutes], 0 to 60; the clock's own error is then found; "
-      "default: 10 with --instants from-header, else 0");
+      "default: 10 with --instants from-header, else 0")
+      .within(0, 60);
   add_coding_option(verb, options.coding,
                     "coding of the photographs' numbers: camera (its own tone curve, which is "
                     "found; so where the "

@@ -77,7 +77,8 @@ void add_ring(CLI::App& program) {
       .writes_file()
       .required();
   add_flag(*verb, "--scale", options->scale,
-           "factor on luminance [cd/m²], 1e-9 to 1e9; POV-Ray reads no more than 65504");
+           "factor on luminance in cd/m², 1e-9 to 1e9; POV-Ray reads no more than 65504")
+      .within(1e-9, 1e9);
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_described(*verb, options->light.air);
   add_recipe_option(*verb);

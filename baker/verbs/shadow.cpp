@@ -73,6 +73,8 @@ Cut cut_of(const Options& options) {
 
 uses::ProfilePlaces places_of(const Options& options) {
   uses::ProfilePlaces places{.position_angle_deg = options.position_angle_deg};
+  if (const auto angle = options.position_angle_deg)
+    algebra::require_within("position angle [degrees]", *angle, 0, 360);
   places.wavelengths_nm = required_list(options.wavelengths, "wavelengths [nm]");
   for (const double km : required_list(options.axis_distances, "axis distances [km]"))
     places.axis_distances_m.push_back(km * 1e3);
@@ -213,12 +215,14 @@ void add_shadow(CLI::App& program) {
   add_flag(*verb, "--axis-distances", options->axis_distances,
            "distances from the shadow's axis [km], increasing, with commas between");
   add_flag(*verb, "--moon-distance-km", options->moon_distance_km,
-           "distance of the Moon from the Earth's centre along the shadow's axis [km]");
+           "distance of the Moon from the Earth's centre along the shadow's axis [km], 1e5 to 1e6")
+      .within(1e5, 1e6);
   add_flag(*verb, "--sun-distance-km", options->sun_distance_km,
-           "distance of the Sun from the Earth's centre [km]");
+           "distance of the Sun from the Earth's centre [km], 4.5e7 to 4.5e8")
+      .within(4.5e7, 4.5e8);
   add_flag(*verb, "--position-angle", options->position_angle_deg,
-           "position angle about the axis, from celestial north through east [degrees]; default: "
-           "the mean over all angles")
+           "position angle about the axis, from celestial north through east [degrees], 0 to 360; "
+           "default: the mean over all angles")
       .within(0, 360);
   add_flag(*verb, "-o,--output", options->outputs,
            "file in place of stdout: numbers as .csv or .json, a plot as .png, .svg or .pdf. May "

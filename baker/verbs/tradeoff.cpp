@@ -143,9 +143,12 @@ void add_tradeoff(CLI::App& program) {
       .one_of(uses::solver_names())
       .one_value_each_time();
   add_flag(*verb, "--longest", options->limits.longest_s,
-           "longest time of one run [s]; a row that would take longer is extrapolated");
+           "longest time of one run [s], 0 to 1e6; a row that would take longer is extrapolated")
+      .within(0, 1e6);
   add_flag(*verb, "--repeat", options->limits.repeat,
-           "number of runs; the shortest counts. Runs under a second are made three times or more");
+           "number of runs, 1 to 100; the shortest counts. Runs under a second are made three times or "
+           "more")
+      .within(1, 100);
   add_switch(*verb, "--quick", options->quick, "measures few and small settings: seconds");
   add_flag(*verb, "--albedo-map", options->moon.albedo_map,
            "albedo map: an image of 2:1 with longitude 0 in the middle, or built-in")

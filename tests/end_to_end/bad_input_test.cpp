@@ -111,7 +111,7 @@ TEST_F(BadInput, TermsOutsideTheirRangesAreRefusedWithTheirUnit) {
   refused({"--tropospheric-aerosol", "-0.1"}, "tropospheric optical depth = -0.1, allowed 0 to 10");
   refused({"--danjon", "5"}, "Danjon = 5, allowed 0 to 4");
   refused({"--dust-extinction", "4.7"}, "dust extinction [1/m] = 4.7, allowed 0 to 0.01");
-  refused({"--dust-bottom-km", "30"}, "dust top [m] = 20000, allowed 30000 to 86000");
+  refused({"--dust-bottom-km", "30"}, "dust top [km] = 20, allowed 30 to 86");
   refused({"--ozone-du", "3450"}, "ozone [DU] = 3450, allowed 0 to 1000");
   refused({"--albedo-exponent", "0", "--albedo-map", map()},
           "albedo exponent = 0, allowed 0.1 to 10");

@@ -3,7 +3,7 @@ coppermoon_tests(extremes LINKS coppermoon::colour coppermoon::texture
   QUICK invariances numbers numbers_of_light numbers_of_scenes)
 coppermoon_computing_tests(extremes numbers_of_light)
 coppermoon_tests(extremes LINKS coppermoon::verbs
-  HEAVY faults inputs words
+  HEAVY faults inputs random_recipes words
   SLOW film_faults)
 
 # a clock that goes backwards, for the faults

@@ -165,9 +165,11 @@ void describe_layers(Parameters& is, ColumnChange& column) {
                    "height of the cloud deck that cloud-cover lays [km], 0 to 30"))
       .within(0, 30);
   is.add(parameter("dust-bottom-km", column.dust_bottom_km,
-                   "lower edge of the dust layer [km]; default: 15"));
+                   "lower edge of the dust layer [km], 0 to 86; default: 15"))
+      .within(0, 86);
   is.add(parameter("dust-top-km", column.dust_top_km,
-                   "upper edge of the dust layer [km]; default: 20"));
+                   "upper edge of the dust layer [km], 0 to 86, at or above the lower; default: 20"))
+      .within(0, 86);
 }
 
 void describe_sought(Parameters& is, ColumnChange& column) {
@@ -185,22 +187,23 @@ void describe_sought(Parameters& is, ColumnChange& column) {
                    "replaces the chance of cloud"))
       .within(0, 1);
   is.add(parameter("dust-extinction", column.dust_extinction_per_m,
-                   "extinction of a grey layer of dust [1/m]: 1e-6 is slight, 4.7e-6 usual, 1e-4 "
-                   "makes a dark eclipse"));
+                   "extinction of a grey layer of dust [1/m], 0 to 0.01: 1e-6 is slight, 4.7e-6 "
+                   "usual, 1e-4 makes a dark eclipse"))
+      .within(0, 0.01);
 }
 
 void describe(Parameters& is, AirRegion& region) {
   is.begin(air_heading, "atmosphere", Affects::photons);
-  is.add(parameter("from-latitude", region.from_latitude, "southern edge [degrees]"))
+  is.add(parameter("from-latitude", region.from_latitude, "southern edge [degrees], -90 to 90"))
       .within(-90, 90);
-  is.add(parameter("to-latitude", region.to_latitude, "northern edge [degrees]"))
+  is.add(parameter("to-latitude", region.to_latitude, "northern edge [degrees], -90 to 90"))
       .within(-90, 90);
   is.add(parameter("from-position-angle", region.from_position_angle,
                    "position angle about the shadow's axis at which it begins, from north through "
-                   "east [degrees]"))
+                   "east [degrees], -360 to 720"))
       .within(-360, 720);
   is.add(parameter("to-position-angle", region.to_position_angle,
-                   "position angle at which it ends [degrees]"))
+                   "position angle at which it ends [degrees], -360 to 720"))
       .within(-360, 720);
   describe_sought(is, region.column);
   describe_layers(is, region.column);
@@ -349,12 +352,15 @@ void describe_solver(Parameters& is, LightRequest& light) {
   is.begin(light_heading, "", Affects::photons);
   is.add(parameter("seed", light.seed, "seed of the photons"));
   is.add(parameter("step-km", light.step_km,
-                   "step of a photon's path [km], with trace each or marched"));
+                   "step of a photon's path [km], 0.001 to 100, with trace each or marched"))
+      .within(0.001, 100);
   is.add(choice("precision", light.precision,
                 {{"single", Precision::single}, {"full", Precision::full}},
                 "precision of photons that are marched: single (7 digits, in two thirds of the "
                 "time) or full (16 digits)"));
-  is.add(parameter("ring-km", light.ring_km, "width of the rings that gather photons [km]"));
+  is.add(parameter("ring-km", light.ring_km,
+                   "width of the rings that gather photons [km], 1 to 2000"))
+      .within(1, 2000);
   is.begin(light_heading, "", Affects::light);
   is.add(parameter("smoothing-km", light.smoothing_km,
                    "standard deviation of the Gaussian that smooths photons [km], 0 to 2000; 0: "

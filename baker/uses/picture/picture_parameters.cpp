@@ -78,7 +78,8 @@ std::string text_of(const ExposureTime& time) {
 }
 
 void describe_optics(Parameters& is, CameraRequest& camera) {
-  is.add(parameter("aperture", camera.aperture_mm, "aperture of the telescope or lens [mm]"));
+  is.add(parameter("aperture", camera.aperture_mm, "aperture of the telescope or lens [mm], 0.1 to 1e5"))
+      .within(0.1, 1e5);
   is.add(parameter("obstruction", camera.obstruction,
                    "diameter of the secondary mirror over the aperture, 0 to 0.9"))
       .within(0, 0.9);
@@ -103,18 +104,25 @@ void describe_optics(Parameters& is, CameraRequest& camera) {
 }
 
 void describe_sensor(Parameters& is, CameraRequest& camera) {
-  is.add(parameter("pixel", camera.pixel_um, "side of a pixel of the sensor [um]"));
+  is.add(parameter("pixel", camera.pixel_um,
+                   "side of a pixel of the sensor [um], 0.1 to 1000"))
+      .within(0.1, 1000);
   is.add(parameter("quantum-efficiency", camera.quantum_efficiency,
                    "quantum efficiency: electrons per photon of 555 nm, 0.001 to 1"))
       .within(0.001, 1);
   is.add(parameter("response", camera.response,
                    fmt::format("response of the sensor to colours: {}",
                                fmt::join(colour::response_names(), ", "))));
-  is.add(parameter("full-well", camera.full_well_e, "full-well capacity of a pixel [electrons]"));
-  is.add(parameter("read-noise", camera.read_noise_e, "read noise of a pixel [electrons]"));
+  is.add(parameter("full-well", camera.full_well_e,
+                   "full-well capacity of a pixel [electrons], 10 to 1e9"))
+      .within(10, 1e9);
+  is.add(parameter("read-noise", camera.read_noise_e,
+                   "read noise of a pixel [electrons], 0 to 1e4"))
+      .within(0, 1e4);
   is.add(parameter("converter-noise", camera.converter_noise_dn,
-                   "noise of the converter, behind the gain [DN]"));
-  is.add(parameter("black-level", camera.black_level_dn, "black level of raw numbers [DN]"));
+                   "noise of the converter, behind the gain [DN], 0 to 1e4"))
+      .within(0, 1e4);
+  is.add(parameter("black-level", camera.black_level_dn, "black level of raw numbers [DN], 0 to half of what sensor-bits can hold"));
   is.add(parameter("sensor-bits", camera.sensor_bits, "bits of a raw number, 1 to 16"))
       .within(1, 16);
   is.add(on_off("noise", camera.noise, "noise of photons and sensor"));
@@ -170,7 +178,7 @@ void describe_width(Parameters& is, MoonRequest& moon) {
 
 void describe_unshadowed(Parameters& is, MoonRequest& moon) {
   is.begin({}, "", Affects::light);
-  is.add(request::presence("--unshadowed", moon.unshadowed,
+  is.add(request::presence("unshadowed", moon.unshadowed,
                            "lights the Moon as if the Earth were away"));
 }
 
@@ -198,18 +206,22 @@ void describe(Parameters& is, ViewRequest& view) {
   is.add(on_off("flattening", view.flattening,
                 "flattening of a low Moon by refraction in the observer's air"));
   is.add(parameter("focal-length", view.focal_length_mm,
-                   "focal length of the telescope or lens [mm]; without camera, lens or field "
-                   "the frame holds the whole Moon"));
+                   "focal length of the telescope or lens [mm], 1 to 1e6; without camera, lens or "
+                   "field the frame holds the whole Moon"))
+      .within(1, 1e6);
   is.add(parameter("sensor-width", view.sensor_width_mm,
-                   "width of the sensor [mm]; 22.7 unless the camera says another"));
+                   "width of the sensor [mm], 0.1 to 1000; 22.7 unless the camera says another"))
+      .within(0.1, 1000);
   is.add(parsed(
       "field", view.field_deg,
       [&view] { return view.field_deg ? fmt::format("{}", *view.field_deg) : whole_moon; },
       [&view](const std::string& text) { view.field_deg = field_from(text); },
       "angle across the frame [degrees], in place of a lens; moon: the whole Moon with some "
       "margin, or what the lens shows"));
-  is.add(parameter("width", view.width, "width of the frame [pixels]"));
-  is.add(parameter("height", view.height, "height of the frame [pixels]"));
+  is.add(parameter("width", view.width, "width of the frame [pixels], 1 to 65535"))
+      .within(1, 65535);
+  is.add(parameter("height", view.height, "height of the frame [pixels], 1 to 65535"))
+      .within(1, 65535);
   is.add(choice("up", view.up,
                 {{"celestial-north", Up::celestial_north},
                  {"zenith", Up::zenith},
@@ -236,8 +248,11 @@ void describe(Parameters& is, CameraRequest& camera) {
 void describe_but_time(Parameters& is, Development& development) {
   is.begin(camera_heading, "camera", Affects::picture);
   is.add(parameter("f-number", development.f_number,
-                   "focal length over aperture; default: the camera's, without one 12.1"));
-  is.add(parameter("iso", development.iso, "ISO speed (ISO 12232, saturation-based)"));
+                   "focal length over aperture, 0.5 to 512; default: the camera's, without one 12.1"))
+      .within(0.5, 512);
+  is.add(parameter("iso", development.iso,
+                   "ISO speed (ISO 12232, saturation-based), 1 to 1e7"))
+      .within(1, 1e7);
   is.add(parameter("view", development.view, "view of the OpenColorIO configuration"));
   is.add(parameter("display", development.display, "display of the OpenColorIO configuration"));
   is.add(parameter("config", development.config,

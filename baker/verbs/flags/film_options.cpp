@@ -43,11 +43,15 @@ void add_times(CLI::App& verb, FilmOptions& options) {
   add_flag(
       verb, "--frames", options.frames,
       "number of frames, 1 to 1000000, evenly from the first moment to the last; default: 240")
-      .in(film_group);
-  add_flag(verb, "--fps", options.fps, "frames per second of the film, 1 to 1000").in(film_group);
+      .in(film_group)
+      .within(1, 1e6);
+  add_flag(verb, "--fps", options.fps, "frames per second of the film, 1 to 1000")
+      .in(film_group)
+      .within(1, 1000);
   add_flag(verb, "--time-scale", options.time_scale,
-           "seconds of the eclipse per second of the film, in place of --frames")
-      .in(film_group);
+           "seconds of the eclipse per second of the film, 0.001 to 1e6, in place of --frames")
+      .in(film_group)
+      .within(0.001, 1e6);
 }
 
 void add_making(CLI::App& verb, FilmOptions& options) {
@@ -77,6 +81,7 @@ void add_making(CLI::App& verb, FilmOptions& options) {
   add_flag(verb, "--bracket", options.bracket_ev,
            "stops: pictures so much under and over are made too, 0.01 to 10")
       .in(film_group)
+      .within(0.01, 10)
       .of(request::Affects::picture);
 }
 

@@ -79,7 +79,6 @@ Flag Flag::one_of(std::vector<std::string> words) const {
 
 Flag Flag::within(double low, double high) const {
   parameter_->within(low, high);
-  option_->check(CLI::Range(low, high));
   return *this;
 }
 

@@ -33,7 +33,7 @@ class Flag {
 
   Flag in(const std::string& group) const;  ///< the heading that --help lists it under
   Flag one_of(std::vector<std::string> words) const;
-  Flag within(double low, double high) const;
+  Flag within(double low, double high) const;  ///< tells the range, which the command itself keeps
   Flag required() const;
   Flag excludes(const std::string& flag) const;
   Flag reads_file() const;           ///< the value names a file that is read

@@ -80,7 +80,11 @@ const std::vector<GuideGroup>& guides() {
        {{"tradeoff",
          {"output", "quick", "only", "longest", "repeat", "json"},
          {"coppermoon tradeoff --quick -o measured",
-          "coppermoon tradeoff --only quadrature -o measured"}}}}};
+          "coppermoon tradeoff --only quadrature -o measured"}}}},
+      {"Other programs",
+       {{"describe",
+         {"json"},
+         {"coppermoon describe --json", "coppermoon describe still bake"}}}}};
   return groups;
 }
 

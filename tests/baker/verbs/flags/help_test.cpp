@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <set>
 #include <sstream>
@@ -92,23 +91,6 @@ TEST(Help, LinesEndBeforeThePageDoes) {
             << line;
       }
   }
-}
-
-TEST(Pages, OfRecipesHaveEachKeyWithWhatItIs) {
-  std::ifstream file(COPPERMOON_TEST_DATA "/../docs/recipes.md");
-  const std::string page{std::istreambuf_iterator<char>(file), {}};
-  Program program;
-  std::set<std::string> keys;
-  for (const auto* verb : program.verbs())
-    for (const auto& parameter : parameters_of(*verb))
-      if (in_recipes(parameter)) keys.insert(parameter.name);
-  for (const auto& key : keys)
-    EXPECT_NE(page.find("| `" + key + "` |"), std::string::npos) << key << " is missing";
-  std::istringstream lines(page);
-  for (std::string line; std::getline(lines, line);)
-    if (line.starts_with("| `")) {
-      EXPECT_TRUE(keys.contains(line.substr(3, line.find('`', 3) - 3))) << line;
-    }
 }
 
 TEST(Suggestions, AreWhatIsMeantOrAlmostSpelt) {

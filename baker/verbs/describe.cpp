@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "algebra/number.h"
+#include "uses/light/header.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/guide.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using request::Affects, request::Kind, request::Parameter;
+
+struct Options {
+  std::vector<std::string> commands;
+  bool json = false;
+};
+
+const char* name(Kind kind) {
+  constexpr const char* names[] = {"number", "whole",    "natural",   "word",         "on-off",
+                                   "presence", "text", "file-read", "file-written", "folder-written"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+const char* name(Affects what) {
+  constexpr const char* names[] = {"photons", "light",   "ground", "sight",
+                                   "frame",   "picture", "share",  "run"};
+  return names[static_cast<std::size_t>(what)];
+}
+
+/// "km" of "height of the tropopause [km], 5 to 20"; empty where the value is no number, or has no unit.
+std::string unit_of(const Parameter& parameter) {
+  const auto& text = parameter.meaning;
+  const auto begin = text.find('['), end = text.find(']');
+  if (!is_number(parameter.kind) || begin == std::string::npos || end < begin) return {};
+  return text.substr(begin + 1, end - begin - 1);
+}
+
+/// A number as JSON; one without a fraction as a whole number.
+Json number(double value) {
+  if (std::abs(value) < 1e15 && value == std::floor(value)) return static_cast<std::int64_t>(value);
+  return value;
+}
+
+Json usual_of(const Parameter& parameter) {
+  const auto value = is_number(parameter.kind) ? algebra::number_in(parameter.usual) : std::nullopt;
+  return value ? number(*value) : Json(parameter.usual);
+}
+
+Json as_json(const Parameter& parameter) {
+  Json json{{"name", parameter.name}, {"kind", name(parameter.kind)}};
+  if (const auto unit = unit_of(parameter); !unit.empty()) json["unit"] = unit;
+  if (const auto& range = parameter.range) json["range"] = {number(range->low), number(range->high)};
+  if (!parameter.words.empty()) json["words"] = parameter.words;
+  if (!parameter.usual.empty()) json["default"] = usual_of(parameter);
+  json["many"] = parameter.many;
+  json["required"] = parameter.required;
+  if (!parameter.heading.empty()) json["heading"] = parameter.heading;
+  json["recipe"] = in_recipes(parameter);
+  if (!parameter.table.empty()) json["table"] = parameter.table;
+  json["affects"] = name(parameter.affects);
+  json["meaning"] = parameter.meaning;
+  if (parameter.parts)
+    for (const auto& part : *parameter.parts) json["parts"].push_back(as_json(part));
+  return json;
+}
+
+Json as_json(const CLI::App& verb) {
+  auto parameters = Json::array();
+  for (const auto& parameter : parameters_of(verb)) parameters.push_back(as_json(parameter));
+  return {{"name", verb.get_name()},
+          {"meaning", verb.get_description()},
+          {"parameters", parameters}};
+}
+
+/// "0 to 1000 DU", "on, off"; where neither is known, the kind.
+std::string allowed(const Parameter& parameter) {
+  const auto unit = unit_of(parameter);
+  const auto values = parameter.range
+                          ? fmt::format("{:g} to {:g}", parameter.range->low, parameter.range->high)
+                      : parameter.words.empty() ? name(parameter.kind)
+                                                : fmt::format("{}", fmt::join(parameter.words, ", "));
+  return unit.empty() ? values : values + " " + unit;
+}
+
+void print(const Parameter& parameter, int indent) {
+  fmt::print("{:{}}{:<{}} {:<8} {:<14} {}\n", "", indent, parameter.name, 26 - indent,
+             name(parameter.affects), parameter.usual.empty() ? "-" : parameter.usual,
+             allowed(parameter));
+  if (parameter.parts)
+    for (const auto& part : *parameter.parts) print(part, indent + 2);
+}
+
+void print(const CLI::App& verb) {
+  fmt::print("{}\n  {:<24} {:<8} {:<14} {}\n", verb.get_name(), "parameter", "affects", "default",
+             "allowed");
+  for (const auto& parameter : parameters_of(verb)) print(parameter, 2);
+}
+
+/// Commands in the order of help: those asked for, or all.
+std::vector<const CLI::App*> chosen(const CLI::App& program, const Options& options) {
+  std::vector<const CLI::App*> verbs;
+  for (const auto& group : guides())
+    for (const auto& guide : group.guides)
+      if (options.commands.empty() || std::ranges::count(options.commands, guide.verb))
+        verbs.push_back(program.get_subcommand(std::string(guide.verb)));
+  return verbs;
+}
+
+void run(const CLI::App& program, const Options& options) {
+  const auto verbs = chosen(program, options);
+  if (!options.json) {
+    for (const auto* verb : verbs) print(*verb);
+    return;
+  }
+  auto commands = Json::array();
+  for (const auto* verb : verbs) commands.push_back(as_json(*verb));
+  fmt::print("{}\n", Json{{"version", uses::version()}, {"commands", commands}}.dump(2));
+}
+
+}  // namespace
+
+void add_describe(CLI::App& program) {
+  auto* verb = add_verb(program, "describe",
+                        "lists the parameters of commands: kind, unit, range, words, default");
+  const auto options = std::make_shared<Options>();
+  std::vector<std::string> names;
+  for (const auto* other : program.get_subcommands({})) names.push_back(other->get_name());
+  add_flag(*verb, "commands,--commands", options->commands,
+           "commands to describe; default: all")
+      .one_of(names)
+      .of(request::Affects::run);
+  add_switch(*verb, "--json", options->json, "prints one JSON document")
+      .of(request::Affects::run);
+  on_run(*verb, [&program, options] { run(program, *options); });
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// Other programs rely on what `describe --json` says of parameters; the library keeps the ranges that it tells.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "end_to_end/program.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using nlohmann::json;
+using Names = std::set<std::string>;
+
+constexpr const char* eclipsed = "2018-07-27T20:21:45Z";
+
+class Describe : public ProgramTest {
+ protected:
+  json commands(const Words& chosen = {}) const {
+    const auto outcome = coppermoon(Words{"describe", "--json"} + chosen);
+    expect_done(outcome);
+    return json::parse(outcome.out).at("commands");
+  }
+
+  /// Parameters and parts of all commands, each name once.
+  std::map<std::string, json> parameters() const {
+    std::map<std::string, json> all;
+    for (const auto& command : commands())
+      for (const auto& parameter : command["parameters"]) {
+        all.emplace(parameter["name"], parameter);
+        if (parameter.contains("parts"))
+          for (const auto& part : parameter["parts"]) all.emplace(part["name"], part);
+      }
+    return all;
+  }
+};
+
+TEST_F(Describe, HasEachCommandInTheOrderOfHelp) {
+  const auto help = coppermoon({"--help"}).out;
+  std::size_t at = 0;
+  const auto all = commands();
+  EXPECT_EQ(all.size(), 18U);
+  for (const auto& command : all) {
+    const auto next = help.find("\n  " + command["name"].get<std::string>() + " ", at);
+    ASSERT_NE(next, std::string::npos) << command["name"];
+    at = next;
+    EXPECT_NE(help.find(command["meaning"].get<std::string>().substr(0, 20)), std::string::npos);
+  }
+}
+
+TEST_F(Describe, SaysTheSameFieldsOfEachParameter) {
+  const Names kinds{"number", "whole", "natural",   "word",         "on-off",
+                    "text",   "presence", "file-read", "file-written", "folder-written"},
+      affected{"photons", "light", "ground", "sight", "frame", "picture", "share", "run"};
+  for (const auto& [name, parameter] : parameters()) {
+    for (const char* field : {"name", "kind", "many", "required", "recipe", "affects", "meaning"})
+      EXPECT_TRUE(parameter.contains(field)) << name << " without " << field;
+    EXPECT_TRUE(kinds.contains(parameter["kind"])) << parameter;
+    EXPECT_TRUE(affected.contains(parameter["affects"])) << parameter;
+    EXPECT_EQ(parameter["recipe"], parameter["affects"] != "run" && parameter["affects"] != "share");
+    const bool words = parameter["kind"] == "word" || parameter["kind"] == "on-off";
+    EXPECT_EQ(parameter.contains("words"), words) << parameter;
+    if (parameter.contains("range")) {
+      EXPECT_LT(parameter["range"][0], parameter["range"][1]) << name;
+    }
+  }
+}
+
+TEST_F(Describe, SaysWhatAReaderOfTheFlagKnows) {
+  const auto all = parameters();
+  EXPECT_EQ(all.at("ozone-du"),
+            json::parse(R"({"name": "ozone-du", "kind": "number", "unit": "DU", "range": [0, 1000],
+                            "many": false, "required": false, "heading": "The Earth's air",
+                            "recipe": true, "table": "atmosphere", "affects": "photons",
+                            "meaning": "vertical column of ozone [DU], 0 to 1000"})"));
+  EXPECT_EQ(all.at("earth")["words"], json({"sphere", "ellipsoid"}));
+  EXPECT_EQ(all.at("width")["default"], 1500);
+  EXPECT_EQ(all.at("quality")["default"], "standard");
+  EXPECT_EQ(all.at("output")["required"], true);
+  EXPECT_EQ(all.at("albedo-map")["kind"], "file-read");
+  Names parts;
+  for (const auto& part : all.at("region")["parts"]) parts.insert(part["name"]);
+  for (const char* part : {"from-latitude", "to-position-angle", "ozone-du", "cirrus"})
+    EXPECT_TRUE(parts.contains(part)) << part;
+}
+
+TEST_F(Describe, OfOneCommandIsThatOfAll) {
+  const auto one = commands({"night"});
+  ASSERT_EQ(one.size(), 1U);
+  for (const auto& command : commands())
+    if (command["name"] == "night") {
+      EXPECT_EQ(command, one[0]);
+    }
+  const auto refused = coppermoon({"describe", "eclipse"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(std::ranges::count(refused.err, '\n'), 1);
+}
+
+TEST_F(Describe, WithoutJsonIsATable) {
+  const auto outcome = coppermoon({"describe", "bake"});
+  expect_done(outcome);
+  for (const char* row : {"bake\n", "  ozone-du                 photons  -              0 to 1000 DU\n",
+                          "    from-latitude          photons  -              -90 to 90 degrees\n",
+                          "  quality                  light    standard       draft, standard, "})
+    EXPECT_NE(outcome.out.find(row), std::string::npos) << row << outcome.out;
+}
+
+TEST_F(Describe, MeaningsTellTheRange) {
+  static const std::regex number("-?[0-9][0-9.]*(e[-+]?[0-9]+)?");
+  for (const auto& [name, parameter] : parameters()) {
+    const std::string meaning = parameter["meaning"];
+    std::set<double> told;
+    for (std::sregex_iterator found(meaning.begin(), meaning.end(), number), end; found != end; ++found)
+      told.insert(std::stod(found->str()));
+    if (!parameter.contains("range")) continue;
+    for (const auto& end : parameter["range"])
+      EXPECT_TRUE(told.contains(end.get<double>())) << name << " to " << end << ": " << meaning;
+  }
+}
+
+/// Command lines that do little, and read all that is asked of them.
+class Ranges : public Describe {
+ protected:
+  const Words air{"--atmosphere", "molecular"}, small{"--width", "8", "--height", "8"};
+
+  void SetUp() override {
+    expect_done(coppermoon(Words{"still", eclipsed, "--texture-width", "16", "--tolerance", "50%",
+                                 "--frame", "frame.exr"} +
+                           air + small));
+  }
+
+  Words shadow() const {
+    return Words{"shadow", eclipsed, "--axis-distances", "0", "--wavelengths", "550"} + air;
+  }
+
+  /// The command line that one parameter's value is put behind.
+  Words command_for(const std::string& name) const {
+    static const Names of_camera{"aperture",    "obstruction", "transmission",       "seeing",
+                                 "pixel",       "full-well",   "quantum-efficiency", "read-noise",
+                                 "sensor-bits", "f-number",    "iso",                "converter-noise"},
+        of_photons{"step-km", "ring-km", "smoothing-km"},
+        of_shadow{"moon-distance-km", "sun-distance-km", "position-angle"};
+    if (of_camera.contains(name))
+      return {"develop", "frame.exr", "--camera", "refractor", "-o", "picture.png"};
+    if (of_photons.contains(name))
+      return shadow() + Words{"--solver", "photons", "--photons", "1", "--trace", "marched"};
+    if (of_shadow.contains(name)) return shadow() + Words{"--rays", "20"};
+    if (name == "scale") return Words{"ring", eclipsed, "-o", "ring.exr"} + air;
+    if (name == "spectral") return Words{"bake", eclipsed, "-o", "moon.exr", "--texture-width", "16", "--tolerance", "50%"} + air;
+    auto plan = Words{"plan", eclipsed} + air;
+    if (name == "dust-top-km") plan = plan + Words{"--dust-bottom-km=0"};
+    if (name == "dust-bottom-km") plan = plan + Words{"--dust-top-km=86"};
+    if (name.starts_with("observer")) plan = plan + Words{"--at", "Nairobi"};
+    return plan;
+  }
+
+  Outcome with(const std::string& name, double value) const {
+    const auto text = fmt::format("{}", value);
+    if (name.find("-latitude") != std::string::npos || name.find("-position-angle") != std::string::npos) {
+      const bool from = name.starts_with("from-");
+      auto other = name;
+      other.replace(0, from ? 4 : 2, from ? "to" : "from");
+      const auto end = name.ends_with("latitude") ? (from ? 90 : -90) : 10;
+      return coppermoon(Words{"plan", eclipsed} + air +
+                        Words{fmt::format("--region={}={},{}={}", name, text, other, end)});
+    }
+    return coppermoon(command_for(name) + Words{"--" + name + "=" + text});
+  }
+};
+
+TEST_F(Ranges, AreThoseThatTheLibraryKeeps) {
+  /// Commands that take files or long, and where the ends of their own numbers are tested.
+  static const std::map<std::string, const char*> elsewhere{
+      {"frames", "uses/film/film_times"},       {"fps", "uses/film/film_times"},
+      {"time-scale", "uses/film/film_times"},   {"bracket", "end_to_end/film_files"},
+      {"bins", "uses/study/comparison"},        {"exposure-error", "uses/study/fit_nuisances"},
+      {"white-balance-error", "uses/study/fit_nuisances"},
+      {"clock-error", "uses/study/fit_nuisances"}, {"longest", "end_to_end/tradeoff"},
+      {"repeat", "end_to_end/tradeoff"}};
+  for (const auto& [name, parameter] : parameters()) {
+    if (!parameter.contains("range") || elsewhere.contains(name)) continue;
+    const double low = parameter["range"][0], high = parameter["range"][1];
+    const bool whole = parameter["kind"] != "number";
+    const double beyond = name == "texture-width" ? 2 : whole ? 1 : 1e-3 * (high - low);
+    for (const double end : {low, high}) {
+      const auto outcome = with(name, end);
+      EXPECT_EQ(outcome.status, 0) << name << " = " << end << ": " << outcome.err;
+    }
+    for (const double outside : {low - beyond, high + beyond}) {
+      const auto outcome = with(name, outside);
+      EXPECT_TRUE(outcome.status == 1 || outcome.status == 2) << name << " = " << outside;
+      EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+      EXPECT_NE(outcome.err.find(fmt::format("allowed {:g} to {:g}", low, high)), std::string::npos)
+          << name << " = " << outside << ": " << outcome.err;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end

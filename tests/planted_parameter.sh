@@ -1,0 +1,95 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# How to add a term of the air, as a worked example that runs: plants one, `volcanic-glass`, in a copy of the sources, builds
+# the program, and shows that flags, help, completions, recipes, `describe`, random recipes, the fuzzers' words and
+# docs/recipes.md have it without any other edit. Exits 1 where one has not, or where more than nine edits in eight files
+# were needed. The copy stays in build/planted, for the next time.
+set -eu
+cd "$(dirname "$0")/.."
+copy=$PWD/build/planted
+edits=0 files=
+
+# Files that did not change keep their time: what was built before stays built.
+new=$(mktemp -d)
+scratch=$(mktemp -d)
+trap 'rm -rf "$new" "$scratch"' EXIT
+git ls-files --cached --others --exclude-standard | while read -r file; do
+  [ ! -f "$file" ] || cp --parents "$file" "$new"
+done
+
+# edit FILE LINE TEXT: an edit, TEXT behind the one line that holds LINE.
+edit() {
+  [ "$(grep -cF "$2" "$new/$1")" = 1 ] || { echo "$1: \"$2\" does not stand in one line" >&2; exit 1; }
+  line="$2" text="$3" awk '{ print } index($0, ENVIRON["line"]) { print ENVIRON["text"] }' "$new/$1" >"$scratch/edited"
+  cp "$scratch/edited" "$new/$1"
+  edits=$((edits + 1))
+  case " $files " in *" $1 "*) ;; *) files="$files $1" ;; esac
+}
+
+# The air: what a column holds, whether it is sound, and what the term does to light.
+edit baker/atmosphere/atmosphere.h 'double tropospheric_optical_depth = 0;' \
+  '  double volcanic_glass = 0;  ///< grey vertical optical depth of glass among that aerosol, 0 to 10; 0: off'
+edit baker/atmosphere/atmosphere.cpp '"tropospheric scale height [m]"' \
+  '  algebra::require_within("volcanic glass", column.volcanic_glass, 0, 10);'
+edit baker/atmosphere/atmosphere.cpp 'case troposphere:' \
+  '      if (column.volcanic_glass > 0) return true;'
+edit baker/atmosphere/atmosphere.cpp 'tropospheric_optical_depth * tropospheric_spectrum(wavelength);' \
+  '  amounts[troposphere] += column.volcanic_glass;'
+# The request: its field, how it changes a column, and its description.
+edit baker/uses/light/air.h 'std::optional<double> tropopause_km{};' \
+  '  std::optional<double> volcanic_glass{};'
+edit baker/uses/light/air.cpp 'change.tropospheric_optical_depth.value_or(column.tropospheric_optical_depth);' \
+  '  column.volcanic_glass = change.volcanic_glass.value_or(column.volcanic_glass);'
+edit baker/uses/light/light_parameters.cpp 'auto& stratosphere = column.stratosphere;' \
+  '  is.add(parameter("--volcanic-glass", column.volcanic_glass,
+                   "vertical optical depth of volcanic glass near the ground, 0 to 10"))
+      .within(0, 10);'
+
+count=$(echo $files | wc -w)
+echo "$edits edits in $count files:$files"
+[ "$edits" -le 9 ] && [ "$count" -le 8 ] || { echo "allowed 9 edits in 8 files" >&2; exit 1; }
+
+(cd "$new" && find . -type f) | while read -r file; do
+  if cmp -s "$new/$file" "$copy/$file"; then continue; fi
+  mkdir -p "$copy/$(dirname "$file")"
+  cp "$new/$file" "$copy/$file"
+done
+cd "$copy"
+export CCACHE_BASEDIR="$copy"
+{ cmake --preset release && cmake --build build/release --target coppermoon_program coppermoon_manual_pages extremes_heavy_tests; } \
+  >build.log 2>&1 || { tail -n 30 build.log >&2; exit 1; }
+program=$copy/build/release/coppermoon
+
+# has WHAT TEXT: whether standard input holds the text.
+has() {
+  grep -qF -e "$2" || { echo "$1: without $2" >&2; exit 1; }
+  echo "$1"
+}
+$program bake --help-all | has 'help' '--volcanic-glass NUMBER'
+has 'manual page' 'volcanic\-glass' <build/release/manuals/coppermoon-bake.1
+has 'completions' 'volcanic-glass' <build/release/manuals/coppermoon.bash
+$program describe --json | has 'describe' '"name": "volcanic-glass"'
+$program describe --json | tests/fuzz/dictionary.py recipe tests/fuzz/dictionaries/recipe.dict |
+  has "fuzzers' words" '"volcanic-glass = "'
+tests/docs/recipe_tables.py $program --write
+has 'docs/recipes.md' '| `volcanic-glass` |' <docs/recipes.md
+build/release/tests/extremes_heavy_tests random_recipes >"$scratch/random" || { cat "$scratch/random" >&2; exit 1; }
+has 'random recipes' '[  PASSED  ]' <"$scratch/random"
+
+cd "$scratch"
+small="--texture-width 16 --tolerance 50% --atmosphere molecular"
+bake() { "$program" bake "$@" >/dev/null; }
+bake 2018-07-27 $small -o clear.exr
+bake 2018-07-27 $small --volcanic-glass 0.5 -o glass.exr
+! cmp -s clear.exr glass.exr || { echo "volcanic-glass changes no light" >&2; exit 1; }
+echo 'light'
+strings -n 8 glass.exr | has 'recipe written' 'volcanic-glass = 0.5'
+bake glass.exr -o again.exr
+cmp glass.exr again.exr
+echo 'recipe read back'
+printf '[[atmosphere.region]]\nfrom-latitude = 0\nto-latitude = 90\nvolcanic-glass = 0.5\n' >north.toml
+bake 2018-07-27 $small --recipe north.toml -o north.exr
+! cmp -s clear.exr north.exr || { echo "volcanic-glass of a region changes no light" >&2; exit 1; }
+echo 'recipe of a region'
+"$program" bake 2018-07-27 $small --volcanic-glass 11 -o no.exr 2>refused && exit 1
+has 'refusal' 'volcanic glass = 11, allowed 0 to 10' <refused
