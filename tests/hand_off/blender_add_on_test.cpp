@@ -102,6 +102,15 @@ TEST_F(BlenderAddOn, AddsTheMoonThatItsObserverSees) {
   EXPECT_LT(glm::length(shift(frame, reference)), 0.1);
 }
 
+TEST_F(BlenderAddOn, HasATextureThatItsRecipeBakesAgain) {
+  expect_done(python(
+      fmt::format("bpy.ops.coppermoon.add_eclipse(date='{}', {})\n", look.instant, quick), {}));
+  ASSERT_EQ(textures_kept().size(), 1U);
+  const auto texture = textures_kept().front();
+  expect_done(coppermoon({"bake", texture, "-o", "again.tx"}));
+  EXPECT_TRUE(texture::read_image(here("again.tx")).values == texture::read_image(texture).values);
+}
+
 TEST_F(BlenderAddOn, LightsAWhiteWallAsTheDiscDoes) {
   const auto white_wall =
       add_eclipse() +
