@@ -137,8 +137,7 @@ void add_describe(CLI::App& program) {
            "commands to describe; default: all")
       .one_of(names)
       .of(request::Affects::run);
-  add_switch(*verb, "--json", options->json, "prints one JSON document")
-      .of(request::Affects::run);
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   on_run(*verb, [&program, options] { run(program, *options); });
 }
 
