@@ -26,22 +26,32 @@ edit() {
   case " $files " in *" $1 "*) ;; *) files="$files $1" ;; esac
 }
 
+# swap FILE OLD NEW: an edit, NEW in the place of OLD, which stands in one line.
+swap() {
+  [ "$(grep -cF "$2" "$new/$1")" = 1 ] || { echo "$1: \"$2\" does not stand in one line" >&2; exit 1; }
+  old="$2" put="$3" awk '{ at = index($0, ENVIRON["old"])
+    if (at) $0 = substr($0, 1, at - 1) ENVIRON["put"] substr($0, at + length(ENVIRON["old"])); print }' "$new/$1" >"$scratch/edited"
+  cp "$scratch/edited" "$new/$1"
+  edits=$((edits + 1))
+  case " $files " in *" $1 "*) ;; *) files="$files $1" ;; esac
+}
+
 # The air: what a column holds, whether it is sound, and what the term does to light.
 edit baker/atmosphere/atmosphere.h 'double tropospheric_optical_depth = 0;' \
   '  double volcanic_glass = 0;  ///< grey vertical optical depth of glass among that aerosol, 0 to 10; 0: off'
 edit baker/atmosphere/atmosphere.cpp '"tropospheric scale height [m]"' \
   '  algebra::require_within("volcanic glass", column.volcanic_glass, 0, 10);'
-edit baker/atmosphere/atmosphere.cpp 'case troposphere:' \
-  '      if (column.volcanic_glass > 0) return true;'
-edit baker/atmosphere/atmosphere.cpp 'tropospheric_optical_depth * tropospheric_spectrum(wavelength);' \
-  '  amounts[troposphere] += column.volcanic_glass;'
+swap baker/atmosphere/atmosphere.cpp 'return c.tropospheric_optical_depth > 0;' \
+  'return c.tropospheric_optical_depth + c.volcanic_glass > 0;'
+swap baker/atmosphere/atmosphere.cpp 'return c.tropospheric_optical_depth * tropospheric_spectrum(' \
+  'return c.volcanic_glass + c.tropospheric_optical_depth * tropospheric_spectrum('
 # The request: its field, how it changes a column, and its description.
 edit baker/uses/light/air.h 'std::optional<double> tropopause_km{};' \
   '  std::optional<double> volcanic_glass{};'
 edit baker/uses/light/air.cpp 'change.tropospheric_optical_depth.value_or(column.tropospheric_optical_depth);' \
   '  column.volcanic_glass = change.volcanic_glass.value_or(column.volcanic_glass);'
 edit baker/uses/light/light_parameters.cpp 'auto& stratosphere = column.stratosphere;' \
-  '  is.add(parameter("--volcanic-glass", column.volcanic_glass,
+  '  is.add(parameter("volcanic-glass", column.volcanic_glass,
                    "vertical optical depth of volcanic glass near the ground, 0 to 10"))
       .within(0, 10);'
 
