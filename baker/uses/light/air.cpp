@@ -49,8 +49,10 @@ void change_cloud(const ColumnChange& change, const Standing& standing, Column& 
   column.cloud_cover = change.cloud_cover.value_or(column.cloud_cover);
   column.cloud_top_m = change.cloud_top_km.value_or(column.cloud_top_m / 1e3) * 1e3;
   if (deck) column.cloud_per_m = 0;
-  if (change.cloud_chance)
+  if (change.cloud_chance) {
+    algebra::require_within("cloud chance", *change.cloud_chance, 0, 100);
     column.cloud_per_m = *change.cloud_chance * atmosphere::cloud_chance_per_m(standing.latitude);
+  }
   column.cirrus = change.cirrus.value_or(deck ? 0 : column.cirrus);
 }
 
@@ -62,9 +64,11 @@ Column changed(Column column, const ColumnChange& change, const Standing& standi
   column.tropopause_m = change.tropopause_km.value_or(column.tropopause_m / 1e3) * 1e3;
   if (change.stratosphere) change_stratosphere(*change.stratosphere, standing, column);
   change_cloud(change, standing, column);
-  if (change.free_troposphere)
+  if (change.free_troposphere) {
+    algebra::require_within("free troposphere", *change.free_troposphere, 0, 100);
     column.free_troposphere_per_m =
         *change.free_troposphere * atmosphere::free_troposphere_per_m(standing.latitude);
+  }
   column.dust_extinction_per_m =
       change.dust_extinction_per_m.value_or(column.dust_extinction_per_m);
   column.dust_bottom_m = change.dust_bottom_km.value_or(column.dust_bottom_m / 1e3) * 1e3;

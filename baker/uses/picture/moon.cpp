@@ -89,8 +89,8 @@ algebra::Grid<float> built_in_map_for(const MoonRequest& moon) {
 }  // namespace
 
 void require_map(const MoonRequest& moon) {
-  if (!reads_map(moon)) return;
   require_sound(moon);
+  if (!reads_map(moon)) return;
   texture::require_albedo_map(moon.albedo_map);
 }
 
@@ -114,9 +114,9 @@ std::size_t texture_width_of(const MoonRequest& moon) {
 bool reads_map(const MoonRequest& moon) { return moon.albedo_map != "built-in"; }
 
 algebra::Grid<float> normal_albedo(const MoonRequest& moon) {
+  require_sound(moon);
   if (!reads_map(moon))
     return surface::normalised_to_geometric_albedo(built_in_map_for(moon), moon.photometry);
-  require_sound(moon);
   auto albedo =
       decoded(texture::read_albedo_map(moon.albedo_map, coding_of(moon.albedo_encoding)), moon.albedo_encoding);
   if (moon.albedo_map_centre_deg != 0) turn_round(albedo);

@@ -54,10 +54,14 @@ double flattening_of(const almanac::ObserverView& seen) {
 /// 0.57 degrees from where it stands in the zenith at its nearest, with some margin.
 algebra::Angle field_of(const ViewRequest& request) {
   if (request.field_deg) return algebra::degrees(*request.field_deg);
-  if (request.focal_length_mm || request.sensor_width_mm)
-    return povray_scenes::field_of_view(
-        algebra::metres(request.focal_length_mm.value_or(paper_focal_length_mm) / 1e3),
-        algebra::metres(request.sensor_width_mm.value_or(paper_sensor_width_mm) / 1e3));
+  if (request.focal_length_mm || request.sensor_width_mm) {
+    const double focal_length_mm = request.focal_length_mm.value_or(paper_focal_length_mm),
+                 sensor_width_mm = request.sensor_width_mm.value_or(paper_sensor_width_mm);
+    algebra::require_within("focal length [mm]", focal_length_mm, 1, 1e6);
+    algebra::require_within("sensor width [mm]", sensor_width_mm, 0.1, 1000);
+    return povray_scenes::field_of_view(algebra::metres(focal_length_mm / 1e3),
+                                        algebra::metres(sensor_width_mm / 1e3));
+  }
   constexpr double shorter_rad = 0.6 * std::numbers::pi / 180;
   const auto side = [](std::size_t pixels) {  // one that is out of range is refused later
     return std::clamp(static_cast<double>(pixels), 1., 65535.);
