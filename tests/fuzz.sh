@@ -12,11 +12,10 @@ seconds=${1:-120}
 [ $# -eq 0 ] || shift
 [ $# -gt 0 ] || set -- albedo_map exif_date flags frames instant light_file magnitudes photon_sums recipe words
 command -v clang++ >/dev/null || { echo "clang++: not found; install the package clang" >&2; exit 1; }
-cmake --preset fuzzers >/dev/null
-cmake --build build/fuzzers --target fuzzers
-
 export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppressions=0"
 export ASAN_OPTIONS=quarantine_size_mb=64
+cmake --preset fuzzers >/dev/null
+cmake --build build/fuzzers --target fuzzers
 run_one='
 seconds=$0 target=$1 status=0 log=build/fuzz/$1.log length=16384 piece=512
 case $target in albedo_map | frames) length=4096 piece=2048 ;; esac
