@@ -23,6 +23,7 @@ set(unpacked ${SHARE}/../../add_on)
 file(REMOVE_RECURSE ${unpacked})
 file(ARCHIVE_EXTRACT INPUT ${SHARE}/coppermoon_blender.zip DESTINATION ${unpacked})
 file(GLOB_RECURSE parts RELATIVE ${unpacked} ${unpacked}/*)
+list(REMOVE_ITEM parts coppermoon/parameters.json)  # the program's words, made in the build
 list(LENGTH parts count)
 foreach(part ${parts})
   string(REGEX REPLACE "^coppermoon/" "baker/wrappers/blender/" source ${part})

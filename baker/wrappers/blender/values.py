@@ -2,6 +2,7 @@
 """Values that an eclipse is made from, which its Moon keeps, and the program's options for them."""
 import json
 import math
+import os
 import re
 from types import SimpleNamespace
 
@@ -20,29 +21,45 @@ CONTACTS = (
     ("U4", "U4", "The Moon leaves the umbra"),
     ("P4", "P4", "The Moon leaves the penumbra"),
 )
-AIRS = (
-    ("standard", "Standard", "The air of the eclipse's month, by latitude"),
-    ("undated", "Undated", "The same everywhere and always"),
-    ("clear", "Clear", "Air and ozone only"),
-    ("molecular", "Molecular", "Air only"),
-    ("paper", "Paper", "As in Yapo & Cutler (2009)"),
-    ("none", "None", "The bare Earth: no light in the umbra"),
-)
-QUALITIES = (
-    ("draft", "Draft", "Luminance to 5 %"),
-    ("standard", "Standard", "Luminance to 1 %"),
-    ("reference", "Reference", "Luminance to 0.05 %; takes minutes"),
-)
 SPACES = (
     ("lin_rec709", "Linear Rec.709", "Blender's own; reds outside it are paler"),
     ("acescg", "ACEScg", "Holds all reds of an eclipse"),
     ("lin_ciexyzd65_scene", "CIE XYZ", "CIE XYZ, D65"),
 )
-UPS = (
-    ("celestial-north", "Celestial north", "North of the sky is up in the picture"),
-    ("zenith", "Zenith", "As it is seen from the place"),
-    ("moon-north", "Moon's north", "The Moon's axis is upright in the picture"),
-)
+
+
+def described():
+    """The program's parameters by name, as `coppermoon describe --json` lists them."""
+    with open(os.path.join(os.path.dirname(__file__), "parameters.json"), encoding="utf-8") as file:
+        commands = json.load(file)["commands"]
+    return {each["name"]: each for command in commands for each in command["parameters"]}
+
+
+def hint(word, meaning):
+    """Meaning of a word in that of its parameter: "clear: air and ozone only; …" or "draft (5 %), …"; empty where none."""
+    found = re.search(rf"\b{re.escape(word)}(?:: ([^;]*)| \(([^)]*)\))", meaning)
+    text = found and (found[1] or found[2]) or ""
+    return text[:1].upper() + text[1:]
+
+
+PARAMETERS = described()
+
+
+def choice(name, parameter, description, first=()):
+    """Property of a parameter that is one of some words.
+
+    Given  first  words that come first, in this order: a .blend file holds a word's place, not the word
+    """
+    known = PARAMETERS[parameter]
+    words = [*first, *(word for word in known["words"] if word not in first)]
+    items = [(word, word.replace("-", " ").capitalize(), hint(word, known["meaning"])) for word in words]
+    return EnumProperty(name=name, items=items, default=known["default"], description=description)
+
+
+def ends(parameter):
+    """Lowest and highest value of a parameter, for a property."""
+    low, high = PARAMETERS[parameter]["range"]
+    return {"min": low, "max": high}
 
 
 class Values:
@@ -77,24 +94,21 @@ class Values:
         description="Place of the observer, whose air dims and reddens the Moon: a city, as Nairobi, or "
                     "latitude, longitude and elevation, as -1.28,36.82,1684 [degrees north and east, "
                     "metres]; empty: the Earth's centre, without air")
-    air: EnumProperty(
-        name="Air", items=AIRS, default="standard", description="Air of the Earth around its limb")
+    air: choice("Air", "atmosphere", "Air of the Earth around its limb",
+                first=("standard", "undated", "clear", "molecular", "paper"))
     by_danjon: BoolProperty(
         name="By Danjon",
         description="Cloud and aerosol are scaled until totality is as bright as Danjon's scale says")
     danjon: IntProperty(
-        name="Danjon", default=2, min=0, max=4,
+        name="Danjon", default=2, **ends("danjon"),
         description="Brightness of totality on Danjon's scale, 0 (very dark) to 4 (bright)")
-    quality: EnumProperty(
-        name="Quality", items=QUALITIES, default="standard",
-        description="Largest error of luminance on the disc")
+    quality: choice("Quality", "quality", "Largest error of luminance on the disc")
     texture_width: IntProperty(
-        name="Texture", default=4096, min=4, max=32768, step=2, subtype="PIXEL",
+        name="Texture", default=4096, **ends("texture-width"), step=2, subtype="PIXEL",
         description="Width of the texture, even; it is half as high")
     space: EnumProperty(
         name="Colours", items=SPACES, default="lin_rec709", description="Colour space of the texture")
-    up: EnumProperty(
-        name="Up", items=UPS, default="celestial-north", description="Direction that is up in the picture")
+    up: choice("Up", "up", "Direction that is up in the picture")
     field: FloatProperty(
         name="Field", subtype="ANGLE", unit="ROTATION", default=math.radians(0.6),
         min=math.radians(1e-3), max=math.radians(170), precision=4,
