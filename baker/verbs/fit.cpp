@@ -267,7 +267,8 @@ void require_sound(const Options& options) {
 /// Message, in one line, for air that explains nothing.
 std::string misfit_of(const uses::FitReport& found) {
   const auto& [fit, photographs, nights] = found;
-  std::string why = "a list of another eclipse or of other bands, or errors told too small";
+  std::string why =
+      "a list of another eclipse or of other bands, or standard errors that are too small";
   if (!photographs.empty()) {
     why = "a tone curve (--coding), another instant, another eclipse or place";
     if (std::ranges::any_of(photographs, [](const ReadPhotograph& photograph) {

@@ -43,8 +43,10 @@ void whiten(std::span<const Grid<double>> noise, Columns columns) {
 }  // namespace
 
 Nuisances::Nuisances(std::span<const Grid<double>> noise, Grid<double> design)
-    : design_(std::move(design)), whitened_design_(design_) {
-  for (const auto& block : noise) noise_.push_back(cholesky(block));
+    : design_(design.columns() > 0 ? std::move(design) : Grid<double>(design.rows(), 1)),
+      whitened_design_(design_) {
+  for (const auto& block : noise)
+    if (!block.empty()) noise_.push_back(cholesky(block));
   const auto a = matrix(design_);
   Eigen::Map<Matrix> whitened(whitened_design_.values().data(), a.rows(), a.cols());
   whiten(noise_, whitened);

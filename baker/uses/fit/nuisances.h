@@ -19,8 +19,8 @@ namespace coppermoon::uses {
 class Nuisances {
  public:
   Nuisances() = default;
-  /// Given  noise   blocks of D, in the order of the residuals, each positive definite
-  ///        design  A: (residual, parameter)
+  /// Given  noise   blocks of D, in the order of the residuals, each positive definite or empty
+  ///        design  A: (residual, parameter); without columns: one parameter of no effect
   Nuisances(std::span<const algebra::Grid<double>> noise, algebra::Grid<double> design);
 
   /// Residuals and parameters whitened: with D = K Kᵀ and M = L Lᵀ, `noise` is K⁻¹ r and `parameters`

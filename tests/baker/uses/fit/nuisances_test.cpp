@@ -86,6 +86,15 @@ TEST(Nuisances, LeaveTheErrorOfAMeanThatIsBetterThanTheirOwnPriorSays) {
   EXPECT_LT(error, std::hypot(itself, 1));
 }
 
+TEST(Nuisances, AreNotChangedByAnEmptyBlock) {
+  algebra::Grid<double> uniform(2, 1, 0.3);
+  const Nuisances without(std::array{first_block()}, uniform),
+      with(std::array{algebra::Grid<double>(), first_block(), algebra::Grid<double>()}, uniform);
+  const std::vector<double> two{0.4, 0.7};
+  EXPECT_EQ(with.expected(two), without.expected(two));
+  EXPECT_EQ(with.error_of_mean(two), without.error_of_mean(two));
+}
+
 TEST(Nuisances, LeaveASharedErrorToAMean) {
   const Nuisances of_none(std::array{first_block()}, algebra::Grid<double>(2, 0));
   EXPECT_WITHIN_RELATIVE(of_none.error_of_mean(std::vector<double>{1, 1}),
