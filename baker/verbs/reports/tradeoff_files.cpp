@@ -95,28 +95,15 @@ bool is_the_papers(const Trial& trial) {
 
 using Which = bool (*)(const Measured&);
 
-/// Data block for gnuplot of the trials that `which` accepts; empty without any.
-std::string block(std::string_view name, std::span<const Measured> all, Which which) {
-  std::string points;
+/// Some of the trials as rows: seconds, error, value.
+std::string rows_of(std::span<const Measured> all, Which which) {
+  std::string rows;
   for (const auto& one : all)
     if (which(one) && one.seconds > 0 && one.errors.umbra.rms > 0)
       rows +=
           fmt::format("{:.4g},{:.4g},{}\n", one.seconds, one.errors.umbra.rms, number(one.value));
   return rows;
 }
-
-/// Plot commands, and the data blocks that they need.
-struct Drawing {
-  std::string blocks, plots;
-
-  void add(std::string_view name, std::span<const Measured> all, Which which,
-           const std::string& style) {
-    const auto data = block(name, all, which);
-    if (data.empty()) return;
-    blocks += data;
-    plots += fmt::format("{}${} {}", plots.empty() ? "plot " : ", \\\n  ", name, style);
-  }
-};
 
 /// Whether two points are far enough apart on the plot for labels of both.
 bool apart(const Measured& one, const Measured& other) {
