@@ -65,7 +65,7 @@ std::vector<std::string> instants_of(const Options& options) {
 /// Number for a photograph from a list with one for each or one for all; nothing of an empty list.
 std::optional<double> number_for(const std::string& list, std::size_t i, std::size_t photos,
                                  const char* what) {
-  const auto numbers = number_list(list);
+  const auto numbers = algebra::numbers_in(list);
   if (!numbers)
     throw algebra::Error(fmt::format("{} = {}, allowed numbers with commas", what, list));
   if (numbers->empty()) return std::nullopt;

@@ -19,8 +19,8 @@ std::string as_markdown(std::span<const uses::Measured> all);
 /// Trials as a list; null where the solver has no such setting.
 nlohmann::ordered_json as_json(std::span<const uses::Measured> all);
 
-/// Script for gnuplot: the umbra's error by seconds, a line for each sweep, a colour for each solver. Open symbols are
+/// Plot of the umbra's error by seconds, a line for each sweep, a colour for each solver. Open symbols are
 /// extrapolated, a star is the setting of Yapo and Cutler (2009).
-std::string as_plot(std::span<const uses::Measured> all);
+uses::Plot as_plot(std::span<const uses::Measured> all);
 
 }  // namespace coppermoon::verbs
