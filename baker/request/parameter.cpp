@@ -103,8 +103,7 @@ std::string name_in(std::string_view spelling) {
 std::size_t word_in(const Texts& words, const std::string& name, const std::string& text) {
   const auto found = std::ranges::find(words, text);
   if (found == words.end())
-    throw algebra::Error(
-        fmt::format("{} = {}, allowed {}", name, text, fmt::join(words, ", ")));
+    throw UnknownWord(fmt::format("{} = {}, allowed {}", name, text, fmt::join(words, ", ")));
   return static_cast<std::size_t>(found - words.begin());
 }
 

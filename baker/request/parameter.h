@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "algebra/error.h"
+
 namespace coppermoon::request {
 
 /// Kind of the values that a parameter takes.
@@ -47,6 +49,11 @@ struct Range {
 };
 
 using Texts = std::vector<std::string>;
+
+/// Error of a text that is none of the words allowed.
+struct UnknownWord : algebra::Error {
+  using algebra::Error::Error;
+};
 
 class Parameters;
 

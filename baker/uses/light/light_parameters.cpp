@@ -40,7 +40,7 @@ Stratosphere stratosphere_from(const std::string& text) {
     algebra::require_within("stratospheric aerosol", *depth, 0, 2);
     return *depth;
   }
-  throw algebra::Error(
+  throw request::UnknownWord(
       fmt::format("stratospheric-aerosol = {}, allowed dated, none, background, moderate, high, "
                   "extreme, or an optical depth of 0 to 2",
                   text));

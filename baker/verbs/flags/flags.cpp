@@ -43,7 +43,11 @@ CLI::Option* option_for(CLI::App& verb, request::Parameter& parameter) {
   auto* option = verb.add_option(
       spelling,
       [&parameter](const CLI::results_t& texts) {
-        parameter.take(texts);
+        try {
+          parameter.take(texts);
+        } catch (const request::UnknownWord& error) {
+          throw WrongUsage(fmt::format("--{}", error.what()));
+        }
         return true;
       },
       parameter.meaning);
