@@ -81,57 +81,7 @@ TEST_F(Recipes, OfOneCommandServeAllOthers) {
 }
 
 // Files of version 0.1 say "standard" of the air that is called "undated" now.
-TEST_F(Recipes, OfVersion01MeanTheAirTheyWereMadeWith) {
-  const Words small{"--texture-width", "32", "--albedo-map", "built-in"};
-  const auto made = [&](const std::string& air, const std::string& name) {
-    Words words{"bake", "2008-02-21T03:26:05Z", "--atmosphere", air, "-o", name};
-    words.insert(words.end(), small.begin(), small.end());
-    make(words);
-  };
-  made("undated", "undated.exr");
-  made("standard", "standard.exr");
-  EXPECT_NE(recipe_in("standard.exr").find("atmosphere = 'monthly'"), std::string::npos)
-      << "the name that keeps its meaning";
-  EXPECT_FALSE(bytes("undated.exr") == bytes("standard.exr"));
-  auto recipe = recipe_in("undated.exr");
-  recipe.replace(recipe.find("'undated'"), 9, "'standard'");
-  const auto image = texture::read_image(here("undated.exr"));
-  texture::write_exr(here("of_0_1.exr"), image, {{"coppermoon:recipe", recipe}});
-  make({"bake", "of_0_1.exr", "-o", "again.exr"});
-  EXPECT_TRUE(bytes("again.exr") == bytes("undated.exr"));
-  file("today.toml",
-       "instant = 2008-02-21T03:26:05Z\natmosphere = \"standard\"\n"
-       "texture-width = 32\nalbedo-map = \"built-in\"\n");
-  make({"bake", "--recipe", "today.toml", "-o", "today.exr"});
-  EXPECT_TRUE(bytes("today.exr") == bytes("standard.exr"));
-}
-
 // Version 0.1 knew no glow: its cameras had none.
-TEST_F(Recipes, OfVersion01HaveNoGlow) {
-  const Words still{"still",        "2019-01-21T04:10:00Z",
-                    "--camera",     "refractor",
-                    "--noise",      "off",
-                    "--albedo-map", "built-in",
-                    "--quality",    "draft",
-                    "--atmosphere", "undated",
-                    "--width",      "48",
-                    "--height",     "32",
-                    "--time",       "1"};
-  make(still + Words{"-o", "glow.png"});
-  make(still + Words{"--glow", "0", "-o", "none.png"});
-  const auto without = texture::read_image(here("none.png"));
-  auto recipe = recipe_in("glow.png");
-  const auto line = recipe.find("glow = ");
-  ASSERT_NE(line, std::string::npos) << recipe;
-  recipe.erase(line, recipe.find('\n', line) + 1 - line);
-  texture::write_png(here("of_0_1.png"), without, 8, {{"coppermoon:recipe", recipe}});
-  make({"still", "of_0_1.png", "-o", "again.png"});
-  EXPECT_TRUE(texture::read_image(here("again.png")).values == without.values);
-  make({"still", "glow.png", "-o", "again.png"});
-  EXPECT_FALSE(texture::read_image(here("again.png")).values == without.values);
-  EXPECT_TRUE(bytes("again.png") == bytes("glow.png"));
-}
-
 // A program of one's own, as docs/library.md has it, need not write the texture's recipe: its header holds it.
 TEST_F(Recipes, OfTheLibraryBakeTheSameTexels) {
   uses::MoonRequest request{.texture_width = 32};

@@ -75,7 +75,7 @@ TEST(Preset, RefusesANameThereIsNot) {
   } catch (const algebra::Error& error) {
     EXPECT_EQ(
         std::string(error.what()),
-        "atmosphere = venus, allowed paper, molecular, clear, undated, monthly, standard, none");
+        "atmosphere = venus, allowed paper, molecular, clear, undated, standard, none");
   }
 }
 

@@ -25,9 +25,9 @@ TEST(AtmosphereOf, AMonthHasTheAirOfThatMonth) {
   ASSERT_EQ(air.belts.size(), 13U);
   EXPECT_EQ(middle(air).density, atmosphere::Density::seasonal);
   EXPECT_EQ(middle(air).cloud_cover, 0);
-  EXPECT_EQ(middle(atmosphere_of({.atmosphere = "monthly"}, equinox, july)).ozone_du,
+  EXPECT_EQ(middle(atmosphere_of({.atmosphere = "standard"}, equinox, july)).ozone_du,
             middle(air).ozone_du)
-      << "standard is monthly";
+      << "standard is that of the month";
   EXPECT_TRUE(atmosphere_of({.atmosphere = "undated"}, equinox, july).belts.empty());
 }
 
