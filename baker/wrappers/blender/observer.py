@@ -19,7 +19,7 @@ def axes_of(texture, up):
     # Position angles are counter-clockwise in the picture, where the Moon's east is on the right.
     turn = {"moon-north": lambda: 0,
             "celestial-north": lambda: texture.axis,
-            "zenith": lambda: texture.axis - texture.told("parallactic_angle")}[up]()
+            "zenith": lambda: texture.axis - texture.attribute("parallactic_angle")}[up]()
     cosine, sine = math.cos(math.radians(turn)), math.sin(math.radians(turn))
     return cosine * east - sine * north, cosine * north + sine * east, back
 

@@ -63,19 +63,19 @@ class Texture:
     def __init__(self, path):
         self.path = os.path.abspath(path)
         self.header = header_of(path)
-        self.colour_space = self.told("colour_space")
+        self.colour_space = self.attribute("colour_space")
         if self.colour_space not in COLOUR_SPACES:
             raise Wrong(f"{path}: coppermoon:colour_space = {self.colour_space}, "
                         f"allowed {', '.join(COLOUR_SPACES)}")
-        self.latitude = self.told("sub_observer_latitude")
-        self.longitude = self.told("sub_observer_longitude")
-        self.axis = self.told("axis_position_angle")
-        self.distance = self.told("distance_km") / MOON_RADIUS_KM
+        self.latitude = self.attribute("sub_observer_latitude")
+        self.longitude = self.attribute("sub_observer_longitude")
+        self.axis = self.attribute("axis_position_angle")
+        self.distance = self.attribute("distance_km") / MOON_RADIUS_KM
         if not self.distance > 1:
             raise Wrong(f"{path}: coppermoon:distance_km is within the Moon")
         self.frames_later = 0
 
-    def told(self, name):
+    def attribute(self, name):
         value = self.header.get("coppermoon:" + name)
         if value is None:
             raise Wrong(f"{self.path}: its header has no coppermoon:{name}")

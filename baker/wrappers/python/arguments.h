@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What Python's arguments become: moments, places, words, arrays. Whatever takes or gives one of them includes this.
+// Conversion of Python's arguments: moments, places, words, arrays. Sources that take or give one of them include it.
 #pragma once
 
 #include <fmt/format.h>

@@ -64,14 +64,14 @@ Baked baked_of(const TextureKeywords& asked, const almanac::Instant& when,
 
 Texture texture_of(const Moment& when, const std::optional<uses::Air>& air,
                    const std::optional<uses::LightRequest>& light, const std::optional<Place>& at,
-                   const Told& told, const py::kwargs& more) {
+                   const Callback& callback, const py::kwargs& more) {
   TextureKeywords asked;
   take_objects(asked, air, light, at);
   take(bake_keywords(asked), "bake", more);
   uses::require_sound(asked.content);
   uses::texture_width_of(asked.moon);
   uses::require_map(asked.moon);
-  auto baked = computed(told, [&](const algebra::Progress& progress) {
+  auto baked = computed(callback, [&](const algebra::Progress& progress) {
     return baked_of(asked, when.instant, progress);
   });
   Texture texture{
@@ -101,7 +101,8 @@ void add_bake(py::module_& package) {
                     "names of the channels: the colours; spectral ones are in W/(m² sr nm)")
       .def_readonly("space", &Texture::space,
                     "colour space: 'lin_rec709', 'acescg' or 'lin_ciexyzd65_scene'")
-      .def_readonly("header", &Texture::header, "what the header of its file would say, by name; its recipe is 'coppermoon:recipe'")
+      .def_readonly("header", &Texture::header,
+                    "header of its file, by name; 'coppermoon:recipe' bakes the texture again")
       .def_readonly("parts", &Texture::parts,
                     "all arrays by name: with passes also what the light is made of")
       .def("__array__",

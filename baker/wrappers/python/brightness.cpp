@@ -21,19 +21,19 @@ py::dict by_band(const std::vector<double>& numbers) {
 
 uses::MoonBrightness brightness_at(const Moment& when, const std::optional<uses::Air>& air,
                                    const std::optional<uses::LightRequest>& light,
-                                   const std::optional<Place>& at, const Told& told,
+                                   const std::optional<Place>& at, const Callback& callback,
                                    const py::kwargs& more) {
   TextureKeywords asked{.moon = {}};
   take_objects(asked, air, light, at);
   take(brightness_keywords(asked), "brightness", more);
   uses::require_map(asked.moon);
-  return computed(told, [&](const algebra::Progress& progress) {
+  return computed(callback, [&](const algebra::Progress& progress) {
     const auto sky = almanac::sky_at(when.instant);
     return uses::brightness_of(asked.moon, sky, asked.view, progress);
   });
 }
 
-/// What both have.
+/// Properties of the whole Moon, which both classes have.
 template <class Class>
 void add_disc(Class& brightness) {
   using Bright = typename Class::type;

@@ -11,12 +11,12 @@ namespace {
 
 namespace py = pybind11;
 
-/// What ends the work: a plain exception, for it crosses threads and libraries that know no Python.
+/// Exception that ends the work: a plain one, for it crosses threads and libraries that know no Python.
 struct Stopped {};
 
 }  // namespace
 
-void run(const Told& told, const std::function<void(const algebra::Progress&)>& work) {
+void run(const Callback& callback, const std::function<void(const algebra::Progress&)>& work) {
   std::atomic<bool> stop = false;
   std::atomic<double> done = 0;
   const algebra::Progress progress = [&](double part) {
@@ -31,7 +31,7 @@ void run(const Told& told, const std::function<void(const algebra::Progress&)>& 
       const py::gil_scoped_acquire lock;
       try {
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-        if (told) (*told)(done.load());
+        if (callback) (*callback)(done.load());
       } catch (const py::error_already_set&) {
         raised = std::current_exception();
         stop = true;
@@ -46,7 +46,7 @@ void run(const Told& told, const std::function<void(const algebra::Progress&)>& 
     }
   }
   if (raised) std::rethrow_exception(raised);
-  if (told) (*told)(1.);
+  if (callback) (*callback)(1.);
 }
 
 }  // namespace coppermoon::python

@@ -12,23 +12,23 @@
 
 namespace coppermoon::python {
 
-/// A callback that Python passed, or nothing.
-using Told = std::optional<pybind11::function>;
+/// Function of Python that hears how far the work is; or none.
+using Callback = std::optional<pybind11::function>;
 
 /// Runs work on another thread, without Python's lock. The calling thread looks twenty times a second whether Ctrl-C was
 /// pressed, and tells the callback how far the work is; what either raises ends the work when it next
 /// tells its progress, and is raised then.
 ///
 /// Throws  what the work throws; error_already_set
-void run(const Told& told, const std::function<void(const algebra::Progress&)>& work);
+void run(const Callback& callback, const std::function<void(const algebra::Progress&)>& work);
 
-/// What work gives that is run so.
+/// Result of work that `run` runs.
 ///
 /// Given  work  takes an algebra::Progress; touches nothing of Python's
 template <class Work>
-auto computed(const Told& told, Work&& work) {
+auto computed(const Callback& callback, Work&& work) {
   std::optional<decltype(work(algebra::Progress{}))> made;
-  run(told, [&](const algebra::Progress& progress) { made.emplace(work(progress)); });
+  run(callback, [&](const algebra::Progress& progress) { made.emplace(work(progress)); });
   return std::move(*made);
 }
 

@@ -37,7 +37,8 @@ bool are_numbers(const request::Texts& words) {
 
 std::string quoted(const std::string& text) {
   std::string literal = "'";
-  for (const char c : text) literal += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string{c};
+  for (const char c : text)
+    literal += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string{c};
   return literal + "'";
 }
 
@@ -47,16 +48,20 @@ std::string float_literal(const std::string& number) {
 
 std::string plain_type(const Parameter& parameter) {
   if (parameter.parts) return "list[Region]";
-  if (const auto alias = aliases.find(parameter.name); alias != aliases.end())
-    return alias->second;
+  if (const auto alias = aliases.find(parameter.name); alias != aliases.end()) return alias->second;
   switch (parameter.kind) {
-    case Kind::number: return "float";
+    case Kind::number:
+      return "float";
     case Kind::whole:
-    case Kind::natural: return "int";
+    case Kind::natural:
+      return "int";
     case Kind::on_off:
-    case Kind::presence: return "bool";
-    case Kind::word: break;
-    default: return "str";
+    case Kind::presence:
+      return "bool";
+    case Kind::word:
+      break;
+    default:
+      return "str";
   }
   if (are_numbers(parameter.words))
     return fmt::format("Literal[{}]", fmt::join(parameter.words, ", "));
@@ -150,13 +155,19 @@ std::string literal_of(const Parameter& parameter) {
   if (parameter.kind == Kind::presence) return text == "true" ? "True" : "False";
   if (text.empty()) return "None";
   switch (parameter.kind) {
-    case Kind::on_off: return text == "on" ? "True" : "False";
+    case Kind::on_off:
+      return text == "on" ? "True" : "False";
     case Kind::whole:
-    case Kind::natural: return text;
-    case Kind::number: return float_literal(text);
-    case Kind::word: return are_numbers(parameter.words) ? text : quoted(text);
-    case Kind::text: return algebra::number_in(text) ? float_literal(text) : quoted(text);
-    default: return quoted(text);
+    case Kind::natural:
+      return text;
+    case Kind::number:
+      return float_literal(text);
+    case Kind::word:
+      return are_numbers(parameter.words) ? text : quoted(text);
+    case Kind::text:
+      return algebra::number_in(text) ? float_literal(text) : quoted(text);
+    default:
+      return quoted(text);
   }
 }
 
@@ -186,8 +197,8 @@ std::string meaning_of(const Parameter& parameter) {
 std::string signature_of(const Parameters& parameters) {
   std::string text;
   for (const auto& parameter : parameters)
-    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", name_of(parameter),
-                        literal_of(parameter));
+    text +=
+        fmt::format("{}{}={}", text.empty() ? "" : ", ", name_of(parameter), literal_of(parameter));
   return text;
 }
 

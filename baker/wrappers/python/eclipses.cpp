@@ -21,9 +21,9 @@ py::dict contacts_by_name(const Eclipse& one) {
 
 /// Some years at a time, so that one may stop between them.
 std::vector<Eclipse> eclipses_in(const Date& start, const Date& stop,
-                                 ShadowConvention convention, const Told& told) {
+                                 ShadowConvention convention, const Callback& callback) {
   constexpr double at_a_time_s = 2e8;
-  return computed(told, [&](const algebra::Progress& progress) {
+  return computed(callback, [&](const algebra::Progress& progress) {
     std::vector<Eclipse> all;
     const double length_s = almanac::seconds_between(start.instant, stop.instant);
     if (!(length_s >= 0))

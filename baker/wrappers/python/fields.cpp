@@ -48,8 +48,10 @@ std::string number_text(const Parameter& parameter, py::handle value, const char
 
 std::string text_of(const Parameter& parameter, py::handle value) {
   switch (parameter.kind) {
-    case Kind::number: return number_text<double>(parameter, value, "a number");
-    case Kind::whole: return number_text<int>(parameter, value, "whole numbers");
+    case Kind::number:
+      return number_text<double>(parameter, value, "a number");
+    case Kind::whole:
+      return number_text<int>(parameter, value, "whole numbers");
     case Kind::natural:
       return number_text<std::size_t>(parameter, value, "whole numbers, 0 or more");
     case Kind::word:
@@ -59,15 +61,16 @@ std::string text_of(const Parameter& parameter, py::handle value) {
     case Kind::text:  // a number in place of a word
       if (!is_text(value)) return request::text_of(read_as<double>(parameter, value, "a text"));
       break;
-    default: break;
+    default:
+      break;
   }
   return read_as<std::string>(parameter, value, "a text");
 }
 
 Texts texts_of(const Parameter& parameter, py::handle value) {
   if (parameter.parts) {
-    uses::Air air{.regions = read_as<std::vector<uses::AirRegion>>(parameter, value,
-                                                                   "a list of Region")};
+    uses::Air air{.regions =
+                      read_as<std::vector<uses::AirRegion>>(parameter, value, "a list of Region")};
     return parameters_of(air).find(parameter.name)->texts();
   }
   const bool presence = parameter.kind == Kind::presence;
@@ -106,7 +109,8 @@ void take(Parameters parameters, const std::string& function, const py::kwargs& 
 }
 
 py::object value_of(const Parameter& parameter) {
-  if (!parameter.parts) return py::module_::import("ast").attr("literal_eval")(literal_of(parameter));
+  if (!parameter.parts)
+    return py::module_::import("ast").attr("literal_eval")(literal_of(parameter));
   std::vector<uses::AirRegion> regions;
   for (const auto& text : parameter.texts()) regions.push_back(uses::region_from(text));
   return py::cast(regions);

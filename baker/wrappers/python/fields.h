@@ -29,8 +29,8 @@ template <class Request>
 void add_class(py::module_& package, const char* type, const std::string& text) {
   Request fresh;
   const auto fields = parameters_of(fresh);
-  const auto doc = fmt::format("{}(*, {})\n\n{}\n\n{}", type, signature_of(fields), text,
-                               lines_of(fields));
+  const auto doc =
+      fmt::format("{}(*, {})\n\n{}\n\n{}", type, signature_of(fields), text, lines_of(fields));
   py::class_<Request> made(package, type, doc.c_str());
   made.def(py::init([type](const py::kwargs& keywords) {
     Request request;

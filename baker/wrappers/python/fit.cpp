@@ -19,9 +19,9 @@ using uses::EclipsePhotograph, uses::Estimate, uses::FitReport, uses::FittedNigh
     uses::ReadPhotograph;
 
 /// Measured as tuples of moment, band, magnitude and, if known, its error.
-std::vector<uses::MeasuredMagnitude> measured_by(const py::iterable& told) {
+std::vector<uses::MeasuredMagnitude> measured_by(const py::iterable& rows) {
   std::vector<uses::MeasuredMagnitude> all;
-  for (const auto& each : told) {
+  for (const auto& each : rows) {
     if (!py::isinstance<py::sequence>(each) || py::isinstance<py::str>(each) || py::len(each) < 3 ||
         py::len(each) > 4)
       throw py::type_error(
@@ -56,7 +56,7 @@ FitReport fit_of(const py::iterable& magnitudes, std::vector<EclipsePhotograph> 
                  const std::optional<Place>& at, const std::string& camera, double exposure_error,
                  std::optional<double> white_balance_error, double clock_error_s,
                  bool half_hours_free, const std::optional<uses::Air>& air,
-                 const std::optional<uses::LightRequest>& light, const Told& told,
+                 const std::optional<uses::LightRequest>& light, const Callback& callback,
                  const py::kwargs& more) {
   TextureKeywords asked{.moon = {}};
   take_objects(asked, air, light, at);
@@ -71,8 +71,9 @@ FitReport fit_of(const py::iterable& magnitudes, std::vector<EclipsePhotograph> 
       .white_balance_error = white_balance_error,
       .clock_error_s = clock_error_s,
       .half_hours_free = half_hours_free};
-  return computed(
-      told, [&](const algebra::Progress& progress) { return uses::fitted_air(request, progress); });
+  return computed(callback, [&](const algebra::Progress& progress) {
+    return uses::fitted_air(request, progress);
+  });
 }
 
 py::array_t<double> correlation_of(const FitReport& found) {
@@ -88,7 +89,7 @@ void add_estimate(py::module_& package) {
       .def_readonly("low", &Estimate::low, "where the middle 68 % of the probability begins")
       .def_readonly("high", &Estimate::high, "where the middle 68 % of the probability ends")
       .def_readonly("information", &Estimate::information,
-                    "1 - its variance over that before anything was seen: 0 (nothing told) to 1")
+                    "1 - its variance over that before anything was seen: 0 (nothing learnt) to 1")
       .def("__repr__", [](const Estimate& e) {
         return fmt::format("<Estimate {:.3g}, {:.3g} to {:.3g}>", e.median, e.low, e.high);
       });
@@ -145,7 +146,7 @@ exposure_time_s, iso, f_number: without them as its header says
 
 void add_nights(py::module_& package) {
   PYBIND11_NUMPY_DTYPE(uses::MeasuredLight, distance_km, channel, light, model, error);
-  py::class_<FittedNight>(package, "Night", "What was found of the camera of one night.")
+  py::class_<FittedNight>(package, "Night", "Camera of one night, as far as its photographs tell.")
       .def_readonly("photographs", &FittedNight::photographs,
                     "which photographs, by their places in the list")
       .def_property_readonly(

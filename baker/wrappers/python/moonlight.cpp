@@ -24,9 +24,9 @@ struct LitSphere {
 
 std::shared_ptr<LitSphere> lit_sphere(const Moment& when, const std::optional<uses::Air>& air,
                                       const std::optional<uses::LightRequest>& light,
-                                      const Told& told) {
+                                      const Callback& callback) {
   const auto request = light_request(air, light);
-  return computed(told, [&](const algebra::Progress& progress) {
+  return computed(callback, [&](const algebra::Progress& progress) {
     const auto sky = almanac::sky_at(when.instant);
     const auto found = uses::light_on_the_moon(request, sky, {}, progress);
     const auto count = static_cast<std::size_t>(found.plan.work.bands);

@@ -18,7 +18,7 @@ struct Profile {
 Profile profile_of(const Moment& when, const py::object& wavelengths_nm,
                    const py::object& axis_distances_km, std::optional<double> position_angle_deg,
                    const std::optional<uses::Air>& air,
-                   const std::optional<uses::LightRequest>& light, const Told& told) {
+                   const std::optional<uses::LightRequest>& light, const Callback& callback) {
   uses::ProfilePlaces places{.position_angle_deg = position_angle_deg};
   places.wavelengths_nm = numbers_of("wavelengths_nm", wavelengths_nm);
   if (!axis_distances_km.is_none()) {
@@ -28,7 +28,7 @@ Profile profile_of(const Moment& when, const py::object& wavelengths_nm,
       throw algebra::Error("axis_distances_km: no number, allowed 1 or more, or None");
   }
   const auto request = light_request(air, light);
-  auto found = computed(told, [&](const algebra::Progress& progress) {
+  auto found = computed(callback, [&](const algebra::Progress& progress) {
     const auto sky = almanac::sky_at(when.instant);
     auto profile =
         uses::shadow_profile(request, uses::shadow_at_the_moon(request, sky), places, progress);
