@@ -58,6 +58,7 @@ FitReport fit_of(const py::iterable& magnitudes, std::vector<EclipsePhotograph> 
                  bool half_hours_free, const std::optional<uses::Air>& air,
                  const std::optional<uses::LightRequest>& light, const Callback& callback,
                  const py::kwargs& more) {
+  algebra::require_within("clock_error_s", clock_error_s, 0, 3600);
   TextureKeywords asked{.moon = {}};
   take_objects(asked, air, light, at);
   take(fit_keywords(asked), "fit", more);
