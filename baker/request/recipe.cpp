@@ -20,6 +20,8 @@ std::string toml_value(const Parameter& parameter) {
   if (text.empty()) return text;
   if (parameter.kind == Kind::file_read) return quoted(files::name_to_share(text));
   if (parameter.kind == Kind::presence) return "true";
+  if (parameter.name == "field" && fault_in(Kind::number, text).empty())
+    return spelt(Kind::number, text);  // a number, or "moon"
   if (!is_number(parameter.kind)) return quoted(text);
   const bool too_large = parameter.kind == Kind::natural && std::stoull(text) >> 63;
   return too_large ? quoted(text) : spelt(parameter.kind, text);  // TOML's own integers end at 2^63
