@@ -130,23 +130,6 @@ TEST_F(Outputs, OfDevelopShareOneExposure) {
   expect_refused({"develop", "a.exr", "b.exr", "-o", "ab.png"}, "ab.png");
 }
 
-TEST_F(Outputs, OfAnOldFrameKeepTheLensThatWasTheDefault) {
-  const std::string recipe = "instant = \"" + middle +
-                             "\"\nup = \"celestial-north\"\nwidth = 90\nheight = 60\nalbedo-map = "
-                             "\"built-in\"\ntexture-width = 16\nunshadowed = true\n";
-  const auto camera_of = [&](const std::string& file, const Words& more) {
-    std::filesystem::remove_all(here("scene"));
-    done(Words{"scene", file, "-o", "scene"} + more);
-    return text_of(here("scene/eclipse.pov"));
-  };
-  frame("old.exr", 1, {{"coppermoon:recipe", recipe}});
-  frame("new.exr", 1, {{"coppermoon:recipe", recipe + "field = \"moon\"\n"}});
-  const Words lens{"--focal-length", "1540", "--sensor-width", "22.7"};
-  const auto old = camera_of("old.exr", {});
-  EXPECT_EQ(old, camera_of("new.exr", lens));
-  EXPECT_NE(old, camera_of("new.exr", {}));
-}
-
 TEST_F(Outputs, OfStillHoldTheirFrameInTheSpaceAskedFor) {
   const auto still = [&](const std::string& name, const std::string& space) {
     done({"still", middle, "--unshadowed", "--albedo-map", "built-in", "--width", "30", "--height",

@@ -56,8 +56,8 @@ CLI::Option* option_for(CLI::App& verb, request::Parameter& parameter) {
     option->check(CLI::Validator(
         [kind = parameter.kind](const std::string& text) { return fault_in(kind, text); }, ""));
   if (!parameter.words.empty()) option->check(CLI::IsMember(parameter.words));
-  if (parameter.many) option->expected(1, CLI::detail::expected_max_vector_size);
-  if (parameter.parts) option->allow_extra_args(false);
+  if (parameter.many)
+    option->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(!parameter.parts);
   return option;
 }
 
