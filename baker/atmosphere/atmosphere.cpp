@@ -82,7 +82,7 @@ algebra::Wavelength wavelength_of(const Optics& optics) {
   return algebra::nanometres(optics.wavelength_nm);
 }
 
-/// All that is known of an absorber.
+/// Description of an absorber: its row of the table.
 struct Constituent {
   Absorber absorber;
   std::string_view name;
@@ -177,7 +177,22 @@ bool holds(const Region& region, double position_angle_rad) {
          algebra::within_circle(after) < algebra::within_circle(width);
 }
 
-/// Of one column, or of belts.
+constexpr std::array amounts_that_may_differ{&Column::dust_extinction_per_m, &Column::ozone_du,
+                                             &Column::cloud_cover};
+
+/// All columns of some air, also those that belts stand for.
+std::vector<Column*> every_column(Atmosphere& air) {
+  std::vector<Column*> all;
+  const auto add = [&](Column& column, Belts& belts) {
+    all.push_back(&column);
+    for (auto& belt : belts) all.push_back(&belt.column);
+  };
+  add(air.column, air.belts);
+  for (auto& region : air.regions) add(region.column, region.belts);
+  return all;
+}
+
+/// Number of columns of a region, which are those of its belts where there are any.
 std::size_t columns_of(const Belts& belts) { return std::max<std::size_t>(1, belts.size()); }
 
 void require_valid(const Belts& belts) {
@@ -274,22 +289,19 @@ Atmosphere with_fewer_belts(Atmosphere atmosphere) {
 }
 
 Atmosphere richest(std::span<const Atmosphere> airs) {
+  if (airs.empty()) throw algebra::Error("airs = none, allowed one or more");
   auto rich = airs.front();
-  const auto add = [](Column& to, const Column& column) {
-    to.dust_extinction_per_m = std::max(to.dust_extinction_per_m, column.dust_extinction_per_m);
-    to.ozone_du = std::max(to.ozone_du, column.ozone_du);
-    to.cloud_cover = std::max(to.cloud_cover, column.cloud_cover);
-  };
-  const auto add_belts = [&](Belts& to, const Belts& belts) {
-    for (std::size_t i = 0; i < to.size(); ++i) add(to[i].column, belts[i].column);
-  };
-  for (const auto& air : airs.subspan(1)) {
-    add(rich.column, air.column);
-    add_belts(rich.belts, air.belts);
-    for (std::size_t i = 0; i < rich.regions.size(); ++i) {
-      add(rich.regions[i].column, air.regions[i].column);
-      add_belts(rich.regions[i].belts, air.regions[i].belts);
-    }
+  const auto columns = every_column(rich);
+  for (auto air : airs.subspan(1)) {
+    const auto others = every_column(air);
+    for (std::size_t i = 0; i < std::min(columns.size(), others.size()); ++i)
+      for (const auto amount : amounts_that_may_differ) {
+        double &most = columns[i]->*amount, &here = others[i]->*amount;
+        most = here = std::max(most, here);
+      }
+    if (air != rich)
+      throw algebra::Error(
+          "airs lit together differ, allowed in dust, ozone and cloud cover alone");
   }
   return rich;
 }

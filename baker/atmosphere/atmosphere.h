@@ -24,8 +24,8 @@ enum class Density { none, yapo_cutler, us_1976, seasonal };
 /// Ozone as one filter for all light that passed the limb, or along each ray's own path.
 enum class OzonePath { filter, bent };
 
-/// The air over one part of the limb: what stands in it. Every term can be switched off. Tables of a
-/// latitude and a month are shared, and never change.
+/// Air over one part of the limb, term by term: each can be switched off. Tables of a latitude and a
+/// month are shared between columns, and never change.
 struct Column {
   Density density = Density::yapo_cutler;
   bool refraction = true;  ///< off: light goes straight through the air
@@ -50,6 +50,8 @@ struct Column {
   std::shared_ptr<const OzoneClimate> ozone_climate{};  ///< without: the profile of US 1976
   /// instead of `stratosphere`, where there is any
   std::shared_ptr<const StratosphericLayer> stratospheric_layer{};
+
+  bool operator==(const Column&) const = default;
 };
 
 /// Altitude where a column's air ends [m]: 0, 42 000 or 86 000.
@@ -59,6 +61,8 @@ double top_m(const Column& column);
 struct Belt {
   double from_north_rad;  ///< 0 to π
   Column column{};
+
+  bool operator==(const Belt&) const = default;
 };
 
 /// Belts from north to south. Between two the light is a mean of the light that either would pass,
@@ -72,6 +76,8 @@ struct Region {
   algebra::Angle from, to;
   Column column{};
   Belts belts{};  ///< instead of the column, where there are any
+
+  bool operator==(const Region&) const = default;
 };
 
 /// The parts of the limb between two latitudes (south to north): two regions, east and west, as
@@ -85,10 +91,12 @@ std::vector<Region> between_latitudes(algebra::Angle south, algebra::Angle north
 enum class Dispersion { crc, ciddor_1996 };
 enum class KingFactor { fixed, bates_1984 };  ///< fixed: 1.050
 
-/// What the molecules of the air do to light.
+/// Models of refraction and scattering by the molecules of the air.
 struct Molecules {
   Dispersion dispersion = Dispersion::crc;
   KingFactor king_factor = KingFactor::fixed;
+
+  bool operator==(const Molecules&) const = default;
 };
 
 /// The Earth and its air, by position angle: that of the first region that holds it, else the air of no
@@ -100,22 +108,24 @@ struct Atmosphere {
   Belts belts{};    ///< of no region; instead of the column, where there are any
   std::vector<Region> regions{};
 
+  bool operator==(const Atmosphere&) const = default;
+
   /// A column and its part of the light that passes the limb somewhere.
   struct Share {
     std::size_t column;  ///< index in `columns`
     double share;
   };
 
-  /// One column all around.
+  /// Whether one column stands all around.
   bool one_column() const { return regions.empty() && belts.empty(); }
   /// Whether the air of some place is a mean of two columns.
   bool belted() const { return columns().size() > 1 + regions.size(); }
-  /// Alike all around: a sphere with one column.
+  /// Whether the air is alike all around: a sphere with one column.
   bool symmetric() const { return one_column() && earth.sphere(); }
   /// Altitude where the last of its air ends.
   double top_m() const;
   double top_radius_m() const { return earth.equatorial_radius_m + top_m(); }
-  /// All its columns: those of no region, then each region's; of belts, each belt's.
+  /// Columns: that of no region, then each region's; where there are belts, each belt's.
   std::vector<const Column*> columns() const;
   /// The region that a position angle is in, counted from 1; 0 where in none.
   std::size_t region_index(double position_angle_rad) const;
@@ -124,13 +134,13 @@ struct Atmosphere {
   std::array<Share, 2> shares_at(double position_angle_rad) const;
 };
 
-/// The same air with every third of its belts, the first and the last among them: for a coarse look.
+/// Air with every third of its belts, the first and the last among them: for a coarse look.
 Atmosphere with_fewer_belts(Atmosphere atmosphere);
 
-/// Air that has some of all that any of those has.
+/// Air with the largest amount of dust, ozone and cloud cover that any of some airs has, in every column.
 ///
-/// Given     airs  one or more, that differ in amounts of dust, ozone and cloud cover alone
-/// Returned  of each amount the largest, in every column
+/// Given   airs   that differ in these amounts alone, and share their tables
+/// Throws  Error  when there are none, or they differ in anything else
 Atmosphere richest(std::span<const Atmosphere> airs);
 
 /// Throws Error when a term is outside its range: names it, its unit and what is allowed.
@@ -167,7 +177,7 @@ using Amounts = std::array<double, absorbers>;
 /// Names of the absorbers, one word each.
 std::array<std::string_view, absorbers> absorber_names();
 
-/// Whether a column has it.
+/// Whether a column has an absorber.
 bool has(const Column& column, Absorber absorber);
 
 /// Profile of one absorber at an altitude; 0 where the column has none.

@@ -15,6 +15,7 @@ struct Figure {
   double equatorial_radius_m = 6.378e6, polar_radius_m = 6.378e6;
   double sun_declination_rad = 0;  ///< how far the north pole is tipped towards the Sun
 
+  bool operator==(const Figure&) const = default;
   bool sphere() const { return equatorial_radius_m == polar_radius_m; }
 };
 

@@ -72,11 +72,12 @@ RefractedLight by_quadrature(const atmosphere::Atmosphere& atmosphere,
                              const QuadratureSettings& settings = {},
                              const algebra::Progress& progress = {});
 
-/// The same in several airs at once, in less time than one after the other: rays are followed once, and
-/// light is cut into arcs once for all of them.
+/// Refracted light in several airs at once, in less time than one after the other: rays are followed once,
+/// and light is cut into arcs once for all of them.
 ///
-/// Given     airs  one or more, that differ in amounts of dust, ozone and cloud cover alone
+/// Given     airs   one or more, that differ in amounts of dust, ozone and cloud cover alone
 /// Returned  light in each, at the same distances
+/// Throws    Error  when airs differ in anything else (atmosphere::richest), and as by_quadrature
 std::vector<RefractedLight> by_quadrature_in(std::span<const atmosphere::Atmosphere> airs,
                                              const Arrangement& arrangement,
                                              std::span<const double> wavelengths_nm,

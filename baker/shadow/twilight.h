@@ -34,10 +34,11 @@ RefractedLight twilight(const atmosphere::Atmosphere& atmosphere, const Arrangem
                         std::span<const double> wavelengths_nm,
                         std::span<const double> axis_distances_m);
 
-/// The same in several airs at once, in less time than one after the other: lines through the air are
+/// Twilight in several airs at once, in less time than one after the other: lines through the air are
 /// followed once.
 ///
-/// Given  airs  one or more, that differ in amounts of dust, ozone and cloud cover alone
+/// Given   airs   one or more, that differ in amounts of dust, ozone and cloud cover alone
+/// Throws  Error  when airs differ in anything else (atmosphere::richest), and as twilight
 std::vector<RefractedLight> twilight_in(std::span<const atmosphere::Atmosphere> airs,
                                         const Arrangement& arrangement,
                                         std::span<const double> wavelengths_nm,
@@ -51,7 +52,7 @@ std::vector<RefractedLight> twilight_in(std::span<const atmosphere::Atmosphere> 
 /// Accuracy  0.5 % of the twilight
 void add_twilight(RefractedLight& light, const atmosphere::Atmosphere& atmosphere);
 
-/// The same in several airs at once.
+/// Adds the twilight of several airs at once.
 ///
 /// Given  lights  one in each air, at the same places and wavelengths
 ///        airs    as twilight_in has them

@@ -343,5 +343,28 @@ TEST(Richest, HasTheMostOfEachAmountInEveryColumn) {
   EXPECT_EQ(rich.regions[0].column.ozone_du, 500);
 }
 
+TEST(Richest, RefusesAirsThatDifferInAnythingElse) {
+  EXPECT_THROW(richest({}), algebra::Error);
+  Atmosphere air;
+  air.belts = {{0, {}}, {3, {}}};
+  air.regions = {{algebra::degrees(20), algebra::degrees(40), {}}};
+  const auto refuses = [&](const auto& change) {
+    auto other = air;
+    other.column.ozone_du = 7;
+    EXPECT_NO_THROW(richest(std::array{air, other}));
+    change(other);
+    EXPECT_THROW(richest(std::array{air, other}), algebra::Error);
+    EXPECT_THROW(richest(std::array{other, air}), algebra::Error);
+  };
+  refuses([](Atmosphere& a) { a.column.stratosphere = StratosphericAerosol::high; });
+  refuses([](Atmosphere& a) { a.belts[1].column.cloud_top_m = 5e3; });
+  refuses([](Atmosphere& a) { a.belts.pop_back(); });
+  refuses([](Atmosphere& a) { a.belts[1].from_north_rad = 2; });
+  refuses([](Atmosphere& a) { a.regions[0].to = algebra::degrees(50); });
+  refuses([](Atmosphere& a) { a.regions.clear(); });
+  refuses([](Atmosphere& a) { a.earth = ellipsoid(0); });
+  refuses([](Atmosphere& a) { a.molecules.dispersion = Dispersion::ciddor_1996; });
+}
+
 }  // namespace
 }  // namespace coppermoon::atmosphere

@@ -235,6 +235,13 @@ TEST(ByQuadrature, InSeveralAirsIsThatInEach) {
   }
 }
 
+TEST(ByQuadrature, RefusesAirsThatDifferInMoreThanAmounts) {
+  auto airs = airs_in_belts(std::array{250.}, std::array{0.4, 1.});
+  airs[1].belts[2].column.cloud_top_m = 5e3;
+  const std::vector<double> waves{550};
+  EXPECT_THROW(by_quadrature_in(airs, february_2008, waves, up_to(8e6, 4e6)), algebra::Error);
+}
+
 void expect_accuracy(const atmosphere::Atmosphere& air, bool limb_darkening, int rays, double worst,
                      double green) {
   const std::vector<double> waves{400, 450, 550, 650};

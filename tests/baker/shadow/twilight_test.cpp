@@ -215,6 +215,13 @@ TEST(Twilight, InSeveralAirsIsThatInEach) {
   }
 }
 
+TEST(Twilight, RefusesAirsThatDifferInMoreThanAmounts) {
+  auto airs = airs_in_belts(std::array{250.}, std::array{0.4, 1.});
+  airs[1].belts.back().column.cloud_top_m = 5e3;
+  const std::vector<double> waves{550}, distances{0};
+  EXPECT_THROW(twilight_in(airs, {sun_m, {moon_m}}, waves, distances), algebra::Error);
+}
+
 TEST(Twilight, OfNoAirIsNothing) {
   EXPECT_EQ(ratio_at(atmosphere::preset("none", algebra::degrees(0)), 0, 500), 0);
 }
