@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "plan/plan.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -11,6 +14,10 @@
 
 namespace coppermoon::plan {
 namespace {
+
+/// [Term]
+constexpr std::array<std::string_view, 4> term_names{"light through the air", "ellipsoid",
+                                                     "regions", "scattered light"};
 
 /// One knob: settings from the cheapest to the finest, and how to turn it.
 struct Knob {
@@ -145,13 +152,13 @@ class Refinement {
   Work work_;
 };
 
-/// What was left out, largest first.
+/// Terms left out, largest first.
 std::vector<LeftOut> left_out(const Work& work, const Scene& scene) {
   std::vector<LeftOut> all;
-  if (!work.refracted) all.push_back({"light through the air", scene.without_refracted});
-  if (!work.ellipsoid && scene.ellipsoid) all.push_back({"ellipsoid", scene.without_ellipsoid});
-  if (!work.regions && scene.columns > 1) all.push_back({"regions", scene.without_regions});
-  if (!work.scattered_light) all.push_back({"scattered light", scene.without_scattered});
+  if (!work.refracted) all.push_back({Term::refracted, scene.without_refracted});
+  if (!work.ellipsoid && scene.ellipsoid) all.push_back({Term::ellipsoid, scene.without_ellipsoid});
+  if (!work.regions && scene.columns > 1) all.push_back({Term::regions, scene.without_regions});
+  if (!work.scattered_light) all.push_back({Term::scattered_light, scene.without_scattered});
   std::ranges::sort(all, std::greater{}, &LeftOut::size);
   return all;
 }
@@ -171,11 +178,10 @@ Plan plan_with(Method method, double tolerance, const Scene& scene, const Machin
           predicted_seconds(work, scene, machine),
           predicted_error(work, scene),
           left_out(work, scene),
-          {},
           {}};
 }
 
-/// By the cheapest method that is good enough; where none is, by the quickest: photons might take
+/// Plan by the cheapest method that is good enough; where none is, by the quickest: photons might take
 /// weeks to be better by a hair. A method is chosen as if nothing were set by hand: few rays ask for a
 /// coarse quadrature, not for photons.
 Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
@@ -194,13 +200,22 @@ Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
   for (const auto& plan : free)
     plans.push_back(plan_with(plan.work.method, tolerance, scene, machine, by_hand));
   Plan best = plans.front();
-  if (free.front().error > tolerance) best.relaxed = "tolerance";
+  if (free.front().error > tolerance) best.misses_tolerance = true;
   for (const auto& plan : plans)
     best.methods.push_back({plan.work.method, plan.seconds, plan.error});
   return best;
 }
 
 }  // namespace
+
+std::string_view name(Term term) { return term_names[static_cast<std::size_t>(term)]; }
+
+Term term_named(std::string_view name) {
+  const auto found = std::ranges::find(term_names, name);
+  if (found == term_names.end())
+    throw algebra::Error(fmt::format("term = {}, allowed {}", name, fmt::join(term_names, ", ")));
+  return static_cast<Term>(found - term_names.begin());
+}
 
 std::string_view name(Method method) {
   switch (method) {
@@ -238,9 +253,9 @@ Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine, cons
     tolerance *= 1.25;
     if (tolerance > coarsest) break;
     plan = plan_within(tolerance, scene, machine, by_hand);
-    if (plan.error > asked) plan.relaxed = "tolerance";
+    if (plan.error > asked) plan.misses_tolerance = true;
   }
-  if (!wish.tolerance) plan.relaxed.clear();
+  if (!wish.tolerance) plan.misses_tolerance = false;
   return plan;
 }
 

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -60,7 +59,7 @@ struct Scene {
   double without_refracted = 1, without_ellipsoid = 0, without_regions = 0, without_scattered = 0;
 };
 
-/// What is asked for: one or both. Without a budget time does not count; with both the budget counts first.
+/// Tolerance, budget or both, as asked for. Without a budget time does not count; with both the budget counts first.
 struct Wish {
   std::optional<double> tolerance{};  ///< of luminance anywhere on the disc, 1e-4 to 0.5
   std::optional<double> budget_s{};   ///< 1e-3 s or more
@@ -78,8 +77,20 @@ struct Alternative {
   double seconds, error;
 };
 
+/// Terms of the light that may be left out: light through the air, the Earth's flattening, differences of the
+/// air around the limb, scattered light.
+enum class Term { refracted, ellipsoid, regions, scattered_light };
+
+/// The term's name in reports: "light through the air", "ellipsoid", "regions" or "scattered light".
+std::string_view name(Term term);
+
+/// The term of a name in reports.
+///
+/// Throws  Error  when there is none
+Term term_named(std::string_view name);
+
 struct LeftOut {
-  std::string term;
+  Term term;
   double size;  ///< relative change of luminance without it
 };
 
@@ -89,8 +100,7 @@ struct Plan {
   double seconds = 0, error = 0;
   std::vector<LeftOut> left_out{};
   std::vector<Alternative> methods{};  ///< those that were weighed up, best first
-  /// "tolerance" where the one asked for cannot be had, or not within the budget; else empty
-  std::string relaxed{};
+  bool misses_tolerance = false;  ///< the one asked for cannot be had, or not within the budget
 };
 
 /// Seconds that light and texture take.

@@ -75,14 +75,14 @@ void print(const Planned& all) {
              work.scattered_light ? ", scattered light" : "");
   fmt::print("texture     {} x {} texels\n", width, width / 2);
   for (const auto& [term, size] : plan.left_out)
-    fmt::print("left out    {}: {} of luminance at most\n", term, in_percent(size));
+    fmt::print("left out    {}: {} of luminance at most\n", name(term), in_percent(size));
   for (const auto& text : picture_left_out) fmt::print("left out    {}\n", text);
   fmt::print("predicted   {}, {}\n", duration(plan.seconds), within(plan.error));
   for (std::size_t i = 1; i < plan.methods.size(); ++i)
     fmt::print("or          {} by {}, {}\n", duration(plan.methods[i].seconds),
                name(plan.methods[i].method), within(plan.methods[i].error));
-  if (!plan.relaxed.empty())
-    fmt::print("not reached {}: {} is predicted\n", plan.relaxed, in_percent(plan.error));
+  if (plan.misses_tolerance)
+    fmt::print("not reached tolerance: {} is predicted\n", in_percent(plan.error));
 }
 
 void run(const CLI::App& verb, const Options& options) {

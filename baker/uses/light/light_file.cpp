@@ -29,7 +29,7 @@ constexpr const char* light_kind = "coppermoon light 1";
 ordered_json described(const plan::Plan& plan) {
   const auto& work = plan.work;
   ordered_json left_out = ordered_json::array();
-  for (const auto& [term, size] : plan.left_out) left_out.push_back({term, size});
+  for (const auto& [term, size] : plan.left_out) left_out.push_back({name(term), size});
   return {{"method", static_cast<int>(work.method)},
           {"photons", work.photons},
           {"terms", {work.refracted, work.ellipsoid, work.regions, work.scattered_light}},
@@ -38,7 +38,7 @@ ordered_json described(const plan::Plan& plan) {
           {"tolerance", plan.tolerance},
           {"predicted_error", plan.error},
           {"left_out", left_out},
-          {"gave_way", plan.relaxed}};
+          {"gave_way", plan.misses_tolerance ? "tolerance" : ""}};
 }
 
 plan::Plan plan_from(const ordered_json& all) {
@@ -54,8 +54,9 @@ plan::Plan plan_from(const ordered_json& all) {
   work.place_error = all.at("place_error");
   plan.tolerance = all.at("tolerance");
   plan.error = all.at("predicted_error");
-  for (const auto& one : all.at("left_out")) plan.left_out.push_back({one.at(0), one.at(1)});
-  plan.relaxed = all.at("gave_way");
+  for (const auto& one : all.at("left_out"))
+    plan.left_out.push_back({plan::term_named(one.at(0).get<std::string>()), one.at(1)});
+  plan.misses_tolerance = all.at("gave_way").get<std::string>() == "tolerance";
   return plan;
 }
 

@@ -160,7 +160,7 @@ namespace {
 /// Whether scattered light is left out that may be a twentieth of the error or more.
 bool leaves_scattered_light(const plan::Plan& plan) {
   const auto& all = plan.left_out;
-  const auto scattered = std::ranges::find(all, "scattered light", &plan::LeftOut::term);
+  const auto scattered = std::ranges::find(all, plan::Term::scattered_light, &plan::LeftOut::term);
   return scattered != all.end() && scattered->size > plan.error / 20;
 }
 

@@ -22,10 +22,10 @@ nlohmann::ordered_json as_json(const plan::Plan& plan) {
   nlohmann::ordered_json all{{"left_out", nlohmann::ordered_json::array()},
                              {"predicted", {{"seconds", plan.seconds}, {"error", plan.error}}}};
   for (const auto& [term, size] : plan.left_out)
-    all["left_out"].push_back({{"term", term}, {"size", size}});
+    all["left_out"].push_back({{"term", name(term)}, {"size", size}});
   for (const auto& [method, seconds, error] : plan.methods)
     all["methods"].push_back({{"method", name(method)}, {"seconds", seconds}, {"error", error}});
-  if (!plan.relaxed.empty()) all["gave_way"] = plan.relaxed;
+  if (plan.misses_tolerance) all["gave_way"] = "tolerance";
   return all;
 }
 
@@ -55,7 +55,7 @@ void report(const Report& made, bool json) {
     for (const auto& file : made.files) names.push_back(one_line(file));
     fmt::print("{}: made in {}, {}\n", fmt::join(names, ", "), duration(made.seconds),
                within(made.relative_error));
-    if (!made.plan.relaxed.empty())
+    if (made.plan.misses_tolerance)
       fmt::print(stderr, "coppermoon: the tolerance cannot be reached: {} is predicted\n",
                  in_percent(made.plan.error));
     return;

@@ -364,7 +364,8 @@ TEST(LightOnTheMoon, KeepsScatteredLightOffWhenItIsLeftOut) {
   const auto light = light_on_the_moon(request, sky);
   EXPECT_FALSE(light.plan.work.scattered_light);
   const auto& left_out = light.plan.left_out;
-  EXPECT_NE(std::ranges::find(left_out, "scattered light", &plan::LeftOut::term), left_out.end());
+  EXPECT_NE(std::ranges::find(left_out, plan::Term::scattered_light, &plan::LeftOut::term),
+            left_out.end());
   request.by_hand.terms = plan::Work{.ellipsoid = false, .scattered_light = true};
   request.scattered_light = ScatteredLight::off;
   EXPECT_FALSE(planned_light(request, sky).work.scattered_light) << "off, whatever is left out";
