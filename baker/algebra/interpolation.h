@@ -35,10 +35,10 @@ double mean_between(std::span<const double> x, std::span<const double> y, double
 /// Returned  as many, whose sum is 1
 std::vector<double> on_polynomial(std::span<const double> nodes, double at);
 
-/// The same, written into as many.
+/// Writes these weights into as many numbers.
 void on_polynomial(std::span<const double> nodes, double at, std::span<double> weights);
 
-/// The same of a number of nodes that is known when it is compiled.
+/// Weights of a number of nodes that is known when it is compiled.
 template <std::size_t size>
 std::array<double, size> on_polynomial(std::span<const double, size> nodes, double at) {
   std::array<double, size> weights;

@@ -23,7 +23,7 @@ struct Table {
 /// Throws    Error  "<name>:<line>: …" for a cell that is no number or a line of the wrong length
 Table parse_table(std::string_view text, std::string_view name);
 
-/// As parse_table, every cell kept as text: [row][column], the header row first.
+/// Cells of such a table as text: [row][column], the header row first.
 std::vector<std::vector<std::string>> parse_text_table(std::string_view text);
 
 }  // namespace coppermoon::algebra

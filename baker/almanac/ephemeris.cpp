@@ -24,7 +24,7 @@ glm::dvec3 geometric_moon98_m(const Instant& instant) {
   return vec(pv[0]) * astronomical_unit_m;
 }
 
-/// What to add to the time at which the series is read so that its mean longitude becomes DE405's.
+/// Shift of the time at which the series is read [days] that makes its mean longitude DE405's.
 double elp_time_shift_days(const Instant& instant) {
   constexpr double mean_motion_arcsec_per_century = 1732559343.736;
   const double t = ((instant.tt_day - ERFA_DJ00) + instant.tt_fraction) / ERFA_DJC;

@@ -30,7 +30,7 @@ struct ObserverView {
 ///                100 000 m
 void require_on_earth(const Observer& observer);
 
-/// What a place sees of the Moon.
+/// The Moon as seen from a place on the Earth, without refraction.
 ///
 /// Omits   polar motion (0.6″), diurnal aberration (0.3″), UT1 − UTC (0.9 s, 14″ of azimuth)
 /// Throws  Error  as require_on_earth

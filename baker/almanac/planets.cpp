@@ -67,7 +67,7 @@ double jupiter(const Aspect& a) {
   return polynomial(a.phase_deg(), std::array{-9.395, -3.7e-4, 6.16e-4});
 }
 
-/// With its rings, by the mean of the latitudes that Sun and Earth have over them.
+/// Magnitude of Saturn with its rings, by the mean of the latitudes of Sun and Earth over their plane.
 double saturn(const Aspect& a) {
   const double centuries = (a.year - 2000) / 100;
   const double right_ascension = (40.589 - 0.036 * centuries) * degree,
@@ -84,7 +84,7 @@ double uranus(const Aspect& a) {
   return polynomial(a.phase_deg(), std::array{-7.110, 6.587e-3, 1.045e-4});
 }
 
-/// It has become brighter since 1980.
+/// Magnitude of Neptune, which brightened from 1980 to 2000.
 double neptune(const Aspect& a) { return -6.89 - 0.0055 * std::clamp(a.year - 1980, 0., 20.); }
 
 struct Model {

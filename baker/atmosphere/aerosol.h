@@ -43,7 +43,7 @@ double stratospheric_optical_depth(double year, algebra::Angle latitude);
 
 /// Stratospheric aerosol of any optical depth: its profile lies between those of LOWTRAN 7 that are
 /// next to it (in the logarithm; beyond the first and the last it is theirs), and so does its spectrum.
-/// It begins at the tropopause, not at 11 km: altitudes from there to 35 km are stretched.
+/// The profile begins at the tropopause, not at 11 km: altitudes from there to 35 km are stretched.
 class StratosphericLayer {
  public:
   /// Given   optical_depth  vertical, at 550 nm, 0 to 2
@@ -52,11 +52,11 @@ class StratosphericLayer {
   StratosphericLayer(double optical_depth, double tropopause_m);
 
   double optical_depth() const { return optical_depth_; }
-  /// At 550 nm.
+  /// Extinction at 550 nm [m⁻¹].
   double extinction_per_m(double altitude_m) const;
   /// Extinction at a wavelength over that at 550 nm.
   double spectrum(algebra::Wavelength wavelength) const;
-  /// The aerosol that it is most like.
+  /// Named aerosol of the nearest optical depth.
   StratosphericAerosol nearest() const;
 
  private:
@@ -74,7 +74,7 @@ class StratosphericLayer {
 /// Source    Kent et al. (1998), J. Geophys. Res. 103, 28863: SAGE I and II, 6 km to the tropopause
 double free_troposphere_per_m(algebra::Angle latitude);
 
-/// That extinction at an altitude over that at 7 km.
+/// Extinction by the aerosol of the free troposphere at an altitude, over that at 7 km.
 ///
 ///     exp(−(h − 7 km) / 3 km)
 ///

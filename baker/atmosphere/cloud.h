@@ -21,7 +21,7 @@ inline constexpr double tropopause_wander_m = 2e3;
 ///           (1954) for high cloud by latitude
 double cloud_chance_per_m(algebra::Angle latitude);
 
-/// That chance at an altitude over that well under the tropopause: 1 at all heights, 0 above a tropopause
+/// Chance to meet cloud at an altitude, over that well below the tropopause: 1 below, 0 above a tropopause
 /// that wanders by 2 km either way. What a ray passes on its way is
 ///
 ///     exp(−∫ chance ds)

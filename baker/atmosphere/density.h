@@ -23,7 +23,7 @@ struct ValueAndSlope {
 /// Source    U.S. Standard Atmosphere 1976, NOAA-S/T 76-1562
 double density_ratio_us_1976(double altitude_m);
 
-/// The same with dρ/dh, analytic.
+/// Density ratio with its slope dρ/dh, analytic.
 ValueAndSlope density_ratio_and_slope_us_1976(double altitude_m);
 
 /// Altitude where the standard ends, and all air with it [m].

@@ -28,7 +28,7 @@ void make_usual(Column& column) {
   column.cloud_cover = 0.7;
 }
 
-/// What is usual and does not depend on the latitude.
+/// Column with the usual terms that do not depend on the latitude.
 Column usual_by_chance(Column column) {
   column.tropospheric_optical_depth = 0.07;
   column.tropospheric_scale_m = 1.2e3;

@@ -51,7 +51,7 @@ algebra::Angle latitude_on_limb(double from_north_rad, algebra::Angle sun_declin
 ///     3   brick red                    as usual              background     none
 ///     4   bright copper, bluish rim    neither               none           none
 ///
-/// As usual: aerosol of 0.07, cloud to 10 km over 70 % of the limb.
+/// "as usual" means: aerosol of 0.07, cloud to 10 km over 70 % of the limb.
 ///
 /// Given     l  0 to 4
 /// Returned  the column with its cloud, aerosol and dust replaced

@@ -22,7 +22,7 @@ inline constexpr double sea_level_number_density_per_m3 = 2.546972e25;
 /// Source    Bucholtz (1995), Appl. Opt. 34, 2765, Eq. 2; F fixed as in Yapo & Cutler (2009) §2.5
 double rayleigh_cross_section_m2(algebra::Wavelength wavelength);
 
-/// The same for any refractivity n − 1 at sea level and any King factor F.
+/// Rayleigh scattering cross-section [m²] for any refractivity n − 1 at sea level and any King factor F.
 ///
 /// Accuracy  0.13 % (380 nm) to 0.03 % above Bucholtz (1995) with sea_level_refractivity_ciddor_1996
 ///           and king_factor_bates_1984

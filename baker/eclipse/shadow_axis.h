@@ -22,7 +22,7 @@ struct ShadowAxis {
 /// Accuracy  the Sun's (almanac::apparent_sun_m): 0.1″, 0.2 km at the Moon, from 1800 to 2100
 ShadowAxis shadow_axis(const almanac::SkyState& sky);
 
-/// The same from the apparent Sun alone.
+/// Shadow axis from the apparent Sun alone.
 ///
 /// Given  sun_m           apparent geocentric position, GCRS axes [m]
 ///        celestial_pole  of date, unit, GCRS axes

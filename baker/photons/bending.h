@@ -54,14 +54,14 @@ class ProfileTable {
 LimbPath limb_path(double tangent_height_m, double earth_radius_m, const atmosphere::Column& column,
                    double refractivity, const ProfileTable* table = nullptr);
 
-/// What the air does to a ray of one wavelength that passes the limb.
+/// Refraction and extinction of a ray of one wavelength that passes the limb.
 struct LimbRay {
   double tangent_height_m, bending_rad;
   double transmittance;  ///< of all that stands along the path, of cloud, of ozone as a filter
   double optical_depth;  ///< of all that stands along the path
 };
 
-/// The same from the impact parameter.
+/// Ray of one wavelength past the limb, by its impact parameter.
 ///
 /// Given     impact_height_m  b − R, the impact parameter above the Earth's radius
 /// Returned  nothing when the ray meets the ground

@@ -32,7 +32,7 @@ struct Lanes {
   alignas(64) std::array<T, most_lanes> steps;
 };
 
-/// What all rays have in common.
+/// Constants of a march, the same for all rays.
 template <class T>
 struct March {
   const MarchAir<T>& air;
@@ -160,7 +160,7 @@ struct Kernel {
             hn::Min(hn::Max(left, zero), one), rise};
   }
 
-  /// What Euler and Maclaurin's sum leaves out where the air jumps, for values B₁ and for slopes B₂/2
+  /// Corrects the sums where the air jumps, by Euler and Maclaurin's terms: for values B₁ and for slopes B₂/2
   /// of the part left; and the rays are in the next layer.
   void cross(Rays<D>& rays, const Arrival& at, Lanes<T>& lanes) const {
     const auto& air = march.air;
@@ -201,7 +201,7 @@ struct Kernel {
     rays.height_shift_m = hn::MulAdd(rays.step_m, rays.upward, rays.height_shift_m);
     rays.steps = hn::Add(rays.steps, rays.step_m);
     const V before_m = rays.reduced_m;
-    // What is stepped is x − x'' Δσ² / 12.
+    // The step advances w = x − x'' Δσ² / 12.
     // FAULT a marched height off by a sixtieth of its last change: step_m / 12 => step_m / 10
     const V height_m = hn::MulAdd(rays.pull, hn::Set(d, march.step_m / 12), height(rays));
     rays.reduced_m = reduced(along(rays), height_m);

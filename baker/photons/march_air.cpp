@@ -120,7 +120,7 @@ void add_border(const Along& air, double at_m, bool top, MarchAir<T>& out) {
   for (const std::size_t k : out.others) out.borders.push_back(static_cast<T>(over[k] - under[k]));
 }
 
-/// Room for a ray that has left, wherever its last step has brought it.
+/// Adds empty space for a ray that has left, wherever its last step has brought it.
 template <class T>
 void add_space(double from_m, MarchAir<T>& out) {
   constexpr T infinity = std::numeric_limits<T>::infinity();

@@ -14,7 +14,7 @@ using atmosphere::Atmosphere;
 using atmosphere::Column;
 using atmosphere::Optics;
 
-/// All columns of the air; of two belts a photon is in one, by chance.
+/// Column of the air over a place; between two belts a photon is in one of them, by chance.
 class Overhead {
  public:
   Overhead(const Atmosphere& atmosphere, double chance)
@@ -41,7 +41,7 @@ struct Standing {
       : column(&over), spectra(atmosphere::spectra(over, optics)) {}
 };
 
-/// What bends a ray: one column's air around the Earth, at one wavelength.
+/// Refracting medium of a ray: one column's air around the Earth, at one wavelength.
 struct Medium {
   const Column& column;
   const Optics& optics;

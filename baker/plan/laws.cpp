@@ -35,7 +35,7 @@ struct Costs {
 constexpr double scattered_error = 3e-3;
 
 /// Relative error of luminance by a single photon: two standard errors in the worst ring of 50 km.
-/// It falls as the root of the number of photons.
+/// The error falls as the root of the number of photons.
 double noise(Method method) { return method == Method::step_by_step ? 250 : 35; }
 
 /// Cells that a ring is gathered in, where light is not alike all around.
@@ -60,7 +60,7 @@ double seconds_of_places(const Work& work, const Scene& scene, double places) {
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
   const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // of a region one, not two
   const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
-  // Of regions ninety in the mean, which cost half: they are drawn from the same bins.
+  // Regions take ninety harmonics in the mean, each at half the cost: they share their bins.
   const double harmonics = regions ? (scene.borders ? 45 : 15) : ellipsoid ? 2 : 1;
   const double series =
       cost.place + terms * harmonics * (cost.place_term + cost.place_wavelength * parts * waves);

@@ -30,7 +30,7 @@ constexpr std::size_t batch = 32;
 /// Rays of the table that only says where marched photons aim.
 constexpr int aiming_rays = 100;
 
-/// Room that a thread works in.
+/// Buffers of one thread.
 struct Workplace {
   Tally tally;                       ///< of a block
   std::vector<MarchedPhoton> paths;  ///< of its photons, where they are marched
@@ -52,7 +52,7 @@ void add(Grid<double>& sums, const Grid<double>& more) {
   for (std::size_t i = 0; i < sums.values().size(); ++i) sums.values()[i] += more.values()[i];
 }
 
-/// All that photons need to know.
+/// Simulation of photons, block by block.
 class Simulation {
  public:
   Simulation(const Atmosphere& atmosphere, const Arrangement& arrangement,
@@ -200,7 +200,7 @@ void add_blocks(const Simulation& simulation, BlockRange blocks, BlockSums& sums
     next = std::min(blocks.to, from + size);
     return {from, next};
   };
-  // often, though a part's blocks count when it is done: whoever is told may end the work
+  // called often, though a part's blocks count when it is done: the callback may end the work
   const auto tell = [&] { progress.tell(); };
   const auto trace = [&](BlockRange range) -> Part {
     return {range, std::make_shared<BlockSums>(simulation.simulated(range, tell))};

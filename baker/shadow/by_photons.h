@@ -64,7 +64,7 @@ RefractedLight by_photons(const atmosphere::Atmosphere& atmosphere, const Arrang
                           std::span<const double> wavelengths_nm, const PhotonSettings& settings,
                           const algebra::Progress& progress = {});
 
-/// The same light convolved along the axis distance with a Gaussian of that standard deviation,
+/// Light convolved along the axis distance with a Gaussian of that standard deviation,
 /// rings weighted by their area; the standard error follows, its rings taken as independent.
 ///
 /// Source  Yapo & Cutler (2009) §3.2, against grain

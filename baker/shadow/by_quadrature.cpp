@@ -62,7 +62,7 @@ Directions directions(const Atmosphere& atmosphere, const QuadratureSettings& se
   return all;
 }
 
-/// All that was computed at one axis distance: (plane × angles + angle, wavelength).
+/// Light at one axis distance: (plane × angles + angle, wavelength).
 struct Ring {
   double gamma_m;
   Grid<double> ratio;

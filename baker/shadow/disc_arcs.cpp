@@ -47,7 +47,7 @@ std::vector<ArcNode> nodes_of_a_whole(int count) {
   return all;
 }
 
-/// As many nodes as harmonics up to one ask for over half an arc.
+/// Nodes over half an arc, as many as its highest harmonic asks for.
 const std::vector<ArcNode>& arc_nodes(int highest, double half_arc_rad) {
   static const auto alike = nodes_in_parts(7, 1), twice_around = nodes_of_a_whole(10);
   if (highest == 0) return alike;

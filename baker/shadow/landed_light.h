@@ -39,7 +39,7 @@ class LandedLight {
   ///        radius_m  of the limb's ground
   LandedLight(std::span<const photons::Fan> fans, const LandingPlane& plane, double radius_m);
 
-  /// Up to the first node no light lands, up to the last all that is not left out.
+  /// First and last node: no light lands before the first, none that counts after the last.
   int first() const { return first_; }
   int last() const { return last_; }
 

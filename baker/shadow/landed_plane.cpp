@@ -112,7 +112,7 @@ LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m) : sunlit_(sunlit)
   last_ = std::max(first_, last_);
 }
 
-/// All where they fill little enough on all planes together: a gigabyte and a quarter; of many
+/// Number of blocks held at once: all where they fill a gigabyte and a quarter or less on all planes; of many
 /// wavelengths, of which it takes few to put places between places, half a gigabyte. Else as many of
 /// one plane as fill 150 megabytes.
 std::size_t LandedPlane::blocks_at_once() const {
@@ -140,8 +140,8 @@ LandedPlane::Blocks LandedPlane::landed(std::size_t first) const {
   return some;
 }
 
-/// Of regions an angle's light does not depend on which others are asked for. Of belts what takes less
-/// time is done, by the steps that each takes.
+/// Whether light is computed as a series of harmonics, not angle by angle. Between regions, whose light at an
+/// angle must not depend on the others asked for, by the distance; between belts by the quicker, in steps.
 bool LandedPlane::by_series(double gamma_m) const {
   const auto& around = sunlit_.around;
   if (around.harmonics() <= 3) return true;

@@ -31,7 +31,7 @@ class Around {
     std::vector<double> weights;  ///< by part
   };
 
-  /// Those of so many harmonics from 0 on.
+  /// Terms of so many harmonics from 0 on.
   std::span<const Harmonic> some(std::size_t count) const;
 
   std::size_t angles() const { return turns.rows(); }
@@ -69,7 +69,7 @@ class LandedPlane {
     std::span<double> ratio;  ///< [angle][wavelength]
   };
 
-  /// What all planes have in common. Each outlives them.
+  /// Everything that all planes share, and that outlives them.
   struct Sunlit {
     const photons::WholeLimb& limb;  ///< fans are made when asked
     const Around& around;
@@ -93,7 +93,7 @@ class LandedPlane {
  private:
   using Block = std::array<double, lanes>;  // one value a wavelength
 
-  /// All that a place draws from the limb.
+  /// Nodes that a place draws light from, and their factors.
   struct Draws {
     double gamma_m = 0;
     std::vector<int> nodes;

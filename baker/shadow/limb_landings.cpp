@@ -70,7 +70,7 @@ void normalise(std::span<double> row) {
     for (double& value : row) value /= sum;
 }
 
-/// What each cell brings there of all that lands, in the mean square of the wavelengths.
+/// Adds the share of each cell in all that lands there, as the mean square over wavelengths.
 ///
 /// Given  light  (wavelength, cell)
 void add_seeing(const Grid<double>& light, std::span<const double> arcs,

@@ -14,7 +14,7 @@
 namespace coppermoon::shadow {
 namespace {
 
-/// What the limb does to a ray.
+/// Refraction and extinction of a ray past the limb.
 struct Passage {
   double bending_rad = 0, optical_depth = 0, filter = 1;
 };

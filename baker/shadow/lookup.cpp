@@ -54,7 +54,7 @@ std::vector<Weights> by_channel(const algebra::Grid<double>& weights) {
   return all;
 }
 
-/// Up to four places in a row, and what each counts at a point between them.
+/// Up to four places in a row, and their weights at a point between them.
 struct Cubic {
   std::ptrdiff_t first = 0;  ///< −1 is the first place beyond the axis
   std::size_t count = 0;

@@ -60,7 +60,7 @@ class BetweenPlaces {
   double from_m_, to_m_;
 };
 
-/// All light in the shadow, refracted and direct, in a few channels: a table over place that is
+/// Light in the shadow, refracted and direct, in a few channels: a table over place that is
 /// read once a texel. Linear in depth and axis distance, cubic in position angle; sunlight beyond the
 /// penumbra. Planes are compared along lines from the limb (`sheared`), on which light hardly
 /// changes with depth.
@@ -87,7 +87,7 @@ class Lookup {
   /// Writes one value a channel.
   void read(const eclipse::ShadowPlace& place, std::span<double> values) const;
 
-  /// The same for many places: see LookupTable.
+  /// Writes the values at many places: see LookupTable.
   void read(const Places& places, std::span<double> values) const {
     shadow::read(table_, places, values);
   }

@@ -28,7 +28,7 @@ struct MarchedPhoton {
   std::array<float, march_nodes * atmosphere::absorbers> amounts;  ///< [node][absorber at work]
 };
 
-/// What a few photons carry, (photon, wavelength), padded.
+/// Impact parameters, bending and light of a few photons, (photon, wavelength), padded.
 struct MarchedRows {
   algebra::Grid<float> impact_m, bending_rad, light;  ///< b, δ and light as LimbLandings has it
 

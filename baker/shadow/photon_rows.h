@@ -36,7 +36,7 @@ struct Rings {
   std::size_t row(double x_m, double y_m) const;
 };
 
-/// What a few photons bring, by cell and wavelength.
+/// Light that a few photons bring, by cell and wavelength.
 struct Tally {
   Tally(std::size_t rows, std::size_t waves) : light(rows, padded(waves)), touched(rows) {}
 

@@ -23,7 +23,7 @@ bool alike(const PhotonSums& a, const PhotonSums& b) {
          a.rings == b.rings && a.all_wavelengths == b.all_wavelengths && a.sectors == b.sectors;
 }
 
-/// In order, those that touch made one.
+/// Ranges of both in order, with touching ones made one.
 std::vector<BlockRange> united(std::vector<BlockRange> ranges,
                                const std::vector<BlockRange>& more) {
   ranges.insert(ranges.end(), more.begin(), more.end());

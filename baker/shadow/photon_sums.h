@@ -104,7 +104,7 @@ struct StoppingRule {
 /// the noise is not known. What rings cannot resolve does not count: no photons would end it.
 double worst_error(const PhotonLight& light, const StoppingRule& rule);
 
-/// The same of the whole standard error.
+/// Twice the whole standard error of the weighted light over that light, at worst.
 double worst_error(const RefractedLight& light, const StoppingRule& rule);
 
 }  // namespace coppermoon::shadow

@@ -51,7 +51,7 @@ struct Sectors {
   /// Part at the same angle on the other side of celestial north.
   std::size_t mirrored(std::size_t part) const { return (around - part) % around; }
 
-  /// With one more on either side.
+  /// Sectors with one more on either side.
   Sectors widened() const {
     return count + 2 >= around ? Sectors{around}
                                : Sectors{around, (first + around - 1) % around, count + 2};

@@ -20,7 +20,7 @@ class Slants {
   /// Given  along_m  0 or more; a line below the ground is taken as one along it
   atmosphere::Amounts beyond(double lowest_m, double along_m) const;
 
-  /// The same, the whole line up to a place.
+  /// Amounts on the whole line up to a place.
   ///
   /// Given  along_m  below 0 where the line still sinks
   atmosphere::Amounts up_to(double lowest_m, double along_m) const;

@@ -127,12 +127,12 @@ class Ring {
   std::vector<InAir> airs_;
 };
 
-/// By the angle between the limb's direction and the place's, half around, the other half alike: light by
-/// wavelength, padded, air after air.
+/// Light by the angle between the limb's direction and the place's, half around, for the other half is
+/// alike: [angle][wavelength], padded, air after air.
 using AroundTheRing = std::vector<std::vector<double>>;
 
-/// What an even series in the angle has at each of some angles around, by its values at those of
-/// `angles_around` that are half around, of as many harmonics.
+/// Weights (angle, node) that read an even series of the angle at some angles around from its values at the
+/// nodes, the `angles_around` that are half around.
 Grid<double> between_angles(std::size_t angles) {
   constexpr std::size_t half = angles_around / 2;
   Grid<double> shares(angles / 2 + 1, half + 1);

@@ -7,7 +7,7 @@
 
 namespace coppermoon::surface {
 
-/// In what the ground of each place differs from the mean Moon's, its albedo apart. Maps as
+/// Colour and opposition surge of each place relative to the mean Moon's. Maps as
 /// albedo_map.h says, smooth, of cells of one degree and two.
 struct Ground {
   /// c: natural logarithm of its reflectance at 415 nm over that at 566 nm; above 0: bluer
@@ -18,7 +18,7 @@ struct Ground {
 /// The largest |c| that `colour` holds: what lies beyond counts as that.
 inline constexpr double strongest_colour = 0.15;
 
-/// What a camera in orbit found.
+/// Colour and surge measured by a camera in orbit (LROC).
 ///
 /// Returned  c and s as they are, of no mean taken; smoothed by a binomial three cells wide, twice,
 ///           for single cells err by 0.012 in c. Beyond latitude 70 degrees, where nothing was
@@ -31,7 +31,7 @@ inline constexpr double strongest_colour = 0.15;
 ///           Resolved Hapke parameter maps of the Moon
 Ground measured_ground();
 
-/// The same over the mean of the disc that a map makes: with them the whole full Moon keeps the mean
+/// Colour and surge relative to the mean of the disc that a map makes: with them the full Moon keeps the mean
 /// spectrum and the mean phase curve:
 ///
 ///     sum of mu A f c = 0, and so with s        over the disc as seen from above latitude 0,

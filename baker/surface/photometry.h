@@ -38,7 +38,7 @@ CosineLaw cosine_law(Photometry photometry);
 /// How either function depends on the phase alone: 1 at full Moon.
 double phase_factor(Photometry photometry, algebra::Angle phase);
 
-/// The same on the full Moon's disc, where Sun and viewer stand together: mu0 = mu, phase 1.5
+/// Radiance factor on the full Moon's disc, where Sun and viewer stand together: mu0 = mu, phase 1.5
 /// degrees. With lommel_seeliger_rolo it is 1 up to the limb.
 double radiance_factor_at_full_moon(Photometry photometry, double cos_incidence);
 
