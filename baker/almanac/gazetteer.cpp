@@ -18,10 +18,11 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// A table without its heading.
-Rows rows_of(std::string_view text) {
+/// A table without its heading; a last cell is added to each row: the plain form of its name.
+Rows rows_of(std::string_view text, std::size_t name_column = 0) {
   auto rows = algebra::parse_text_table(text);
   rows.erase(rows.begin());
+  for (auto& row : rows) row.push_back(plain_name(row[name_column]));
   return rows;
 }
 
@@ -51,10 +52,6 @@ LunarFeature feature_in(const std::vector<std::string>& row) {
           algebra::kilometres(number(row[3]))};
 }
 
-bool holds_words(const std::string& name, const std::string& words) {
-  return (" " + name + " ").find(" " + words + " ") != std::string::npos;
-}
-
 /// A name with ae, oe and ue for ä, ö and ü.
 std::string without_umlauts(std::string_view name) {
   constexpr std::pair<std::string_view, std::string_view> umlauts[] = {
@@ -76,23 +73,24 @@ bool is_name(const std::string& known, std::string_view name) {
 /// Given  region  the second cell that a row must have; empty: any
 Rows rows_named(const Rows& rows, std::string_view name, std::string_view region = {}) {
   const auto wanted = plain_name(name), spelt = plain_name(without_umlauts(name)),
-             in = plain_name(region);
+             in = plain_name(region), whole_words = " " + wanted + " ";
   if (wanted.empty()) return {};
   Rows all, parts;
   for (const auto& row : rows) {
     if (!in.empty() && plain_name(row[1]) != in) continue;
-    const auto plain = plain_name(row[0]);
+    const auto& plain = row.back();
     if (plain == wanted || plain == spelt) all.push_back(row);
-    if (holds_words(plain, wanted)) parts.push_back(row);
+    if ((" " + plain + " ").find(whole_words) != std::string::npos) parts.push_back(row);
   }
   return all.empty() ? parts : all;
 }
 
 /// The name that cities() has for a city, also where it goes by another.
 std::string known_name(std::string_view name) {
-  static const Rows others = rows_of(tables::city_other_names());
+  static const Rows others = rows_of(tables::city_other_names(), 1);
+  const auto plain = plain_name(name);
   for (const auto& row : others)
-    if (plain_name(row[1]) == plain_name(name)) return row[0];
+    if (row.back() == plain) return row[0];
   return std::string(name);
 }
 

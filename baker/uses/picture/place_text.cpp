@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -35,14 +36,21 @@ std::vector<double> place_numbers(const std::string& text) {
   return algebra::numbers_in(signed_text).value_or(std::vector<double>{});
 }
 
-/// The name that is spelt most alike, whatever case and accents. A first letter is seldom mistaken: it
-/// counts as three.
+/// Name spelt most alike, whatever case and accents. A first letter is seldom mistaken: it counts as three.
+/// No name is longer than 64 letters.
 std::string name_like(std::string_view text, const std::vector<std::string>& names) {
-  const auto wanted = almanac::plain_name(text.substr(0, 100));
-  return *std::ranges::min_element(names, {}, [&](const std::string& name) {
+  const auto wanted = almanac::plain_name(text.substr(0, 64));
+  std::string nearest;
+  auto least = std::numeric_limits<std::size_t>::max();
+  for (const auto& name : names) {
     const auto plain = almanac::plain_name(name);
-    return request::letters_apart(wanted, plain) + (plain.substr(0, 1) == wanted.substr(0, 1) ? 0 : 2);
-  });
+    const std::size_t first = plain.substr(0, 1) == wanted.substr(0, 1) ? 0 : 2;
+    const auto [shorter, longer] = std::minmax({plain.size(), wanted.size()});
+    if (longer - shorter + first >= least) continue;  // so many letters apart at least
+    if (const auto apart = request::letters_apart(wanted, plain) + first; apart < least)
+      least = apart, nearest = name;
+  }
+  return nearest;
 }
 
 [[noreturn]] void throw_no_city(const std::string& text) {
