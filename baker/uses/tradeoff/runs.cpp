@@ -13,22 +13,6 @@
 namespace coppermoon::uses {
 namespace {
 
-template <class Action>
-double seconds_of(const Action& action) {
-  const auto start = std::chrono::steady_clock::now();
-  action();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// Least seconds of some runs; of three or more where one takes less than a second.
-template <class Action>
-double least_seconds(int repeat, const Action& action) {
-  double least = seconds_of(action);
-  if (least < 1) repeat = std::max(repeat, 3);
-  for (int i = 1; i < repeat; ++i) least = std::min(least, seconds_of(action));
-  return least;
-}
-
 shadow::PhotonSettings photon_settings(const Trial& trial) {
   shadow::PhotonSettings settings;
   settings.photons = static_cast<std::uint64_t>(trial.photons);
@@ -126,9 +110,17 @@ class Run {
     return {trial, {}, 0, seconds, yardstick_.errors_of(light, trial.photons > 0), false};
   }
 
+  /// Least seconds of some runs; of three or more where one takes less than a second.
+  double least_seconds(const Trial& trial, const std::function<void()>& run) const {
+    double least = limits_.stopwatch(trial, run);
+    const int repeat = least < 1 ? std::max(limits_.repeat, 3) : limits_.repeat;
+    for (int i = 1; i < repeat; ++i) least = std::min(least, limits_.stopwatch(trial, run));
+    return least;
+  }
+
   double timed(const Trial& trial, shadow::RefractedLight& light) {
     const double seconds =
-        least_seconds(limits_.repeat, [&] { light = light_by(trial, yardstick_, progress_); });
+        least_seconds(trial, [&] { light = light_by(trial, yardstick_, progress_); });
     timed_.push_back({trial, seconds});
     return seconds;
   }
@@ -176,7 +168,7 @@ class Run {
     const auto reference = yardstick_.baked(light, widest);
     for (const auto& trial : sweep.trials()) {
       texture::Image texture;
-      const double seconds = least_seconds(limits_.repeat, [&] {
+      const double seconds = least_seconds(trial, [&] {
         texture = yardstick_.baked(light, static_cast<std::size_t>(trial.texture_width));
       });
       made_.push_back({trial, sweep.varied, trial.texture_width, seconds, errors, false});
@@ -194,6 +186,12 @@ class Run {
 };
 
 }  // namespace
+
+double seconds_of(const Trial&, const std::function<void()>& run) {
+  const auto start = std::chrono::steady_clock::now();
+  run();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 std::vector<Measured> measured_trials(std::span<const Sweep> sweeps, Yardstick& yardstick,
                                       const RunLimits& limits, const algebra::Progress& progress) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -21,11 +22,18 @@ struct Measured {
   bool extrapolated;  ///< from smaller trials
 };
 
+/// Runs a trial and gives the seconds that it took.
+using Stopwatch = std::function<double(const Trial& trial, const std::function<void()>& run)>;
+
+/// A Stopwatch by the steady clock.
+double seconds_of(const Trial& trial, const std::function<void()>& run);
+
 /// Limits on the time of runs.
 struct RunLimits {
   double longest_s = 20;  ///< longest run
   int repeat =
       1;  ///< runs, of which the shortest counts; three or more where one is under a second
+  Stopwatch stopwatch = seconds_of;
 };
 
 /// Makes every trial of the sweeps, in their order.

@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cmath>
+#include <thread>
+
 #include "almanac/instant.h"
+#include "support/within.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -24,12 +29,26 @@ TEST(MeasuredTrials, ExtrapolateWhatGrowsWithThePhotonsAlone) {
                     "photons",
                     &Trial::photons,
                     {1e3, 1e6}};
-  const auto all = measured_trials({&sweep, 1}, yardstick, {.longest_s = 0});
+  std::vector<double> run;
+  const auto all = measured_trials(
+      {&sweep, 1}, yardstick,
+      {.longest_s = 0, .stopwatch = [&](const Trial& trial, const std::function<void()>& make) {
+         make();
+         run.push_back(trial.photons);
+         return 1 + 1e-5 * trial.photons;  // tables, and each photon
+       }});
+  EXPECT_EQ(run.size(), 4U) << "four times the photons each, until they show beside the tables: 1e3 to 64e3";
   ASSERT_EQ(all.size(), 2U);
+  EXPECT_FALSE(all[0].extrapolated);
   EXPECT_TRUE(all[1].extrapolated);
-  EXPECT_LT(all[1].seconds, 200 * all[0].seconds)
-      << "a thousand times the photons, of which the tables take most of the time: some ten times";
-  EXPECT_GE(all[1].seconds, all[0].seconds);
+  EXPECT_WITHIN(all[1].seconds, 11, 1e-9, "a straight line's rounding");
+  EXPECT_WITHIN(all[1].errors.umbra.rms, all[0].errors.umbra.rms / std::sqrt(1000), 1e-12,
+                "as the root of the photons' number");
+}
+
+TEST(MeasuredTrials, TakeTheirSecondsFromTheClock) {
+  const auto nap = [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
+  EXPECT_GE(seconds_of({}, nap), 0.02) << "a nap is never shorter";
 }
 
 }  // namespace
