@@ -47,7 +47,7 @@ struct Options {
 };
 
 /// Night of an eclipse at one place: what the command prints.
-struct Night {
+struct NightReport {
   uses::Circumstances circumstances;
   uses::NightLights lights;
   almanac::City city;  ///< the place, or the nearest one
@@ -63,13 +63,13 @@ std::string wind(algebra::Angle azimuth) {
   return winds[static_cast<std::size_t>(sixteenths + 16.5) % 16];
 }
 
-std::string clock_of(const Night& night, const almanac::Instant& when) {
+std::string clock_of(const NightReport& night, const almanac::Instant& when) {
   const auto local = uses::local_time(when, night.zone);
   return almanac::date_in(night.circumstances.eclipse.calendar, local.date) + " " + local.time +
          " " + local.abbreviation;
 }
 
-const uses::NightLight* light_of(const Night& night, const std::string& name) {
+const uses::NightLight* light_of(const NightReport& night, const std::string& name) {
   const auto found = std::ranges::find(night.lights.moments, name, &uses::NightLight::name);
   return found == night.lights.moments.end() ? nullptr : &*found;
 }
@@ -82,7 +82,7 @@ std::string exposure_text(const std::optional<double>& seconds) {
   return time > 30 ? duration(time) : fmt::format("{:g} s", time);
 }
 
-void print_moments(const Night& night) {
+void print_moments(const NightReport& night) {
   fmt::print("{:<10}{:<10}{:<26}{:>9}{:>10}{:>6}{:>8}{:>12}{:>7}\n", "", "UTC", "local time",
              "altitude", "azimuth", "", "V", "cd/m²", "stars");
   for (const auto& moment : night.circumstances.moments) {
@@ -101,7 +101,7 @@ void print_moments(const Night& night) {
   }
 }
 
-void print_exposures(const Night& night) {
+void print_exposures(const NightReport& night) {
   fmt::print("\nExposure times at f/{:.3g}, ISO {:g}:\n{:<34}{:>12}{:>22}\n", night.lights.f_number,
              night.lights.iso, "", "lit part", "part in the umbra");
   for (const auto& exposure : night.lights.exposures)
@@ -109,7 +109,7 @@ void print_exposures(const Night& night) {
                exposure_text(exposure.shadow_s));
 }
 
-void print(const Night& night) {
+void print(const NightReport& night) {
   const auto& place = night.circumstances.place;
   fmt::print("{}\n{}: {}\n", title(night.circumstances.eclipse),
              night.own_clocks ? night.city.name : uses::place_text(place),
@@ -126,7 +126,7 @@ nlohmann::ordered_json or_null(const std::optional<double>& number) {
   return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json();
 }
 
-nlohmann::ordered_json as_json(const Night& night) {
+nlohmann::ordered_json as_json(const NightReport& night) {
   const auto& place = night.circumstances.place;
   const auto calendar = night.circumstances.eclipse.calendar;
   nlohmann::ordered_json all{{"eclipse", title(night.circumstances.eclipse)},
@@ -162,7 +162,7 @@ nlohmann::ordered_json as_json(const Night& night) {
   return all;
 }
 
-std::string as_csv(const Night& night) {
+std::string as_csv(const NightReport& night) {
   const auto document = as_json(night);
   std::string text =
       "moment,utc,local,zone,altitude_deg,azimuth_deg,up,V_magnitude,mean_luminance_cd_m2,"
@@ -197,7 +197,7 @@ almanac::Instant now() {
   return almanac::instant_from_utc(fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))));
 }
 
-void write(const Night& night, const fs::path& file) {
+void write(const NightReport& night, const fs::path& file) {
   const auto place =
       night.own_clocks ? night.city.name : uses::place_text(night.circumstances.place);
   if (file.extension() == ".ics")
@@ -210,14 +210,14 @@ void write(const Night& night, const fs::path& file) {
     uses::write_visibility_map(file, night.circumstances.eclipse, night.circumstances.place);
 }
 
-Night night_of(const Options& options) {
+NightReport night_of(const Options& options) {
   const auto eclipse = times_of(options.film).eclipse;
   const auto named = almanac::city_named(options.place);
-  Night night{uses::circumstances(eclipse, *options.view.observer),
-              {},
-              named ? *named : almanac::nearest_city(*options.view.observer),
-              named.has_value(),
-              options.zone};
+  NightReport night{uses::circumstances(eclipse, *options.view.observer),
+                    {},
+                    named ? *named : almanac::nearest_city(*options.view.observer),
+                    named.has_value(),
+                    options.zone};
   if (night.zone.empty()) night.zone = night.city.time_zone;
   uses::local_time(eclipse.greatest, night.zone);  // refuses what is no zone
   ProgressBar bar("light");

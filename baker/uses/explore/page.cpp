@@ -30,8 +30,9 @@ std::string fragment_of(const Exploration& exploration, PageExtent extent) {
       "<script type=\"text/plain\" class=\"arrays\">{}</script>\n"
       "<script>{}</script>\n"
       "</div>\n",
-      extent == PageExtent::fragment ? " data-embedded" : "", 
-      escaped(facts.dump(), {{'<', "\\u003c"}}), exploration.arrays.text(), explore::tables::page());
+      extent == PageExtent::fragment ? " data-embedded" : "",
+      escaped(facts.dump(), {{'<', "\\u003c"}}), exploration.arrays.text(),
+      explore::tables::page());
 }
 
 std::string whole_page(const std::string& title, const std::string& style,
@@ -59,8 +60,8 @@ std::string calendar_page(const std::vector<eclipse::Eclipse>& eclipses,
     const auto when = almanac::utc_text(eclipses[i].greatest);
     rows += fmt::format(
         "<tr><td><a href=\"{}\">{}</a></td><td>{}</td><td>{}</td><td>{:.2f}</td></tr>\n", pages[i],
-        when.substr(0, when.find('T')), when.substr(when.find('T') + 1, 5),
-        name(eclipses[i].type), eclipses[i].umbral_magnitude);
+        when.substr(0, when.find('T')), when.substr(when.find('T') + 1, 5), name(eclipses[i].type),
+        eclipses[i].umbral_magnitude);
   }
   return whole_page(
       "Eclipses of the Moon",

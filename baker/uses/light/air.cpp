@@ -77,7 +77,7 @@ Column changed(Column column, const ColumnChange& change, const Standing& standi
 }
 
 /// Moment of the air: tilt of the pole, and year.
-struct Moment {
+struct AirMoment {
   algebra::Angle sun_declination;
   double year;
 
@@ -86,7 +86,8 @@ struct Moment {
   }
 };
 
-atmosphere::Belts belts_in(const AirRegion& region, atmosphere::Belts belts, const Moment& moment) {
+atmosphere::Belts belts_in(const AirRegion& region, atmosphere::Belts belts,
+                           const AirMoment& moment) {
   for (auto& belt : belts)
     belt.column = changed(belt.column, region.column, moment.at(belt.from_north_rad));
   return belts;
@@ -94,7 +95,7 @@ atmosphere::Belts belts_in(const AirRegion& region, atmosphere::Belts belts, con
 
 std::vector<atmosphere::Region> regions_from(const AirRegion& region,
                                              const atmosphere::Atmosphere& air,
-                                             const Moment& moment) {
+                                             const AirMoment& moment) {
   require_place(region);
   const auto column = changed(air.column, region.column, {{}, moment.year});
   std::vector<atmosphere::Region> regions;
@@ -171,7 +172,7 @@ void require_place(const AirRegion& region) {
 
 atmosphere::Atmosphere atmosphere_of(const Air& air_asked, algebra::Angle sun_declination,
                                      double year) {
-  const Moment moment{sun_declination, year};
+  const AirMoment moment{sun_declination, year};
   auto air = atmosphere::preset(air_asked.atmosphere, sun_declination, year);
   if (air.belts.empty() && air.top_m() > 0 && depends_on_latitude(air_asked))
     air.belts = atmosphere::belts_of(air.column);
@@ -196,7 +197,7 @@ atmosphere::Atmosphere atmosphere_of(const Air& air_asked, algebra::Angle sun_de
 
 namespace {
 
-Moment moment_of(const almanac::SkyState& sky) {
+AirMoment moment_of(const almanac::SkyState& sky) {
   return {eclipse::shadow_axis(sky).sun_declination, almanac::year_of(sky.when)};
 }
 

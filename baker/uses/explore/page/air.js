@@ -6,8 +6,8 @@ export const airAsItWas = {
   refraction: true, scattering: true, ozone: true, gases: true, aerosol: true, clouds: true,
   cloud: 1,  // factor on the chance of cloud and on cirrus
   haze: 1,  // factor on the aerosol below the stratosphere
-  dust: null,  // optical depth of the stratosphere's aerosol at 550 nm
-  ozoneDu: null,  // column of ozone everywhere
+  dust: null,  // optical depth of the stratosphere's aerosol at 550 nm; null: as it was
+  ozoneDu: null,  // column of ozone everywhere; null: as it was
   clearness: 0,  // share of cloud and aerosol taken away; below 0: depth added to the stratosphere
 };
 
