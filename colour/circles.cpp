@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "algebra/random.h"
+#include "colour/quantile.h"
 #include "colour/similarity.h"
 
 namespace coppermoon::colour {
@@ -19,15 +20,9 @@ using Picture = algebra::Grid<float>;
 
 constexpr double least_circle_px = 5;
 
-float nth_of(std::vector<float> values, double share) {
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
-}
-
 /// Light on an asinh scale: linear below `floor_share` of the range from sky to brightest, logarithmic above.
 Picture toned(Picture image, double floor_share) {
-  const double sky = nth_of({image.values().begin(), image.values().end()}, 0.2),
+  const double sky = quantile<float>({image.values().begin(), image.values().end()}, 0.2),
                range = *std::ranges::max_element(image.values()) - sky;
   if (range <= 0) return Picture(image.rows(), image.columns());
   for (float& value : image.values())
@@ -68,7 +63,7 @@ std::vector<Edge> edges_of(const Picture& image) {
     for (std::size_t c = 3; c + 3 < image.columns(); ++c)
       steepness(r, c) = static_cast<float>(glm::length(slope(image, r, c)));
   const std::vector<float> all(steepness.values().begin(), steepness.values().end());
-  const double steepest = *std::ranges::max_element(all), usual = nth_of(all, 0.5);
+  const double steepest = *std::ranges::max_element(all), usual = quantile(all, 0.5);
   if (steepest <= 0) return {};
   const double least =
       std::max(of_steepest * steepest, std::min(of_median * usual, 0.5 * steepest));

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "algebra/error.h"
+#include "colour/srgb.h"
 #include "colour/working_space.h"
 
 namespace coppermoon::colour {
@@ -22,7 +23,7 @@ double cube_root_or_line(double t) {
 
 double decoded(float coded) {
   algebra::require_within("sRGB channel", coded, 0, 1);
-  return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
+  return srgb_light(coded);
 }
 
 /// √(C⁷ / (C⁷ + 25⁷)): 0 for greys, 1 for vivid colours.

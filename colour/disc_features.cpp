@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "colour/quantile.h"
+
 namespace coppermoon::colour {
 namespace {
 
@@ -35,13 +37,6 @@ std::vector<float> values_between(const Values& picture, const Disc& disc, doubl
       if (away >= inner * disc.radius_px && away < reach) values.push_back(picture(r, c));
     }
   return values;
-}
-
-float quantile(std::vector<float> values, double share) {
-  if (values.empty()) return 0;
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
 }
 
 /// Box mean over 2 reach + 1 pixels of a line, 0 beyond its ends.

@@ -17,6 +17,7 @@
 #include "algebra/error.h"
 #include "colour/circles.h"
 #include "colour/picture_part.h"
+#include "colour/quantile.h"
 #include "colour/similarity.h"
 
 namespace coppermoon::colour {
@@ -36,12 +37,6 @@ void require_luminance(const Luminance& image) {
       if (!std::isfinite(value))
         throw algebra::Error("luminance that is not finite, allowed finite");
   });
-}
-
-double quantile(std::vector<double> values, double share) {
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
 }
 
 /// Limb point on a radius.

@@ -6,6 +6,7 @@
 
 #include "algebra/interpolation.h"
 #include "algebra/table.h"
+#include "colour/srgb.h"
 #include "colour/tables.h"
 
 namespace coppermoon::colour {
@@ -22,11 +23,6 @@ const algebra::Table& table() {
   return read;
 }
 
-/// sRGB coding (IEC 61966-2-1).
-double level_of(double displayed) {
-  return displayed <= 0.0031308 ? 12.92 * displayed : 1.055 * std::pow(displayed, 1 / 2.4) - 0.055;
-}
-
 double component(const char* name, double level) {
   return algebra::interpolated(table()["level"], table()[name], level);
 }
@@ -34,7 +30,7 @@ double component(const char* name, double level) {
 }  // namespace
 
 std::array<double, tone_numbers> tone_derivatives(double displayed) {
-  const double level = level_of(std::clamp(displayed, 0., 1.));
+  const double level = srgb_code(std::clamp(displayed, 0., 1.));
   std::array<double, tone_numbers> derivatives{
       component("first", level), component("second", level), component("third", level)};
   const double place = std::clamp((level - first_level) / (last_level - first_level), 0., 1.) *
@@ -47,7 +43,7 @@ std::array<double, tone_numbers> tone_derivatives(double displayed) {
 }
 
 double tone_logarithm(const ToneCurve& curve, double displayed) {
-  double logarithm = component("mean", level_of(std::clamp(displayed, 0., 1.)));
+  double logarithm = component("mean", srgb_code(std::clamp(displayed, 0., 1.)));
   const auto derivatives = tone_derivatives(displayed);
   for (std::size_t k = 0; k < tone_numbers; ++k) logarithm += curve.numbers[k] * derivatives[k];
   return logarithm;

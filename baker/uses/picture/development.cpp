@@ -105,7 +105,7 @@ double cubic_mean(const LitSums& sums) {
   return mean * mean * mean;
 }
 
-/// Mean weighted by luminance: near that of the bright part, however small.
+/// Mean weighted by the cube of luminance: near that of the bright part, however small.
 double bright_mean(const LitSums& sums) { return sums.fourth_powers / sums.cubes; }
 
 /// Harmonic mean: near that of the dark part as soon as it is a tenth of the disc.

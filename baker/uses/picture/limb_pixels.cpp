@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/limb_pixels.h"
 
-#include <cmath>
-
+#include "colour/srgb.h"
 #include "uses/picture/avif_file.h"
 
 namespace coppermoon::uses {
 namespace {
 
-double light_of(double code, bool pq) {
-  if (pq) return light_of_pq(code);
-  return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
-}
+double light_of(double code, bool pq) { return pq ? light_of_pq(code) : colour::srgb_light(code); }
 
-double code_of(double light, bool pq) {
-  if (pq) return pq_of_light(light);
-  return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-}
+double code_of(double light, bool pq) { return pq ? pq_of_light(light) : colour::srgb_code(light); }
 
 double share_at(const DiscOutline& disc, std::size_t row, std::size_t column) {
   return covered_share(disc, static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);

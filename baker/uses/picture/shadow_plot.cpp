@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "colour/cie_observer.h"
+#include "colour/srgb.h"
 #include "colour/working_space.h"
 #include "eclipse/shadow_cone.h"
 #include "uses/plot/plot.h"
@@ -50,10 +51,6 @@ std::vector<PlotCurve> curves(const ShadowProfile& profile) {
   return curves;
 }
 
-double srgb(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
 }  // namespace
 
 std::string plot_colour(double wavelength_nm) {
@@ -71,7 +68,7 @@ std::string plot_colour(double wavelength_nm) {
   const double efficiency = weights(1, 0) / colour::luminous_efficacy_lm_per_W;
   channels *=
       std::min(1., brightest / luminance) * std::pow(std::min(1., efficiency / well_seen), 0.2);
-  const auto code = [](double linear) { return std::lround(255 * srgb(linear)); };
+  const auto code = [](double linear) { return std::lround(255 * colour::srgb_code(linear)); };
   return fmt::format("#{:02x}{:02x}{:02x}", code(channels.x), code(channels.y), code(channels.z));
 }
 

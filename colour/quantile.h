@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace coppermoon::colour {
+
+/// Value below which a share (0 to 1) of some values lies: the nearest below, not interpolated; 0 of none.
+template <class Number>
+Number quantile(std::vector<Number> values, double share) {
+  if (values.empty()) return 0;
+  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + at, values.end());
+  return values[static_cast<std::size_t>(at)];
+}
+
+}  // namespace coppermoon::colour
