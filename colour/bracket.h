@@ -12,7 +12,7 @@ namespace coppermoon::colour {
 struct Bracketed {
   Image scene_linear;          ///< [cd/m²]
   algebra::Grid<float> valid;  ///< 1 where no channel is clipped, else 0
-  double light = 1;  ///< weight: exposure time over f-number squared, in any unit
+  double light = 1;            ///< weight: exposure time over f-number squared, in any unit
 };
 
 /// Luminance of the scene, from all exposures of a bracketed set.

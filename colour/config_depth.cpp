@@ -166,8 +166,7 @@ void require_readable(const std::filesystem::path& config) {
   constexpr std::ptrdiff_t most = 16;
   std::error_code none;
   if (std::filesystem::exists(config, none) && !std::filesystem::is_regular_file(config, none))
-    throw algebra::Error(
-        fmt::format("{}: cannot be read: it is no regular file", config.string()));
+    throw algebra::Error(fmt::format("{}: cannot be read: it is no regular file", config.string()));
   std::ifstream file(config);
   std::ptrdiff_t aliases = 0;
   for (std::string line; std::getline(file, line);) aliases += aliases_in(line);

@@ -12,7 +12,7 @@ struct DiscFeatures {
   algebra::Grid<float> contrast;  ///< −1 beyond the limb
   algebra::Grid<float> weight;    ///< 0 to 1; 0 where the picture carries no information
   Similarity from_picture;        ///< to these grids; the disc's centre is the middle of both
-  double floor;  ///< noise floor, over the 99th percentile of the disc's light
+  double floor;                   ///< noise floor, over the 99th percentile of the disc's light
 };
 
 /// Range of light that a picture resolves.

@@ -20,7 +20,7 @@ namespace {
 using Values = algebra::Grid<float>;
 using std::numbers::pi;
 
-constexpr double within_limb = 0.92, beyond_limb = 1.2;  // of the disc's radius
+constexpr double within_limb = 0.92, beyond_limb = 1.2;             // of the disc's radius
 constexpr double least_correlation = 0.4, least_of_markings = 0.3;  // by chance up to 0.29
 
 /// Sums of a weighted correlation.
@@ -93,9 +93,8 @@ void for_all_shared(const Pair& pair, const Pose& pose, double out_to, const aut
 /// Correlation of the discs in a pose, within a share of their radius.
 double correlation(const Pair& pair, const Pose& pose, double out_to) {
   Sums sums;
-  for_all_shared(pair, pose, out_to, [&](double, double weight, double a, double b) {
-    sums.add(weight, a, b);
-  });
+  for_all_shared(pair, pose, out_to,
+                 [&](double, double weight, double a, double b) { sums.add(weight, a, b); });
   return sums.correlation();
 }
 

@@ -19,10 +19,10 @@ inline constexpr const char* frame_stem = "frame";
 /// Moon in as many frames as there are cameras, a texture for each.
 struct Sequence {
   std::vector<SceneCamera> cameras;  ///< all of the same width, height, field and mirroring
-  std::string textures;  ///< file name for numbered_file, beside the scene; plain ASCII
-  double moon_radius = 1;    ///< in the scene's own units, as MoonScene's
-  int sampling_depth = 2;    ///< as MoonScene's
-  std::string caption = {};  ///< one line, written as a comment at the head of both files
+  std::string textures;              ///< file name for numbered_file, beside the scene; plain ASCII
+  double moon_radius = 1;            ///< in the scene's own units, as MoonScene's
+  int sampling_depth = 2;            ///< as MoonScene's
+  std::string caption = {};          ///< one line, written as a comment at the head of both files
 };
 
 /// Name of a numbered file of a sequence.

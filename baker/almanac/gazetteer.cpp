@@ -145,7 +145,8 @@ std::string plain_name(std::string_view name) {
     if (byte >= 0xC3 && byte <= 0xC5 && i + 1 < name.size()) {
       const auto next = static_cast<unsigned char>(name[++i]);
       text += plain.substr((byte - 0xC3U) * 64 + (next & 0x3FU)).front();
-    } else if (byte == 0xC8 && i + 1 < name.size() && name[i + 1] >= '\x98' && name[i + 1] <= '\x9B') {
+    } else if (byte == 0xC8 && i + 1 < name.size() && name[i + 1] >= '\x98' &&
+               name[i + 1] <= '\x9B') {
       text += "sstt"[static_cast<unsigned char>(name[++i]) - 0x98];  // Romanian: a comma below
     } else if ((byte == 0xCC || byte == 0xCD) && i + 1 < name.size()) {
       ++i;  // an accent that stands behind its letter
@@ -171,9 +172,8 @@ std::optional<City> city_named(std::string_view name) {
 
 /// A city's place among the most populous, from 1 on.
 static std::ptrdiff_t rank_of(const City& city) {
-  const auto found = std::ranges::find_if(cities(), [&](const auto& row) {
-    return row[0] == city.name && row[1] == city.region;
-  });
+  const auto found = std::ranges::find_if(
+      cities(), [&](const auto& row) { return row[0] == city.name && row[1] == city.region; });
   return found - cities().begin() + 1;
 }
 

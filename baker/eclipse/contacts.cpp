@@ -89,10 +89,13 @@ std::optional<Eclipse> eclipse_near(const Instant& middle, ShadowConvention conv
   const double penumbral = magnitude(sighting, convention, Edge::penumbra);
   if (penumbral <= 0) return std::nullopt;
   const Contacts contacts = contacts_in({lunation, convention, greatest_s});
-  return Eclipse{
-      almanac::later(middle, greatest_s),           type_of(contacts), signed_gamma(sighting.moon),
-      magnitude(sighting, convention, Edge::umbra), penumbral,         contacts,
-      almanac::Calendar::gregorian};
+  return Eclipse{almanac::later(middle, greatest_s),
+                 type_of(contacts),
+                 signed_gamma(sighting.moon),
+                 magnitude(sighting, convention, Edge::umbra),
+                 penumbral,
+                 contacts,
+                 almanac::Calendar::gregorian};
 }
 
 /// Spares the slow theory where moon98 leaves no doubt: 0.05 of the Moon's diameter is 90″.

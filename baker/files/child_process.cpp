@@ -159,7 +159,7 @@ void run_program(const Program& program, std::optional<int> result) {
   const auto said = all_said(words.out.number);
   require_success(program, child.status(),
                   fmt::format("{}: {}", program.words[0], first_line(said)));
-  struct stat made{};
+  struct stat made {};
   if (result && (::fstat(*result, &made) != 0 || made.st_size == 0))
     throw Error(fmt::format("{}: ended without a result", program.words[0]));
 }

@@ -16,7 +16,7 @@ int opened(const std::filesystem::path& folder) {
 ///
 /// Given  length  0: all from there on
 bool others_hold(int descriptor, off_t from, off_t length) {
-  struct flock asked{};
+  struct flock asked {};
   asked.l_type = F_WRLCK;
   asked.l_start = from;
   asked.l_len = length;
@@ -37,7 +37,7 @@ FolderLock::~FolderLock() {
 FolderClaim::FolderClaim(const std::filesystem::path& folder, std::uint64_t purpose)
     : descriptor_(opened(folder)) {
   const auto byte = static_cast<off_t>(purpose >> 2) + 1;  // neither the first nor the last
-  struct flock mine{};
+  struct flock mine {};
   mine.l_type = F_RDLCK;
   mine.l_start = byte;
   mine.l_len = 1;

@@ -75,7 +75,7 @@ class TemporaryFile {
 
   /// Takes over the permissions of the file that is replaced, as far as this user may.
   void keep_permissions() const {
-    struct stat replaced{};
+    struct stat replaced {};
     constexpr mode_t permissions = 0777;
     if (::stat(final_.c_str(), &replaced) == 0)
       ::fchmod(descriptor_, replaced.st_mode & permissions);

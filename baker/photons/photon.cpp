@@ -23,9 +23,10 @@ Ray aimed_at_the_ring(algebra::Random& random, double sun_distance_m,
   const glm::dvec3 across = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), to_earth));
   const glm::dvec3 upward = glm::cross(to_earth, across);
   const double sine = b / distance, cosine = std::sqrt(1 - sine * sine);
-  return {source,
-          // FAULT a ring of photons 1 % narrow one way: std::cos(azimuth) => 0.99 * std::cos(azimuth)
-          cosine * to_earth + sine * (std::cos(azimuth) * across + std::sin(azimuth) * upward)};
+  return {
+      source,
+      // FAULT a ring of photons 1 % narrow one way: std::cos(azimuth) => 0.99 * std::cos(azimuth)
+      cosine * to_earth + sine * (std::cos(azimuth) * across + std::sin(azimuth) * upward)};
 }
 
 double innermost_radius_m(const atmosphere::Atmosphere& atmosphere) {

@@ -50,10 +50,10 @@ struct Scene {
   double nearest_m = 0, farthest_m = 0;  ///< axis distances of its disc
   bool limb_darkening = true, ellipsoid = true;
   std::size_t columns = 1;  ///< of air: 1; with regions or belts more
-  std::size_t parts = 1;    ///< of the limb that have rays of their own, where there are more columns
-  bool borders = false;     ///< whether one air ends and another begins somewhere, as of regions
-  double texels = 0;        ///< that are baked; 0: no texture
-  bool map_file = false;    ///< an albedo map is read
+  std::size_t parts = 1;  ///< of the limb that have rays of their own, where there are more columns
+  bool borders = false;   ///< whether one air ends and another begins somewhere, as of regions
+  double texels = 0;      ///< that are baked; 0: no texture
+  bool map_file = false;  ///< an albedo map is read
 
   /// Largest relative change of luminance anywhere on the disc when a term is left out.
   double without_refracted = 1, without_ellipsoid = 0, without_regions = 0, without_scattered = 0;

@@ -27,8 +27,7 @@ template <class Whole>
 Read<Whole> whole_in(const std::string& text) {
   const auto end = text.data() + text.size();
   Read<Whole> read;
-  const auto [rest, failed] =
-      std::from_chars(text.data() + text.starts_with('+'), end, read.value);
+  const auto [rest, failed] = std::from_chars(text.data() + text.starts_with('+'), end, read.value);
   read.whole = failed == std::errc() && rest == end;
   read.too_large = failed == std::errc::result_out_of_range;
   return read;
@@ -148,8 +147,7 @@ void take_parts(Parameters& parts, const std::string& text) {
   for (std::string pair; std::getline(pairs, pair, ',');) {
     const auto sign = pair.find('=');
     auto* part = parts.find(pair.substr(0, sign));
-    if (part == nullptr)
-      throw algebra::Error(fmt::format("{}: there is no such part", pair));
+    if (part == nullptr) throw algebra::Error(fmt::format("{}: there is no such part", pair));
     if (sign == std::string::npos || sign + 1 == pair.size())
       throw algebra::Error(fmt::format("{}: a value is missing", part->name));
     part->take({pair.substr(sign + 1)});

@@ -61,8 +61,9 @@ class Parameters;
 ///
 /// Every door speaks text: a number is spelt so that it reads back as the same number.
 struct Parameter {
-  std::string name;      ///< "ozone-du": its flag without dashes, its key in a recipe
-  std::string spelling;  ///< of its flag, as "-o,--output"; the name alone where it is "--" and the name
+  std::string name;  ///< "ozone-du": its flag without dashes, its key in a recipe
+  /// Of its flag, as "-o,--output"; the name alone where it is "--" and the name
+  std::string spelling;
   Kind kind = Kind::text;
   std::string meaning;  ///< for help, docstrings and tables; with unit and range
   std::optional<Range> range{};
@@ -71,15 +72,16 @@ struct Parameter {
   std::string heading{};  ///< in help; for readers alone
   std::string table{};    ///< of a recipe, as "camera"; empty: above all tables
   Affects affects = Affects::ground;
-  bool planned = false;   ///< replaced by the plan's work in the recipe of what was made
-  bool many = false;      ///< may be given again, and every value counts
+  bool planned = false;  ///< replaced by the plan's work in the recipe of what was made
+  bool many = false;     ///< may be given again, and every value counts
   bool required = false;
   std::shared_ptr<Parameters> parts{};  ///< of a value "name=text,name=text"; else none
   std::optional<Texts> given{};         ///< texts that a door gave, as a recipe spells them
 
-  std::function<Texts()> read{};              ///< texts of the field's value; empty: no value
-  std::function<void(const Texts&)> write{};  ///< throws algebra::Error for texts that are not allowed
-  std::function<void()> restore{};            ///< puts back the field's first value
+  std::function<Texts()> read{};  ///< texts of the field's value; empty: no value
+  /// Throws algebra::Error for texts that are not allowed
+  std::function<void(const Texts&)> write{};
+  std::function<void()> restore{};  ///< puts back the field's first value
 
   /// Texts that were given, else of the field's value.
   Texts texts() const { return given ? *given : read(); }
@@ -298,8 +300,9 @@ class Parameters {
   auto end() const { return all_.end(); }
   std::size_t size() const { return all_.size(); }
 
+  /// Addresses last when more are added
  private:
-  std::deque<Parameter> all_;  ///< addresses last when more are added
+  std::deque<Parameter> all_;
   std::string heading_, table_;
   Affects affects_ = Affects::ground;
 };

@@ -117,8 +117,7 @@ std::string without(const std::string& recipe,
   return left;
 }
 
-std::vector<Difference> differences(const std::string& first,
-                                                 const std::string& second) {
+std::vector<Difference> differences(const std::string& first, const std::string& second) {
   const auto a = lines_of(first), b = lines_of(second);
   std::vector<Difference> all;
   for (const auto& [flag, value] : a) {

@@ -18,7 +18,7 @@ struct QuadratureSettings {
   /// rays from the one that grazes the ground to the air's top, 2 to 1e7; the bins of landing distance
   /// are 4 km wide at 300 rays, and in proportion
   int rays = 300;
-  int sun_terms = 6;                    ///< of a limb-darkened disc (photons::disc_terms), 1 to 6
+  int sun_terms = 6;  ///< of a limb-darkened disc (photons::disc_terms), 1 to 6
   /// sectors that are computed, 4 to 360 around; the others stay dark. All are computed at once where the
   /// air has one column
   Sectors sectors{sectors_around};

@@ -153,10 +153,10 @@ void LimbLandings::fill_landings(const photons::WholeLimb::Part& part, Table& ta
     tbb::parallel_for(std::size_t{0}, table.heights_m.size(), [&](std::size_t i) {
       for (std::size_t w = 0; w < waves_; ++w) {
         const auto& fan = part.fans[w];
-        table.landing_m[k](i, w) =
-            static_cast<float>(landing_m(part.radius_m + fan.impact_height_m[i], fan.bending_rad[i],
-                                         // FAULT photons of all planes land on the first: depths_m[k] => depths_m[0]
-                                         arrangement_.sun_distance_m, arrangement_.depths_m[k]));
+        table.landing_m[k](i, w) = static_cast<float>(
+            landing_m(part.radius_m + fan.impact_height_m[i], fan.bending_rad[i],
+                      // FAULT photons of all planes land on the first: depths_m[k] => depths_m[0]
+                      arrangement_.sun_distance_m, arrangement_.depths_m[k]));
       }
       pad(table.landing_m[k].row(i), waves_, table.landing_m[k](i, waves_ - 1));
     });

@@ -99,7 +99,9 @@ double geometric_albedo(const Grid<float>& map, Photometry photometry) {
   return all.light / all.area;
 }
 
-double kit_2019_albedo(double code) { return std::pow(0.16 + 0.24 * code, 2.8 * exponent_to_full_moon); }
+double kit_2019_albedo(double code) {
+  return std::pow(0.16 + 0.24 * code, 2.8 * exponent_to_full_moon);
+}
 
 Grid<float> with_polar_contrast(Grid<float> map) {
   constexpr double fades_from = 64, faded_at = 70, faded_to = 0.37;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface/built_in_map.h"
 
-#include <cstdio>  // before jpeglib.h, which needs it
 #include <jpeglib.h>
+#include <cstdio>  // before jpeglib.h, which needs it
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,8 @@ algebra::Grid<float> built_in_map() {
   jpeg_error_mgr errors{};
   jpeg_decompress_struct jpeg{};
   jpeg.err = jpeg_std_error(&errors);
-  errors.error_exit = [](j_common_ptr) { throw std::bad_alloc(); };  // nothing else fails: the file is ours
+  // nothing else fails: the file is ours
+  errors.error_exit = [](j_common_ptr) { throw std::bad_alloc(); };
   const std::unique_ptr<jpeg_decompress_struct, decltype(&jpeg_destroy_decompress)> destroyed(
       &jpeg, jpeg_destroy_decompress);
   jpeg_create_decompress(&jpeg);

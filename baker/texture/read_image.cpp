@@ -79,8 +79,8 @@ void require_bands(const fs::path& path, const OIIO::ImageSpec& spec) {
   const int bands = spec.nchannels - (spec.alpha_channel >= 0 ? 1 : 0);
   if (bands <= 3 || spec.get_int_attribute("tiff:PhotometricInterpretation") == colours) return;
   throw cannot_read(
-      path, fmt::format("{} bands, and nothing says which of them are colours, allowed up to 3",
-                        bands));
+      path,
+      fmt::format("{} bands, and nothing says which of them are colours, allowed up to 3", bands));
 }
 
 /// Which channels are red, green and blue, by name; all the same for grey. Only OpenEXR's names are the

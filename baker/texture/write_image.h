@@ -41,7 +41,8 @@ struct Part {
   std::string name;
   Layout layout;
   Rows rows;
-  std::vector<std::string> left_out = {};  ///< attributes of the file that are not true of this part
+  std::vector<std::string> left_out =
+      {};  ///< attributes of the file that are not true of this part
 };
 
 /// Several images in one OpenEXR file of as many parts, as above; the attributes stand in each,

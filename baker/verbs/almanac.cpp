@@ -116,9 +116,8 @@ void print_heading(bool feature, bool seen) {
 
 void print(const Listed& listed) {
   const auto& e = listed.eclipse;
-  fmt::print("{:<21}{:<10}{:>8.4f}{:>9.4f}{:>9.4f}",
-             almanac::utc_text(e.greatest, e.calendar), name(e.type), e.gamma, e.umbral_magnitude,
-             e.penumbral_magnitude);
+  fmt::print("{:<21}{:<10}{:>8.4f}{:>9.4f}{:>9.4f}", almanac::utc_text(e.greatest, e.calendar),
+             name(e.type), e.gamma, e.umbral_magnitude, e.penumbral_magnitude);
   for (const auto& [key, when] : contact_columns(e)) fmt::print("  {:<8}", time_of_day(when));
   if (const auto& times = listed.feature)
     fmt::print("  {:<10}  {:<11}", time_of_day(times->immersion), time_of_day(times->emersion));

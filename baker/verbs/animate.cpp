@@ -91,7 +91,7 @@ void run(const CLI::App& verb, const Options& options) {
       part_of(uses::frames_in(options.film.range, film.moments.frames.size()), shard);
   set_up(film, mounting_of(options.film, film.view.observer.has_value()), frames);
   film.record = uses::film_record(parameters_of(verb),
-                            request::with_width(recipe_of(verb), *film.moon.texture_width));
+                                  request::with_width(recipe_of(verb), *film.moon.texture_width));
   film.record.map_contents = map_contents(film.moon);
   film.record.view_contents = fingerprint(film.development, space_of(film.content));
   film.record.way_out = ", or --replace";
@@ -137,9 +137,10 @@ void add_animate(CLI::App& program) {
   add_flag(*verb, "-o,--output", options->output, "folder for what is made")
       .writes_folder()
       .required();
-  add_run_switch(*verb, "--replace", options->replace,
-             "overwrites another film in the folder; linear frames that differ only in exposure are "
-             "kept and developed again");
+  add_run_switch(
+      *verb, "--replace", options->replace,
+      "overwrites another film in the folder; linear frames that differ only in exposure are "
+      "kept and developed again");
   add_run_switch(*verb, "--json", options->json, "prints one JSON event per line");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });

@@ -154,7 +154,8 @@ void write_picture(const uses::Development& develop, const Output& output,
 /// Recipe of one output: its own colour space, and passes or spectra only where it has some.
 std::string recipe_for(const uses::TextureContent& content, const std::string& recipe) {
   const std::string space(colour::name(space_of(content)));
-  return fmt::format("space = \"{}\"\n", space) + request::without(recipe, [&](const std::string& flag) {
+  return fmt::format("space = \"{}\"\n", space) +
+         request::without(recipe, [&](const std::string& flag) {
            return flag == "space" || (flag == "passes" && !content.passes) ||
                   (flag == "spectral" && !content.spectral_nm);
          });
@@ -196,8 +197,8 @@ Report make(const CLI::App& verb, const Options& options, const std::vector<Outp
   const auto request = moon_request(options.moon);
   const auto moon = lit_moon(options, request);
   const auto& light = *moon.light;
-  const auto recipe = request.unshadowed ? recipe_of(verb)
-                                         : uses::with_work(recipe_of(verb), light.plan.work);
+  const auto recipe =
+      request.unshadowed ? recipe_of(verb) : uses::with_work(recipe_of(verb), light.plan.work);
   Report made{{}, {}, 0, light.error_found, light.plan};
   for (const auto& output : outputs) {
     made.files.push_back(output.path.string());
@@ -277,7 +278,8 @@ void add_bake(CLI::App& program) {
   add_flag(
       *verb, "-o,--output", options->outputs,
       "texture: .exr; .tx (tiled and mip-mapped); .png (developed); .glb (developed, on a sphere); "
-      ".usda (a sphere, with its moon_lin_rec709.exr beside it); .stellarium (a folder for Stellarium, needs "
+      ".usda (a sphere, with its moon_lin_rec709.exr beside it); .stellarium (a folder for "
+      "Stellarium, needs "
       "--at). May be given again: one simulation serves all")
       .writes_file()
       .kept_each_time();

@@ -325,7 +325,8 @@ void add_compare(CLI::App& program) {
            ".exr whose recipe tells what the render shows, as a scene's texture does; default: "
            "the render itself")
       .reads_file();
-  add_run_switch(*verb, "--csv", options->csv, "prints the steps of distance, and the disc, as CSV");
+  add_run_switch(*verb, "--csv", options->csv,
+                 "prints the steps of distance, and the disc, as CSV");
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });

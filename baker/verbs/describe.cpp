@@ -24,8 +24,9 @@ struct Options {
 };
 
 const char* name(Kind kind) {
-  constexpr const char* names[] = {"number", "whole",    "natural",   "word",         "on-off",
-                                   "presence", "text", "file-read", "file-written", "folder-written"};
+  constexpr const char* names[] = {"number",       "whole",         "natural", "word",
+                                   "on-off",       "presence",      "text",    "file-read",
+                                   "file-written", "folder-written"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -57,7 +58,8 @@ Json usual_of(const Parameter& parameter) {
 Json as_json(const Parameter& parameter) {
   Json json{{"name", parameter.name}, {"kind", name(parameter.kind)}};
   if (const auto unit = unit_of(parameter); !unit.empty()) json["unit"] = unit;
-  if (const auto& range = parameter.range) json["range"] = {number(range->low), number(range->high)};
+  if (const auto& range = parameter.range)
+    json["range"] = {number(range->low), number(range->high)};
   if (!parameter.words.empty()) json["words"] = parameter.words;
   if (!parameter.usual.empty()) json["default"] = usual_of(parameter);
   json["many"] = parameter.many;
@@ -75,18 +77,17 @@ Json as_json(const Parameter& parameter) {
 Json as_json(const CLI::App& verb) {
   auto parameters = Json::array();
   for (const auto& parameter : parameters_of(verb)) parameters.push_back(as_json(parameter));
-  return {{"name", verb.get_name()},
-          {"meaning", verb.get_description()},
-          {"parameters", parameters}};
+  return {
+      {"name", verb.get_name()}, {"meaning", verb.get_description()}, {"parameters", parameters}};
 }
 
 /// "0 to 1000 DU", "on, off"; where neither is known, the kind.
 std::string allowed(const Parameter& parameter) {
   const auto unit = unit_of(parameter);
-  const auto values = parameter.range
-                          ? fmt::format("{:g} to {:g}", parameter.range->low, parameter.range->high)
-                      : parameter.words.empty() ? name(parameter.kind)
-                                                : fmt::format("{}", fmt::join(parameter.words, ", "));
+  const auto values =
+      parameter.range ? fmt::format("{:g} to {:g}", parameter.range->low, parameter.range->high)
+      : parameter.words.empty() ? name(parameter.kind)
+                                : fmt::format("{}", fmt::join(parameter.words, ", "));
   return unit.empty() ? values : values + " " + unit;
 }
 
@@ -133,8 +134,7 @@ void add_describe(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   std::vector<std::string> names;
   for (const auto* other : program.get_subcommands({})) names.push_back(other->get_name());
-  add_flag(*verb, "commands,--commands", options->commands,
-           "commands to describe; default: all")
+  add_flag(*verb, "commands,--commands", options->commands, "commands to describe; default: all")
       .one_of(names)
       .of(request::Affects::run);
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");

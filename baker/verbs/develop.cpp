@@ -112,8 +112,7 @@ uses::Exposures exposures_of(const Options& options, const std::vector<Job>& job
   uses::SharedExposure shared(options.develop);
   if (options.develop.time.rule != uses::ExposureTime::Rule::fixed)
     for (const auto& job : jobs)
-      shared.add(read_frame(job.frame, job.space), job.space,
-                 uses::seen_by(fs::path(job.frame)));
+      shared.add(read_frame(job.frame, job.space), job.space, uses::seen_by(fs::path(job.frame)));
   return shared.exposures();
 }
 
@@ -173,9 +172,10 @@ void add_develop(CLI::App& program) {
            "picture: .png, or .avif of high dynamic range; for several frames a folder")
       .writes_file()
       .required();
-  add_flag(*verb, "--space", options->space,
-           "colour space of the frame: lin_rec709, acescg or lin_ciexyzd65_scene; default: what the "
-           "header or the name says");
+  add_flag(
+      *verb, "--space", options->space,
+      "colour space of the frame: lin_rec709, acescg or lin_ciexyzd65_scene; default: what the "
+      "header or the name says");
   add_described(*verb, options->develop);
   add_described(*verb, options->develop.camera);
   add_camera_file_options(*verb, options->develop.camera);

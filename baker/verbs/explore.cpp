@@ -8,8 +8,8 @@
 
 #include "algebra/error.h"
 #include "almanac/gazetteer.h"
-#include "files/own_file.h"
 #include "files/name_to_share.h"
+#include "files/own_file.h"
 #include "files/whole_file.h"
 #include "uses/explore/exploration.h"
 #include "uses/light/light_parameters.h"

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "algebra/error.h"
+#include "algebra/number.h"
 #include "almanac/gazetteer.h"
 #include "uses/fit/fit.h"
 #include "uses/fit/measured_light.h"
@@ -18,7 +19,6 @@
 #include "verbs/flags/coding_option.h"
 #include "verbs/flags/light_options.h"
 #include "verbs/flags/moon_options.h"
-#include "algebra/number.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"

@@ -186,9 +186,9 @@ void require_sound(const Options& options) {
   for (const fs::path file : options.outputs) {
     const auto ending = file.extension();
     if (!holds({".ics", ".csv", ".json", ".png", ".svg", ".pdf"}, ending.string()))
-      throw algebra::Error(fmt::format(
-          "{}: night writes .ics, .csv and .json, and its map as .png, .svg or .pdf",
-          file.string()));
+      throw algebra::Error(
+          fmt::format("{}: night writes .ics, .csv and .json, and its map as .png, .svg or .pdf",
+                      file.string()));
     files::require_place_for(file);
   }
 }
@@ -272,7 +272,9 @@ void add_night(CLI::App& program) {
            ".svg or .pdf. May be given again")
       .writes_file()
       .kept_each_time();
-  add_flag(*verb, request::on_off("--danjon-spread", options->danjon, "exposures of the middle of totality for Danjon's scale 0 to 4 too"));
+  add_flag(*verb,
+           request::on_off("--danjon-spread", options->danjon,
+                           "exposures of the middle of totality for Danjon's scale 0 to 4 too"));
   add_run_switch(*verb, "--csv", options->csv, "prints the moments as CSV");
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_map_options(*verb, options->moon.request);

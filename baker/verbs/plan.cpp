@@ -24,8 +24,7 @@ struct Options {
 
 /// Whether a picture is planned: any parameter of the view is given.
 bool of_a_picture(const CLI::App& verb) {
-  for (const auto* flag :
-       {"at", "width", "height", "field", "focal-length", "sensor-width"})
+  for (const auto* flag : {"at", "width", "height", "field", "focal-length", "sensor-width"})
     if (is_given(verb, flag)) return true;
   return false;
 }

@@ -9,16 +9,16 @@
 #include <nlohmann/json.hpp>
 
 #include "algebra/error.h"
+#include "algebra/number.h"
 #include "almanac/calendar.h"
 #include "eclipse/shadow_axis.h"
 #include "files/whole_file.h"
-#include "uses/picture/shadow_plot.h"
 #include "uses/light/shadow_profile.h"
 #include "uses/light/shadow_strip.h"
+#include "uses/picture/shadow_plot.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/light_options.h"
 #include "verbs/flags/moments.h"
-#include "algebra/number.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"

@@ -78,7 +78,9 @@ void add_still(CLI::App& program) {
   add_described(*verb, options->develop);
   add_described(*verb, options->develop.camera);
   add_camera_file_options(*verb, options->develop.camera);
-  add_flag(*verb, "-o,--output", options->output, "picture: .png, or .avif of high dynamic range").writes_file().required();
+  add_flag(*verb, "-o,--output", options->output, "picture: .png, or .avif of high dynamic range")
+      .writes_file()
+      .required();
   add_flag(*verb, "--frame", options->frame, "writes the scene-linear frame too: .exr [cd/m²]")
       .writes_file();
   add_frame_space_option(*verb, options->space);

@@ -145,9 +145,10 @@ void add_tradeoff(CLI::App& program) {
   add_flag(*verb, "--longest", options->limits.longest_s,
            "longest time of one run [s], 0 to 1e6; a row that would take longer is extrapolated")
       .within(0, 1e6);
-  add_flag(*verb, "--repeat", options->limits.repeat,
-           "number of runs, 1 to 100; the shortest counts. Runs under a second are made three times or "
-           "more")
+  add_flag(
+      *verb, "--repeat", options->limits.repeat,
+      "number of runs, 1 to 100; the shortest counts. Runs under a second are made three times or "
+      "more")
       .within(1, 100);
   add_switch(*verb, "--quick", options->quick, "measures few and small settings: seconds");
   add_flag(*verb, "--albedo-map", options->moon.albedo_map,

@@ -10,9 +10,8 @@ using namespace coppermoon;
 int main() {
   const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:21:45Z"));
   const almanac::Observer athens{algebra::degrees(37.98), algebra::degrees(23.73), {}};
-  const auto scene = uses::lit_scene({},
-                                     {.observer = athens, .field_deg = 0.7, .width = 300,
-                                      .height = 300}, sky);
+  const auto scene =
+      uses::lit_scene({}, {.observer = athens, .field_deg = 0.7, .width = 300, .height = 300}, sky);
   const auto frame = uses::rendered(scene);
   const uses::Development development;
   const auto space = colour::WorkingSpace::linear_rec709;

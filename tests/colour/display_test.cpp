@@ -254,12 +254,10 @@ TEST(Filmic, KeepsTheHueOfTheUmbraAndMostOfItsRed) {
 }
 
 TEST(Display, NamesTheViewsWhenItHasNoSuchView) {
-  EXPECT_EQ(
-      error_of([] { grey_shown(1, {.view = "Sepia"}); }),
-      "view = Sepia, allowed Un-tone-mapped, ACES 1.0 SDR Video, Filmic, Log, Raw");
-  EXPECT_EQ(
-      error_of([] { grey_shown(1, {.display = "CRT"}); }),
-      "display = CRT, allowed sRGB, Rec.1886 Rec.709, P3-D65, Display P3, Rec.2100-PQ");
+  EXPECT_EQ(error_of([] { grey_shown(1, {.view = "Sepia"}); }),
+            "view = Sepia, allowed Un-tone-mapped, ACES 1.0 SDR Video, Filmic, Log, Raw");
+  EXPECT_EQ(error_of([] { grey_shown(1, {.display = "CRT"}); }),
+            "display = CRT, allowed sRGB, Rec.1886 Rec.709, P3-D65, Display P3, Rec.2100-PQ");
   EXPECT_EQ(error_of([] { views("CRT"); }), error_of([] { grey_shown(1, {.display = "CRT"}); }));
 }
 
@@ -360,7 +358,8 @@ TEST_F(LookUpTable, ThatNamesAPipeIsRefused) {
   for (const std::string attributes :
        {"path=\"pipe\"", "inBitDepth='32f>' PATH = 'pipe'", "alias=\"a\"\n\tpath\n=\"pipe\""}) {
     std::ofstream(table()) << "<?xml version=\"1.0\"?>\n<ProcessList id=\"a\" version=\"1.5\">\n"
-                              "<Reference " + attributes + " />\n</ProcessList>\n";
+                              "<Reference " +
+                                  attributes + " />\n</ProcessList>\n";
     EXPECT_EQ(refusal(), pipe.string() + ": cannot be read: it is no regular file");
   }
   std::ofstream(table()) << "<ProcessList id=\"a\" version=\"1.5\"><Reference path=\"&#112;ipe\"/>";
@@ -371,8 +370,7 @@ TEST_F(LookUpTable, ThatNamesAPipeIsRefused) {
 
 TEST_F(LookUpTable, ThatNamesItselfIsRefused) {
   std::ofstream(table()) << "<ProcessList id=\"a\" version=\"1.5\"><Reference path=\"a.cube\"/>";
-  EXPECT_EQ(refusal(),
-            table().string() + ": 17 files that name one another, allowed to 16");
+  EXPECT_EQ(refusal(), table().string() + ": 17 files that name one another, allowed to 16");
 }
 
 /// Error message for a configuration of some colour spaces and looks.
@@ -381,7 +379,8 @@ std::string fault_of(const std::string& spaces, const std::string& more = "",
   const auto path = std::filesystem::temp_directory_path() /
                     ("coppermoon_loop_" + std::to_string(std::random_device{}()) + ".ocio");
   std::ofstream(path) << "ocio_profile_version: 2\nroles: {default: lin_rec709_scene}\n"
-                         "displays:\n  sRGB:\n    " + views + "\n" + more +
+                         "displays:\n  sRGB:\n    " +
+                             views + "\n" + more +
                              "colorspaces:\n  - !<ColorSpace> {name: lin_rec709_scene}\n" + spaces;
   std::string fault;
   try {
@@ -411,14 +410,14 @@ TEST(Configuration, ThatLeadsBackToItselfIsRefused) {
                      "looks:\n  - !<Look> {name: l, process_space: lin_rec709_scene, transform: " +
                          nothing + "}\n"),
             "colour space \"a\" is made of itself");
-  EXPECT_EQ(
-      fault_of(space("a", nothing),
-               "looks:\n  - !<Look> {name: l, process_space: lin_rec709_scene, transform: "
-               "!<LookTransform> {src: a, dst: a, looks: \"x, -L\"}}\n",
-               "- !<View> {name: Un-tone-mapped, colorspace: a, looks: l}"),
-      "look \"l\" is made of itself");
-  EXPECT_EQ(fault_of(space("a", "!<DisplayViewTransform> {src: lin_rec709_scene, display: sRGB, "
-                                "view: Un-tone-mapped}")),
+  EXPECT_EQ(fault_of(space("a", nothing),
+                     "looks:\n  - !<Look> {name: l, process_space: lin_rec709_scene, transform: "
+                     "!<LookTransform> {src: a, dst: a, looks: \"x, -L\"}}\n",
+                     "- !<View> {name: Un-tone-mapped, colorspace: a, looks: l}"),
+            "look \"l\" is made of itself");
+  EXPECT_EQ(fault_of(space("a",
+                           "!<DisplayViewTransform> {src: lin_rec709_scene, display: sRGB, "
+                           "view: Un-tone-mapped}")),
             "colour space \"a\" is made of itself");
   const std::string display = "display_colorspaces:\n  - !<ColorSpace> {name: d}\n";
   EXPECT_EQ(fault_of(space("a", nothing),
@@ -438,8 +437,9 @@ TEST(Configuration, WithoutAReasonableEndIsRefused) {
   EXPECT_EQ(fault_of(chain + doubled),
             "colour space \"s12\" is made of 8191 transforms, allowed to 4096");
   for (int i = 100; i > 0; --i)
-    chain += space(fmt::format("c{}", i),
-                   fmt::format("!<ColorSpaceTransform> {{src: lin_rec709_scene, dst: c{}}}", i - 1));
+    chain +=
+        space(fmt::format("c{}", i),
+              fmt::format("!<ColorSpaceTransform> {{src: lin_rec709_scene, dst: c{}}}", i - 1));
   EXPECT_EQ(fault_of(chain + space("c0", nothing)),
             "colour space \"c36\" is made of more than 64 others, allowed to 64");
 }

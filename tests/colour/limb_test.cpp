@@ -67,7 +67,8 @@ TEST(Limb, OfANoisyBlurredMoonIsFound) {
 
 TEST(Limb, OfAMoonThatIsMostlyDarkIsFound) {
   expect_limbs(Moon({{-1.9, 0.7}, 1e-4}), {.blur_px = 1, .noise = 0.002}, 0.6,
-               "the dark side of the circle hangs on the bright, and light changes across the pixels looked at: "
+               "the dark side of the circle hangs on the bright, and light changes across the "
+               "pixels looked at: "
                "0.55 measured, 0.58 of a Moon without markings");
 }
 

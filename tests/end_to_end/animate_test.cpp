@@ -30,7 +30,9 @@ class Animate : public ProgramTest {
   }
 
   /// In air that takes a third of the time.
-  static Words film(const Words& more) { return dated_film(more + Words{"--atmosphere", "undated"}); }
+  static Words film(const Words& more) {
+    return dated_film(more + Words{"--atmosphere", "undated"});
+  }
 
   std::map<std::string, std::string> files() const {
     std::map<std::string, std::string> all;
@@ -94,8 +96,8 @@ TEST_F(Animate, MakesTheSameTexturesWhateverElseIsMade) {
 /// The film's light is computed once for all of its moments, a still's for its own.
 void Animate::expect_shown_by_stills(const Words& air) const {
   const auto at = Words{"--at", "-21.1,55.5", "--tolerance", "0.2%", "--stars", "off"} + air;
-  expect_done(coppermoon(
-      dated_film(at + Words{"--frames", "3", "--from", "U1", "--to", "greatest", "--make", "frames"})));
+  expect_done(coppermoon(dated_film(
+      at + Words{"--frames", "3", "--from", "U1", "--to", "greatest", "--make", "frames"})));
   const auto found = texture::read_image(here("film/frame_lin_rec709.0002.exr"));
   const auto when = texture::read_attribute(here("film/frame_lin_rec709.0002.exr"), "capDate");
   ASSERT_TRUE(when);
@@ -135,17 +137,18 @@ double tristimulus(const texture::Image& image, std::size_t r, std::size_t c, st
 
 /// A still made again of the film's second frame, again.exr, shows it.
 void Animate::expect_same_again() const {
-  expect_done(coppermoon({"still", "film/frame_lin_rec709.0002.exr", "-o", "again.png", "--frame",
-                          "again.exr"}));
+  expect_done(coppermoon(
+      {"still", "film/frame_lin_rec709.0002.exr", "-o", "again.png", "--frame", "again.exr"}));
   const auto found = texture::read_image(here("film/frame_lin_rec709.0002.exr")),
              again = texture::read_image(here("again.exr"));
   for (std::size_t r = 0; r < 32; ++r)
     for (std::size_t c = 0; c < 48; ++c)
       for (std::size_t k = 0; k < 3; ++k) {
         const double value = tristimulus(found, r, c, k);
-        EXPECT_WITHIN(tristimulus(again, r, c, k), value, 0.004 * value + 1e-7,
-                      "the light of all frames, and that of one, are within 0.2 % each; 0.08 % measured in "
-                      "undated air; half floats");
+        EXPECT_WITHIN(
+            tristimulus(again, r, c, k), value, 0.004 * value + 1e-7,
+            "the light of all frames, and that of one, are within 0.2 % each; 0.08 % measured in "
+            "undated air; half floats");
       }
 }
 
@@ -154,8 +157,9 @@ TEST_F(Animate, ShowsWhatStillsShow) { expect_shown_by_stills({"--atmosphere", "
 /// The umbra's red is on the edge of Rec. 709 in this air: of light of 0.24 cd/m² the blue channel is the 2e-6 that
 /// terms of 0.01 leave of one another, in this frame a third more or less than in the still. X, Y and Z do not cancel.
 TEST_F(Animate, ShowsAgainTheColoursAtTheEdgeOfRec709) {
-  expect_done(coppermoon(film({"--at", "-21.1,55.5", "--tolerance", "0.2%", "--stars", "off", "--frames", "3",
-                               "--from", "U1", "--to", "greatest", "--make", "frames"})));
+  expect_done(
+      coppermoon(film({"--at", "-21.1,55.5", "--tolerance", "0.2%", "--stars", "off", "--frames",
+                       "3", "--from", "U1", "--to", "greatest", "--make", "frames"})));
   expect_same_again();
 }
 
@@ -184,8 +188,8 @@ TEST_F(AnimateThoroughly, ExposesWithoutAStep) {
 /// Second contact takes three stops of a composite's shorter exposure in five minutes: its pictures
 /// change evenly all the same.
 TEST_F(AnimateThoroughly, LaysTwoExposuresInOnePictureWithoutAStep) {
-  expect_done(coppermoon(dated_film({"--frames", "40", "--from", "U2-10min", "--to", "U2+10min", "--time",
-                               "composite", "--make", "pictures"})));
+  expect_done(coppermoon(dated_film({"--frames", "40", "--from", "U2-10min", "--to", "U2+10min",
+                                     "--time", "composite", "--make", "pictures"})));
   std::vector<double> means;
   for (int frame = 1; frame <= 40; ++frame) {
     const auto picture = texture::read_image(here(fmt::format("film/frame.{:04}.png", frame)));

@@ -34,8 +34,8 @@ inline nlohmann::json said_in(const std::string& dom, const std::string& errors)
 /// What a script returns that runs beside a page, within two minutes. A problem of the page's or the
 /// script's fails; so does a script that throws. The browser holds a page to be loading while a document within
 /// it is open, and prints it when it is loaded: so it waits as long as the script does.
-inline nlohmann::json answer_of(const ProgramFolder& folder, const std::string& page, const std::string& script,
-                                const std::string& size) {
+inline nlohmann::json answer_of(const ProgramFolder& folder, const std::string& page,
+                                const std::string& script, const std::string& size) {
   const auto probe = folder.file(
       "probe.html",
       "<iframe hidden id=\"asked\"></iframe>\n"
@@ -57,12 +57,12 @@ inline nlohmann::json answer_of(const ProgramFolder& folder, const std::string& 
           "document.body.append(place);\n"
           "document.getElementById('asked').contentDocument.close();\n"
           "})();</script>");
-  const auto outcome =
-      folder.run({"chromium-headless-shell", "--no-sandbox", "--disable-gpu-sandbox",
-           "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-           "--disable-background-networking", "--disable-component-update", "--no-first-run",
-           "--user-data-dir=" + folder.here("../tmp/browser").string(), "--window-size=" + size,
-           "--timeout=120000", "--dump-dom", "file://" + probe.string()});
+  const auto outcome = folder.run(
+      {"chromium-headless-shell", "--no-sandbox", "--disable-gpu-sandbox",
+       "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-background-networking",
+       "--disable-component-update", "--no-first-run",
+       "--user-data-dir=" + folder.here("../tmp/browser").string(), "--window-size=" + size,
+       "--timeout=120000", "--dump-dom", "file://" + probe.string()});
   const auto said = said_in(outcome.out, outcome.err);
   EXPECT_EQ(said.value("problems", nlohmann::json::array()), nlohmann::json::array());
   return said.value("answer", nlohmann::json());

@@ -18,11 +18,12 @@ constexpr const char *deep = "2008-02-21T03:08:26Z", *new_york = "42.86,-73.77";
 
 class CameraTest : public ProgramTest {
  protected:
-  static Words still(const Words& more, const std::string& output = "a.png", const std::string& air = "undated") {
+  static Words still(const Words& more, const std::string& output = "a.png",
+                     const std::string& air = "undated") {
     Words words{
         "still",    deep,  "--at",   new_york, "--albedo-map",    "built-in", "--rays",  "60",
         "--iso",    "800", "--time", "2",      "--texture-width", "128",      "--width", "90",
-        "--height", "60",  "-o",     output,     "--atmosphere",    air};
+        "--height", "60",  "-o",     output,   "--atmosphere",    air};
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
@@ -43,7 +44,8 @@ double mean_of_corner(const texture::Image& image, std::size_t channel) {
 
 TEST_F(CameraTest, MakesARawFileAPhotographAndAPictureOfAFrame) {
   make(still({"--camera", "paper", "--seeing", "2", "--frame", "frame.exr", "--raw", "raw.tif",
-              "--photograph", "photograph.exr"}, "a.png", "standard"));
+              "--photograph", "photograph.exr"},
+             "a.png", "standard"));
   const auto raw = image("raw.tif"), photograph = image("photograph.exr"),
              frame = image("frame.exr");
   EXPECT_EQ(raw.width, 90U);
@@ -267,10 +269,10 @@ TEST_F(CameraTest, MergesABracketedSetOfPhotographs) {
 
 TEST_F(CameraTest, GivesEachFrameOfAFilmNoiseOfItsOwn) {
   const auto film = [&](const char* folder) {
-    make({"animate",  "2018-07-27", "--from",          "greatest-1s", "--to",    "greatest+1s",
-          "--frames", "2",          "--texture-width", "64",          "--width", "48",
-          "--height", "32",         "--albedo-map",    "built-in",    "--rays",  "60",
-          "--camera", "400mm",      "--time",          "1",           "-o",      folder,
+    make({"animate",      "2018-07-27", "--from",          "greatest-1s", "--to",    "greatest+1s",
+          "--frames",     "2",          "--texture-width", "64",          "--width", "48",
+          "--height",     "32",         "--albedo-map",    "built-in",    "--rays",  "60",
+          "--camera",     "400mm",      "--time",          "1",           "-o",      folder,
           "--atmosphere", "undated"});
   };
   film("one"), film("two");

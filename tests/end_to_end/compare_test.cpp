@@ -154,10 +154,16 @@ TEST_F(Compare, FindsAPhotographInEightBits) {
 }
 
 TEST_F(Compare, KnowsTheFieldOfACameraByItsName) {
-  expect_done(coppermoon({"still", "2008-02-21T03:26:05Z", "--camera", "refractor", "--noise",
-                          "off", "--stars", "off", "--width", "600", "--height", "400", "--quality",
-                          "draft", "--atmosphere", "undated", "--frame", "seen.exr", "-o",
-                          "seen.png"}));
+  expect_done(coppermoon({"still",        "2008-02-21T03:26:05Z",
+                          "--camera",     "refractor",
+                          "--noise",      "off",
+                          "--stars",      "off",
+                          "--width",      "600",
+                          "--height",     "400",
+                          "--quality",    "draft",
+                          "--atmosphere", "undated",
+                          "--frame",      "seen.exr",
+                          "-o",           "seen.png"}));
   const auto frame = texture::read_image(here("seen.exr"));
   double lit = 0;
   for (std::size_t i = 0; i < frame.values.size(); i += 3) lit += frame.values[i] > 0;
@@ -169,10 +175,10 @@ TEST_F(Compare, KnowsTheFieldOfACameraByItsName) {
 
 /// A photograph of our own camera, a part in the umbra, as JPEG of usual qualities.
 TEST_F(Compare, FindsAPartialEclipseInJpeg) {
-  expect_done(coppermoon({"still", "2019-01-21T04:10:00Z", "--camera", "refractor", "--time",
-                          "0.05", "--width", "600", "--height", "400", "--quality", "draft",
-                          "--atmosphere", "undated", "--frame", "partial.exr", "-o",
-                          "partial.png"}));
+  expect_done(
+      coppermoon({"still", "2019-01-21T04:10:00Z", "--camera", "refractor", "--time", "0.05",
+                  "--width", "600", "--height", "400", "--quality", "draft", "--atmosphere",
+                  "undated", "--frame", "partial.exr", "-o", "partial.png"}));
   for (const int quality : {85, 90, 92, 95}) {
     SCOPED_TRACE(quality);
     OIIO::ImageBuf photo(here("partial.png").string());

@@ -52,7 +52,7 @@ TEST_F(Describe, HasEachCommandInTheOrderOfHelp) {
 }
 
 TEST_F(Describe, SaysTheSameFieldsOfEachParameter) {
-  const Names kinds{"number", "whole", "natural",   "word",         "on-off",
+  const Names kinds{"number", "whole",    "natural",   "word",         "on-off",
                     "text",   "presence", "file-read", "file-written", "folder-written"},
       affected{"photons", "light", "ground", "sight", "frame", "picture", "share", "run"};
   for (const auto& [name, parameter] : parameters()) {
@@ -60,7 +60,8 @@ TEST_F(Describe, SaysTheSameFieldsOfEachParameter) {
       EXPECT_TRUE(parameter.contains(field)) << name << " without " << field;
     EXPECT_TRUE(kinds.contains(parameter["kind"])) << parameter;
     EXPECT_TRUE(affected.contains(parameter["affects"])) << parameter;
-    EXPECT_EQ(parameter["recipe"], parameter["affects"] != "run" && parameter["affects"] != "share");
+    EXPECT_EQ(parameter["recipe"],
+              parameter["affects"] != "run" && parameter["affects"] != "share");
     if (parameter["kind"] == "word" || parameter["kind"] == "on-off") {
       EXPECT_TRUE(parameter.contains("words")) << parameter;
     }
@@ -103,9 +104,10 @@ TEST_F(Describe, OfOneCommandIsThatOfAll) {
 TEST_F(Describe, WithoutJsonIsATable) {
   const auto outcome = coppermoon({"describe", "bake"});
   expect_done(outcome);
-  for (const char* row : {"bake\n", "  ozone-du                 photons  -              0 to 1000 DU\n",
-                          "    from-latitude          photons  -              -90 to 90 degrees\n",
-                          "  quality                  light    standard       draft, standard, "})
+  for (const char* row :
+       {"bake\n", "  ozone-du                 photons  -              0 to 1000 DU\n",
+        "    from-latitude          photons  -              -90 to 90 degrees\n",
+        "  quality                  light    standard       draft, standard, "})
     EXPECT_NE(outcome.out.find(row), std::string::npos) << row << outcome.out;
 }
 
@@ -114,7 +116,8 @@ TEST_F(Describe, MeaningsTellTheRange) {
   for (const auto& [name, parameter] : parameters()) {
     const std::string meaning = parameter["meaning"];
     std::set<double> told;
-    for (std::sregex_iterator found(meaning.begin(), meaning.end(), number), end; found != end; ++found)
+    for (std::sregex_iterator found(meaning.begin(), meaning.end(), number), end; found != end;
+         ++found)
       told.insert(std::stod(found->str()));
     if (!parameter.contains("range")) continue;
     for (const auto& end : parameter["range"])
@@ -127,12 +130,11 @@ class Ranges : public Describe {
  protected:
   const Words air{"--atmosphere", "molecular"}, small{"--width", "8", "--height", "8"};
 
-  void SetUp() override {
-    expect_done(coppermoon(still() + Words{"--frame", "frame.exr"}));
-  }
+  void SetUp() override { expect_done(coppermoon(still() + Words{"--frame", "frame.exr"})); }
 
   Words still() const {
-    return Words{"still", eclipsed, "--texture-width", "16", "--tolerance", "50%", "-o", "still.png"} +
+    return Words{"still", eclipsed, "--texture-width", "16", "--tolerance",
+                 "50%",   "-o",     "still.png"} +
            air + small;
   }
 
@@ -142,14 +144,16 @@ class Ranges : public Describe {
 
   /// The command line that one parameter's value is put behind.
   Words command_for(const std::string& name, bool end) const {
-    static const Names of_camera{"aperture",    "obstruction", "transmission",       "seeing",
-                                 "pixel",       "full-well",   "quantum-efficiency", "read-noise",
-                                 "sensor-bits", "f-number",    "iso",                "converter-noise"},
+    static const Names of_camera{
+        "aperture",  "obstruction",        "transmission", "seeing",      "pixel",
+        "full-well", "quantum-efficiency", "read-noise",   "sensor-bits", "f-number",
+        "iso",       "converter-noise"},
         of_photons{"step-km", "ring-km", "smoothing-km"},
         of_still{"albedo-exponent", "focal-length", "sensor-width"},
         of_shadow{"moon-distance-km", "sun-distance-km", "position-angle"};
     if (name == "sensor-bits")
-      return {"develop", "frame.exr", "--camera", "refractor", "--black-level", "0", "-o", "picture.png"};
+      return {"develop",       "frame.exr", "--camera", "refractor",
+              "--black-level", "0",         "-o",       "picture.png"};
     if (of_camera.contains(name))
       return {"develop", "frame.exr", "--camera", "refractor", "-o", "picture.png"};
     if (of_photons.contains(name))
@@ -159,7 +163,10 @@ class Ranges : public Describe {
     if (!end && (name == "width" || name == "height")) return still();
     if (of_shadow.contains(name)) return shadow() + Words{"--rays", "20"};
     if (name == "scale") return Words{"ring", eclipsed, "-o", "ring.exr"} + air;
-    if (name == "spectral") return Words{"bake", eclipsed, "-o", "moon.exr", "--texture-width", "16", "--tolerance", "50%"} + air;
+    if (name == "spectral")
+      return Words{"bake", eclipsed,      "-o", "moon.exr", "--texture-width",
+                   "16",   "--tolerance", "50%"} +
+             air;
     auto plan = Words{"plan", eclipsed} + air;
     if (name == "dust-top-km") plan = plan + Words{"--dust-bottom-km=0"};
     if (name == "dust-bottom-km") plan = plan + Words{"--dust-top-km=86"};
@@ -168,7 +175,8 @@ class Ranges : public Describe {
 
   Outcome with(const std::string& name, double value, bool end) const {
     const auto text = fmt::format("{}", value);
-    if (name.find("-latitude") != std::string::npos || name.find("-position-angle") != std::string::npos) {
+    if (name.find("-latitude") != std::string::npos ||
+        name.find("-position-angle") != std::string::npos) {
       const bool from = name.starts_with("from-");
       auto other = name;
       other.replace(0, from ? 4 : 2, from ? "to" : "from");
@@ -183,13 +191,17 @@ class Ranges : public Describe {
 TEST_F(Ranges, AreThoseThatTheLibraryKeeps) {
   /// Commands that take files or long, and where the ends of their own numbers are tested.
   static const std::map<std::string, const char*> elsewhere{
-      {"frames", "uses/film/film_times"},       {"fps", "uses/film/film_times"},
-      {"time-scale", "uses/film/film_times"},   {"bracket", "end_to_end/film_files"},
+      {"frames", "uses/film/film_times"},
+      {"fps", "uses/film/film_times"},
+      {"time-scale", "uses/film/film_times"},
+      {"bracket", "end_to_end/film_files"},
       {"aperture", "colour/exposure: with the focal length it makes the f-number"},
       {"f-number", "colour/exposure: with the focal length it makes the aperture"},
-      {"bins", "uses/study/comparison"},        {"exposure-error", "uses/study/fit_nuisances"},
+      {"bins", "uses/study/comparison"},
+      {"exposure-error", "uses/study/fit_nuisances"},
       {"white-balance-error", "uses/study/fit_nuisances"},
-      {"clock-error", "uses/study/fit_nuisances"}, {"longest", "end_to_end/tradeoff"},
+      {"clock-error", "uses/study/fit_nuisances"},
+      {"longest", "end_to_end/tradeoff"},
       {"repeat", "end_to_end/tradeoff"}};
   for (const auto& [name, parameter] : parameters()) {
     if (!parameter.contains("range") || elsewhere.contains(name)) continue;

@@ -93,24 +93,25 @@ class SharedPage {
     text_ = text_of(folder.here("a.html"));
     std::string all;
     for (const auto& script : scripts_) all += "async () => {" + script() + "},\n";
-    answers_ = answer_of(folder, text_,
-                         beside_pages("const place = page.state.place, first = JSON.stringify(page.state);\n"
-                                      "const answers = [];\n"
-                                      "for (const script of [" +
-                                      all +
-                                      "]) {\n"
-                                      "  try { answers.push(await script()); }\n"
-                                      "  catch (problem) { problems.push(String(problem.stack)); "
-                                      "answers.push(null); }\n"
-                                      "  Object.assign(page.state, JSON.parse(first), {place});\n"
-                                      "  page.marked = null;\n"
-                                      "  page.airIsOld = JSON.stringify(page.shadow.air) !== "
-                                      "JSON.stringify(page.state.air);\n"
-                                      "  page.panel.show();\n"
-                                      "  page.draw();\n"
-                                      "}\n"
-                                      "return answers;"),
-                         "1280,800");
+    answers_ = answer_of(
+        folder, text_,
+        beside_pages("const place = page.state.place, first = JSON.stringify(page.state);\n"
+                     "const answers = [];\n"
+                     "for (const script of [" +
+                     all +
+                     "]) {\n"
+                     "  try { answers.push(await script()); }\n"
+                     "  catch (problem) { problems.push(String(problem.stack)); "
+                     "answers.push(null); }\n"
+                     "  Object.assign(page.state, JSON.parse(first), {place});\n"
+                     "  page.marked = null;\n"
+                     "  page.airIsOld = JSON.stringify(page.shadow.air) !== "
+                     "JSON.stringify(page.state.air);\n"
+                     "  page.panel.show();\n"
+                     "  page.draw();\n"
+                     "}\n"
+                     "return answers;"),
+        "1280,800");
     if (!answers_.is_array()) answers_ = std::vector<json>(scripts_.size());
   }
 
@@ -127,7 +128,8 @@ class Asked {
  public:
   Asked(SharedPage& page, std::function<std::string()> script)
       : page_(page), number_(page.add(std::move(script))) {}
-  Asked(SharedPage& page, const char* script) : Asked(page, [script] { return std::string(script); }) {}
+  Asked(SharedPage& page, const char* script)
+      : Asked(page, [script] { return std::string(script); }) {}
   json answer() const { return page_.answer(number_); }
 
  private:
@@ -187,17 +189,20 @@ Error error_of(const json& radiances, const std::vector<Place>& places,
 using Changes = std::vector<std::pair<std::string, double>>;
 
 std::string light_at(const Words& times) {
-  return fmt::format("page.set({{place: null}});\nreturn {}.map((when) => {{ page.set({{ms: Date.parse(when)}});\n"
-                     "  return page.radianceAt({}); }});",
-                     json(times).dump(), as_json(places(1000)).dump());
+  return fmt::format(
+      "page.set({{place: null}});\nreturn {}.map((when) => {{ page.set({{ms: Date.parse(when)}});\n"
+      "  return page.radianceAt({}); }});",
+      json(times).dump(), as_json(places(1000)).dump());
 }
 
 std::string light_in_airs(const Changes& changes) {
-  auto script = "const was = {...page.state.air}, all = [];\npage.set({place: null});\nconst where = " +
-                as_json(places(500)).dump() + ";\n";
+  auto script =
+      "const was = {...page.state.air}, all = [];\npage.set({place: null});\nconst where = " +
+      as_json(places(500)).dump() + ";\n";
   for (const auto& change : changes)
     script += "page.set({air: {...was, ..." + change.first +
-              "}});\nall.push({light: page.radianceAt(where), command: page.find('command').textContent});\n";
+              "}});\nall.push({light: page.radianceAt(where), command: "
+              "page.find('command').textContent});\n";
   return script + "return all;";
 }
 
@@ -266,7 +271,8 @@ TEST_F(ExploreLightThoroughly, IsThatOfBakedTexturesAtAllPhases) {
   }
 }
 
-const Changes changes{{"{cloud: 0.4, haze: 2}", 0.02}, {"{dust: 0.05}", 0.03}, {"{refraction: false}", 0.025}};
+const Changes changes{
+    {"{cloud: 0.4, haze: 2}", 0.02}, {"{dust: 0.05}", 0.03}, {"{refraction: false}", 0.025}};
 const Asked changed_light(page_2018, [] { return light_in_airs(changes); });
 
 TEST_F(ExploreLight, IsThatOfTheCommandThatThePageShows) {
@@ -288,24 +294,24 @@ TEST_F(ExploreLightThoroughly, IsThatOfTheCommandThatThePageShowsInAnyAir) {
 }
 
 const Asked developed(page_2018, [] {
-  return
-      "page.set({place: null, ms: Date.parse('2018-07-27T19:05:00Z')});\nconst where = " +
-      as_json(places(300)).dump() +
-      ";\nconst gl = page.picture.gl, frame = page.frame(), box = "
-      "page.picture.canvas.getBoundingClientRect();\n"
-      "const pixels = where.map((at) => page.pixelOf(at)).filter(Boolean).map((xy) => "
-      "xy.map(Math.floor))\n"
-      "  .map(([x, y]) => ({x, y, at: page.under({clientX: box.left + (x + 0.5) / frame.ratio, "
-      "clientY: box.top + (y + 0.5) / frame.ratio})}))\n"
-      "  .filter(({at}) => at);\n"
-      "const light = page.radianceAt(pixels.map(({at}) => at));\n"
-      "return page.facts.views.map((look) => {\n"
-      "  page.set({look, exposure: {rule: 'fixed', time: 0.5, iso: 800, fNumber: 12.1}});\n"
-      "  const bytes = new Uint8Array(4 * frame.width * frame.height);\n"
-      "  gl.readPixels(0, 0, frame.width, frame.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);\n"
-      "  return pixels.map(({x, y}, i) => { const at = 4 * ((frame.height - 1 - y) * frame.width + "
-      "x);\n"
-      "    return {look, shown: [...bytes.slice(at, at + 3)], light: light[i]}; }); });";
+  return "page.set({place: null, ms: Date.parse('2018-07-27T19:05:00Z')});\nconst where = " +
+         as_json(places(300)).dump() +
+         ";\nconst gl = page.picture.gl, frame = page.frame(), box = "
+         "page.picture.canvas.getBoundingClientRect();\n"
+         "const pixels = where.map((at) => page.pixelOf(at)).filter(Boolean).map((xy) => "
+         "xy.map(Math.floor))\n"
+         "  .map(([x, y]) => ({x, y, at: page.under({clientX: box.left + (x + 0.5) / frame.ratio, "
+         "clientY: box.top + (y + 0.5) / frame.ratio})}))\n"
+         "  .filter(({at}) => at);\n"
+         "const light = page.radianceAt(pixels.map(({at}) => at));\n"
+         "return page.facts.views.map((look) => {\n"
+         "  page.set({look, exposure: {rule: 'fixed', time: 0.5, iso: 800, fNumber: 12.1}});\n"
+         "  const bytes = new Uint8Array(4 * frame.width * frame.height);\n"
+         "  gl.readPixels(0, 0, frame.width, frame.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);\n"
+         "  return pixels.map(({x, y}, i) => { const at = 4 * ((frame.height - 1 - y) * "
+         "frame.width + "
+         "x);\n"
+         "    return {look, shown: [...bytes.slice(at, at + 3)], light: light[i]}; }); });";
 });
 
 TEST_F(Explore, PicturesAreDevelopedAsByTheProgram) {
@@ -341,13 +347,13 @@ const Asked seen_features(page_2018, [] {
                      {"longitude", algebra::in_degrees(at.longitude)}});
   }
   return "page.set({place: {...page.state.place, elevationKm: 0}});\n"
-      "return ['north', 'zenith', 'moon'].map((up) => {\n"
-      "  page.set({ms: Date.parse('2018-07-27T20:40:00Z'), up});\n"
-      "  const {frame, view} = page.scene();\n"
-      "  return {frame, view, seen: " +
-      where.dump() +
-      ".map((at) => page.pixelOf(at))};\n"
-      "});";
+         "return ['north', 'zenith', 'moon'].map((up) => {\n"
+         "  page.set({ms: Date.parse('2018-07-27T20:40:00Z'), up});\n"
+         "  const {frame, view} = page.scene();\n"
+         "  return {frame, view, seen: " +
+         where.dump() +
+         ".map((at) => page.pixelOf(at))};\n"
+         "});";
 });
 
 TEST_F(Explore, PlacesAreSeenWhereTheCameraSeesThem) {
@@ -384,9 +390,10 @@ TEST_F(Explore, PlacesAreSeenWhereTheCameraSeesThem) {
 
 const Words measured{"2022-05-16T03:00:00Z", "2022-05-16T04:11:32Z"};
 const Asked magnitudes(page_2022, [] {
-  return fmt::format("return {}.map((when) => {{ page.set({{ms: Date.parse(when)}}); return "
-                     "page.find('whole').textContent; }});",
-                     json(measured).dump());
+  return fmt::format(
+      "return {}.map((when) => {{ page.set({{ms: Date.parse(when)}}); return "
+      "page.find('whole').textContent; }});",
+      json(measured).dump());
 });
 
 TEST_F(Explore, MagnitudesAreThoseOfBrightness) {
@@ -403,29 +410,30 @@ TEST_F(Explore, MagnitudesAreThoseOfBrightness) {
   }
 }
 
-const Asked controls(page_2018,
-      "const fields = () => Object.fromEntries(Object.entries(page.state).map(([name, value]) => "
-      "[name, JSON.stringify(value)]));\n"
-      "const first = fields(), changed = {};\n"
-      "const note = (name) => { changed[name] = Object.keys(first).filter((key) => fields()[key] "
-      "!== first[key]);\n"
-      "  Object.entries(first).forEach(([key, value]) => { page.state[key] = JSON.parse(value); "
-      "}); page.panel.show(); };\n"
-      "for (const part of ['who', 'exposure', 'air', 'why']) {\n"
-      "  const count = page.find(part).querySelectorAll('input, select').length;\n"
-      "  for (let i = 0; i < count; ++i) {\n"
-      "    const control = page.find(part).querySelectorAll('input, select')[i];\n"
-      "    const label = control.closest('label').textContent.slice(0, 12);\n"
-      "    if (control.type === 'checkbox') control.click();\n"
-      "    else { control.value = control.tagName === 'SELECT' ? [...control.options].find((o) => "
-      "!o.selected).value\n"
-      "        : control.type === 'range' ? 0.4 : 'Chicago';\n"
-      "      control.dispatchEvent(new Event('input')); control.dispatchEvent(new "
-      "Event('change')); }\n"
-      "    note(`${part} ${i} ${label}`);\n"
-      "  }\n"
-      "}\n"
-      "return changed;");
+const Asked controls(
+    page_2018,
+    "const fields = () => Object.fromEntries(Object.entries(page.state).map(([name, value]) => "
+    "[name, JSON.stringify(value)]));\n"
+    "const first = fields(), changed = {};\n"
+    "const note = (name) => { changed[name] = Object.keys(first).filter((key) => fields()[key] "
+    "!== first[key]);\n"
+    "  Object.entries(first).forEach(([key, value]) => { page.state[key] = JSON.parse(value); "
+    "}); page.panel.show(); };\n"
+    "for (const part of ['who', 'exposure', 'air', 'why']) {\n"
+    "  const count = page.find(part).querySelectorAll('input, select').length;\n"
+    "  for (let i = 0; i < count; ++i) {\n"
+    "    const control = page.find(part).querySelectorAll('input, select')[i];\n"
+    "    const label = control.closest('label').textContent.slice(0, 12);\n"
+    "    if (control.type === 'checkbox') control.click();\n"
+    "    else { control.value = control.tagName === 'SELECT' ? [...control.options].find((o) => "
+    "!o.selected).value\n"
+    "        : control.type === 'range' ? 0.4 : 'Chicago';\n"
+    "      control.dispatchEvent(new Event('input')); control.dispatchEvent(new "
+    "Event('change')); }\n"
+    "    note(`${part} ${i} ${label}`);\n"
+    "  }\n"
+    "}\n"
+    "return changed;");
 
 TEST_F(Explore, EachControlChangesWhatItSaysAndNothingElse) {
   const auto said = controls.answer();
@@ -445,52 +453,54 @@ TEST_F(Explore, EachControlChangesWhatItSaysAndNothingElse) {
   }
 }
 
-const Asked links(page_2018,
-      "page.set({ms: Date.parse('2018-07-27T19:05:00Z'), up: 'zenith', look: 'Filmic', circle: "
-      "true,\n"
-      "  exposure: {rule: 'fixed', time: 0.25, iso: 400, fNumber: 5.6}, air: {...page.state.air, "
-      "cloud: 0.5, ozone: false}});\n"
-      "page.drawBeside();\n"
-      "const until = async (done) => { for (let i = 0; i < 4000 && !done(); ++i) await new "
-      "Promise(requestAnimationFrame); };\n"
-      "const before = JSON.stringify(page.state), hash = location.hash;\n"
-      "const picture = () => page.picture.canvas.toDataURL();\n"
-      "const seen = picture();\n"
-      "history.replaceState(null, '', '#');\n"
-      "page.set({ms: Date.parse('2018-07-27T20:05:00Z'), circle: false, look: 'Un-tone-mapped', "
-      "up: 'north'});\n"
-      "const other = picture() !== seen;\n"
-      "location.hash = hash;\n"
-      "await until(() => picture() === seen);\n"
-      "const again = JSON.stringify(page.state), restored = picture() === seen;\n"
-      "const key = (name, shiftKey = false) => page.find('moon').dispatchEvent(\n"
-      "  new KeyboardEvent('keydown', {key: name, shiftKey, bubbles: true, composed: true}));\n"
-      "key('ArrowRight');\n"
-      "document.body.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', shiftKey: true, "
-      "bubbles: true}));\n"
-      "page.marked = {longitude: -11.2, latitude: -43.3};\n"
-      "page.find('nearer').click();\n"
-      "const nearer = page.pixelOf(page.marked).map((x, i) => x - [page.frame().width, "
-      "page.frame().height][i] / 2);\n"
-      "page.find('farther').click();\n"
-      "const whole = [page.state.zoom, ...page.state.middle];\n"
-      "page.marked = null;\n"
-      "const moved = page.state.ms - Date.parse('2018-07-27T19:05:00Z');\n"
-      "location.hash = '#t=1900-01-01T00:00:00Z';\n"
-      "await until(() => page.state.ms < Date.parse('2018-07-27T17:30:00Z'));\n"
-      "const first = page.state.ms - page.motion.fromMs;\n"
-      "location.hash = hash;\n"
-      "await until(() => JSON.stringify(page.state) === before);\n"
-      "page.draw();\n"
-      "const lose = page.picture.gl.getExtension('WEBGL_lose_context');\n"
-      "lose.loseContext();\n"
-      "await until(() => page.picture.gl.isContextLost());\n"
-      "const lost = page.picture.gl.isContextLost();\n"
-      "await until(() => { try { lose.restoreContext(); } catch {} return "
-      "!page.picture.gl.isContextLost(); });\n"
-      "await until(() => picture() === seen);\n"
-      "return {before, again, other, restored, moved, first, nearer, whole, lost, back: picture() === "
-      "seen};");
+const Asked links(
+    page_2018,
+    "page.set({ms: Date.parse('2018-07-27T19:05:00Z'), up: 'zenith', look: 'Filmic', circle: "
+    "true,\n"
+    "  exposure: {rule: 'fixed', time: 0.25, iso: 400, fNumber: 5.6}, air: {...page.state.air, "
+    "cloud: 0.5, ozone: false}});\n"
+    "page.drawBeside();\n"
+    "const until = async (done) => { for (let i = 0; i < 4000 && !done(); ++i) await new "
+    "Promise(requestAnimationFrame); };\n"
+    "const before = JSON.stringify(page.state), hash = location.hash;\n"
+    "const picture = () => page.picture.canvas.toDataURL();\n"
+    "const seen = picture();\n"
+    "history.replaceState(null, '', '#');\n"
+    "page.set({ms: Date.parse('2018-07-27T20:05:00Z'), circle: false, look: 'Un-tone-mapped', "
+    "up: 'north'});\n"
+    "const other = picture() !== seen;\n"
+    "location.hash = hash;\n"
+    "await until(() => picture() === seen);\n"
+    "const again = JSON.stringify(page.state), restored = picture() === seen;\n"
+    "const key = (name, shiftKey = false) => page.find('moon').dispatchEvent(\n"
+    "  new KeyboardEvent('keydown', {key: name, shiftKey, bubbles: true, composed: true}));\n"
+    "key('ArrowRight');\n"
+    "document.body.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', shiftKey: true, "
+    "bubbles: true}));\n"
+    "page.marked = {longitude: -11.2, latitude: -43.3};\n"
+    "page.find('nearer').click();\n"
+    "const nearer = page.pixelOf(page.marked).map((x, i) => x - [page.frame().width, "
+    "page.frame().height][i] / 2);\n"
+    "page.find('farther').click();\n"
+    "const whole = [page.state.zoom, ...page.state.middle];\n"
+    "page.marked = null;\n"
+    "const moved = page.state.ms - Date.parse('2018-07-27T19:05:00Z');\n"
+    "location.hash = '#t=1900-01-01T00:00:00Z';\n"
+    "await until(() => page.state.ms < Date.parse('2018-07-27T17:30:00Z'));\n"
+    "const first = page.state.ms - page.motion.fromMs;\n"
+    "location.hash = hash;\n"
+    "await until(() => JSON.stringify(page.state) === before);\n"
+    "page.draw();\n"
+    "const lose = page.picture.gl.getExtension('WEBGL_lose_context');\n"
+    "lose.loseContext();\n"
+    "await until(() => page.picture.gl.isContextLost());\n"
+    "const lost = page.picture.gl.isContextLost();\n"
+    "await until(() => { try { lose.restoreContext(); } catch {} return "
+    "!page.picture.gl.isContextLost(); });\n"
+    "await until(() => picture() === seen);\n"
+    "return {before, again, other, restored, moved, first, nearer, whole, lost, back: picture() "
+    "=== "
+    "seen};");
 
 TEST_F(Explore, LinksKeysAndALostContextBringBackWhatWasSeen) {
   const auto said = links.answer();
@@ -506,43 +516,45 @@ TEST_F(Explore, LinksKeysAndALostContextBringBackWhatWasSeen) {
   EXPECT_TRUE(said["back"].get<bool>()) << "after a lost context the picture is the same";
 }
 
-const Asked sayings(page_2018,
-      "const slider = (title) => page.find('air').querySelector(`input[aria-label='${title}']`);\n"
-      "const command = () => page.find('command').textContent;\n"
-      "const first = {...page.state.air};\n"
-      "const readout = () => page.find('readout').textContent;\n"
-      "const shown = command(), follows = page.seconds;\n"
-      "page.marked = {longitude: -11.2, latitude: -43.3};\n"
-      "page.draw();\n"
-      "const before = {readout: readout(), dust: Number(slider('Volcanic dust').value),\n"
-      "  cloud: slider('Cloud').parentElement.querySelector('output').textContent};\n"
-      "page.set({ms: page.state.ms + 18e5});\n"
-      "const later = readout(), told = page.described(page.marked);\n"
-      "page.set({ms: page.state.ms - 18e5});\n"
-      "page.find('steps').querySelectorAll('button')[0].click();\n"
-      "page.draw();\n"
-      "const dark = {readout: readout(), seconds: page.seconds, command: command(),\n"
-      "  dust: Number(slider('Volcanic dust').value)};\n"
-      "page.find('steps').querySelectorAll('button')[4].click();\n"
-      "page.draw();\n"
-      "const bright = {readout: readout(), cloud: "
-      "slider('Cloud').parentElement.querySelector('output').textContent, pressed: "
-      "page.find('steps').querySelectorAll('[aria-pressed=true]').length};\n"
-      "slider('Haze').value = 0.5;\n"
-      "slider('Haze').dispatchEvent(new Event('input'));\n"
-      "bright.slid = page.find('steps').querySelectorAll('[aria-pressed=true]').length;\n"
-      "page.set({place: page.panel.places.named('Mexico City')});\n"
-      "page.drawBeside();\n"
-      "const link = decodeURIComponent(location.hash), noneShown = command();\n"
-      "page.set({place: page.facts.place, air: {...first}});\n"
-      "const nairobi = page.find('when').textContent, up = page.find('note').textContent;\n"
-      "page.set({place: page.panel.places.named('Chicago')});\n"
-      "return {command: shown, follows, before, later, told, dark, bright, link, none_shown: noneShown,\n"
-      "  nairobi, up, below: page.find('note').textContent, chicago: "
-      "page.find('when').textContent,\n"
-      "  altitude: page.scene().view.altitude,\n"
-      "  pair: page.panel.places.named('-1.3, 36.8').timeZone, none: "
-      "page.panel.places.named('Nowhere at all')};");
+const Asked sayings(
+    page_2018,
+    "const slider = (title) => page.find('air').querySelector(`input[aria-label='${title}']`);\n"
+    "const command = () => page.find('command').textContent;\n"
+    "const first = {...page.state.air};\n"
+    "const readout = () => page.find('readout').textContent;\n"
+    "const shown = command(), follows = page.seconds;\n"
+    "page.marked = {longitude: -11.2, latitude: -43.3};\n"
+    "page.draw();\n"
+    "const before = {readout: readout(), dust: Number(slider('Volcanic dust').value),\n"
+    "  cloud: slider('Cloud').parentElement.querySelector('output').textContent};\n"
+    "page.set({ms: page.state.ms + 18e5});\n"
+    "const later = readout(), told = page.described(page.marked);\n"
+    "page.set({ms: page.state.ms - 18e5});\n"
+    "page.find('steps').querySelectorAll('button')[0].click();\n"
+    "page.draw();\n"
+    "const dark = {readout: readout(), seconds: page.seconds, command: command(),\n"
+    "  dust: Number(slider('Volcanic dust').value)};\n"
+    "page.find('steps').querySelectorAll('button')[4].click();\n"
+    "page.draw();\n"
+    "const bright = {readout: readout(), cloud: "
+    "slider('Cloud').parentElement.querySelector('output').textContent, pressed: "
+    "page.find('steps').querySelectorAll('[aria-pressed=true]').length};\n"
+    "slider('Haze').value = 0.5;\n"
+    "slider('Haze').dispatchEvent(new Event('input'));\n"
+    "bright.slid = page.find('steps').querySelectorAll('[aria-pressed=true]').length;\n"
+    "page.set({place: page.panel.places.named('Mexico City')});\n"
+    "page.drawBeside();\n"
+    "const link = decodeURIComponent(location.hash), noneShown = command();\n"
+    "page.set({place: page.facts.place, air: {...first}});\n"
+    "const nairobi = page.find('when').textContent, up = page.find('note').textContent;\n"
+    "page.set({place: page.panel.places.named('Chicago')});\n"
+    "return {command: shown, follows, before, later, told, dark, bright, link, none_shown: "
+    "noneShown,\n"
+    "  nairobi, up, below: page.find('note').textContent, chicago: "
+    "page.find('when').textContent,\n"
+    "  altitude: page.scene().view.altitude,\n"
+    "  pair: page.panel.places.named('-1.3, 36.8').timeZone, none: "
+    "page.panel.places.named('Nowhere at all')};");
 
 TEST_F(Explore, PlaceTimeAndAirAreSaidAsTheyAreSeen) {
   const auto said = sayings.answer();
@@ -550,11 +562,12 @@ TEST_F(Explore, PlaceTimeAndAirAreSaidAsTheyAreSeen) {
   EXPECT_EQ(said["up"], "");
   EXPECT_EQ(said["below"], "The Moon is below the horizon there.");
   EXPECT_NE(said["chicago"].get<std::string>().find("15:21:45 GMT-5"), std::string::npos);
-  const auto chicago = almanac::view_from(
-      almanac::city_named("Chicago")->place,
-      almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:21:45Z")));
-  EXPECT_WITHIN(said["altitude"].get<double>(), algebra::in_degrees(chicago.altitude), 0.01,
-                "cities' coordinates to 0.01 degrees; the true altitude, for no light comes from there");
+  const auto chicago =
+      almanac::view_from(almanac::city_named("Chicago")->place,
+                         almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:21:45Z")));
+  EXPECT_WITHIN(
+      said["altitude"].get<double>(), algebra::in_degrees(chicago.altitude), 0.01,
+      "cities' coordinates to 0.01 degrees; the true altitude, for no light comes from there");
   EXPECT_EQ(said["pair"], "Africa/Nairobi");
   EXPECT_TRUE(said["none"].is_null());
   EXPECT_NE(said["command"].get<std::string>().find(

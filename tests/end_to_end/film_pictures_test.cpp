@@ -55,7 +55,8 @@ class FilmPictures : public ProgramTest {
     std::filesystem::create_directory(here("bin"));
     file("bin/ffmpeg",
          "#!/bin/sh\n[ \"$1\" = -version ] && exit 0\necho 'out of moonlight' >&2\necho end >&2\n"
-         "exit " + status + "\n");
+         "exit " +
+             status + "\n");
     std::filesystem::permissions(here("bin/ffmpeg"), std::filesystem::perms::owner_all);
     return here("bin").string() + ":/usr/bin:/bin";
   }

@@ -75,8 +75,8 @@ TEST_F(Fit, OfAPhotographFindsItsAir) {
   std::filesystem::copy(here("a.png"), here("cut.png"));
   std::filesystem::resize_file(here("cut.png"), 10000);
   const auto found =
-      fit({"a.png", "cut.png", "--instants", deep, "--at", syria, "--camera", "400mm", "--times", "2",
-           "--isos", "800", "--f-number", "5.6", "--atmosphere", "undated"});
+      fit({"a.png", "cut.png", "--instants", deep, "--at", syria, "--camera", "400mm", "--times",
+           "2", "--isos", "800", "--f-number", "5.6", "--atmosphere", "undated"});
   const auto& dust = found["dust_extinction_per_m"];
   EXPECT_WITHIN_RELATIVE(dust["median"].get<double>(), 5e-6, 0.25,
                          "exposure believed to 10 %; 93 of 100 are within that");

@@ -44,8 +44,7 @@ class ImageReader : public ProgramTest {
   std::size_t textures_kept() const {
     std::error_code none;
     std::size_t count = 0;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(here("cache/coppermoon"), none))
+    for (const auto& entry : std::filesystem::directory_iterator(here("cache/coppermoon"), none))
       if (entry.path().extension() == ".tx") ++count;
     return count;
   }
@@ -170,8 +169,9 @@ TEST_F(ImageReader, StandsOnACommandThatSaysTheMomentOnce) {
 }
 
 TEST_F(ImageReader, KeepsNoTextureThatIsBrokenOrALink) {
-  const Words words{"bake", "2018-07-27T19:40:17Z", "--unshadowed", "--albedo-map", "built-in",
-                    "--texture-width", "64", "--cache", "kept"};
+  const Words words{"bake",     "2018-07-27T19:40:17Z", "--unshadowed", "--albedo-map",
+                    "built-in", "--texture-width",      "64",           "--cache",
+                    "kept"};
   const auto said = coppermoon(words).out;
   const auto texture = here(said.substr(0, said.find('\n')));
   const auto whole = text_of(texture);

@@ -180,9 +180,9 @@ TEST_F(JsonThoroughly, BrightnessOfTheFullMoonIsTheBooks) {
 }
 
 TEST_F(Json, BakeSaysWhatWasChosenAndReached) {
-  const auto all = said({"bake", "2008-02-21T03:26:05Z", "--rays", "50", "--atmosphere", "undated",
-                         "--albedo-map", "built-in", "--texture-width", "16", "-o", "moon.exr",
-                         "--json"});
+  const auto all =
+      said({"bake", "2008-02-21T03:26:05Z", "--rays", "50", "--atmosphere", "undated",
+            "--albedo-map", "built-in", "--texture-width", "16", "-o", "moon.exr", "--json"});
   expect_keys(all, {"chosen", "reached"});
   EXPECT_EQ(keys_of(all["reached"]), Names({"seconds", "error"}));
   EXPECT_EQ(all["chosen"]["rays"], 50);

@@ -28,7 +28,8 @@ class Night : public ProgramTest {
       for (const char* text : {"utc", "local", "zone"}) EXPECT_EQ(row.at(text), moment[text]);
       EXPECT_EQ(row.at("up") == "yes", moment["up"].get<bool>());
       for (const char* angle : {"altitude_deg", "azimuth_deg"})
-        EXPECT_WITHIN(std::stod(row.at(angle)), moment[angle].get<double>(), 6e-4, "three decimals");
+        EXPECT_WITHIN(std::stod(row.at(angle)), moment[angle].get<double>(), 6e-4,
+                      "three decimals");
       for (const char* light : {"V_magnitude", "mean_luminance_cd_m2", "faintest_star"}) {
         EXPECT_EQ(row.at(light).empty(), !moment.contains(light)) << light << " of " << moment;
         if (!moment.contains(light)) continue;

@@ -62,7 +62,8 @@ TEST_F(Outputs, OfTheShadowGoIntoFilesByTheirEnding) {
 }
 
 TEST_F(Outputs, OfARingAreOneDocument) {
-  const auto all = json::parse(done({"ring", middle, "--atmosphere", "undated", "-o", "a.exr", "--json"}));
+  const auto all =
+      json::parse(done({"ring", middle, "--atmosphere", "undated", "-o", "a.exr", "--json"}));
   EXPECT_EQ(all["file"], "a.exr");
   EXPECT_WITHIN(all["earth_distance_km"].get<double>(), 406098 - 1737, 10,
                 "the Moon's depth in the shadow, which is its distance to 1e-5, and its radius");

@@ -41,7 +41,9 @@ class Recipes : public ProgramTest {
     file(words.back(), bytes);
   }
 
-  void make_eclipse() const { make_once({"bake", "--recipe", "eclipse.toml", "-o", "eclipse.exr"}); }
+  void make_eclipse() const {
+    make_once({"bake", "--recipe", "eclipse.toml", "-o", "eclipse.exr"});
+  }
 
   std::string bytes(const char* name) const {
     const auto text = text_of(here(name));
@@ -88,9 +90,8 @@ TEST_F(Recipes, OfTheLibraryBakeTheSameTexels) {
   request.light.wish.tolerance = 0.05;
   request.light.air.atmosphere = "undated";
   request.light.air.column.ozone_du = 280.1;
-  request.light.air.regions = {{.from_latitude = -90,
-                                .to_latitude = 0.1,
-                                .column = {.dust_extinction_per_m = 1e-5}}};
+  request.light.air.regions = {
+      {.from_latitude = -90, .to_latitude = 0.1, .column = {.dust_extinction_per_m = 1e-5}}};
   request.ground_by_place = false;
   uses::ViewRequest view{.observer = uses::observer_from("-1.2833333,36.8166667,1684.3")};
   view.observer_ozone_du = 250;
@@ -198,9 +199,18 @@ TEST_F(Recipes, AreTakenFromAnotherWordsFile) {
 
 /// A quick eclipse with regions, by flags alone.
 Words with_regions(const Words& regions, const char* output) {
-  Words words{"bake",         "2008-02-21T03:08:26Z", "--quality",       "draft",
-              "--rays",       "20",                   "--texture-width", "32",
-              "--atmosphere", "undated",              "--albedo-map",    "built-in"};
+  Words words{"bake",
+              "2008-02-21T03:08:26Z",
+              "--quality",
+              "draft",
+              "--rays",
+              "20",
+              "--texture-width",
+              "32",
+              "--atmosphere",
+              "undated",
+              "--albedo-map",
+              "built-in"};
   for (const auto& region : regions) words.insert(words.end(), {"--region", region});
   words.insert(words.end(), {"-o", output});
   return words;
@@ -318,9 +328,10 @@ TEST_F(RecipesThoroughly, OfAVolcanoDarkensItsHalfOfTheShadow) {
 
 /// An eclipse by a few photons.
 Words by_photons(const char* seed, const char* threads, const char* output) {
-  return {"bake", "--recipe",  "eclipse.toml", "--solver",       "photons", "--photons",
-          "2000", "--step-km", "10",           "--smoothing-km", "300",     "--seed",
-          seed,   "--threads", threads,        "-o",             output};
+  return {"bake",      "--recipe", "eclipse.toml", "--solver",  "photons",
+          "--photons", "2000",     "--step-km",    "10",        "--smoothing-km",
+          "300",       "--seed",   seed,           "--threads", threads,
+          "-o",        output};
 }
 
 TEST_F(Recipes, PhotonsAreTheSameOnAnyNumberOfThreads) {

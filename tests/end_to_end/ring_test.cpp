@@ -140,10 +140,10 @@ double illuminance(const Image& image, double inner_deg, double outer_deg) {
 // A texture 32 wide has texels about 5.625° and 16.875° from its middle.
 TEST_F(Ring, LightsTheGroundAsTheTextureIsLit) {
   const auto image = ring(late_in_2018, {"--on", "5.625,16.875", "--atmosphere", "undated"});
-  expect_done(coppermoon({"bake", late_in_2018, "--passes", "--texture-width", "32", "--tolerance",
-                          "0.1%", "--albedo-map", "built-in", "--atmosphere", "undated",
-                          "--scattered-light", "off", "--leave-out", "scattered-light", "-o",
-                          "moon.exr"}));
+  expect_done(
+      coppermoon({"bake", late_in_2018, "--passes", "--texture-width", "32", "--tolerance", "0.1%",
+                  "--albedo-map", "built-in", "--atmosphere", "undated", "--scattered-light", "off",
+                  "--leave-out", "scattered-light", "-o", "moon.exr"}));
   const auto file = OIIO::ImageInput::open(here("moon.exr"));
   ASSERT_TRUE(file);
   constexpr int irradiance = 3;

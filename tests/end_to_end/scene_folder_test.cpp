@@ -13,10 +13,10 @@ namespace {
 class SceneFolder : public ProgramTest {
  protected:
   void write_scene() const {
-    expect_done(coppermoon({"scene", "2008-02-21T03:26:05Z", "--at", "42.86,-73.77", "--rays", "50",
-                            "--albedo-map", "built-in", "--atmosphere", "undated",
-                            "--texture-width", "64", "--width", "32", "--height", "24", "-o",
-                            "scene"}));
+    expect_done(
+        coppermoon({"scene", "2008-02-21T03:26:05Z", "--at", "42.86,-73.77", "--rays", "50",
+                    "--albedo-map", "built-in", "--atmosphere", "undated", "--texture-width", "64",
+                    "--width", "32", "--height", "24", "-o", "scene"}));
   }
 };
 

@@ -22,10 +22,9 @@ class Terms : public ProgramTest {
   std::string air = "undated";
 
   Ratios shadow(std::vector<std::string> flags) const {
-    flags.insert(flags.begin(),
-                 {"shadow", "2008-02-21T03:26:00Z", "--json", "--wavelengths", "450,550,600,650",
-                  "--axis-distances", "0,2300,4400", "--atmosphere", air, "--scattered-light",
-                  "off"});
+    flags.insert(flags.begin(), {"shadow", "2008-02-21T03:26:00Z", "--json", "--wavelengths",
+                                 "450,550,600,650", "--axis-distances", "0,2300,4400",
+                                 "--atmosphere", air, "--scattered-light", "off"});
     const auto outcome = coppermoon(flags);
     expect_done(outcome);
     return nlohmann::json::parse(outcome.out).at("irradiance_ratio").get<Ratios>();

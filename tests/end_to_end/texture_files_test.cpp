@@ -21,8 +21,8 @@ namespace {
 using texture::Image;
 
 /// A partial phase: full sunlight, penumbra and umbra on one disc, in air of one column.
-const Words partial{"2018-07-27T19:20:00Z", "--albedo-map",    "built-in", "--atmosphere",
-                    "undated",              "--texture-width", "256"};
+const Words partial{"2018-07-27T19:20:00Z", "--albedo-map", "built-in", "--atmosphere", "undated",
+                    "--texture-width",      "256"};
 const Words in_the_air_of_a_month{"--atmosphere", "standard"};
 
 /// All parts of an OpenEXR file, by name, as OpenImageIO reads them.
@@ -103,8 +103,8 @@ TEST_F(TextureFiles, OfUsdComeBesideIt) {
 TEST_F(TextureFiles, NameNoFolderOfTheUser) {
   const auto map = here("map.png").string();
   run({"oiiotool", "--pattern", "constant:color=0.2,0.2,0.2", "64x32", "3", "-o", map});
-  bake({"--albedo-map", map, "-o", "a.exr", "-o", "b.tx", "-o", "c.png", "-o",
-        "d.glb", "-o", "e.usda"});
+  bake({"--albedo-map", map, "-o", "a.exr", "-o", "b.tx", "-o", "c.png", "-o", "d.glb", "-o",
+        "e.usda"});
   for (const std::string name : {"a.exr", "b.tx", "c.png", "d.glb", "e.usda"}) {
     const auto text = text_of(here(name));
     const bool has_recipe = name < "d";
@@ -324,9 +324,9 @@ TEST_F(TextureFiles, SayHowTheGlobeIsTurned) {
     EXPECT_WITHIN_RELATIVE(header("moon.exr", ours), sky.at(theirs).get<double>(), 1e-5,
                            "six figures, as text has them");
   EXPECT_FALSE(texture::read_attribute(here("moon.exr"), "coppermoon:parallactic_angle"));
-  expect_done(coppermoon({"scene", partial.front(), "--at", "-21.1,55.5", "--albedo-map",
-                          "built-in", "--atmosphere", "undated", "--texture-width", "64", "-o",
-                          "scene"}));
+  expect_done(
+      coppermoon({"scene", partial.front(), "--at", "-21.1,55.5", "--albedo-map", "built-in",
+                  "--atmosphere", "undated", "--texture-width", "64", "-o", "scene"}));
   const std::string seen = "scene/moon_lin_rec709.exr";
   const double nearer = header("moon.exr", "distance_km") - header(seen, "distance_km");
   EXPECT_GT(nearer, 1000) << "the Moon is high over La Réunion: most of the Earth's radius nearer";
@@ -337,10 +337,11 @@ TEST_F(TextureFiles, SayHowTheGlobeIsTurned) {
 }
 
 TEST_F(TextureFiles, OfAFilmAreInTheSpaceAsked) {
-  const Words film{"animate",  "2018-07-27",   "--frames", "2",          "--make",
-                   "textures", "--space",      "acescg",   "--passes",   "--texture-width",
-                   "64",       "--albedo-map", "built-in", "--atmosphere", "undated",
-                   "-o",       "film"};
+  const Words film{"animate",  "2018-07-27",      "--frames", "2",
+                   "--make",   "textures",        "--space",  "acescg",
+                   "--passes", "--texture-width", "64",       "--albedo-map",
+                   "built-in", "--atmosphere",    "undated",  "-o",
+                   "film"};
   EXPECT_EQ(coppermoon(film).status, 0);
   EXPECT_EQ(parts_of(here("film/moon_acescg.0001.exr")).size(), 6U);
   EXPECT_EQ(texture::read_attribute(here("film/moon_acescg.0002.exr"), "coppermoon:colour_space"),

@@ -109,8 +109,7 @@ TEST_F(TradeoffThoroughly, LeavesNothingWhereThereIsNoRoom) {
 }
 
 TEST_F(TradeoffThoroughly, KeepsTheTablesWhenThePlotCannotBeDrawn) {
-  const auto plotless =
-      coppermoon(quickest + Words{"--only", "quadrature"}, {.path = "/nowhere"});
+  const auto plotless = coppermoon(quickest + Words{"--only", "quadrature"}, {.path = "/nowhere"});
   EXPECT_EQ(plotless.status, 1);
   EXPECT_NE(plotless.err.find("gnuplot"), std::string::npos) << plotless.err;
   EXPECT_EQ(listing(), std::set<std::string>({"here/measured", "here/measured/tradeoff.csv",

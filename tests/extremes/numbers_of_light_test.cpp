@@ -284,8 +284,8 @@ TEST(Light, OfRegionsWhoseAirEndsLowerOrIsNoneLosesNothing) {
     const auto light = by_quadrature(mixed, february_2008, green, gammas);
     for (std::size_t s = 0; s < light.sectors; s += 6)
       worst.see_relative(flux_m2(light, s), flux_m2(whole, 0));
-    const auto marched = means_over_rings(shadow::traced(
-        mixed, february_2008, green, photons_of(200'000, Trace::marched, 2e6, 2)));
+    const auto marched = means_over_rings(
+        shadow::traced(mixed, february_2008, green, photons_of(200'000, Trace::marched, 2e6, 2)));
     holds(fmt::format("air to 86 km, in the south to {:.0f} km, straight and clear",
                       atmosphere::top_m(region) / 1e3),
           "light of the whole plane, over that of one air", 1e-3, worst, "10 km between places");

@@ -89,11 +89,19 @@ inline const std::map<std::string, Value>& values_by_hand() {
          return number_or(r, 0, 2, {"dated", "none", "background", "moderate", "high", "extreme"});
        }},
       {"glow", [](Random& r) { return number_or(r, 0, 0.5, {"auto"}); }},
-      {"sky", [](Random& r) { return number_or(r, 0, 30, {"auto", "off", "dark"}); }},
-      {"stars", [](Random& r) { return number_or(r, -5, 20, {"on", "off"}); }},
+      {"sky",
+       [](Random& r) {
+         return number_or(r, 0, 30, {"auto", "off", "dark"});
+       }},
+      {"stars",
+       [](Random& r) {
+         return number_or(r, -5, 20, {"on", "off"});
+       }},
       {"field", [](Random& r) { return number_or(r, 1e-8, 179.9, {"moon"}); }},
       {"time",
-       [](Random& r) { return number_or(r, 1e-6, 1e6, {"auto", "follow", "composite", "1/30"}); }},
+       [](Random& r) {
+         return number_or(r, 1e-6, 1e6, {"auto", "follow", "composite", "1/30"});
+       }},
       {"tolerance",
        [](Random& r) { return fmt::format("\"{}%\"", std::pow(10., between(r, 0, 1.69))); }},
       {"budget", word({"1ms", "50ms", "0.3s", "0.01min", "1 fortnight"})},
@@ -111,7 +119,10 @@ inline const std::map<std::string, Value>& values_by_hand() {
       {"texture-width",
        [](Random& r) { return fmt::format("{}", 2 * std::stoi(integer(2, 32)(r))); }},
       {"space", word({"lin_rec709", "acescg", "lin_ciexyzd65_scene", "srgb"})},
-      {"spectral", [](Random& r) { return one_of(r, std::array{"1", "7", "10", "40", "100", "400"}); }},
+      {"spectral",
+       [](Random& r) {
+         return one_of(r, std::array{"1", "7", "10", "40", "100", "400"});
+       }},
       {"camera", word({"paper", "400mm", "schmidt-cassegrain", "refractor", "pinhole"})},
       {"response", word({"colorimetric", "luminance", "canon-300d", "canon-6d", "canon-5d3",
                          "sony-a7r2", "eye"})},
@@ -173,15 +184,15 @@ struct Command {
   double chance;
 };
 
-constexpr std::array commands{
-    Command{"bake", "moon.exr", 0.6}, Command{"brightness", "", 0.1},
-    Command{"shadow", "", 0.12},      Command{"scene", "folder", 0.07},
-    Command{"still", "moon.png", 0.08}, Command{"plan", "", 0.03}};
+constexpr std::array commands{Command{"bake", "moon.exr", 0.6},   Command{"brightness", "", 0.1},
+                              Command{"shadow", "", 0.12},        Command{"scene", "folder", 0.07},
+                              Command{"still", "moon.png", 0.08}, Command{"plan", "", 0.03}};
 
 struct RandomRecipe {
   Command command;
   std::string text;
-  std::set<std::string> keys;  ///< parameters that it gives, those of regions as "region.to-latitude"
+  /// Parameters that it gives, those of regions as "region.to-latitude"
+  std::set<std::string> keys;
 };
 
 /// Recipes of the parameters that a program describes.
@@ -238,7 +249,8 @@ class RandomRecipes {
   /// Photons in a number that a sweep has time for.
   void add_photons(Random& random, RandomRecipe& made) const {
     const auto& all = parameters(made.command.name);
-    const auto known = std::ranges::any_of(all, [](const auto& one) { return one.at("name") == "photons"; });
+    const auto known =
+        std::ranges::any_of(all, [](const auto& one) { return one.at("name") == "photons"; });
     if (!known) return;
     const std::string trace = one_of(random, std::array{"each", "marched", "table"});
     made.text += fmt::format("solver = \"photons\"\ntrace = \"{}\"\nphotons = {}\n", trace,
@@ -249,7 +261,8 @@ class RandomRecipes {
   /// A region with both edges of a latitude or a position angle, seldom one; and some air.
   void add_region(Random& random, RandomRecipe& made) const {
     const auto& all = parameters(made.command.name);
-    const auto region = std::ranges::find_if(all, [](const auto& one) { return one.at("name") == "region"; });
+    const auto region =
+        std::ranges::find_if(all, [](const auto& one) { return one.at("name") == "region"; });
     const bool by_latitude = random.uniform() < 0.5;
     made.text += "[[atmosphere.region]]\n";
     for (const auto& part : region->at("parts")) {

@@ -10,8 +10,7 @@ namespace {
 
 class RandomRecipesTest : public end_to_end::ProgramTest {
  protected:
-  const RandomRecipes recipes{
-      nlohmann::json::parse(coppermoon({"describe", "--json"}).out)};
+  const RandomRecipes recipes{nlohmann::json::parse(coppermoon({"describe", "--json"}).out)};
 
   std::set<std::string> names_of(const char* command) const {
     std::set<std::string> names;

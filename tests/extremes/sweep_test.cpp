@@ -36,7 +36,7 @@ class Sweep : public end_to_end::ProgramTest, public testing::WithParamInterface
  protected:
   Outcome made(const RandomRecipe& recipe) const {
     file("recipe.toml", recipe.text);
-    std::vector<std::string> words{"timeout",        "600",      COPPERMOON_PROGRAM,
+    std::vector<std::string> words{"timeout",           "600",      COPPERMOON_PROGRAM,
                                    recipe.command.name, "--recipe", "recipe.toml"};
     if (*recipe.command.output != 0)
       words.insert(words.end(), {"-o", recipe.command.output});
@@ -68,7 +68,8 @@ class Sweep : public end_to_end::ProgramTest, public testing::WithParamInterface
     std::string rest;
     for (std::string line; std::getline(lines, line);) {
       const auto has = [&](const char* words) { return line.find(words) != std::string::npos; };
-      if (!has("the tolerance cannot be reached") && !has("on Danjon's scale; the nearest is taken") &&
+      if (!has("the tolerance cannot be reached") &&
+          !has("on Danjon's scale; the nearest is taken") &&
           !has("times as bright as the Moon, which hardly shows"))
         rest += line + '\n';
     }
@@ -109,7 +110,8 @@ TEST_P(Sweep, EndsInAValidFileOrOneLine) {
     auto flaw = done ? flaw_of_file(recipe.command, outcome) : flaw_of_refusal(outcome);
     if (done && flaw.empty()) flaw = flaw_of_folder(recipe);
     if (done && !without_warnings(outcome.err).empty()) flaw = "done, with a complaint";
-    EXPECT_EQ(flaw, "") << "seed " << seed << ", recipe " << i << ": " << recipe.command.name << "\n"
+    EXPECT_EQ(flaw, "") << "seed " << seed << ", recipe " << i << ": " << recipe.command.name
+                        << "\n"
                         << recipe.text << outcome.err;
     EXPECT_LT(outcome.most_memory_mb, 4000)
         << "400 bands on 9 planes, all kept, take 3700: " << seed << ", " << i << "\n"

@@ -6,8 +6,8 @@
 #include "fuzz/refused.h"
 #include "fuzz/scratch_file.h"
 #include "texture/read_image.h"
-#include "verbs/recipes/one_scene.h"
 #include "uses/picture/photo_file.h"
+#include "verbs/recipes/one_scene.h"
 
 namespace {
 

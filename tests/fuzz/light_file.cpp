@@ -7,9 +7,9 @@
 #include <array>
 
 #include "almanac/instant.h"
+#include "files/fingerprint.h"
 #include "fuzz/refused.h"
 #include "fuzz/scratch_file.h"
-#include "files/fingerprint.h"
 #include "uses/light/spectral_bands.h"
 
 namespace {

@@ -10,8 +10,8 @@
 #include "fuzz/refused.h"
 #include "fuzz/scratch_file.h"
 #include "verbs/command_line.h"
-#include "verbs/reports/one_line.h"
 #include "verbs/recipes/recipe.h"
+#include "verbs/reports/one_line.h"
 
 namespace coppermoon::fuzz {
 

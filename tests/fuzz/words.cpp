@@ -16,9 +16,8 @@ using namespace coppermoon;
 /// Dated air takes long to make, undated air does not: one text in 16 meets dated air.
 void read_region(const std::string& text) {
   const std::string air_name = text.size() % 16 == 0 ? "standard" : "undated";
-  const auto air =
-      uses::atmosphere_of({.atmosphere = air_name, .regions = {uses::region_from(text)}},
-                          algebra::degrees(10), 2000);
+  const auto air = uses::atmosphere_of(
+      {.atmosphere = air_name, .regions = {uses::region_from(text)}}, algebra::degrees(10), 2000);
   for (const auto& region : air.regions)
     fuzz::require(std::isfinite(algebra::in_radians(region.from)) &&
                   std::isfinite(algebra::in_radians(region.to)));

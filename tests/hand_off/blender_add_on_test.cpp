@@ -252,7 +252,8 @@ TEST_F(BlenderAddOn, KeepsWhatTheUserHasChanged) {
   // The Moon rises between 18:23 and 18:25 UTC, near U1; by the published contacts above, in eight
   // steps of 38 minutes.
   EXPECT_TRUE(line(outcome, "marks").ends_with("U2=1003 U3=1005 U4=1007 P4=1009"));
-  EXPECT_TRUE(line(outcome, "image").starts_with("//coppermoon/2018-07-27_")) << "beside the .blend";
+  EXPECT_TRUE(line(outcome, "image").starts_with("//coppermoon/2018-07-27_"))
+      << "beside the .blend";
   EXPECT_WITHIN_RELATIVE(pixel_sr() * total(luminances(texture::read_image(here("last.exr")))),
                          number(outcome, "last"), 0.005, "as above");
   EXPECT_EQ(line(outcome, "exposure"), "True") << "without keys of the film";
@@ -321,7 +322,8 @@ TEST_F(BlenderAddOn, SaysWhatTheProgramFindsWrong) {
   EXPECT_TRUE(said("date='2018-07-29'").starts_with("2018-07-29: no lunar eclipse is greatest"));
   EXPECT_NE(said("date='2018-07-27', place='Atlantis'").find("Atlantis"), std::string::npos);
   EXPECT_TRUE(said("date='--version'").starts_with("date = --version; allowed is a day"));
-  EXPECT_TRUE(said("date='2018-07-27/../x'").starts_with("date = 2018-07-27/../x; allowed is a day"));
+  EXPECT_TRUE(
+      said("date='2018-07-27/../x'").starts_with("date = 2018-07-27/../x; allowed is a day"));
   EXPECT_EQ(said("date='2018-07-27', up='zenith'"), "up = zenith: needs a place");
   EXPECT_EQ(said("date='2018-07-27', texture_width=65"),
             "texture width = 65, allowed is an even number");

@@ -47,15 +47,16 @@ Luminance landscape(const std::string& globals, double enlarged, double sky) {
                                        .height = 60},
                             .texture = "moon.exr",
                             .sampling_depth = 0});
-  std::ofstream(folder.path / scene_file) << "#version 3.7;\nglobal_settings { assumed_gamma 1.0 "
-                                          << globals << " }\n#include \"moon.inc\"\n"
-                                          << "#include \"eclipse_stars.inc\"\n"
-                                          << "camera { location y right x up y angle 90 "
-                                             "look_at Coppermoon_Direction(0, 0) + y }\n"
-                                          << "sky_sphere { pigment { rgb " << sky << " } }\n"
-                                          << "object { Eclipsed_Moon(" << enlarged << ", 1e6) }\n"
-                                          << "Eclipsed_Moonlight(1)\nEclipsed_Stars(y, 2, 2e6)\n"
-                                          << "plane { y, 0 pigment { rgb 1 } finish { diffuse 1 } }\n";
+  std::ofstream(folder.path / scene_file)
+      << "#version 3.7;\nglobal_settings { assumed_gamma 1.0 " << globals
+      << " }\n#include \"moon.inc\"\n"
+      << "#include \"eclipse_stars.inc\"\n"
+      << "camera { location y right x up y angle 90 "
+         "look_at Coppermoon_Direction(0, 0) + y }\n"
+      << "sky_sphere { pigment { rgb " << sky << " } }\n"
+      << "object { Eclipsed_Moon(" << enlarged << ", 1e6) }\n"
+      << "Eclipsed_Moonlight(1)\nEclipsed_Stars(y, 2, 2e6)\n"
+      << "plane { y, 0 pigment { rgb 1 } finish { diffuse 1 } }\n";
   return Luminance(render(folder.path));
 }
 

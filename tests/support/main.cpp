@@ -59,8 +59,8 @@ int main(int count, char** words) {
   const auto outcome = RUN_ALL_TESTS();
   if (const char* list = std::getenv("COPPERMOON_PROCESSOR_SECONDS")) {
     if (auto* file = std::fopen(list, "a")) {
-      std::fprintf(file, "%.1f %s/%s\n", processor_seconds(), std::filesystem::path(words[0]).filename().c_str(),
-                   count > 1 ? words[1] : "");
+      std::fprintf(file, "%.1f %s/%s\n", processor_seconds(),
+                   std::filesystem::path(words[0]).filename().c_str(), count > 1 ? words[1] : "");
       std::fclose(file);
     }
   }

@@ -82,13 +82,13 @@ void require_photometric(const fs::path& path, int interpretation) {
   constexpr std::array known{PHOTOMETRIC_MINISWHITE, PHOTOMETRIC_MINISBLACK, PHOTOMETRIC_RGB,
                              PHOTOMETRIC_PALETTE,    PHOTOMETRIC_SEPARATED,  PHOTOMETRIC_YCBCR};
   if (std::find(known.begin(), known.end(), interpretation) != known.end()) return;
-  const auto name = interpretation == PHOTOMETRIC_MASK      ? " (a mask)"
-                    : interpretation == PHOTOMETRIC_CIELAB  ? " (CIE L*a*b*)"
-                    : interpretation == PHOTOMETRIC_CFA     ? " (a camera's mosaic)"
-                    : interpretation == PHOTOMETRIC_LOGL    ? " (LogL)"
-                    : interpretation == PHOTOMETRIC_LOGLUV  ? " (LogLuv)"
-                    : interpretation == 34892 /* linear */  ? " (a camera's raw colours)"
-                                                            : "";
+  const auto name = interpretation == PHOTOMETRIC_MASK     ? " (a mask)"
+                    : interpretation == PHOTOMETRIC_CIELAB ? " (CIE L*a*b*)"
+                    : interpretation == PHOTOMETRIC_CFA    ? " (a camera's mosaic)"
+                    : interpretation == PHOTOMETRIC_LOGL   ? " (LogL)"
+                    : interpretation == PHOTOMETRIC_LOGLUV ? " (LogLuv)"
+                    : interpretation == 34892 /* linear */ ? " (a camera's raw colours)"
+                                                           : "";
   throw cannot_read(path, fmt::format("PhotometricInterpretation = {}{}, allowed grey, colours of "
                                       "light, palettes, CMYK and YCbCr",
                                       interpretation, name));
@@ -118,8 +118,9 @@ void heed_tiff(const fs::path& path, const OIIO::ImageSpec& spec, Storage& stora
     const bool sixteen = spec.format == OIIO::TypeDesc::UINT16;
     if (!sixteen && !(spec.format == OIIO::TypeDesc::UINT8 &&
                       spec.get_int_attribute("oiio:BitsPerSample", 8) == 8))
-      throw cannot_read(path, "PhotometricInterpretation = 0 (white is zero), allowed of whole "
-                              "numbers of 8 and 16 bits");
+      throw cannot_read(path,
+                        "PhotometricInterpretation = 0 (white is zero), allowed of whole "
+                        "numbers of 8 and 16 bits");
     storage.white_is_zero = sixteen;  // of 8 bits OpenImageIO turns them round
   }
   const std::uint16_t *red = nullptr, *green = nullptr, *blue = nullptr;
@@ -139,11 +140,11 @@ std::optional<std::string> icc_of(const OIIO::ImageSpec& spec) {
 
 void refuse_curve(const fs::path& path, unsigned transfer) {
   if (transfer == 8 || transfer >= 16)
-    throw cannot_read(path, fmt::format("transfer characteristics = {}{}, allowed those of sRGB",
-                                        transfer,
-                                        transfer == 16   ? " (PQ)"
-                                        : transfer == 18 ? " (HLG)"
-                                                         : ""));
+    throw cannot_read(
+        path, fmt::format("transfer characteristics = {}{}, allowed those of sRGB", transfer,
+                          transfer == 16   ? " (PQ)"
+                          : transfer == 18 ? " (HLG)"
+                                           : ""));
 }
 
 using Colours = std::optional<ColourProfile>;
@@ -152,8 +153,8 @@ using Colours = std::optional<ColourProfile>;
 Colours by_code_points(const fs::path& path, unsigned primaries, unsigned transfer) {
   refuse_curve(path, transfer);
   if (primaries == 9)
-    return ColourProfile::of_primaries(
-        {0.708, 0.292, 0.17, 0.797, 0.131, 0.046, 0.3127, 0.329}, {});
+    return ColourProfile::of_primaries({0.708, 0.292, 0.17, 0.797, 0.131, 0.046, 0.3127, 0.329},
+                                       {});
   if (primaries == 12)
     return ColourProfile::of_primaries({0.68, 0.32, 0.265, 0.69, 0.15, 0.06, 0.3127, 0.329}, {});
   return std::nullopt;
@@ -217,7 +218,8 @@ std::optional<std::string_view> chunk_of_webp(std::string_view all, std::string_
 /// Heeds a WebP's header, which OpenImageIO passes over.
 void heed_webp(const fs::path& path, Storage& storage) {
   std::string bytes(fs::file_size(path), '\0');
-  std::ifstream(path, std::ios::binary).read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  std::ifstream(path, std::ios::binary)
+      .read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (auto exif = chunk_of_webp(bytes, "EXIF")) {
     if (exif->starts_with("Exif")) exif->remove_prefix(6);
     OIIO::ImageSpec said;

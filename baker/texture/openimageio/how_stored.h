@@ -13,10 +13,11 @@ namespace coppermoon::texture {
 
 /// Properties of a file's numbers that OpenImageIO does not heed.
 struct Storage {
-  int orientation = 1;              ///< EXIF's: 1 upright, 2 to 4 flipped or turned, 5 to 8 on a side
-  bool white_is_zero = false;       ///< black is the largest number
+  int orientation = 1;         ///< EXIF's: 1 upright, 2 to 4 flipped or turned, 5 to 8 on a side
+  bool white_is_zero = false;  ///< black is the largest number
   std::optional<double> no_data{};  ///< GDAL's: in the file's own numbers
-  std::optional<ColourProfile> colours{};  ///< without: Rec. 709, with sRGB's curve or as curve_of says
+  /// Without: Rec. 709, with sRGB's curve or as curve_of says
+  std::optional<ColourProfile> colours{};
 
   bool on_its_side() const { return orientation >= 5; }
 };

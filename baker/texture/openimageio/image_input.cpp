@@ -123,7 +123,7 @@ std::unique_ptr<OIIO::ImageInput> opened(const fs::path& path) {
   require_readable_file(path);
   const auto format = format_of(path);
   require_honest_claims(path, format);
-  auto input = format.empty()    ? nullptr
+  auto input = format.empty()     ? nullptr
                : format == "fits" ? fits_input()
                                   : OIIO::ImageInput::create(format);
   OIIO::ImageSpec spec;

@@ -37,14 +37,15 @@ struct Film {
   ViewRequest view;
   Development development;
   TextureContent content;
-  std::optional<double> bracket_ev;  ///< stops between a picture and its under- and overexposed companions, 0.01 to 10
+  /// Stops between a picture and its under- and overexposed companions, 0.01 to 10
+  std::optional<double> bracket_ev;
   Products products;
   std::filesystem::path folder;
   Moments moments{};
   FilmRecord record{};
   std::shared_ptr<const Moonlight> light{};
   std::shared_ptr<const algebra::Grid<float>> albedo{};  ///< at the textures' size
-  std::shared_ptr<const surface::Ground> ground{};       ///< colour and surge by place, where they count
+  std::shared_ptr<const surface::Ground> ground{};  ///< colour and surge by place, where they count
   /// exposure times [s] at moments, in order of time; empty: as `development` has it
   std::vector<std::pair<almanac::Instant, double>> time_keys{};
 

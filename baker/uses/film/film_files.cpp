@@ -59,9 +59,8 @@ bool FilmFiles::any() const {
 void require_sound(const FilmFiles& files, const Shard& shard) {
   if (!files.any()) return;
   if (shard.parts != 1)
-    throw algebra::Error(fmt::format(
-        "shard = {}/{}, allowed 1/1 for what needs every frame",
-        shard.part, shard.parts));
+    throw algebra::Error(fmt::format("shard = {}/{}, allowed 1/1 for what needs every frame",
+                                     shard.part, shard.parts));
   for (const auto& curve : files.curves) require_curve_ending(curve);
   require_ending(files.contact_sheet, "contact sheet", ".png");
   require_ending(files.composite, "composite", ".png");

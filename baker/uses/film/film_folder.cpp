@@ -125,8 +125,7 @@ void require_own(const Film& film, bool replace) {
 }
 
 bool is_own(const Film& film, const fs::path& file, std::size_t frame) {
-  return is_whole_of(file, frame,
-                     [&](const fs::path& one) { return film.record.made_alike(one); });
+  return is_whole_of(file, frame, [&](const fs::path& one) { return film.record.made_alike(one); });
 }
 
 bool is_made(const Film& film, std::size_t frame) {

@@ -14,7 +14,7 @@ namespace coppermoon::uses {
 struct MadeFrame {
   std::size_t frame;
   std::optional<Exposures> exposures;  ///< of its picture, where it has one
-  bool developed_again = false;  ///< from a linear frame that was kept
+  bool developed_again = false;        ///< from a linear frame that was kept
 };
 
 /// Makes frames, as many at a time as memory and processors allow.

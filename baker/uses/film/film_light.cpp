@@ -58,9 +58,9 @@ bool same_light(const KeptLight& known, const std::string& asked) {
 }
 
 void refuse_key(const Film& film, const std::string& there, const std::string& asked) {
-  throw algebra::Error(
-      fmt::format("{}: holds the light of a film made with {} ({}), allowed another folder{}",
-                  film.folder.string(), differences_in_words(there, asked), light_file, film.record.way_out));
+  throw algebra::Error(fmt::format(
+      "{}: holds the light of a film made with {} ({}), allowed another folder{}",
+      film.folder.string(), differences_in_words(there, asked), light_file, film.record.way_out));
 }
 
 }  // namespace

@@ -88,8 +88,8 @@ void write_movie(const fs::path& path, const Film& film, const std::vector<std::
   const files::TemporaryFolder folder;
   const auto pictures = pictures_of(film, frames);
   number_pictures(folder.path(), pictures);
-  const auto coding =
-      film.products.high_range ? high_range_coding(light_levels(pictures)) : standard_range_coding();
+  const auto coding = film.products.high_range ? high_range_coding(light_levels(pictures))
+                                               : standard_range_coding();
   files::write_whole(path, [&](int descriptor) {
     files::run_program(
         {.words = command(film.fps, coding), .package = package, .folder = folder.path()},

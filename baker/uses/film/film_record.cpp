@@ -62,9 +62,8 @@ Affects affected_by(const FilmRecord& record, const std::string& name) {
 
 /// Account of what affects that stage or an earlier one.
 Account up_to(Affects stage, const FilmRecord& record, const Account& account) {
-  return request::without(account, [&](const std::string& name) {
-    return affected_by(record, name) > stage;
-  });
+  return request::without(
+      account, [&](const std::string& name) { return affected_by(record, name) > stage; });
 }
 
 bool is_texture(const std::filesystem::path& file) {
@@ -109,8 +108,8 @@ std::string FilmRecord::film_key() const {
 }
 
 bool FilmRecord::made_alike(const std::filesystem::path& file) const {
-  return !recipe.empty() && for_file(file, *this, account_in(file)) ==
-                                for_file(file, *this, planned_account(*this));
+  return !recipe.empty() &&
+         for_file(file, *this, account_in(file)) == for_file(file, *this, planned_account(*this));
 }
 
 bool FilmRecord::shows_the_same(const std::filesystem::path& frame) const {

@@ -19,7 +19,8 @@ struct FilmRecord {
   std::map<std::string, request::Affects, std::less<>> affected{};  ///< by each parameter of it
   std::string map_contents{}, view_contents{};  ///< fingerprints of files that the recipe names
   std::optional<plan::Work> work{};             ///< of the light, once it is planned
-  std::string way_out{};  ///< end of the refusal of another film's files, behind "allowed another folder"
+  /// End of the refusal of another film's files, behind "allowed another folder"
+  std::string way_out{};
 
   /// Attributes in the header of each file of a frame, beside its number.
   texture::Attributes frame_header() const;

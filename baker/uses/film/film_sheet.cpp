@@ -95,9 +95,9 @@ void write_contact_sheet(const std::filesystem::path& path, const Film& film,
                               std::min(most_columns, static_cast<std::size_t>(side)),
                               texture::sheet_font()};
   for (const auto& [frame, moment, at_contact] : shown)
-    sheet.pictures.push_back(
-        {film.picture(frame), almanac::time_of_day_text(film.moments.frames[frame - 1]), moment,
-         at_contact});
+    sheet.pictures.push_back({film.picture(frame),
+                              almanac::time_of_day_text(film.moments.frames[frame - 1]), moment,
+                              at_contact});
   texture::write_png(path, texture::drawn(sheet), 8, film.record.film_header());
 }
 

@@ -13,8 +13,9 @@ namespace coppermoon::uses {
 /// Frame on a contact sheet.
 struct SheetFrame {
   std::size_t frame;
-  std::string moment;  ///< time from the nearest contact: "U2+35min", "U4-20s"; "U2" within a minute of it
-  bool at_contact;     ///< nearest frame of a contact, within a minute
+  /// Time from the nearest contact: "U2+35min", "U4-20s"; "U2" within a minute of it
+  std::string moment;
+  bool at_contact;  ///< nearest frame of a contact, within a minute
 };
 
 /// Frames for a contact sheet: all of a short film; of a longer film 40 at even steps, and those nearest to the

@@ -14,7 +14,8 @@ namespace coppermoon::uses {
 atmosphere::Atmosphere cleared(atmosphere::Atmosphere air, double clearness);
 
 /// Ends between which clearness is sought, and distance from them at which the search has failed.
-inline constexpr double darkest_clearness = -2, brightest_clearness = 1, clearness_error = 2. / 1024;
+inline constexpr double darkest_clearness = -2, brightest_clearness = 1,
+                        clearness_error = 2. / 1024;
 
 /// Clearness for which the eclipse nearest to a moment has the step L of Danjon's scale: at its greatest phase the Moon has
 /// the visual magnitude that goes with L.

@@ -51,7 +51,7 @@ std::string text_of(const std::optional<Stratosphere>& stratosphere) {
   if (std::holds_alternative<DatedAerosol>(*stratosphere)) return "dated";
   if (const auto* depth = std::get_if<double>(&*stratosphere)) return fmt::format("{}", *depth);
   return request::word_for(stratospheric_amounts(),
-                  std::get<atmosphere::StratosphericAerosol>(*stratosphere));
+                           std::get<atmosphere::StratosphericAerosol>(*stratosphere));
 }
 
 /// A term that may be left out, and its switch.
@@ -167,8 +167,9 @@ void describe_layers(Parameters& is, ColumnChange& column) {
   is.add(parameter("dust-bottom-km", column.dust_bottom_km,
                    "lower edge of the dust layer [km], 0 to 86; default: 15"))
       .within(0, 86);
-  is.add(parameter("dust-top-km", column.dust_top_km,
-                   "upper edge of the dust layer [km], 0 to 86, at or above the lower; default: 20"))
+  is.add(
+        parameter("dust-top-km", column.dust_top_km,
+                  "upper edge of the dust layer [km], 0 to 86, at or above the lower; default: 20"))
       .within(0, 86);
 }
 
@@ -312,8 +313,7 @@ void describe_knobs(Parameters& is, plan::ByHand& knobs) {
                    "number of terms of the Sun's limb darkening, 1 to 6; 6 is exact"))
       .within(1, 6)
       .replaced_by_plan();
-  is.add(parameter("planes", knobs.planes,
-                   "number of planes across the Moon's depth, 1 to 9"))
+  is.add(parameter("planes", knobs.planes, "number of planes across the Moon's depth, 1 to 9"))
       .within(1, 9)
       .replaced_by_plan();
   is.add(parameter("place-error", knobs.place_error,
@@ -339,10 +339,11 @@ void describe_solver(Parameters& is, LightRequest& light) {
                 "(the quicker; photons where photons is given)"))
       .replaced_by_plan();
   is.begin(light_heading, "", Affects::photons);
-  is.add(choice("trace", light.trace,
-                {{"each", Trace::step_by_step}, {"marched", Trace::marched}, {"table", Trace::table}},
-                "tracing of photons: table (by a table of the limb's rays), marched (step by step, "
-                "all wavelengths together) or each (step by step, each alone, as in the paper)"));
+  is.add(
+      choice("trace", light.trace,
+             {{"each", Trace::step_by_step}, {"marched", Trace::marched}, {"table", Trace::table}},
+             "tracing of photons: table (by a table of the limb's rays), marched (step by step, "
+             "all wavelengths together) or each (step by step, each alone, as in the paper)"));
   is.begin(light_heading, "", Affects::light);
   is.add(parameter("photons", light.photons,
                    "number of photons, 1 to 1e12; default: as many as the tolerance needs. 1e6 "
@@ -400,8 +401,7 @@ namespace {
 /// "ozone 300 DU", "stratospheric aerosol extreme".
 std::string in_words(std::string name, const std::string& value) {
   std::string unit;
-  for (const auto& [ending, its_unit] :
-       {std::pair{"-km", " km"}, std::pair{"-du", " DU"}})
+  for (const auto& [ending, its_unit] : {std::pair{"-km", " km"}, std::pair{"-du", " DU"}})
     if (name.ends_with(ending)) name.resize(name.size() - 3), unit = its_unit;
   std::ranges::replace(name, '-', ' ');
   return name + ' ' + value + unit;

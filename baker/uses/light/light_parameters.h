@@ -7,7 +7,8 @@
 namespace coppermoon::uses {
 
 /// Headings of help.
-inline constexpr const char *air_heading = "The Earth's air", *light_heading = "How light is computed";
+inline constexpr const char *air_heading = "The Earth's air",
+                            *light_heading = "How light is computed";
 
 /// Parameters of a column of air: those that a fit seeks, and those that it takes as given.
 void describe_sought(request::Parameters& is, ColumnChange& column);

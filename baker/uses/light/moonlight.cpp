@@ -106,8 +106,7 @@ void require_eclipse(const almanac::Instant& when, const std::string& way_out,
   const auto convention = eclipse::ShadowConvention::danjon;
   if (eclipse::eclipse_at(when, convention)) return;
   throw algebra::Error(fmt::format(
-      "no lunar eclipse at {}; the nearest is greatest at {}{}",
-      almanac::utc_text(when, calendar),
+      "no lunar eclipse at {}; the nearest is greatest at {}{}", almanac::utc_text(when, calendar),
       almanac::utc_text(eclipse::nearest_eclipse(when, convention).greatest, calendar), way_out));
 }
 

@@ -46,7 +46,7 @@ struct LightRequest {
   Solver solver =
       Solver::automatic;  ///< automatic: the quicker, or photons where `photons` is given
   plan::Wish wish{.tolerance = 0.01};
-  plan::ByHand by_hand{};           ///< settings in place of planned ones, but for solver and photons
+  plan::ByHand by_hand{};  ///< settings in place of planned ones, but for solver and photons
   std::optional<double> photons{};  ///< 1 to 1e12; without: as many as the tolerance asks for
   shadow::Trace trace = shadow::Trace::table;
   photons::Precision precision = photons::Precision::full;  ///< of photons that are marched

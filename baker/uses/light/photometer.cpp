@@ -46,7 +46,8 @@ Photometer photometer(const std::optional<atmosphere::Sightline>& sightline) {
 DiscBrightness measured(const Photometer& photometer, const texture::Image& texture,
                         const almanac::SkyState& sky, const glm::dvec3& from_m) {
   const auto moon = irradiance_of_disc(texture, sky, from_m);
-  DiscBrightness disc{{}, moon.back() / solid_angle_of_disc(texture.height, sky, from_m), moon.back()};
+  DiscBrightness disc{
+      {}, moon.back() / solid_angle_of_disc(texture.height, sky, from_m), moon.back()};
   const auto bands = photometric_bands();
   for (std::size_t k = 0; k < bands.size(); ++k)
     disc.magnitudes.push_back(bands[k].solar_magnitude -

@@ -296,8 +296,7 @@ plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose) {
     work.*term = false;
     return margin * largest_change(coarse, tried(moon, air_for(work, moon), places));
   };
-  if (scene.ellipsoid)
-    scene.without_ellipsoid = change_without(&plan::Work::ellipsoid);
+  if (scene.ellipsoid) scene.without_ellipsoid = change_without(&plan::Work::ellipsoid);
   if (scene.without_refracted > 0 && scene.columns > 1)
     scene.without_regions = change_without(&plan::Work::regions);
   scene.without_refracted = std::min(1., margin * scene.without_refracted);

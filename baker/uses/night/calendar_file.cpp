@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-
 namespace coppermoon::uses {
 namespace {
 
@@ -78,11 +77,10 @@ std::string as_calendar(const Circumstances& night, const std::string& place_nam
                         const almanac::Instant& made) {
   const auto& contacts = night.eclipse.contacts;
   const auto day = almanac::utc_text(night.eclipse.greatest).substr(0, 10);
-  const Shared shared{
-      place_name,
-      fmt::format("{:+.4f}{:+.4f}", algebra::in_degrees(night.place.latitude),
-                  algebra::in_degrees(night.place.longitude)),
-      stamp(made)};
+  const Shared shared{place_name,
+                      fmt::format("{:+.4f}{:+.4f}", algebra::in_degrees(night.place.latitude),
+                                  algebra::in_degrees(night.place.longitude)),
+                      stamp(made)};
   std::string text = line("BEGIN:VCALENDAR") + line("VERSION:2.0") +
                      line("PRODID:-//coppermoon//night//EN") + line("CALSCALE:GREGORIAN");
   text += event(shared, day + "-eclipse", *contacts.P1, *contacts.P4, title(night.eclipse),

@@ -46,9 +46,7 @@ std::vector<std::pair<double, double>> heights(const almanac::Observer& place, c
   constexpr double grazing = 3e-3;  // largest rise within a step: (2π / a day · half a step)² / 2
   const auto steps = static_cast<int>(std::ceil(seconds / step_s));
   const double step = seconds / steps;
-  const auto at = [&](double s) {
-    return std::pair{s, height(place, almanac::later(from, s))};
-  };
+  const auto at = [&](double s) { return std::pair{s, height(place, almanac::later(from, s))}; };
   std::vector<std::pair<double, double>> all;
   for (int i = 0; i <= steps; ++i) all.push_back(at(i * step));
   for (int i = 1; i < steps; ++i) {
@@ -68,8 +66,8 @@ std::vector<Crossing> crossings(const almanac::Observer& place, const Instant& f
   const auto all = heights(place, from, almanac::seconds_between(from, to));
   for (std::size_t i = 1; i < all.size(); ++i)
     if ((all[i - 1].second > 0) != (all[i].second > 0))
-      found.push_back(crossing(place, almanac::later(from, all[i - 1].first),
-                               all[i].first - all[i - 1].first));
+      found.push_back(
+          crossing(place, almanac::later(from, all[i - 1].first), all[i].first - all[i - 1].first));
   return found;
 }
 

@@ -51,8 +51,7 @@ absl::TimeZone zone_named(const std::string& zone) {
     return absl::FixedTimeZone(
         static_cast<int>(std::lround(almanac::seconds_between(there, here))));
   }
-  if (zone.empty() || zone.starts_with('/') || !is_plain(zone) ||
-      !absl::LoadTimeZone(zone, &found))
+  if (zone.empty() || zone.starts_with('/') || !is_plain(zone) || !absl::LoadTimeZone(zone, &found))
     throw algebra::Error(
         fmt::format("time zone = {}: not in this system's zoneinfo (tzdata), allowed a name of the "
                     "IANA's data, as Africa/Nairobi, or an offset, as +03:00",

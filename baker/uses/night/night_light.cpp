@@ -50,8 +50,9 @@ std::vector<Patch> patches_of(const texture::Image& image, const almanac::SkySta
     for (std::size_t c = 0; c < columns; ++c) {
       const double north = std::numbers::pi * (0.5 - (static_cast<double>(r) + 0.5) / rows),
                    east = std::numbers::pi * ((static_cast<double>(c) + 0.5) / rows - 1);
-      const double cosine = glm::dot(to_earth, almanac::selenographic_direction(
-                                                   {algebra::radians(north), algebra::radians(east)}));
+      const double cosine = glm::dot(
+          to_earth,
+          almanac::selenographic_direction({algebra::radians(north), algebra::radians(east)}));
       if (cosine > least_cosine)
         patches.push_back(
             {static_cast<double>(image.values[(r * columns + c) * channels + channels - 1]),
@@ -103,10 +104,9 @@ class Exposer {
     constexpr auto most_sensitive = algebra::nanometres(555);
     if (!view_.observer || !view_.reddening || !moon_is_up(view_, sky)) return 1;
     const auto seen = view_of(view_, sky);
-    return seen.sightline
-               ? atmosphere::transmittance_above(seen.sightline->air, seen.sightline->altitude,
-                                                 most_sensitive)
-               : 1;
+    return seen.sightline ? atmosphere::transmittance_above(
+                                seen.sightline->air, seen.sightline->altitude, most_sensitive)
+                          : 1;
   }
 
   ViewRequest view_;
@@ -114,8 +114,8 @@ class Exposer {
   double per_second_ = 1, f_number_ = 1;
 };
 
-PhaseExposure exposure_of(const MoonSurvey& survey, const Exposer& exposer, const std::string& phase,
-                          const Instant& when) {
+PhaseExposure exposure_of(const MoonSurvey& survey, const Exposer& exposer,
+                          const std::string& phase, const Instant& when) {
   const auto sky = almanac::sky_at(when);
   const auto disc = patches_of(survey.texture(sky), sky);
   const double brightest = quantile(disc, 1 - brighter_share);

@@ -44,7 +44,7 @@ double pixel_rad_of(const povray_scenes::SceneCamera& camera);
 
 /// Facts of a frame that its development needs beside its light.
 struct SeenFrame {
-  double pixel_rad = 0;                  ///< angle across the middle pixel; 0: from the sensor's width
+  double pixel_rad = 0;  ///< angle across the middle pixel; 0: from the sensor's width
   std::optional<double> sky_cd_m2 = {};  ///< nothing: not known
   std::optional<DiscOutline> disc = {};  ///< the Moon's edge; nothing: not known
 };

@@ -202,15 +202,15 @@ colour::Image shadow_taken(Development development, const colour::Exposure& expo
   const bool through_camera = camera_of(development).has_value();
   const double scale = scale_of(development, exposure);
   const LimbPixels limb(through_camera ? frame.seen.disc : std::nullopt, frame.light);
-  const auto [light, sky] =
-      dimmed(limb.with_ground(frame.light), frame.space,
-             sky_before(development.camera, frame.seen), scale);
+  const auto [light, sky] = dimmed(limb.with_ground(frame.light), frame.space,
+                                   sky_before(development.camera, frame.seen), scale);
   if (through_camera) development.camera.sky_cd_m2 = sky;
   const auto covered = limb.covered(light);
   auto slower = exposure;
   slower.iso = std::max(1., exposure.iso / reddest);
-  auto shadow = taken(development, slower,
-                      {covered, frame.space, frame.seen, frame.number ^ other_noise, frame.attributes});
+  auto shadow =
+      taken(development, slower,
+            {covered, frame.space, frame.seen, frame.number ^ other_noise, frame.attributes});
   for (auto& pixel : shadow.values())
     for (float& value : pixel) value = static_cast<float>(scale * value);
   return shadow;

@@ -117,8 +117,8 @@ algebra::Grid<float> normal_albedo(const MoonRequest& moon) {
   require_sound(moon);
   if (!reads_map(moon))
     return surface::normalised_to_geometric_albedo(built_in_map_for(moon), moon.photometry);
-  auto albedo =
-      decoded(texture::read_albedo_map(moon.albedo_map, coding_of(moon.albedo_encoding)), moon.albedo_encoding);
+  auto albedo = decoded(texture::read_albedo_map(moon.albedo_map, coding_of(moon.albedo_encoding)),
+                        moon.albedo_encoding);
   if (moon.albedo_map_centre_deg != 0) turn_round(albedo);
   if (moon.albedo_exponent != 1) raise_to(moon.albedo_exponent, albedo);
   constexpr double as_it_should_be = 1.03, no_moon = 3;

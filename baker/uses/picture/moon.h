@@ -16,8 +16,8 @@ namespace coppermoon::uses {
 
 /// Coding of a map's numbers as normal albedo, up to a factor.
 enum class AlbedoEncoding {
-  image,          ///< light, as the image file says
-  normal_albedo,  ///< themselves, whatever the file says
+  image,              ///< light, as the image file says
+  normal_albedo,      ///< themselves, whatever the file says
   cgi_moon_kit_2019,  ///< NASA's CGI Moon Kit of 2019: see surface::kit_2019_albedo
   cgi_moon_kit_2025,  ///< sRGB's curve over I/F at 60 degrees of phase
 };
@@ -31,8 +31,9 @@ struct MoonRequest {
   std::string albedo_map = "built-in";  ///< an image file 2:1; or the library's own map
   surface::Photometry photometry = surface::Photometry::lommel_seeliger_rolo;
   AlbedoEncoding albedo_encoding = AlbedoEncoding::image;  ///< of a file, as the next two
-  double albedo_exponent = 1;   ///< power applied to decoded albedo, 0.1 to 10
-  int albedo_map_centre_deg = 0;  ///< longitude in the map's middle: 0, or 180 of maps from 0 to 360
+  double albedo_exponent = 1;  ///< power applied to decoded albedo, 0.1 to 10
+  int albedo_map_centre_deg =
+      0;  ///< longitude in the map's middle: 0, or 180 of maps from 0 to 360
   WhenNearSideIsBrighter when_near_side_brighter{};  ///< called above 3 %
   bool ground_by_place = true;  ///< colour and surge of each place; or those of the mean Moon
   std::optional<std::size_t> texture_width{};  ///< without: 4096, or as the frame resolves

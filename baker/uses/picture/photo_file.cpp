@@ -67,8 +67,7 @@ std::optional<std::string> offset_in(const std::string& text) {
   constexpr int most_hours = 15;
   if (text.size() > longest || !std::regex_match(text, part, known) ||
       std::stoi(part[2]) > most_hours)
-    throw algebra::Error(
-        fmt::format("its header's offset from UTC = {}, allowed as +03:00", text));
+    throw algebra::Error(fmt::format("its header's offset from UTC = {}, allowed as +03:00", text));
   return fmt::format("{}{:0>2}:{}", part[1].str(), part[2].str(),
                      part[3].matched ? part[3].str() : "00");
 }
@@ -141,15 +140,14 @@ std::optional<HeaderClock> clock_in(const std::string& date, const std::string& 
   if (date.find_first_not_of(std::string_view(" :0-/T\0", 7)) == date.npos) return std::nullopt;
   std::smatch part;
   const auto unknown = [&] {
-    return algebra::Error(
-        fmt::format("its header's date = {}, allowed YYYY:MM:DD HH:MM:SS", date));
+    return algebra::Error(fmt::format("its header's date = {}, allowed YYYY:MM:DD HH:MM:SS", date));
   };
   if (date.size() > longest || !std::regex_match(date, part, known)) throw unknown();
   const auto hour = part[4] == "24" ? "00" : part[4].str();
-  HeaderClock clock{fmt::format("{}-{:0>2}-{:0>2}T{:0>2}:{}:{}", part[1].str(), part[2].str(),
-                                part[3].str(), hour, part[5].str(),
-                                part[6].matched ? part[6].str() : "00"),
-                    offset_in(offset)};
+  HeaderClock clock{
+      fmt::format("{}-{:0>2}-{:0>2}T{:0>2}:{}:{}", part[1].str(), part[2].str(), part[3].str(),
+                  hour, part[5].str(), part[6].matched ? part[6].str() : "00"),
+      offset_in(offset)};
   if (!clock.offset) clock.offset = offset_in(part[7].str());
   try {
     seconds_at(clock);

@@ -17,7 +17,8 @@ namespace {
 using request::Affects, request::Parameters, request::choice, request::on_off, request::parameter,
     request::parsed;
 
-constexpr const char *view_heading = "Who looks, and through what", *texture_heading = "The texture";
+constexpr const char *view_heading = "Who looks, and through what",
+                     *texture_heading = "The texture";
 
 constexpr const char* whole_moon = "moon";
 
@@ -78,7 +79,8 @@ std::string text_of(const ExposureTime& time) {
 }
 
 void describe_optics(Parameters& is, CameraRequest& camera) {
-  is.add(parameter("aperture", camera.aperture_mm, "aperture of the telescope or lens [mm], 0.1 to 1e5"))
+  is.add(parameter("aperture", camera.aperture_mm,
+                   "aperture of the telescope or lens [mm], 0.1 to 1e5"))
       .within(0.1, 1e5);
   is.add(parameter("obstruction", camera.obstruction,
                    "diameter of the secondary mirror over the aperture, 0 to 0.9"))
@@ -104,8 +106,7 @@ void describe_optics(Parameters& is, CameraRequest& camera) {
 }
 
 void describe_sensor(Parameters& is, CameraRequest& camera) {
-  is.add(parameter("pixel", camera.pixel_um,
-                   "side of a pixel of the sensor [um], 0.1 to 1000"))
+  is.add(parameter("pixel", camera.pixel_um, "side of a pixel of the sensor [um], 0.1 to 1000"))
       .within(0.1, 1000);
   is.add(parameter("quantum-efficiency", camera.quantum_efficiency,
                    "quantum efficiency: electrons per photon of 555 nm, 0.001 to 1"))
@@ -116,13 +117,14 @@ void describe_sensor(Parameters& is, CameraRequest& camera) {
   is.add(parameter("full-well", camera.full_well_e,
                    "full-well capacity of a pixel [electrons], 10 to 1e9"))
       .within(10, 1e9);
-  is.add(parameter("read-noise", camera.read_noise_e,
-                   "read noise of a pixel [electrons], 0 to 1e4"))
+  is.add(
+        parameter("read-noise", camera.read_noise_e, "read noise of a pixel [electrons], 0 to 1e4"))
       .within(0, 1e4);
   is.add(parameter("converter-noise", camera.converter_noise_dn,
                    "noise of the converter, behind the gain [DN], 0 to 1e4"))
       .within(0, 1e4);
-  is.add(parameter("black-level", camera.black_level_dn, "black level of raw numbers [DN], 0 to half of what sensor-bits can hold"));
+  is.add(parameter("black-level", camera.black_level_dn,
+                   "black level of raw numbers [DN], 0 to half of what sensor-bits can hold"));
   is.add(parameter("sensor-bits", camera.sensor_bits, "bits of a raw number, 1 to 16"))
       .within(1, 16);
   is.add(on_off("noise", camera.noise, "noise of photons and sensor"));
@@ -139,9 +141,10 @@ constexpr const char* time_meaning =
 void describe_map(Parameters& is, MoonRequest& moon) {
   using enum surface::Photometry;
   is.begin({}, "", Affects::ground);
-  is.add(parameter("albedo-map", moon.albedo_map,
-                   "albedo map: an image of 2:1 with longitude 0 in the middle, or built-in: NASA's "
-                   "CGI Moon Kit of 2019, 4096 texels wide"))
+  is.add(
+        parameter("albedo-map", moon.albedo_map,
+                  "albedo map: an image of 2:1 with longitude 0 in the middle, or built-in: NASA's "
+                  "CGI Moon Kit of 2019, 4096 texels wide"))
       .as(request::Kind::file_read);
   is.add(choice("albedo-map-centre", moon.albedo_map_centre_deg, {{"0", 0}, {"180", 180}},
                 "longitude in the middle of the albedo map [degrees]: 0, or 180 for a map from 0 "
@@ -247,19 +250,19 @@ void describe(Parameters& is, CameraRequest& camera) {
 
 void describe_but_time(Parameters& is, Development& development) {
   is.begin(camera_heading, "camera", Affects::picture);
-  is.add(parameter("f-number", development.f_number,
-                   "focal length over aperture, 0.5 to 512; default: the camera's, without one 12.1"))
+  is.add(parameter(
+             "f-number", development.f_number,
+             "focal length over aperture, 0.5 to 512; default: the camera's, without one 12.1"))
       .within(0.5, 512);
-  is.add(parameter("iso", development.iso,
-                   "ISO speed (ISO 12232, saturation-based), 1 to 1e7"))
+  is.add(parameter("iso", development.iso, "ISO speed (ISO 12232, saturation-based), 1 to 1e7"))
       .within(1, 1e7);
   is.add(parameter("view", development.view, "view of the OpenColorIO configuration"));
   is.add(parameter("display", development.display, "display of the OpenColorIO configuration"));
   is.add(parameter("config", development.config,
                    "OpenColorIO configuration in place of the built-in one"))
       .as(request::Kind::file_read);
-  is.add(choice("bits", development.bits, {{"8", 8}, {"16", 16}},
-                "bits of a number of the picture"))
+  is.add(
+        choice("bits", development.bits, {{"8", 8}, {"16", 16}}, "bits of a number of the picture"))
       .as(request::Kind::whole);
 }
 
@@ -292,9 +295,10 @@ void describe(Parameters& is, TextureContent& content) {
                    "width of spectral bands [nm], 1 to 100, a divisor of 400: an .exr gets the "
                    "spectral radiance from 380 to 780 nm too"))
       .within(1, 100);
-  is.add(request::presence("passes", content.passes,
-                  "adds parts to an .exr: direct light, refracted light, irradiance, reflectance, "
-                  "albedo"));
+  is.add(request::presence(
+      "passes", content.passes,
+      "adds parts to an .exr: direct light, refracted light, irradiance, reflectance, "
+      "albedo"));
 }
 
 ExposureTime exposure_time_from(const std::string& text) {

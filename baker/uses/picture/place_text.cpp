@@ -58,8 +58,8 @@ std::string name_like(std::string_view text, const std::vector<std::string>& nam
   const auto name = text.substr(0, text.find_first_of("/,"));
   if (almanac::cities_named(name).empty())
     why += "; the nearest name is " + name_like(name, almanac::city_names());
-  throw algebra::Error(fmt::format(
-      "place = {}: {}. Allowed is LATITUDE,LONGITUDE too, as 42.86,-73.77", text, why));
+  throw algebra::Error(
+      fmt::format("place = {}: {}. Allowed is LATITUDE,LONGITUDE too, as 42.86,-73.77", text, why));
 }
 
 }  // namespace

@@ -20,8 +20,7 @@ algebra::Angle semidiameter(const almanac::ObserverView& seen) {
   return algebra::radians(std::asin(almanac::lunar_radius / seen.moon_distance));
 }
 
-algebra::Angle above_horizon(const almanac::Observer& observer,
-                             const almanac::ObserverView& seen) {
+algebra::Angle above_horizon(const almanac::Observer& observer, const almanac::ObserverView& seen) {
   return seen.altitude + semidiameter(seen) - horizon_altitude(observer);
 }
 
@@ -35,9 +34,10 @@ std::string place_name(const almanac::Observer& observer) {
 void require_up(const almanac::ObserverView& seen, const almanac::Observer& observer) {
   const double below_deg = -algebra::in_degrees(above_horizon(observer, seen));
   if (below_deg < 0) return;
-  throw algebra::Error(fmt::format(
-      "from {} the Moon is {:.{}f}° below the horizon then; choose another moment or place, or none",
-      place_name(observer), below_deg, below_deg < 10 ? 1 : 0));
+  throw algebra::Error(
+      fmt::format("from {} the Moon is {:.{}f}° below the horizon then; choose another moment or "
+                  "place, or none",
+                  place_name(observer), below_deg, below_deg < 10 ? 1 : 0));
 }
 
 /// The Moon's altitude, or that of the apparent horizon where a high place sees it lower: its air holds from
@@ -117,9 +117,9 @@ void hide_below_horizon(texture::Image& frame, const View& view, const almanac::
                                                 seen.altitude);
   const auto upward = moon - sine * seen.zenith;
   const double cosine = glm::length(upward);
-  const auto zenith = sky.selenographic_from_gcrs *
-                      (std::cos(refraction) * seen.zenith +
-                       (cosine > 0 ? std::sin(refraction) / cosine : 0) * upward);
+  const auto zenith =
+      sky.selenographic_from_gcrs * (std::cos(refraction) * seen.zenith +
+                                     (cosine > 0 ? std::sin(refraction) / cosine : 0) * upward);
   const double horizon =
       algebra::in_radians(atmosphere::apparent_altitude(horizon_altitude(*view.observer)));
   const auto altitude = [&](const glm::dvec3& ray) {

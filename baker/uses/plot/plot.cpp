@@ -16,7 +16,7 @@ std::string literal(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text)
     quoted += c == '"' || c == '\\' || c == '`' || c == '\n' ? fmt::format("\\{:03o}", int{c})
-                                                            : std::string{c};
+                                                             : std::string{c};
   return quoted + '"';
 }
 

@@ -4,9 +4,10 @@
 namespace coppermoon::verbs {
 
 void add_camera_file_options(CLI::App& verb, uses::CameraRequest& request) {
-  add_flag(verb, "--raw", request.raw,
-           "writes the sensor's raw numbers too: .tif, three channels of 16 bits, or .dng, its mosaic "
-           "of colour filters for raw converters")
+  add_flag(
+      verb, "--raw", request.raw,
+      "writes the sensor's raw numbers too: .tif, three channels of 16 bits, or .dng, its mosaic "
+      "of colour filters for raw converters")
       .in(uses::camera_heading)
       .writes_file();
   add_flag(verb, "--photograph", request.photograph,

@@ -40,9 +40,8 @@ void add_times(CLI::App& verb, FilmOptions& options) {
   add_flag(verb, "--to", options.to,
            moments + "moonset: P4, or where the Moon sets before at the place of --at, its set")
       .in(film_group);
-  add_flag(
-      verb, "--frames", options.frames,
-      "number of frames, 1 to 1000000, evenly from the first moment to the last; default: 240")
+  add_flag(verb, "--frames", options.frames,
+           "number of frames, 1 to 1000000, evenly from the first moment to the last; default: 240")
       .in(film_group)
       .within(1, 1e6);
   add_flag(verb, "--fps", options.fps, "frames per second of the film, 1 to 1000")
@@ -162,8 +161,7 @@ uses::FilmTimes times_of(const FilmOptions& options) {
   const auto from = eclipse::moment_from(options.from, eclipse, options.calendar),
              to = eclipse::moment_from(options.to, eclipse, options.calendar);
   if (almanac::seconds_between(from, to) < 0)
-    throw algebra::Error(
-        fmt::format("--from {} is later than --to {}", options.from, options.to));
+    throw algebra::Error(fmt::format("--from {} is later than --to {}", options.from, options.to));
   return {.eclipse = eclipse,
           .from = from,
           .to = to,
@@ -252,7 +250,8 @@ uses::FilmFiles files_of(const FilmOptions& options, const uses::Products& produ
                               .movie = options.movie,
                               .composite = options.composite,
                               .curves = {options.curves.begin(), options.curves.end()}};
-  if (const auto* flag = whole_film_flag(options); flag && uses::shard_from(options.shard).parts > 1)
+  if (const auto* flag = whole_film_flag(options);
+      flag && uses::shard_from(options.shard).parts > 1)
     throw algebra::Error(
         fmt::format("{} needs every frame: run it without --shard after all shards", flag));
   require_sound(files, {});

@@ -20,13 +20,20 @@ using request::Affects, request::Kind;
 /// Name of a kind's values in CLI11, which its messages and named_files.h know.
 const char* type_name(Kind kind) {
   switch (kind) {
-    case Kind::number: return "FLOAT";
-    case Kind::whole: return "INT";
-    case Kind::natural: return "UINT";
-    case Kind::file_read: return read_file;
-    case Kind::file_written: return written_file;
-    case Kind::folder_written: return written_folder;
-    default: return "TEXT";
+    case Kind::number:
+      return "FLOAT";
+    case Kind::whole:
+      return "INT";
+    case Kind::natural:
+      return "UINT";
+    case Kind::file_read:
+      return read_file;
+    case Kind::file_written:
+      return written_file;
+    case Kind::folder_written:
+      return written_folder;
+    default:
+      return "TEXT";
   }
 }
 
@@ -150,8 +157,7 @@ void add_flags(CLI::App& verb, request::Parameters parameters) {
 Flag add_parsed(CLI::App& verb, const std::string& names,
                 std::function<void(const std::string&)> take, const std::string& help,
                 const std::string& text) {
-  request::Parameter parameter{
-      .name = request::name_in(names), .spelling = names, .meaning = help};
+  request::Parameter parameter{.name = request::name_in(names), .spelling = names, .meaning = help};
   parameter.read = [text] { return text.empty() ? request::Texts{} : request::Texts{text}; };
   parameter.write = [take = std::move(take)](const request::Texts& texts) { take(texts.back()); };
   parameter.restore = [] {};

@@ -99,8 +99,7 @@ Flag add_choice(CLI::App& verb, const std::string& names, Field& value,
 Flag add_switch(CLI::App& verb, const std::string& names, bool& value, const std::string& help);
 
 /// A flag without a value that says how this run goes, as --json: no recipe holds it.
-Flag add_run_switch(CLI::App& verb, const std::string& names, bool& value,
-                    const std::string& help);
+Flag add_run_switch(CLI::App& verb, const std::string& names, bool& value, const std::string& help);
 
 /// Returned  the new word of the command line
 CLI::App* add_verb(CLI::App& program, const std::string& name, const std::string& help);

@@ -82,9 +82,7 @@ const std::vector<GuideGroup>& guides() {
          {"coppermoon tradeoff --quick -o measured",
           "coppermoon tradeoff --only quadrature -o measured"}}}},
       {"Other programs",
-       {{"describe",
-         {"json"},
-         {"coppermoon describe --json", "coppermoon describe still bake"}}}}};
+       {{"describe", {"json"}, {"coppermoon describe --json", "coppermoon describe still bake"}}}}};
   return groups;
 }
 

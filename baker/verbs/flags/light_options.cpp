@@ -54,8 +54,9 @@ uses::LightRequest light_request(const LightOptions& options) {
     if (!request.by_hand.terms) request.by_hand.terms = uses::everything_but("scattered-light");
   }
   if (request.solver != uses::Solver::photons && request.photon_files.asked_for())
-    throw algebra::Error(fmt::format("solver = {}, allowed photons with --shard, --keep or --add",
-                                     request.solver == uses::Solver::quadrature ? "quadrature" : "auto"));
+    throw algebra::Error(
+        fmt::format("solver = {}, allowed photons with --shard, --keep or --add",
+                    request.solver == uses::Solver::quadrature ? "quadrature" : "auto"));
   return request;
 }
 

@@ -14,7 +14,8 @@ namespace coppermoon::verbs {
 struct LightOptions {
   uses::LightRequest request;
   uses::Effort effort;
-  std::function<std::string()> key;  ///< recipe that photons depend on, once the command line is read
+  /// Recipe that photons depend on, once the command line is read
+  std::function<std::string()> key;
 };
 
 /// Adds all flags of light but those that share photons among runs.

@@ -57,9 +57,9 @@ bool stands_in(const fs::path& file, const fs::path& folder) {
 }  // namespace
 
 bool ends_as_a_file(const fs::path& name) {
-  static constexpr std::array endings{".avif", ".csv", ".exr", ".glb", ".html", ".ics", ".jpg",
-                                      ".json", ".mov", ".mp4", ".pdf", ".png",  ".pov", ".svg",
-                                      ".tif",  ".tx",  ".usda"};
+  static constexpr std::array endings{".avif", ".csv",  ".exr", ".glb", ".html", ".ics",
+                                      ".jpg",  ".json", ".mov", ".mp4", ".pdf",  ".png",
+                                      ".pov",  ".svg",  ".tif", ".tx",  ".usda"};
   return std::ranges::find(endings, name.extension()) != endings.end();
 }
 

@@ -71,8 +71,8 @@ void require_one_recipe(const std::string& first, const std::string& other) {
              its = texture::read_attribute(first, name);
   if (!mine || !its) return;
   for (const auto& [parameter, here, there] : request::differences(scene_in(*mine), scene_in(*its)))
-    throw algebra::Error(fmt::format("{}: its recipe has {} = {}, allowed {} as {}", other, parameter,
-                                     here, there, first));
+    throw algebra::Error(fmt::format("{}: its recipe has {} = {}, allowed {} as {}", other,
+                                     parameter, here, there, first));
 }
 
 }  // namespace

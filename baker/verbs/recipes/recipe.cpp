@@ -171,8 +171,9 @@ std::string recipe_named_in(const CLI::App& program, const std::vector<std::stri
 std::string recipe_of(const CLI::App& verb) { return request::recipe_of(parameters_of(verb)); }
 
 void add_recipe_option(CLI::App& verb) {
-  add_parsed(verb, "--recipe", [](const std::string&) {},
-             "recipe: a TOML file of options without their dashes, or a file that coppermoon made")
+  add_parsed(
+      verb, "--recipe", [](const std::string&) {},
+      "recipe: a TOML file of options without their dashes, or a file that coppermoon made")
       .reads_file()
       .of(request::Affects::run);
 }

@@ -168,10 +168,10 @@ bool is_table(const Reading& reading, const Entry& entry) {
 void require_key(const Reading& reading, const Table& table, const Entry& entry) {
   if (holds(table.keys, entry.key)) return;
   const bool elsewhere = holds(long_flags(reading.verb), entry.key);
-  throw WrongUsage(fmt::format("{}{}: {} has no such key; {}", reading.where(*entry.value),
-                               one_line(entry.key), table.name,
-                               elsewhere ? "it belongs above all tables"
-                                         : "the nearest is " + request::nearest(entry.key, table.keys)));
+  throw WrongUsage(fmt::format(
+      "{}{}: {} has no such key; {}", reading.where(*entry.value), one_line(entry.key), table.name,
+      elsewhere ? "it belongs above all tables"
+                : "the nearest is " + request::nearest(entry.key, table.keys)));
 }
 
 /// Refuses keys that say where files go, or how a run goes: a recipe may be a stranger's.
@@ -187,7 +187,8 @@ void require_no_output(const Reading& reading, const Entry& entry) {
 }
 
 /// Entries of a table in their order.
-std::vector<Entry> entries_in(const Reading& reading, const toml::table& entries, const Table& table) {
+std::vector<Entry> entries_in(const Reading& reading, const toml::table& entries,
+                              const Table& table) {
   std::vector<Entry> all;
   for (const auto& [key, value] : entries) {
     const Entry entry{std::string(key.str()), &value};
@@ -218,8 +219,7 @@ std::vector<Entry> entries_of(const Reading& reading, const toml::table& recipe)
     }
     const auto table = table_of(reading.verb, entry.key);
     for (const auto& inner : entries_in(reading, *entry.value->as_table(), table))
-      in_tables.push_back(
-          {inner.key == "model" ? entry.key : inner.key, inner.value, table.name});
+      in_tables.push_back({inner.key == "model" ? entry.key : inner.key, inner.value, table.name});
   }
   all.insert(all.end(), in_tables.begin(), in_tables.end());
   require_once(reading, all);

@@ -60,8 +60,8 @@ void FilmProgress::made(const uses::MadeFrame& frame) {
 
 void FilmProgress::tell(const uses::MadeFrame& frame, bool kept) {
   ++done_;
-  const auto instant = almanac::utc_text(film_.moments.frames[frame.frame - 1],
-                                         film_.moments.eclipse.calendar);
+  const auto instant =
+      almanac::utc_text(film_.moments.frames[frame.frame - 1], film_.moments.eclipse.calendar);
   if (json_) {
     ordered_json event{{"event", "frame"}, {"frame", frame.frame}, {"instant", instant},
                        {"kept", kept},     {"done", done_},        {"of", frames_}};
@@ -109,13 +109,13 @@ void FilmProgress::done() const {
          {"developed_again", developed_again_},
          {"seconds", seconds()}});
   else
-    say(fmt::format("{}{}: {} frames made,{} {} kept, in {}", on_terminal_ ? "\r\033[K" : "",
-                    one_line(film_.folder.string()), made_,
-                    developed_again_ > 0
-                        ? fmt::format(" {} developed again from kept linear frames,",
-                                      developed_again_)
-                        : "",
-                    kept, duration(seconds())));
+    say(fmt::format(
+        "{}{}: {} frames made,{} {} kept, in {}", on_terminal_ ? "\r\033[K" : "",
+        one_line(film_.folder.string()), made_,
+        developed_again_ > 0
+            ? fmt::format(" {} developed again from kept linear frames,", developed_again_)
+            : "",
+        kept, duration(seconds())));
 }
 
 }  // namespace coppermoon::verbs

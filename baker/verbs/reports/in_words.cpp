@@ -62,7 +62,8 @@ std::string bright_sky_in_words(double sky_over_moon) {
 }
 
 std::string in_words(const colour::ToneCurve& curve) {
-  return fmt::format("{:+.2f} standard deviations of cameras", fmt::join(components_of(curve), ", "));
+  return fmt::format("{:+.2f} standard deviations of cameras",
+                     fmt::join(components_of(curve), ", "));
 }
 
 std::string doubt_of(const colour::ToneCurve& curve) {

@@ -105,8 +105,9 @@ std::string recipes_read_with(const fs::path& recipe) {
   const auto name = fs::weakly_canonical(recipe).string();
   const auto all = before.empty() ? name : before + "\n" + name;
   if (const auto first = ("\n" + before + "\n").find("\n" + name + "\n"); first != all.npos)
-    throw algebra::Error(fmt::format("{}: its map is made from itself: {}", name,
-                                     OIIO::Strutil::replace(all.substr(first), "\n", " -> ", true)));
+    throw algebra::Error(
+        fmt::format("{}: its map is made from itself: {}", name,
+                    OIIO::Strutil::replace(all.substr(first), "\n", " -> ", true)));
   return all;
 }
 
@@ -129,11 +130,11 @@ fs::path texture_of(const Request& request) {
                                  "--cache=" + cache().string()};
   for (const auto& [option, value] : request.options)
     words.push_back(fmt::format("--{}={}", option, value));
-  auto path =
-      said_by({.words = words,
-               .package = "coppermoon",
-               .folder = recipe.parent_path(),
-               .variables = {fmt::format("{}={}", variable_of_recipes, recipes_read_with(recipe))}});
+  auto path = said_by(
+      {.words = words,
+       .package = "coppermoon",
+       .folder = recipe.parent_path(),
+       .variables = {fmt::format("{}={}", variable_of_recipes, recipes_read_with(recipe))}});
   path.resize(std::min(path.find('\n'), path.size()));
   return path;
 }

@@ -38,8 +38,7 @@ almanac::Instant instant_of(py::handle moment) {
 }
 
 almanac::Instant instant_of_date(py::handle date) {
-  const bool is_day =
-      py::isinstance<py::str>(date) && eclipse::is_day(date.cast<std::string>());
+  const bool is_day = py::isinstance<py::str>(date) && eclipse::is_day(date.cast<std::string>());
   return is_day ? almanac::instant_from_utc(date.cast<std::string>()) : instant_of(date);
 }
 

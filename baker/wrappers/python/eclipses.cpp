@@ -20,8 +20,8 @@ py::dict contacts_by_name(const Eclipse& one) {
 }
 
 /// Some years at a time, so that one may stop between them.
-std::vector<Eclipse> eclipses_in(const Date& start, const Date& stop,
-                                 ShadowConvention convention, const Callback& callback) {
+std::vector<Eclipse> eclipses_in(const Date& start, const Date& stop, ShadowConvention convention,
+                                 const Callback& callback) {
   constexpr double at_a_time_s = 2e8;
   return computed(callback, [&](const algebra::Progress& progress) {
     std::vector<Eclipse> all;

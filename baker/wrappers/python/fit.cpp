@@ -62,16 +62,15 @@ FitReport fit_of(const py::iterable& magnitudes, std::vector<EclipsePhotograph> 
   TextureKeywords asked{.moon = {}};
   take_objects(asked, air, light, at);
   take(fit_keywords(asked), "fit", more);
-  const uses::FitRequest request{
-      .photographs = std::move(photographs),
-      .magnitudes = measured_by(magnitudes),
-      .moon = asked.moon,
-      .view = asked.view,
-      .camera = camera,
-      .exposure_error = exposure_error,
-      .white_balance_error = white_balance_error,
-      .clock_error_s = clock_error_s,
-      .half_hours_free = half_hours_free};
+  const uses::FitRequest request{.photographs = std::move(photographs),
+                                 .magnitudes = measured_by(magnitudes),
+                                 .moon = asked.moon,
+                                 .view = asked.view,
+                                 .camera = camera,
+                                 .exposure_error = exposure_error,
+                                 .white_balance_error = white_balance_error,
+                                 .clock_error_s = clock_error_s,
+                                 .half_hours_free = half_hours_free};
   return computed(callback, [&](const algebra::Progress& progress) {
     return uses::fitted_air(request, progress);
   });

@@ -50,10 +50,15 @@ TEST(Gazetteer, TheMostPopulousOfANameIsMeantUnlessItsRegionIsSaid) {
 }
 
 TEST(Gazetteer, CitiesAreFoundByOtherNamesAndUmlautsThatAreSpelt) {
-  for (const auto& [name, english] :
-       {std::pair{"München", "Munich"}, {"Mu\u0308nchen", "Munich"}, {"MUENCHEN", "Munich"},
-        {"Köln", "Koeln"}, {"Nürnberg", "Nuernberg"}, {"Göteborg", "Goeteborg"},
-        {"wien", "Vienna"}, {"București", "Bucharest"}, {"Geneva", "Geneve"}}) {
+  for (const auto& [name, english] : {std::pair{"München", "Munich"},
+                                      {"Mu\u0308nchen", "Munich"},
+                                      {"MUENCHEN", "Munich"},
+                                      {"Köln", "Koeln"},
+                                      {"Nürnberg", "Nuernberg"},
+                                      {"Göteborg", "Goeteborg"},
+                                      {"wien", "Vienna"},
+                                      {"București", "Bucharest"},
+                                      {"Geneva", "Geneve"}}) {
     const auto city = city_named(name);
     ASSERT_TRUE(city) << name;
     EXPECT_EQ(city->name, english);

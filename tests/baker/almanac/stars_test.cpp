@@ -41,7 +41,8 @@ struct Published {
   }
 };
 
-constexpr Published alcyone{"Alcyone", 3, 47, 29.07655, 24, 6, 18.4883, 1, 19.34, -43.67, 2.87, -0.09};
+constexpr Published alcyone{"Alcyone", 3, 47,    29.07655, 24,   6,
+                            18.4883,   1, 19.34, -43.67,   2.87, -0.09};
 
 /// ICRS, epoch 2000; motions of van Leeuwen (2007), Astron. Astrophys. 474, 653.
 constexpr Published published[] = {
@@ -52,8 +53,8 @@ constexpr Published published[] = {
     {"Pollux", 7, 45, 18.94987, 28, 1, 34.3160, 1, -626.55, -45.80, 1.16, 0.99}};
 
 const Star& nearest(const glm::dvec3& place) {
-  return *std::ranges::min_element(
-      stars(), {}, [&](const Star& star) { return separation(star.place, place); });
+  return *std::ranges::min_element(stars(), {},
+                                   [&](const Star& star) { return separation(star.place, place); });
 }
 
 TEST(Stars, StandAndMoveAsPublished) {

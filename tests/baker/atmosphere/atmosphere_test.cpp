@@ -146,9 +146,9 @@ TEST(RequireValid, NamesTheTermItsUnitAndWhatIsAllowed) {
   EXPECT_EQ(refused({.column = {.ozone_du = -1}}), "ozone [DU] = -1, allowed 0 to 1000");
   EXPECT_EQ(refused({.column = {.dust_extinction_per_m = 2}}),
             "dust extinction [1/m] = 2, allowed 0 to 0.01");
-  EXPECT_EQ(refused({.column = {.dust_bottom_m = -1}}), "dust bottom [km] = -0.001, allowed 0 to 86");
-  EXPECT_EQ(refused({.column = {.dust_top_m = 14e3}}),
-            "dust top [km] = 14, allowed 15 to 86");
+  EXPECT_EQ(refused({.column = {.dust_bottom_m = -1}}),
+            "dust bottom [km] = -0.001, allowed 0 to 86");
+  EXPECT_EQ(refused({.column = {.dust_top_m = 14e3}}), "dust top [km] = 14, allowed 15 to 86");
   EXPECT_EQ(refused({.column = {.tropospheric_optical_depth = -1}}),
             "tropospheric optical depth = -1, allowed 0 to 10");
   EXPECT_EQ(refused({.column = {.cloud_top_m = 31e3}}), "cloud top [km] = 31, allowed 0 to 30");

@@ -73,9 +73,8 @@ TEST(Preset, RefusesANameThereIsNot) {
     preset("venus", {});
     FAIL();
   } catch (const algebra::Error& error) {
-    EXPECT_EQ(
-        std::string(error.what()),
-        "atmosphere = venus, allowed paper, molecular, clear, undated, standard, none");
+    EXPECT_EQ(std::string(error.what()),
+              "atmosphere = venus, allowed paper, molecular, clear, undated, standard, none");
   }
 }
 

@@ -59,8 +59,7 @@ TEST(Moment, OfAJulianDayIsRefusedInJulianDates) {
     FAIL() << "an eclipse on the day after Columbus'";
   } catch (const algebra::Error& error) {
     EXPECT_NE(std::string(error.what()).find("1504-03-02: no lunar eclipse"), std::string::npos);
-    EXPECT_NE(std::string(error.what()).find("the nearest is at 1504-03-01T00:"),
-              std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("the nearest is at 1504-03-01T00:"), std::string::npos)
         << error.what();
   }
   EXPECT_EQ(eclipse_on("1504-03-01", almanac::Calendar::julian).calendar,

@@ -50,7 +50,8 @@ TEST_F(CacheFolder, TrustsNothingOfAnotherUser) {
   fs::create_symlink(mine, in_folder("link"));
   EXPECT_TRUE(is_users_own(mine));
   for (const char* name : {"link", "absent", "."}) EXPECT_FALSE(is_users_own(in_folder(name)));
-  if (::chown(theirs.c_str(), other_user, other_user) != 0) GTEST_SKIP() << "files are given by root alone";
+  if (::chown(theirs.c_str(), other_user, other_user) != 0)
+    GTEST_SKIP() << "files are given by root alone";
   EXPECT_FALSE(is_users_own(theirs));
   fs::create_directory(in_folder("their_folder"));
   fs::create_directory_symlink(in_folder("their_folder"), in_folder("way_there"));
@@ -84,7 +85,8 @@ TEST_F(CacheFolder, WaitsForNobodyWhoMayOnlyReadIt) {
   ::close(reader);
   const int stranger = ::open(in_folder(".b.tx.lock").c_str(), O_RDWR | O_CREAT, 0666);
   ASSERT_EQ(::flock(stranger, LOCK_EX), 0);
-  if (::fchown(stranger, other_user, other_user) == 0) const FileLock lock(in_folder("b.tx"), not_asked);
+  if (::fchown(stranger, other_user, other_user) == 0)
+    const FileLock lock(in_folder("b.tx"), not_asked);
   ::close(stranger);
 }
 

@@ -30,7 +30,7 @@ TEST_F(OwnFile, ThatWasChangedIsNotOurs) {
   auto changed = ours;
   changed[1] = 'N';
   for (const auto& bytes : {changed, ours + "three\n", "zero\n" + ours, std::string("one\n"),
-                           std::string(), ours.substr(0, ours.size() - 2)}) {
+                            std::string(), ours.substr(0, ours.size() - 2)}) {
     const auto path = file("a.inc", bytes);
     EXPECT_FALSE(is_stamped(path)) << bytes;
     EXPECT_ERROR(require_stamped(path), "a.inc: is not as coppermoon wrote it");

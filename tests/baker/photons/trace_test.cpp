@@ -46,7 +46,8 @@ double bending(const Traced& ray) {
 }
 
 LimbRay exact(double impact_height_m, const Atmosphere& atmosphere = clear) {
-  return limb_ray(impact_height_m, atmosphere.earth.equatorial_radius_m, atmosphere.column, green).value();
+  return limb_ray(impact_height_m, atmosphere.earth.equatorial_radius_m, atmosphere.column, green)
+      .value();
 }
 
 TEST(Entered, IsWhereALineMeetsASphereFirst) {
@@ -188,9 +189,9 @@ TEST(Trace, OverAnEllipsoidIsTheRayOverTheSphereThatFitsTheLimb) {
     for (const double impact_height_m : {3e3, 8e3, 20e3}) {
       const double b = limb.radius_m + impact_height_m;
       const Ray far{{b * std::sin(angle), b * std::cos(angle), -1e8}, {0, 0, 1}};
-      const auto stepped = trace(entered(far, top_m).value(), oblate, green,
-                                 {.step_m = 100, .gradient_step_m = 0.1})
-                               .value();
+      const auto stepped =
+          trace(entered(far, top_m).value(), oblate, green, {.step_m = 100, .gradient_step_m = 0.1})
+              .value();
       const auto fitted =
           limb_ray(impact_height_m, limb.curvature_radius_m, oblate.column, green).value();
       EXPECT_WITHIN_RELATIVE(bending(stepped), fitted.bending_rad, 1e-3,

@@ -259,9 +259,7 @@ TEST_P(EveryWay, AgreesWhereTheSouthIsDusty) {
   EXPECT_TRUE(agrees(dusty_south(), dusty_south, waves));
 }
 
-TEST_P(EveryWay, AgreesInTheAirOfAMonth) {
-  EXPECT_TRUE(agrees(of_a_month(), of_a_month, waves));
-}
+TEST_P(EveryWay, AgreesInTheAirOfAMonth) { EXPECT_TRUE(agrees(of_a_month(), of_a_month, waves)); }
 
 TEST_P(EveryWay, IsSeenToDifferWithoutTheDust) {
   auto clean = dusty();

@@ -72,7 +72,8 @@ TEST(BuiltInMap, HasTheContrastThatACameraMeasured) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < measured["latitude"].size(); ++i)
     if (const double longitude = measured["longitude"][i]; std::abs(longitude) < 80)
-      ratios.push_back(around(measured["latitude"][i], longitude, 10) / measured["normal_albedo"][i]);
+      ratios.push_back(around(measured["latitude"][i], longitude, 10) /
+                       measured["normal_albedo"][i]);
   ASSERT_EQ(ratios.size(), 224U);
   const double mean = std::accumulate(ratios.begin(), ratios.end(), 0.) / 224;
   double squares = 0;
@@ -123,7 +124,8 @@ TEST(BuiltInMap, HasNoPinchAtThePoles) {
 }
 
 TEST(BuiltInMap, IsTheSameWheneverItIsAskedFor) {
-  EXPECT_TRUE(std::ranges::equal(surface::built_in_map().values(), surface::built_in_map().values()));
+  EXPECT_TRUE(
+      std::ranges::equal(surface::built_in_map().values(), surface::built_in_map().values()));
 }
 
 }  // namespace

@@ -122,8 +122,8 @@ TEST_F(HowStored, WhereWhiteIsZeroNumbersAreTurnedRound) {
     EXPECT_EQ(numbers(read_albedo_map(path)), (std::vector<float>{1, 0})) << bits;
     EXPECT_EQ(reds(read_light(path)), (std::vector<float>{1, 0})) << bits;
   }
-  const Tiff floats{.photometric = PHOTOMETRIC_MINISWHITE, .bits = 32,
-                    .format = SAMPLEFORMAT_IEEEFP};
+  const Tiff floats{
+      .photometric = PHOTOMETRIC_MINISWHITE, .bits = 32, .format = SAMPLEFORMAT_IEEEFP};
   EXPECT_ERROR(read_light(tiff(std::vector<float>{0, 1}, floats)),
                "PhotometricInterpretation = 0 (white is zero)");
 }
@@ -163,46 +163,53 @@ TEST_F(HowStored, GroundWithoutDataIsRefused) {
   EXPECT_ERROR(read_albedo_map(tiff(std::vector<std::uint16_t>{9, 65535},
                                     {.bits = 16, .more = no_data("65535")})),
                "has no data (GDAL_NODATA)");
-  EXPECT_ERROR(read_albedo_map(tiff(std::vector<float>{1, 2e38F},
-                                    {.bits = 32, .format = SAMPLEFORMAT_IEEEFP,
-                                     .more = no_data("2e38")})),
-               "has no data (GDAL_NODATA)");
+  EXPECT_ERROR(
+      read_albedo_map(tiff(std::vector<float>{1, 2e38F},
+                           {.bits = 32, .format = SAMPLEFORMAT_IEEEFP, .more = no_data("2e38")})),
+      "has no data (GDAL_NODATA)");
   EXPECT_EQ(read_albedo_map(tiff(hole, {.more = no_data("7")})).rows(), 1);
   const auto alpha = [](TIFF* t) {
     const std::uint16_t kind = EXTRASAMPLE_UNASSALPHA;
     TIFFSetField(t, TIFFTAG_EXTRASAMPLES, 1, &kind);
   };
-  EXPECT_ERROR(read_albedo_map(tiff(std::vector<std::uint8_t>{200, 255, 200, 0},
-                                    {.bands = 2, .more = alpha})),
+  EXPECT_ERROR(read_albedo_map(
+                   tiff(std::vector<std::uint8_t>{200, 255, 200, 0}, {.bands = 2, .more = alpha})),
                "is transparent at row 0");
 }
 
 TEST_F(HowStored, TagsThatNobodyHeedsAreRefusedByName) {
   const std::vector<std::uint8_t> data{100, 200};
-  EXPECT_ERROR(read_light(tiff(data, {.more = [](TIFF* t) {
-                                TIFFSetField(t, TIFFTAG_SUBFILETYPE, FILETYPE_REDUCEDIMAGE);
-                              }})),
-               "thumbnail");
-  EXPECT_ERROR(read_light(tiff(data, {.more = [](TIFF* t) {
-                                const std::vector<std::uint16_t> curve(256, 7);
-                                TIFFSetField(t, TIFFTAG_TRANSFERFUNCTION, curve.data());
-                              }})),
+  EXPECT_ERROR(
+      read_light(tiff(
+          data,
+          {.more = [](TIFF* t) { TIFFSetField(t, TIFFTAG_SUBFILETYPE, FILETYPE_REDUCEDIMAGE); }})),
+      "thumbnail");
+  EXPECT_ERROR(read_light(tiff(data, {.more =
+                                          [](TIFF* t) {
+                                            const std::vector<std::uint16_t> curve(256, 7);
+                                            TIFFSetField(t, TIFFTAG_TRANSFERFUNCTION, curve.data());
+                                          }})),
                "TransferFunction");
-  EXPECT_ERROR(read_light(tiff(data, {.more = [](TIFF* t) {
-                                const std::array xy{0.7F, 0.3F, 0.2F, 0.7F, 0.15F, 0.05F};
-                                TIFFSetField(t, TIFFTAG_PRIMARYCHROMATICITIES, xy.data());
-                              }})),
-               "PrimaryChromaticities");
-  EXPECT_ERROR(read_light(tiff(data, {.more = [](TIFF* t) {
+  EXPECT_ERROR(
+      read_light(tiff(data, {.more =
+                                 [](TIFF* t) {
+                                   const std::array xy{0.7F, 0.3F, 0.2F, 0.7F, 0.15F, 0.05F};
+                                   TIFFSetField(t, TIFFTAG_PRIMARYCHROMATICITIES, xy.data());
+                                 }})),
+      "PrimaryChromaticities");
+  EXPECT_ERROR(read_light(tiff(
+                   data, {.more =
+                              [](TIFF* t) {
                                 TIFFSetField(t, 42112,
                                              "<GDALMetadata>\n<Item name=\"OFFSET\" sample=\"0\" "
                                              "role=\"offset\">10</Item>\n</GDALMetadata>");
                               }})),
                "GDAL's offset = 10");
-  EXPECT_ERROR(read_light(tiff(data, {.more = [](TIFF* t) {
-                                const std::array<std::uint8_t, 4> dng{1, 4, 0, 0};
-                                TIFFSetField(t, TIFFTAG_DNGVERSION, dng.data());
-                              }})),
+  EXPECT_ERROR(read_light(tiff(data, {.more =
+                                          [](TIFF* t) {
+                                            const std::array<std::uint8_t, 4> dng{1, 4, 0, 0};
+                                            TIFFSetField(t, TIFFTAG_DNGVERSION, dng.data());
+                                          }})),
                "raw file that does not end as one");
 }
 
@@ -237,22 +244,25 @@ TEST_F(HowStored, AColourProfileSaysWhatNumbersMean) {
   EXPECT_WITHIN(read_albedo_map(path)(0, 1), 0.2126 * 0.4 + 0.7152 * 0.2 + 0.0722 * 0.6, 2e-4,
                 reason);
   EXPECT_WITHIN(read_light(path, Coding::linear)(0, 0, 0), 0.2, 1e-6, "as the user says");
-  EXPECT_ERROR(read_light(tiff(std::vector<std::uint8_t>{1, 2}, {.more = [&](TIFF* t) {
-                                TIFFSetField(t, TIFFTAG_ICCPROFILE,
-                                             static_cast<std::uint32_t>(icc.size()), icc.data());
-                              }})),
+  EXPECT_ERROR(read_light(tiff(std::vector<std::uint8_t>{1, 2},
+                               {.more =
+                                    [&](TIFF* t) {
+                                      TIFFSetField(t, TIFFTAG_ICCPROFILE,
+                                                   static_cast<std::uint32_t>(icc.size()),
+                                                   icc.data());
+                                    }})),
                "which is of other channels");
-  EXPECT_ERROR(read_light(tiff(std::vector<std::uint8_t>{1, 2}, {.more = [&](TIFF* t) {
-                                TIFFSetField(t, TIFFTAG_ICCPROFILE, 9U, icc.data());
-                              }})),
-               "a broken colour profile (ICC)");
+  EXPECT_ERROR(
+      read_light(
+          tiff(std::vector<std::uint8_t>{1, 2},
+               {.more = [&](TIFF* t) { TIFFSetField(t, TIFFTAG_ICCPROFILE, 9U, icc.data()); }})),
+      "a broken colour profile (ICC)");
 }
 
 TEST_F(HowStored, PrimariesOfAnExrAreHeeded) {
   OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeDesc::FLOAT);
   const std::array chromaticities{0.3F, 0.6F, 0.64F, 0.33F, 0.15F, 0.06F, 0.3127F, 0.329F};
-  spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
-                 chromaticities.data());
+  spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), chromaticities.data());
   const auto output = OIIO::ImageOutput::create("openexr");
   const std::array rgb{1.F, 2.F, 3.F};
   ASSERT_TRUE(output->open(in_folder("a.exr").string(), spec));
@@ -291,10 +301,10 @@ const std::string two_by_two = "NAXIS   = 2\nNAXIS1  = 2\nNAXIS2  = 2\n";
 
 TEST_F(HowStored, FitsIsLightByItsScaleFromTheTop) {
   using namespace std::string_literals;
-  const auto unsigned_16 = fits("a.fit",
-                                "SIMPLE  = T\nBITPIX  = 16\n" + two_by_two +
-                                    "BZERO   = 32768 / offset\nBSCALE  = 1.D0\n",
-                                "\x80\x00\x7f\xff\x00\x00\xff\xff"s);
+  const auto unsigned_16 = fits(
+      "a.fit",
+      "SIMPLE  = T\nBITPIX  = 16\n" + two_by_two + "BZERO   = 32768 / offset\nBSCALE  = 1.D0\n",
+      "\x80\x00\x7f\xff\x00\x00\xff\xff"s);
   const auto is = reds(read_light(unsigned_16));
   EXPECT_WITHIN(is[0], 32768. / 65535, 1e-6, "a float's rounding");
   EXPECT_WITHIN(is[1], 32767. / 65535, 1e-6, "a float's rounding");
@@ -305,8 +315,9 @@ TEST_F(HowStored, FitsIsLightByItsScaleFromTheTop) {
                                "BZERO   = 1\nBSCALE  = 2\nROWORDER= 'TOP-DOWN'\n",
                            "\0\0\0\0\x3f\x80\0\0\x40\0\0\0\x3f\0\0\0"s);
   EXPECT_EQ(reds(read_light(floats)), (std::vector<float>{1, 3, 5, 2}));
-  const auto bytes = fits("a.png", "SIMPLE  = T\nBITPIX  = 8\nNAXIS   = 3\nNAXIS1  = 1\n"
-                                   "NAXIS2  = 1\nNAXIS3  = 3\n",
+  const auto bytes = fits("a.png",
+                          "SIMPLE  = T\nBITPIX  = 8\nNAXIS   = 3\nNAXIS1  = 1\n"
+                          "NAXIS2  = 1\nNAXIS3  = 3\n",
                           "\x33\x66\xff"s);
   EXPECT_EQ(read_light(bytes).values, (std::vector<float>{0.2F, 0.4F, 1}));
 }
@@ -325,8 +336,9 @@ TEST_F(HowStored, FitsThatIsNoPictureIsRefused) {
 }
 
 TEST_F(HowStored, EndingsDoNotSayWhatAFileIs) {
-  const auto hdr = file("a.png", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n+Y 1 +X 2\n"
-                                 "\x80\x80\x80\x81\x40\x40\x40\x81");
+  const auto hdr = file("a.png",
+                        "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n+Y 1 +X 2\n"
+                        "\x80\x80\x80\x81\x40\x40\x40\x81");
   EXPECT_EQ(reds(read_light(hdr)).size(), 2);
 }
 

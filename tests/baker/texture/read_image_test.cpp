@@ -157,9 +157,10 @@ TEST_F(ReadImage, PixelTypesThatOpenExrDoesNotHaveAreRefused) {
     auto bytes = whole;
     bytes[at + 2] = '\x07';
     bytes[unknown] = 'S';
-    EXPECT_ERROR(read_image(file("b.exr", bytes)),
-                 "b.exr: cannot be read: pixel type of channel \"R\" = 7, allowed 0 (whole numbers), "
-                 "1 (half) and 2 (float)");
+    EXPECT_ERROR(
+        read_image(file("b.exr", bytes)),
+        "b.exr: cannot be read: pixel type of channel \"R\" = 7, allowed 0 (whole numbers), "
+        "1 (half) and 2 (float)");
   }
 }
 

@@ -30,7 +30,8 @@ TEST_F(WriteUsda, NamesTheTexturesColourSpace) {
   write_usda(in_folder("moon.usda"), "moon_acescg.exr", "acescg", "moon_lin_rec709.exr");
   const auto layer = bytes_of(in_folder("moon.usda"));
   EXPECT_TRUE(holds(layer, "@./moon_acescg.exr@ (\n                    colorSpace = \"acescg\""));
-  EXPECT_TRUE(holds(layer, "@./moon_lin_rec709.exr@\n                token inputs:sourceColorSpace"));
+  EXPECT_TRUE(
+      holds(layer, "@./moon_lin_rec709.exr@\n                token inputs:sourceColorSpace"));
   EXPECT_ERROR(write_usda(in_folder("xyz.usda"), "moon.exr", "lin_ciexyzd65_scene"),
                "= lin_ciexyzd65_scene, allowed lin_rec709 or acescg");
   EXPECT_EQ(files_in_folder(), 1U);

@@ -61,7 +61,8 @@ TEST_F(FolderOfAFilm, IsOneFilms) {
     ADD_FAILURE() << "was not refused";
   } catch (const algebra::Error& error) {
     EXPECT_EQ(error.what(), film_.folder.string() +
-                                ": holds a film made with iso = 100, asked 800 (frame.0001.png), allowed another folder, or sleep");
+                                ": holds a film made with iso = 100, asked 800 (frame.0001.png), "
+                                "allowed another folder, or sleep");
   }
 }
 

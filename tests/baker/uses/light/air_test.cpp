@@ -114,7 +114,8 @@ TEST(ReachesDanjon, UnlessNoAirIsClearEnough) {
   EXPECT_TRUE(reaches_danjon({}, deep));
   EXPECT_TRUE(reaches_danjon({.column = {.danjon = 2}}, deep));
   EXPECT_TRUE(reaches_danjon({.atmosphere = "undated", .column = {.danjon = 4}}, deep));
-  EXPECT_FALSE(reaches_danjon({.column = {.danjon = 4}}, deep)) << "by air alone it has no −3.8 mag";
+  EXPECT_FALSE(reaches_danjon({.column = {.danjon = 4}}, deep))
+      << "by air alone it has no −3.8 mag";
 }
 
 }  // namespace

@@ -235,8 +235,9 @@ std::string air_with(const Given& given) {
 
 TEST(AirInWords, NamesWhatIsNotAsUsualAndNothingElse) {
   EXPECT_EQ(air_with({}), "standard air");
-  EXPECT_EQ(air_with({{"atmosphere", "standard"}, {"refraction", "on"}, {"scattered-light", "auto"}}),
-            "standard air");
+  EXPECT_EQ(
+      air_with({{"atmosphere", "standard"}, {"refraction", "on"}, {"scattered-light", "auto"}}),
+      "standard air");
   EXPECT_EQ(air_with({{"atmosphere", "none"}}), "no air");
   EXPECT_EQ(air_with({{"stratospheric-aerosol", "high"}, {"stratospheric-aerosol", "extreme"}}),
             "standard air, stratospheric aerosol extreme");

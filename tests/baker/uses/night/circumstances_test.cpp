@@ -73,8 +73,7 @@ TEST(Circumstances, TheLimbStandsInTheHorizonAtRise) {
   const auto view = almanac::view_from(night.place, almanac::sky_at(rise.when));
   const double limb_deg = algebra::in_degrees(view.altitude) +
                           std::asin(almanac::lunar_radius / view.moon_distance) * 57.29578;
-  const double lowered_deg =
-      2.12 / 60 * std::sqrt(algebra::in_metres(night.place.elevation));
+  const double lowered_deg = 2.12 / 60 * std::sqrt(algebra::in_metres(night.place.elevation));
   EXPECT_WITHIN(limb_deg, -34. / 60 - lowered_deg, 1e-4, "degrees: 0.02 s of the Moon's way");
   EXPECT_FALSE(moment(night, "U1").up);
   EXPECT_TRUE(moment(night, "greatest").up);
@@ -113,7 +112,8 @@ TEST(Circumstances, OfAMoonUpBetweenContactsAreSeen) {
 
 TEST(Circumstances, OfAMoonThatGrazesTheHorizonAreFoundBetweenSteps) {
   const auto night = circumstances(eclipse_of("2018-07-27"), place(71.0562, 35));
-  ASSERT_EQ(night.moments.size(), 9U) << "it comes up for some minutes, and is looked at each half hour";
+  ASSERT_EQ(night.moments.size(), 9U)
+      << "it comes up for some minutes, and is looked at each half hour";
   EXPECT_LT(almanac::seconds_between(moment(night, "moonrise").when, moment(night, "moonset").when),
             600);
 }

@@ -64,8 +64,8 @@ TEST_F(AlbedoEncodings, OfTheKitOf2019IsARootBetweenTwoEnds) {
 class MapCentre : public testing::Test {
  protected:
   MapCentre() {
-    std::ofstream(moon.albedo_map = path_, std::ios::binary)
-        << "P5\n8 4\n255\n" << row << row << row << row;
+    std::ofstream(moon.albedo_map = path_, std::ios::binary) << "P5\n8 4\n255\n"
+                                                             << row << row << row << row;
     moon.albedo_encoding = AlbedoEncoding::normal_albedo;
     moon.when_near_side_brighter = [this](double ratio) { told = ratio; };
   }
@@ -85,8 +85,8 @@ TEST_F(MapCentre, Of180BringsTheEdgesOfAMapToItsMiddle) {
   moon.albedo_map_centre_deg = 180;
   const auto turned = normal_albedo(moon);
   for (std::size_t c = 0; c < 8; ++c)
-    EXPECT_WITHIN_RELATIVE(turned(1, (c + 4) % 8) / turned(1, 4),
-                           as_stored(1, c) / as_stored(1, 0), 1e-6, "floats");
+    EXPECT_WITHIN_RELATIVE(turned(1, (c + 4) % 8) / turned(1, 4), as_stored(1, c) / as_stored(1, 0),
+                           1e-6, "floats");
   moon.albedo_map_centre_deg = 90;
   EXPECT_THROW(normal_albedo(moon), algebra::Error);
 }

@@ -35,7 +35,8 @@ TEST(ClockIn, ReadsOffsetsAsCamerasWriteThem) {
 }
 
 TEST(ClockIn, KnowsACameraWhoseClockWasNotSet) {
-  for (const char* blank : {"", "    :  :     :  :  ", "0000:00:00 00:00:00", "0000-00-00T00:00:00"})
+  for (const char* blank :
+       {"", "    :  :     :  :  ", "0000:00:00 00:00:00", "0000-00-00T00:00:00"})
     EXPECT_EQ(clock_in(blank), std::nullopt) << blank;
 }
 

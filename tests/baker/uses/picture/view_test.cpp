@@ -22,7 +22,8 @@ almanac::Observer at(double latitude, double longitude, double elevation_m = 0) 
   return {algebra::degrees(latitude), algebra::degrees(longitude), algebra::metres(elevation_m)};
 }
 
-const auto low_moon = at(42, 47.3), just_set = at(42, 50.3), half_set = at(42, 50.6), set = at(42, 52);
+const auto low_moon = at(42, 47.3), just_set = at(42, 50.3), half_set = at(42, 50.6),
+           set = at(42, 52);
 
 ViewRequest from(const almanac::Observer& observer) { return {.observer = observer}; }
 
@@ -102,8 +103,7 @@ TEST(ViewOf, SaysHowFarBelowTheHorizonTheMoonIs) {
   } catch (const algebra::Error& error) {
     const std::string said = error.what();
     EXPECT_TRUE(said.starts_with("from -30,150 the Moon is ")) << said;
-    EXPECT_TRUE(said.ends_with(
-        "° below the horizon then; choose another moment or place, or none"))
+    EXPECT_TRUE(said.ends_with("° below the horizon then; choose another moment or place, or none"))
         << said;
   }
   const auto tokyo = almanac::city_named("Tokyo")->place;

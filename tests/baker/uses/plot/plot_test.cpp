@@ -31,8 +31,7 @@ class Plots : public HelperFolder {
 TEST_F(Plots, HaveTheirWordsInThem) {
   const auto svg = drawn(line_named("Moon's \"light\" [W]"));
   std::size_t count = 0;
-  for (std::size_t at = 0; (at = svg.find("Moon's \"light\" [W]", at)) != svg.npos; ++at)
-    ++count;
+  for (std::size_t at = 0; (at = svg.find("Moon's \"light\" [W]", at)) != svg.npos; ++at) ++count;
   EXPECT_GE(count, 5U) << "title, two axes, the mark and the key\n" << svg.substr(0, 4000);
 }
 

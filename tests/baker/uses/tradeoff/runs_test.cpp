@@ -37,7 +37,8 @@ TEST(MeasuredTrials, ExtrapolateWhatGrowsWithThePhotonsAlone) {
          run.push_back(trial.photons);
          return 1 + 1e-5 * trial.photons;  // tables, and each photon
        }});
-  EXPECT_EQ(run.size(), 4U) << "four times the photons each, until they show beside the tables: 1e3 to 64e3";
+  EXPECT_EQ(run.size(), 4U)
+      << "four times the photons each, until they show beside the tables: 1e3 to 64e3";
   ASSERT_EQ(all.size(), 2U);
   EXPECT_FALSE(all[0].extrapolated);
   EXPECT_TRUE(all[1].extrapolated);

@@ -56,8 +56,7 @@ TEST(FilmOptions, BeginAtMoonriseAndEndAtMoonset) {
   uses::ViewRequest view;
   const auto spans = [&](double north, double east) {
     view.observer = almanac::Observer{algebra::degrees(north), algebra::degrees(east), {}};
-    const auto times =
-        times_of({.eclipse = july_2018, .from = "moonrise", .to = "moonset"}, view);
+    const auto times = times_of({.eclipse = july_2018, .from = "moonrise", .to = "moonset"}, view);
     return std::pair(times.from, times.to);
   };
   const auto is_up = [&](const almanac::Instant& when, double later_s) {

@@ -87,12 +87,13 @@ TEST(Moments, WithAPlaceAndNoOffsetAreSaidToBeUtc) {
     say_what_is_utc(*verb);
     return testing::internal::GetCapturedStderr();
   };
-  EXPECT_EQ(said({"sky", "2018-07-27 20:22", "--at", "London"}),
-            "coppermoon: 2018-07-27 20:22 is read as UTC; an offset, as 2018-07-27 20:22+02:00, says "
-            "otherwise\n");
+  EXPECT_EQ(
+      said({"sky", "2018-07-27 20:22", "--at", "London"}),
+      "coppermoon: 2018-07-27 20:22 is read as UTC; an offset, as 2018-07-27 20:22+02:00, says "
+      "otherwise\n");
   EXPECT_NE(said({"sky", "2018-07-27T20:22:01.5", "--at", "London"}), "");
-  for (const char* clear : {"2018-07-27 20:22Z", "2018-07-27T20:22:00-04:00", "2018-07-27",
-                            "2018-07-27 U2+10min"})
+  for (const char* clear :
+       {"2018-07-27 20:22Z", "2018-07-27T20:22:00-04:00", "2018-07-27", "2018-07-27 U2+10min"})
     EXPECT_EQ(said({"sky", clear, "--at", "London"}), "") << clear;
   EXPECT_EQ(said({"sky", "2018-07-27 20:22"}), "") << "without a place nobody expects its clocks";
 }
@@ -107,8 +108,8 @@ TEST(Places, OfSeveralCitiesAreSaidToBeTheLargest) {
     say_which_city(verb);
     return testing::internal::GetCapturedStderr();
   };
-  EXPECT_TRUE(said("Springfield").starts_with(
-      "coppermoon: Springfield is Springfield/Missouri; others are "));
+  EXPECT_TRUE(said("Springfield")
+                  .starts_with("coppermoon: Springfield is Springfield/Missouri; others are "));
   EXPECT_EQ(said("Springfield/Illinois"), "");
 }
 

@@ -127,8 +127,7 @@ TEST_F(Recipe, SaysNothingOfTheRunItself) {
   for (const char* key : {"help", "help-all", "json", "csv", "threads", "recipe", "replace"}) {
     write(std::string("rays = 5\n") + key + " = 1\n");
     const auto error = error_of(program.app, {"bake", "--recipe", path});
-    EXPECT_EQ(error,
-              path + ":2: " + key + ": how a run goes is said on the command line alone");
+    EXPECT_EQ(error, path + ":2: " + key + ": how a run goes is said on the command line alone");
   }
 }
 
@@ -137,17 +136,16 @@ TEST_F(Recipe, OfAFilmsFileIsThatOfItsFrame) {
   const auto words_for = [&](const std::string& mount) {
     texture::write_png(
         frame, texture::Image(2, 2, {"Y"}), 8,
-        {{"coppermoon:recipe", "eclipse = '2018-07-27'\ncalendar = 'julian'\nfield = 1\nmount = '" + mount +
-                                   "'\nup = 'celestial-north'\ntime = 'U1:1/100,U2:1'\n"},
+        {{"coppermoon:recipe", "eclipse = '2018-07-27'\ncalendar = 'julian'\nfield = 1\nmount = '" +
+                                   mount + "'\nup = 'celestial-north'\ntime = 'U1:1/100,U2:1'\n"},
          {"coppermoon:instant", std::string("2018-07-27T18:57:22.399Z")},
          {"expTime", 0.5F}});
     return with_recipes(program.app, {"bake", frame});
   };
   for (const char* flag : {"--calendar", "--field", "--up", "--time"})
     add_flag(*program.verb, flag, program.waves, "");
-  EXPECT_EQ(words_for("horizon"),
-            Words({"bake", "--field=1", "--instant=2018-07-27T18:57:22.399Z",
-                   "--calendar=gregorian", "--up=zenith", "--time=0.5"}));
+  EXPECT_EQ(words_for("horizon"), Words({"bake", "--field=1", "--instant=2018-07-27T18:57:22.399Z",
+                                         "--calendar=gregorian", "--up=zenith", "--time=0.5"}));
   EXPECT_EQ(words_for("tracking"),
             Words({"bake", "--field=1", "--up=celestial-north",
                    "--instant=2018-07-27T18:57:22.399Z", "--calendar=gregorian", "--time=0.5"}));
@@ -170,8 +168,7 @@ TEST_F(Recipe, OfAWordHoldsAllButWhereResultsGo) {
 }
 
 TEST_F(Recipe, NamesFilesWithoutTheFoldersOfTheUser) {
-  const auto recipe =
-      Program().recipe_after({"bake", "--albedo-map", "/home/alice/maps/moon.tif"});
+  const auto recipe = Program().recipe_after({"bake", "--albedo-map", "/home/alice/maps/moon.tif"});
   EXPECT_NE(recipe.find("albedo-map = 'moon.tif'\n"), std::string::npos) << recipe;
 }
 
