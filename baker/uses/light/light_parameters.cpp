@@ -60,19 +60,19 @@ struct Term {
   bool plan::Work::*in;
 };
 
-constexpr std::array terms{
+constexpr std::array known_terms{
     Term{"refracted-light", &plan::Work::refracted}, Term{"ellipsoid", &plan::Work::ellipsoid},
     Term{"regions", &plan::Work::regions}, Term{"scattered-light", &plan::Work::scattered_light}};
 
 std::string term_names() {
   std::vector<std::string_view> names;
-  for (const auto& term : terms) names.push_back(term.name);
+  for (const auto& term : known_terms) names.push_back(term.name);
   return fmt::format("none or {}, with commas between", fmt::join(names, ", "));
 }
 
 std::string terms_left_out(const plan::Work& work) {
   std::vector<std::string_view> out;
-  for (const auto& term : terms)
+  for (const auto& term : known_terms)
     if (!(work.*term.in)) out.push_back(term.name);
   return out.empty() ? "none" : fmt::format("{}", fmt::join(out, ","));
 }
@@ -384,12 +384,12 @@ AirRegion region_from(const std::string& text) {
 
 plan::Work everything_but(const std::string& list) {
   plan::Work work;
-  for (const auto& term : terms) work.*term.in = true;
+  for (const auto& term : known_terms) work.*term.in = true;
   if (list == "none") return work;
   std::istringstream names(list);
   for (std::string name; std::getline(names, name, ',');) {
-    const auto term = std::ranges::find(terms, name, &Term::name);
-    if (term == terms.end())
+    const auto term = std::ranges::find(known_terms, name, &Term::name);
+    if (term == known_terms.end())
       throw algebra::Error(fmt::format("leave-out = {}, allowed {}", list, term_names()));
     work.*term->in = false;
   }

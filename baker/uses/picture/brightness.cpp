@@ -19,7 +19,7 @@ bool in_totality(const almanac::Instant& when) {
          almanac::seconds_between(when, *eclipse->contacts.U3) >= 0;
 }
 
-constexpr std::size_t rows = 360;
+constexpr std::size_t texture_rows = 360;
 
 /// A Moon's light and ground, to be seen in any channels.
 struct Measurable {
@@ -33,7 +33,7 @@ struct Measurable {
     const auto weights =
         ground ? reddest_and_bluest(meter.weights, band_centres_nm()) : meter.weights;
     return texture::bake({albedo, sky, light.in_channels(weights), ground.get()}, meter.channels,
-                         rows, moon.photometry);
+                         texture_rows, moon.photometry);
   }
 };
 
@@ -59,7 +59,7 @@ MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& s
   const Measurable measurable{moon, sky,
                               moon.unshadowed ? unshadowed_light(moon.light, sky)
                                               : light_on_the_moon(moon.light, sky, {}, progress),
-                              texture::resized(normal_albedo(moon), rows)};
+                              texture::resized(normal_albedo(moon), texture_rows)};
   const auto meter = photometer();
   const auto texture = measurable.in(meter);
   MoonBrightness brightness{measured(meter, texture, sky), {}};

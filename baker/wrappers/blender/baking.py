@@ -26,6 +26,8 @@ def light_of(texture):
 
 def parts_of(contacts, textures):
     """Contacts between the first texture and the last, each with its share of that time, which is less than a day."""
+    if not contacts:
+        return {}
     first = textures[0].second()
     length = (textures[-1].second() - first) % 86400
     # A header has whole seconds: the first and the last contact may be half of one outside.
