@@ -14,6 +14,7 @@
 #include "atmosphere/figure.h"
 #include "atmosphere/ozone.h"
 #include "atmosphere/seasonal_air.h"
+#include "atmosphere/stratosphere.h"
 
 namespace coppermoon::atmosphere {
 

@@ -16,8 +16,11 @@
 namespace coppermoon::atmosphere {
 namespace {
 
-constexpr std::array<std::string_view, 6> names{"paper",   "molecular", "clear",
-                                                "undated", "standard",  "none"};
+constexpr std::array<std::string_view, 7> names{"paper",    "molecular",  "clear", "undated",
+                                                "standard", "calibrated", "none"};
+
+/// Factor on the chance of cloud of "calibrated".
+constexpr double calibrated_cloud = 0.63;
 
 constexpr double us_1976_ozone_du = 345;
 
@@ -59,7 +62,7 @@ Column climatic(Column column, algebra::Angle latitude, double year) {
   column.ozone_climate = std::make_shared<OzoneClimate>(latitude, year, *column.seasonal_air);
   column.ozone_du = column.ozone_climate->column_du();
   column.stratospheric_layer = std::make_shared<StratosphericLayer>(
-      stratospheric_optical_depth(year, latitude), column.tropopause_m);
+      StratosphericLayer::of_month(year, latitude, column.tropopause_m));
   column.free_troposphere_per_m = free_troposphere_per_m(latitude);
   column.cloud_per_m = cloud_chance_per_m(latitude);
   return column;
@@ -90,10 +93,12 @@ Atmosphere preset(std::string_view name, algebra::Angle sun_declination, double 
   column.ozone_path = OzonePath::bent;
   if (name == "molecular" || name == "none") column.ozone_du = 0;
   if (name == "undated") make_usual(column);
-  if (name != "standard") return air;
+  if (name != "standard" && name != "calibrated") return air;
   air.belts = belts_of(usual_by_chance(column));
-  for (auto& [from_north, belt] : air.belts)
+  for (auto& [from_north, belt] : air.belts) {
     belt = climatic(belt, latitude_on_limb(from_north, sun_declination), year);
+    if (name == "calibrated") belt.cloud_per_m *= calibrated_cloud;
+  }
   return air;
 }
 

@@ -12,7 +12,9 @@
 #include "almanac/calendar.h"
 #include "eclipse/contacts.h"
 #include "eclipse/feature.h"
+#include "uses/light/photometric_bands.h"
 #include "uses/night/circumstances.h"
+#include "uses/picture/brightness.h"
 #include "uses/picture/place_text.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moments.h"
@@ -28,7 +30,7 @@ struct Options {
   std::string from, to, at, convention = "danjon";
   std::optional<std::string> feature;
   almanac::Calendar calendar = almanac::Calendar::gregorian;
-  bool json = false, csv = false;
+  bool brightness = false, json = false, csv = false;
 };
 
 eclipse::ShadowConvention convention_from(const std::string& name) {
@@ -41,8 +43,9 @@ eclipse::ShadowConvention convention_from(const std::string& name) {
 /// Eclipse of the list, with the crossing times of the feature that was asked for.
 struct Listed {
   eclipse::Eclipse eclipse;
-  std::optional<eclipse::FeatureTimes> feature;
-  std::optional<std::string> seen;  ///< first and last contact with the Moon above the horizon
+  std::optional<uses::MoonBrightness> brightness{};  ///< at greatest eclipse
+  std::optional<eclipse::FeatureTimes> feature{};
+  std::optional<std::string> seen{};  ///< first and last contact with the Moon above the horizon
 };
 
 using Contact = std::pair<const char*, std::optional<almanac::Instant>>;
@@ -77,6 +80,15 @@ Json as_json(const almanac::SelenographicPoint& place, const eclipse::FeatureTim
   return feature;
 }
 
+/// Number, or null where there is none.
+Json or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
+
+Json as_json(const uses::MoonBrightness& brightness) {
+  return {{"V_magnitude", brightness.disc.magnitudes[uses::V_band]},
+          {"V_error", or_null(brightness.V_error)},
+          {"danjon_by_V", or_null(brightness.danjon)}};
+}
+
 /// An eclipse as a row of a table; every row has each column.
 Json as_row(const Listed& listed) {
   const auto calendar = listed.eclipse.calendar;
@@ -89,6 +101,7 @@ Json as_row(const Listed& listed) {
   if (const auto& times = listed.feature)
     row["immersion"] = text(times->immersion), row["emersion"] = text(times->emersion);
   if (listed.seen) row["seen"] = *listed.seen;
+  if (listed.brightness) row.update(as_json(*listed.brightness));
   return row;
 }
 
@@ -106,10 +119,11 @@ std::string today(int years_later, almanac::Calendar calendar) {
                             std::min(28U, static_cast<unsigned>(now.day()))));
 }
 
-void print_heading(bool feature, bool seen) {
+void print_heading(bool feature, bool seen, bool brightness) {
   fmt::print("{:<21}{:<10}{:>8}{:>9}{:>9}", "greatest (UTC)", "type", "gamma", "umbral", "penumb.");
   for (const char* key : {"P1", "U1", "U2", "U3", "U4", "P4"}) fmt::print("  {:<8}", key);
   if (feature) fmt::print("  {:<10}  {:<11}", "feature in", "feature out");
+  if (brightness) fmt::print("  {:<14}{:<4}", "V", "L");
   if (seen) fmt::print("  seen");
   fmt::print("\n");
 }
@@ -121,6 +135,10 @@ void print(const Listed& listed) {
   for (const auto& [key, when] : contact_columns(e)) fmt::print("  {:<8}", time_of_day(when));
   if (const auto& times = listed.feature)
     fmt::print("  {:<10}  {:<11}", time_of_day(times->immersion), time_of_day(times->emersion));
+  if (const auto& light = listed.brightness)
+    fmt::print("  {:>6.2f}{:<8}{:<4}", light->disc.magnitudes[uses::V_band],
+               light->V_error ? fmt::format(" ± {:.2f}", *light->V_error) : "",
+               light->danjon ? fmt::format("{:.1f}", *light->danjon) : "-");
   if (listed.seen) fmt::print("  {}", *listed.seen);
   fmt::print("\n");
 }
@@ -137,10 +155,11 @@ std::vector<Listed> listed(const Options& options,
   if (!options.at.empty()) observer = uses::observer_from(options.at);
   std::vector<Listed> list;
   for (const auto& e : eclipse::eclipses_between(from, to, convention_from(options.convention))) {
-    Listed& one = list.emplace_back(Listed{e, {}, {}});
+    Listed& one = list.emplace_back(Listed{e});
     one.eclipse.calendar = options.calendar;
     if (observer) one.seen = uses::contacts_seen(e, *observer);
     if (place) one.feature = eclipse::feature_times(e, *place);
+    if (options.brightness) one.brightness = uses::brightness_of({}, almanac::sky_at(e.greatest));
   }
   return list;
 }
@@ -155,7 +174,7 @@ void run(const Options& options) {
     return fmt::print("{}", as_csv(all));
   }
   if (!options.json) {
-    print_heading(place.has_value(), !options.at.empty());
+    print_heading(place.has_value(), !options.at.empty(), options.brightness);
     for (const auto& each : list) print(each);
     return;
   }
@@ -163,6 +182,7 @@ void run(const Options& options) {
     all.push_back(as_json(each.eclipse));
     say_calendar(all.back(), options.calendar);
     if (each.seen) all.back()["seen"] = *each.seen;
+    if (each.brightness) all.back().update(as_json(*each.brightness));
     if (place) all.back()["feature"] = as_json(*place, *each.feature, options.calendar);
   }
   fmt::print("{}\n", all.dump(2));
@@ -188,6 +208,9 @@ void add_almanac(CLI::App& program) {
       *verb, "--feature", options->feature,
       "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; adds "
       "when the umbra's edge (danjon-oblate) crosses it, whether or not it is seen");
+  add_switch(*verb, "--brightness", options->brightness,
+             "adds the V magnitude of the whole Moon at greatest eclipse in the air of its month, "
+             "with the standard error of a total eclipse, and Danjon's L by V");
   add_run_switch(*verb, "--csv", options->csv, "prints the eclipses as CSV");
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);

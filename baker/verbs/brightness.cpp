@@ -52,11 +52,13 @@ nlohmann::ordered_json described(const Options& options) {
   const auto calendar = options.moon.moment.calendar;
   nlohmann::ordered_json all{{"instant", almanac::utc_text(sky.when, calendar)},
                              {"magnitudes", by_band(brightness.disc.magnitudes)},
+                             {"V_error", nullptr},
                              {"mean_luminance_cd_m2", brightness.disc.mean_luminance_cd_m2},
                              {"illuminance_lx", brightness.disc.illuminance_lx},
                              {"danjon", nullptr}};
   say_calendar(all, calendar);
   if (brightness.danjon) all["danjon"] = *brightness.danjon;
+  if (brightness.V_error) all["V_error"] = *brightness.V_error;
   if (brightness.seen) all["seen"] = as_json(*brightness.seen, options);
   return all;
 }
@@ -84,7 +86,10 @@ void run(const Options& options) {
     return;
   }
   for (const auto& [band, magnitude] : all["magnitudes"].items())
-    fmt::print("{}               {:8.2f} mag\n", band, magnitude.get<double>());
+    fmt::print("{}               {:8.2f} mag{}\n", band, magnitude.get<double>(),
+               band == "V" && !all["V_error"].is_null()
+                   ? fmt::format(" ± {:.2f} (68 %)", all["V_error"].get<double>())
+                   : "");
   print_light(all);
   if (all["danjon"].is_null())
     fmt::print("Danjon                 - (not in totality)\n");

@@ -119,6 +119,8 @@ void print(const NightReport& night) {
                night.city.name, night.city.time_zone);
   fmt::print("\n");
   print_moments(night);
+  if (night.lights.V_error)
+    fmt::print("\nIn totality V is known to {:.2f} mag (68 %).\n", *night.lights.V_error);
   print_exposures(night);
 }
 
@@ -135,6 +137,7 @@ nlohmann::ordered_json as_json(const NightReport& night) {
                              {"seen", what_is_seen(night.circumstances)},
                              {"f_number", night.lights.f_number},
                              {"iso", night.lights.iso},
+                             {"V_error", or_null(night.lights.V_error)},
                              {"moments", nlohmann::ordered_json::array()},
                              {"exposures", nlohmann::ordered_json::array()}};
   say_calendar(all, calendar);

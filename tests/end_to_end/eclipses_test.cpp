@@ -91,12 +91,12 @@ double rms(const std::vector<double>& differences) {
 // Photoelectric photometry by Schmude; Hernitschek, Schmidt & Vollmer (2008).
 TEST_F(Eclipses, AreAsBrightAsInstrumentsHaveThem) {
   const auto measured = published_rows("end_to_end/data/photometers.csv");
-  ASSERT_EQ(measured.size(), 4U);
+  ASSERT_EQ(measured.size(), 5U);
   std::vector<double> apart;
   for (const auto& row : measured)
     apart.push_back(number(row, "value") -
                     computed(row.at("quantity"), eclipse_of(row.at("date")).greatest));
-  EXPECT_WITHIN(rms(apart), 0, 0.33, "weather of one night is 0.3 mag; 0.28 measured");
+  EXPECT_WITHIN(rms(apart), 0, 0.28, "weather of one night is 0.3 mag, of five 0.13 of their rms; 0.21 measured");
 }
 
 using EclipsesThoroughly = Eclipses;

@@ -39,9 +39,10 @@ void change_stratosphere(const Stratosphere& asked, const Standing& standing, Co
     return;
   }
   const auto* depth = std::get_if<double>(&asked);
-  column.stratospheric_layer = std::make_shared<atmosphere::StratosphericLayer>(
-      depth ? *depth : atmosphere::stratospheric_optical_depth(standing.year, standing.latitude),
-      column.tropopause_m);
+  using Layer = atmosphere::StratosphericLayer;
+  column.stratospheric_layer = std::make_shared<Layer>(
+      depth ? Layer(*depth, column.tropopause_m)
+            : Layer::of_month(standing.year, standing.latitude, column.tropopause_m));
 }
 
 void change_cloud(const ColumnChange& change, const Standing& standing, Column& column) {

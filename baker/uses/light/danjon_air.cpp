@@ -112,8 +112,8 @@ void clear(atmosphere::Column& column, double clearness) {
     *term *= left;
   if (!column.stratospheric_layer) return;
   const double depth = left * column.stratospheric_layer->optical_depth() - std::min(0., clearness);
-  column.stratospheric_layer =
-      std::make_shared<atmosphere::StratosphericLayer>(std::min(depth, 2.), column.tropopause_m);
+  column.stratospheric_layer = std::make_shared<atmosphere::StratosphericLayer>(
+      column.stratospheric_layer->with_optical_depth(std::min(depth, 2.)));
 }
 
 }  // namespace

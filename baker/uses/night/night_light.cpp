@@ -13,6 +13,7 @@
 #include "texture/resize.h"
 #include "uses/light/photometric_bands.h"
 #include "uses/night/star_limit.h"
+#include "uses/picture/brightness.h"
 #include "uses/picture/moon_survey.h"
 
 namespace coppermoon::uses {
@@ -225,6 +226,8 @@ NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
   const MoonSurvey survey(moon, albedo, light);
   const Exposer exposer(view, development);
   NightLights lights{.f_number = exposer.f_number(), .iso = development.iso};
+  if (night.eclipse.contacts.U2)
+    lights.V_error = totality_error_mag(moon.light.air, almanac::year_of(night.eclipse.greatest));
   for (const auto& moment : night.moments)
     if (!moment.name.starts_with("moon"))
       lights.moments.push_back(light_at(survey, moment, night.place));

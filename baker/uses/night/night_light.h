@@ -33,7 +33,8 @@ struct PhaseExposure {
 struct NightLights {
   std::vector<NightLight> moments = {};  ///< of each contact, and the greatest phase
   std::vector<PhaseExposure> exposures = {};
-  double f_number = 0, iso = 0;  ///< of the exposures
+  double f_number = 0, iso = 0;        ///< of the exposures
+  std::optional<double> V_error = {};  ///< standard error of V in totality (totality_error_mag)
 };
 
 /// Brightness of an eclipse at its contacts, and exposure times for its phases, from one simulation of the whole

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/brightness.h"
 
+#include <cmath>
+
 #include "almanac/instant.h"
+#include "atmosphere/stratosphere.h"
 #include "eclipse/contacts.h"
 #include "texture/bake.h"
 #include "texture/resize.h"
@@ -53,6 +56,13 @@ BrightnessSeen seen_of(const Measurable& moon, const texture::Image& above,
 
 }  // namespace
 
+std::optional<double> totality_error_mag(const Air& air, double year) {
+  const bool dated = air.atmosphere == "standard" || air.atmosphere == "calibrated";
+  if (!dated || air != Air{.atmosphere = air.atmosphere}) return {};
+  constexpr double of_weather = 0.23, for_optical_depth = 50;
+  return std::hypot(of_weather, for_optical_depth * atmosphere::stratospheric_depth_error(year));
+}
+
 MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& sky,
                              const ViewRequest& view, const algebra::Progress& progress) {
   const auto from = view_of(view, sky);
@@ -63,8 +73,10 @@ MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& s
   const auto meter = photometer();
   const auto texture = measurable.in(meter);
   MoonBrightness brightness{measured(meter, texture, sky), {}};
-  if (!moon.unshadowed && in_totality(sky.when))
+  if (!moon.unshadowed && in_totality(sky.when)) {
     brightness.danjon = danjon_estimate(brightness.disc.magnitudes[V_band]);
+    brightness.V_error = totality_error_mag(moon.light.air, almanac::year_of(sky.when));
+  }
   if (from.observer) brightness.seen = seen_of(measurable, texture, *from.observer, from.sightline);
   return brightness;
 }

@@ -73,6 +73,9 @@ void add_brightness(py::module_& package) {
   brightness
       .def_readonly("danjon", &Brightness::danjon,
                     "step of Danjon's scale, 0 to 4, in totality; else None")
+      .def_readonly(
+          "V_error", &Brightness::V_error,
+          "standard error of the V magnitude, in totality and the air of a month; else None")
       .def_readonly("seen", &Brightness::seen, "what a place sees, or None");
   TextureKeywords keywords{.moon = {}};
   const auto parameters = brightness_keywords(keywords);

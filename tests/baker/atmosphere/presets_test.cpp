@@ -73,8 +73,9 @@ TEST(Preset, RefusesANameThereIsNot) {
     preset("venus", {});
     FAIL();
   } catch (const algebra::Error& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "atmosphere = venus, allowed paper, molecular, clear, undated, standard, none");
+    EXPECT_EQ(
+        std::string(error.what()),
+        "atmosphere = venus, allowed paper, molecular, clear, undated, standard, calibrated, none");
   }
 }
 

@@ -4,7 +4,7 @@
 
 // Nodes of three stretches of axis distance: within the umbra, about the begin of direct light, beyond.
 export const stretches = [150, 110, 80];
-export const nodes = stretches[0] + stretches[1] + stretches[2] + 1, sectors = 48;
+export const nodes = stretches[0] + stretches[1] + stretches[2] + 1, sectors = 96;
 export const colours = 4;  // red, green, blue, V
 export const channels = 2 * colours;  // on the reddest ground, then on the bluest
 // Widths of bins of the axis distance at which light from the Sun's centre lands. Narrow bins begin where rays land

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "algebra/interpolation.h"
+#include "algebra/quantity.h"
+
+namespace coppermoon::atmosphere {
+
+/// How much sulphuric acid and ash hang in the stratosphere: clear since years, or after a volcano
+/// has erupted. Vertical optical depths at 550 nm, above 9 km: 0, 0.008, 0.028, 0.086, 0.262.
+enum class StratosphericAerosol { none, background, moderate, high, extreme };
+
+/// Extinction by that aerosol at 550 nm [m⁻¹].
+///
+/// Given     altitude_m  fades out from 11 down to 9 km, where the tropospheric aerosol is; 0 above
+///                       100 km
+/// Returned  [m⁻¹]       5.1e-7, 1.35e-6, 8.4e-6, 5.5e-5 at 20 km
+/// Accuracy  the printed profiles at their altitudes; above 11 km optical depths 0.0072, 0.0269,
+///           0.0844 and 0.260 where theirs are 0.0072, 0.0269, 0.0843 and 0.257
+/// Omits     season: the mean of spring-summer and fall-winter
+/// Source    LOWTRAN 7: Kneizys et al. (1988), AFGL-TR-88-0177
+double stratospheric_extinction_per_m(StratosphericAerosol aerosol, double altitude_m);
+
+/// Extinction at a wavelength over that at 550 nm: of 75 % sulphuric acid (background), aged
+/// (moderate, high) or fresh (extreme) volcanic aerosol, straight lines between logarithms.
+///
+/// Given     wavelength  380 to 780 nm
+/// Returned  1 at 550 nm; 1 where there is no aerosol
+/// Throws    Error       when the wavelength is outside its range
+/// Source    LOWTRAN 7: Kneizys et al. (1988), AFGL-TR-88-0177
+double stratospheric_spectrum(StratosphericAerosol aerosol, algebra::Wavelength wavelength);
+
+/// Vertical optical depth of the stratosphere's aerosol at 550 nm over a latitude, by month.
+///
+/// Given     year      with its fraction; held before 500 BC; the mean of 2014 to 2018 from 2027 on
+///           latitude  straight between the middles of six bands from 1979 on, between the hemispheres' means at
+///                     20° south and 20° north from 1850, alike everywhere before
+/// Returned  0.003 to 0.012 in quiet years, 0.1 after great eruptions, 0.5 in 1258
+/// Accuracy  10 % from 1979 to 2016, where bands are measured; to 2024 5 % as global mean, 20 % of a band, a third
+///           of the aerosol of Hunga (from January 2022); 30 % in 2025; before 1979 20 to 50 %; of eruptions before
+///           1850 the year, and no hemisphere
+/// Source    from 1979 GloSSAC (Thomason et al. 2018, Earth Syst. Sci. Data 10, 469, and version 2.23), the eruptions
+///           of MSVOLSO2L4 (Carn) in the boxes of EVA_H (Aubry et al. 2020), OMPS-LP in 2025; Sato et al. (1993) from
+///           1850; Toohey & Sigl (2017) before, as in IPCC AR6 WG1 ch. 7
+double stratospheric_optical_depth(double year, algebra::Angle latitude);
+
+/// Standard error of that optical depth, as global mean.
+///
+/// Returned  40 % of it before 1850, 30 % to 1978, 10 % to 2016, 15 % to 2021, 25 % to 2024, 30 % in 2025; from 2026 on
+///           0.003, half the width within which 68 of 100 months of 1997 to 2025 lie: a great eruption is not in it
+double stratospheric_depth_error(double year);
+
+/// Ångström's exponent of the stratosphere's aerosol between 550 and 1020 nm over a latitude.
+///
+/// Given     year  1979 or later, with its fraction
+/// Returned  1.4 to 2.2 in quiet years, 0.3 to 1 after great eruptions, whose particles are large
+/// Accuracy  0.3 to 2016, from two versions of GloSSAC; 0.5 from 2017 on, when only Hunga's differs from 1.65
+/// Throws    Error  when the year is before 1979
+double stratospheric_exponent(double year, algebra::Angle latitude);
+
+/// Profile and colour of stratospheric aerosol of any optical depth.
+class StratosphericLayer {
+ public:
+  /// Layer of an optical depth, with the profile and spectrum of LOWTRAN 7: between the two named aerosols of
+  /// neighbouring optical depth (in the logarithm), beyond the first and the last theirs. The profile begins at the
+  /// tropopause, not at 11 km: altitudes from there to 35 km are stretched.
+  ///
+  /// Given   optical_depth  vertical, at 550 nm, 0 to 2
+  ///         tropopause_m   5 to 20 km
+  /// Throws  Error          when an argument is outside its range
+  StratosphericLayer(double optical_depth, double tropopause_m);
+
+  /// Layer of a month over a latitude. From 1979 on it has optical depths of its own below 16 km, from 16 to 20 km
+  /// and above, each with the profile of eruptions' aerosol (EVA_H), fading out within 2 km under the tropopause; its
+  /// spectrum is between those of LOWTRAN 7 by Ångström's exponent. Before 1979 it is LOWTRAN's of that optical depth.
+  static StratosphericLayer of_month(double year, algebra::Angle latitude, double tropopause_m);
+
+  /// Layer with this layer's profile and another optical depth, 0 to 2; its spectrum changes as that of LOWTRAN's
+  /// aerosol does from the one to the other.
+  StratosphericLayer with_optical_depth(double optical_depth) const;
+
+  double optical_depth() const { return optical_depth_; }
+  /// Extinction at 550 nm [m⁻¹].
+  double extinction_per_m(double altitude_m) const;
+  /// Extinction at a wavelength over that at 550 nm.
+  double spectrum(algebra::Wavelength wavelength) const;
+  /// Named aerosol of the most similar spectrum.
+  StratosphericAerosol nearest() const;
+
+ private:
+  double optical_depth_, tropopause_m_;
+  double grade_;  ///< place among LOWTRAN's spectra, and its profiles: 1 background to 4 extreme
+  double scale_ = 1;
+  std::shared_ptr<const algebra::MonotoneCubic>
+      recorded_{};  ///< extinction [1/m]; without: LOWTRAN's
+
+  double unscaled(double altitude_m) const;
+  void normalise();  ///< sets the scale
+};
+
+}  // namespace coppermoon::atmosphere
