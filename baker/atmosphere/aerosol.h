@@ -5,36 +5,36 @@
 
 namespace coppermoon::atmosphere {
 
-/// Extinction at 550 nm and 7 km by the aerosol of the free troposphere, in years without eruptions: of
-/// 1.02 µm it runs straight from 1e-4 km⁻¹ at 70° south to 7e-4 km⁻¹ at 70° north, and is 2.2 times as
-/// much at 550 nm (Ångström's exponent 1.3).
+/// Extinction at 550 nm and 7 km by the aerosol of the free troposphere, in years without eruptions. Measured
+/// at 1.02 µm it rises linearly from 1e-4 km⁻¹ at 70° south to 7e-4 km⁻¹ at 70° north; a factor of 2.2
+/// (Ångström exponent 1.3) takes it to 550 nm.
 ///
 /// Returned  [m⁻¹]  2.2e-7 to 1.5e-6
 /// Accuracy  a factor of two
 /// Source    Kent et al. (1998), J. Geophys. Res. 103, 28863: SAGE I and II, 6 km to the tropopause
 double free_troposphere_per_m(algebra::Angle latitude);
 
-/// Extinction by the aerosol of the free troposphere at an altitude, over that at 7 km.
+/// Ratio of the free troposphere's aerosol extinction at an altitude to that at 7 km.
 ///
 ///     exp(−(h − 7 km) / 3 km)
 ///
-/// Returned  0 from 2 km above the tropopause on
-/// Accuracy  LOWTRAN 7 has 2.6 km as scale height between 3 and 10 km
+/// Returned  0 higher than 2 km above the tropopause
+/// Accuracy  the scale height of LOWTRAN 7 between 3 and 10 km is 2.6 km
 double free_troposphere_profile(double tropopause_m, double altitude_m);
 
-/// Share of the vertical optical depth of the tropospheric aerosol in a metre of altitude [m⁻¹].
+/// Share of the tropospheric aerosol's vertical optical depth in a metre of altitude [m⁻¹].
 ///
 ///     exp(−h/H) / H
 ///
-/// Given     scale_m  H: 1.2 km of the layer that the ground stirs, above which that of the free
-///                    troposphere follows; 2 km of all, alone
-/// Accuracy  of 2 km: between 3 and 10 km it falls by 33, the profiles of LOWTRAN 7 for 23 km of
-///           visibility by 30 (spring-summer) and 35 (fall-winter)
+/// Given     scale_m  H: 1.2 km for the boundary layer, where the free troposphere's aerosol is a term of its
+///                    own; 2 km for all tropospheric aerosol in one term
+/// Accuracy  with H = 2 km it falls by a factor of 33 between 3 and 10 km, the profiles of LOWTRAN 7 for
+///           23 km of visibility by 30 (spring-summer) and 35 (fall-winter)
 /// Source    Elterman (1968), AFCRL-68-0153, for 1.2 km; LOWTRAN 7: Kneizys et al. (1988),
 ///           AFGL-TR-88-0177
 double tropospheric_profile_per_m(double scale_m, double altitude_m);
 
-/// Extinction by the tropospheric aerosol at a wavelength over that at 550 nm.
+/// Ratio of the tropospheric aerosol's extinction at a wavelength to that at 550 nm.
 ///
 ///     (λ / 550 nm)^−1.3
 ///

@@ -5,19 +5,19 @@
 
 namespace coppermoon::atmosphere {
 
-/// Air between an observer at sea level and a light in the sky, over that towards the zenith.
+/// Air mass: air along an observer's line of sight at sea level, over air towards the zenith.
 ///
 ///     M = (1.002432 c² + 0.148386 c + 0.0096467) / (c³ + 0.149864 c² + 0.0102963 c + 0.000303978)
 ///     c = cos z
 ///
-/// Given     altitude  of the light above the horizon without refraction, 90° − z; -1 to 90 degrees
+/// Given     altitude  above the horizon, airless, 90° − z; -1 to 90 degrees
 /// Returned  M         1 at the zenith, 31.7 at 0 degrees, 38.4 on the apparent horizon (-0.574
-///                     degrees) and, held, below it
+///                     degrees) and below it
 /// Throws    Error     when the altitude is outside its range
 /// Source    Young (1994), Appl. Opt. 33, 1108. Eq. 14 of Yapo & Cutler (2009) misprints 0.0102963
 double air_mass_young_1994(algebra::Angle altitude);
 
-/// Air mass of aerosol, which lies lower than air: a scale height of 1.5 km.
+/// Air mass of aerosol, which lies lower than air: its scale height is 1.5 km.
 ///
 ///     X = 1 / (c + 0.0123 exp(−24.5 c)),     c = sin a
 ///
@@ -28,7 +28,7 @@ double air_mass_young_1994(algebra::Angle altitude);
 /// Source    Schaefer (1993), Vistas in Astronomy 36, 311
 double aerosol_air_mass_schaefer_1993(algebra::Angle apparent_altitude);
 
-/// Air mass of ozone, as a thin layer at 22 km over a sphere of R = 6378 km.
+/// Air mass of ozone, taken as a thin layer at 22 km over a sphere of R = 6378 km.
 ///
 ///     X = 1 / √(1 − (R cos a / (R + 22 km))²)
 ///

@@ -39,7 +39,8 @@ void require_valid(const Column& column) {
     throw algebra::Error("density = seasonal, allowed with the air of a latitude and a season");
 }
 
-/// Where the slope of the density jumps; of the seasonal one, places between which it is well-behaved.
+/// Altitudes where the slope of the density jumps [m]; for seasonal air, which has no jumps, altitudes between
+/// which a few nodes integrate it well.
 std::vector<double> density_breaks(const Column& column) {
   if (column.density == Density::seasonal)
     return {column.tropopause_m - tropopause_wander_m, column.tropopause_m + tropopause_wander_m,
@@ -49,14 +50,14 @@ std::vector<double> density_breaks(const Column& column) {
   return {density.begin(), density.end()};
 }
 
-/// Edges of a profile [m], beyond which it is another function of altitude.
+/// Altitudes where a profile changes its formula [m].
 using Edges = std::array<double, 2>;
 
 Edges around_the_tropopause(const Column& column) {
   return {column.tropopause_m - tropopause_wander_m, column.tropopause_m + tropopause_wander_m};
 }
 
-/// ω P(χ) / (4π) by Henyey and Greenstein.
+/// Albedo times phase function of Henyey and Greenstein, ω P(χ) / (4π).
 double henyey_greenstein(double albedo, double g, double cosine) {
   return albedo * (1 - g * g) / std::pow(1 + g * g - 2 * g * cosine, 1.5) / (4 * std::numbers::pi);
 }
@@ -82,7 +83,7 @@ algebra::Wavelength wavelength_of(const Optics& optics) {
   return algebra::nanometres(optics.wavelength_nm);
 }
 
-/// Description of an absorber: its row of the table.
+/// Row of the table of absorbers.
 struct Constituent {
   Absorber absorber;
   std::string_view name;
@@ -163,7 +164,7 @@ constexpr std::array<Constituent, absorbers> constituents{{
      }},
 }};
 
-/// Profiles, row by row of the table: the compiler knows each row, and inlines its functions.
+/// Profiles of the absorbers k…, unrolled: the compiler knows each row of the table and inlines its functions.
 template <std::size_t... k>
 Amounts profiles_of_rows(const Column& column, double altitude_m, std::index_sequence<k...>) {
   static_assert(((constituents[k].absorber == k) && ...));
@@ -180,7 +181,7 @@ bool holds(const Region& region, double position_angle_rad) {
 constexpr std::array amounts_that_may_differ{&Column::dust_extinction_per_m, &Column::ozone_du,
                                              &Column::cloud_cover};
 
-/// All columns of some air, also those that belts stand for.
+/// All columns of an atmosphere, including those that belts replace.
 std::vector<Column*> every_column(Atmosphere& air) {
   std::vector<Column*> all;
   const auto add = [&](Column& column, Belts& belts) {
@@ -192,7 +193,7 @@ std::vector<Column*> every_column(Atmosphere& air) {
   return all;
 }
 
-/// Number of columns of a region, which are those of its belts where there are any.
+/// Number of columns of a region: its belts, else one.
 std::size_t columns_of(const Belts& belts) { return std::max<std::size_t>(1, belts.size()); }
 
 void require_valid(const Belts& belts) {

@@ -18,38 +18,38 @@
 
 namespace coppermoon::atmosphere {
 
-/// How the air thins with altitude, and where it ends: no air at all; US 1976 with the paper's ramp
-/// to 42 km; US 1976 to 86 km; by latitude and season, to 86 km.
+/// Density of the air by altitude: no air at all; US 1976 with the ramp of Yapo & Cutler (2009), which ends at
+/// 42 km; US 1976 to 86 km; by latitude and season (SeasonalAir), to 86 km.
 enum class Density { none, yapo_cutler, us_1976, seasonal };
 
-/// Ozone as one filter for all light that passed the limb, or along each ray's own path.
+/// Absorption by ozone: one filter for all light that passed the limb, or along each ray's own path.
 enum class OzonePath { filter, bent };
 
-/// Air over one part of the limb, term by term: each can be switched off. Tables of a latitude and a
-/// month are shared between columns, and never change.
+/// Air over one part of the limb, term by term: each can be switched off. The tables of a latitude and a
+/// month (`seasonal_air` and others) are immutable and shared between columns.
 struct Column {
   Density density = Density::yapo_cutler;
   bool refraction = true;  ///< off: light goes straight through the air
   bool rayleigh = true;    ///< off: molecules do not scatter
   double ozone_du = 0;     ///< vertical column [DU]; 0: off
   OzonePath ozone_path = OzonePath::filter;
-  double dust_extinction_per_m = 0;  ///< grey extinction α of the layer, 0 to 0.01 m⁻¹; 0: off
+  double dust_extinction_per_m = 0;  ///< grey extinction α of the dust layer, 0 to 0.01 m⁻¹; 0: off
   double dust_bottom_m = 15e3, dust_top_m = 20e3;
   double tropospheric_optical_depth = 0;  ///< of aerosol, vertical, at 550 nm, 0 to 10; 0: off
-  double tropospheric_scale_m = 2e3;      ///< height in which it falls to 1/e, 500 to 10 000 m
+  double tropospheric_scale_m = 2e3;      ///< scale height of that aerosol, 500 to 10 000 m
   StratosphericAerosol stratosphere = StratosphericAerosol::none;
   double cloud_top_m = 10e3;
-  double cloud_cover = 0;  ///< part of the limb where cloud stops all rays below its top; 0: off
+  double cloud_cover = 0;  ///< share of the limb where cloud stops all rays below its top; 0: off
 
-  double tropopause_m = 11e3;  ///< 5 to 20 km; of the four terms below
-  double cloud_per_m = 0;      ///< chance to meet cloud, 0 to 0.01 m⁻¹; 0: off
-  double cirrus = 0;           ///< factor on cirrus_extinction_per_m, 0 to 100; 0: off
-  double free_troposphere_per_m =
-      0;  ///< extinction by aerosol at 7 km and 550 nm, 0 to 0.01; 0: off
-  bool oxygen_pairs = false, nitrogen_dioxide = false;  ///< off: they absorb nothing
-  std::shared_ptr<const SeasonalAir> seasonal_air{};    ///< of Density::seasonal
-  std::shared_ptr<const OzoneClimate> ozone_climate{};  ///< without: the profile of US 1976
-  /// instead of `stratosphere`, where there is any
+  double tropopause_m = 11e3;  ///< 5 to 20 km; the next three terms depend on it
+  double cloud_per_m = 0;  ///< probability of meeting cloud, in a metre, 0 to 0.01 m⁻¹; 0: off
+  double cirrus = 0;       ///< factor on cirrus_extinction_per_m, 0 to 100; 0: off
+  /// extinction by the free troposphere's aerosol at 7 km and 550 nm, 0 to 0.01; 0: off
+  double free_troposphere_per_m = 0;
+  bool oxygen_pairs = false, nitrogen_dioxide = false;  ///< whether these absorb
+  std::shared_ptr<const SeasonalAir> seasonal_air{};    ///< for Density::seasonal
+  std::shared_ptr<const OzoneClimate> ozone_climate{};  ///< profile of ozone; null: that of US 1976
+  /// replaces `stratosphere`, unless null
   std::shared_ptr<const StratosphericLayer> stratospheric_layer{};
 
   bool operator==(const Column&) const = default;
@@ -58,7 +58,7 @@ struct Column {
 /// Altitude where a column's air ends [m]: 0, 42 000 or 86 000.
 double top_m(const Column& column);
 
-/// A column of air at one distance from north along the limb, alike to the east and to the west.
+/// Air at one angular distance from north along the limb, to the east and to the west alike.
 struct Belt {
   double from_north_rad;  ///< 0 to π
   Column column{};
@@ -66,23 +66,23 @@ struct Belt {
   bool operator==(const Belt&) const = default;
 };
 
-/// Belts from north to south. Between two the light is a mean of the light that either would pass,
-/// straight in the position angle; beyond the first and the last it is that of these.
+/// Belts from north to south. Between two belts, light is interpolated linearly in the position angle; north of
+/// the first and south of the last it is held.
 using Belts = std::vector<Belt>;
 
-/// A part of the limb with air of its own: from one position angle through east to the other.
-/// The position angle is measured at the Earth, about the shadow axis, from celestial north through
+/// Part of the limb with air of its own: from one position angle through east to the other.
+/// Position angles are measured at the Earth, about the shadow axis, from celestial north through
 /// east.
 struct Region {
   algebra::Angle from, to;
   Column column{};
-  Belts belts{};  ///< instead of the column, where there are any
+  Belts belts{};  ///< replace the column, unless empty
 
   bool operator==(const Region&) const = default;
 };
 
-/// The parts of the limb between two latitudes (south to north): two regions, east and west, as
-/// position angles; one where they meet over a pole; none where no part of the limb reaches them.
+/// Parts of the limb between two latitudes (south to north): two regions, east and west; one where the two
+/// meet over a pole; none where no part of the limb lies between these latitudes.
 ///
 /// Given   sun_declination  how far the north pole is tipped towards the Sun
 /// Throws  Error            when a latitude is outside ±90°, or south is north of north
@@ -100,54 +100,56 @@ struct Molecules {
   bool operator==(const Molecules&) const = default;
 };
 
-/// The Earth and its air, by position angle: that of the first region that holds it, else the air of no
-/// region. As it stands: the paper's sphere and air, without ozone and dust.
+/// Earth and its air. A position angle has the air of the first region that contains it; outside all regions,
+/// `column` or `belts` hold. The defaults are the sphere and the air of Yapo & Cutler (2009), without ozone and
+/// dust.
 struct Atmosphere {
   Figure earth{};
   Molecules molecules{};
-  Column column{};  ///< of no region
-  Belts belts{};    ///< of no region; instead of the column, where there are any
+  Column column{};  ///< outside all regions
+  Belts belts{};    ///< outside all regions; replace the column, unless empty
   std::vector<Region> regions{};
 
   bool operator==(const Atmosphere&) const = default;
 
-  /// A column and its part of the light that passes the limb somewhere.
+  /// Weight of a column's light at a position angle.
   struct Share {
     std::size_t column;  ///< index in `columns`
     double share;
   };
 
-  /// Whether one column stands all around.
+  /// Whether the whole limb has one column.
   bool one_column() const { return regions.empty() && belts.empty(); }
-  /// Whether the air of some place is a mean of two columns.
+  /// Whether some part of the limb lies between belts.
   bool belted() const { return columns().size() > 1 + regions.size(); }
-  /// Whether the air is alike all around: a sphere with one column.
+  /// Whether light does not depend on the position angle: a sphere with one column.
   bool symmetric() const { return one_column() && earth.sphere(); }
-  /// Altitude where the last of its air ends.
+  /// Altitude where the air of the highest column ends [m].
   double top_m() const;
   double top_radius_m() const { return earth.equatorial_radius_m + top_m(); }
-  /// Columns: that of no region, then each region's; where there are belts, each belt's.
+  /// All columns: outside all regions first, then region by region; belts, where there are any, in the column's
+  /// place.
   std::vector<const Column*> columns() const;
-  /// The region that a position angle is in, counted from 1; 0 where in none.
+  /// Number of the region that contains a position angle, from 1; 0 outside all regions.
   std::size_t region_index(double position_angle_rad) const;
-  /// The two columns whose light a place of the limb passes; shares add to 1, the second is 0 where
-  /// there are no belts.
+  /// Weights of two columns' light at a position angle. They add up to 1; the second is 0 where there are no
+  /// belts.
   std::array<Share, 2> shares_at(double position_angle_rad) const;
 };
 
-/// Air with every third of its belts, the first and the last among them: for a coarse look.
+/// Air with every third of its belts, including the first and the last: cheap, for a coarse result.
 Atmosphere with_fewer_belts(Atmosphere atmosphere);
 
-/// Air with the largest amount of dust, ozone and cloud cover that any of some airs has, in every column.
+/// Air that has, column by column, the largest amount of dust, of ozone and of cloud cover among several airs.
 ///
-/// Given   airs   that differ in these amounts alone, and share their tables
-/// Throws  Error  when there are none, or they differ in anything else
+/// Given   airs   one or more, which differ in these amounts alone and share their tables
+/// Throws  Error  when there are no airs, or they differ in anything else
 Atmosphere richest(std::span<const Atmosphere> airs);
 
-/// Throws Error when a term is outside its range: names it, its unit and what is allowed.
+/// Throws Error when a term is outside its range: names the term, its unit and its range.
 void require_valid(const Atmosphere& atmosphere);
 
-/// Optical properties of the air at sea level, for one wavelength: they do not depend on altitude.
+/// Optical properties of air at sea level, at one wavelength.
 struct Optics {
   double refractivity;    ///< n₀ − 1
   double rayleigh_per_m;  ///< β₀ = N₀ σ
@@ -157,9 +159,9 @@ struct Optics {
 /// Throws Error when the wavelength is outside 380 to 780 nm
 Optics sea_level_optics(algebra::Wavelength wavelength, const Molecules& molecules = {});
 
-/// Constituents that take light out of a ray. Each has a profile over altitude and a spectrum;
-/// extinction is the sum of their products, optical depth that of spectrum and profile summed along
-/// the path. All else about them stands in one table, in atmosphere.cpp.
+/// Constituents that take light out of a ray, each with a profile over altitude and a spectrum. Extinction is
+/// Σ spectrum × profile over absorbers; optical depth Σ spectrum × ∫ profile ds. A table in atmosphere.cpp has a
+/// row for each absorber.
 enum Absorber : std::size_t {
   air,
   ozone,
@@ -184,62 +186,70 @@ bool has(const Column& column, Absorber absorber);
 /// Profile of one absorber at an altitude; 0 where the column has none.
 double profile(const Column& column, Absorber absorber, double altitude_m);
 
-/// The profiles at an altitude: air's density ratio; ozone's and the troposphere's aerosol's share
-/// of their vertical column [m⁻¹]; 1 within the dust layer; the extinction by stratospheric aerosol
-/// at 550 nm, the profile of cloud's chance; extinction by cirrus and by the free troposphere's aerosol at
-/// 550 nm [m⁻¹]; the square of the density ratio, for pairs of oxygen; nitrogen dioxide [m⁻³].
+/// Profiles of all absorbers at an altitude:
+///
+///     air                ρ/ρ₀
+///     ozone              share of the vertical column in a metre [m⁻¹]
+///     dust_layer         1 within the layer
+///     troposphere        share of the vertical optical depth in a metre [m⁻¹]
+///     stratosphere       extinction at 550 nm [m⁻¹]
+///     cloud              cloud_profile
+///     cirrus             extinction [m⁻¹]
+///     free_troposphere   extinction at 550 nm [m⁻¹]
+///     oxygen_pairs       (ρ/ρ₀)²
+///     nitrogen_dioxide   molecules [m⁻³]
 Amounts profiles(const Column& column, double altitude_m);
 
-/// The spectra: what each amount is multiplied with to make extinction [m⁻¹] or optical depth.
-/// Ozone counts only along the path, not as a filter.
+/// Spectra of all absorbers: the factors that turn profiles into extinction [m⁻¹], and profiles summed along a
+/// path into optical depth. Ozone as a filter (OzonePath::filter) has 0.
 Amounts spectra(const Column& column, const Optics& optics);
 
-/// Light scattered per steradian, over the light taken out of the ray, of each absorber.
+/// Phase functions times albedo: light that each absorber scatters per steradian, over its extinction.
 ///
 ///     ω P(χ) / (4π)        P = 3/4 (1 + cos² χ) for air, (1 − g²) / (1 + g² − 2 g cos χ)^3/2 for aerosol
 ///
-/// (ω, g) = (1, 0.685) for background sulphuric acid, (0.947, 0.698) aged volcanic and dust, (0.855,
-/// 0.747) fresh volcanic, (0.963, 0.651) tropospheric aerosol.
+/// (ω, g) = (1, 0.685) for background sulphuric acid, (0.947, 0.698) for aged volcanic aerosol and dust, (0.855,
+/// 0.747) for fresh volcanic aerosol, (0.963, 0.651) for tropospheric aerosol.
 ///
-/// Given     cosine  cos χ, of the angle by which light turns
-/// Returned  [1/sr]  0 for gases that absorb alone, and for cloud, which the twilight leaves out
+/// Given     cosine  cos χ, χ the scattering angle
+/// Returned  [1/sr]  0 for gases that only absorb, and for cloud, which the twilight leaves out
 /// Source    Henyey & Greenstein (1941), ApJ 93, 70; ω and g at 550 nm of LOWTRAN 7: Kneizys et al.
 ///           (1988), AFGL-TR-88-0177
 Amounts scattering(const Column& column, double cosine);
 
 double product(const Amounts& a, const Amounts& b);
 
-/// The altitudes where the slope of a column's profiles jumps [m], lowest first, its top the last.
+/// Altitudes where the slope of a column's profiles jumps [m], lowest first; the last is the top of its air.
 std::vector<double> breaks_m(const Column& column);
 
-/// ρ/ρ₀ and its slope.
+/// Density ratio ρ/ρ₀ and its slope.
 ValueAndSlope density_ratio(const Column& column, double altitude_m);
 
-/// n(h, λ) − 1: the sea-level refractivity times the density ratio (Gladstone–Dale).
+/// Refractivity n(h, λ) − 1: that of sea level times the density ratio (Gladstone–Dale).
 double refractivity(const Column& column, const Optics& optics, double altitude_m);
 
-/// Refractivity n₀ − 1 at sea level from which on light can go round within the air: over the ground
-/// n r, which has to rise for a ray to leave again, falls.
+/// Least refractivity n₀ − 1 at sea level that traps light in the air: a ray can leave again only if n r rises
+/// with altitude, and from this refractivity on n r falls at the ground.
 ///
-///     n₀ − 1 = −1 / (ρ/ρ₀ + R d(ρ/ρ₀)/dh)     on the ground, where density falls fastest
+///     n₀ − 1 = −1 / (ρ/ρ₀ + R d(ρ/ρ₀)/dh)     at the ground, where density falls fastest
 ///
 /// Given     earth_radius_m  R, of the ground's curvature along the path
-/// Returned  1.636e-3 over R = 6378 km, six times that of air; infinite where light goes straight
+/// Returned  1.636e-3 with R = 6378 km, six times that of air; infinite where refraction is off
 double critical_refractivity(const Column& column, double earth_radius_m);
 
-/// Throws Error when light could not leave the air: names its refractivity and what is allowed.
+/// Throws Error when the air traps light: names its refractivity and the largest one allowed.
 void require_no_trap(const Column& column, double earth_radius_m, double refractivity);
 
 /// Extinction [m⁻¹] at an altitude.
 double extinction_per_m(const Column& column, const Optics& optics, double altitude_m);
 
-/// Transmittance, 0 to 1, of cloud and (where it is a filter) of ozone, for light that passed the
-/// limb.
+/// Transmittance, 0 to 1, of cloud cover and of ozone as a filter (OzonePath::filter), for a ray that passed
+/// the limb.
 ///
-/// Given  tangent_height_m  the lowest altitude of its path
+/// Given  tangent_height_m  the ray's lowest altitude
 double limb_filter(const Column& column, const Optics& optics, double tangent_height_m);
 
-/// Rayleigh optical depth of the whole air above sea level, straight up.
+/// Vertical Rayleigh optical depth of the air above sea level.
 double vertical_rayleigh_optical_depth(const Optics& optics);
 
 }  // namespace coppermoon::atmosphere

@@ -11,7 +11,7 @@
 namespace coppermoon::atmosphere {
 namespace {
 
-/// 0 to 1, without a kink at either end.
+/// Cubic step from 0 to 1, with slope 0 at either end.
 double smooth_step(double t) {
   t = std::clamp(t, 0., 1.);
   return t * t * (3 - 2 * t);

@@ -5,41 +5,40 @@
 
 namespace coppermoon::atmosphere {
 
-/// The tropopause of a day lies so far from that of the month, at most [m].
+/// Largest distance of the tropopause of a day from its mean over the month [m].
 inline constexpr double tropopause_wander_m = 2e3;
 
-/// Chance that a ray meets cloud that stops it, in a metre of its way under the tropopause [m⁻¹].
+/// Probability, in a metre of a ray's path under the tropopause, that the ray meets opaque cloud [m⁻¹].
 ///
-/// Occultations of the Sun were followed down to 7 km in 30 % of the cases in the tropics and in 60 % at
-/// high latitudes: with cloud alike at all heights (cloud_profile) that is 1.74e-6 up to 10° and 1.46e-6
-/// at 65°, straight between; times the cover by high cloud of a latitude over that of those two.
+/// Satellites followed the setting Sun down to 7 km in 30 % of occultations in the tropics and in 60 % at high
+/// latitudes. With a probability independent of height (cloud_profile) that makes 1.74e-6 up to 10° and 1.46e-6
+/// at 65°, linear between. A factor for other latitudes is their cover by high cloud, over that between these
+/// two latitudes by the same line.
 ///
 /// Returned  1.1e-6 to 1.9e-6, least at 30° and 90°
-/// Accuracy  0.02 of those two shares; elsewhere a third
-/// Omits     season but for the tropopause's, hemisphere, land and sea
+/// Accuracy  reproduces the 30 % and the 60 % to 0.02; elsewhere a third
+/// Omits     season (other than the tropopause's), hemisphere, land and sea
 /// Source    Woodbury & McCormick (1983), Geophys. Res. Lett. 10, 1180; London (1957) and Telegadas & London
 ///           (1954) for high cloud by latitude
 double cloud_chance_per_m(algebra::Angle latitude);
 
-/// Chance to meet cloud at an altitude, over that well below the tropopause: 1 below, 0 above a tropopause
-/// that wanders by 2 km either way. What a ray passes on its way is
+/// Probability of meeting cloud at an altitude, over the probability well below the tropopause: falls smoothly
+/// from 1 to 0 between 2 km below and 2 km above the mean tropopause. A ray gets through with probability
 ///
-///     exp(−∫ chance ds)
+///     exp(−∫ p ds)        p = cloud_chance_per_m × cloud_profile, some 1 / (600 km)
 ///
-/// for clouds that lie as dice fall, each as long as it is: that it reaches so far into the next is
-/// in the chance, some 600 km of way for each.
+/// as if clouds were independent of each other; the measured probability includes their length.
 ///
-/// Omits     that cloud may be more frequent at some heights: below 7 km nothing of the kind is
-///           published
+/// Omits     heights where cloud is more frequent: below 7 km none are published
 double cloud_profile(double tropopause_m, double altitude_m);
 
-/// Mean extinction by thin cirrus, which dims a ray without stopping it [m⁻¹]: half of the time there, a
-/// kilometre thick, 2e-3 km⁻¹, somewhere in the 3 km under the tropopause.
+/// Mean extinction by thin cirrus, which dims a ray without stopping it [m⁻¹]: present half of the time, one
+/// kilometre thick, 2e-3 km⁻¹, anywhere in the 3 km under the tropopause.
 ///
 /// Accuracy  a factor of three
-/// Omits     that half of it goes on within a degree, as light bent by ice does: it lands elsewhere in
+/// Omits     forward scattering: half of the extinguished light goes on within a degree, and lands elsewhere in
 ///           the shadow
-/// Source    Lesigne et al. (2024), Atmos. Chem. Phys. 24, 5935, for how often and thick; Sassen & Cho
+/// Source    Lesigne et al. (2024), Atmos. Chem. Phys. 24, 5935, for frequency and thickness; Sassen & Cho
 ///           (1992), J. Appl. Meteorol. 31, 1275, for extinction: 2e-4 to 2e-2 km⁻¹
 double cirrus_extinction_per_m(double tropopause_m, double altitude_m);
 

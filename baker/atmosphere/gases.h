@@ -5,20 +5,20 @@
 
 namespace coppermoon::atmosphere {
 
-/// Molecules of oxygen in the air at sea level, US 1976 [m⁻³].
+/// Number density of oxygen molecules at sea level, US 1976 [m⁻³].
 inline constexpr double sea_level_oxygen_per_m3 = 0.209476 * 2.54693e25;
 
-/// Absorption by pairs of oxygen molecules, over the square of their number density.
+/// Absorption coefficient of oxygen pairs (O₂–O₂), over the square of oxygen's number density.
 ///
 /// Given     wavelength  380 to 780 nm
-/// Returned  [m⁵]        1e-55 at 577 nm, its greatest
-/// Accuracy  6 %: at 253 K the bands are as strong and narrower
-/// Omits     bands beyond 666 nm, a thirtieth of that under the B band
+/// Returned  [m⁵]        at most 1e-55, at 577 nm
+/// Accuracy  6 %: at 253 K the bands are narrower, with the same integral
+/// Omits     bands beyond 666 nm: under the B band, a thirtieth of the largest value
 /// Throws    Error       when the wavelength is outside its range
 /// Source    Fally et al. (2000), J. Mol. Spectrosc. 204, 10
 double oxygen_pair_cross_section_m5(algebra::Wavelength wavelength);
 
-/// Absorption cross-section of a molecule of nitrogen dioxide, means over 5 nm.
+/// Absorption cross-section of a nitrogen dioxide molecule, means over 5 nm.
 ///
 /// Given     wavelength  380 to 780 nm
 /// Returned  [m²]        6.4e-23 at 400 nm
@@ -26,7 +26,7 @@ double oxygen_pair_cross_section_m5(algebra::Wavelength wavelength);
 /// Source    JPL Publication 06-2 (2006); Vandaele et al. (1998), JQSRT 59, 171
 double nitrogen_dioxide_cross_section_m2(algebra::Wavelength wavelength);
 
-/// Molecules of nitrogen dioxide [m⁻³]; 6.0e19 m⁻² in all.
+/// Number density of nitrogen dioxide [m⁻³]; the vertical column is 6.0e19 m⁻².
 ///
 /// Given     altitude_m  0 to 86 km
 /// Omits     season, hour and cities

@@ -47,7 +47,7 @@ OzoneProfile standard_ozone() {
 constexpr int months = 12, layers = 30;
 constexpr double layer_km = 2;
 
-/// [DU] in each layer, of one month.
+/// Ozone in each layer in one month [DU].
 std::vector<double> layers_of_month(const algebra::Table& table, int month, double latitude_deg) {
   const auto& latitudes = table["latitude_degrees"];
   const auto belts = latitudes.size() / months, first = static_cast<std::size_t>(month) * belts;
@@ -74,12 +74,12 @@ std::vector<double> layers_of(double latitude_deg, double year) {
   return du;
 }
 
-/// Altitude of a pressure altitude 16 km log10(p₀/p), where the air begins the ground.
+/// Altitude [m] of a pressure altitude 16 km log10(p₀/p); the ground where pressure is higher than there.
 double altitude_m(const SeasonalAir& air, double pressure_altitude_km) {
   return air.altitude_m(std::pow(10, -pressure_altitude_km / 16));
 }
 
-/// ln of the share of the column in a metre, through the layers' middles, straight on up to the top.
+/// Logarithm of the share of the column in a metre, through the layers' middles; linear from the last to the top.
 algebra::MonotoneCubic log_shares(std::span<const double> du, const SeasonalAir& air) {
   std::vector<double> middle_m, log_share;
   for (int i = 0; i < layers; ++i) {

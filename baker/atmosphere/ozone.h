@@ -15,28 +15,28 @@ namespace coppermoon::atmosphere {
 /// Source    Serdyuchenko, Gorshelev et al. (2014), Atmos. Meas. Tech. 7, 625; 233 K
 double ozone_cross_section_m2(algebra::Wavelength wavelength);
 
-/// Share of the vertical ozone column in a metre of altitude [m⁻¹]: its integral from 0 to 86 km is
-/// 1. Times the column [m⁻²] it is the number density.
+/// Share of the vertical ozone column in a metre of altitude [m⁻¹]: the integral from 0 to 86 km is
+/// 1; share times column [m⁻²] is the number density.
 ///
-/// Given     altitude_m  held from 2 km down, 0 above 86 km
-/// Returned  [m⁻¹]       5.2e-5 at 22 km, where it is greatest
-/// Accuracy  the printed profile at every 2 km from 2 to 74 km, a smooth curve in the logarithm
-///           between them; its whole column is 347 DU, where the standard states 345
+/// Given     altitude_m  below 2 km the value at 2 km; above 86 km 0
+/// Returned  [m⁻¹]       at most 5.2e-5, at 22 km
+/// Accuracy  the printed profile at every 2 km from 2 to 74 km, a smooth curve of the logarithm
+///           between them; the printed profile's column is 347 DU, where its text says 345
 /// Omits     season, latitude and weather: the peak lies at 26 km in the tropics, 18 km at the poles
 /// Source    U.S. Standard Atmosphere 1976, mid-latitude ozone (Krueger & Minzner 1976)
 double ozone_profile_per_m(double altitude_m);
 
-/// The ozone over a latitude in a month.
+/// Ozone over a latitude in a month: column and profile.
 ///
 /// Source  McPeters, Labow & Logan (2007), J. Geophys. Res. 112, D05308
 class OzoneClimate {
  public:
-  /// Given     latitude  −90° to 90°; straight between belts of 10°
-  ///           year      with its fraction, which is the season; straight between months
-  ///           air       over that latitude: tells the altitudes of the climatology's pressures
-  /// Accuracy  the climatology's layers of 2 km, a smooth curve in the logarithm between their middles;
-  ///           its whole column exactly
-  /// Omits     years and weather, ±10 % of the column; the ozone holes of single springs
+  /// Given     latitude  −90° to 90°; linear between belts of 10°
+  ///           year      its fraction is the season; linear between months
+  ///           air       over that latitude: turns the climatology's pressures into altitudes
+  /// Accuracy  the climatology's layers of 2 km, a smooth curve of the logarithm between their middles;
+  ///           the climatology's column exactly
+  /// Omits     differences between years and weather, ±10 % of the column; ozone holes of single springs
   OzoneClimate(algebra::Angle latitude, double year, const SeasonalAir& air);
 
   /// Vertical column [DU]: 250 in the tropics, 150 to 440 elsewhere.
@@ -53,19 +53,19 @@ class OzoneClimate {
 /// One Dobson unit: molecules over a square metre [m⁻²].
 inline constexpr double dobson_unit_per_m2 = 2.6867e20;
 
-/// How many times the vertical column a ray that grazes the Earth crosses of a thin layer at 22 km,
-/// the altitude where ozone peaks: 2 / √(1 − (R/(R+22 km))²), R = 6378 km.
+/// Air mass of ozone on a ray that grazes the Earth: 2 / √(1 − (R/(R+22 km))²), R = 6378 km, for a thin layer
+/// at 22 km, where ozone peaks.
 inline constexpr double grazing_ozone_air_mass = 24.1;
 
-/// Transmittance of the whole ozone for light that passed the limb: one spectral filter.
+/// Transmittance of ozone as one filter for all light that passed the limb.
 ///
 ///     exp(−24.1 σ(λ) N_O3)
 ///
 /// Given     dobson_units  vertical column, 0 to 1000 DU; the mean is about 300, US 1976 has 345
-/// Omits     that low rays cross more of it than high ones; the exact air mass of the layer
+/// Omits     differences between low rays, which cross more ozone, and high ones; the layer's thickness
 /// Throws    Error         when an argument is outside its range
-/// Source    Yapo & Cutler (2009) §3.5 use one filter for the total mass of ozone, not printed;
-///           the grazing air mass is ours
+/// Source    Yapo & Cutler (2009) §3.5 use one filter for the total mass of ozone, whose figures they do not
+///           print; the grazing air mass is ours
 double ozone_filter_yapo_cutler(algebra::Wavelength wavelength, double dobson_units);
 
 }  // namespace coppermoon::atmosphere

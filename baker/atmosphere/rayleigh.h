@@ -5,7 +5,7 @@
 
 namespace coppermoon::atmosphere {
 
-/// Molecules in a cubic metre of air at sea level, 15 °C, 1013.25 hPa [m⁻³].
+/// Number density of air at sea level, 15 °C, 1013.25 hPa [m⁻³].
 ///
 /// Source  U.S. Standard Atmosphere 1976
 inline constexpr double sea_level_number_density_per_m3 = 2.546972e25;
@@ -17,7 +17,7 @@ inline constexpr double sea_level_number_density_per_m3 = 2.546972e25;
 /// Given     wavelength  380 to 780 nm
 ///           n − 1       sea_level_refractivity_crc, N the sea-level number density
 /// Returned  σ [m²]      4.491e-31 at 550 nm
-/// Accuracy  0.81 % (380 nm) to 0.01 % (780 nm) below Bucholtz (1995), whose F varies
+/// Accuracy  0.81 % (380 nm) to 0.01 % (780 nm) below Bucholtz (1995), whose F depends on wavelength
 /// Throws    Error       when the wavelength is outside its range
 /// Source    Bucholtz (1995), Appl. Opt. 34, 2765, Eq. 2; F fixed as in Yapo & Cutler (2009) §2.5
 double rayleigh_cross_section_m2(algebra::Wavelength wavelength);
@@ -29,7 +29,7 @@ double rayleigh_cross_section_m2(algebra::Wavelength wavelength);
 double rayleigh_cross_section_m2(double refractivity, double king_factor,
                                  algebra::Wavelength wavelength);
 
-/// King factor of air: how much more its molecules scatter for not being round.
+/// King factor of air: factor by which the anisotropy of its molecules raises scattering.
 ///
 ///     F = Σ C_i F_i / Σ C_i       N₂ 78.084 %: 1.034 + 3.17e-4/λ²        Ar 0.934 %: 1.00
 ///     O₂ 20.946 %: 1.096 + 1.385e-3/λ² + 1.448e-4/λ⁴        CO₂ 0.036 %: 1.15        λ in µm

@@ -19,13 +19,13 @@ constexpr double knot_m = 1e3, below_ground_m = 3e3;
 constexpr double gravity_over_gas_constant = 9.80665 * 28.9644e-3 / 8.31432;  // K/m
 constexpr double geopotential_radius = 6356766, sea_level_k = 288.15;
 
-/// 1 in the northern midsummer, 0 in its midwinter.
+/// Weight of the July models in the north: 1 in mid July, 0 in mid January.
 double summer(double year) {
   constexpr double mid_january = 15 / 365.25;
   return (1 - std::cos(2 * std::numbers::pi * (year - mid_january))) / 2;
 }
 
-/// Temperatures at the model's altitudes.
+/// Temperatures at the models' altitudes [K].
 std::vector<double> temperatures(const algebra::Table& table, double latitude_deg, double year) {
   // FAULT winter in July: latitude_deg < 0 ? 0.5 : 0 => latitude_deg < 0 ? 0 : 0.5
   const double south = latitude_deg < 0 ? 0.5 : 0, away = std::abs(latitude_deg);
@@ -59,7 +59,7 @@ SeasonalAir::SeasonalAir(algebra::Angle latitude, double year) {
   for (double& h : altitude_m) h *= 1e3;
   const auto models = temperatures(table, degrees, year);
   const algebra::MonotoneCubic temperature(altitude_m, models);
-  const auto fall = [&](double h) {  // of ln p
+  const auto fall = [&](double h) {  // −d ln p/dh
     return gravity_over_gas_constant * gravity_ratio(h) / temperature(h);
   };
   double log_pressure = 0;

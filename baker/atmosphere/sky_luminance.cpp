@@ -15,7 +15,7 @@ struct Piece {
   std::array<double, 4> coefficients;  ///< of log10 of illuminance [lx]
 };
 
-/// From the horizon down; each holds to the one before it.
+/// Pieces of the fit, from the horizon down; each holds from its altitude up to that of the piece before it.
 constexpr std::array pieces{
     Piece{-0.8, {2.88, 22.26, -207.64, 1034.30}},
     Piece{-5, {2.88, 21.81, -258.11, -858.36}},

@@ -8,23 +8,24 @@
 
 namespace coppermoon::atmosphere {
 
-/// How much sulphuric acid and ash hang in the stratosphere: clear since years, or after a volcano
-/// has erupted. Vertical optical depths at 550 nm, above 9 km: 0, 0.008, 0.028, 0.086, 0.262.
+/// Load of sulphuric acid and ash in the stratosphere, from none through years without eruptions (background)
+/// to a fresh eruption (extreme). Vertical optical depths at 550 nm, above 9 km: 0, 0.008, 0.028, 0.086, 0.262.
 enum class StratosphericAerosol { none, background, moderate, high, extreme };
 
-/// Extinction by that aerosol at 550 nm [m⁻¹].
+/// Extinction by stratospheric aerosol at 550 nm [m⁻¹].
 ///
-/// Given     altitude_m  fades out from 11 down to 9 km, where the tropospheric aerosol is; 0 above
-///                       100 km
-/// Returned  [m⁻¹]       5.1e-7, 1.35e-6, 8.4e-6, 5.5e-5 at 20 km
-/// Accuracy  the printed profiles at their altitudes; above 11 km optical depths 0.0072, 0.0269,
-///           0.0844 and 0.260 where theirs are 0.0072, 0.0269, 0.0843 and 0.257
+/// Given     altitude_m  from 11 down to 9 km, where tropospheric aerosol takes over, the extinction fades
+///                       out; above 100 km it is 0
+/// Returned  [m⁻¹]       at 20 km 5.1e-7, 1.35e-6, 8.4e-6, 5.5e-5, background to extreme
+/// Accuracy  the printed profiles at their altitudes; optical depths above 11 km are 0.0072, 0.0269, 0.0844
+///           and 0.260, of the printed profiles 0.0072, 0.0269, 0.0843 and 0.257
 /// Omits     season: the mean of spring-summer and fall-winter
 /// Source    LOWTRAN 7: Kneizys et al. (1988), AFGL-TR-88-0177
 double stratospheric_extinction_per_m(StratosphericAerosol aerosol, double altitude_m);
 
-/// Extinction at a wavelength over that at 550 nm: of 75 % sulphuric acid (background), aged
-/// (moderate, high) or fresh (extreme) volcanic aerosol, straight lines between logarithms.
+/// Ratio of a stratospheric aerosol's extinction at a wavelength to its extinction at 550 nm: 75 % sulphuric
+/// acid (background), aged volcanic aerosol (moderate, high) or fresh volcanic aerosol (extreme). Between the
+/// printed wavelengths the logarithm is linear.
 ///
 /// Given     wavelength  380 to 780 nm
 /// Returned  1 at 550 nm; 1 where there is no aerosol
@@ -34,9 +35,9 @@ double stratospheric_spectrum(StratosphericAerosol aerosol, algebra::Wavelength 
 
 /// Vertical optical depth of the stratosphere's aerosol at 550 nm over a latitude, by month.
 ///
-/// Given     year      with its fraction; held before 500 BC; the mean of 2014 to 2018 from 2027 on
-///           latitude  straight between the middles of six bands from 1979 on, between the hemispheres' means at
-///                     20° south and 20° north from 1850, alike everywhere before
+/// Given     year      with its fraction; constant before 500 BC; the mean of 2014 to 2018 from 2027 on
+///           latitude  linear between the middles of six bands from 1979 on, between the hemispheres' means at 20°
+///                     south and 20° north from 1850 on; before, everywhere the global mean
 /// Returned  0.003 to 0.012 in quiet years, 0.1 after great eruptions, 0.5 in 1258
 /// Accuracy  10 % from 1979 to 2016, where bands are measured; to 2024 5 % as global mean, 20 % of a band, a third
 ///           of the aerosol of Hunga (from January 2022); 30 % in 2025; before 1979 20 to 50 %; of eruptions before
@@ -84,7 +85,7 @@ class StratosphericLayer {
   double optical_depth() const { return optical_depth_; }
   /// Extinction at 550 nm [m⁻¹].
   double extinction_per_m(double altitude_m) const;
-  /// Extinction at a wavelength over that at 550 nm.
+  /// Ratio of extinction at a wavelength to extinction at 550 nm.
   double spectrum(algebra::Wavelength wavelength) const;
   /// Named aerosol of the most similar spectrum.
   StratosphericAerosol nearest() const;

@@ -18,7 +18,7 @@ constexpr int seasons = 12;
 struct Tropopause {
   std::vector<double> latitudes;   // of one season
   std::vector<double> heights_km;  // season by season
-  double first;                    // season, of the year
+  double first;                    // fraction of the year where the first season stands
 };
 
 Tropopause tropopause() {
