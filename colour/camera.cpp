@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
+#include <iterator>
 #include <numbers>
 
 #include "algebra/error.h"
 #include "algebra/table.h"
+#include "colour/camera_spectra.h"
 #include "colour/tables.h"
 #include "colour/working_space.h"
 
@@ -120,19 +122,27 @@ Camera camera_named(std::string_view name) {
 std::vector<std::string> response_names() {
   auto names = first_column(responses());
   names.insert(names.begin(), {"colorimetric", "luminance"});
+  std::ranges::copy(camera_spectra_names(), std::back_inserter(names));
   return names;
 }
 
-Response response_named(std::string_view name) {
+Response response_named(const std::string& name) {
   if (name == "colorimetric") return of_matrix(channels_from_xyz(WorkingSpace::linear_rec709));
   if (name == "luminance") {
     glm::dmat3 luminance(0);
     luminance[1] = glm::dvec3(1);
     return {luminance, glm::dvec3(1)};
   }
+  if (is_spectral(name)) {
+    const auto camera = camera_spectra(name);
+    auto channels = glm::inverse(camera.xyz_from_balanced);
+    for (int column = 0; column < 3; ++column) channels[column] *= camera.daylight;
+    return of_matrix(channels);
+  }
   const auto names = response_names();
   if (std::ranges::find(names, name) == names.end())
-    throw algebra::Error(fmt::format("response = {}, allowed {}", name, fmt::join(names, ", ")));
+    throw algebra::Error(
+        fmt::format("response = {}, allowed {}, or a .csv file", name, fmt::join(names, ", ")));
   const Row row(responses(), "response", name);
   return of_matrix({row["rx"], row["gx"], row["bx"],  // columns
                     row["ry"], row["gy"], row["by"],  //

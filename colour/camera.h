@@ -50,17 +50,18 @@ struct Camera {
 Camera camera_named(std::string_view name);
 std::vector<std::string> camera_names();
 
-/// Spectral response of a sensor's channels, as a matrix.
+/// Response of a sensor's channels, as a matrix.
 struct Response {
   glm::dmat3 from_xyz;     ///< to channels that are 1, 1, 1 for D65
   glm::dvec3 sensitivity;  ///< of each before white balance, the largest is 1
 };
 
-/// Response by name: colorimetric (linear Rec.709 itself), luminance (a monochrome sensor), or one of
-/// data/camera_responses.csv.
+/// Response by name: colorimetric (linear Rec.709 itself), luminance (a monochrome sensor), one of
+/// data/camera_responses.csv, or a spectral one (camera_spectra.h), whose matrix undoes that which made colours of the
+/// camera's channels: light that the camera itself saw becomes its channels again.
 ///
-/// Throws  Error  for another name: lists those there are
-Response response_named(std::string_view name);
+/// Throws  Error  for another name: lists those there are; as camera_spectra
+Response response_named(const std::string& name);
 std::vector<std::string> response_names();
 
 /// Electrons that a pixel of the most sensitive channel collects under white light, for each cd/m².

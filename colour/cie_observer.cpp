@@ -22,24 +22,32 @@ void require_increasing(std::span<const double> edges_nm) {
           "band edge {} [nm] = {:g}, allowed: above the edge before it", i, edges_nm[i]));
 }
 
-double integral_nm(std::span<const double> x, std::span<const double> y, double from, double to) {
-  const double left = std::max(from, x.front()), right = std::min(to, x.back());
-  return right > left ? (right - left) * algebra::mean_between(x, y, left, right) : 0;
-}
-
 }  // namespace
 
-algebra::Grid<double> xyz_weights(std::span<const double> edges_nm) {
+algebra::Grid<double> band_integrals(const algebra::Table& table,
+                                     std::span<const std::string> columns,
+                                     std::span<const double> edges_nm) {
   require_increasing(edges_nm);
+  const auto& at_nm = table["wavelength_nm"];
+  algebra::Grid<double> integrals(columns.size(), edges_nm.size() - 1);
+  for (std::size_t row = 0; row < integrals.rows(); ++row) {
+    const auto& curve = table[columns[row]];
+    for (std::size_t band = 0; band < integrals.columns(); ++band) {
+      const double left = std::max(edges_nm[band], at_nm.front()),
+                   right = std::min(edges_nm[band + 1], at_nm.back());
+      if (right > left)
+        integrals(row, band) = (right - left) * algebra::mean_between(at_nm, curve, left, right);
+    }
+  }
+  return integrals;
+}
+
+algebra::Grid<double> xyz_weights(std::span<const double> edges_nm) {
   static const auto observer =
       algebra::parse_table(tables::cie_1931_observer(), "cie_1931_observer.csv");
-  constexpr std::array<std::string_view, 3> functions{"x_bar", "y_bar", "z_bar"};
-  algebra::Grid<double> weights(3, edges_nm.size() - 1);
-  for (std::size_t row = 0; row < 3; ++row)
-    for (std::size_t band = 0; band < weights.columns(); ++band)
-      weights(row, band) = luminous_efficacy_lm_per_W *
-                           integral_nm(observer["wavelength_nm"], observer[functions[row]],
-                                       edges_nm[band], edges_nm[band + 1]);
+  static const std::array<std::string, 3> functions{"x_bar", "y_bar", "z_bar"};
+  auto weights = band_integrals(observer, functions, edges_nm);
+  for (double& weight : weights.values()) weight = luminous_efficacy_lm_per_W * weight;
   return weights;
 }
 

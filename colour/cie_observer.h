@@ -2,8 +2,10 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "algebra/grid.h"
+#include "algebra/table.h"
 
 namespace coppermoon::colour {
 
@@ -23,5 +25,15 @@ inline constexpr double luminous_efficacy_lm_per_W = 683;
 /// Throws    Error     when there is no band, or an edge is not above the one before it
 /// Source    CIE 15: the colour matching functions, every 1 nm, straight lines between
 algebra::Grid<double> xyz_weights(std::span<const double> edges_nm);
+
+/// Integrals of a table's columns over bands of wavelengths: straight lines between its rows, 0 beyond them.
+///
+/// Given     table     with the column wavelength_nm, increasing
+///           edges_nm  as in xyz_weights
+/// Returned  [column][band]
+/// Throws    Error     as xyz_weights; when there is no such column
+algebra::Grid<double> band_integrals(const algebra::Table& table,
+                                     std::span<const std::string> columns,
+                                     std::span<const double> edges_nm);
 
 }  // namespace coppermoon::colour

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "algebra/error.h"
+#include "colour/camera_spectra.h"
 #include "colour/cie_observer.h"
 
 namespace coppermoon::colour {
@@ -138,8 +139,10 @@ bool names_another_space(std::string_view file_name) {
 
 glm::dmat3 channels_from_xyz(WorkingSpace space) { return matrices(space).channels_from_xyz; }
 
-algebra::Grid<double> channel_weights(WorkingSpace space, std::span<const double> edges_nm) {
-  auto weights = xyz_weights(edges_nm);
+algebra::Grid<double> channel_weights(WorkingSpace space, std::span<const double> edges_nm,
+                                      const std::string& response) {
+  auto weights = is_spectral(response) ? xyz_weights(edges_nm, camera_spectra(response))
+                                       : xyz_weights(edges_nm);
   const auto& matrix = matrices(space).channels_from_xyz;
   for (std::size_t band = 0; band < weights.columns(); ++band) {
     const auto channels = matrix * glm::dvec3(weights(0, band), weights(1, band), weights(2, band));

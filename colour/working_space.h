@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "algebra/grid.h"
@@ -43,9 +44,12 @@ glm::dmat3 channels_from_xyz(WorkingSpace space);
 /// Weights from band means of spectral radiance to the channels of a space.
 ///
 /// Given     edges_nm  as in xyz_weights
+///           response  a camera whose filters see the light and whose matrix makes colours of it, as in
+///                     camera_spectra; any that is_spectral denies: the CIE 1931 observer
 /// Returned  weights   [channel][band], cd/m² per W m⁻² sr⁻¹ nm⁻¹
-/// Throws    Error     as xyz_weights
-algebra::Grid<double> channel_weights(WorkingSpace space, std::span<const double> edges_nm);
+/// Throws    Error     as xyz_weights, camera_spectra
+algebra::Grid<double> channel_weights(WorkingSpace space, std::span<const double> edges_nm,
+                                      const std::string& response = {});
 
 /// x, y of red, green, blue, white: the `chromaticities` attribute of an OpenEXR file. For XYZ: its axes, and
 /// the equal-energy white (1, 1, 1).

@@ -138,6 +138,7 @@ small_examples() {
   "$root/examples/paper_figures.sh" --photons 2e4 $small
   "$root/examples/tradeoff.sh" --quick
   "$root/examples/plans.sh"
+  "$root/examples/rim_of_the_umbra.sh"
   "$root/examples/film.sh" --frames 4
   "$root/examples/gallery/gallery.sh" --width 150 --height 100
   cd "$root"

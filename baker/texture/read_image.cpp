@@ -312,7 +312,8 @@ bool heeds_colours(Coding coding) {
   return coding == Coding::as_file_says || coding == Coding::camera;
 }
 
-Image read_light(const fs::path& path, Coding coding) {
+Image read_light(const fs::path& path, Coding coding,
+                 const std::optional<glm::dmat3>& rec709_from_raw) {
   const Silence silence(path);
   const auto input = opened(path);
   const auto& spec = input->spec();
@@ -333,7 +334,7 @@ Image read_light(const fs::path& path, Coding coding) {
       if (profile) return profile->light(coded.data(), light, 1);
       for (const float v : coded) *light++ = linear(v, curve);
     });
-    if (raw) make_rec709(path, spec, image);
+    if (raw) make_rec709(path, spec, rec709_from_raw, image);
     tbb::parallel_for(std::size_t{0}, image.height, [&](std::size_t r) {
       const auto row = std::span(image.values).subspan(3 * image.width * r, 3 * image.width);
       if (!std::ranges::all_of(row, [](float value) { return std::isfinite(value); }))

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <glm/mat3x3.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -86,6 +87,7 @@ enum class Coding {
 /// was set to. 1 is where the most sensitive channel saturates. A pixel with a clipped channel, and its
 /// neighbours, are 1 in all three; no other number is above 1. Pixels are interpolated linearly.
 ///
+/// Given     rec709_from_raw  matrix for a raw file's channels, balanced for D65; without: the camera's, as LibRaw knows it
 /// Returned  linear; integer formats 0 to 1; a raw file's colours outside the gamut below 0
 /// Omits     alpha: what is transparent is black; of raw files noise below black, which LibRaw cuts off, lens
 ///           corrections, sensors without colours
@@ -94,7 +96,8 @@ enum class Coding {
 ///                  which of them are colours; when one is not finite; when no colour matrix of a raw
 ///                  file's camera is known, or it is to be coded as sRGB
 /// Source    IEC 61966-2-1
-Image read_light(const std::filesystem::path& path, Coding coding = Coding::as_file_says);
+Image read_light(const std::filesystem::path& path, Coding coding = Coding::as_file_says,
+                 const std::optional<glm::dmat3>& rec709_from_raw = {});
 
 /// Whether a file is a camera's raw file.
 ///

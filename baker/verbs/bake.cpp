@@ -293,6 +293,7 @@ void add_bake(CLI::App& program) {
       .excludes("--add");
   add_described(*verb, options->view, uses::describe_observer);
   add_described(*verb, options->texture);
+  add_described(*verb, options->moon.request.response, uses::describe_response);
   add_described(*verb, options->develop);
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);

@@ -12,6 +12,7 @@
 #include "algebra/error.h"
 #include "almanac/instant.h"
 #include "almanac/sky.h"
+#include "colour/camera_spectra.h"
 #include "colour/exposure.h"
 #include "colour/working_space.h"
 #include "files/whole_file.h"
@@ -44,6 +45,7 @@ struct Options {
   texture::Coding coding = texture::Coding::as_file_says;
   std::string exposure;  ///< exif or fit; empty: exif where there is a header
   std::size_t bins = 12;
+  std::optional<std::string> response;
   bool json = false, csv = false;
 };
 
@@ -242,6 +244,7 @@ void print_table(const Options& options, const Found& found) {
 
 void require_sound(const Options& options) {
   algebra::require_within("bins", static_cast<double>(options.bins), 1, 1000);
+  if (options.response) colour::require_spectral(*options.response);
   if (std::filesystem::path(options.render).extension() != ".exr")
     throw algebra::Error(fmt::format("{}: a render ends in .exr", options.render));
   if (options.output.empty()) return;
@@ -270,7 +273,7 @@ void run(const Options& options) {
   const auto exif = exif_to_use(options, coding);
   const auto [places, glow] =
       geometry_of(options.recipe_in.empty() ? options.render : options.recipe_in);
-  const auto photo = texture::read_light(options.photo, coding),
+  const auto photo = uses::photo_light(options.photo, coding, options.response),
              frame = read_render(options, places);
   const Found found{places.sky.when, exif, coding,
                     uses::compared(photo, frame, places,
@@ -325,6 +328,7 @@ void add_compare(CLI::App& program) {
            ".exr whose recipe tells what the render shows, as a scene's texture does; default: "
            "the render itself")
       .reads_file();
+  add_described(*verb, options->response, uses::describe_response);
   add_run_switch(*verb, "--csv", options->csv,
                  "prints the steps of distance, and the disc, as CSV");
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");

@@ -39,8 +39,10 @@ colour::WorkingSpace space_of(const Options& options, const std::string& frame) 
   return colour::space_in_name(stem).value_or(colour::WorkingSpace::linear_rec709);
 }
 
-texture::Image read_frame(const std::string& frame, colour::WorkingSpace space) {
-  if (texture::is_raw_file(frame)) return uses::raw_light(frame, space);
+texture::Image read_frame(const Options& options, const std::string& frame,
+                          colour::WorkingSpace space) {
+  if (texture::is_raw_file(frame))
+    return uses::raw_light(frame, space, options.develop.camera.response);
   if (space == colour::WorkingSpace::ciexyz_d65)
     return texture::read_channels(frame, {"X", "Y", "Z"});
   return texture::read_channels(frame, {"R", "G", "B"});
@@ -106,19 +108,20 @@ void require_place(const Options& options, const std::vector<Job>& jobs) {
 uses::Exposures exposures_of(const Options& options, const std::vector<Job>& jobs) {
   if (jobs.size() == 1) {
     const auto& job = jobs.front();
-    return exposures_for(options.develop, read_frame(job.frame, job.space), job.space,
+    return exposures_for(options.develop, read_frame(options, job.frame, job.space), job.space,
                          uses::seen_by(fs::path(job.frame)));
   }
   uses::SharedExposure shared(options.develop);
   if (options.develop.time.rule != uses::ExposureTime::Rule::fixed)
     for (const auto& job : jobs)
-      shared.add(read_frame(job.frame, job.space), job.space, uses::seen_by(fs::path(job.frame)));
+      shared.add(read_frame(options, job.frame, job.space), job.space,
+                 uses::seen_by(fs::path(job.frame)));
   return shared.exposures();
 }
 
 void develop(const Options& options, const Job& job, const uses::Exposures& exposures,
              std::size_t number) {
-  const auto frame = read_frame(job.frame, job.space);
+  const auto frame = read_frame(options, job.frame, job.space);
   const auto seen = uses::seen_by(fs::path(job.frame));
   if (const double sky = sky_over_moon(options.develop, frame, job.space, seen); sky > 1)
     fmt::print(stderr, "coppermoon: {}: {}\n", one_line(job.frame), bright_sky_in_words(sky));

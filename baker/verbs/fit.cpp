@@ -365,6 +365,7 @@ void add_fit(CLI::App& program) {
   add_described(*verb, moon.light.air.column, uses::describe_layers);
   add_described(*verb, moon.light, uses::describe_sunlight);
   add_described(*verb, options->request.view, uses::describe_observer);
+  add_described(*verb, moon.response, uses::describe_response);
   add_switch(*verb, "--despite-misfit", options->despite_misfit,
              "answers although no air explains what was seen, with a warning");
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");

@@ -44,6 +44,7 @@ void add_scene(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   add_described(*verb, options->view);
+  add_described(*verb, options->moon.request.response, uses::describe_response);
   add_flag(*verb, "-o,--output", options->output,
            "folder for texture and scene, which `povray eclipse.ini` in it renders, and for "
            "moon.inc and eclipse_stars.inc, Moon and stars for scenes of your own")

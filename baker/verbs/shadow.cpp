@@ -11,10 +11,12 @@
 #include "algebra/error.h"
 #include "algebra/number.h"
 #include "almanac/calendar.h"
+#include "colour/camera_spectra.h"
 #include "eclipse/shadow_axis.h"
 #include "files/whole_file.h"
 #include "uses/light/shadow_profile.h"
 #include "uses/light/shadow_strip.h"
+#include "uses/picture/picture_parameters.h"
 #include "uses/picture/shadow_plot.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/light_options.h"
@@ -32,6 +34,7 @@ struct Options {
   std::string lookup, wavelengths = "450,550,650", axis_distances;
   std::vector<std::string> outputs;
   LightOptions light;
+  std::optional<std::string> response;
   std::optional<double> moon_distance_km, sun_distance_km, position_angle_deg;
   bool json = false;
 };
@@ -122,6 +125,9 @@ nlohmann::ordered_json as_json(const uses::ShadowProfile& result, const uses::Li
 constexpr std::array endings{".csv", ".json", ".png", ".svg", ".pdf"};
 
 void require_sound(const Options& options) {
+  if (options.response) colour::require_spectral(*options.response);
+  if (options.response && options.lookup.empty())
+    throw algebra::Error("response: allowed with --lookup, which alone has colours");
   for (const std::filesystem::path file : options.outputs) {
     if (std::ranges::find(endings, file.extension()) == endings.end())
       throw algebra::Error(fmt::format("{}: a profile of the shadow ends in {}", file.string(),
@@ -199,7 +205,7 @@ void run(const CLI::App& verb, const Options& options) {
   if (cut.sky) say_unless_danjon_is_reached(light.air, *cut.sky);
   const uses::ShadowCut shadow{air, uses::arrangement_of(light, cut.sun_distance_m, {cut.depth_m})};
   if (!options.lookup.empty())
-    return make_lookup(options, {shadow, cut.sky}, light, recipe_of(verb));
+    return make_lookup(options, {shadow, cut.sky, options.response}, light, recipe_of(verb));
   make_profile(options, cut, shadow, light, uses::air_in_words(parameters_of(verb)));
 }
 
@@ -237,6 +243,7 @@ void add_shadow(CLI::App& program) {
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_light_options(*verb, options->light);
   add_photon_file_options(*verb, options->light);
+  add_described(*verb, options->response, uses::describe_response);
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

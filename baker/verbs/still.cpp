@@ -43,6 +43,7 @@ void require_sound(const Options& options) {
 void run(const CLI::App& verb, Options options) {
   options.view = seen_through(options.develop.camera, options.view);
   options.develop.focal_length_mm = options.view.focal_length_mm;
+  options.moon.request.response = spectral_response(options.develop.camera);
   require_sound(options);
   const auto start = std::chrono::steady_clock::now();
   ProgressBar bake_bar("bake");

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // An eclipse through a telescope: what the camera's keys do to files, and where they may stand.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "colour/camera.h"
 #include "colour/glow.h"
 #include "end_to_end/program.h"
+#include "support/luther_camera.h"
 #include "support/within.h"
 #include "texture/read_image.h"
 #include "uses/picture/pixels.h"
@@ -267,6 +269,55 @@ TEST_F(CameraTest, MergesABracketedSetOfPhotographs) {
   EXPECT_EQ(outcome.err, "coppermoon: frame.exr: channels R, G, B, allowed R, G, B, valid\n");
 }
 
+/// Means of three channels over the middle of the frame, which the Moon fills.
+std::array<double, 3> middle_of(const texture::Image& image) {
+  std::array<double, 3> sums{};
+  for (std::size_t r = 20; r < 40; ++r)
+    for (std::size_t c = 35; c < 55; ++c)
+      for (std::size_t k = 0; k < 3; ++k) sums[k] += image(r, c, k) / 400;
+  return sums;
+}
+
+TEST_F(CameraTest, OfTheObserversOwnCurvesSeesAsTheObserver) {
+  file("luther.csv", luther_camera());
+  make(still({"--stars", "9", "--frame", "cie.exr"}));
+  make(still({"--stars", "9", "--response", "luther.csv", "--frame", "luther.exr"}, "b.png"));
+  const auto cie = image("cie.exr"), luther = image("luther.exr");
+  for (std::size_t i = 0; i < cie.values.size(); ++i)
+    EXPECT_WITHIN(luther.values[i], cie.values[i], 1e-6 + 1e-3 * cie.values[i], "half floats");
+  make({"still", "b.png", "-o", "again.png", "--frame", "again.exr"});
+  EXPECT_TRUE(image("again.exr").values == luther.values) << "its recipe names the response";
+}
+
+TEST_F(CameraTest, SeesThroughItsOwnFilters) {
+  make(still({"--frame", "cie.exr"}));
+  const auto cie = middle_of(image("cie.exr"));
+  for (const char* name : {"canon-eos-600d", "sony-ilce-7m3"}) {
+    make(still({"--response", name, "--frame", "camera.exr"}, "b.png"));
+    const auto camera = middle_of(image("camera.exr"));
+    EXPECT_GT(camera[2] / camera[0], 1.1 * cie[2] / cie[0])
+        << name << ": copper that is less saturated";
+    EXPECT_WITHIN_RELATIVE(camera[1] / camera[0], cie[1] / cie[0], 0.25, "it stays copper") << name;
+    EXPECT_NE(text_of(here("b.png")).find("response = '" + std::string(name)), std::string::npos);
+  }
+}
+
+TEST_F(CameraTest, CountsWhatItsOwnFiltersPassAndSaysByWhichMatrix) {
+  make(still({"--camera", "400mm", "--focal-length", "1540", "--response", "canon-eos-600d",
+              "--noise",  "off",   "--diffraction",  "off",  "--glow",     "0",
+              "--sky",    "off",   "--time",         "0.3",  "--frame",    "frame.exr",
+              "--raw",    "a.dng"}));
+  const auto frame = middle_of(image("frame.exr")),
+             raw = middle_of(texture::read_light(here("a.dng")));
+  for (const std::size_t k : {1, 2})
+    EXPECT_WITHIN(raw[k] / raw[0], frame[k] / frame[0], 0.01, "a mosaic; 14 bits");
+  make({"develop", "a.dng", "-o", "adobe.png", "--time", "0.3"});
+  make({"develop", "a.dng", "-o", "own.png", "--time", "0.3", "--response", "canon-eos-600d"});
+  const auto one = middle_of(image("adobe.png")), other = middle_of(image("own.png"));
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_WITHIN(one[k], other[k], 0.005, "the matrix of the file is that of the response");
+}
+
 TEST_F(CameraTest, GivesEachFrameOfAFilmNoiseOfItsOwn) {
   const auto film = [&](const char* folder) {
     make({"animate",      "2018-07-27", "--from",          "greatest-1s", "--to",    "greatest+1s",
@@ -292,6 +343,15 @@ TEST_F(CameraTest, RefusesFilesThatItCannotWrite) {
   EXPECT_EQ(refusal_of({"--camera", "paper", "--response", "luminance", "--raw", "raw.dng"}),
             "coppermoon: raw.dng: response = luminance, allowed for a raw file that ends in .dng a "
             "sensor that sees colours\n");
+  file("wrong.csv", "wavelength_nm,r,g,b\n500,1,1,1\n400,1,1,1\n");
+  EXPECT_EQ(refusal_of({"--response", "wrong.csv"}),
+            "coppermoon: wrong.csv: 2 rows of numbers, allowed 10 to 100000\n");
+  EXPECT_EQ(refusal_of({"--response", "lost.csv"}).substr(0, 50),
+            "coppermoon: lost.csv: no such file, allowed a .csv");
+  EXPECT_EQ(refusal_of({"--response", "canon-6d"}),
+            "coppermoon: aperture, sensor, noise, sky and files of a camera need a camera: paper, "
+            "400mm, schmidt-cassegrain, refractor\n")
+      << "a matrix of a sensor, without one";
   EXPECT_EQ(refusal_of({"--camera", "paper", "--photograph", "a.tif"}),
             "coppermoon: a.tif: a photograph ends in .exr\n");
   EXPECT_EQ(refusal_of({"--camera", "paper", "--raw", "no/raw.tif"}),

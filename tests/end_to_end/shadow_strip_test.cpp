@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "end_to_end/shadow_strip.h"
+#include "support/luther_camera.h"
 #include "support/within.h"
 
 namespace coppermoon::end_to_end {
@@ -118,6 +119,32 @@ TEST_F(ShadowStrip, LightAtAnotherDepthStandsOnLinesFromTheLimb) {
   }
 }
 
+TEST_F(ShadowStrip, IsSeenThroughACamerasFilters) {
+  file("luther.csv", luther_camera());
+  const auto with = [&](const char* response, const char* name) {
+    return strip({"2018-07-27T20:21:45Z", "--bands", "20", "--atmosphere", "undated", "--response",
+                  response},
+                 name);
+  };
+  const auto cie = with("colorimetric", "cie.exr"), luther = with("luther.csv", "luther.exr"),
+             canon = with("canon-eos-600d", "canon.exr");
+  for (std::size_t i = 0; i < cie.light.values.size(); ++i)
+    EXPECT_WITHIN(luther.light.values[i], cie.light.values[i], 1e-5 * cie.light.values[i] + 1e-10,
+                  "rounding of matrices and floats");
+  EXPECT_NE(canon.facts["recipe"].get<std::string>().find("response = 'canon-eos-600d'"),
+            std::string::npos);
+  const auto red_over_blue = [](const Strip& strip, double km) {
+    const auto c = static_cast<std::size_t>(km / strip.fact("step_km"));
+    double red = 0, blue = 0;
+    for (std::size_t r = 0; r < strip.light.height; ++r)
+      red += strip.light(r, c, 0), blue += strip.light(r, c, 2);
+    return red / blue;
+  };
+  EXPECT_LT(red_over_blue(canon, 4500), 1) << "the blue rim: light over that of the full Moon";
+  EXPECT_GT(red_over_blue(canon, 4500), red_over_blue(cie, 4500));
+  EXPECT_WITHIN(red_over_blue(canon, 6000), 1, 0.05, "penumbra: sunlight of the Sun's limb");
+}
+
 /// The lines of docs/textures.md in a browser's OpenGL.
 TEST_F(ShadowStrip, ThePagesShaderFindsTheLight) {
   const auto page = text_of(COPPERMOON_TEST_DATA "/../docs/textures.md");
@@ -210,6 +237,9 @@ TEST_F(ShadowStrip, SaysWhatItCannotWrite) {
     EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
   };
   refused({"--lookup", "a.png"}, "a.png: a look-up ends in .exr or .cube");
+  refused({"--lookup", "a.exr", "--response", "canon-6d"},
+          "response = canon-6d, allowed colorimetric, canon-eos-5d-mark-ii");
+  refused({"--response", "canon-eos-600d"}, "response: allowed with --lookup");
   refused({"--lookup", "a.cube"}, "allowed with a spherical Earth");
   refused({"--lookup", "no/a.exr"}, "no: no such directory");
   EXPECT_TRUE(listing().empty());

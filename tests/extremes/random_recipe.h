@@ -124,8 +124,9 @@ inline const std::map<std::string, Value>& values_by_hand() {
          return one_of(r, std::array{"1", "7", "10", "40", "100", "400"});
        }},
       {"camera", word({"paper", "400mm", "schmidt-cassegrain", "refractor", "pinhole"})},
-      {"response", word({"colorimetric", "luminance", "canon-300d", "canon-6d", "canon-5d3",
-                         "sony-a7r2", "eye"})},
+      {"response",
+       word({"colorimetric", "luminance", "canon-300d", "canon-6d", "canon-5d3", "sony-a7r2",
+             "canon-eos-600d", "sony-ilce-7sm2", "fujifilm-x-t3", "eye", "lost.csv"})},
       {"black-level", number(0, 2000)},
       {"noise-seed", integer(0, 1e9)},
       {"view", word({"Un-tone-mapped", "Filmic", "Raw", "Sepia"})},

@@ -98,7 +98,10 @@ std::vector<std::optional<std::string>> read_attributes(const fs::path& path,
   return images().read_attributes(path, names);
 }
 
-Image read_light(const fs::path& path, Coding coding) { return images().read_light(path, coding); }
+Image read_light(const fs::path& path, Coding coding,
+                 const std::optional<glm::dmat3>& rec709_from_raw) {
+  return images().read_light(path, coding, rec709_from_raw);
+}
 
 bool is_raw_file(const fs::path& path) { return images().is_raw_file(path); }
 

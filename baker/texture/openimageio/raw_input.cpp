@@ -19,6 +19,14 @@ constexpr const char* format = "raw";
 /// columns, for cameras of four channels.
 using Matrix = std::array<float, 12>;
 
+Matrix matrix_of(const glm::dmat3& given) {
+  Matrix matrix{};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      matrix[static_cast<std::size_t>(4 * row + column)] = static_cast<float>(given[column][row]);
+  return matrix;
+}
+
 Matrix matrix_of(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
   constexpr Matrix unknown{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   Matrix matrix = unknown;
@@ -86,8 +94,9 @@ OIIO::ImageSpec raw_hints() {
   return hints;
 }
 
-void make_rec709(const std::filesystem::path& path, const OIIO::ImageSpec& spec, Image& camera) {
-  const auto matrix = matrix_of(path, spec);
+void make_rec709(const std::filesystem::path& path, const OIIO::ImageSpec& spec,
+                 const std::optional<glm::dmat3>& given, Image& camera) {
+  const auto matrix = given ? matrix_of(*given) : matrix_of(path, spec);
   const auto clipped = with_neighbours(clipped_in(camera), camera.width, camera.height);
   for (std::size_t i = 0; i < clipped.size(); ++i) {
     float* pixel = &camera.values[3 * i];

@@ -52,7 +52,9 @@ std::vector<std::filesystem::path> Film::files(std::size_t frame) const {
 }
 
 View view_of(const Film& film, const almanac::SkyState& sky) {
-  return view_for_frame(film.view, sky).view;
+  auto view = view_for_frame(film.view, sky).view;
+  view.response = film.moon.response.value_or("");
+  return view;
 }
 
 }  // namespace coppermoon::uses

@@ -120,7 +120,7 @@ void Night::take_one(double clock_s, std::size_t index) {
   left_out_[index].clear();
   heartbeat_(0);
   try {
-    const auto photo = texture::read_light(photograph.file, photograph.coding);
+    const auto photo = photo_light(photograph.file, photograph.coding, request_.moon.response);
     NightPhotograph known;
     known.scene = fit_scene(request_.moon, *groundwork_, request_.view,
                             almanac::sky_at(almanac::later(photograph.instant, clock_s)));
@@ -255,7 +255,8 @@ bool Night::refine(const AirFit& fit) {
     auto& known = binned_[place];
     if (known.light.slopes.empty()) continue;
     const auto& [index, registration, extent, px_per_rad] = taken_[place];
-    const auto photo = texture::read_light(photographs_[index]->file, photographs_[index]->coding);
+    const auto photo =
+        photo_light(photographs_[index]->file, photographs_[index]->coding, request_.moon.response);
     known.light = binned(known.scene, photo, registration.render_to_photo, curve_);
   }
   compare();

@@ -136,15 +136,18 @@ std::vector<std::array<double, 3>> usual_light(const FitGroundwork& groundwork,
   return all;
 }
 
-algebra::Grid<double> xyz_of_moonlight(const std::optional<atmosphere::Sightline>& sightline = {}) {
-  return moonlight_weights(
-      colour::channel_weights(colour::WorkingSpace::ciexyz_d65, band_edges_nm()), sightline);
+algebra::Grid<double> xyz_of_moonlight(const std::optional<std::string>& response,
+                                       const std::optional<atmosphere::Sightline>& sightline = {}) {
+  return moonlight_weights(colour::channel_weights(colour::WorkingSpace::ciexyz_d65,
+                                                   band_edges_nm(), response.value_or("")),
+                           sightline);
 }
 
 /// The Moon in linear Rec.709, seen through the air above.
-colour::Image moon_in_rgb(const FitScene& scene, const std::vector<Ground>& grounds,
+colour::Image moon_in_rgb(const FitScene& scene, const std::optional<std::string>& response,
+                          const std::vector<Ground>& grounds,
                           std::span<const std::array<double, 3>> light) {
-  const auto here = sunlight_of(scene.weights), in_space = sunlight_of(xyz_of_moonlight());
+  const auto here = sunlight_of(scene.weights), in_space = sunlight_of(xyz_of_moonlight(response));
   colour::Image moon(fit_side_px, fit_side_px);
   for (std::size_t i = 0; i < grounds.size(); ++i) {
     const auto rgb = rec709_of(light[i]);
@@ -253,7 +256,7 @@ FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::Sk
                                        : light_on_the_way(light, moon_on_its_way(light, skies));
   auto albedo = normal_albedo(moon);
   auto ground = ground_of(moon, albedo);
-  return {std::move(albedo), std::move(ground), usual.in_channels(xyz_of_moonlight())};
+  return {std::move(albedo), std::move(ground), usual.in_channels(xyz_of_moonlight(moon.response))};
 }
 
 FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
@@ -263,7 +266,7 @@ FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
   const auto seen = view_of(close, sky);
   FitScene scene;
   scene.sky = sky;
-  scene.weights = xyz_of_moonlight(seen.sightline);
+  scene.weights = xyz_of_moonlight(moon.response, seen.sightline);
   scene.pixel_rad = pixel_rad_of(seen.camera);
   const auto grounds = grounds_of(seen.camera, sky);
   const auto sunlit = picture_of(sunlit_map(moon, groundwork, sky), grounds);
@@ -272,7 +275,7 @@ FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
   scene.usual = Channel(fit_side_px, fit_side_px);
   for (std::size_t i = 0; i < grounds.size(); ++i)
     scene.usual.values()[grounds[i].pixel] = static_cast<float>(light[i][1]);
-  const auto moon_seen = moon_in_rgb(scene, grounds, light);
+  const auto moon_seen = moon_in_rgb(scene, moon.response, grounds, light);
   scene.glow = glow_of(moon_seen, scene.pixel_rad);
   scene.usual_values = over_sunlit(scene, moon_seen);
   return scene;

@@ -53,7 +53,8 @@ Strip strip_of(const StripShadow& shadow, const LightRequest& request,
   const double depth_m = shadow.arrangement.depths_m[0];
   const auto refracted = light_of(shadow, request, waves, progress);
   const shadow::DirectLight direct(shadow.air, shadow.arrangement, waves);
-  const auto weights = moonlight_weights(colour::channel_weights(picture_space, band_edges_nm()));
+  const auto weights = moonlight_weights(
+      colour::channel_weights(picture_space, band_edges_nm(), shadow.response.value_or("")));
   shadow::Lookup lookup(refracted, direct, at_wavelengths(weights, bands));
   lookup.transform([](std::span<double> colour) { into_gamut_or_black(picture_space, colour); });
   const std::size_t rows = refracted.sectors;

@@ -13,7 +13,8 @@ namespace coppermoon::uses {
 
 /// Shadow of a strip.
 struct StripShadow : ShadowCut {
-  std::optional<almanac::SkyState> sky;  ///< where the Moon stands in it
+  std::optional<almanac::SkyState> sky;   ///< where the Moon stands in it
+  std::optional<std::string> response{};  ///< as in colour::channel_weights
 };
 
 /// Writes the shadow as a look-up for shaders: light on ground that faces the Sun, as reddish as

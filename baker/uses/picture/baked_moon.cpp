@@ -293,7 +293,8 @@ LitMoon lit_moon(const MoonRequest& request, const almanac::SkyState& sky,
 BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking& baking) {
   const auto space = space_of(content);
   const auto names = channel_names(space);
-  const auto response = colour::channel_weights(space, band_edges_nm());
+  const auto response =
+      colour::channel_weights(space, band_edges_nm(), moon.request.response.value_or(""));
   const auto of_moon = moonlight_weights(response, moon.sightline);
   const int wavelengths = moon.light->plan.work.bands;
   BakedMoon made{{}, header(moon, content)};

@@ -11,6 +11,7 @@
 #include "algebra/error.h"
 #include "algebra/number.h"
 #include "atmosphere/sky_luminance.h"
+#include "colour/camera_spectra.h"
 #include "texture/read_image.h"
 #include "uses/picture/pixels.h"
 
@@ -26,8 +27,9 @@ constexpr const char *pixel_attribute = "coppermoon:pixel_arcsec",
 bool any_given(const CameraRequest& o) {
   return o.aperture_mm || o.obstruction || o.transmission || o.pixel_um || o.quantum_efficiency ||
          o.full_well_e || o.read_noise_e || o.converter_noise_dn || o.black_level_dn ||
-         o.seeing_arcsec || o.glow || o.sensor_bits || o.response || o.diffraction || o.noise ||
-         o.sky_cd_m2 || !o.raw.empty() || !o.photograph.empty();
+         o.seeing_arcsec || o.glow || o.sensor_bits ||
+         (o.response && *o.response != "colorimetric" && !spectral_response(o)) || o.diffraction ||
+         o.noise || o.sky_cd_m2 || !o.raw.empty() || !o.photograph.empty();
 }
 
 template <typename Value>
@@ -87,6 +89,11 @@ std::optional<colour::Camera> camera_of(const CameraRequest& request,
   camera.noise = request.noise.value_or(true);
   require_sound(camera);
   return camera;
+}
+
+std::optional<std::string> spectral_response(const CameraRequest& request) {
+  return request.response && colour::is_spectral(*request.response) ? request.response
+                                                                    : std::nullopt;
 }
 
 ViewRequest seen_through(const CameraRequest& request, ViewRequest view) {

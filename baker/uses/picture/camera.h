@@ -14,14 +14,15 @@
 
 namespace coppermoon::uses {
 
-/// Camera as asked for. Without a model the picture is the scene itself, without noise.
+/// Camera as asked for. Without a model the picture is the scene itself, without noise, in colours of a spectral
+/// response where one is given.
 struct CameraRequest {
   std::string model{};  ///< one of colour::camera_names(); empty: none
   std::optional<double> aperture_mm{}, obstruction{}, transmission{}, pixel_um{},
       quantum_efficiency{}, full_well_e{}, read_noise_e{}, converter_noise_dn{}, black_level_dn{},
       seeing_arcsec{}, glow{};
   std::optional<int> sensor_bits{};
-  std::optional<std::string> response{};       ///< one of colour::response_names()
+  std::optional<std::string> response{};       ///< one of colour::response_names(), or a .csv file
   std::optional<bool> diffraction{}, noise{};  ///< without: on
   /// luminance of the sky; 0: none; without: twilight and airglow where the frame was seen from
   std::optional<double> sky_cd_m2{};
@@ -35,6 +36,9 @@ struct CameraRequest {
 std::optional<colour::Camera> camera_of(const CameraRequest& request,
                                         const std::optional<double>& f_number = {},
                                         const std::optional<double>& focal_length_mm = {});
+
+/// Response of a request where it is spectral: the Moon is then seen through it from the start.
+std::optional<std::string> spectral_response(const CameraRequest& request);
 
 /// View with the focal length and sensor of a camera, unless others are given.
 ViewRequest seen_through(const CameraRequest& request, ViewRequest view);

@@ -55,7 +55,8 @@ MoonRequest fitted(MoonRequest moon, const povray_scenes::SceneCamera& camera) {
 
 LitScene lit_scene(const MoonRequest& request, const ViewRequest& view,
                    const almanac::SkyState& sky, const SceneBaking& baking) {
-  const auto seen = view_for_frame(view, sky).view;
+  auto seen = view_for_frame(view, sky).view;
+  seen.response = request.response.value_or("");
   auto moon = lit_moon(fitted(request, seen.camera), sky, baking.light);
   moon.observer = seen.observer;
   moon.sightline = seen.sightline;

@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "algebra/error.h"
+#include "colour/camera_spectra.h"
 #include "files/fingerprint.h"
 #include "files/whole_file.h"
 #include "surface/albedo_map.h"
@@ -37,6 +38,7 @@ void require_sound(const MoonRequest& moon) {
   if (const int centre = moon.albedo_map_centre_deg; centre != 0 && centre != 180)
     throw algebra::Error(
         fmt::format("albedo map's centre [degrees] = {}, allowed 0 or 180", centre));
+  if (moon.response) colour::require_spectral(*moon.response);
 }
 
 /// A map with longitude 180 in its middle, turned to have longitude 0 there.
@@ -95,6 +97,12 @@ void require_map(const MoonRequest& moon) {
 }
 
 std::string map_contents(const MoonRequest& moon) {
+  if (moon.response && moon.response->ends_with(".csv")) {
+    auto of_map = moon;
+    of_map.response.reset();
+    return fmt::format("{} {:016x}", map_contents(of_map),
+                       files::fingerprint(files::bytes_of(*moon.response)));
+  }
   const auto& map = moon.albedo_map;
   if (!reads_map(moon)) return map;
   const auto contents = fmt::format("{:016x}", files::fingerprint(files::bytes_of(map)));

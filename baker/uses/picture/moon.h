@@ -39,6 +39,8 @@ struct MoonRequest {
   std::optional<std::size_t> texture_width{};  ///< without: 4096, or as the frame resolves
   double texels_per_pixel = 1;  ///< of a texture whose width the frame says, in the disc's middle
   bool unshadowed = false;      ///< lit as if the Earth were away
+  /// Camera that sees the Moon, as in colour::camera_spectra; without, and as "colorimetric": the CIE 1931 observer.
+  std::optional<std::string> response{};
 };
 
 /// Refuses a texture's width that is odd, or outside 4 to 32768.
@@ -66,11 +68,11 @@ algebra::Grid<float> normal_albedo(const MoonRequest& moon);
 std::shared_ptr<const surface::Ground> ground_of(const MoonRequest& moon,
                                                  const algebra::Grid<float>& normal_albedo);
 
-/// Throws Error as normal_albedo, as far as that map's header tells
+/// Throws Error as normal_albedo, as far as that map's header tells; for a response that is none
 void require_map(const MoonRequest& moon);
 
 /// A fingerprint of that map's file; "built-in" without one. Of a recipe that OpenImageIO reads as an
-/// image (.eclipse) also that of the texture, which depends on a map of its own.
+/// image (.eclipse) also that of the texture, which depends on a map of its own; of a response's file too.
 ///
 /// Throws Error when it cannot be read
 std::string map_contents(const MoonRequest& moon);

@@ -14,6 +14,7 @@
 #include "algebra/error.h"
 #include "algebra/number.h"
 #include "almanac/instant.h"
+#include "colour/camera_spectra.h"
 #include "colour/exposure.h"
 #include "texture/read_image.h"
 #include "uses/picture/pixels.h"
@@ -182,12 +183,22 @@ std::optional<colour::Exposure> exif_of(const std::string& photo) {
   return colour::Exposure{*time_s, *f_number, *iso};
 }
 
-texture::Image raw_light(const std::string& photo, colour::WorkingSpace space) {
+texture::Image photo_light(const std::string& photo, texture::Coding coding,
+                           const std::optional<std::string>& response) {
+  std::optional<glm::dmat3> rec709_from_raw;
+  if (response && colour::is_spectral(*response))
+    rec709_from_raw = channels_from_xyz(colour::WorkingSpace::linear_rec709) *
+                      colour::camera_spectra(*response).xyz_from_balanced;
+  return texture::read_light(photo, coding, rec709_from_raw);
+}
+
+texture::Image raw_light(const std::string& photo, colour::WorkingSpace space,
+                         const std::optional<std::string>& response) {
   const auto exposure = exif_of(photo);
   if (!exposure)
     throw algebra::Error(
         fmt::format("{}: its header has not all of exposure time, f-number and ISO speed", photo));
-  auto light = texture::read_light(photo);
+  auto light = photo_light(photo, texture::Coding::as_file_says, response);
   const auto saturation_cd_m2 = static_cast<float>(1 / colour::exposure_scale(*exposure));
   for (float& value : light.values) value *= saturation_cd_m2;
   return in_space(light, colour::WorkingSpace::linear_rec709, space);

@@ -53,11 +53,17 @@ texture::Coding coding_of(const std::string& photo, texture::Coding told);
 /// Exposure settings of a photograph's header; nothing when one is missing.
 std::optional<colour::Exposure> exif_of(const std::string& photo);
 
+/// Light of a photograph, as texture::read_light; a raw file's channels become colours by the matrix of a response,
+/// where that is spectral (colour::camera_spectra).
+texture::Image photo_light(const std::string& photo, texture::Coding coding,
+                           const std::optional<std::string>& response);
+
 /// The light of a camera's raw file by the exposure in its header, as colour::exposure_scale has it: channels
 /// R, G, B, or X, Y, Z, of a working space [cd/m²]. What is clipped is white at saturation.
 ///
-/// Throws  Error  when its header does not say all of the exposure; as texture::read_light
-texture::Image raw_light(const std::string& photo, colour::WorkingSpace space);
+/// Throws  Error  when its header does not say all of the exposure; as photo_light
+texture::Image raw_light(const std::string& photo, colour::WorkingSpace space,
+                         const std::optional<std::string>& response = {});
 
 /// Attributes of a frame or photograph that describe the scene: recipe, moment, meaning of the numbers.
 texture::Attributes scene_attributes(const std::string& file);

@@ -111,9 +111,6 @@ void describe_sensor(Parameters& is, CameraRequest& camera) {
   is.add(parameter("quantum-efficiency", camera.quantum_efficiency,
                    "quantum efficiency: electrons per photon of 555 nm, 0.001 to 1"))
       .within(0.001, 1);
-  is.add(parameter("response", camera.response,
-                   fmt::format("response of the sensor to colours: {}",
-                               fmt::join(colour::response_names(), ", "))));
   is.add(parameter("full-well", camera.full_well_e,
                    "full-well capacity of a pixel [electrons], 10 to 1e9"))
       .within(10, 1e9);
@@ -246,6 +243,18 @@ void describe(Parameters& is, CameraRequest& camera) {
   is.begin(camera_heading, "camera", Affects::picture);
   describe_optics(is, camera);
   describe_sensor(is, camera);
+  describe_response(is, camera.response);
+}
+
+void describe_response(Parameters& is, std::optional<std::string>& response) {
+  is.begin(camera_heading, "camera", Affects::ground);
+  is.add(
+        parameter("response", response,
+                  fmt::format("response to colours: {}; from canon-eos-5d-mark-ii on, or a .csv of "
+                              "wavelength_nm, r, g, b: the camera's own filters and matrix see all "
+                              "light, with no camera too",
+                              fmt::join(colour::response_names(), ", "))))
+      .as(request::Kind::file_read);
 }
 
 void describe_but_time(Parameters& is, Development& development) {

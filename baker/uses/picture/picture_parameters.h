@@ -19,6 +19,9 @@ void describe_map(request::Parameters& is, MoonRequest& moon);
 /// Width of the texture.
 void describe_width(request::Parameters& is, MoonRequest& moon);
 
+/// Response to colours: a sensor's matrix, or the filters of a camera that sees all light through them.
+void describe_response(request::Parameters& is, std::optional<std::string>& response);
+
 /// Whether the Moon is lit as if the Earth were away.
 void describe_unshadowed(request::Parameters& is, MoonRequest& moon);
 

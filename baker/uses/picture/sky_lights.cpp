@@ -86,7 +86,8 @@ class Dome {
   Dome(const View& view, const almanac::SkyState& sky)
       : seen_(almanac::view_from(*view.observer, sky)),
         lowest_(horizon_altitude(*view.observer)),
-        lights_(view.sightline ? std::optional(view.sightline->air) : std::nullopt) {}
+        lights_(view.sightline ? std::optional(view.sightline->air) : std::nullopt, view.response) {
+  }
 
   const almanac::ObserverView& seen() const { return seen_; }
 
@@ -152,7 +153,8 @@ Cone cone_of(const povray_scenes::SceneCamera& camera, const almanac::SkyState& 
 /// Observer of a view's lights.
 class Eye {
  public:
-  Eye(const View& view, const almanac::SkyState& sky) : view_(view), sky_(sky) {
+  Eye(const View& view, const almanac::SkyState& sky)
+      : view_(view), sky_(sky), above_({}, view.response) {
     if (view.observer) dome_.emplace(view, sky);
     if (dome_) from_m_ = dome_->seen().position_m;
     const glm::dvec3 moon_m = sky.moon_m - from_m_;
@@ -176,13 +178,14 @@ class Eye {
     auto direction = source.direction;
     if (dome_ && view_.refracted) direction = dome_->lowered_as(moon_, dome_->raised(direction));
     return {sky_.selenographic_from_gcrs * direction,
-            dome_ ? dome_->light_of(source) : StarLights().lux(source.magnitude, source.b_minus_v),
+            dome_ ? dome_->light_of(source) : above_.lux(source.magnitude, source.b_minus_v),
             source.radius_rad};
   }
 
  private:
   const View& view_;
   const almanac::SkyState& sky_;
+  StarLights above_;  ///< seen from space
   std::optional<Dome> dome_;
   glm::dvec3 from_m_{0, 0, 0}, moon_;
   double limb_;  ///< sine of the Moon's radius

@@ -18,14 +18,19 @@ namespace {
 /// Bands of 5 nm, in which air and black bodies change little.
 struct Bands {
   std::vector<double> centres_nm, v;         ///< v: response of the V band, [band]
-  algebra::Grid<double> channels;            ///< [channel][band]
+  algebra::Grid<double> channels;            ///< of the CIE observer, [channel][band]
   double solar_magnitude = 0, sunlight = 0;  ///< the Sun's in V
 };
 
-Bands made_bands() {
+std::vector<double> edges_of_bands() {
   constexpr double first_nm = 380, last_nm = 780, width_nm = 5;
   std::vector<double> edges;
   for (double edge = first_nm; edge <= last_nm; edge += width_nm) edges.push_back(edge);
+  return edges;
+}
+
+Bands made_bands() {
+  const auto edges = edges_of_bands();
   Bands bands;
   for (std::size_t b = 0; b + 1 < edges.size(); ++b)
     bands.centres_nm.push_back((edges[b] + edges[b + 1]) / 2);
@@ -62,7 +67,11 @@ double star_temperature_k(double b_minus_v) {
   return 4600 * (1 / (colour + 1.7) + 1 / (colour + 0.62));
 }
 
-StarLights::StarLights(const std::optional<atmosphere::ObserverAir>& air) {
+StarLights::StarLights(const std::optional<atmosphere::ObserverAir>& air,
+                       const std::string& response)
+    : channels_(response.empty()
+                    ? bands_of_light().channels
+                    : colour::channel_weights(picture_space, edges_of_bands(), response)) {
   if (!air) return;
   for (const double centre : bands_of_light().centres_nm)
     depths_.push_back(atmosphere::vertical_depths(*air, algebra::nanometres(centre)));
@@ -79,7 +88,7 @@ std::array<double, 3> StarLights::lux(double magnitude, double b_minus_v,
     in_v += bands.v[b] * above;
     const double seen =
         depths_.empty() ? above : above * atmosphere::transmittance_above(depths_[b], altitude);
-    for (std::size_t k = 0; k < 3; ++k) light[k] += bands.channels(k, b) * seen;
+    for (std::size_t k = 0; k < 3; ++k) light[k] += channels_(k, b) * seen;
   }
   const double scale =
       bands.sunlight / in_v * std::pow(10, -0.4 * (magnitude - bands.solar_magnitude));

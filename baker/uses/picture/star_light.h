@@ -3,8 +3,10 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "algebra/grid.h"
 #include "algebra/quantity.h"
 #include "atmosphere/observer_air.h"
 
@@ -21,8 +23,10 @@ double star_temperature_k(double b_minus_v);
 /// Light of stars above an observer's air, or through it.
 class StarLights {
  public:
-  /// Given  air  none: above the air
-  explicit StarLights(const std::optional<atmosphere::ObserverAir>& air = {});
+  /// Given  air       none: above the air
+  ///        response  as in colour::channel_weights
+  explicit StarLights(const std::optional<atmosphere::ObserverAir>& air = {},
+                      const std::string& response = {});
 
   /// Light of a star on a surface that faces it: linear Rec.709 [lux].
   ///
@@ -35,6 +39,7 @@ class StarLights {
                             algebra::Angle altitude = algebra::degrees(90)) const;
 
  private:
+  algebra::Grid<double> channels_;                  ///< weights, [channel][band]
   std::vector<atmosphere::VerticalDepths> depths_;  ///< [band]; empty: above the air
 };
 

@@ -48,6 +48,7 @@ std::string texture_recipe(const LitMoon& moon, const TextureContent& content) {
   describe_solver(all, request.light);
   describe_observer(all, view);
   describe(all, held);
+  describe_response(all, request.response);
   const auto recipe = request::recipe_of(all);
   return request.unshadowed ? recipe : with_work(recipe, moon.light->plan.work);
 }

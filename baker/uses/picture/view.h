@@ -43,7 +43,8 @@ struct View {
   std::optional<almanac::Observer> observer;
   std::optional<atmosphere::Sightline> sightline;  ///< through the air that reddens the Moon
   StarRequest stars = {};
-  bool refracted = false;  ///< by the observer's air, which flattens a disc and moves stars
+  bool refracted = false;     ///< by the observer's air, which flattens a disc and moves stars
+  std::string response = {};  ///< by which stars have their colours, as in colour::channel_weights
 };
 
 /// Text of a place on Earth: "42.86,-73.77" [degrees], with its elevation where it has one [m].

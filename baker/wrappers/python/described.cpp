@@ -116,6 +116,7 @@ Parameters parameters_of(uses::LightRequest& light) {
 Parameters fit_keywords(TextureKeywords& keywords) {
   Parameters all;
   uses::describe_map(all, keywords.moon);
+  uses::describe_response(all, keywords.moon.response);
   return all;
 }
 
@@ -123,13 +124,14 @@ Parameters brightness_keywords(TextureKeywords& keywords) {
   auto all = fit_keywords(keywords);
   uses::describe_unshadowed(all, keywords.moon);
   uses::describe_observer(all, keywords.view);
-  return without(std::move(all), "at");
+  return without(without(std::move(all), "at"), "response");
 }
 
 Parameters bake_keywords(TextureKeywords& keywords) {
   Parameters all;
   uses::describe_width(all, keywords.moon);
   describe(all, keywords.content);
+  uses::describe_response(all, keywords.moon.response);
   for (auto& parameter : brightness_keywords(keywords)) all.keep(std::move(parameter));
   return without(std::move(all), "type");
 }

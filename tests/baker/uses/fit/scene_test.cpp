@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <vector>
 
 #include "almanac/instant.h"
+#include "support/luther_camera.h"
 #include "support/within.h"
 
 namespace coppermoon::uses {
@@ -48,6 +52,33 @@ TEST(LitBins, StandForAllTheirGround) {
           << utc << ", bin " << b;
     }
   }
+}
+
+/// What a camera's photograph is compared with is what its filters see.
+TEST(FitScene, IsSeenThroughTheResponseOfItsMoon) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:40:00Z"));
+  const auto path = std::filesystem::path(::testing::TempDir()) / "fit_scene_luther.csv";
+  std::ofstream(path) << luther_camera();
+  const auto scene_by = [&](const char* response) {
+    MoonRequest moon;
+    moon.response = response;
+    moon.texture_width = 256;
+    return fit_scene(moon, groundwork_of(moon, std::span(&sky, 1)), {}, sky);
+  };
+  const auto cie = scene_by("colorimetric"), luther = scene_by(path.c_str()),
+             canon = scene_by("canon-eos-600d");
+  double apart = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t b = 0; b < cie.weights.columns(); ++b) {
+      EXPECT_WITHIN(luther.weights(k, b), cie.weights(k, b), 1e-7 * cie.weights(1, 175),
+                    "rounding");
+      apart = std::max(apart, std::abs(canon.weights(k, b) - cie.weights(k, b)));
+    }
+  EXPECT_GT(apart, 0.1 * cie.weights(1, 175));
+  for (std::size_t i = 0; i < cie.usual_values.values().size(); ++i)
+    EXPECT_WITHIN_RELATIVE(luther.usual_values.values()[i], cie.usual_values.values()[i], 1e-5,
+                           "floats");
+  std::filesystem::remove(path);
 }
 
 }  // namespace

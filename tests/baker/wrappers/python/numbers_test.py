@@ -135,10 +135,18 @@ class Texture(unittest.TestCase):
                 "mean ground": {**small, "ground": "mean", "light": coppermoon.Light(tolerance=0.1)},
                 "photons": {**small, "light": coppermoon.Light(bands=4, photons=1e4, seed=2**63 + 1)},
                 "sunlight": {**small, "unshadowed": True},
+                "a camera": {**small, "response": "sony-ilce-7m3"},
                 "spectra": {**small, "spectral_nm": 100, "passes": True}}.items():
             with self.subTest(text):
                 moon = coppermoon.bake("2018-07-27T20:21:45.123456Z", **settings)
                 numpy.testing.assert_array_equal(self.baked_by_its_recipe(moon), moon.pixels)
+
+    def test_is_seen_through_a_cameras_filters(self):
+        eye, camera = coppermoon.bake(when, **small).pixels, coppermoon.bake(when, response="nikon-d850", **small).pixels
+        lit = eye[..., 0] > 0.1 * eye[..., 0].max()
+        self.assertGreater(abs(camera[lit] / eye[lit] - 1).max(), 0.03)
+        with self.assertRaisesRegex(coppermoon.Error, "response = eye, allowed colorimetric, canon-eos"):
+            coppermoon.bake(when, response="eye", **small)
 
     def test_has_spectra_and_passes(self):
         moon = coppermoon.bake(when, spectral_nm=100, passes=True, **small)

@@ -1,0 +1,34 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Rim of the umbra as the CIE observer and cameras see it: red over blue by distance from the shadow's axis, over full
+# moonlight, and a picture, rim_of_the_umbra.jpg. Further flags go to `coppermoon shadow` and `still`.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+"$here/build.sh" coppermoon_program packages.tests.debian
+coppermoon="$here/../build/release/coppermoon"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+echo '| eclipse | response | least red over blue | at [km] | red below blue, width [arcmin] |'
+echo '| --- | --- | ---: | ---: | ---: |'
+for day in 2008-02-21 2018-07-27; do
+  for response in colorimetric canon-eos-600d canon-eos-5d-mark-iii sony-ilce-7m3 nikon-d850; do
+    "$coppermoon" shadow $day --lookup "$work/rim.exr" --response $response "$@" > "$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
+    oiiotool "$work/rim.exr" --resize:filter=box 1024x1 -o "$work/row.exr"
+    oiiotool --info --dumpdata "$work/row.exr" | awk -v day=$day -v response=$response -v step="$(sed -n 's/.*"step_km": \([0-9.]*\).*/\1/p' "$work/rim.json")" \
+      -v depth="$(sed -n 's/.*"depth_km": \([0-9.]*\).*/\1/p' "$work/rim.json")" '
+      /Pixel/ {
+        km = n++ * step; red = $4; blue = $6
+        if (km < 2500 || km > 5600 || blue <= 0) next
+        if (!least || red / blue < least) { least = red / blue; place = km }
+        if (red < blue) { if (!from) from = km; to = km }
+      }
+      END { printf "| %s | %s | %.2f | %.0f | %.1f |\n", day, response, least, place, (to - from) / depth * 3437.75 }'
+  done
+done
+for response in colorimetric canon-eos-600d sony-ilce-7m3; do
+  "$coppermoon" still "2018-07-27 U2-4min" --at Nairobi --time 2 --width 900 --height 900 --response $response \
+    -o "$work/$response.png" "$@" > "$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
+  oiiotool "$work/$response.png" --cut 400x460+430+220 -o "$work/$response.rim.png"
+done
+oiiotool "$work/colorimetric.rim.png" "$work/canon-eos-600d.rim.png" "$work/sony-ilce-7m3.rim.png" --mosaic 3x1 \
+  --compression jpeg:92 -o rim_of_the_umbra.jpg
