@@ -118,6 +118,13 @@ TEST_F(CameraTest, WritesARawPhotographThatIsComparedAsACamerasOwn) {
   for (const std::string part : {"u", "v"})
     EXPECT_WITHIN(disc["photo_" + part].get<double>(), disc["render_" + part].get<double>(), 0.002,
                   "half of what is just seen; noise below black is cut off");
+  const auto by_another =
+      coppermoon({"compare", "a.dng", "frame.exr", "--json", "--response", "nikon-d850"});
+  expect_done(by_another);
+  EXPECT_GT(std::abs(nlohmann::json::parse(by_another.out)["disc"]["photo_u"].get<double>() -
+                     disc["photo_u"].get<double>()),
+            0.005)
+      << "another camera's matrix makes other colours of the raw file";
 }
 
 TEST_F(CameraTest, DevelopsARawPhotographAsItsFrame) {
@@ -319,17 +326,41 @@ TEST_F(CameraTest, CountsWhatItsOwnFiltersPassAndSaysByWhichMatrix) {
 }
 
 TEST_F(CameraTest, GivesEachFrameOfAFilmNoiseOfItsOwn) {
-  const auto film = [&](const char* folder) {
-    make({"animate",      "2018-07-27", "--from",          "greatest-1s", "--to",    "greatest+1s",
-          "--frames",     "2",          "--texture-width", "64",          "--width", "48",
-          "--height",     "32",         "--albedo-map",    "built-in",    "--rays",  "60",
-          "--camera",     "400mm",      "--time",          "1",           "-o",      folder,
-          "--atmosphere", "undated"});
+  const auto film = [&](const char* folder, const Words& more = {}) {
+    make(Words{"animate",
+               "2018-07-27",
+               "--from",
+               "greatest-1s",
+               "--to",
+               "greatest+1s",
+               "--frames",
+               "2",
+               "--texture-width",
+               "64",
+               "--width",
+               "48",
+               "--height",
+               "32",
+               "--albedo-map",
+               "built-in",
+               "--rays",
+               "60",
+               "--camera",
+               "400mm",
+               "--time",
+               "1",
+               "-o",
+               folder,
+               "--atmosphere",
+               "undated"} +
+         more);
   };
   film("one"), film("two");
+  film("canon", {"--response", "canon-eos-600d"});
   const auto first = image("one/frame.0001.png"), second = image("one/frame.0002.png");
   EXPECT_FALSE(first.values == second.values);
   EXPECT_TRUE(first.values == image("two/frame.0001.png").values);
+  EXPECT_FALSE(first.values == image("canon/frame.0001.png").values);
 }
 
 TEST_F(CameraTest, RefusesFilesThatItCannotWrite) {

@@ -91,6 +91,22 @@ TEST_F(Fit, OfAPhotographFindsItsAir) {
   EXPECT_TRUE(found["photographs"][1]["left_out"].get<std::string>().starts_with("cannot be read"));
 }
 
+TEST_F(Fit, SeesThroughTheFiltersOfThePhotographsCamera) {
+  photograph("300", {"--bits", "16", "--response", "canon-eos-600d"});
+  const Words of_photograph{"a.png", "--instants",   deep,     "--at",   syria, "--camera",
+                            "400mm", "--times",      "2",      "--isos", "800", "--f-number",
+                            "5.6",   "--atmosphere", "undated"};
+  const auto found = fit(of_photograph + Words{"--response", "canon-eos-600d"});
+  EXPECT_WITHIN_RELATIVE(found["dust_extinction_per_m"]["median"].get<double>(), 5e-6, 0.25,
+                         "as above");
+  EXPECT_WITHIN(found["cloud_cover"]["median"].get<double>(), 0.4, 0.15, "as above");
+  EXPECT_LT(found["chi_squared"], found["numbers"]);
+  EXPECT_NE(
+      refusal_of(of_photograph + Words{"--albedo-map", "built-in"}).find("no air explains this"),
+      std::string::npos)
+      << "its colours are not the observer's";
+}
+
 using FitThoroughly = Fit;
 
 TEST_F(FitThoroughly, OfARawPhotographFindsItsAirByItsOwnHeader) {
