@@ -26,7 +26,7 @@ std::span<const std::string_view> preset_names();
 /// Atmosphere of that name.
 ///
 /// Given   sun_declination  tips the ellipsoid's pole
-///         year             with its fraction; only "standard" depends on it
+///         year             with its fraction; only "standard" and "calibrated" depend on it
 /// Throws  Error            when there is no preset of that name: lists the names
 Atmosphere preset(std::string_view name, algebra::Angle sun_declination, double year = 2000);
 
