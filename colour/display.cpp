@@ -35,7 +35,7 @@ ocio::ConstConfigRcPtr built_in_config() {
 ocio::ConstConfigRcPtr config_at(const std::filesystem::path& path) try {
   if (path.empty()) return built_in_config();
   require_readable(path);
-  const auto config = ocio::Config::CreateFromFile(path.c_str());
+  auto config = ocio::Config::CreateFromFile(path.c_str());
   require_regular_luts(*config);
   try {
     require_end(*config);
@@ -97,7 +97,7 @@ ocio::ConstProcessorRcPtr processor(WorkingSpace space, const DisplayTransform& 
   transform->setSrc(known_name(*config, space).c_str());
   transform->setDisplay(display.c_str());
   transform->setView(view_named(development.view, display, development.config).c_str());
-  const auto processor = config->getProcessor(transform);
+  auto processor = config->getProcessor(transform);
   require_finite_luts(*processor);
   return processor;
 } catch (const ocio::Exception& problem) {

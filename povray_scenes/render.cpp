@@ -10,7 +10,7 @@ std::filesystem::path render(const std::filesystem::path& folder, const RenderSe
                              const algebra::Progress& progress) {
   const Draft draft(folder);
   run_povray(settings, draft, {.output = draft.stem + ".exr", .progress = progress});
-  const auto frame = draft.finish(".exr", frame_file, settings.povray);
+  auto frame = draft.finish(".exr", frame_file, settings.povray);
   if (progress) progress(1);
   return frame;
 }

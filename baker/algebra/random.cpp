@@ -26,8 +26,7 @@ double Random::uniform() {
     left_ = 2;
   }
   --left_;
-  const auto i = static_cast<std::size_t>(2 * left_);
-  const std::uint64_t bits = (std::uint64_t{words_[i]} << 32 | words_[i + 1]) >> 11;
+  const std::uint64_t bits = (std::uint64_t{words_[2 * left_]} << 32 | words_[2 * left_ + 1]) >> 11;
   return static_cast<double>(bits) * 0x1p-53;
 }
 

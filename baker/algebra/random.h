@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace coppermoon::algebra {
@@ -23,7 +24,7 @@ class Random {
  private:
   std::uint64_t seed_, index_;
   std::uint32_t block_ = 0;
-  int left_ = 0;
+  std::size_t left_ = 0;
   std::array<std::uint32_t, 4> words_{};
 };
 

@@ -231,6 +231,7 @@ std::string word_for(const Words<Value>& words, const Value& value) {
 
 namespace detail {
 template <class Value>
+// NOLINTNEXTLINE(performance-unnecessary-value-param): clang-tidy 14 does not see that it is moved
 Parameter one_of(const std::string& spelling, const Words<Value>& words, std::string meaning) {
   Parameter made{.name = name_in(spelling),
                  .spelling = spelling,

@@ -17,7 +17,7 @@ bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7F'; }
 
 std::string toml_value(const Parameter& parameter) {
   const auto text = parameter.text();
-  if (text.empty()) return text;
+  if (text.empty()) return {};
   if (parameter.kind == Kind::file_read) return quoted(files::name_to_share(text));
   if (parameter.kind == Kind::presence) return "true";
   if (parameter.name == "field" && fault_in(Kind::number, text).empty())

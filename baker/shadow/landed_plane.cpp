@@ -305,7 +305,7 @@ LandedPlane::Draws LandedPlane::draws(double gamma) const {
 /// Light that lands on the place's side of the axis, or across it from the limb opposite.
 ///
 /// Given  node  where the stretch's inner end stands; its outer end is the next
-void LandedPlane::collect(const Stretch& stretch, bool across, std::size_t node, Draws& all) const {
+void LandedPlane::collect(const Stretch& stretch, bool across, std::size_t node, Draws& all) {
   const int low = across ? -stretch.to : stretch.from, high = across ? -stretch.from : stretch.to;
   std::array<std::array<double, moments>, 3> squares;  // through 1 at one of Gauss's nodes
   for (std::size_t n = 0; n < 3; ++n) {

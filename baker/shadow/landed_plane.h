@@ -118,7 +118,7 @@ class LandedPlane {
                   std::span<double> ratio) const;
   double seen(std::size_t term, std::size_t wave) const;
   Draws draws(double gamma_m) const;
-  void collect(const Stretch& stretch, bool across, std::size_t node, Draws& all) const;
+  static void collect(const Stretch& stretch, bool across, std::size_t node, Draws& all);
 
   Sunlit sunlit_;
   LandingPlane plane_;

@@ -172,7 +172,7 @@ MarchedPhotons::Part MarchedPhotons::part_of(const photons::WholeLimb::Part& lim
 }
 
 void MarchedPhotons::follow(const Part& part, std::span<const Aim> aims,
-                            std::vector<MarchedPhoton>& photons) const {
+                            std::vector<MarchedPhoton>& photons) {
   const double top_m = atmosphere::top_m(part.column);  // others' air may end higher
   std::vector<double> heights_m;
   const std::size_t first = photons.size();

@@ -72,8 +72,8 @@ class MarchedPhotons {
   static Part part_of(const photons::WholeLimb::Part& limb,
                       std::span<const atmosphere::Optics> optics,
                       const photons::Marching& marching);
-  void follow(const Part& part, std::span<const Aim> aims,
-              std::vector<MarchedPhoton>& photons) const;
+  static void follow(const Part& part, std::span<const Aim> aims,
+                     std::vector<MarchedPhoton>& photons);
 
   std::vector<Part> parts_;
 };

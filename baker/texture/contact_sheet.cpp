@@ -118,7 +118,7 @@ std::filesystem::path sheet_font() {
                              "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
                              "/usr/share/fonts/truetype/freefont/FreeSans.ttf",
                              "/usr/local/share/fonts/DejaVuSans.ttf"};
-  for (const std::filesystem::path font : known)
+  for (std::filesystem::path font : known)
     if (std::filesystem::exists(font)) return font;
   throw Error(
       fmt::format("{}: no such font, nor others; install the package fonts-dejavu-core", known[0]));

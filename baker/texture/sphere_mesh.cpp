@@ -22,7 +22,7 @@ struct Making {
   std::size_t rows, columns = 2 * rows;
   SphereMesh mesh{};
 
-  double part(double i, std::size_t all) const { return i / static_cast<double>(all); }
+  static double part(double i, std::size_t all) { return i / static_cast<double>(all); }
 
   void add_pole(double down) {
     for (std::size_t c = 0; c < columns; ++c) {

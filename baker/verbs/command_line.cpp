@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "uses/light/header.h"
-#include "verbs/command_line.h"
 #include "verbs/flags/known_words.h"
 #include "verbs/flags/moments.h"
 #include "verbs/recipes/recipe.h"

@@ -71,7 +71,7 @@ std::array<int, 2> as_fraction(float value) {
   int n = 1;
   if (near(1, 1e-7)) return {static_cast<int>(std::round(value)), 1};
   if (near(1001, 1e-5) && std::lround(double{value} * 1001) % 1000 == 0) n = 1001;
-  while (n != 1001 && n < 1000 && !near(n, 1e-7)) ++n;
+  while (n < 1000 && !near(n, 1e-7)) ++n;
   return {static_cast<int>(std::lround(double{value} * n)), n};
 }
 

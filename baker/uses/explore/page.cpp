@@ -47,7 +47,7 @@ std::string whole_page(const std::string& title, const std::string& style,
 }  // namespace
 
 std::string page_of(const Exploration& exploration, PageExtent extent) {
-  const auto fragment = fragment_of(exploration, extent);
+  auto fragment = fragment_of(exploration, extent);
   if (extent == PageExtent::fragment) return fragment;
   return whole_page(exploration.title, "html, body { height: 100%; margin: 0; background: #000; }",
                     fragment);

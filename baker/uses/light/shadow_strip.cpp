@@ -173,7 +173,7 @@ ordered_json write_shadow_strip(const std::filesystem::path& file, const StripSh
   const auto beside = fs::path(file).replace_extension(".json");
   require_ours(beside, file);
   const auto strip = strip_of(shadow, request, progress);
-  const auto facts = facts_of(file, strip, shadow, recipe);
+  auto facts = facts_of(file, strip, shadow, recipe);
   if (file.extension() == ".cube")
     files::write_whole(file, as_cube(strip));
   else

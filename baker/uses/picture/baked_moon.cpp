@@ -154,7 +154,8 @@ void write_bands(std::span<const Band> bands, std::span<const float> looked_up,
 }
 
 texture::Rows with_bands(texture::Rows lit, std::size_t looked_up, std::vector<Band> bands) {
-  return [=](std::size_t row, std::span<float> values) {
+  return [lit = std::move(lit), looked_up, bands = std::move(bands)](std::size_t row,
+                                                                     std::span<float> values) {
     const std::size_t channels = colours + bands.size(), texels = values.size() / channels;
     std::vector<float> light(texels * looked_up);
     lit(row, light);

@@ -105,7 +105,7 @@ std::string map_contents(const MoonRequest& moon) {
   }
   const auto& map = moon.albedo_map;
   if (!reads_map(moon)) return map;
-  const auto contents = fmt::format("{:016x}", files::fingerprint(files::bytes_of(map)));
+  auto contents = fmt::format("{:016x}", files::fingerprint(files::bytes_of(map)));
   if (std::filesystem::path(map).extension() != ".eclipse") return contents;
   return contents + texture::read_attribute(map, texture::seal_attribute).value_or("");
 }

@@ -12,7 +12,7 @@ namespace {
 std::string exact_text(const almanac::Instant& when) {
   constexpr int most = 9;
   for (int decimals = 0;; ++decimals) {
-    const auto text = almanac::utc_text(when, decimals);
+    auto text = almanac::utc_text(when, decimals);
     if (decimals == most || almanac::seconds_between(almanac::instant_from_utc(text), when) == 0)
       return text;
   }

@@ -33,7 +33,7 @@ std::vector<std::string> solver_names() {
 }
 
 std::vector<Sweep> sweeps(bool quick, double replicas) {
-  const auto values = [=](Values few, Values all) { return quick ? few : all; };
+  const auto values = [=](const Values& few, const Values& all) { return quick ? few : all; };
   const double fewer = quick ? 10 : 1, step_km = quick ? 3 : 1, bands = quick ? 40 : 200,
                width = quick ? 256 : 512;
   const Trial exact{.solver = quadrature_solver, .rays = 300, .texture_width = width};
@@ -54,7 +54,9 @@ std::vector<Sweep> sweeps(bool quick, double replicas) {
   stepped.photons = 1e4 / fewer;
   const Values all_rays{30, 60, 100, 300, 1000, 3000}, all_bands{3, 5, 10, 20, 40, 100, 200, 400},
       all_steps_km{30, 10, 3, 1, 0.3, 0.1};
-  const auto decades = [&](Values few) { return values(few, {1e3, 1e4, 1e5, 1e6, 1e7, 1e8}); };
+  const auto decades = [&](const Values& few) {
+    return values(few, {1e3, 1e4, 1e5, 1e6, 1e7, 1e8});
+  };
   return {{exact, "rays", &Trial::rays, values({30, 100, 300, 1000}, all_rays)},
           {exact, "wavelengths", &Trial::wavelengths, values({3, 10, 40}, all_bands)},
           {exact, texture_sweep, &Trial::texture_width,

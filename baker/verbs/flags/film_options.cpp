@@ -246,10 +246,10 @@ const char* whole_film_flag(const FilmOptions& options) {
 }
 
 uses::FilmFiles files_of(const FilmOptions& options, const uses::Products& products) {
-  const uses::FilmFiles files{.contact_sheet = options.contact_sheet,
-                              .movie = options.movie,
-                              .composite = options.composite,
-                              .curves = {options.curves.begin(), options.curves.end()}};
+  uses::FilmFiles files{.contact_sheet = options.contact_sheet,
+                        .movie = options.movie,
+                        .composite = options.composite,
+                        .curves = {options.curves.begin(), options.curves.end()}};
   if (const auto* flag = whole_film_flag(options);
       flag && uses::shard_from(options.shard).parts > 1)
     throw algebra::Error(

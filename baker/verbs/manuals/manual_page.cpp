@@ -67,7 +67,7 @@ constexpr const char* exit_status =
 }  // namespace
 
 std::string manual_page(const CLI::App& verb) {
-  const auto name = verb.get_name();
+  const auto& name = verb.get_name();
   std::string text = title("coppermoon-" + name);
   text += fmt::format(".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{}\n", in_roff("coppermoon-" + name),
                       in_roff(verb.get_description()), bold("coppermoon " + usage_of(verb)));

@@ -246,7 +246,7 @@ std::string text_of_parts(const Reading& reading, const request::Parameter& grou
     require_key(reading, table, entry);
     parts.push_back(part_of_region(reading, entry));
   }
-  const auto text = fmt::format("{}", fmt::join(parts, ","));
+  auto text = fmt::format("{}", fmt::join(parts, ","));
   try {
     uses::region_from(text);
   } catch (const algebra::Error& error) {

@@ -103,7 +103,7 @@ constexpr const char* variable_of_recipes = "COPPERMOON_RECIPES_BEING_READ";
 std::string recipes_read_with(const fs::path& recipe) {
   const std::string before(OIIO::Sysutil::getenv(variable_of_recipes));
   const auto name = fs::weakly_canonical(recipe).string();
-  const auto all = before.empty() ? name : before + "\n" + name;
+  auto all = before.empty() ? name : before + "\n" + name;
   if (const auto first = ("\n" + before + "\n").find("\n" + name + "\n"); first != all.npos)
     throw algebra::Error(
         fmt::format("{}: its map is made from itself: {}", name,

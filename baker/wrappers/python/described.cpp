@@ -161,7 +161,7 @@ std::string literal_of(const Parameter& parameter) {
       return text == "on" ? "True" : "False";
     case Kind::whole:
     case Kind::natural:
-      return text;
+      return std::string(text);
     case Kind::number:
       return float_literal(text);
     case Kind::word:

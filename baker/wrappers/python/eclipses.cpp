@@ -33,8 +33,7 @@ std::vector<Eclipse> eclipses_in(const Date& start, const Date& stop, ShadowConv
     for (double from_s = 0; from_s <= length_s; from_s += at_a_time_s) {
       const auto from = almanac::later(start.instant, from_s),
                  to = almanac::later(start.instant, std::min(from_s + at_a_time_s, length_s));
-      for (auto& each : eclipse::eclipses_between(from, to, convention))
-        all.push_back(std::move(each));
+      for (const auto& each : eclipse::eclipses_between(from, to, convention)) all.push_back(each);
       progress(std::min(1., (from_s + at_a_time_s) / std::max(1., length_s)));
     }
     return all;
