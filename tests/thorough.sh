@@ -15,7 +15,7 @@ processors=$(nproc)
 export ASAN_OPTIONS=intercept_tls_get_addr=0
 export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppressions=0" UBSAN_OPTIONS=print_stacktrace=1
 
-steps="compiled_alone quick_in_release heavy_under_sanitizers races fuzzers libraries_thoroughly program_thoroughly
+steps="compiled_alone quick_in_release heavy_under_sanitizers races tidy fuzzers libraries_thoroughly program_thoroughly
 extremes_thoroughly films_and_convergence plans_kept plans_kept_with_regions air_recovered nights_recovered planted_faults planted_parameter other_programs packages measurements
 small_examples full_examples full_film sweep_1 sweep_2 sweep_3 sweep_4 sweep_5"
 
@@ -50,6 +50,11 @@ heavy_under_sanitizers() {
 races() {
   released coppermoon_test_main
   tests/races.sh
+}
+
+tidy() {
+  released coppermoon_test_main
+  tests/tidy.sh
 }
 
 fuzzers() {
