@@ -325,6 +325,24 @@ TEST_F(CameraTest, CountsWhatItsOwnFiltersPassAndSaysByWhichMatrix) {
     EXPECT_WITHIN(one[k], other[k], 0.005, "the matrix of the file is that of the response");
 }
 
+TEST_F(CameraTest, OfAFilmIsNoOtherFileOfFilters) {
+  const Words film{
+      "animate",  "2018-07-27", "--from",          "greatest-1s", "--to",       "greatest+1s",
+      "--frames", "2",          "--texture-width", "64",          "--width",    "48",
+      "--height", "32",         "--atmosphere",    "undated",     "--response", "own.csv",
+      "-o",       "film"};
+  const auto own = luther_camera();
+  file("own.csv", own);
+  make(film);
+  make(film);
+  file("own.csv", own.substr(0, own.rfind("780,")));
+  const auto outcome = coppermoon(film);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err,
+            "coppermoon: film: holds a film made with other contents of response (frame.0001.png "
+            "and 1 more), allowed another folder, or --replace\n");
+}
+
 TEST_F(CameraTest, GivesEachFrameOfAFilmNoiseOfItsOwn) {
   const auto film = [&](const char* folder, const Words& more = {}) {
     make(Words{"animate",
