@@ -24,18 +24,18 @@ namespace {
 using algebra::Grid;
 using atmosphere::Atmosphere;
 
-/// Photons whose rows are held at once.
+/// Number of photons whose rows are held at once.
 constexpr std::size_t batch = 32;
 
-/// Rays of the table that only says where marched photons aim.
+/// Number of rays of the table from which marched photons take their aim.
 constexpr int aiming_rays = 100;
 
 /// Buffers of one thread.
 struct Workplace {
   Tally tally;                       ///< of a block
-  std::vector<MarchedPhoton> paths;  ///< of its photons, where they are marched
+  std::vector<MarchedPhoton> paths;  ///< of the block's photons, where these are marched
   MarchedRows rows;                  ///< (photon of a batch, wavelength)
-  Grid<float> landing_m;             ///< as many
+  Grid<float> landing_m;             ///< (photon of a batch, wavelength)
 
   Workplace(std::size_t cells, std::size_t waves)
       : tally(cells, waves), rows(batch, waves), landing_m(rows.light) {}
@@ -90,7 +90,7 @@ class Simulation {
   }
 
  private:
-  /// Radiance of a place on the Sun's disc over the disc's mean.
+  /// Radiance of a point on the Sun's disc over the disc's mean.
   double brightness_at(const glm::dvec3& source_m, std::size_t wave) const {
     if (!arrangement_.limb_darkening) return 1;
     const double rho = std::hypot(source_m.x, source_m.y) / photons::solar_radius_m;
@@ -98,7 +98,7 @@ class Simulation {
                                    std::sqrt(std::max(0., 1 - rho * rho)));
   }
 
-  /// The part of the ring that each photon stands for, of all wavelengths.
+  /// Area of the ring of air at which photons are aimed.
   double emitting_area_m2() const {
     const double inner = photons::innermost_radius_m(atmosphere_);
     const double outer = atmosphere_.top_radius_m();
@@ -170,11 +170,11 @@ class Simulation {
   const PhotonSettings& settings_;
   std::vector<atmosphere::Optics> optics_;
   Rings rings_;
-  std::optional<LimbLandings> landings_;   ///< of photons of all wavelengths
-  std::optional<MarchedPhotons> marched_;  ///< of those that are marched
+  std::optional<LimbLandings> landings_;   ///< for Trace::marched and Trace::table
+  std::optional<MarchedPhotons> marched_;  ///< for Trace::marched
 };
 
-/// Tells how many of all blocks are done.
+/// Progress by blocks done.
 struct BlockProgress {
   const algebra::Progress& told;
   std::uint64_t all;
@@ -185,8 +185,8 @@ struct BlockProgress {
   }
 };
 
-/// Parts of the blocks, added in their order: the same sums whatever the number of threads, which
-/// alone says how many parts are held at a time.
+/// Adds blocks to the sums, part by part in order, so that the sums do not depend on the number of threads;
+/// only the number of parts in memory does.
 void add_blocks(const Simulation& simulation, BlockRange blocks, BlockSums& sums,
                 BlockProgress& progress) {
   constexpr std::uint64_t parts = 64, most = 4096;
@@ -200,7 +200,7 @@ void add_blocks(const Simulation& simulation, BlockRange blocks, BlockSums& sums
     next = std::min(blocks.to, from + size);
     return {from, next};
   };
-  // called often, though a part's blocks count when it is done: the callback may end the work
+  // called after every block, though blocks count part by part: the callback may cancel
   const auto tell = [&] { progress.tell(); };
   const auto trace = [&](BlockRange range) -> Part {
     return {range, std::make_shared<BlockSums>(simulation.simulated(range, tell))};
@@ -256,7 +256,7 @@ PhotonSums no_photons(const Atmosphere& atmosphere, const Arrangement& arrangeme
           nothing};
 }
 
-/// The rings of a plane's sectors, without what lands beyond.
+/// Adds a tally's rows to the grids of all planes and sectors, without the ring of all that lands farther out.
 void add(const Grid<double>& rows, std::vector<Grid<double>>& grids) {
   for (std::size_t g = 0; g < grids.size(); ++g)
     for (std::size_t r = 0; r < grids[g].rows(); ++r)
@@ -264,7 +264,7 @@ void add(const Grid<double>& rows, std::vector<Grid<double>>& grids) {
         grids[g](r, w) += rows(g * (grids[g].rows() + 1) + r, w);
 }
 
-/// Ranges of blocks, the first so many of them.
+/// The first `count` blocks of some ranges.
 std::vector<BlockRange> first_of(const std::vector<BlockRange>& ranges, std::uint64_t count) {
   std::vector<BlockRange> first;
   for (const auto& range : ranges) {
@@ -275,13 +275,13 @@ std::vector<BlockRange> first_of(const std::vector<BlockRange>& ranges, std::uin
   return first;
 }
 
-/// Whether there are enough photons, as far as their settings can tell.
+/// Whether the settings have a stopping rule and the photons meet it.
 bool enough(const PhotonSums& sums, const PhotonSettings& settings) {
   if (!settings.enough || blocks_in(sums.done) < blocks_for_an_error) return false;
   return worst_error(estimated(sums), *settings.enough) <= settings.enough->tolerance;
 }
 
-/// Traces blocks that are not done yet, into the sums.
+/// Traces some ranges of blocks and adds them to the sums.
 void add_ranges(const Simulation& simulation, const std::vector<BlockRange>& ranges,
                 PhotonSums& sums, BlockProgress& progress) {
   BlockSums rows(simulation.rows(), simulation.waves());

@@ -24,21 +24,21 @@ using algebra::Grid;
 using atmosphere::Atmosphere;
 using std::numbers::pi;
 
-/// The highest harmonic of the position angle that the limb's parts are taken to. Measured at 400 to
-/// 700 nm up to 6000 km from the axis, worst and mean: of 13 belts against 192 harmonics, 1e-4 and
-/// 3e-6, every other one dusty 4e-4 and 2e-5; of regions against arcs cut at their borders, aerosol
-/// of a great eruption 6e-3 and 5e-5, dust that leaves a hundredth 2e-2 and 1e-4.
+/// Highest harmonic of the position angle to which the shares of the limb's parts are expanded. Errors measured
+/// at 400 to 700 nm up to 6000 km from the axis, worst and mean: 13 belts, against 192 harmonics, 1e-4 and 3e-6;
+/// with dust in every other belt 4e-4 and 2e-5; regions, against arcs cut at their borders, 6e-3 and 5e-5 with
+/// the aerosol of a great eruption in one, 2e-2 and 1e-4 with dust that transmits a hundredth.
 int highest_harmonic(const Atmosphere& atmosphere) {
   if (atmosphere.one_column()) return 2;  // an ellipsoid's
   return atmosphere.regions.empty() ? 48 : 160;
 }
 
-/// Width of the bins that light is gathered in, of distance from the axis: finer as rays are.
+/// Width of the bins of landing distance; inversely proportional to the number of rays.
 double bin_width_m(int rays) { return std::clamp(1.2e6 / rays, 100., 50e3); }
 
-/// The position angles that are computed, and which of them each sector has the light of: its own, or
-/// of belts that of its mirror image. Sectors that nobody asked for have none. On an ellipsoid
-/// without regions light is computed towards its pole and its equator alone.
+/// Position angles to compute, and the one that each sector takes its light from: its own or, with belts, its
+/// mirror image. Sectors not asked for have none. For an ellipsoid with one column only the directions of pole
+/// and equator are computed.
 struct Directions {
   std::vector<double> angles_rad;
   std::vector<std::optional<std::size_t>> of_sector = {};
@@ -68,7 +68,7 @@ struct Ring {
   Grid<double> ratio;
 };
 
-/// Computes rings.
+/// Computation of light at axis distances, on all planes.
 class Solver {
  public:
   explicit Solver(const LandedPlane::Sunlit& sunlit)
@@ -76,7 +76,7 @@ class Solver {
     for (const double depth : sunlit.arrangement.depths_m) planes_.emplace_back(sunlit, depth);
   }
 
-  /// Whether what they are computed from is kept from one time to the next, or made anew.
+  /// Whether all planes keep the limb's light between calls (LandedPlane::keeps_light).
   bool keeps_light() const { return std::ranges::all_of(planes_, &LandedPlane::keeps_light); }
 
   std::vector<Ring> rings(std::span<const double> gammas_m, const algebra::Progress& progress) {
@@ -103,17 +103,17 @@ class Solver {
   std::vector<LandedPlane> planes_;
 };
 
-/// Direct light of a ring, over unshaded sunlight.
+/// Direct light at an axis distance, over unshaded sunlight.
 double direct_light(const Atmosphere& atmosphere, const Arrangement& arrangement, double gamma_m) {
   return 1 - covered_part(gamma_m, arrangement.depths_m.front(), arrangement.sun_distance_m,
                           atmosphere.top_radius_m());
 }
 
-/// Largest relative error of a cubic through the four rings about a middle: of refracted light over
-/// all wavelengths of some air, against all light there.
+/// Error of a cubic through four rings at the ring between them, over refracted and direct light there: summed
+/// over wavelengths, the largest of all atmospheres and angles.
 ///
-/// Given  direct  light, or what it is taken for where there is less
-///        airs    how many: their wavelengths follow on each other, as many of each
+/// Given  direct  direct light, dark_ratio at least
+///        airs    number of atmospheres; a ring's columns are the wavelengths of one after the other
 double surprise(std::span<const Ring> about, const Ring& middle, double direct, std::size_t airs) {
   std::vector<double> gammas_m;
   for (const auto& ring : about) gammas_m.push_back(ring.gamma_m);
@@ -134,7 +134,7 @@ double surprise(std::span<const Ring> about, const Ring& middle, double direct, 
   return worst;
 }
 
-/// The rings asked for, and between them as many more as it takes.
+/// Rings at the axis distances asked for, and insertion of more between them.
 class Refinement {
  public:
   Refinement(Solver& solver, std::span<const Atmosphere> airs, const Arrangement& arrangement)
@@ -143,13 +143,13 @@ class Refinement {
   std::vector<Ring> rings(std::span<const double> gammas_m, const QuadratureSettings& settings,
                           const algebra::Progress& progress) const {
     auto all = solver_.rings(gammas_m, progress);
-    std::vector<bool> open(all.size(), settings.place_error > 0);  // the interval above each
+    std::vector<bool> open(all.size(), settings.place_error > 0);  // interval above each ring
     while (std::ranges::count(open, true) > 0 && all.size() >= 4) halve(settings, all, open);
     return all;
   }
 
  private:
-  /// Halves the open intervals; those half as good as foretold stay open.
+  /// Halves the open intervals; an interval stays open where the cubic erred by more than the tolerance.
   void halve(const QuadratureSettings& settings, std::vector<Ring>& all,
              std::vector<bool>& open) const {
     constexpr double narrowest_m = 3e3;
@@ -188,11 +188,11 @@ class Refinement {
   const Arrangement& arrangement_;
 };
 
-/// Rings of angles become sectors. On an ellipsoid all light is between that towards the pole and that
-/// towards the equator: the limb is their mean by cos², so a disc's arcs of it know no more than
-/// cos 2θ.
+/// Writes rings' angles into the light's sectors. For an ellipsoid with one column, a sector interpolates
+/// between pole and equator linearly in cos 2θ: the limb's parts are mixed by cos² θ, so light has no higher
+/// harmonic.
 ///
-/// Given  first_wave  of the rings', where the light's begin
+/// Given  first_wave  column of the rings that holds the light's first wavelength
 void fill(std::span<const Ring> rings, std::size_t first_wave, const Atmosphere& atmosphere,
           const Directions& directions, RefractedLight& light) {
   const bool ellipse_alone = atmosphere.one_column() && !atmosphere.symmetric();
@@ -217,15 +217,15 @@ void fill(std::span<const Ring> rings, std::size_t first_wave, const Atmosphere&
   });
 }
 
-/// Wavelengths of all airs, and the Sun's brightness in them.
+/// Wavelengths of all atmospheres, and the Sun's disc at them.
 struct Wavelengths {
   std::vector<Wave> waves;
   photons::DiscTerms sun;
 };
 
-/// Some of them, evenly chosen, in each air.
+/// Evenly spaced choice of wavelengths, the same in each atmosphere.
 ///
-/// Given  count  of all those of one air, or fewer
+/// Given  count  number to choose, at most all wavelengths
 Wavelengths chosen(std::span<const Atmosphere> airs, std::span<const atmosphere::Optics> optics,
                    const photons::DiscTerms& sun, std::size_t count) {
   Wavelengths some{{}, {sun.functions, {sun.functions.size(), airs.size() * count}}};
@@ -239,8 +239,8 @@ Wavelengths chosen(std::span<const Atmosphere> airs, std::span<const atmosphere:
   return some;
 }
 
-/// The rings asked for and those put between them. Where light of all wavelengths does not fit into
-/// memory, some of these say where rings are put.
+/// Rings at the axis distances asked for, and inserted ones. Where light of all wavelengths does not fit into
+/// memory, a few wavelengths decide where rings are inserted.
 std::vector<Ring> rings_of(std::span<const Atmosphere> airs, const Arrangement& arrangement,
                            std::span<const double> wavelengths_nm,
                            std::span<const double> axis_distances_m, const Directions& directions,
@@ -303,8 +303,7 @@ std::vector<RefractedLight> by_quadrature_in(std::span<const Atmosphere> airs,
   if (first.top_m() <= 0 || wavelengths_nm.empty() || axis_distances_m.empty())
     return {airs.size(), darkness(arrangement, wavelengths_nm, axis_distances_m, sectors)};
   std::vector<RefractedLight> all(airs.size());
-  // an error in a loop that this is part of ends that loop's others: theirs here would be skipped, and what they
-  // fill be missing
+  // isolated: an error elsewhere cancels an enclosing parallel loop, which would silently skip iterations here
   tbb::task_group_context alone(tbb::task_group_context::isolated);
   tbb::parallel_for(
       0, 1,

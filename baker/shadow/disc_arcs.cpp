@@ -17,14 +17,14 @@ using algebra::Grid;
 using std::numbers::pi;
 
 constexpr int nodes_an_edge = 4;
-const double gauss_node = std::sqrt(0.6);  // of the outer two, the third is 0
+const double gauss_node = std::sqrt(0.6);  // of three: −this, 0, this
 
-/// A node of ∫ over half an arc: sin t, and its weight with cos t, t from 0 to π/2.
+/// Node of an integral over half an arc: sin t, t from 0 to π/2, and its weight times cos t.
 struct ArcNode {
   double sine, weight;
 };
 
-/// Gauss's nodes, so many in each of some equal parts.
+/// Gauss nodes over half an arc, `count` in each of so many equal parts.
 std::vector<ArcNode> nodes_in_parts(int count, int parts) {
   std::vector<ArcNode> all;
   const double reach = pi / 4 / parts;
@@ -36,7 +36,7 @@ std::vector<ArcNode> nodes_in_parts(int count, int parts) {
   return all;
 }
 
-/// The positive ones of Gauss's nodes over the whole arc.
+/// Positive half of the Gauss nodes over the whole arc.
 std::vector<ArcNode> nodes_of_a_whole(int count) {
   std::vector<ArcNode> all;
   for (const auto& node : algebra::gauss_legendre(count))
@@ -47,14 +47,14 @@ std::vector<ArcNode> nodes_of_a_whole(int count) {
   return all;
 }
 
-/// Nodes over half an arc, as many as its highest harmonic asks for.
+/// Nodes over half an arc, as many as its highest harmonic needs.
 const std::vector<ArcNode>& arc_nodes(int highest, double half_arc_rad) {
   static const auto alike = nodes_in_parts(7, 1), twice_around = nodes_of_a_whole(10);
   if (highest == 0) return alike;
   if (highest <= 2) return twice_around;
   constexpr int a_part = 12, parts = 48;
   // FAULT arcs of high harmonics over too few nodes: phase = 9 => phase = 90
-  constexpr double phase = 9;  // that those of a part follow, beside the disc's brightness
+  constexpr double phase = 9;  // radians of the highest harmonic that one part's nodes resolve
   static const auto finer = [] {
     std::vector<std::vector<ArcNode>> all;
     for (int i = 1; i <= parts; ++i) all.push_back(nodes_in_parts(a_part, i));
@@ -64,14 +64,13 @@ const std::vector<ArcNode>& arc_nodes(int highest, double half_arc_rad) {
   return finer[std::min(i, finer.size() - 1)];
 }
 
-/// Width of the widest stretches, over which the highest harmonic of an arc turns by a part of a
-/// circle.
+/// Width of the widest stretches [bins]: the highest harmonic turns by a fraction of a circle over one.
 int widest(double a, int highest) {
   if (highest <= 2) return 48;
   return static_cast<int>(std::clamp(3 * a / highest, 1., 24.));
 }
 
-/// Ends between two, ever closer towards both.
+/// Adds ends of stretches between two bins, closer together towards both.
 void add_graded(int from, int to, int widest, std::vector<int>& ends) {
   std::vector<int> upper;
   for (int width = 1; from < to; width = std::min(2 * width, widest)) {
@@ -105,7 +104,7 @@ DiscArcs::DiscArcs(const photons::DiscTerms& sun, double gamma, double a, int hi
   for (const double edge : edges_)
     for (const double whole : {std::floor(edge), std::ceil(edge)})
       cuts.push_back(static_cast<int>(whole));
-  if (gamma < a) cuts.push_back(0);  // circles whole inside
+  if (gamma < a) cuts.push_back(0);  // the disc contains whole circles about the axis
   sort_out(cuts);
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
     add_graded(cuts[i], cuts[i + 1], widest(a, highest), ends_);
@@ -121,8 +120,8 @@ Grid<double> DiscArcs::darkness() const {
   return {sun_.functions.size(), static_cast<std::size_t>(highest_) + 1};
 }
 
-/// ∫ f(μ) cos mψ dψ along the arc of radius r, μ² = 1 − (r² + γ² − 2 r γ cos ψ)/a², in the variable
-/// asin(ψ/half arc), in which μ is smooth to its ends; both halves at once. cos mψ by recurrence.
+/// Adds ∫ f(μ) cos mψ dψ along the arc of radius r, μ² = 1 − (r² + γ² − 2 r γ cos ψ)/a². The variable is
+/// asin(ψ/half arc), in which μ is smooth up to the arc's ends; cos mψ follows by recurrence.
 void DiscArcs::add_arc(double r, double weight, Grid<double>& light) const {
   const double half = half_arc(r);
   if (half == 0) return;
@@ -145,7 +144,7 @@ void DiscArcs::add_arc(double r, double weight, Grid<double>& light) const {
   add_harmonics(cosines, shed, light);
 }
 
-/// From edge to edge, in the root of the distance from the nearer.
+/// Mean over bins at the disc's edge, integrated in the root of the distance from the nearer edge.
 Grid<double> DiscArcs::mean_over(int from, int to) const {
   auto mean = darkness();
   std::vector<double> ends{static_cast<double>(from), static_cast<double>(to)};

@@ -10,28 +10,29 @@
 
 namespace coppermoon::shadow {
 
-/// A stretch of distances from the axis, in whole bins. Over it the light that the Sun's disc about
-/// a place sheds along arcs is a square of the distance, through Gauss's three nodes.
+/// Interval of distances from the axis, in whole bins, over which the integral along an arc within the projected
+/// Sun's disc is a quadratic in the distance, given by its values at three Gauss nodes.
 struct Stretch {
   int from, to;
-  /// [node](term of the disc, harmonic m) ∫ f(μ) cos mψ dψ over the arc [rad], ψ from the place's
-  /// position angle, lowest distance first
+  /// [node, lowest distance first](term of the disc, harmonic m) ∫ f(μ) cos mψ dψ over the arc [rad], ψ counted
+  /// from the place's position angle
   std::array<algebra::Grid<double>, 3> light;
 };
 
-/// The polynomial in r, powers 0 to 2, through three values at Gauss's nodes between two ends.
+/// Coefficients of r⁰, r¹, r² of the quadratic through values at the three Gauss nodes of an interval.
 std::array<double, 3> square_through(double from, double to, const std::array<double, 3>& values);
 
-/// The arcs that the Sun's disc about a place takes in, about the axis, by stretches from the
-/// innermost to the outermost: narrow towards the disc's edges, where an arc goes as the root of the
-/// distance; one bin wide there, and of the mean over it.
+/// Arcs about the axis within the Sun's disc that is projected about a place, as stretches of axis distance.
+/// Stretches narrow towards the disc's edges, where an arc's length goes as the root of the distance from
+/// the edge; at the edges they are one bin wide and hold the mean over the bin.
 class DiscArcs {
  public:
-  /// Given  gamma, a  of the place and of the disc's radius, in bins
-  ///        highest   harmonic
+  /// Given  gamma    axis distance of the place, in bins
+  ///        a        radius of the disc, in bins
+  ///        highest  harmonic
   DiscArcs(const photons::DiscTerms& sun, double gamma, double a, int highest);
 
-  /// Stretches between two distances, in bins.
+  /// Stretches between two axis distances, in bins.
   std::vector<Stretch> stretches(int from, int to) const;
 
  private:
@@ -43,7 +44,7 @@ class DiscArcs {
   const photons::DiscTerms& sun_;
   double gamma_, a_;
   int highest_;
-  std::array<double, 2> edges_;  ///< of the disc, towards the axis and away
+  std::array<double, 2> edges_;  ///< axis distances of the disc's edges, nearer and farther
   std::vector<int> ends_;
 };
 

@@ -63,7 +63,7 @@ double lens_area(double apart, double r, double s) {
   if (apart >= r + s) return 0;
   if (apart <= larger - smaller) return std::numbers::pi * smaller * smaller;
   const auto cosine = [](double x) { return std::clamp(x, -1., 1.); };  // rounding at first contact
-  // of half the angles at which each centre sees the common chord
+  // cosine of half the angle that the common chord subtends at each centre
   const double cos_r = cosine((apart * apart + r * r - s * s) / (2 * apart * r));
   const double cos_s = cosine((apart * apart + s * s - r * r) / (2 * apart * s));
   const auto segment = [](double c) { return std::acos(c) - c * std::sqrt(1 - c * c); };
@@ -113,7 +113,7 @@ void DirectLight::clear_parts(double axis_distance_m, double position_angle_rad,
         lens_area(axis_distance_m, sun * radius, earth) / (std::numbers::pi * sun * sun);
     parts[k] = area - covered < 1e-12 ? 0 : area - covered;  // rounding
     if (parts[0] > 0) continue;
-    std::ranges::fill(parts, 0);  // the whole is hidden
+    std::ranges::fill(parts, 0);  // the whole disc is covered
     return;
   }
 }

@@ -12,62 +12,63 @@
 
 namespace coppermoon::shadow {
 
-/// How Sun and shadow planes stand: distances from the Earth's centre along the shadow axis.
+/// Distances of the Sun and of the shadow planes from the Earth's centre, along the shadow axis.
 struct Arrangement {
   double sun_distance_m;         ///< 0.3 to 3 au
   std::vector<double> depths_m;  ///< planes behind the Earth, increasing, 1e8 to 1e9 m
-  bool limb_darkening = false;   ///< of the Sun's disc, by wavelength; off: uniform
+  bool limb_darkening = false;   ///< of the Sun, by wavelength; off: a uniform disc
 };
 
 /// Throws Error when a distance is outside its range
 void require_valid(const Arrangement& arrangement);
 
-/// Light that came through the Earth's air, over what an unshaded surface there would receive: a
-/// function of place in the shadow and wavelength.
+/// Light refracted by the Earth's air, over unshaded sunlight at the same distance from the Sun, by place in the
+/// shadow and wavelength.
 struct RefractedLight {
   Arrangement arrangement;
   std::vector<double> wavelengths_nm;
   std::vector<double> axis_distances_m;  ///< increasing
-  /// equal parts of the position angle about the axis; 1: all around alike
+  /// equal parts of the position angle about the axis; 1: light is symmetric about the axis
   std::size_t sectors = 1;
   /// [plane × sectors + sector](axis distance, wavelength); sector s is centred at the position angle
-  /// 2π s / sectors, so [0] is the first plane's north alone: see mean_ratio
+  /// 2π s / sectors. For a mean over sectors see mean_ratio
   std::vector<algebra::Grid<double>> ratio;
-  std::vector<algebra::Grid<double>> standard_error;  ///< likewise; none where light has no noise
-  std::uint64_t photons = 0;                          ///< traced for it
-  /// whether a place's wavelengths share their photons, so that their errors add up; if not, errors
-  /// are independent
+  std::vector<algebra::Grid<double>> standard_error;  ///< [as ratio]; empty: light has no noise
+  std::uint64_t photons = 0;                          ///< number of photons traced
+  /// whether errors of a place's wavelengths are correlated, as they share their photons
   bool errors_correlated = false;
 };
 
-/// No light at all, on every plane in that many sectors, without noise.
+/// Light that is 0 on every plane and in every sector, without noise.
 RefractedLight darkness(const Arrangement& arrangement, std::span<const double> wavelengths_nm,
                         std::span<const double> axis_distances_m, std::size_t sectors);
 
-/// The ratio's mean over all position angles on one plane.
+/// Mean of the ratio over all position angles on one plane.
 ///
-/// Given     light  with light in all its sectors: those that by_quadrature was not asked for are dark
+/// Given     light  computed in all sectors (QuadratureSettings::sectors leaves others dark)
 /// Returned  (axis distance, wavelength)
 algebra::Grid<double> mean_ratio(const RefractedLight& light, std::size_t plane = 0);
 
-/// The standard error of a weighted sum over wavelengths, from theirs; an upper bound where they
-/// are correlated.
+/// Standard error of a weighted sum over wavelengths, from the wavelengths' standard errors; an upper bound where
+/// these are correlated.
 double combined_error(const RefractedLight& light, std::span<const double> errors,
                       std::span<const double> weights);
 
-/// The air at sea level for each wavelength.
+/// Optical properties of air at sea level, at each wavelength.
 std::vector<atmosphere::Optics> optics_of(const atmosphere::Atmosphere& atmosphere,
                                           std::span<const double> wavelengths_nm);
 
-/// Radius of the Sun's image that a point of the limb throws on a plane: the projected solar disc
-/// [m].
+/// Radius of the projected solar disc: the Sun's image on a plane through a pinhole at the limb [m].
 double projected_solar_radius_m(const Arrangement& arrangement, double depth_m);
 
-/// Where a ray from the Sun's centre lands that passed the limb: signed distance from the axis.
+/// Signed distance from the axis where a ray from the Sun's centre lands after passing the limb.
 ///
 ///     r = b / cos ε + z tan ε       ε = asin(b/D) − δ
 ///
-/// Given  impact_parameter_m  b; bending_rad: δ; depth_m: z
+/// Given  impact_parameter_m  b
+///        bending_rad         δ
+///        sun_distance_m      D
+///        depth_m             z
 double landing_m(double impact_parameter_m, double bending_rad, double sun_distance_m,
                  double depth_m);
 
@@ -75,39 +76,39 @@ double landing_m(double impact_parameter_m, double bending_rad, double sun_dista
 double refracted_reach_m(const Arrangement& arrangement, const atmosphere::Atmosphere& atmosphere,
                          double depth_m);
 
-/// Area common to two circles of radii r and s whose centres stand that far apart.
+/// Area common to two circles of radii r and s.
 double lens_area(double apart, double r, double s);
 
-/// The part of the Sun's uniform disc that the Earth and its air cover, seen from the shadow: the
-/// area that two circles share, the projected disc and the one that the air's top throws.
+/// Fraction of the Sun's uniform disc that the Earth and its air cover, seen from the shadow: area common to
+/// the projected solar disc and the shadow of the air's top.
 ///
-/// Given     axis_distance_m, depth_m  the place; opaque_radius_m: of the Earth with its air
-/// Returned  0 in full sunlight, 1 where all is covered
+/// Given     opaque_radius_m  of the Earth with its air
+/// Returned  0 in full sunlight, 1 in the umbra
 /// Accuracy  1e-5: the planes of Sun, limb and shadow are taken as parallel
 double covered_part(double axis_distance_m, double depth_m, double sun_distance_m,
                     double opaque_radius_m);
 
-/// Sunlight that passes clear of the Earth and its air, over unshaded sunlight, by wavelength: the
-/// closed form for a uniform disc, summed over the discs that make a limb-darkened one.
+/// Direct light: sunlight that passes clear of the Earth and its air, over unshaded sunlight, by wavelength.
+/// Closed form for a uniform disc; a limb-darkened disc is a sum of uniform ones.
 ///
-/// Accuracy  1e-3 of unshaded sunlight: an ellipsoid's edge is taken as a circle of its radius at the
-///           place's position angle
+/// Accuracy  1e-3 of unshaded sunlight: an ellipsoid's limb is taken as a circle whose radius is the limb's at
+///           the place's position angle
 class DirectLight {
  public:
   DirectLight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
               std::span<const double> wavelengths_nm);
 
-  /// Writes one ratio a wavelength, 0 in the umbra to 1 in full sunlight.
+  /// Writes the ratio at each wavelength, 0 in the umbra to 1 in full sunlight.
   void ratios(double axis_distance_m, double position_angle_rad, double depth_m,
               std::span<double> values) const;
 
-  /// Writes the clear area of each layer of the Sun's disc, the whole disc first, over the area of
-  /// the unit disc; as many values as in_layers has columns.
+  /// Writes the uncovered area of each layer (concentric uniform disc) of the Sun, the whole disc first, over
+  /// the area of the unit disc; as many values as in_layers has columns.
   void clear_parts(double axis_distance_m, double position_angle_rad, double depth_m,
                    std::span<double> parts) const;
 
-  /// Weights of layers that stand for weights of wavelengths: Σ weight clear_part over layers is Σ
-  /// weight ratio over wavelengths.
+  /// Weights of layers that are equivalent to weights of wavelengths: Σ weight × clear part over layers equals
+  /// Σ weight × ratio over wavelengths.
   ///
   /// Given     weights  (channel, wavelength)
   /// Returned  (channel, layer)

@@ -12,21 +12,21 @@ namespace {
 
 constexpr std::size_t row_size = moments * lanes;
 
-/// Below this size ∫ exp(k t) dt is expanded in powers of k: to the fifth, 1e-7 of it.
+/// Largest |k| at which ∫ exp(k t) dt is expanded in powers of k, up to the fifth: accurate to 1e-7.
 constexpr double small = 0.3;
 
-/// ∫ exp(k t) dt from 0 to `part`, k small.
+/// Integral ∫ exp(k t) dt from 0 to `part`, k small.
 double exponential_integral(double k, double part) {
   const double x = k * part;
   return part * (1 + x * (1. / 2 + x * (1. / 6 + x * (1. / 24 + x * (1. / 120 + x / 720)))));
 }
 
-/// The mean of what runs exponentially from `first` to `last`, its logarithm rising by k.
+/// Mean over an interval of a quantity that varies exponentially from `first` to `last`; k = ln(last/first).
 double exponential_mean(double first, double last, double k) {
   return std::abs(k) > small ? (last - first) / k : first * exponential_integral(k, 1);
 }
 
-/// ∫ exp(k t) dt from 0 to a part, over that from 0 to 1.
+/// Share of ∫ exp(k t) dt from 0 to 1 that lies below some t.
 class ExponentialShare {
  public:
   explicit ExponentialShare(double k)
@@ -42,8 +42,8 @@ class ExponentialShare {
   double k_, over_whole_;
 };
 
-/// One wavelength's rays: where they land, in bins, and what they carry. From the ground up to the last that lands
-/// near enough, and two more, which end what lands between.
+/// Rays at one wavelength: landing place in bins, and the light they carry. From the ground up to two rays beyond
+/// the last that lands within reach, which bound the light that lands between rays.
 struct Rays {
   std::vector<double> place, impact_m, depth, transmittance;
 
@@ -65,10 +65,10 @@ struct Rays {
   }
 };
 
-/// Gathers one wavelength's light, of a block's sums.
+/// Gathering of light at one wavelength into its lane of a block's sums.
 class Gatherer {
  public:
-  /// Given  first, last  bins that are gathered: light lands in no earlier one, and later ones are left out
+  /// Given  first, last  bins to gather: light lands in no earlier bin, and later bins are left out
   Gatherer(double* sums, int first, int last, std::size_t lane)
       : sums_(sums + lane), first_(first), last_(last) {}
 
@@ -94,7 +94,7 @@ class Gatherer {
       spread(rays.place[j], rays.place[i], light, -k);
   }
 
-  /// Light that lands between two places and runs exponentially from one to the other.
+  /// Adds light that lands between two places, with a density that varies exponentially from one to the other.
   void spread(double from, double to, double light, double steepness) const {
     auto bin = static_cast<int>(std::floor(from));
     if (to <= bin + 1) return put(bin, from, to, light);
@@ -110,7 +110,7 @@ class Gatherer {
     if (bin < last_) put(bin, low, to, light - before);
   }
 
-  /// Light spread evenly over a part of a bin, where the sum up to the bin's end will find it.
+  /// Adds light that is spread evenly over part of a bin, to the node at the bin's end.
   void put(int bin, double low, double high, double light) const {
     const double middle = (low + high) / 2, width = high - low;
     double* row = sums_ + static_cast<std::size_t>(bin + 1 - first_) * row_size;
@@ -124,8 +124,8 @@ class Gatherer {
   int first_, last_;
 };
 
-/// Places where rays land, from the lowest ray that carries light upwards: a deck of cloud stops all below its
-/// top. The highest ray's alone where none carries any.
+/// Landing places of rays from the lowest one that carries light upwards: cloud stops all rays below its top.
+/// Only the highest ray's where no ray carries light.
 std::span<const double> lit(std::span<const double> places, std::span<const double> filter) {
   const auto lowest = std::ranges::find_if(filter, [](double share) { return share != 0; });
   return places.subspan(

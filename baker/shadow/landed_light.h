@@ -11,44 +11,45 @@
 
 namespace coppermoon::shadow {
 
-/// Number of moments of the landing distance that are summed: its powers 0, 1 and 2.
+/// Number of moments of the landing distance that are summed: powers 0, 1 and 2.
 inline constexpr std::size_t moments = 3;
 
-/// Wavelengths whose sums stand side by side: a block of them.
+/// Number of wavelengths in a block, whose sums stand side by side.
 inline constexpr std::size_t lanes = 8;
 
-/// A plane that light lands on.
+/// Plane that light lands on.
 struct LandingPlane {
   double sun_distance_m, depth_m;
-  double bin_m;    ///< width of the bins that light is gathered in, of distance from the axis
-  double reach_m;  ///< distance from the axis beyond which light, on its own side, is left out
+  double bin_m;    ///< width of the bins of axis distance that light is gathered in
+  double reach_m;  ///< axis distance beyond which light on the limb's own side is left out
 
-  /// First bin that nothing is gathered in, of light that lands up to so many bins from the axis.
+  /// End of the bins that are needed (one past the last), for light that lands up to `farthest` bins from the axis.
   int end_of(double farthest) const;
 };
 
-/// ∫ r^m T b db over the rays of one part of the limb that land nearer than each of evenly spaced
-/// signed distances r from the axis, on one plane, of a block of wavelengths; r in bins.
+/// Cumulative moments of landed light, ∫ r^m T b db, at evenly spaced nodes of r: r the signed axis distance on one
+/// plane, in bins; the integral covers rays of one part of the limb that land at less than the node. Holds a block
+/// of wavelengths.
 ///
-/// Between two rays r is taken to run straight and T exponentially, once from each to the next and
-/// once to the next but one; 4/3 of the first less 1/3 of the second leaves errors of the fourth
-/// order in the rays' spacing (Richardson).
+/// Between two rays r is interpolated linearly and T exponentially, once between neighbours and once between
+/// every other ray; 4/3 of the first less 1/3 of the second leaves errors of fourth order in the rays'
+/// spacing (Richardson).
 class LandedLight {
  public:
-  /// Given  fans      of the block's wavelengths, as many as `lanes` at most
+  /// Given  fans      one for each of the block's wavelengths, at most `lanes`
   ///        radius_m  of the limb's ground
   LandedLight(std::span<const photons::Fan> fans, const LandingPlane& plane, double radius_m);
 
-  /// First and last node: no light lands before the first, none that counts after the last.
+  /// First and last node: no light lands before the first; light after the last is left out.
   int first() const { return first_; }
   int last() const { return last_; }
 
-  /// The sums up to the first node, [moment][lane]; behind them those up to the next.
+  /// Sums [node from the first][moment][lane].
   const double* sums() const { return sums_.data(); }
 
  private:
   int first_ = 0, last_ = 0;
-  // [node][moment][lane]; the allocator keeps memory, for the next light asks for as much
+  // [node][moment][lane]; the allocator keeps freed memory, as the next LandedLight needs as much
   std::vector<double, tbb::scalable_allocator<double>> sums_;
 };
 

@@ -17,18 +17,18 @@ namespace {
 using photons::WholeLimb;
 using std::numbers::pi;
 
-/// Position angles that the parts of the limb are looked up at.
+/// Number of position angles at which shares of the limb's parts are tabulated.
 constexpr int looked_at = 1440;
 
-/// How many of them light has that far from the axis, in radii of the projected Sun: the nearer, the
-/// more of the limb a place sees at once.
+/// Number of harmonics that light needs at an axis distance, in radii of the projected Sun; fewer near the
+/// axis, where a place receives light from more of the limb.
 std::size_t harmonics_at(double solar_radii) {
   return static_cast<std::size_t>(9 + 48 * solar_radii);
 }
 
-/// One stretch begins where another ends: a node counts once for both.
+/// Adds the two end nodes of a stretch, sharing the first with the previous stretch where that ends there.
 ///
-/// Returned  the place of its first node
+/// Returned  index of the stretch's first node
 std::size_t add_ends(int from, int to, std::vector<int>& nodes) {
   if (nodes.empty() || nodes.back() != from) nodes.push_back(from);
   nodes.push_back(to);
@@ -112,9 +112,9 @@ LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m) : sunlit_(sunlit)
   last_ = std::max(first_, last_);
 }
 
-/// Number of blocks held at once: all where they fill a gigabyte and a quarter or less on all planes; of many
-/// wavelengths, of which it takes few to put places between places, half a gigabyte. Else as many of
-/// one plane as fill 150 megabytes.
+/// Number of blocks held in memory at once: all, if those of all planes take 1.25 gigabytes or less (half a
+/// gigabyte with many wavelengths, where a few decide on inserted places); else as many of one plane as fill
+/// 150 megabytes.
 std::size_t LandedPlane::blocks_at_once() const {
   constexpr std::size_t many = 128, most_bytes = 150'000'000;
   const std::size_t most_kept = sunlit_.waves.size() > many ? 500'000'000 : 1'250'000'000;
@@ -140,8 +140,9 @@ LandedPlane::Blocks LandedPlane::landed(std::size_t first) const {
   return some;
 }
 
-/// Whether light is computed as a series of harmonics, not angle by angle. Between regions, whose light at an
-/// angle must not depend on the others asked for, by the distance; between belts by the quicker, in steps.
+/// Whether light is computed as a series of harmonics, not angle by angle. With regions the axis distance
+/// decides, so that light at an angle does not depend on the other angles asked for; with belts the estimated
+/// cost.
 bool LandedPlane::by_series(double gamma_m) const {
   const auto& around = sunlit_.around;
   if (around.harmonics() <= 3) return true;
@@ -158,7 +159,7 @@ bool LandedPlane::by_series(double gamma_m) const {
 }
 
 void LandedPlane::light(std::span<const Place> places, const std::function<void(double)>& done) {
-  constexpr std::size_t at_once = 64;  // what they draw fits into memory
+  constexpr std::size_t at_once = 64;  // places whose Draws fit into memory
   const auto pairs_done = [&](std::size_t blocks_by_places) {
     if (done)
       done(static_cast<double>(blocks_by_places) / static_cast<double>(blocks() * places.size()));
@@ -168,14 +169,14 @@ void LandedPlane::light(std::span<const Place> places, const std::function<void(
     for (std::size_t from = 0; from < places.size(); from += at_once)
       add_light(places.subspan(from, std::min(at_once, places.size() - from)), pairs_done);
     first += landed_.count;
-    if (!keeps_light()) landed_ = {};  // before there are two of them
+    if (!keeps_light()) landed_ = {};  // frees the memory before the next is made
   }
   for (const auto& place : places)
     for (double& value : place.ratio) value = std::max(value, 0.);  // rounding
 }
 
-/// Adds what has landed. A series asks little of a place and much of a block, which stays close by while
-/// all places draw from it; angles the other way round.
+/// Adds the landed light to places. Loops are ordered for the cache: for series, all places of one block; for
+/// angles, all blocks of one place.
 void LandedPlane::add_light(std::span<const Place> places,
                             const std::function<void(std::size_t)>& pairs_done) const {
   constexpr std::size_t places_a_task = 8;
@@ -240,14 +241,14 @@ void LandedPlane::add_series(const Draws& draws, const Blocks& blocks, std::size
   }
 }
 
-/// Adds the light of some angles that stand side by side.
+/// Adds light at a group of neighbouring angles.
 void LandedPlane::add_angles(const Draws& draws, const Blocks& blocks, std::size_t first_angle,
                              std::span<double> ratio) const {
   const auto& around = sunlit_.around;
   const std::size_t all = around.parts.size(), harmonics = draws.factors.rows(),
                     count = std::min(angles_together, around.angles() - first_angle);
   const double half_arc = std::asin(std::min(1., a_ / draws.gamma_m));
-  std::vector<std::size_t> parts;  // that any of the angles takes in
+  std::vector<std::size_t> parts;  // that send light to any of the angles
   std::vector<std::vector<double>> turns;
   for (std::size_t p = 0; p < all; ++p) {
     std::vector<double> shares(harmonics * angles_together);
@@ -302,12 +303,13 @@ LandedPlane::Draws LandedPlane::draws(double gamma) const {
   return all;
 }
 
-/// Light that lands on the place's side of the axis, or across it from the limb opposite.
+/// Adds factors of a stretch, for light that lands on the limb's own side of the axis or across it.
 ///
-/// Given  node  where the stretch's inner end stands; its outer end is the next
+/// Given  node  index of the stretch's inner end; its outer end is the next
 void LandedPlane::collect(const Stretch& stretch, bool across, std::size_t node, Draws& all) {
   const int low = across ? -stretch.to : stretch.from, high = across ? -stretch.from : stretch.to;
-  std::array<std::array<double, moments>, 3> squares;  // through 1 at one of Gauss's nodes
+  // quadratics that are 1 at one Gauss node and 0 at the other two
+  std::array<std::array<double, moments>, 3> squares;
   for (std::size_t n = 0; n < 3; ++n) {
     std::array<double, 3> one{};
     one[n] = 1;

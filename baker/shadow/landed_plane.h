@@ -16,94 +16,95 @@
 
 namespace coppermoon::shadow {
 
-/// The limb's parts around the axis, and the position angles that light is asked for at.
+/// Fourier series of the limb's parts around the axis, and the position angles where light is wanted.
 class Around {
  public:
   std::vector<photons::WholeLimb::Series> parts;
-  algebra::Grid<double> turns;  ///< (angle, 2 m and 2 m + 1) cos mθ and sin mθ
+  algebra::Grid<double> turns;  ///< cos mθ at (angle, 2 m), sin mθ at (angle, 2 m + 1)
 
-  /// Given  highest  harmonic of the parts' shares
+  /// Given  highest  harmonic to which the parts' shares are expanded
   Around(const photons::WholeLimb& limb, int highest, std::span<const double> angles_rad);
 
-  /// The cosines, or the sines, of one harmonic, that some part has.
+  /// Cosine or sine term of one harmonic, with its weight in each part; at least one is not 0.
   struct Harmonic {
-    std::size_t harmonic, turn;   ///< turn: its column of turns
+    std::size_t harmonic, turn;   ///< turn: column of `turns`
     std::vector<double> weights;  ///< by part
   };
 
-  /// Terms of so many harmonics from 0 on.
+  /// Terms of the harmonics below `count`.
   std::span<const Harmonic> some(std::size_t count) const;
 
   std::size_t angles() const { return turns.rows(); }
   std::size_t harmonics() const { return parts[0].cosine.size(); }
 
-  /// Whether west of the axis all parts are as east of it.
+  /// Whether the limb's western half mirrors its eastern half.
   bool is_mirrored() const;
 
-  /// Whether a part has any of the limb that is as near as this to one of the angles, or to the
-  /// opposite one.
+  /// Whether a part of the limb reaches within half_arc_rad of one of the angles, or of the opposite
+  /// direction.
   bool is_near(std::size_t part, std::size_t angle, double half_arc_rad) const;
 
  private:
   std::vector<double> angles_rad_;
   std::vector<Harmonic> harmonics_;  // in order
-  algebra::Grid<int> here_;          // (part, direction) how many of those up to it have some of it
+  // (part, direction) number of directions up to it where the part has a share
+  algebra::Grid<int> here_;
 };
 
-/// A wavelength, in some air.
+/// Wavelength in one of the atmospheres.
 struct Wave {
   atmosphere::Optics optics;
-  const atmosphere::Atmosphere* air;  ///< as WholeLimb::fan has it
+  const atmosphere::Atmosphere* air;  ///< as in WholeLimb::fan
 };
 
-/// Light on one plane, of the whole limb.
+/// Light of the whole limb on one plane.
 ///
-/// Off the axis each angle has its own: of the parts of the limb that the Sun's disc covers as seen
-/// from there, for no other sends any. Near the axis, where it covers all of them, of air alike all
-/// around, and of belts at many angles it is a series in the position angle.
+/// Off the axis light is computed angle by angle, from the parts of the limb within the projected Sun's disc about
+/// the place, as no other part sends light there. Near the axis, where the disc covers all parts, in symmetric air
+/// and for belts at many angles, light is computed as a Fourier series in the position angle.
 class LandedPlane {
  public:
-  /// Where light is asked for, and where it is written.
+  /// Axis distance where light is wanted, and its output.
   struct Place {
     double gamma_m;           ///< axis distance
     std::span<double> ratio;  ///< [angle][wavelength]
   };
 
-  /// Everything that all planes share, and that outlives them.
+  /// Inputs that all planes share; they outlive the planes.
   struct Sunlit {
-    const photons::WholeLimb& limb;  ///< fans are made when asked
+    const photons::WholeLimb& limb;  ///< fans are made on demand
     const Around& around;
     const photons::DiscTerms& sun;
     std::span<const Wave> waves;
     const Arrangement& arrangement;
-    double bin_m;       ///< width of the bins that light is gathered in, of distance from the axis
-    double farthest_m;  ///< of all places, from the axis
+    double bin_m;       ///< width of the bins of axis distance that light is gathered in
+    double farthest_m;  ///< largest axis distance of all places
   };
 
   LandedPlane(const Sunlit& sunlit, double depth_m);
 
-  /// Whether the limb's light of all wavelengths fits into memory; else it is made anew each time.
+  /// Whether the limb's light at all wavelengths fits into memory; else every call of `light` makes it anew.
   bool keeps_light() const { return blocks_at_once() == blocks(); }
 
-  /// Adds each place's light to its rows.
+  /// Adds light to each place's `ratio`.
   ///
-  /// Given  done  is told how many places more are through, as a part of all
+  /// Given  done  callback for progress: gets the fraction of places completed since its last call
   void light(std::span<const Place> places, const std::function<void(double)>& done);
 
  private:
-  using Block = std::array<double, lanes>;  // one value a wavelength
+  using Block = std::array<double, lanes>;  // [wavelength of the block]
 
-  /// Nodes that a place draws light from, and their factors.
+  /// Nodes of LandedLight that contribute to a place, and their factors.
   struct Draws {
     double gamma_m = 0;
     std::vector<int> nodes;
     algebra::Grid<double> factors;  ///< (harmonic, ((node, term), moment))
   };
 
-  /// Light of some blocks of wavelengths, by the limb's part.
+  /// Landed light of consecutive blocks of wavelengths, by part of the limb.
   struct Blocks {
     std::size_t first = 0, count = 0;
-    std::vector<LandedLight> landed = {};  ///< block by block
+    std::vector<LandedLight> landed = {};  ///< block by block, all parts of each
   };
 
   std::size_t blocks() const { return (sunlit_.waves.size() + lanes - 1) / lanes; }
@@ -124,7 +125,7 @@ class LandedPlane {
   LandingPlane plane_;
   double a_, factor_;
   int first_ = std::numeric_limits<int>::max(), last_ = -first_;  // bins that light lands in
-  Blocks landed_;                                                 // some, or where it is kept all
+  Blocks landed_;                                                 // all blocks where keeps_light()
 };
 
 }  // namespace coppermoon::shadow

@@ -20,10 +20,10 @@ using std::numbers::pi;
 
 constexpr std::size_t brightness_cells = 64;
 
-/// Axis distances are cut into so many bins, each with its own chances of tangent heights.
+/// Number of bins of axis distance, each with its own distribution of tangent heights.
 constexpr std::size_t distance_bins = 96;
 
-/// Wavelengths that say where light is, at most.
+/// Largest number of wavelengths from which the distribution of tangent heights is made.
 constexpr std::size_t deciding_waves = 8;
 
 /// Fraction of photons whose height is not importance-sampled; and the fraction of these that is
@@ -34,7 +34,7 @@ void pad(std::span<float> row, std::size_t waves, float value) {
   std::fill(row.begin() + static_cast<std::ptrdiff_t>(waves), row.end(), value);
 }
 
-/// Half the arc about the axis at a distance that lies in a disc of radius 1.
+/// Half of the arc about the axis, at an axis distance, that lies in a disc of radius 1 about a centre.
 double half_arc(double centre, double distance) {
   const double q = std::abs(centre);
   if (q + distance <= 1) return pi;
@@ -42,8 +42,7 @@ double half_arc(double centre, double distance) {
   return std::acos(std::clamp((distance * distance + q * q - 1) / (2 * distance * q), -1., 1.));
 }
 
-/// Two rays of the limb next to each other, by where the middle wavelength lands, and the axis
-/// distances of a bin.
+/// Landing places of two neighbouring rays at the middle wavelength, and axis distances of a bin.
 struct Cell {
   double low, high, near, far;
 
@@ -62,7 +61,7 @@ struct Cell {
   }
 };
 
-/// Numbers of sum 1; all 0 where they are.
+/// Scales numbers to a sum of 1; leaves numbers that are all 0.
 void normalise(std::span<double> row) {
   double sum = 0;
   for (const double value : row) sum += value;
@@ -70,7 +69,7 @@ void normalise(std::span<double> row) {
     for (double& value : row) value /= sum;
 }
 
-/// Adds the share of each cell in all that lands there, as the mean square over wavelengths.
+/// Adds the importance of each cell: root mean square, over wavelengths, of its share in all light that lands.
 ///
 /// Given  light  (wavelength, cell)
 void add_seeing(const Grid<double>& light, std::span<const double> arcs,
@@ -85,7 +84,7 @@ void add_seeing(const Grid<double>& light, std::span<const double> arcs,
   for (double& chance : chances) chance = std::sqrt(chance);
 }
 
-/// Chances that know nothing of the light, by cell.
+/// Probabilities that do not depend on light, by cell: uniform in landing distance and in height.
 std::vector<double> blind_chances(std::span<const double> heights_m,
                                   std::span<const double> landings) {
   double swept = 0;
@@ -243,7 +242,7 @@ std::optional<Aim> LimbLandings::aim(std::span<const double> point, bool around)
 std::vector<Aim> LimbLandings::aims(std::uint64_t seed, std::uint64_t block, bool around) const {
   const auto points = algebra::scrambled_block(seed, block, around ? 5 : 3);
   std::vector<Aim> drawn, aims;
-  std::vector<std::uint64_t> order;  // part, cell, which
+  std::vector<std::uint64_t> order;  // bits of part, cell, index in `drawn`
   drawn.reserve(points.rows());
   for (std::size_t i = 0; i < points.rows(); ++i)
     if (const auto photon = aim(points.row(i), around)) {

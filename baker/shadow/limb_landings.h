@@ -14,70 +14,67 @@
 
 namespace coppermoon::shadow {
 
-/// A photon of all wavelengths, before it has passed the limb: which part of it, at what tangent
-/// height, from where on the Sun.
+/// Photon of all wavelengths before it passes the limb: its part of the limb, tangent height and source on the
+/// Sun.
 struct Aim {
-  std::size_t part, cell;  ///< of the limb; between two of its rays
-  double along;            ///< of the cell: 0 at the lower ray, 1 at the upper
+  std::size_t part, cell;  ///< part of the limb, and interval between two of the part's rays
+  double along;            ///< place in the cell: 0 at the lower ray, 1 at the upper
   double tangent_height_m;
   glm::dvec2 toward;  ///< from the axis to the limb, unit
   glm::dvec2 source;  ///< on the Sun's disc, in solar radii
-  /// density of a place on a uniform disc, over the density [m⁻¹] of height and place it was drawn
-  /// with
+  /// probability density of the source on a uniform disc, over the joint density [m⁻¹] of height and source that
+  /// the photon was drawn with
   double weight_m;
 };
 
-/// Tables of where on each plane light lands that passed the limb, and of how much it is, by
-/// tangent height and wavelength: all that photons need. A photon that stands for 1/N of all
-/// carries
+/// Tables of landing place and light by tangent height and wavelength, on each plane, and drawing of photons from
+/// them. Of N photons each carries, in units of 1/N,
 ///
 ///     2π T b (db/dh) / p(h)
 ///
-/// square metres of unshaded sunlight: T the transmittance, b the impact parameter, p the density
-/// of tangent heights. T b runs exponentially in the limb's table; here it is straight from ray to
-/// ray, with the same sum.
+/// square metres of unshaded sunlight: T the transmittance, b the impact parameter, p the probability density
+/// of tangent heights. Between rays T b varies exponentially in the limb's table, and linearly here, with
+/// the same integral.
 ///
-/// Landings of the middle wavelength are drawn: their distances from the axis spread evenly, so
-/// that rings near the axis get as many photons as the others; tangent heights by the light that
-/// each brings there, in the mean of the wavelengths, but for a fifth by the way that landings go
-/// from ray to ray and by height; directions evenly over those that come from the Sun's disc. From
-/// the landing follows the place on the Sun.
+/// Landings of the middle wavelength are drawn. Axis distances are uniform, so that rings near the axis get as
+/// many photons as others. Tangent heights follow the light that each height sends to the axis distance, over all
+/// wavelengths; for a fifth of the photons they are uniform in landing distance or in height instead. Directions
+/// are uniform over those that come from the Sun's disc. The source on the Sun follows from the landing.
 class LimbLandings {
  public:
   LimbLandings(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
                std::span<const double> wavelengths_nm, int rays);
 
-  /// A block of photons (algebra::scrambled_block), part by part of the limb, from the lowest cell
-  /// up; those that no light could reach from the Sun are left out.
+  /// Photons of a block (algebra::scrambled_block), ordered by part of the limb and by cell, lowest first;
+  /// landings that no ray from the Sun reaches are left out.
   ///
-  /// Given  around  whether from all position angles; else from one, for all
+  /// Given  around  whether to draw position angles; else every photon is at 0
   std::vector<Aim> aims(std::uint64_t seed, std::uint64_t block, bool around) const;
 
-  /// The limb that they pass.
+  /// Parts of the limb that photons pass.
   const std::vector<photons::WholeLimb::Part>& parts() const { return limb_.parts(); }
 
-  /// Writes the light that photons carry behind the limb, by wavelength [m²], the Sun's brightness
-  /// where they come from included.
+  /// Writes the light that photons carry behind the limb, by wavelength [m²], including the Sun's brightness
+  /// at their source.
   ///
-  /// Given  light  as many rows as aims, or more
+  /// Given  light  at least as many rows as aims
   void pass(std::span<const Aim> aims, algebra::Grid<float>& light) const;
 
-  /// Multiplies light by the Sun's brightness where each photon comes from, by wavelength.
+  /// Multiplies light by the Sun's brightness at each photon's source, by wavelength.
   void darken(std::span<const Aim> aims, algebra::Grid<float>& light) const;
 
-  /// Writes the signed distances from the axis where light from the Sun's centre would land, by
-  /// wavelength.
+  /// Writes signed axis distances of landing, by wavelength, as if photons came from the Sun's centre.
   void land(std::span<const Aim> aims, std::size_t plane, algebra::Grid<float>& landing_m) const;
 
  private:
-  /// The tables of one part of the limb.
+  /// Tables of one part of the limb.
   struct Table {
     std::vector<double> heights_m;       ///< by ray
     std::vector<double> middle_landing;  ///< of the middle wavelength, in projected solar radii
-    algebra::Grid<float> light;          ///< (2 cell + end, wavelength)
-    std::vector<algebra::Grid<float>> landing_m;  ///< by plane, (ray, wavelength)
-    /// probability that a photon of this axis distance passes below a ray, (bin of the distance, ray);
-    /// all 0 where none lands
+    algebra::Grid<float> light;          ///< (2 cell + end, wavelength), end 0: lower ray, 1: upper
+    std::vector<algebra::Grid<float>> landing_m;  ///< [plane](ray, wavelength)
+    /// (bin of axis distance, ray) cumulative probability that a photon passes below the ray; all 0 where no
+    /// light lands
     algebra::Grid<double> chance;
   };
 
@@ -94,7 +91,7 @@ class LimbLandings {
   Arrangement arrangement_;
   std::size_t waves_;
   std::vector<Table> tables_;
-  double reach_ = 0;                 ///< of landings [projected solar radii]
+  double reach_ = 0;                 ///< largest axis distance of landings [projected solar radii]
   algebra::Grid<float> brightness_;  // (μ, wavelength); none for a uniform disc
 };
 

@@ -19,7 +19,7 @@ struct Passage {
   double bending_rad = 0, optical_depth = 0, filter = 1;
 };
 
-/// Nothing where the ray meets the ground.
+/// Passage of a ray through one part of the limb; none where the ray meets the ground.
 std::optional<Passage> passage(const photons::Fan& fan, double impact_height_m) {
   const auto& heights = fan.impact_height_m;
   if (impact_height_m < heights.front()) return std::nullopt;
@@ -30,7 +30,7 @@ std::optional<Passage> passage(const photons::Fan& fan, double impact_height_m) 
                  fan.filter[below]};
 }
 
-/// Between the parts of the limb that make up a position angle.
+/// Passage of a ray at a position angle: weighted mean over the parts of the limb there.
 std::optional<Passage> passage(const photons::WholeLimb& limb, double position_angle_rad,
                                std::size_t wave, double impact_height_m) {
   Passage mean{0, 0, 0};
@@ -51,7 +51,7 @@ glm::dvec3 position_of(const eclipse::ShadowPlace& place) {
   return {gamma * std::sin(theta), gamma * std::cos(theta), algebra::in_metres(place.depth)};
 }
 
-/// Across the line of sight from a place to the Earth's centre, unit.
+/// Unit vector at a position angle, perpendicular to the line from a place to the Earth's centre.
 glm::dvec3 outward_at(const glm::dvec3& position_m, double position_angle_rad) {
   const auto ahead = -glm::normalize(position_m);
   const glm::dvec3 y(0, 1, 0);

@@ -11,28 +11,27 @@
 
 namespace coppermoon::shadow {
 
-/// The ring of sunsets: what one place in the shadow sees around the black Earth, the image of the
-/// Sun that the air bends around the limb.
+/// Ring of sunsets: the Sun's image, refracted around the Earth's limb, as seen from one place in the shadow.
 ///
 ///     L = T(b) I(μ)        sin α = b/D
 ///
-/// A ray that comes to the place with impact parameter b, at the angle α from the Earth's centre, is
-/// bent by δ(b); followed backwards it ends on the Sun's disc at the cosine μ, or beside it, and
-/// there is no light. Radiance is what stays the same along a ray but for the transmittance T.
+/// A ray that arrives with impact parameter b, at an angle α from the Earth's centre, has been bent by δ(b).
+/// Traced backwards it meets the Sun's disc at the cosine μ, or misses the disc and carries no light. Along a
+/// ray, radiance changes only by the transmittance T.
 ///
-/// Omits  light that the air scatters towards the place; that rays bend along the ellipsoid's
-///        vertical, not towards the Earth's centre: 0.2° of bending's direction at most
+/// Omits  light that the air scatters towards the place; bending along the ellipsoid's vertical instead of
+///        towards the Earth's centre, which differ by 0.2° at most
 class LimbRing {
  public:
-  /// Impact parameters [m].
+  /// Interval of impact parameters [m].
   struct Extent {
     double lowest_m, highest_m;
   };
 
-  /// Given   arrangement     its planes do not matter
+  /// Given   arrangement     its planes are not used
   ///         place           100 000 to 1 000 000 km behind the Earth
   ///         wavelengths_nm  380 to 780
-  ///         rays            of the limb's table, 2 to 1e7
+  ///         rays            number of rays in the limb's table, 2 to 1e7
   /// Throws  Error           when an argument is outside its range, or there is no air
   LimbRing(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
            const eclipse::ShadowPlace& place, std::span<const double> wavelengths_nm,
@@ -46,15 +45,15 @@ class LimbRing {
   void radiance(double position_angle_rad, double impact_parameter_m,
                 std::span<double> values) const;
 
-  /// Impact parameters of the ring: from the lowest ground of the limb up to the highest ray that
-  /// comes from the Sun, one ray of the table to spare; both alike where none does.
+  /// Impact parameters of the ring: from the lowest ground of the limb up to one ray of the table above the
+  /// highest ray that comes from the Sun; empty where no ray does.
   Extent extent() const;
 
   /// Distance D of the place from the Earth's centre [m].
   double distance_m() const;
 
  private:
-  /// Where a ray bent so much comes from: cosine on the Sun's disc, below 0 beside it.
+  /// Cosine μ of the point on the Sun's disc that a ray comes from; below 0 where the ray misses the disc.
   double cosine_on_sun(const glm::dvec3& outward, double impact_parameter_m,
                        double bending_rad) const;
 

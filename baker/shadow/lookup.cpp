@@ -18,7 +18,8 @@ namespace {
 
 constexpr double widest_spacing_m = 10e3, most_parts = 10;
 
-/// Half a spacing beyond the last place: refracted light is held so far, for rings end there.
+/// Axis distance half a spacing beyond the last place, where photons' last ring ends: refracted light is held up
+/// to there.
 double last_distance(std::span<const double> x) {
   return x.size() < 2 ? x.back() : x.back() + (x.back() - x[x.size() - 2]) / 2;
 }
@@ -30,7 +31,7 @@ std::vector<double> row_sums(const ChannelWeights& weights) {
   return sums;
 }
 
-/// Weights of one channel, without the noughts at their ends: bands of a spectrum have few others.
+/// Weights of one channel without the zeros at either end: most weights of a spectral band are 0.
 struct Weights {
   std::size_t first;
   std::span<const double> values;
@@ -54,16 +55,16 @@ std::vector<Weights> by_channel(const algebra::Grid<double>& weights) {
   return all;
 }
 
-/// Up to four places in a row, and their weights at a point between them.
+/// Up to four consecutive places, and their weights at a point between them.
 struct Cubic {
   std::ptrdiff_t first = 0;  ///< −1 is the first place beyond the axis
   std::size_t count = 0;
   std::array<double, 4> share{};
 };
 
-/// The polynomial through the two places on either side; the end values hold outside.
+/// Weights of the cubic through the two places on either side; outside, the end values hold.
 ///
-/// Given  beyond_axis  places beyond the axis that count, each as far from it as on this side
+/// Given  beyond_axis  number of places beyond the axis that are used, mirror images of those on this side
 Cubic cubic_at(std::span<const double> x, std::size_t beyond_axis, double at) {
   if (at <= x.front() && beyond_axis == 0) return {0, 1, {1}};
   if (at >= x.back()) return {static_cast<std::ptrdiff_t>(x.size()) - 1, 1, {1}};
@@ -86,7 +87,7 @@ Cubic cubic_at(std::span<const double> x, std::size_t beyond_axis, double at) {
 
 using Rows = std::array<std::span<const double>, 4>;
 
-/// The rows of a cubic's places, the last again where there are fewer than four.
+/// Rows of a cubic's places; the last is repeated where there are fewer than four.
 Rows rows_of(const Cubic& cubic, const algebra::Grid<double>& here,
              const algebra::Grid<double>& across) {
   Rows rows;
@@ -104,11 +105,10 @@ double on_cubic(const Cubic& cubic, const Rows& rows, std::size_t k) {
          share[3] * rows[3][k];
 }
 
-/// Largest noise of light over its value, and largest logarithm of the light of four places over
-/// that of the darkest, with which the cubic is of the logarithm.
+/// Limits within which the cubic is of the logarithm: relative noise, and ln(brightest / darkest) of four places.
 constexpr double known_to = 1. / 3, widest_range = 7;
 
-/// Whether the cubic is of the logarithm; NaNs are not.
+/// Whether the cubic is of the logarithm; false where a logarithm is NaN.
 bool in_logarithm(const Rows& logs, std::size_t k) {
   const auto [low, high] = std::minmax({logs[0][k], logs[1][k], logs[2][k], logs[3][k]});
   const double sum = logs[0][k] + logs[1][k] + logs[2][k] + logs[3][k];
@@ -119,12 +119,12 @@ std::size_t sector_of(const LookupTable& table, std::size_t row) {
   return table.sectors[row / table.nodes.count() % table.held];
 }
 
-/// Whether a row is of the sectors that nobody asked for.
+/// Whether a row stands for the dark sectors that are not held.
 bool is_dark(const LookupTable& table, std::size_t row) {
   return !table.sectors.all() && row / table.nodes.count() % table.held == table.held - 1;
 }
 
-/// Fills a table, node by node.
+/// Inputs that fill a table, node by node.
 struct Filling {
   const RefractedLight& light;
   const DirectLight& direct;
@@ -154,8 +154,8 @@ struct Filling {
   }
 };
 
-/// How far the middle of three nodes is from a straight line between the outer ones, a quarter of
-/// it: what straight lines between all three err by. Over the brightest channel.
+/// Estimated error of linear interpolation between three nodes, over the brightest channel: a quarter of the
+/// middle node's distance from the line through the outer ones.
 double bend(const LookupTable& table, std::size_t middle) {
   double bent = 0, brightest = 0;
   for (std::size_t c = 0; c < table.channels; ++c) {
@@ -169,12 +169,12 @@ double bend(const LookupTable& table, std::size_t middle) {
   return brightest > 0 ? bent / brightest : 0;
 }
 
-/// Fills a table of given nodes.
+/// Fills a table whose nodes are given.
 ///
 /// Returned  by row, whether refracted light is known there
 std::vector<char> fill_table(LookupTable& table, const Filling& filling) {
   const std::size_t rows = table.depths_m.size() * table.held * table.nodes.count();
-  table.values = {};  // those of wider nodes, before there are two of them
+  table.values = {};  // frees the coarser table's memory first
   table.values = algebra::Grid<float>(rows, table.sunlight.size());
   std::vector<char> known(rows);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, 64), [&](const auto& part) {
@@ -185,7 +185,7 @@ std::vector<char> fill_table(LookupTable& table, const Filling& filling) {
   return known;
 }
 
-/// The largest bend at each node, in any sector, where refracted light is known.
+/// Largest bend at each node over all planes and sectors where refracted light is known.
 std::vector<double> bends(const LookupTable& table, std::span<const char> known) {
   const std::size_t nodes = table.nodes.count();
   std::vector<double> worst(nodes);
@@ -196,15 +196,15 @@ std::vector<double> bends(const LookupTable& table, std::span<const char> known)
   return worst;
 }
 
-/// Into how many parts a cell is cut. The straight line's error falls as the square of the spacing,
-/// where direct light begins as its power of 3/2: so does the part of the Sun's disc that is clear.
+/// Number of parts that a cell is cut into. The error of linear interpolation falls as the square of the spacing,
+/// but as its power 3/2 at the umbra's edge, as the Sun's uncovered area rises with that power there.
 double parts_for(double tolerance, double error) {
   if (error <= tolerance) return 1;
   return std::min(most_parts, std::ceil(std::pow(error / (0.8 * tolerance), 2. / 3)));
 }
 
-/// Parts of each cell, by what its own nodes and those beside are bent by; no more of them than fill
-/// half a gigabyte.
+/// Number of parts for each cell, from the bends at its own and neighbouring nodes; limited to half a gigabyte
+/// in all.
 std::vector<double> parts_of_cells(const LookupTable& table, std::span<const double> bends,
                                    double tolerance) {
   constexpr double most_values = 5e8 / sizeof(float);
@@ -269,7 +269,7 @@ Lookup::Lookup(const ChannelWeights& weights, LightPart part) {
 
 Lookup::Lookup(const RefractedLight& light, const DirectLight& direct,
                const ChannelWeights& weights, const LookupRange& range, LightPart part)
-    : Lookup(weights) {  // refracted light too is compared with sunlight
+    : Lookup(weights) {  // errors of refracted light, too, are relative to sunlight
   algebra::require_within("tolerance of the look-up", range.tolerance, 1e-6, 0.1);
   table_.depths_m = light.arrangement.depths_m;
   table_.middle_depth_m = std::midpoint(table_.depths_m.front(), table_.depths_m.back());

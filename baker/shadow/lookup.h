@@ -13,78 +13,78 @@
 
 namespace coppermoon::shadow {
 
-/// Weighted sums over wavelength, a row of weights for each channel.
+/// Weights of wavelengths in each channel.
 using ChannelWeights = algebra::Grid<double>;  // (channel, wavelength)
 
-/// The part of the light in the shadow that a look-up holds.
+/// Part of the light in the shadow that a look-up holds.
 enum class LightPart {
   all,
-  refracted,  ///< what the Earth's air bends and scatters into the shadow; no sunlight beyond it
+  refracted,  ///< light that the Earth's air bends and scatters into the shadow; 0 outside the shadow
   direct,     ///< sunlight that passes clear of the Earth and its air
 };
 
-/// The axis distances that a look-up is read at, and how exactly.
+/// Axis distances and sectors in which a look-up is read, and its tolerance.
 struct LookupRange {
   double from_m = 0;
-  double to_m = std::numeric_limits<double>::infinity();  ///< at most to the penumbra's end
+  double to_m = std::numeric_limits<double>::infinity();  ///< cut at the penumbra's end
   double tolerance = 1e-4;                                ///< see Lookup's Accuracy; 1e-6 to 0.1
-  /// sectors that are read, two on either side of each place: the others may stay dark. All are, of light
-  /// in another number of sectors around
+  /// sectors to hold, including two on either side of each place that is read; others may stay dark. All are
+  /// held where the light has another number of sectors around
   Sectors sectors{};
 };
 
-/// Refracted light between the places where it is known, each wavelength by itself: a cubic through
-/// four of them, none below 0. Of rings of photons, which cannot be put closer where light falls
-/// steeply, the cubic is of the light's logarithm where all four are known to a third or better and
-/// within a factor of a thousand of each other, and goes on beyond the axis in the opposite sector.
-/// Elsewhere the end values hold, the last one half a spacing far, for rings end there, and no light
-/// beyond.
+/// Interpolation of refracted light in axis distance, wavelength by wavelength: a cubic through four known
+/// places, cut at 0. Rings of photons have a fixed width; so for photons the cubic is of the light's logarithm
+/// where all four rings are known to a third or better and lie within a factor of a thousand, and
+/// continues across the axis into the opposite sector. Outside the known places the end values hold, beyond the
+/// last for half a spacing (its ring's outer edge); farther out light is 0.
 ///
-/// Accuracy  of light that falls by e in two spacings 2e-3, of the logarithm 1e-5
+/// Accuracy  for light that falls by e in two spacings 2e-3; by the logarithm 1e-5
 class BetweenPlaces {
  public:
-  /// Given  light  that outlives this
+  /// Given  light  outlives this object
   explicit BetweenPlaces(const RefractedLight& light);
 
-  /// Writes one ratio a wavelength.
+  /// Writes the ratio at each wavelength.
   void read(std::size_t plane, std::size_t sector, double at_m, std::span<double> ratios) const;
 
-  /// Whether light is known here, or between places.
+  /// Whether an axis distance lies between the first and the last known place.
   bool knows(double at_m) const { return at_m >= from_m_ && at_m <= to_m_; }
 
  private:
   const RefractedLight& light_;
   std::vector<algebra::Grid<double>>
-      logs_;                     ///< [as ratio]; NaN: not known well; empty: no photons'
-  std::size_t beyond_axis_ = 0;  ///< places of the opposite sector that are read
+      logs_;                     ///< [as ratio]; NaN: too noisy; empty: light has no noise
+  std::size_t beyond_axis_ = 0;  ///< number of places in the opposite sector that are read
   double from_m_, to_m_;
 };
 
-/// Light in the shadow, refracted and direct, in a few channels: a table over place that is
-/// read once a texel. Linear in depth and axis distance, cubic in position angle; sunlight beyond the
-/// penumbra. Planes are compared along lines from the limb (`sheared`), on which light hardly
-/// changes with depth.
+/// Look-up table of refracted and direct light by place in the shadow, in a few channels, read once per
+/// texel. Interpolation is linear in depth and axis distance and cubic in position angle; beyond the penumbra
+/// all is sunlight. Interpolation in depth follows lines from the limb (`sheared`), along which light hardly
+/// changes.
 ///
-/// The table's nodes stand closer than the places where refracted light is known (BetweenPlaces).
+/// The table's nodes are denser than the places where refracted light is known (BetweenPlaces).
 /// Direct light is computed at the nodes.
 class Lookup {
  public:
-  /// Given     light    refracted light; direct: the sunlight that goes with it
-  ///           weights  of each channel for the ratio at each wavelength
-  ///           range    outside of it the outermost values hold, but for sunlight
-  /// Accuracy  straight lines between nodes err by less than the tolerance of the brightest channel
-  ///           (each counted in its own sunlight), unless nodes were to stand closer than 1 km, or
-  ///           the table to take more than half a gigabyte
+  /// Given     light    refracted light
+  ///           direct   direct light of the same arrangement
+  ///           weights  (channel, wavelength)
+  ///           range    outside of it the outermost values hold, up to the penumbra's end
+  /// Accuracy  linear interpolation between nodes errs by less than the tolerance times the brightest channel
+  ///           (each relative to its unshaded sunlight), unless that takes nodes closer than 1 km or more than
+  ///           half a gigabyte
   /// Throws    Error    when the tolerance is outside its range
   Lookup(const RefractedLight& light, const DirectLight& direct, const ChannelWeights& weights,
          const LookupRange& range = {}, LightPart part = LightPart::all);
 
-  /// Full sunlight everywhere, as without a shadow; with `LightPart::refracted`, zero everywhere.
+  /// Look-up without a shadow: full sunlight everywhere, or 0 for `LightPart::refracted`.
   explicit Lookup(const ChannelWeights& weights, LightPart part = LightPart::all);
 
   std::size_t channels() const { return table_.channels; }
 
-  /// Writes one value a channel.
+  /// Writes the value of each channel.
   void read(const eclipse::ShadowPlace& place, std::span<double> values) const;
 
   /// Writes the values at many places: see LookupTable.
@@ -92,12 +92,13 @@ class Lookup {
     shadow::read(table_, places, values);
   }
 
-  /// Changes every entry in place: what a working space does to colours outside its gamut.
+  /// Applies a function to every entry's channels, in place; for example gamut mapping.
   void transform(const std::function<void(std::span<double>)>& change);
 
-  /// Largest standard error of the first channel over its value between two axis distances, of photons
-  /// with what rings cannot resolve; 1 where nothing arrived. Only before `transform`, and of the
-  /// light and the weights it was made from.
+  /// Largest relative standard error of the first channel between two axis distances, including unresolved
+  /// structure of photons' rings; 1 where no light arrived.
+  ///
+  /// Given  light, weights  from which the look-up was made; it has not been transformed since
   double worst_relative_error(const RefractedLight& light, const ChannelWeights& weights,
                               double from_m, double to_m) const;
 

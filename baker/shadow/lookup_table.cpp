@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace coppermoon::shadow::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Where the first of two neighbours begins in the table's values, and how far the second counts.
+/// Offset of the first of two neighbours in the table's values, and weight of the second.
 template <class V>
 struct Between {
   V low, part;
@@ -25,10 +25,10 @@ struct Between {
 
 constexpr std::size_t places_at_once = 64;
 
-/// Sectors that a cubic around the axis goes through: two on either side of a place.
+/// Number of sectors in a cubic of position angle: two on either side of a place.
 constexpr std::size_t sectors_about = 4;
 
-/// Some places found in the table.
+/// Offsets and weights in the table of a few places.
 struct Found {
   std::array<std::array<std::int64_t, places_at_once>, sectors_about> start;  ///< -1 in sunlight
   std::array<double, places_at_once> along, deeper;
@@ -68,7 +68,7 @@ Between<V> between_planes(D d, const LookupTable& table, V depth_m) {
   return {low, part};
 }
 
-/// From north through east, 0 to 2π.
+/// Position angle from north through east, 0 to 2π.
 template <class D, class V = hn::VFromD<D>>
 V position_angle(D d, V east, V north) {
   const auto x = hn::Abs(east), y = hn::Abs(north);
@@ -89,9 +89,9 @@ V sheared_by(D d, V axis_distance_m, V deeper) {
   return hn::MulAdd(shift, part, axis_distance_m);
 }
 
-/// How much each of four sectors counts: Lagrange's weights of -1, 0, 1 and 2.
+/// Lagrange weights of four sectors at -1, 0, 1 and 2.
 ///
-/// Given  t  from the second to the third, 0 to 1
+/// Given  t  place between the second sector and the third, 0 to 1
 template <class D, class V = hn::VFromD<D>>
 std::array<V, sectors_about> cubic_shares(D d, V t) {
   const auto one = hn::Set(d, 1), half = hn::Set(d, 0.5), sixth = hn::Set(d, 1. / 6);
@@ -102,7 +102,7 @@ std::array<V, sectors_about> cubic_shares(D d, V t) {
           hn::Mul(inner, before)};
 }
 
-/// Finds as many places as D has lanes, from the i-th on; the first becomes `found`'s k-th.
+/// Finds as many places as D has lanes, from the i-th on, and writes them to `found` from the k-th on.
 template <class D>
 void find_lanes(D d, const LookupTable& table, const Places& places, std::size_t i, std::size_t k,
                 Found& found) {
@@ -143,7 +143,7 @@ void find_lanes(D d, const LookupTable& table, const Places& places, std::size_t
   }
 }
 
-/// Some channels of a place: D has as many lanes.
+/// Interpolates as many channels of a place as D has lanes.
 template <class D, class V = hn::VFromD<D>>
 V blended(D d, const LookupTable& table, const Found& found, std::size_t k, std::size_t channel) {
   if (found.start[0][k] < 0) return hn::LoadU(d, &table.sunlight[channel]);
@@ -171,7 +171,7 @@ V blended(D d, const LookupTable& table, const Found& found, std::size_t k, std:
   return hn::Max(value, lowest);
 }
 
-/// A place's channels; whole vectors where there is room behind them: the next place comes later.
+/// Writes a place's channels, in whole vectors where there is room: the next place overwrites the surplus.
 void store(const LookupTable& table, const Found& found, std::size_t k, std::size_t place,
            std::span<double> values) {
   const hn::CappedTag<double, channel_padding> d;

@@ -11,50 +11,51 @@
 
 namespace coppermoon::shadow {
 
-/// Places in the shadow, many at once: coordinates in the frame of eclipse::ShadowAxis, as many of
-/// each.
+/// Coordinates of many places in the frame of eclipse::ShadowAxis; the spans have equal lengths.
 struct Places {
   std::span<const double> east_m, north_m, depth_m;
 };
 
-/// Axis distances, closer where more happens: even cells, each cut into so many equal parts.
+/// Nodes of axis distance, denser where light varies faster: cells of equal width, each cut into equal parts.
 struct UnevenNodes {
-  double first_m = 0, cell_m = 1;  ///< of the first node, and of each cell the width
-  std::vector<double> first_node;  ///< [cell] a whole number
-  std::vector<double> parts;       ///< [cell] likewise, 1 or more
-  std::vector<double> at_m;        ///< [node]
+  double first_m = 0, cell_m = 1;  ///< axis distance of the first node; width of a cell
+  std::vector<double> first_node;  ///< [cell] index of the cell's first node
+  std::vector<double> parts;       ///< [cell] number of parts, 1 or more
+  std::vector<double> at_m;        ///< [node] axis distance
 
   std::size_t count() const { return at_m.size(); }
 };
 
-/// Cells that are cut into so many parts each.
+/// Nodes of cells that are cut into given numbers of parts.
 UnevenNodes uneven_nodes(double first_m, double cell_m, std::span<const double> parts);
 
-/// Channel values over place in the shadow, at nodes of axis distance, on planes and in sectors.
+/// Channel values by plane, sector and node of axis distance.
 struct LookupTable {
   std::size_t channels = 0;
   std::vector<double> depths_m;  ///< of the planes, increasing
-  double middle_depth_m = 0;     ///< where nodes are at their axis distances; see `sheared`
+  double middle_depth_m = 0;     ///< depth that the nodes' axis distances hold for; see `sheared`
   std::vector<double> sunlight;  ///< [channel], padded
-  Sectors sectors{};             ///< that are held
-  std::size_t held = 1;  ///< their number; with one more, all others, dark, where they are not all
+  Sectors sectors{};             ///< held sectors
+  /// number of held sectors; where not all are held, one more, dark, stands for all others
+  std::size_t held = 1;
   UnevenNodes nodes;
   double end_m = 0;  ///< beyond this axis distance all is sunlight
   /// ((plane × held + sector, counted from the first held) × nodes + node, padded channel)
   algebra::Grid<float> values;
 };
 
-/// Distance from the Earth's centre at which a ray passes the limb [m].
+/// Typical impact parameter of rays past the limb [m].
 inline constexpr double limb_m = 6.39e6;
 
-/// Axis distance within which light of both limbs counts [m].
+/// Axis distance within which the limb on both sides of the axis sends light [m].
 inline constexpr double one_limb_m = 1.5e6;
 
-/// Where a straight line from the limb that crosses a plane at one axis distance crosses another
-/// plane. Light in the shadow hardly changes along these lines. Near the axis, where the opposite
-/// limb's lines cross them, the distance shifts less, on the axis not at all.
+/// Axis distance at which a straight line from the limb crosses another plane. Light in the shadow hardly changes
+/// along these lines. Near the axis, where lines from the opposite limb cross them, the shift is smaller; on the
+/// axis it is 0.
 ///
-/// Given  deeper  depth of the other plane over that of the one
+/// Given  axis_distance_m  where the line crosses the first plane
+///        deeper           depth of the other plane over depth of the first
 inline double sheared(double axis_distance_m, double deeper) {
   // FAULT the look-up's planes sheared the wrong way: (deeper - 1); => (1 - deeper);
   const double shift = (axis_distance_m - limb_m) * (deeper - 1);
@@ -65,11 +66,11 @@ inline double sheared(double axis_distance_m, double deeper) {
 /// read.
 inline constexpr std::size_t channel_padding = 4;
 
-/// Reads the table: straight lines between planes and between nodes, cubics around the axis that do not
-/// fall below 0 between sectors above it. The outermost planes and nodes hold outside, but sunlight
-/// begins at `end_m` and on the Sun's side of Earth.
+/// Reads the table: linear between planes and nodes, cubic in position angle, cut at 0 (or at the least of the four
+/// sectors, where that is negative). Outside, the outermost planes and nodes hold; beyond `end_m` and on the Sun's side of the Earth
+/// all is sunlight.
 ///
-/// Given     table   with two nodes or more, or none: sunlight everywhere
+/// Given     table   two nodes or more; without nodes all is sunlight
 /// Returned  values  [place × channels + channel]
 void read(const LookupTable& table, const Places& places, std::span<double> values);
 

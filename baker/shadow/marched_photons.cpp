@@ -18,12 +18,12 @@
 namespace coppermoon::shadow {
 namespace {
 
-/// The spectra of one part of the limb, (…, wavelength).
+/// Spectra of one part of the limb, (…, wavelength).
 struct Spectra {
   const algebra::Grid<float>&refractivity, &shares, &extinction, &filter;
 };
 
-/// Rows that one photon writes.
+/// Output rows of one photon.
 struct Written {
   float *impact_m, *bending_rad, *light;
 };
@@ -44,7 +44,7 @@ using Floats = hn::CappedTag<float, 16>;
 using Vector = hn::Vec<Floats>;
 constexpr Floats floats;
 
-/// Σ of numbers times rows, at a vector of wavelengths.
+/// Weighted sum of rows at a vector of wavelengths.
 HWY_INLINE Vector combined(const float* numbers, const Grid<float>& rows, std::size_t w) {
   const float* values = rows.values().data();
   auto sum = hn::Zero(floats);
@@ -72,7 +72,7 @@ void pass_one(const MarchedPhoton& photon, const Spectra& spectra, const Written
   }
 }
 
-/// ε = b/D − δ is small: b/D is its own arcsine, and tan ε = ε + ε³/3 + 2ε⁵/15 + 17ε⁷/315.
+/// Tangent of a small angle: tan ε = ε + ε³/3 + 2ε⁵/15 + 17ε⁷/315.
 HWY_INLINE Vector tangent(Vector angle) {
   const auto square = hn::Mul(angle, angle);
   const auto third = hn::MulAdd(hn::Set(floats, 17.f / 315), square, hn::Set(floats, 2.f / 15));
@@ -104,7 +104,7 @@ namespace {
 HWY_EXPORT(pass_one);
 HWY_EXPORT(land_one);
 
-/// The wavelengths' own where they are few.
+/// Refractivities at which photons are marched: those of the wavelengths where these are few.
 std::vector<double> nodes_of(const atmosphere::Column& column,
                              std::span<const atmosphere::Optics> optics) {
   if (!column.refraction || optics.size() > march_nodes)
@@ -116,7 +116,7 @@ std::vector<double> nodes_of(const atmosphere::Column& column,
   return nodes;
 }
 
-/// Absorbers that take light of some wavelength.
+/// Absorbers whose spectrum is not 0 at some wavelength.
 std::vector<std::size_t> absorbers_at_work(const atmosphere::Column& column,
                                            std::span<const atmosphere::Optics> optics) {
   std::vector<std::size_t> at_work;
@@ -155,7 +155,7 @@ MarchedPhotons::Part MarchedPhotons::part_of(const photons::WholeLimb::Part& lim
             algebra::Grid<float>(2, width),
             photons::Marcher(limb.column, limb.curvature_radius_m, marching)};
   for (std::size_t w = 0; w < width; ++w) {
-    // what is padded lands where the last wavelength does, without light
+    // padding lands where the last wavelength does, without light
     const auto wave = photons::blend(limb.column, optics[std::min(w, optics.size() - 1)], nodes);
     part.refractivity(0, w) = static_cast<float>(wave.refractivity);
     for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -173,7 +173,7 @@ MarchedPhotons::Part MarchedPhotons::part_of(const photons::WholeLimb::Part& lim
 
 void MarchedPhotons::follow(const Part& part, std::span<const Aim> aims,
                             std::vector<MarchedPhoton>& photons) {
-  const double top_m = atmosphere::top_m(part.column);  // others' air may end higher
+  const double top_m = atmosphere::top_m(part.column);  // other columns may end higher
   std::vector<double> heights_m;
   const std::size_t first = photons.size();
   for (const auto& aim : aims) {

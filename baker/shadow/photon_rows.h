@@ -10,24 +10,24 @@
 
 namespace coppermoon::shadow {
 
-/// Length of a row for that many wavelengths; values beyond them land nowhere.
+/// Length of a row for so many wavelengths; values of the padding are not gathered.
 constexpr std::size_t padded(std::size_t waves) { return padded(waves, 16); }
 
-/// A place between two rows that follow each other, and what their mean is multiplied with.
+/// Place between two consecutive rows, and a factor on their weighted mean.
 struct Between {
   const float* first;
   float along;  ///< 0 at the first, 1 at the next
   float factor = 1;
 };
 
-/// Writes the row at each place.
+/// Writes the interpolated row at each place.
 void interpolate(std::span<const Between> places, algebra::Grid<float>& rows);
 
-/// Multiplies each row by the one at its place.
+/// Multiplies each row by the interpolated row at its place.
 void multiply(std::span<const Between> places, algebra::Grid<float>& rows);
 
-/// How a plane is cut: into rings, and all around into sectors, of which s is centred at
-/// 2π s / sectors; one more ring for all that lands farther out.
+/// Cells of a plane: rings of axis distance, one more for all that lands farther out, times sectors, of which
+/// s is centred at the position angle 2π s / sectors.
 struct Rings {
   float width_m;
   std::size_t rings, sectors;
@@ -36,7 +36,7 @@ struct Rings {
   std::size_t row(double x_m, double y_m) const;
 };
 
-/// Light that a few photons bring, by cell and wavelength.
+/// Light that a block of photons brings, by cell and wavelength.
 struct Tally {
   Tally(std::size_t rows, std::size_t waves) : light(rows, padded(waves)), touched(rows) {}
 
@@ -44,22 +44,22 @@ struct Tally {
   std::vector<std::uint8_t> touched;  ///< rows that are not all zero
 };
 
-/// A line through the axis that a photon's wavelengths land along, and how far aside of it.
+/// Line on which a photon's wavelengths land: direction from the axis, and offset by the photon's source.
 struct Aside {
-  float toward_x, toward_y;      ///< unit
-  float source_x_m, source_y_m;  ///< of its place on the Sun, projected through the limb
+  float toward_x, toward_y;      ///< unit vector
+  float source_x_m, source_y_m;  ///< source on the Sun, projected through the limb
 };
 
-/// Adds light where it lands: at r (toward) − (source).
+/// Adds light to the cells where it lands, at r × toward − source.
 ///
-/// Given  landing_m  r, by photon and wavelength, padded as the last one; light: as many rows; 0
-///                   where padded
-///        first_row  of the plane, in the tally
+/// Given  landing_m  r, (photon, wavelength), padded with the last wavelength's
+///        light      (photon, wavelength), padded with 0
+///        first_row  first row of the plane in the tally
 void gather(std::span<const Aside> photons, const algebra::Grid<float>& landing_m,
             const algebra::Grid<float>& light, const Rings& rings, std::size_t first_row,
             Tally& tally);
 
-/// Adds the numbers, and their squares, of a tally's touched rows to sums, and empties them.
+/// Adds a tally's touched rows to `sums` and their squares to `squares`, and clears these rows.
 ///
 /// Given  sums, squares  (row, wavelength)
 void drain(Tally& tally, algebra::Grid<double>& sums, algebra::Grid<double>& squares);

@@ -23,7 +23,7 @@ bool alike(const PhotonSums& a, const PhotonSums& b) {
          a.rings == b.rings && a.all_wavelengths == b.all_wavelengths && a.sectors == b.sectors;
 }
 
-/// Ranges of both in order, with touching ones made one.
+/// Union of two lists of ranges, in order, with adjacent ranges joined.
 std::vector<BlockRange> united(std::vector<BlockRange> ranges,
                                const std::vector<BlockRange>& more) {
   ranges.insert(ranges.end(), more.begin(), more.end());
@@ -44,7 +44,7 @@ std::vector<BlockRange> united(std::vector<BlockRange> ranges,
 
 using Grids = std::vector<algebra::Grid<double>>;
 
-/// Adds y to x + rest, and keeps what x has no digits for in the rest.
+/// Adds y to x + rest with compensated summation: `rest` holds the digits that x cannot.
 ///
 /// Source  Knuth (1998), The Art of Computer Programming 2, 4.2.2, theorem B
 void add(double& x, double& rest, double y) {
@@ -65,7 +65,7 @@ void add(Grids& grids, Grids& rests, const Grids& more, const Grids& more_rests)
     }
 }
 
-/// Irradiance ratio in a cell of a ring that a square metre of sunlight makes.
+/// Irradiance ratio in a ring's cell per square metre of unshaded sunlight that lands in it.
 double ratio_per_m2(const PhotonSums& sums, double depth_m, std::size_t ring) {
   const double spread = 1 + depth_m / sums.arrangement.sun_distance_m;
   const double area_m2 = std::numbers::pi * sums.ring_width_m * sums.ring_width_m *
@@ -73,7 +73,7 @@ double ratio_per_m2(const PhotonSums& sums, double depth_m, std::size_t ring) {
   return spread * spread / area_m2;
 }
 
-/// Sums over blocks and of their squares become a mean and its standard error.
+/// Turns sums over blocks, and sums of squares, into a mean and its standard error, in place.
 void become_estimates(std::span<double> sums, std::span<double> squares, double scale,
                       double blocks) {
   for (std::size_t w = 0; w < sums.size(); ++w) {
@@ -86,11 +86,10 @@ void become_estimates(std::span<double> sums, std::span<double> squares, double 
   }
 }
 
-/// Largest noise of a ring over its mean with which it counts, and largest logarithm of the light of a
-/// ring over that of the next.
+/// Limits within which a ring is used as a neighbour: relative noise, and ln of the two rings' ratio.
 constexpr double known_well = 1. / 3, steepest = 4;
 
-/// The light of a ring at one wavelength, as photons found it.
+/// Mean light of a ring at one wavelength, and its noise.
 struct RingLight {
   double log_mean = 0, relative_noise = 0;
   bool known = false;
@@ -101,8 +100,8 @@ RingLight ring_light(double mean, double noise) {
   return {std::log(mean), noise / mean, true};
 }
 
-/// Rings on a line through the axis, of one wavelength: `beyond` of the opposite sector, in order from
-/// the axis outwards those of one sector, and as many that are not known.
+/// Number of rings beyond either end of a sector's rings, on a line through the axis: before the first, rings of the
+/// opposite sector; after the last, rings that count as not known.
 constexpr std::size_t beyond = 2;
 
 void fill_line(const RefractedLight& means, std::size_t grid, std::size_t wave,
@@ -118,12 +117,12 @@ void fill_line(const RefractedLight& means, std::size_t grid, std::size_t wave,
   for (std::size_t r = 0; r < rings; ++r) line[beyond + r] = ring(grid, r);
 }
 
-/// Whether two rings tell of each other.
+/// Whether two rings are neighbours for the parabola: both known, their ratio within the limit.
 bool linked(const RingLight& a, const RingLight& b) {
   return a.known && b.known && std::abs(a.log_mean - b.log_mean) <= steepest;
 }
 
-/// Slope and curvature of the logarithm at a ring's middle, a ring's width being 1.
+/// Slope and curvature of the logarithm at a ring's middle, in units of the ring's width.
 struct LogShape {
   double slope = 0, curvature = 0;
 };
@@ -136,35 +135,35 @@ LogShape log_shape(std::span<const RingLight> line, std::span<const double> logs
   return {outer ? outward : 0, 0};
 }
 
-/// The mean over a ring, by area, over the light at its middle: by three points of Gauss.
+/// Ratio of the mean over a ring's area to the light at its middle, by three Gauss nodes.
 ///
-/// Given  steepening  width of the ring over its middle's axis distance
+/// Given  steepening  h/r: width of the ring over axis distance of its middle
 double mean_over_middle(LogShape shape, double steepening) {
   const double at = std::sqrt(0.15), rise = std::exp(shape.slope * at),
                bend = std::exp(shape.curvature * at * at / 2);
   return 4. / 9 + 5. / 18 * bend * ((1 + steepening * at) * rise + (1 - steepening * at) / rise);
 }
 
-/// Logarithms at the rings' middles, in the order of the line.
+/// Writes logarithms of the light at the rings' middles, by fixed-point iteration.
 void deconvolve(std::span<const RingLight> line, std::vector<double>& logs) {
   logs.resize(line.size());
   for (std::size_t i = 0; i < line.size(); ++i) logs[i] = line[i].log_mean;
-  constexpr int passes = 4;  // each leaves a tenth of the error, a third at the steepest
+  constexpr int passes = 4;  // each leaves a tenth of the error, a third on the steepest slope
   std::vector<double> next = logs;
   for (int pass = 0; pass < passes; ++pass) {
     for (std::size_t i = beyond; i + beyond < line.size(); ++i) {
       const double steepening = 1 / (static_cast<double>(i - beyond) + 0.5);
       next[i] = line[i].log_mean - std::log(mean_over_middle(log_shape(line, logs, i), steepening));
     }
-    for (std::size_t k = 0; k < beyond; ++k)  // changed as their images on this side are
+    for (std::size_t k = 0; k < beyond; ++k)  // corrected as their mirror images on this side
       next[beyond - 1 - k] =
           line[beyond - 1 - k].log_mean + next[beyond + k] - line[beyond + k].log_mean;
     logs.swap(next);
   }
 }
 
-/// The square of the logarithm's fourth difference about a ring, less what noise makes of it on the
-/// average; none where its rings are not linked.
+/// Square of the logarithm's fourth difference about a ring, less its expectation by noise alone; none where
+/// the five rings are not all neighbours.
 std::optional<double> fourth_difference_squared(std::span<const RingLight> line, std::size_t i) {
   constexpr std::array<double, 5> weights{1, -4, 6, -4, 1};
   double difference = 0, variance = 0;
@@ -177,8 +176,8 @@ std::optional<double> fourth_difference_squared(std::span<const RingLight> line,
   return difference * difference - variance;
 }
 
-/// Relative error of the light at a ring's middle, and near it, that is not noise. The rings beside it
-/// count half: differences about a kink change their sign.
+/// Relative error by unresolved structure of the light at and near a ring's middle. Squares of the neighbouring
+/// rings' differences count half: about a kink, fourth differences change sign.
 double unresolved(std::span<const RingLight> line, double log_light, std::size_t i) {
   const auto own = fourth_difference_squared(line, i);
   if (!own) return std::abs(std::expm1(line[i].log_mean - log_light));
@@ -189,7 +188,7 @@ double unresolved(std::span<const RingLight> line, double log_light, std::size_t
   return 3. / 32 * std::sqrt(std::max(0., sum));
 }
 
-/// Relative noise at a ring's middle, rings taken as independent: ln E ≈ ln M − δ² ln M / 24.
+/// Relative noise of the light at a ring's middle, rings taken as independent: ln E ≈ ln M − δ² ln M / 24.
 double noise_at_middle(std::span<const RingLight> line, std::size_t i) {
   const auto of_next = [&](std::size_t k) {
     return linked(line[i], line[k]) ? line[k].relative_noise / 24 : 0;
@@ -197,7 +196,7 @@ double noise_at_middle(std::span<const RingLight> line, std::size_t i) {
   return std::hypot(13. / 12 * line[i].relative_noise, of_next(i - 1), of_next(i + 1));
 }
 
-/// Means over the rings of a sector become light at their middles.
+/// Turns means over the rings of a sector into light at their middles, with its errors.
 void become_middles(const RefractedLight& means, std::size_t grid, PhotonLight& light) {
   std::vector<RingLight> line;
   std::vector<double> logs;
@@ -220,7 +219,7 @@ double weighted(std::span<const double> ratio, std::span<const double> weights) 
   return std::inner_product(weights.begin(), weights.end(), ratio.begin(), 0.);
 }
 
-/// Twice some errors of the weighted light over that light, at worst; see photon_sums.h.
+/// Largest relative error of the weighted light at twice the given standard errors.
 double worst_error(const RefractedLight& light, const Grids& errors, const StoppingRule& rule) {
   double worst = 0;
   for (std::size_t g = 0; g < light.ratio.size(); ++g)

@@ -13,55 +13,56 @@ namespace coppermoon::shadow {
 /// Number of photons in a block.
 inline constexpr std::uint64_t photons_a_block = 1024;
 
-/// Smallest number of blocks whose standard error is known.
+/// Smallest number of blocks for an estimate of the standard error.
 inline constexpr std::uint64_t blocks_for_an_error = 8;
 
-/// Blocks of photons by number, without the last.
+/// Half-open range of block numbers: `from` up to, without, `to`.
 struct BlockRange {
   std::uint64_t from = 0, to = 0;
 
   bool operator==(const BlockRange&) const = default;
 };
 
-/// The blocks that hold so many photons; a last one that is not full is filled.
+/// Blocks for a number of photons, rounded up to whole blocks.
 BlockRange blocks_of(std::uint64_t photons);
 
-/// One of some equal parts of them.
+/// Part number `part` of a range that is cut into equal parts.
 ///
 /// Given   part   1 to parts
-/// Throws  Error  when it is not
+/// Throws  Error  when the number is outside its range
 BlockRange shard(BlockRange blocks, std::uint64_t part, std::uint64_t parts);
 
-/// The light that some blocks of photons brought to each cell: partial results that add up,
-/// wherever and whenever each was traced.
+/// Sums of the light that blocks of photons brought to each cell: partial results of one simulation, which can
+/// be traced in several runs and merged.
 struct PhotonSums {
-  std::string key;  ///< what they belong to: air, arrangement, seed and all else that changes them
+  /// identifies the simulation: air, arrangement, seed and every other input. Only sums with equal keys merge
+  std::string key;
   Arrangement arrangement{};
   std::vector<double> wavelengths_nm;
   double ring_width_m = 0;
   std::size_t rings = 0, sectors = 1;
-  bool all_wavelengths = true;   ///< each photon carries them; else one
-  std::vector<BlockRange> done;  ///< in order, none touching the next
-  /// [plane × sectors + sector](ring, wavelength), over blocks, of the light that a block brought:
-  /// the area of unshaded sunlight that has as much [m²], and its square
+  bool all_wavelengths = true;   ///< whether a photon carries all wavelengths; else one
+  std::vector<BlockRange> done;  ///< in order, with gaps between them
+  /// [plane × sectors + sector](ring, wavelength) sums over blocks of a block's light, given as the area of
+  /// unshaded sunlight with as much light [m²], and of its square
   std::vector<algebra::Grid<double>> sum, sum_of_squares;
-  /// what rounding has kept out of them, as far as they were merged here; empty: nothing
+  /// remainders of compensated summation, from merging; empty: 0
   std::vector<algebra::Grid<double>> sum_rest{}, sum_of_squares_rest{};
 };
 
 std::uint64_t blocks_in(const std::vector<BlockRange>& ranges);
 
-/// The blocks of a range that are not done yet.
+/// Blocks of a range that are not done yet.
 std::vector<BlockRange> missing(const PhotonSums& sums, BlockRange blocks);
 
-/// The sums of both together.
+/// Sums of two runs together.
 ///
-/// Accuracy  as if traced in one run but for rounding, 1e-12, however many are merged one by one
-/// Throws    Error  when they belong to different things, or hold the same blocks
+/// Accuracy  equal to one run but for rounding, 1e-12, however many sums are merged one by one
+/// Throws    Error  when keys differ, or both hold the same block
 PhotonSums merged(PhotonSums a, const PhotonSums& b);
 
-/// Mean and standard error of each cell: of the light over its ring, at the ring's middle. Blocks are
-/// independent and alike: the mean has no bias, the error is that of the mean over blocks.
+/// Mean and standard error of the light in each cell, placed at the ring's middle. Blocks are independent and
+/// identically distributed: the mean is unbiased, and its standard error follows from the scatter of blocks.
 ///
 ///     E/E₀ = (1 + z/D)² Σ / (n A)      A = the cell's area, n = photons
 ///
@@ -69,42 +70,43 @@ PhotonSums merged(PhotonSums a, const PhotonSums& b);
 ///           where there are fewer than blocks_for_an_error
 RefractedLight means_over_rings(const PhotonSums& sums);
 
-/// Light that photons estimate. Its standard error is noise and what rings cannot resolve, as the
+/// Light estimated by photons. Its standard error combines noise and unresolved structure within rings, as the
 /// root of the sum of squares.
 struct PhotonLight : RefractedLight {
-  std::vector<algebra::Grid<double>> noise;  ///< [as ratio]: the part that more photons lessen
+  std::vector<algebra::Grid<double>>
+      noise;  ///< [as ratio] standard error by noise, which more photons reduce
 };
 
-/// The light at the rings' middles whose means over the rings are those of the photons. Through a
-/// ring and its neighbours goes a parabola of the light's logarithm g, in the opposite sector beyond
-/// the axis; s is the distance from the middle in ring widths h.
+/// Light at the rings' middles, deconvolved so that its means over the rings are the photons' means. The
+/// logarithm g of the light is a parabola through a ring and its two neighbours, across the axis in the
+/// opposite sector; s is the distance from the middle in ring widths h.
 ///
 ///     E = M / ∫ (1 + s h/r) exp(g′ s + g″ s²/2) ds      −½ < s < ½, M = the ring's mean
 ///
-/// Between the middles light is read as a cubic of the logarithm. What that and the parabola miss,
-/// where light bends more sharply than rings resolve, counts as an error of 3/32 of the fourth
-/// difference of ln M, four times what a cubic misses of a smooth curve, with those of the rings beside
-/// it at half their squares; less what noise alone makes of them. Rings whose noise is above a third of their mean, empty ones among them, keep the mean and
-/// are no neighbours, nor are rings 50 times as bright; lacking one neighbour, the parabola is a
-/// straight line and all that it changes is an error.
+/// Between the middles light is read as a cubic of the logarithm (BetweenPlaces). Structure that rings do not
+/// resolve is estimated as a relative error of 3/32 of the fourth difference of ln M, four times the error of a
+/// cubic for a smooth curve. It is combined with the neighbouring rings' errors, whose squares count half, and
+/// the fourth difference that noise alone would cause is subtracted. Rings whose noise exceeds a third of their
+/// mean (empty ones included) keep their mean and are not used as neighbours, nor are rings 50 times as bright or dark. With
+/// one neighbour missing, g is a straight line, and the whole correction counts as an error.
 ///
 /// Returned  as means_over_rings
-/// Accuracy  2e-5 of light that falls by e in two ring widths or more; noise grows by 9 %
+/// Accuracy  2e-5 for light that falls by e in two ring widths or more; noise grows by 9 %
 PhotonLight estimated(const PhotonSums& sums);
 
-/// The condition on which enough photons have been traced: light, weighted over wavelengths, is
-/// known to a tolerance in every ring and sector between two axis distances.
+/// Stopping rule: enough photons are traced when light, weighted over wavelengths, is known to a tolerance in
+/// every ring and sector between two axis distances.
 struct StoppingRule {
   std::vector<double> weights;  ///< by wavelength
-  double tolerance;             ///< two standard errors over the light, 1e-6 to 1
+  double tolerance;             ///< largest relative error at two standard errors, 1e-6 to 1
   double from_m, to_m;          ///< axis distances
 };
 
-/// Twice the noise of the weighted light over that light, at worst; 1 where nothing has landed, or
-/// the noise is not known. What rings cannot resolve does not count: no photons would end it.
+/// Largest relative error of the weighted light at two standard errors of noise; 1 where no light has landed, or
+/// the noise is not known. Unresolved structure does not count, as no number of photons would reduce it.
 double worst_error(const PhotonLight& light, const StoppingRule& rule);
 
-/// Twice the whole standard error of the weighted light over that light, at worst.
+/// Largest relative error of the weighted light at two standard errors, unresolved structure included.
 double worst_error(const RefractedLight& light, const StoppingRule& rule);
 
 }  // namespace coppermoon::shadow

@@ -9,14 +9,15 @@
 
 namespace coppermoon::shadow {
 
-/// Rows of wavelengths are padded to a multiple of this.
+/// Number of wavelengths to a multiple of which rows are padded.
 inline constexpr std::size_t waves_together = 8;
 
-/// Adds light that is scattered at one point, by wavelength, with what the machine has of SIMD:
+/// Adds light that is scattered at one point, by wavelength, with the machine's widest vectors:
 /// filter Σ scattered[k] spectra(k) exp(−Σ passed[k] spectra(k)).
 ///
-/// Given  spectra  (absorber, wavelength); all rows padded, with zeros
-///        scattered, passed  amounts, 0 or more
+/// Given  scattered  amounts of absorbers at the point, 0 or more
+///        passed     amounts of absorbers along the path, 0 or more
+///        spectra    (absorber, wavelength), padded with 0
 void add_scattered(const atmosphere::Amounts& scattered, const atmosphere::Amounts& passed,
                    const algebra::Grid<double>& spectra, std::span<const double> filter,
                    std::span<double> ratio);

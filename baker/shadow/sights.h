@@ -10,19 +10,22 @@
 
 namespace coppermoon::shadow {
 
-/// Amounts of what stands on straight lines through a column of air, from a place on the line
-/// outwards: a table over the line's lowest altitude and the distance of the place from there.
+/// Amounts of absorbers along straight lines through a column of air, from a point on the line outwards: a table
+/// over the line's lowest altitude and the point's distance from the lowest point.
 class Slants {
  public:
   /// Given  radius_m  of the ground
   Slants(const atmosphere::Column& column, const photons::ProfileTable& profiles, double radius_m);
 
-  /// Given  along_m  0 or more; a line below the ground is taken as one along it
+  /// Amounts from a point outwards.
+  ///
+  /// Given  lowest_m  lowest altitude; below 0 the table's value at 0 holds
+  ///        along_m   distance of the point from the lowest point, 0 or more
   atmosphere::Amounts beyond(double lowest_m, double along_m) const;
 
-  /// Amounts on the whole line up to a place.
+  /// Amounts along the whole line up to a point.
   ///
-  /// Given  along_m  below 0 where the line still sinks
+  /// Given  along_m  distance of the point from the lowest point; below 0 before it
   atmosphere::Amounts up_to(double lowest_m, double along_m) const;
 
  private:
@@ -33,15 +36,17 @@ class Slants {
   algebra::Grid<atmosphere::Amounts> outwards_;  // (line, place)
 };
 
-/// A point on a sight, a straight line past the limb, and all that does not depend on where it leads.
+/// Quadrature point on a sight (a straight line past the limb), with quantities that do not depend on the
+/// sight's position angle or end.
 struct SightPoint {
-  double impact_m, along_m;  ///< from the sight's lowest point, positive towards the shadow
+  double impact_m, along_m;  ///< along_m: from the lowest point, positive towards the shadow
   double altitude_m;
-  double lowest_m;                      ///< from here on
-  atmosphere::Amounts profile, onward;  ///< profile: times b db ds
+  double lowest_m;              ///< lowest altitude between the point and the shadow
+  atmosphere::Amounts profile;  ///< times b db ds
+  atmosphere::Amounts onward;   ///< amounts from the point to the shadow
 };
 
-/// Points on sights at all heights, closer where what air, cloud and dust there is changes.
+/// Quadrature points on sights at all heights, denser where the column's profiles change.
 std::vector<SightPoint> points_on_sights(const atmosphere::Column& column, const Slants& slants,
                                          double radius_m);
 

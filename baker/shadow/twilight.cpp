@@ -27,11 +27,11 @@ using atmosphere::Atmosphere;
 using atmosphere::Column;
 using std::numbers::pi;
 
-constexpr std::size_t angles_around = 12;  // that a ring's light is computed at
+constexpr std::size_t angles_around = 12;  // angles at which a ring's light is computed
 
 double squared(double x) { return x * x; }
 
-/// A place in the shadow frame, the Earth seen from it, and a direction around the Earth.
+/// View of the limb from a place in the shadow, at one position angle around the Earth.
 class View {
  public:
   View(double axis_distance_m, double depth_m, double around_rad)
@@ -43,7 +43,7 @@ class View {
 
   double distance_m() const { return distance_m_; }
 
-  /// The light's way from the limb.
+  /// Unit vector of light from the limb to the place.
   glm::dvec3 direction(double impact_m) const {
     const double sine = impact_m / distance_m_;
     return std::sqrt(1 - sine * sine) * outwards_ - sine * aside_;
@@ -60,11 +60,11 @@ class View {
   glm::dvec3 outwards_, aside_;
 };
 
-/// The twilight of one column of air, in all airs, which differ there in amounts alone.
+/// Twilight of one column of air, in all atmospheres, whose columns differ in amounts alone.
 class Ring {
  public:
-  /// Given  richest  the column that has some of all that any air's has
-  ///        columns  that of each air
+  /// Given  richest  column with the largest amounts of all (atmosphere::richest)
+  ///        columns  column of each atmosphere
   Ring(const Column& richest, std::span<const Column* const> columns, double radius_m,
        std::span<const atmosphere::Optics> optics)
       : column_(richest),
@@ -74,7 +74,7 @@ class Ring {
     for (const auto* column : columns) airs_.push_back(in_air(*column, optics));
   }
 
-  /// Adds the light from one direction around the Earth, a radian of it, by wavelength, padded, air after air.
+  /// Adds light per radian of position angle around the Earth: wavelengths of one atmosphere after the other, padded.
   void add(const View& view, std::span<double> ratio) const {
     const auto phase = scattering(column_, view.direction(radius_m_).z);
     const std::size_t waves = ratio.size() / airs_.size();
@@ -102,7 +102,7 @@ class Ring {
   struct InAir {
     Grid<double> spectra;        ///< (absorber, wavelength)
     Grid<double> filters;        ///< (below or above the cloud's top, wavelength)
-    std::array<bool, 2> dark{};  ///< of filters: whether nothing passes
+    std::array<bool, 2> dark{};  ///< whether the filter is 0 at all wavelengths
   };
 
   static InAir in_air(const Column& column, std::span<const atmosphere::Optics> optics) {
@@ -127,12 +127,12 @@ class Ring {
   std::vector<InAir> airs_;
 };
 
-/// Light by the angle between the limb's direction and the place's, half around, for the other half is
-/// alike: [angle][wavelength], padded, air after air.
+/// Light [angle][wavelength] by the angle between the limb's direction and the place's, over a half circle, as the
+/// other half mirrors it; wavelengths of one atmosphere after the other, padded.
 using AroundTheRing = std::vector<std::vector<double>>;
 
-/// Weights (angle, node) that read an even series of the angle at some angles around from its values at the
-/// nodes, the `angles_around` that are half around.
+/// Weights (angle, node) of trigonometric interpolation: an even function's values at so many angles around, from its
+/// values at nodes over a half circle.
 Grid<double> between_angles(std::size_t angles) {
   constexpr std::size_t half = angles_around / 2;
   Grid<double> shares(angles / 2 + 1, half + 1);
@@ -150,8 +150,10 @@ Grid<double> between_angles(std::size_t angles) {
   return shares;
 }
 
-/// Given  shares  of the angles asked for, as `between_angles` has them
-///        waves   padded, of all airs
+/// Light of a ring around a place at one axis distance.
+///
+/// Given  shares  weights by `between_angles`
+///        waves   padded number of wavelengths, of all atmospheres
 AroundTheRing around(const Ring& ring, double axis_distance_m, double depth_m,
                      const Grid<double>& shares, std::size_t waves) {
   AroundTheRing nodes(shares.columns(), std::vector<double>(waves)),
@@ -186,9 +188,9 @@ std::vector<Ring> rings_of(std::span<const Atmosphere> airs,
   return rings;
 }
 
-/// The ring as one sector sees it, each part with the air that stands there.
+/// Adds the twilight that one sector receives from the whole ring, each part of it with its own air.
 ///
-/// Given  first_wave  of the rings', where this air's begin
+/// Given  first_wave  index in the rings' light of this atmosphere's first wavelength
 void gather(const Atmosphere& atmosphere, const std::vector<AroundTheRing>& rings,
             std::size_t sector, std::size_t angles, double factor, std::size_t first_wave,
             std::span<double> ratio) {
@@ -202,7 +204,7 @@ void gather(const Atmosphere& atmosphere, const std::vector<AroundTheRing>& ring
   }
 }
 
-/// Multiples of a step, rising, that hold a list between them; the list itself, sorted, where it is as short.
+/// Multiples of a step that enclose a list, increasing; the list itself, sorted, where it is no longer than these.
 std::vector<double> coarser(std::vector<double> list, double step) {
   std::ranges::sort(list);
   const double first = std::floor(list.front() / step), last = std::ceil(list.back() / step);
@@ -219,7 +221,7 @@ std::vector<algebra::OnLine> all_on_line(std::span<const double> x,
   return all;
 }
 
-/// Adds twilight that was computed on one plane, at some sectors, distances and wavelengths.
+/// Adds twilight that was computed on one plane, interpolated from its sectors, axis distances and wavelengths.
 void add_between(const RefractedLight& more, RefractedLight& light) {
   const double sun_m = light.arrangement.sun_distance_m, from_m = more.arrangement.depths_m.front();
   const auto waves = all_on_line(more.wavelengths_nm, light.wavelengths_nm);

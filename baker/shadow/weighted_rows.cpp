@@ -15,13 +15,13 @@ namespace coppermoon::shadow::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Row of a node.
+/// Row of a node, clamped to the part's nodes.
 inline const double* row_at(const PartRows& part, int node) {
   const int place = std::clamp(node, part.first, part.last) - part.first;
   return part.rows + static_cast<std::size_t>(place) * moments * lanes;
 }
 
-/// One node's rows for so many harmonics at once.
+/// Adds one node's rows to so many harmonics at once.
 template <std::size_t together>
 void add_node(std::span<const double* const> rows, const HarmonicRows* harmonics,
               std::size_t factor, std::size_t terms) {
@@ -69,7 +69,7 @@ void add_weighted(std::span<const PartRows> parts, std::span<const int> nodes, s
   }
 }
 
-/// So many columns from one on, of all angles.
+/// Turns so many columns, from `column` on, to all angles.
 template <std::size_t columns>
 void turn_columns(const algebra::Grid<double>& factors, std::size_t column, const double* turns,
                   double* turned) {
@@ -131,7 +131,7 @@ void add_turned(const PartRows& part, std::span<const int> nodes, const double* 
     }
 }
 
-/// sums[k][m][lane], each lane its share of the nodes.
+/// Adds to sums[k][m][lane]; each lane takes its share of the nodes.
 void add_lanes(std::span<const double> cosines, const algebra::Grid<double>& weights,
                std::size_t harmonics, double* sums) {
   const hn::CappedTag<double, nodes_together> d;

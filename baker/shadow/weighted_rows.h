@@ -23,29 +23,28 @@ struct HarmonicRows {
   double* sums;           ///< [term][lane], that are added to
 };
 
-/// sums[term][lane] += Σ factors[i][term][moment] Σ weights[part] row of part[nodes[i]][moment][lane] of
-/// each harmonic, with what the machine has of SIMD.
+/// Adds, for each harmonic, sums[term][lane] += Σ factors[i][term][moment] Σ weights[part] row of
+/// part[nodes[i]][moment][lane], with the machine's widest vectors.
 void add_weighted_rows(std::span<const PartRows> parts, std::span<const int> nodes,
                        std::size_t terms, std::span<const HarmonicRows> harmonics);
 
-/// Position angles that stand side by side.
+/// Number of position angles that stand side by side.
 inline constexpr std::size_t angles_together = 8;
 
-/// turned[i][column][angle] = Σ factors(harmonic, column) turns[i][harmonic][angle], likewise.
+/// Writes turned[i][column][angle] = Σ factors(harmonic, column) turns[i][harmonic][angle], vectorised.
 void turn_factors(const algebra::Grid<double>& factors,
                   const std::vector<std::vector<double>>& turns, std::vector<double>& turned);
 
-/// sums[term][angle][lane] += Σ factors[i][term][moment][angle] row[nodes[i]][moment][lane], likewise.
-///
+/// Adds sums[term][angle][lane] += Σ factors[i][term][moment][angle] row[nodes[i]][moment][lane], vectorised.
 void add_turned_rows(const PartRows& part, std::span<const int> nodes, const double* factors,
                      std::size_t terms, double* sums);
 
-/// Nodes come in groups of this many: what is left over has no weight.
+/// Number of nodes in a group; the last group is filled up with nodes of weight 0.
 inline constexpr std::size_t nodes_together = 4;
 
-/// harmonics(k, m) += Σ weights(k, j) cos mψ_j over nodes j, by recurrence, likewise.
+/// Adds harmonics(k, m) += Σ weights(k, j) cos mψ_j over nodes j, by recurrence, vectorised.
 ///
-/// Given  cosines  cos ψ_j, a multiple of nodes_together
+/// Given  cosines  cos ψ_j; their number is a multiple of nodes_together
 void add_harmonics(std::span<const double> cosines, const algebra::Grid<double>& weights,
                    algebra::Grid<double>& harmonics);
 
