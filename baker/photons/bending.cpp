@@ -19,22 +19,21 @@ using atmosphere::Optics;
 
 constexpr int nodes_a_piece = 16;
 
-/// One column of air at one refractivity, seen along altitude.
+/// Column of air at one wavelength, as a function of altitude.
 struct Air {
   double earth_radius_m;
   const Column& column;
   double refractivity;
 
-  /// (n − 1) r
+  /// Excess of n r over r: (n − 1) r.
   double optical_excess(double h) const {
     return refractivity * atmosphere::density_ratio(column, h).value * (earth_radius_m + h);
   }
-  /// n r − R
+  /// Height n r − R, which equals b − R at the tangent point.
   double optical_height(double h) const { return h + optical_excess(h); }
 };
 
-/// The altitude where n r = b: bisection to the last digit, for n r rises all the way from the ground
-/// (not from below it, where air grows denser still).
+/// Altitude where n r = b, by bisection to the last digit: above the ground n r increases with altitude.
 double tangent_height(const Air& air, double impact_height_m, double top_m) {
   constexpr int halvings = 64;
   double low = 0, high = top_m;
@@ -45,8 +44,8 @@ double tangent_height(const Air& air, double impact_height_m, double top_m) {
   return std::midpoint(low, high);
 }
 
-/// A break just above the tangent height leaves the integrand all but singular there: no later
-/// piece may end more than four times as far along √(r − r_t) as it begins.
+/// Breaks with more inserted above the first: a break just above the tangent height leaves the integrand nearly
+/// singular, so each later piece ends at most four times as far along √(r − r_t) as it begins.
 std::vector<double> with_short_pieces_first(std::vector<double> breaks) {
   constexpr double longest = 16;
   const double bottom_m = breaks.front(), top_m = breaks.back();
@@ -56,14 +55,13 @@ std::vector<double> with_short_pieces_first(std::vector<double> breaks) {
   return breaks;
 }
 
-/// The altitudes between which the air is smooth and no piece is longer than 8 km, from `bottom_m`
-/// up.
+/// Altitudes from `bottom_m` up between which the air is smooth, at most 8 km apart.
 std::vector<double> pieces_above(double bottom_m, const Column& column, double top_m) {
   std::vector<double> breaks = atmosphere::breaks_m(column);
   breaks.insert(breaks.end(), {bottom_m, top_m});
   for (double h = 8e3; h < top_m; h += 8e3) breaks.push_back(h);
   std::sort(breaks.begin(), breaks.end());
-  constexpr double rounding_m = 1e-11;  // of altitudes: a closer break drowns in it
+  constexpr double rounding_m = 1e-11;  // of altitudes; closer breaks are dropped
   std::erase_if(breaks, [&](double h) {
     return h != bottom_m && h != top_m && (h < bottom_m + rounding_m || h > top_m);
   });
@@ -71,23 +69,23 @@ std::vector<double> pieces_above(double bottom_m, const Column& column, double t
   return breaks.size() > 2 ? with_short_pieces_first(std::move(breaks)) : breaks;
 }
 
-/// Altitudes between which the air is smooth.
+/// Interval of altitude in which the air is smooth.
 struct Piece {
   double from_m, to_m;
   double over_b;  ///< n r − b at the lower end, if that is close to the tangent height
 };
 
-/// A ray from its tangent height up.
+/// Half of a ray, from its tangent height up.
 struct HalfRay {
   const Air& air;
   LimbPath path;
   const ProfileTable* table;
   double at_tangent = air.optical_excess(path.tangent_height_m);
 
-  /// Closer above the tangent height the difference of two excesses drowns in rounding.
+  /// Height above the tangent height below which the difference of two excesses is lost in rounding.
   static constexpr double close_m = 1e-4;
 
-  /// n r − b; close to the tangent height by the slope of n r, from the piece's lower end.
+  /// Difference n r − b; close to the tangent height, from the slope of n r and the piece's lower end.
   double over_b(const Piece& piece, double above_m, const atmosphere::ValueAndSlope& density,
                 double r) const {
     if (above_m > close_m) return above_m + (air.refractivity * density.value * r - at_tangent);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double circle = 2 * std::numbers::pi;
 
-/// A column of air, and a position angle whose limb it stands over.
+/// Column of air and a position angle of the limb where it is found.
 struct Seat {
   std::size_t column;
   double position_angle_rad;
@@ -38,8 +38,8 @@ std::vector<Seat> seats_of(const atmosphere::Atmosphere& atmosphere) {
   return seats;
 }
 
-/// Position angles between which every part's share is smooth, increasing from 0 to 2π: the borders
-/// of regions and the middles of belts.
+/// Position angles, increasing from 0 to 2π, between which the weights of all parts are smooth: borders of
+/// regions and middles of belts.
 std::vector<double> kinks(const atmosphere::Atmosphere& atmosphere) {
   std::vector<double> all{0, circle};
   const auto add = [&](double angle_rad) {
@@ -61,10 +61,10 @@ std::vector<double> kinks(const atmosphere::Atmosphere& atmosphere) {
   return all;
 }
 
-/// Gauss's nodes between two position angles, for what is smooth there times a harmonic.
+/// Gauss nodes between two position angles, for a smooth function times a harmonic.
 std::vector<algebra::QuadratureNode> nodes_between(double from, double to, int highest) {
   constexpr int count = 16;
-  constexpr double phase = 8;  // of a harmonic, that so many nodes follow to rounding
+  constexpr double phase = 8;  // radians of a harmonic that one piece's nodes integrate to rounding
   const double pieces = std::ceil((to - from) * (highest + 2) / phase),
                half = (to - from) / pieces / 2;
   std::vector<algebra::QuadratureNode> all;
@@ -74,7 +74,7 @@ std::vector<algebra::QuadratureNode> nodes_between(double from, double to, int h
   return all;
 }
 
-/// Makes 0 what rounding left, and cuts off the harmonics that no part has.
+/// Sets coefficients at rounding level to 0, and drops the last harmonics that are 0 in all parts.
 void drop_negligible(std::vector<WholeLimb::Series>& all) {
   constexpr double negligible = 1e-12;
   std::size_t count = 1;

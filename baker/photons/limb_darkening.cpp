@@ -46,7 +46,7 @@ double slope(const Coefficients& a, double mu) {
 
 DiscLayers uniform_disc(std::size_t wavelengths) { return {{1}, {1, wavelengths, 1}}; }
 
-/// 2 ∫ f g μ dμ, the mean over the disc.
+/// Mean of a product over the disc, 2 ∫ f g μ dμ.
 double mean_product(const Coefficients& f, const Coefficients& g) {
   double sum = 0;
   for (const auto& node : algebra::gauss_legendre(8)) {
@@ -105,7 +105,7 @@ DiscTerms disc_terms(std::span<const double> wavelengths_nm, bool limb_darkened,
         std::ranges::max(left, {}, [](const Coefficients& f) { return mean_product(f, f); });
     const double size = std::sqrt(mean_product(worst, worst));
     auto& function = terms.functions.emplace_back();
-    if (size < 1e-12) continue;  // the terms before are all there is
+    if (size < 1e-12) continue;  // earlier terms already represent every wavelength
     subtract(-1 / size, worst, function);
     for (std::size_t w = 0; w < waves; ++w) {
       terms.brightness(j, w) = mean_product(left[w], function);

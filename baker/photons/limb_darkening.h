@@ -10,60 +10,60 @@
 
 namespace coppermoon::photons {
 
-/// Radiance of a place on the Sun's disc over the mean radiance of the disc.
+/// Radiance of a point on the Sun's disc over the mean radiance of the disc.
 ///
 ///     I(μ)/Ī = Σ A_k μ^k / (A_0 + 2 Σ A_k/(k + 2))        k = 0 … 5,   A_k linear in wavelength
 ///
 /// Given     wavelength  380 to 780 nm
-///           cos_angle   μ = √(1 − ρ²), ρ from the centre in solar radii: 0 at the edge, 1 in the
-///                       middle
-/// Returned  1.246 in the middle and 0.33 at the edge at 550 nm; its mean over the disc is 1
-/// Accuracy  for μ >= 0.1 within 1 % (400 to 780 nm) or 1.3 % (385 nm) of the middle's radiance
-///           of Neckel (2005), a fit smooth in wavelength
-/// Omits     the spectral lines: the table is of the continuum
+///           cos_angle   μ = √(1 − ρ²), ρ the distance from the centre in solar radii: 0 at the limb, 1 at
+///                       the centre
+/// Returned  at 550 nm 1.246 at the centre and 0.33 at the limb; the mean over the disc is 1
+/// Accuracy  against Neckel (2005), a fit smooth in wavelength, for μ >= 0.1: 1 % (400 to 780 nm) or 1.3 %
+///           (385 nm) of the radiance at the centre
+/// Omits     spectral lines: the table is for the continuum
 /// Throws    Error       when an argument is outside its range
 /// Source    Neckel & Labs (1994), Solar Phys. 153, 91
 double limb_darkening(algebra::Wavelength wavelength, double cos_angle);
 
-/// The Sun's disc as a stack of uniform discs about one centre.
+/// Sun's disc as a stack of concentric uniform discs.
 struct DiscLayers {
   std::vector<double> radius;        ///< [layer] in solar radii, the outermost, 1, first
   algebra::Grid<double> brightness;  ///< (layer, wavelength) over the mean radiance of the disc
 };
 
-/// The disc in layers: a lit area's share of the Sun's light is the sum over layers of brightness
-/// times the share of the unit disc's area that it has in common with the layer.
+/// Sun's disc in layers. Light from an area of the disc, as a share of the Sun's light, is the sum over layers of
+/// brightness times the area common to both, over the area of the unit disc.
 ///
-///     limb-darkened: a layer of radius 1 with I(0), and 32 of radius √(1 − μ²) with w I′(μ), over
-///     Ī, μ and w Gauss's on (0, 1);   else one layer of radius 1 and brightness 1
+///     limb-darkened: a layer of radius 1 and brightness I(0)/Ī, and 32 of radius √(1 − μ²) and brightness
+///     w I′(μ)/Ī, with Gauss nodes μ and weights w on (0, 1);   else one layer of radius 1 and brightness 1
 ///
 /// Given     wavelengths_nm  380 to 780 nm
-/// Returned  Σ brightness radius² = 1 for every wavelength
-/// Accuracy  the light inside any radius to 3e-4 of the whole; the means of ρ² and ρ⁴ exactly
+/// Returned  layers with Σ brightness radius² = 1 at every wavelength
+/// Accuracy  light within any radius to 3e-4 of the Sun's; means of ρ² and ρ⁴ over the disc exact
 /// Throws    Error           when limb-darkened at a wavelength outside its range
 DiscLayers disc_layers(std::span<const double> wavelengths_nm, bool limb_darkened);
 
-/// A function of the cosine μ: Σ a_k μ^k.
+/// Polynomial in the cosine μ: Σ a_k μ^k.
 using DiscFunction = std::array<double, 6>;
 
-/// The Sun's disc as a sum of few functions of the cosine μ, the same for all wavelengths.
+/// Sun's disc as a sum of a few functions of the cosine μ, which are the same at all wavelengths.
 struct DiscTerms {
   std::vector<DiscFunction> functions;
   algebra::Grid<double>
-      brightness;  ///< (term, wavelength): how much of each, over the mean radiance
+      brightness;  ///< (term, wavelength) coefficient of a function, over the mean radiance
 };
 
 double value(const DiscFunction& function, double cos_angle);
 
-/// The disc in terms: the radiance in the middle of the wavelengths, and what others differ from it,
-/// each time by that function which leaves least, as a mean over the disc.
+/// Sun's disc in terms, chosen greedily: the first is the radiance at the middle wavelength, each next one the
+/// largest remaining residual (rms over the disc) of any wavelength.
 ///
 /// Given     wavelengths_nm  380 to 780 nm
-///           count           at most, 1 to 6
-/// Returned  one term, 1, for a uniform disc;  Σ brightness times a function's mean over the disc is
-///           1 for every wavelength
-/// Accuracy  of the radiance anywhere, over the mean: 380 to 780 nm with two terms 0.07, with three
-///           0.03, with four 4e-3, with six exact
+///           count           largest number of terms, 1 to 6
+/// Returned  for a uniform disc one term, 1. At every wavelength, Σ brightness × mean of the function over the
+///           disc is 1
+/// Accuracy  radiance anywhere on the disc, over the mean radiance, 380 to 780 nm: two terms 0.07, three
+///           0.03, four 4e-3, six exact
 /// Throws    Error           when limb-darkened and an argument is outside its range
 DiscTerms disc_terms(std::span<const double> wavelengths_nm, bool limb_darkened, int count = 6);
 

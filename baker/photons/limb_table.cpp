@@ -19,7 +19,7 @@ namespace {
 using atmosphere::Column;
 using atmosphere::Optics;
 
-/// A path's bending, and after it its amounts.
+/// Number of values of a path: bending, then the amounts of absorbers.
 constexpr std::size_t parts_of_path = 1 + std::tuple_size_v<atmosphere::Amounts>;
 using Path = std::array<double, parts_of_path>;
 
@@ -35,7 +35,7 @@ LimbPath path_of(double tangent_height_m, const Path& all) {
   return path;
 }
 
-/// Where rays must stand: the ground, the breaks, the cloud's top, the air's, and the top of all.
+/// Tangent heights where a fan must have rays: ground, breaks, top of cloud, top of this air, top of all air.
 std::vector<double> stations(const Column& column, double top_m) {
   auto heights = atmosphere::breaks_m(column);
   heights.insert(heights.end(), {0, std::max(top_m, heights.back())});
@@ -45,22 +45,24 @@ std::vector<double> stations(const Column& column, double top_m) {
   return heights;
 }
 
-/// A stretch of tangent heights without a break.
+/// Interval of tangent heights without a break.
 struct HeightRange {
   double low_m, high_m;
 
-  /// Given  place  0 at the lower end to 1 at the upper, even in √(high − h)
+  /// Tangent height at a place in the interval.
+  ///
+  /// Given  place  0 at the lower end to 1 at the upper, linear in √(high − h)
   double height_m(double place) const {
     return high_m - (high_m - low_m) * (1 - place) * (1 - place);
   }
 };
 
-/// Chebyshev's points between 0 and 1, the ends among them, the last first.
+/// Chebyshev point number j between 0 and 1, ends included, in decreasing order.
 double chebyshev_place(int j, int degree) {
   return (1 + std::cos(std::numbers::pi * j / degree)) / 2;
 }
 
-/// The polynomial through values at Chebyshev's points.
+/// Polynomial through values at Chebyshev points.
 class Polynomial {
  public:
   explicit Polynomial(std::vector<Path> values) : values_(std::move(values)) {}
@@ -69,7 +71,7 @@ class Polynomial {
   std::span<const Path> values() const { return values_; }
   const Path& at_point(int j) const { return values_[static_cast<std::size_t>(j)]; }
 
-  /// Berrut & Trefethen (2004), SIAM Review 46, 501: the barycentric formula.
+  /// Value by the barycentric formula, Berrut & Trefethen (2004), SIAM Review 46, 501.
   Path operator()(double place) const {
     Path sum{};
     double total = 0;
@@ -89,8 +91,7 @@ class Polynomial {
   std::vector<Path> values_;
 };
 
-/// Chebyshev's points between two refractivities, `count` of them; one alone where these are the
-/// same.
+/// Chebyshev nodes between two refractivities; one where the two are equal.
 std::vector<double> chebyshev_roots(double least, double greatest, int count) {
   if (!(greatest - least > 1e-9 * greatest)) return {greatest};
   const double middle = (least + greatest) / 2, half = (greatest - least) / 2;
@@ -100,9 +101,9 @@ std::vector<double> chebyshev_roots(double least, double greatest, int count) {
   return roots;
 }
 
-/// Significance of the difference between two paths: bending in units of a milliradian, which moves
-/// a ray's landing by as much as light changes by a factor e there; optical depth as it is, and
-/// where little comes through anyway, in part.
+/// Significance of the difference between two paths: bending in milliradians, since one milliradian moves the
+/// landing by as much as light takes to change by a factor e; optical depth as it is, with less weight where
+/// transmittance is small.
 class Significance {
  public:
   Significance(const Column& column, const Optics& optics)
@@ -123,15 +124,17 @@ class Significance {
   atmosphere::Amounts spectra_;
 };
 
-/// Follows the rays of one column.
+/// Tracing of the rays of one column.
 struct Follower {
   const Column& column;
   double earth_radius_m;
-  /// Air of a season has many terms, all smooth.
+  /// Table of profiles, for seasonal air, whose many smooth terms are slow to evaluate.
   std::optional<ProfileTable> table =
       column.seasonal_air ? std::optional<ProfileTable>(column) : std::nullopt;
 
-  /// Given  known  paths at every other point, which are those of half the degree; or none
+  /// Paths at the Chebyshev points of a degree.
+  ///
+  /// Given  known  paths at every other point, from half the degree; or none
   std::vector<Path> at(const HeightRange& piece, int degree, double refractivity,
                        std::span<const Path> known = {}) const {
     std::vector<Path> values(static_cast<std::size_t>(degree) + 1);
@@ -147,11 +150,12 @@ struct Follower {
     return values;
   }
 
-  /// A polynomial of a degree that is good enough, as the half of it already nearly is.
+  /// Polynomial whose degree has been doubled until half the degree predicts it to the tolerance.
   Polynomial sufficient(const HeightRange& piece, double refractivity,
                         const Significance& significance, double error) const {
     constexpr int lowest = 6, highest = 48;
-    constexpr double gain = 16;  // of a doubled degree, at least, where the profiles have kinks
+    // least reduction of the error by doubling the degree, for profiles with kinks
+    constexpr double gain = 16;
     Polynomial coarse(at(piece, lowest, refractivity));
     for (int degree = 2 * lowest; degree <= highest; degree *= 2) {
       Polynomial fine(at(piece, degree, refractivity, coarse.values()));
@@ -168,8 +172,7 @@ struct Follower {
   }
 };
 
-/// How far a path is from straight lines between its neighbours: second differences, the greatest,
-/// over a piece cut in one.
+/// Largest second difference of paths over an interval: error of linear interpolation, were it cut nowhere.
 double unevenness(const Polynomial& path, const Significance& significance) {
   constexpr int cuts = 16;
   double worst = 0;
@@ -183,7 +186,8 @@ double unevenness(const Polynomial& path, const Significance& significance) {
   return worst * cuts * cuts;
 }
 
-/// Rays for each piece: as the root of its unevenness, which spends them best, and never under four.
+/// Number of rays for each interval: in proportion to the root of its unevenness, which minimises the error, and
+/// at least four.
 std::vector<int> shares_of_rays(std::span<const double> unevenness, int rays) {
   double all = 0;
   for (const double u : unevenness) all += std::sqrt(u);

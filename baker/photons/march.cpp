@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t most_lanes = 16, most_amounts = atmosphere::absorbers;
 
-/// The rays of one vector, lane by lane: where they come into the air, and how they leave it.
+/// Rays of one vector, lane by lane: entry into the air, and results on leaving it.
 template <class T>
 struct Lanes {
   alignas(64) std::array<T, most_lanes> along_m, height_m, forward, upward;
@@ -50,8 +50,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Rays underway. Straight lines along x and the small differences of the bent rays from them are
-/// carried apart, altitude and not radius, and n t less the straight line's direction.
+/// State of rays under way. Straight lines along x, and the bent rays' small differences from them, are stored
+/// separately; heights are altitudes instead of radii, and directions are n t less the straight line's.
 template <class D>
 struct Rays {
   using V = hn::Vec<D>;
@@ -59,7 +59,7 @@ struct Rays {
   V along_shift_m, height_shift_m;  // of the rays, from those
   V forward, upward;                // n t − (1, 0)
   V step_m;                         // 0 for a ray that has left
-  V reduced_m, pull;                // q; the last change of `upward`
+  V reduced_m, pull;                // q; latest change of `upward`
   V lower_m, upper_m, layer;        // the layer of air they are in
   V steps;
 };
@@ -92,7 +92,7 @@ struct Kernel {
   V along(const Rays<D>& rays) const { return hn::Add(rays.along_m, rays.along_shift_m); }
   V height(const Rays<D>& rays) const { return hn::Add(rays.height_m, rays.height_shift_m); }
 
-  /// Towards denser air, by as much along x and along y.
+  /// Bends rays towards denser air, along x and y.
   void pull(Rays<D>& rays, V strength) const {
     const V upward = hn::Mul(strength, hn::MulAdd(height(rays), radius_inverse, hn::Set(d, 1)));
     rays.forward = hn::MulAdd(hn::Mul(strength, along(rays)), radius_inverse, rays.forward);
@@ -104,7 +104,7 @@ struct Kernel {
     hn::Store(hn::MulAdd(value, weight, hn::Load(d, sum.data())), d, sum.data());
   }
 
-  /// Looks the air up, turns the rays, and adds to their amounts.
+  /// Looks up the air, bends the rays, and adds to their amounts.
   void kick(Rays<D>& rays, V length_m, Lanes<T>& lanes) const {
     const auto& air = march.air;
     const V bounded =
@@ -130,16 +130,16 @@ struct Kernel {
     }
   }
 
-  /// How rays come to a border of the air within their last step.
+  /// Arrival of rays at a border between layers of the air within the latest step.
   struct Arrival {
     V border;  // number of the layer below it
     V sign;    // 1 upwards, −1 downwards
-    V step_m;  // 0 for rays that do not
-    V left;    // part of the step beyond it
-    V rise;    // of q in a whole step, up or down
+    V step_m;  // 0 for rays that do not arrive
+    V left;    // fraction of the step beyond the border
+    V rise;    // change of q in a whole step, absolute
   };
 
-  /// Along a step q rises as a parabola.
+  /// Place of arrival within the step; q is taken to be a parabola along it.
   Arrival arrival(const Rays<D>& rays, V before_m, M crossing) const {
     const V zero = hn::Zero(d), one = hn::Set(d, 1);
     const M up = hn::And(crossing, hn::Ge(rays.reduced_m, rays.upper_m));
@@ -160,8 +160,8 @@ struct Kernel {
             hn::Min(hn::Max(left, zero), one), rise};
   }
 
-  /// Corrects the sums where the air jumps, by Euler and Maclaurin's terms: for values B₁ and for slopes B₂/2
-  /// of the part left; and the rays are in the next layer.
+  /// Corrects the sums for jumps of the air, by the terms of Euler and Maclaurin (B₁ of the fraction left for
+  /// values, B₂/2 for slopes), and moves the rays into the next layer.
   void cross(Rays<D>& rays, const Arrival& at, Lanes<T>& lanes) const {
     const auto& air = march.air;
     const V row = hn::Mul(at.border, hn::Set(d, static_cast<T>(air.terms_of_border())));
@@ -213,7 +213,7 @@ struct Kernel {
     }
   }
 
-  /// Rays on the top of the air, at the beginning of a step into it.
+  /// Rays at the top of the air, at the beginning of a step into it.
   Rays<D> entering(Lanes<T>& lanes) const {
     const V zero = hn::Zero(d), step_m = hn::Set(d, march.step_m);
     const V space = hn::Set(d, static_cast<T>(march.air.upper_m.size() - 1));
@@ -286,7 +286,7 @@ void follow_lanes(const March<float>& march, Lanes<float>& lanes) {
   HWY_DYNAMIC_DISPATCH(follow_float)(march, lanes);
 }
 
-/// Where straight lines of these impact heights meet the top of the air.
+/// Points where straight lines of given impact heights meet the top of the air.
 template <class T>
 void set_out(const March<T>& march, std::span<const LimbPath> paths, Lanes<T>& lanes) {
   const auto& air = march.air;
@@ -301,7 +301,7 @@ void set_out(const March<T>& march, std::span<const LimbPath> paths, Lanes<T>& l
   }
 }
 
-/// Returned  the steps of all rays
+/// Returned  number of steps, all rays together
 template <class T>
 std::uint64_t followed(const March<T>& march, std::span<LimbPath> paths) {
   const std::size_t width = lanes_of(T{});

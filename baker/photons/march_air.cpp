@@ -14,9 +14,9 @@ using atmosphere::ValueAndSlope;
 
 constexpr double cell_m = 50;
 constexpr double below_ground_m = 2000;
-constexpr double inside_m = 1e-6;  // a break belongs to one side
+constexpr double inside_m = 1e-6;  // distance from a break at which its sides are sampled
 
-/// The profiles of a column along the reduced height.
+/// Profiles of a column as functions of the reduced height.
 struct Along {
   const Column& column;
   double earth_radius_m;
@@ -32,15 +32,16 @@ struct Along {
   }
 };
 
-/// How far below a break the air is still that of the layer: US 1976 ends a little under its top.
+/// Distance below a break at which the layer under it is sampled; more at the top, as US 1976 ends a little below
+/// 86 km.
 double inside_below_m(const Column& column, bool top) {
   return top && column.density == atmosphere::Density::us_1976 ? 1 : inside_m;
 }
 
-/// The part of a cell within one layer.
+/// Part of a cell that lies within one layer.
 struct Part {
   double from_m, to_m;  ///< reduced heights
-  double begin;         ///< of the cell, from `from_m`
+  double begin;         ///< beginning of the cell, relative to `from_m`
 };
 
 std::vector<std::size_t> others_in(const Column& column) {
@@ -51,8 +52,7 @@ std::vector<std::size_t> others_in(const Column& column) {
   return others;
 }
 
-/// The cubic with these values and slopes at both ends of a part, in the cell's own variable: 0 at
-/// its beginning, 1 at its end.
+/// Coefficients of the cubic with given values and slopes at both ends of a part, in the cell's variable, 0 to 1.
 std::array<double, 4> cubic(const Part& part, const ValueAndSlope& low, const ValueAndSlope& high) {
   constexpr double too_short_m = 1;
   const double width = part.to_m - part.from_m, s = part.begin;
@@ -65,7 +65,7 @@ std::array<double, 4> cubic(const Part& part, const ValueAndSlope& low, const Va
           cell_m * cell_m * (second + 3 * s * third), cell_m * cell_m * cell_m * third};
 }
 
-/// The chord of a profile, raised or lowered to the profile's own mean (by Simpson's rule).
+/// Value and slope of a profile's chord, shifted so that its mean is the profile's (by Simpson's rule).
 std::array<double, 2> line(const Part& part, double low, double middle, double high) {
   const double width = part.to_m - part.from_m;
   const double slope = width > 0 ? (high - low) / width : 0;
@@ -120,7 +120,7 @@ void add_border(const Along& air, double at_m, bool top, MarchAir<T>& out) {
   for (const std::size_t k : out.others) out.borders.push_back(static_cast<T>(over[k] - under[k]));
 }
 
-/// Adds empty space for a ray that has left, wherever its last step has brought it.
+/// Adds the last layer, empty space, high enough for a ray that has left the air in its last step.
 template <class T>
 void add_space(double from_m, MarchAir<T>& out) {
   constexpr T infinity = std::numeric_limits<T>::infinity();

@@ -22,7 +22,7 @@ inline constexpr double solar_radius_m = 6.955e8;
 /// Source    ASTM E490-00a (2000)
 std::vector<double> solar_irradiance(std::span<const double> edges_nm);
 
-/// A random place on the uniform disc of the Sun, in solar radii: pdf 1/π.
+/// Uniformly random point on the Sun's disc, in solar radii: pdf 1/π.
 glm::dvec2 random_place_on_disc(algebra::Random& random);
 
 }  // namespace coppermoon::photons

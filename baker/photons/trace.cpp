@@ -14,7 +14,7 @@ using atmosphere::Atmosphere;
 using atmosphere::Column;
 using atmosphere::Optics;
 
-/// Column of the air over a place; between two belts a photon is in one of them, by chance.
+/// Column of air above a point; between two belts, a photon is randomly assigned to one of them.
 class Overhead {
  public:
   Overhead(const Atmosphere& atmosphere, double chance)
@@ -32,7 +32,7 @@ class Overhead {
   double chance_;
 };
 
-/// The air a ray is in.
+/// Air at a ray's present point.
 struct Standing {
   const Column* column;
   atmosphere::Amounts spectra;
@@ -41,7 +41,7 @@ struct Standing {
       : column(&over), spectra(atmosphere::spectra(over, optics)) {}
 };
 
-/// Refracting medium of a ray: one column's air around the Earth, at one wavelength.
+/// Refracting medium of a ray: one column of air around the whole Earth, at one wavelength.
 struct Medium {
   const Column& column;
   const Optics& optics;
@@ -51,8 +51,9 @@ struct Medium {
     return refractivity(column, optics, altitude_m(earth, at_m));
   }
 
-  /// Given     here     the refractivity at that place
-  /// Returned  its forward differences over that step [1/m]
+  /// Gradient of refractivity by forward differences [1/m].
+  ///
+  /// Given  here  refractivity at the point
   glm::dvec3 gradient(const glm::dvec3& at_m, double here, double step_m) const {
     glm::dvec3 gradient;
     for (int j = 0; j < 3; ++j) {

@@ -8,47 +8,45 @@
 
 namespace coppermoon::photons {
 
-/// A half line: where it starts [m] and where it goes (unit), in the shadow frame.
+/// Half-line in the shadow frame: origin [m] and unit direction.
 struct Ray {
   glm::dvec3 position_m, direction;
 };
 
-/// How finely a ray is stepped through the air.
+/// Step lengths of tracing.
 struct Stepping {
   double step_m = 1000;         ///< arc length of one step, 1 to 100 000 m
-  double gradient_step_m = 10;  ///< of the one-sided difference that stands for ∂n/∂x, 1e-3 to 1e4
+  double gradient_step_m = 10;  ///< of the forward differences that approximate ∇n, 1e-3 to 1e4
 };
 
-/// A ray that left the air again.
+/// Result of tracing a ray that left the air again.
 struct Traced {
   Ray leaving;
   double transmittance;  ///< of dust and Rayleigh scattering along the path, and of ozone
   int steps;
 };
 
-/// Where a ray meets the sphere about the Earth's centre for the first time; nothing when it passes
-/// by.
+/// Ray moved to its first intersection with a sphere about the Earth's centre; none where it misses the sphere.
 ///
 /// Given  ray  starts outside the sphere
 std::optional<Ray> entered(const Ray& ray, double radius_m);
 
-/// Follows light through the air in 3-D, step by step, to the letter of the paper: each step
-/// advances along the direction it came with, turns by the refractivity's gradient at the step's
-/// beginning, and dims by Beer–Lambert with the extinction there.
+/// Traces light through the air in three dimensions, step by step, exactly as Yapo & Cutler (2009) do: each step
+/// advances along the present direction, turns by the gradient of refractivity, and attenuates by Beer–Lambert;
+/// gradient and extinction are taken at the step's beginning.
 ///
 ///     x' = x + t Δl      t' = (n(x) t + ∇n(x) Δl) / n(x')      I' = I exp(−(α + β(x)) Δl)
 ///
-/// with ∇n by differences of 10 m to one side, axis by axis. This is the yardstick: scalar, one
-/// wavelength, any atmosphere. (Turning before advancing would halve the step's error; the paper's
-/// figures need this order.)
+/// with ∇n by forward differences over 10 m, axis by axis. Scalar, one wavelength, any atmosphere: a reference for
+/// the faster methods. (Turning before advancing would halve the step's error; the paper's figures need this
+/// order.)
 ///
-/// Given     entering  a ray on the top of the air, going in
-///           chance    0 to 1: which of the two belts that it is between the ray goes through
-/// Returned  the ray that left; nothing when it met the ground, or passed above the air of an
-///           ellipsoid's pole
-/// Accuracy  at 1 km: bending 0.14 % too little for a ray that grazes at 876 m, 0.11 % at 3791 m;
-///           0.06 % of it is the one-sided difference and stays as the step shrinks
-/// Throws    Error  when a step is outside its range, or the air would not let light out again
+/// Given     entering  ray at the top of the air, directed inwards
+///           chance    0 to 1: chooses one of the two belts that the ray lies between
+/// Returned  none when the ray met the ground, or passed above the air over an ellipsoid's pole
+/// Accuracy  with steps of 1 km, bending is too small by 0.14 % for a ray that grazes at 876 m, by 0.11 % at 3791 m;
+///           0.06 % is due to the forward difference and stays as the step shrinks
+/// Throws    Error  when a step is outside its range, or the air traps light
 ///                  (atmosphere::critical_refractivity)
 /// Source    Yapo & Cutler (2009), Eq. 1 to 3, 11 and 12, after Seron et al. (2004)
 std::optional<Traced> trace(const Ray& entering, const atmosphere::Atmosphere& atmosphere,

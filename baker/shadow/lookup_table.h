@@ -67,8 +67,8 @@ inline double sheared(double axis_distance_m, double deeper) {
 inline constexpr std::size_t channel_padding = 4;
 
 /// Reads the table: linear between planes and nodes, cubic in position angle, cut at 0 (or at the least of the four
-/// sectors, where that is negative). Outside, the outermost planes and nodes hold; beyond `end_m` and on the Sun's side of the Earth
-/// all is sunlight.
+/// sectors, where that is negative). Outside, the outermost planes and nodes hold; beyond `end_m` and on the Sun's
+/// side of the Earth all is sunlight.
 ///
 /// Given     table   two nodes or more; without nodes all is sunlight
 /// Returned  values  [place × channels + channel]

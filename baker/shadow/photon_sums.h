@@ -73,8 +73,8 @@ RefractedLight means_over_rings(const PhotonSums& sums);
 /// Light estimated by photons. Its standard error combines noise and unresolved structure within rings, as the
 /// root of the sum of squares.
 struct PhotonLight : RefractedLight {
-  std::vector<algebra::Grid<double>>
-      noise;  ///< [as ratio] standard error by noise, which more photons reduce
+  /// [as ratio] standard error by noise, which more photons reduce
+  std::vector<algebra::Grid<double>> noise;
 };
 
 /// Light at the rings' middles, deconvolved so that its means over the rings are the photons' means. The
@@ -87,8 +87,8 @@ struct PhotonLight : RefractedLight {
 /// resolve is estimated as a relative error of 3/32 of the fourth difference of ln M, four times the error of a
 /// cubic for a smooth curve. It is combined with the neighbouring rings' errors, whose squares count half, and
 /// the fourth difference that noise alone would cause is subtracted. Rings whose noise exceeds a third of their
-/// mean (empty ones included) keep their mean and are not used as neighbours, nor are rings 50 times as bright or dark. With
-/// one neighbour missing, g is a straight line, and the whole correction counts as an error.
+/// mean (empty ones included) keep their mean and are not used as neighbours, nor are rings 50 times as bright
+/// or dark. With one neighbour missing, g is a straight line, and the whole correction counts as an error.
 ///
 /// Returned  as means_over_rings
 /// Accuracy  2e-5 for light that falls by e in two ring widths or more; noise grows by 9 %
