@@ -7,16 +7,16 @@
 
 namespace coppermoon::almanac {
 
-/// A day of the Gregorian calendar as another calendar has it: "1504-03-11" is "1504-03-01" in the Julian one.
+/// Date in a calendar of a day given in the Gregorian one: "1504-03-11" is "1504-03-01" in the Julian calendar.
 ///
 /// Given   date  "2018-07-27", "-0584-05-22"
 /// Source  Meeus (1998), Astronomical Algorithms, chapter 7: the Julian date of a Julian day
 std::string date_in(Calendar calendar, const std::string& date);
 
-/// utc_text with its date in a calendar; ISO 8601 knows the Gregorian one alone.
+/// Text as by utc_text, with its date in a calendar; ISO 8601 itself is Gregorian.
 std::string utc_text(const Instant& instant, Calendar calendar, int decimals = 0);
 
-/// The two parts of utc_text to the second: "2018-07-27" and "20:21:45".
+/// Date and time of day of utc_text, to the second: "2018-07-27" and "20:21:45".
 std::string date_text(const Instant& instant, Calendar calendar = Calendar::gregorian);
 std::string time_of_day_text(const Instant& instant);
 

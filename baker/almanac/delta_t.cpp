@@ -46,8 +46,8 @@ double polynomial(std::span<const double> coefficients, double x) {
   return sum;
 }
 
-/// The last term refers the sum to a lunar secular acceleration of −25.858″/cy² in place of
-/// −26″/cy².
+/// ΔT by the polynomials of Espenak & Meeus (2006). The last term changes the assumed secular acceleration of the
+/// Moon from −26″/cy² to −25.858″/cy².
 double espenak_meeus_2006_s(double year) {
   const Piece* piece = pieces;
   while (year >= piece->end_year) ++piece;
@@ -68,8 +68,7 @@ LeapSeconds leap_seconds(int year) {
   return leap;
 }
 
-/// The day on which ERFA's table of leap seconds ends: 1 January of the first year it calls
-/// dubious.
+/// Julian day on which ERFA's table of leap seconds ends: 1 January of the first year that ERFA calls dubious.
 double last_leap_second_day() {
   static const double end = [] {
     int year = 1972;

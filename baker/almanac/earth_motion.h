@@ -8,7 +8,7 @@
 
 namespace coppermoon::almanac {
 
-/// Where the Earth is and how it moves, GCRS axes.
+/// Position and velocity of the Earth, GCRS axes.
 struct EarthMotion {
   glm::dvec3 heliocentric_au, barycentric_au, velocity_au_per_day;
 };
@@ -16,16 +16,16 @@ struct EarthMotion {
 /// Source  ERFA eraEpv00
 EarthMotion earth_at(const Instant& instant);
 
-/// A direction as the moving Earth sees it.
+/// Direction with aberration by the Earth's motion.
 ///
-/// Given  direction  unit, from where the Earth's centre is
+/// Given  direction  unit, from the Earth's centre
 /// Source ERFA eraAb
 glm::dvec3 aberrated(const glm::dvec3& direction, const EarthMotion& earth);
 
-/// GCRS axes from the mean ecliptic and equinox of 2000.
+/// Vector in GCRS axes, from the mean ecliptic and equinox of 2000.
 glm::dvec3 gcrs_from_ecliptic(const glm::dvec3& of_2000);
 
-/// Held while libnova computes: it keeps statics.
+/// Mutex to hold while libnova computes, since libnova keeps state in statics.
 std::mutex& libnova_is_single_threaded();
 
 }  // namespace coppermoon::almanac

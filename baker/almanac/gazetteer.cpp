@@ -18,7 +18,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// A table without its heading; a last cell is added to each row: the plain form of its name.
+/// Rows of a table, without its heading; each gets the plain form of its name as an additional last cell.
 Rows rows_of(std::string_view text, std::size_t name_column = 0) {
   auto rows = algebra::parse_text_table(text);
   rows.erase(rows.begin());
@@ -68,7 +68,7 @@ bool is_name(const std::string& known, std::string_view name) {
   return plain == plain_name(name) || plain == plain_name(without_umlauts(name));
 }
 
-/// The rows of that name, or else those that hold it as whole words.
+/// Rows of a name; if none, rows whose names contain it as whole words.
 ///
 /// Given  region  the second cell that a row must have; empty: any
 Rows rows_named(const Rows& rows, std::string_view name, std::string_view region = {}) {
@@ -85,7 +85,7 @@ Rows rows_named(const Rows& rows, std::string_view name, std::string_view region
   return all.empty() ? parts : all;
 }
 
-/// The name that cities() has for a city, also where it goes by another.
+/// Name of a city in the gazetteer, given that name or an alternative one.
 std::string known_name(std::string_view name) {
   static const Rows others = rows_of(tables::city_other_names(), 1);
   const auto plain = plain_name(name);
@@ -108,7 +108,7 @@ std::pair<std::string_view, std::string_view> name_and_region(std::string_view t
 
 std::string as_written(const City& city) { return city.name + "/" + city.region; }
 
-/// Some words of many, with commas between.
+/// List of a few of the words, with commas between.
 std::string listed(std::vector<std::string> words) {
   constexpr std::size_t most = 5;
   const auto left = words.size() > most ? words.size() - most : 0;
@@ -149,7 +149,7 @@ std::string plain_name(std::string_view name) {
                name[i + 1] <= '\x9B') {
       text += "sstt"[static_cast<unsigned char>(name[++i]) - 0x98];  // Romanian: a comma below
     } else if ((byte == 0xCC || byte == 0xCD) && i + 1 < name.size()) {
-      ++i;  // an accent that stands behind its letter
+      ++i;  // combining accent, which follows its letter
     } else {
       text += byte >= 'A' && byte <= 'Z' ? static_cast<char>(byte - 'A' + 'a') : name[i];
     }
@@ -170,7 +170,7 @@ std::optional<City> city_named(std::string_view name) {
   return all.empty() ? std::nullopt : std::optional(all.front());
 }
 
-/// A city's place among the most populous, from 1 on.
+/// Rank of a city by population, from 1 on.
 static std::ptrdiff_t rank_of(const City& city) {
   const auto found = std::ranges::find_if(
       cities(), [&](const auto& row) { return row[0] == city.name && row[1] == city.region; });

@@ -69,7 +69,7 @@ bool take_time(std::string_view& text, CivilTime& c) {
   return !take(text, ':') || take_second(text, c);
 }
 
-/// "+04:00", "-0330" or "+04".
+/// Takes an offset off the front of the text: "+04:00", "-0330" or "+04".
 bool take_offset(std::string_view& text, CivilTime& c) {
   const int sign = text.starts_with('-') ? -1 : 1;
   int hours = 0, minutes = 0;
@@ -90,7 +90,7 @@ std::optional<CivilTime> civil_time(std::string_view text) {
   return c;
 }
 
-/// The day of the Julian calendar as the Gregorian one has it; none where there is no such day.
+/// Gregorian date of a date in the Julian calendar; none where there is no such day.
 ///
 /// Source  Meeus (1998), Astronomical Algorithms, chapter 7: the Julian day of a Julian date
 std::optional<CivilTime> in_gregorian(CivilTime c) {

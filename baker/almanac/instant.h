@@ -16,14 +16,14 @@ struct Instant {
 /// Julian dates.
 enum class Calendar { gregorian, julian };
 
-/// The moment that an ISO 8601 text names, in UTC unless it ends in an offset.
+/// Instant of an ISO 8601 text, in UTC unless it ends in an offset.
 ///
 /// Given   text      "2008-02-21T03:08:26Z"; the Z, the seconds and their decimals may be left out,
 ///                   the time of day too (midnight); a space may stand for the T, an offset to the
 ///                   east for the Z ("+04:00", to 18 h). Years −1999 to 3000, signed as "-0584-05-22"
-///         calendar  of the date: Thales' eclipse is "-0584-05-22" in the Gregorian one,
+///         calendar  of the date: Thales' eclipse is "-0584-05-22" in the Gregorian calendar,
 ///                   "-0584-05-28" in the Julian one
-/// Throws  Error  when the text is no such date: names the text and an example
+/// Throws  Error  when the text is not such a date: quotes the text and an example
 Instant instant_from_utc(std::string_view text, Calendar calendar = Calendar::gregorian);
 
 /// ISO 8601 UTC, rounded to `decimals` decimals of a second (0 to 9): "2008-02-21T03:26:05Z".
@@ -33,14 +33,14 @@ std::string utc_text(const Instant& instant, int decimals = 0);
 
 /// TT − UT1 [s].
 ///
-/// 1972 to the end of ERFA's table of leap seconds (2026 with ERFA 2.0.0): UTC stands for UT1; they
-/// differ by under 0.9 s. Before: the polynomials of Espenak & Meeus (2006), with UTC read as UT1.
-/// After: the last value plus 32.5 s times the square of the centuries since, so that the curve is
-/// continuous and bends as the tidal braking of the last 27 centuries does.
+/// 1972 to the end of ERFA's table of leap seconds (2026 with ERFA 2.0.0): UTC is taken for UT1, from which it
+/// differs by less than 0.9 s. Before: polynomials of Espenak & Meeus (2006), with UTC read as UT1. After: the last
+/// value plus 32.5 s times the square of the centuries since then, which is continuous and has the curvature of
+/// tidal braking over the last 27 centuries.
 ///
 /// Accuracy  1 s from 1972 to 2026; before, some 0.8 s times the square of the centuries from 1820:
 ///           4 minutes at year 0, 20 at −1999
-/// Omits     UT1 − UTC, which shows as a step of 0.07 s at the seam of 1972
+/// Omits     UT1 − UTC, hence a step of 0.07 s in 1972
 /// Source    Espenak & Meeus (2006), Five Millennium Canon of Solar Eclipses, NASA/TP-2006-214141;
 ///           32.5 s: Stephenson, Morrison & Hohenkerk (2016), Proc. R. Soc. A 472, 20160404
 double delta_t_s(const Instant& instant);
@@ -48,7 +48,7 @@ double delta_t_s(const Instant& instant);
 /// Whether ΔT at that moment is a prediction: after the end of ERFA's table of leap seconds.
 bool delta_t_is_predicted(const Instant& instant);
 
-/// Years with their fraction, each a tropical one of 365.2422 days: 2000 is 1 January 2000, 0 h.
+/// Year with its fraction, in tropical years of 365.2422 days; 2000 is 1 January 2000, 0 h.
 double year_of(const Instant& instant);
 
 /// The moment that many seconds later (earlier when negative).

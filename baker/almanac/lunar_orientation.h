@@ -19,17 +19,17 @@ struct SelenographicPoint {
   algebra::Angle latitude, longitude;
 };
 
-/// How the Moon is turned: from GCRS axes to the Moon-fixed mean-Earth/polar-axis frame, X to 0°,
+/// Orientation of the Moon: rotation from GCRS axes to the Moon-fixed mean-Earth/polar-axis frame, X to 0°,
 /// Y to 90° E, Z north.
 ///
 ///     R = Rz(W) Rx(90° − δ₀) Rz(90° + α₀)        pole (α₀, δ₀), prime meridian W, in the ICRF
 ///
 /// Given     instant   when the light left the Moon
-/// Accuracy  150 m on the Moon's surface, 0.005°, as its authors state it
+/// Accuracy  150 m on the Moon's surface, 0.005°, as stated by its authors
 /// Source    Archinal et al. (2011), Celest. Mech. Dyn. Astron. 109, 101 (IAU WGCCRE 2009)
 glm::dmat3 selenographic_from_gcrs(const Instant& instant);
 
-/// The point of the Moon's surface under a direction.
+/// Selenographic point in a direction from the Moon's centre.
 ///
 /// Given   position   from the Moon's centre, Moon-fixed frame, any length
 SelenographicPoint selenographic_point(const glm::dvec3& position);

@@ -14,7 +14,7 @@ struct Observer {
   algebra::Length elevation;
 };
 
-/// The Moon as that place sees it, without refraction.
+/// Airless view of the Moon from an observer.
 struct ObserverView {
   glm::dvec3 position_m;             ///< the observer, geocentric, GCRS axes
   glm::dvec3 zenith;                 ///< unit, GCRS axes (geodetic vertical)

@@ -25,7 +25,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// How a planet is lit and seen.
+/// Geometry of a planet's illumination and view.
 struct Aspect {
   glm::dvec3 from_sun_au, from_earth_au;
   double year;
@@ -67,7 +67,7 @@ double jupiter(const Aspect& a) {
   return polynomial(a.phase_deg(), std::array{-9.395, -3.7e-4, 6.16e-4});
 }
 
-/// Magnitude of Saturn with its rings, by the mean of the latitudes of Sun and Earth over their plane.
+/// Magnitude of Saturn with its rings, by the mean of the latitudes of Sun and Earth above the rings' plane.
 double saturn(const Aspect& a) {
   const double centuries = (a.year - 2000) / 100;
   const double right_ascension = (40.589 - 0.036 * centuries) * degree,
@@ -117,7 +117,7 @@ glm::dvec3 heliocentric_au(const Model& model, const Instant& instant) {
 Planet seen(const Model& model, const Instant& instant, const EarthMotion& earth) {
   Aspect aspect{heliocentric_au(model, instant), {}, year_of(instant)};
   aspect.from_earth_au = aspect.from_sun_au - earth.heliocentric_au;
-  for (int pass = 0; pass < 2; ++pass) {  // each is 1e-4 as far from the truth as the one before
+  for (int pass = 0; pass < 2; ++pass) {  // light time: each pass reduces the error to 1e-4 of it
     const Instant then = later(instant, -aspect.earth_au() * ERFA_AULT);
     const EarthMotion earth_then = earth_at(then);
     aspect.from_sun_au = heliocentric_au(model, then);

@@ -16,7 +16,7 @@
 namespace coppermoon::almanac {
 namespace {
 
-/// A little-endian number with a sign, of up to four bytes.
+/// Signed little-endian integer of up to four bytes.
 double number_in(std::string_view bytes) {
   std::uint32_t number = 0;
   for (std::size_t k = bytes.size(); k-- > 0;)
@@ -25,7 +25,9 @@ double number_in(std::string_view bytes) {
   return static_cast<std::int32_t>(number << unused) >> unused;
 }
 
-/// Given  record  as data/make_stars.py says
+/// Star of a record of the catalogue.
+///
+/// Given  record  in the format of data/make_stars.py
 Star star_of(std::string_view record) {
   constexpr double step_rad = std::numbers::pi / 2147483648.,  // half a turn over 2^31
       motion_step_rad = 1e-5 * ERFA_DAS2R;
