@@ -21,8 +21,7 @@ using almanac::LunarTheory;
 enum class Edge { umbra, penumbra };
 enum class Touch { outside, inside };
 
-/// How far, as an angle, the Moon still is from touching: positive before and after the contact's
-/// phase.
+/// Angle between the Moon's limb and the contact: positive outside the phase that the contact begins or ends.
 double gap(const Sighting& sighting, ShadowConvention convention, Edge edge, Touch touch) {
   const auto radii = shadow_radii(convention, sighting.axis, sighting.moon);
   const double shadow = algebra::in_radians(edge == Edge::umbra ? radii.umbra : radii.penumbra);
@@ -39,7 +38,7 @@ struct Pass {
   double greatest_s;
 };
 
-/// Both moments of one contact, or neither when the Moon never comes that deep.
+/// Beginning and end of a phase; empty when the Moon does not come so deep.
 struct Pair {
   std::optional<Instant> first, last;
 };
@@ -98,7 +97,8 @@ std::optional<Eclipse> eclipse_near(const Instant& middle, ShadowConvention conv
                  almanac::Calendar::gregorian};
 }
 
-/// Spares the slow theory where moon98 leaves no doubt: 0.05 of the Moon's diameter is 90″.
+/// Whether moon98 leaves open that there is an eclipse, to save the slow theory; the margin of 0.05 of the Moon's
+/// diameter is 90″.
 bool is_candidate(const Instant& middle, ShadowConvention convention) {
   const Lunation lunation = lunation_around(middle, LunarTheory::moon98);
   return magnitude(sighting_at(lunation, 0), convention, Edge::penumbra) > -0.05;
@@ -112,9 +112,8 @@ std::optional<Eclipse> eclipse_of_full_moon(int number, ShadowConvention convent
   return eclipse_near(middle, convention, theory);
 }
 
-/// Half a second: a contact that is written to the second belongs to its eclipse, and the greatest phase to
-/// the day that is written.
-constexpr double rounding_s = 0.5 + 1e-3;  // and what days as numbers are rounded to
+/// Tolerance of half a second, since contacts and greatest phase are written to the second.
+constexpr double rounding_s = 0.5 + 1e-3;  // 1e-3: rounding of Julian dates
 
 double seconds_apart(const Instant& a, const Instant& b) {
   return std::abs(almanac::seconds_between(a, b));

@@ -14,35 +14,36 @@ namespace coppermoon::eclipse {
 
 enum class EclipseType { penumbral, partial, total };
 
-/// "penumbral", "partial", "total".
+/// Name of a type: "penumbral", "partial", "total".
 const char* name(EclipseType type);
 
-/// When the Moon's disc touches the shadow from outside (P1, P4 the penumbra; U1, U4 the umbra) and
-/// from inside (U2, U3 the umbra). Empty: there is no such contact.
+/// Contacts of the Moon's disc with the shadow: external (P1, P4 with the penumbra; U1, U4 with the umbra) and
+/// internal (U2, U3 with the umbra). Empty where the eclipse has no such contact.
 struct Contacts {
   std::optional<almanac::Instant> P1, U1, U2, U3, U4, P4;
 };
 
 struct Eclipse {
-  almanac::Instant greatest;  ///< the Moon's centre at its least angle from the axis
+  almanac::Instant greatest;  ///< least angle between the Moon's centre and the axis
   EclipseType type = EclipseType::penumbral;
-  double gamma = 0;  ///< its distance from the axis then, in Earth radii, north positive
+  double gamma =
+      0;  ///< axis distance of the Moon's centre at greatest eclipse, in Earth radii, north positive
   double umbral_magnitude = 0, penumbral_magnitude = 0;  ///< share of the Moon's diameter immersed
   Contacts contacts;
-  almanac::Calendar calendar = almanac::Calendar::gregorian;  ///< in which its dates are told
+  almanac::Calendar calendar = almanac::Calendar::gregorian;  ///< of dates in reports
 };
 
-/// "Total eclipse of the Moon, 2018-07-27", in the eclipse's calendar.
+/// Title in the eclipse's calendar, as "Total eclipse of the Moon, 2018-07-27".
 std::string title(const Eclipse& eclipse);
 
-/// The eclipses whose greatest phase lies between two moments, in their order.
+/// Eclipses whose greatest phase lies between two moments, in order of time.
 ///
-/// Every full Moon near a node is searched with moon98, every eclipse refined with `theory`.
+/// Full Moons near a node are searched with moon98, and eclipses refined with `theory`.
 ///
 /// Accuracy  against 55 published times, 1951 to 2025: 7.9 s worst and 2.4 s on average with
-///           elp_2000_82b, 11.9 s and 4.0 s with moon98 (36 s is possible). The worst are of 2025,
-///           where the ΔT predicted for them by Espenak & Meeus (2006) is 5.7 s too large. Before
-///           1900 and after 2100 as the ephemerides and ΔT are
+///           elp_2000_82b, 11.9 s and 4.0 s with moon98 (36 s is possible). The largest differences are in 2025,
+///           where the published times use a predicted ΔT (Espenak & Meeus 2006) that is 5.7 s too large. Before
+///           1900 and after 2100, that of the ephemerides and ΔT
 /// Throws    Error  when `to` is before `from`
 std::vector<Eclipse> eclipses_between(
     const almanac::Instant& from, const almanac::Instant& to, ShadowConvention convention,
@@ -51,13 +52,12 @@ std::vector<Eclipse> eclipses_between(
 /// Contacts and the greatest phase by their names ("P1" … "greatest" … "P4"), in order of time.
 std::vector<std::pair<std::string, almanac::Instant>> contacts_of(const Eclipse& eclipse);
 
-/// The eclipse whose greatest phase, to the second, falls on the day of 24 h that begins at a moment, if
-/// there is one.
+/// Eclipse whose greatest phase, rounded to the second, falls within the 24 h after a moment, if there is one.
 std::optional<Eclipse> eclipse_of_day(const almanac::Instant& midnight,
                                       ShadowConvention convention);
 
-/// The eclipse that is under way, from P1 to P4, if there is one. Contacts count as they are written, to
-/// the second: either may be half a second away.
+/// Eclipse in progress at a moment, from P1 to P4, if there is one. Contacts are rounded to the second, as they
+/// are written.
 std::optional<Eclipse> eclipse_at(const almanac::Instant& instant, ShadowConvention convention,
                                   almanac::LunarTheory theory = almanac::LunarTheory::elp_2000_82b);
 

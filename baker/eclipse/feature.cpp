@@ -21,7 +21,7 @@ void require_on_moon(const SelenographicPoint& place) {
   algebra::require_within("lunar longitude [deg]", algebra::in_degrees(place.longitude), -360, 360);
 }
 
-/// Geocentric place of a feature, GCRS axes; the Moon turned as it was when the light left it.
+/// Geocentric position of a feature, GCRS axes; the Moon's orientation is corrected for light time.
 glm::dvec3 position_m(const glm::dvec3& direction, const glm::dvec3& moon_m, const Instant& when) {
   const double light_time_s = glm::length(moon_m) / almanac::speed_of_light_m_per_s;
   const glm::dmat3 selenographic_from_gcrs =
@@ -30,7 +30,7 @@ glm::dvec3 position_m(const glm::dvec3& direction, const glm::dvec3& moon_m, con
                       (glm::transpose(selenographic_from_gcrs) * direction);
 }
 
-/// How far, as an angle seen from the Earth, a feature is outside the umbra.
+/// Angle, seen from the Earth, by which a feature is outside the umbra.
 double outside_umbra_rad(const Lunation& lunation, const glm::dvec3& direction, double seconds) {
   const Sighting moon = sighting_at(lunation, seconds);
   const ShadowPlace place = place_in_shadow(
@@ -40,7 +40,7 @@ double outside_umbra_rad(const Lunation& lunation, const glm::dvec3& direction, 
          algebra::in_radians(radii.umbra);
 }
 
-/// Where f is least between a and b [s], if it has one hollow there, to 0.1 s: golden section.
+/// Minimum of a unimodal f between a and b [s], to 0.1 s, by golden section.
 template <class Function>
 double least_between(Function f, double a, double b) {
   constexpr double share = std::numbers::phi - 1;

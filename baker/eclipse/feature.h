@@ -10,14 +10,13 @@
 
 namespace coppermoon::eclipse {
 
-/// When the umbra's edge reaches a place on the Moon and when it leaves it. Both empty: it never
-/// does.
+/// Times at which the umbra's edge reaches and leaves a place on the Moon; both empty where it does not reach it.
 struct FeatureTimes {
   std::optional<almanac::Instant> immersion, emersion;
 };
 
-/// The umbra's edge at a crater, by ShadowConvention::danjon_oblate whatever the eclipse's own. It
-/// says nothing about whether the place is seen: the far side has its times too.
+/// Times of the umbra's edge at a lunar feature, always by ShadowConvention::danjon_oblate. Places on the far side,
+/// which are not seen, have their times, too.
 ///
 /// Given     place     latitude −90° to 90°, longitude −360° to 360°
 /// Accuracy  against the 16 published times of 3 March 2007 (to the minute): 32 s worst, 14 s on

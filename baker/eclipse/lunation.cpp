@@ -20,7 +20,7 @@ constexpr double first_full_moon_tt = 2451550.09766 + 0.5 * synodic_month_days;
 /// Centuries since 2000 of a full Moon.
 double centuries(double number) { return (number + 0.5) / 1236.85; }
 
-/// Meeus (1998), equation 49.1.
+/// Mean full Moon by Meeus (1998), equation 49.1.
 Instant mean_full_moon(int number) {
   const double t = centuries(number);
   return almanac::later({first_full_moon_tt, 0},
@@ -36,15 +36,15 @@ glm::dvec3 moon_m(const Lunation& lunation, double seconds) {
          on_parabola(lunation.added_to_moon98_m, seconds / sample_spacing_s);
 }
 
-/// The Moon's direction across the axis, east and north: the sine of its angle from the axis.
+/// Components of the Moon's direction perpendicular to the axis, east and north; their length is the sine of the
+/// angle from the axis.
 glm::dvec2 across_axis(const glm::dvec3& sun_m, const glm::dvec3& moon_m,
                        const glm::dvec3& celestial_pole) {
   const glm::dmat3 shadow_from_gcrs = shadow_axis(sun_m, celestial_pole).shadow_from_gcrs;
   return glm::dvec2(shadow_from_gcrs * glm::normalize(moon_m));
 }
 
-/// The time at which p(t) is nearest to the origin, by Newton's rule on a straight line through two
-/// places.
+/// Time at which p(t) is nearest to the origin, iterated with a straight line through two neighbouring points.
 template <class Place>
 double time_of_least_distance_s(Place place, double tolerance_s) {
   constexpr double half_step_s = 300;

@@ -10,7 +10,7 @@
 
 namespace coppermoon::eclipse {
 
-/// The number of the full Moon nearest to a moment, 0 being that of 21 January 2000.
+/// Number of the full Moon nearest to a moment; 0 is 21 January 2000.
 int full_moon_number(const almanac::Instant& instant);
 
 /// Whether the Moon may touch the penumbra at that full Moon: its mean argument of latitude is
@@ -19,12 +19,11 @@ int full_moon_number(const almanac::Instant& instant);
 /// Source  Meeus (1998), Astronomical Algorithms, chapter 54
 bool eclipse_is_possible(int number);
 
-/// When the Moon is nearest to the shadow axis at that full Moon, by moon98; good to a minute.
+/// Moment at which the Moon is nearest to the shadow axis at a full Moon, by moon98; accurate to a minute.
 almanac::Instant nearest_to_axis(int number);
 
-/// The hours around one full Moon, quick to read: the Sun as a parabola through three samples, the
-/// Moon as moon98 and, for the other theory, a parabola through three samples of what that theory
-/// adds.
+/// Fast ephemeris for the hours around one full Moon: the Sun by a parabola through three samples; the Moon by
+/// moon98 and, for elp_2000_82b, a parabola through three samples of the difference between the theories.
 struct Lunation {
   almanac::Instant middle;
   glm::dvec3 celestial_pole;
@@ -34,7 +33,7 @@ struct Lunation {
 /// Accuracy  0.05″ within 3 h of the middle
 Lunation lunation_around(const almanac::Instant& middle, almanac::LunarTheory theory);
 
-/// The Moon in the shadow at one moment.
+/// Place of the Moon in the shadow at one moment.
 struct Sighting {
   ShadowAxis axis;
   ShadowPlace moon;
@@ -43,8 +42,7 @@ struct Sighting {
 
 Sighting sighting_at(const Lunation& lunation, double seconds_after_middle);
 
-/// The moment at which the Moon is nearest to the axis, as an angle seen from the Earth, in seconds
-/// after the middle.
+/// Moment of the Moon's least angle from the axis, seen from the Earth, in seconds after the middle.
 double least_axis_angle_s(const Lunation& lunation);
 
 }  // namespace coppermoon::eclipse

@@ -21,7 +21,7 @@ using almanac::Instant;
 constexpr double half_a_month_s = 15 * 86400.;
 constexpr auto usual = ShadowConvention::danjon;
 
-/// The contact of "P1-10min", and the seconds from it on.
+/// Contact and seconds after it, of a text as "P1-10min".
 struct FromContact {
   std::string name;
   std::optional<double> seconds;
@@ -38,7 +38,7 @@ FromContact from_contact(const std::string& text) {
   return {text.substr(0, sign), near ? std::optional(way * *seconds) : std::nullopt};
 }
 
-/// Whether a text is of a pattern in which 0 stands for any digit, and ends where it ends.
+/// Whether a text matches a whole pattern, in which 0 stands for any digit.
 bool is_like(std::string_view text, std::string_view pattern) {
   return text.size() == pattern.size() &&
          std::ranges::equal(text, pattern, [](char letter, char wanted) {

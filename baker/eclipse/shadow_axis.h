@@ -28,7 +28,7 @@ ShadowAxis shadow_axis(const almanac::SkyState& sky);
 ///        celestial_pole  of date, unit, GCRS axes
 ShadowAxis shadow_axis(const glm::dvec3& sun_m, const glm::dvec3& celestial_pole);
 
-/// Where a point stands in the shadow.
+/// Place of a point in the shadow frame, in cylindrical coordinates.
 struct ShadowPlace {
   algebra::Length axis_distance;  ///< distance from the shadow axis
   algebra::Angle position_angle;  ///< about the axis, from celestial north through east, 0 to 2π

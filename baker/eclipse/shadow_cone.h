@@ -6,7 +6,7 @@
 
 namespace coppermoon::eclipse {
 
-/// Four published conventions for how much larger the umbra is than the solid Earth's.
+/// Four published conventions for the enlargement of the shadow by the Earth's air.
 ///
 ///     danjon          1.01 πm + πs ∓ s
 ///     danjon_oblate   (1 + 1/85) πm r / a + πs ∓ s
@@ -34,8 +34,7 @@ struct ShadowRadii {
 ShadowRadii shadow_radii(ShadowConvention convention, const ShadowAxis& axis,
                          const ShadowPlace& moon);
 
-/// How far from the axis a place is that stands at an angle from it, as far from the Earth's centre as the
-/// Moon.
+/// Axis distance of a place at an angle from the axis and at the Moon's distance from the Earth's centre.
 algebra::Length axis_distance_at(algebra::Angle from_axis, const ShadowPlace& moon);
 
 /// Radius of the Moon in equatorial radii of the Earth. Every convention uses the same.

@@ -5,7 +5,7 @@
 
 namespace coppermoon::eclipse {
 
-/// A zero of f between the moments a and b [s], where its signs differ, to 1 ms: false position,
+/// Zero of f between the moments a and b [s], at which f has opposite signs, to 1 ms: false position,
 /// Illinois variant.
 template <class Function>
 double zero_between(Function f, double a, double b) {
