@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <span>
 #include <utility>
 
 #include "algebra/error.h"
@@ -186,13 +187,10 @@ Plan plan_with(Method method, double tolerance, const Scene& scene, const Machin
 /// coarse quadrature, not for photons.
 Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
                  const ByHand& by_hand) {
-  using enum Method;
-  const std::vector<Method> methods = by_hand.method
-                                          ? std::vector{*by_hand.method}
-                                          : std::vector{quadrature, table, marched, step_by_step};
+  const auto tried = by_hand.method ? std::span<const Method>(&*by_hand.method, 1)
+                                    : std::span<const Method>(methods);
   std::vector<Plan> free;
-  for (const auto method : methods)
-    free.push_back(plan_with(method, tolerance, scene, machine, {}));
+  for (const auto method : tried) free.push_back(plan_with(method, tolerance, scene, machine, {}));
   std::ranges::sort(free, {}, [&](const Plan& plan) {
     return std::pair{plan.error > tolerance, plan.seconds};
   });

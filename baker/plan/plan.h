@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -8,11 +9,15 @@
 
 namespace coppermoon::plan {
 
-/// Ways to the same light: the quadrature, which has no noise; photons by a table of the limb's rays;
-/// photons marched by SIMD; photons step by step, to the letter of the paper.
+/// Methods of computing refracted light: the quadrature, which has no noise; photons by a table of the limb's
+/// rays; photons marched in SIMD lanes; photons step by step, exactly as Yapo & Cutler (2009) trace them.
 enum class Method { quadrature, table, marched, step_by_step };
 
-/// The method's name in reports: "quadrature", "photons by table", "photons marched", or "photons
+/// All methods, in order.
+inline constexpr std::array methods{Method::quadrature, Method::table, Method::marched,
+                                    Method::step_by_step};
+
+/// Name of a method in reports: "quadrature", "photons by table", "photons marched", or "photons
 /// literal" for `Method::step_by_step`.
 std::string_view name(Method method);
 

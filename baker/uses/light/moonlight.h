@@ -32,6 +32,7 @@ struct PhotonFiles {
   bool asked_for() const { return shard || !keep.empty() || !add.empty(); }
 };
 
+/// Solver asked for in a request; the plan turns it, and `trace`, into a plan::Method.
 enum class Solver { automatic, quadrature, photons };
 
 /// Sunlight that the air scatters into the shadow: computed or not; automatic: where it counts.

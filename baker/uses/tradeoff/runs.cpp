@@ -16,9 +16,9 @@ namespace {
 shadow::PhotonSettings photon_settings(const Trial& trial) {
   shadow::PhotonSettings settings;
   settings.photons = static_cast<std::uint64_t>(trial.photons);
-  settings.trace = trial.solver == table_solver      ? shadow::Trace::table
-                   : trial.solver == marching_solver ? shadow::Trace::marched
-                                                     : shadow::Trace::step_by_step;
+  settings.trace = trial.method == plan::Method::table     ? shadow::Trace::table
+                   : trial.method == plan::Method::marched ? shadow::Trace::marched
+                                                           : shadow::Trace::step_by_step;
   if (trial.step_km > 0) settings.stepping.step_m = settings.marching.step_m = trial.step_km * 1e3;
   settings.marching.precision =
       trial.precision_bits == 32 ? photons::Precision::single : photons::Precision::full;
@@ -31,7 +31,7 @@ shadow::RefractedLight light_by(const Trial& trial, const Yardstick& yardstick,
                                 const algebra::Progress& progress) {
   const auto& scene = yardstick.scene();
   const auto waves = wavelengths_nm(static_cast<int>(trial.wavelengths));
-  if (trial.solver == quadrature_solver)
+  if (trial.method == plan::Method::quadrature)
     return shadow::by_quadrature(scene.air, scene.arrangement, waves, yardstick.axis_distances_m(),
                                  {.rays = static_cast<int>(trial.rays)}, progress);
   return shadow::by_photons(scene.air, scene.arrangement, waves, photon_settings(trial), progress);

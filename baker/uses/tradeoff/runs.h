@@ -38,7 +38,7 @@ struct RunLimits {
 
 /// Makes every trial of the sweeps, in their order.
 ///
-/// Seconds are those of the solver, tables included. In a sweep of texture widths they are those of the bake, and the
+/// Seconds are those of the method, tables included. In a sweep of texture widths they are those of the bake, and the
 /// picture's error is relative to the widest texture. A trial of photons that would exceed the limit is extrapolated
 /// from smaller ones that differ in photons and step alone: time on a straight line over photons by step, whose
 /// intercept is the time of tables; errors as N^(-1/2).

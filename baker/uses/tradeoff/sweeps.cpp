@@ -27,30 +27,31 @@ std::vector<Trial> Sweep::trials() const {
   return all;
 }
 
-std::vector<std::string> solver_names() {
-  return {std::string(quadrature_solver), std::string(table_solver), std::string(marching_solver),
-          std::string(step_by_step_solver)};
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const auto method : plan::methods) names.emplace_back(name(method));
+  return names;
 }
 
 std::vector<Sweep> sweeps(bool quick, double replicas) {
   const auto values = [=](const Values& few, const Values& all) { return quick ? few : all; };
   const double fewer = quick ? 10 : 1, step_km = quick ? 3 : 1, bands = quick ? 40 : 200,
                width = quick ? 256 : 512;
-  const Trial exact{.solver = quadrature_solver, .rays = 300, .texture_width = width};
-  const Trial table{.solver = table_solver,
+  const Trial exact{.method = plan::Method::quadrature, .rays = 300, .texture_width = width};
+  const Trial table{.method = plan::Method::table,
                     .photons = 1e6 / fewer,
                     .wavelengths = bands,
                     .rays = 300,
                     .replicas = 100,
                     .texture_width = width};
-  const Trial marched{.solver = marching_solver,
+  const Trial marched{.method = plan::Method::marched,
                       .photons = 1e5 / fewer,
                       .step_km = step_km,
                       .wavelengths = bands,
                       .replicas = 100,
                       .texture_width = width};
   auto stepped = marched;
-  stepped.solver = step_by_step_solver;
+  stepped.method = plan::Method::step_by_step;
   stepped.photons = 1e4 / fewer;
   const Values all_rays{30, 60, 100, 300, 1000, 3000}, all_bands{3, 5, 10, 20, 40, 100, 200, 400},
       all_steps_km{30, 10, 3, 1, 0.3, 0.1};
@@ -74,9 +75,10 @@ std::vector<Sweep> sweeps(bool quick, double replicas) {
           {stepped, "step", &Trial::step_km, values({30, 10, 3}, all_steps_km)}};
 }
 
-std::vector<Sweep> sweeps_of(std::span<const std::string> solvers, std::vector<Sweep> sweeps) {
+std::vector<Sweep> sweeps_of(std::span<const std::string> methods, std::vector<Sweep> sweeps) {
   std::erase_if(sweeps, [&](const Sweep& sweep) {
-    return !solvers.empty() && std::ranges::find(solvers, sweep.middle.solver) == solvers.end();
+    return !methods.empty() &&
+           std::ranges::find(methods, name(sweep.middle.method)) == methods.end();
   });
   return sweeps;
 }

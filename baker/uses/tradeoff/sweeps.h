@@ -7,14 +7,16 @@
 #include <string_view>
 #include <vector>
 
+#include "plan/plan.h"
+
 namespace coppermoon::uses {
 
 /// Largest number of replicas of a photon about the axis.
 inline constexpr double most_replicas = 1000;
 
-/// Solver and settings; 0 where the solver has no such setting.
+/// Method and its settings; 0 where the method has no such setting.
 struct Trial {
-  std::string_view solver;
+  plan::Method method = plan::Method::quadrature;
   double photons = 0, step_km = 0, wavelengths = 200, rays = 0;
   /// copies of each photon, evenly about the axis: gathered in 1000 / replicas sectors
   double replicas = 0;
@@ -34,27 +36,21 @@ struct Sweep {
   std::vector<Trial> trials() const;
 };
 
-/// Names of the solvers.
-inline constexpr std::string_view quadrature_solver = "quadrature",
-                                  table_solver = "photons by table",
-                                  marching_solver = "photons marched",
-                                  step_by_step_solver = "photons literal";
-
 /// Setting of the sweep that times the bake alone, in the quadrature's light.
 inline constexpr std::string_view texture_sweep = "texture width";
 
-/// Names of all solvers.
-std::vector<std::string> solver_names();
+/// Names of all methods.
+std::vector<std::string> method_names();
 
-/// Sweeps of every solver over every setting.
+/// Sweeps of every method over every setting.
 ///
 /// Given  quick     few and small values
 ///        replicas  the most that the air allows: 1000 where it is symmetric about the axis, else half
 std::vector<Sweep> sweeps(bool quick, double replicas);
 
-/// Sweeps of some solvers.
+/// Sweeps of some methods.
 ///
-/// Given  solvers  some of solver_names(); empty: all
-std::vector<Sweep> sweeps_of(std::span<const std::string> solvers, std::vector<Sweep> sweeps);
+/// Given  methods  names from method_names(); empty: all
+std::vector<Sweep> sweeps_of(std::span<const std::string> methods, std::vector<Sweep> sweeps);
 
 }  // namespace coppermoon::uses

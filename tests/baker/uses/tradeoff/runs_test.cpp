@@ -21,7 +21,7 @@ TEST(MeasuredTrials, ExtrapolateWhatGrowsWithThePhotonsAlone) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc("2008-02-21T03:26:05Z"));
   Yardstick yardstick(measured_scene(moon, sky),
                       {.rays = 300, .bands = 10, .spacing_m = 200e3, .texture_width = 64});
-  const Sweep sweep{{.solver = table_solver,
+  const Sweep sweep{{.method = plan::Method::table,
                      .wavelengths = 10,
                      .rays = 3000,
                      .replicas = 500,
