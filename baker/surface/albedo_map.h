@@ -16,19 +16,19 @@ namespace coppermoon::surface {
 /// Given  row, column  of the texel; rows: of the map, which has 2 rows columns
 almanac::SelenographicPoint texel_centre(std::size_t row, std::size_t column, std::size_t rows);
 
-/// The map's value at a place: bilinear between texel centres, around the seam at longitude 180,
+/// Value of a map at a place: bilinear between texel centres, across the seam at longitude 180,
 /// and held beyond the last row's centre at the poles.
 ///
-/// Given   at     any longitude; latitudes beyond the poles count as the pole
+/// Given   at     any longitude; latitude clamped to ±90°
 /// Throws  Error  when the map is empty
 double sampled(const algebra::Grid<float>& map, const almanac::SelenographicPoint& at);
 
-/// The map scaled so that the full Moon it makes has a given geometric albedo:
+/// Map scaled to a given geometric albedo of the full Moon:
 ///
 ///     mean over the disc of A f(mu) = p        f = radiance_factor_at_full_moon
 ///
-/// with the disc as seen from above latitude 0, longitude 0, lit from there too. The full Moon is
-/// that of phase 1.5 degrees: the surge below that comes on top.
+/// with the disc seen and lit from latitude 0, longitude 0. "Full Moon" means a phase of 1.5 degrees; the opposition
+/// surge at smaller phases is additional.
 ///
 /// Given     geometric_albedo  p, 0.01 to 1; the Moon's is 0.12 in V
 /// Returned  normal albedo A at each texel
@@ -41,13 +41,13 @@ double sampled(const algebra::Grid<float>& map, const almanac::SelenographicPoin
 algebra::Grid<float> normalised_to_geometric_albedo(algebra::Grid<float> map, Photometry photometry,
                                                     double geometric_albedo = 0.12);
 
-/// Exponent from the radiance factor at 60 degrees of phase to that at full Moon, both up to a factor: maria
-/// are darker against highlands at 60 degrees.
+/// Exponent that turns radiance factors at 60 degrees of phase into those at full Moon, up to a factor: at 60
+/// degrees maria are darker, relative to highlands, than at full Moon.
 ///
 /// Source  a line through the logarithms of all cells of Sato et al. (2014), weighted by area
 inline constexpr double exponent_to_full_moon = 1 / 1.56;
 
-/// Normal albedo, up to a factor, of a number of NASA's CGI Moon Kit of 2019:
+/// Normal albedo, up to a factor, of a code value in NASA's CGI Moon Kit of 2019:
 ///
 ///     A = (0.16 + 0.24 v)^(2.8 exponent_to_full_moon)
 ///
@@ -55,16 +55,15 @@ inline constexpr double exponent_to_full_moon = 1 / 1.56;
 /// Source  https://svs.gsfc.nasa.gov/4720: "a gamma of 2.8", "the range (0.16, 0.4)", of I/F at 60 degrees
 double kit_2019_albedo(double code);
 
-/// The map of NASA's CGI Moon Kit of 2019 with its contrast about the poles mended. Beyond latitude 64
-/// degrees it fades into another map: against the albedos that Sato et al. (2014) found, cell by cell,
-/// the slope of its logarithms falls from 0.9 to 0.35 at 69.5 degrees, on both sides alike, and texels
-/// on beyond vary by that much less. Departures from a row's mean M are restored:
+/// Map of NASA's CGI Moon Kit of 2019 with its contrast near the poles restored. Beyond latitude 64 degrees the
+/// kit fades into another map of lower contrast: the slope of its logarithms against the albedos of Sato et al.
+/// (2014), cell by cell, falls from 0.9 to 0.35 at 69.5 degrees north and south. Departures from a row's mean M
+/// are amplified:
 ///
 ///     A' = M (A / M)^(1/f)        f = 1 up to 64 degrees, 0.37 from 70 degrees on, a line between
 algebra::Grid<float> with_polar_contrast(algebra::Grid<float> map);
 
-/// The mean over the disc of A f(mu) in the expression above: the geometric albedo of the map as it
-/// is.
+/// Geometric albedo of a map: mean of A f(mu) over the disc, as in normalised_to_geometric_albedo.
 double geometric_albedo(const algebra::Grid<float>& map, Photometry photometry);
 
 }  // namespace coppermoon::surface

@@ -32,7 +32,7 @@ algebra::Grid<float> built_in_map() {
   jpeg_error_mgr errors{};
   jpeg_decompress_struct jpeg{};
   jpeg.err = jpeg_std_error(&errors);
-  // nothing else fails: the file is ours
+  // the file is part of the library: decoding fails for lack of memory alone
   errors.error_exit = [](j_common_ptr) { throw std::bad_alloc(); };
   const std::unique_ptr<jpeg_decompress_struct, decltype(&jpeg_destroy_decompress)> destroyed(
       &jpeg, jpeg_destroy_decompress);

@@ -23,7 +23,7 @@ using std::numbers::pi;
 
 constexpr int smoothings = 2;
 
-/// A table of whole numbers, row by row.
+/// Grid of a table of whole numbers, row by row, times a unit.
 Grid<float> grid_of(std::string_view text, std::string_view name, double unit) {
   const auto lines = algebra::parse_text_table(text);
   Grid<float> grid(lines.size(), lines.front().size());
@@ -37,7 +37,7 @@ Grid<float> grid_of(std::string_view text, std::string_view name, double unit) {
   return grid;
 }
 
-/// A binomial of three rows and three columns, around the seam, the outermost rows counting again.
+/// Map filtered by a binomial of three rows and three columns, across the seam; the outermost rows are repeated.
 Grid<float> smoothed(const Grid<float>& map) {
   const std::size_t rows = map.rows(), columns = map.columns();
   Grid<float> along(rows, columns), both(rows, columns);
@@ -53,8 +53,8 @@ Grid<float> smoothed(const Grid<float>& map) {
   return both;
 }
 
-/// Poisson's kernel, of sum 1, at even angles: what values on a circle are within it, at a radius
-/// that is a part of the circle's.
+/// Poisson kernel at even angles, normalised to sum 1: weights of values on a unit circle for the harmonic
+/// function at a radius within it.
 std::vector<float> poisson_kernel(std::size_t count, double radius) {
   std::vector<float> kernel(count);
   double sum = 0;
@@ -67,7 +67,7 @@ std::vector<float> poisson_kernel(std::size_t count, double radius) {
   return kernel;
 }
 
-/// The harmonic function of the cap within a row: each wave cos m λ falls as tan^m(colatitude/2).
+/// Fills the polar cap beyond a row with the harmonic function: each wave cos m λ falls as tan^m(colatitude/2).
 void continue_harmonically(Grid<float>& map, std::size_t measured, std::size_t row) {
   const auto half_colatitude = [&](std::size_t r) {
     const std::size_t from_pole = std::min(r, map.rows() - 1 - r);
@@ -84,7 +84,7 @@ void continue_harmonically(Grid<float>& map, std::size_t measured, std::size_t r
   }
 }
 
-/// The whole sphere, from rows of the middle latitudes.
+/// Map of the whole sphere, from rows of the middle latitudes.
 Grid<float> to_the_poles(const Grid<float>& middle) {
   Grid<float> whole(middle.columns() / 2, middle.columns());
   const std::size_t missing = (whole.rows() - middle.rows()) / 2, last = whole.rows() - missing - 1;
@@ -102,7 +102,7 @@ Grid<float> measured(Grid<float> map) {
   return to_the_poles(map);
 }
 
-/// Takes from maps their means over the disc, weighted as its light is: A mu f, and the cells' area.
+/// Subtracts from each map its mean over the disc, weighted by light: A mu f times the cells' area.
 void subtract_means(Ground& ground, const Grid<float>& normal_albedo, Photometry photometry) {
   constexpr std::size_t rows = 360;  // half a degree: finer than either map
   double light = 0, colour = 0, surge = 0;
@@ -124,7 +124,7 @@ void subtract_means(Ground& ground, const Grid<float>& normal_albedo, Photometry
   for (float& value : ground.surge.values()) value -= static_cast<float>(surge / light);
 }
 
-/// B over the surge's whole, as its logarithm changes with its amplitude.
+/// Derivative of the surge's logarithm by its amplitude: B(g) / (1 + Bs0 B(g) + m).
 double share_of_surge(algebra::Angle phase) {
   constexpr double amplitude = 1.87, width = 0.073, more_than_once = 0.158;
   const double b = 1 / (1 + std::tan(algebra::in_radians(phase) / 2) / width);

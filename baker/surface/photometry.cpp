@@ -22,7 +22,7 @@ double phase_curve_lommel_seeliger(double g_deg) {
   return 1 + std::sin(g / 2) * std::tan(g / 2) * std::log(std::tan(g / 4));
 }
 
-/// F of the docstring. Just above 0 the logarithm is finite and the product with it none.
+/// Surface phase curve F (photometry.h). Just above 0 the logarithm is finite and its product 0.
 double surface_phase_curve(algebra::Angle phase) {
   const double g_deg = std::clamp(algebra::in_degrees(phase), 1e-9, 97.);
   return disc_reflectance_rolo(g_deg) / phase_curve_lommel_seeliger(g_deg);

@@ -5,17 +5,17 @@
 
 namespace coppermoon::surface {
 
-/// Laws of how bright a place looks: radiance factor (I/F) over normal albedo.
+/// Photometric functions: radiance factor (I/F) over normal albedo.
 enum class Photometry {
   yapo_cutler,           ///< radiance_factor_yapo_cutler: the same at every phase
   lommel_seeliger_rolo,  ///< radiance_factor_lommel_seeliger_rolo: with the opposition surge
 };
 
-/// The phase at which both functions are 1 where light falls straight down, and at which "the full
-/// Moon" has its geometric albedo: about the smallest that is seen outside an eclipse.
+/// Phase at which both functions are 1 at normal incidence, and to which the full Moon's geometric albedo refers:
+/// about the smallest phase outside an eclipse.
 inline constexpr algebra::Angle full_moon_phase = algebra::degrees(1.5);
 
-/// How bright a place looks by either function.
+/// Radiance factor over normal albedo, by either function.
 ///
 /// Given     cos_incidence  mu0, of the angle between the surface normal and the Sun
 ///           cos_emission   mu, of the angle between the surface normal and the viewer; below 0
@@ -25,7 +25,7 @@ inline constexpr algebra::Angle full_moon_phase = algebra::degrees(1.5);
 double radiance_factor(Photometry photometry, double cos_incidence, double cos_emission,
                        algebra::Angle phase);
 
-/// How either function depends on the cosines, for many places at once:
+/// Coefficients by which either function depends on the cosines, for fast evaluation at many places:
 ///
 ///     f(mu0, mu, g) = scale mu0 / (incidence mu0 + emission max(mu, 0) + constant) P(g)
 ///
@@ -35,28 +35,26 @@ struct CosineLaw {
 };
 CosineLaw cosine_law(Photometry photometry);
 
-/// How either function depends on the phase alone: 1 at full Moon.
+/// Phase factor P of either function, 1 at full Moon.
 double phase_factor(Photometry photometry, algebra::Angle phase);
 
-/// Radiance factor on the full Moon's disc, where Sun and viewer stand together: mu0 = mu, phase 1.5
+/// Radiance factor on the full Moon's disc, with Sun and viewer in the same direction: mu0 = mu, phase 1.5
 /// degrees. With lommel_seeliger_rolo it is 1 up to the limb.
 double radiance_factor_at_full_moon(Photometry photometry, double cos_incidence);
 
-/// A flat full Moon: no darkening until close to the limb.
+/// Photometric function of Yapo & Cutler: a full Moon without darkening until close to the limb.
 ///
 ///     f(mu0) = mu0 / (0.1 + 0.9 mu0)
 ///
-/// The numerator is the cosine with which light spreads over slanting ground, the denominator is
-/// the paper's correction of it.
+/// The numerator is Lambert's cosine, the denominator the paper's correction.
 ///
 /// Returned  0 where mu0 <= 0; the mean over the disc of the full Moon, 2 times the integral of
 ///           mu f(mu) over 0 < mu < 1, is 0.92737
-/// Omits     phase: no opposition surge, the same from wherever it is seen
+/// Omits     phase and emission: no opposition surge, equal radiance in all directions
 /// Source    Yapo & Cutler (2009), Rendering Lunar Eclipses, Eq. 13
 double radiance_factor_yapo_cutler(double cos_incidence);
 
-/// The Lommel-Seeliger law, with the phase curve that makes the whole disc as bright as the ROLO
-/// telescopes measured it:
+/// Lommel-Seeliger law, with the phase curve that reproduces ROLO's measurements of the whole disc:
 ///
 ///     f(mu0, mu, g) = 2 mu0 / (mu0 + mu) F(g) / F(1.5 deg)        F(g) = A(g) / Phi(g)
 ///     ln A = sum_i a_i g^i + d1 exp(-g/4.06054) + d2 exp(-g/12.8802)
@@ -66,15 +64,14 @@ double radiance_factor_yapo_cutler(double cos_incidence);
 /// A is the disc reflectance, its coefficients the mean of the bands at 544.0, 549.1 and 553.8 nm
 /// (so A is their geometric mean); Phi is the phase curve of a uniform Lommel-Seeliger sphere.
 ///
-/// Given     phase     g; ROLO observed 1.55 to 97 degrees. Below, the same expression goes on, to
+/// Given     phase     g; ROLO observed 1.55 to 97 degrees. Below, the expression is extrapolated, to
 ///                     F(0)/F(1.5 deg) = 1.157; beyond 97 degrees F is held
-/// Returned  0 to 2.32: twice F/F(1.5 deg) where light is aslant but the viewer's line grazes
-/// Accuracy  the disc: 1 % of ROLO's three bands from 1.55 to 10 degrees, 0.06 magnitudes of
-///           Allen's phase law from 10 to 90. Places: highlands and maria are given one phase curve
-///           (surge_slope says how each departs from it)
-/// Omits     a width of the surge by place, its colour (some percent), roughness, which
-///           matters far from full Moon, and that the waxing Moon is brighter than the waning one
-///           by some percent
+/// Returned  0 to 2.32; the largest values, 2 F/F(1.5 deg), at grazing emission
+/// Accuracy  whole disc: 1 % against ROLO's three bands from 1.55 to 10 degrees, 0.06 magnitudes against
+///           Allen's phase law from 10 to 90. Highlands and maria have one phase curve (surge_slope gives
+///           their departures)
+/// Omits     local width of the surge; its colour (a few percent); roughness, which matters far from full Moon;
+///           the waxing Moon's being brighter than the waning one by a few percent
 /// Source    Kieffer & Stone (2005), The spectral irradiance of the Moon, AJ 129, 2887, Table 4;
 ///           Phi: Hapke (2012), Theory of Reflectance and Emittance Spectroscopy
 double radiance_factor_lommel_seeliger_rolo(double cos_incidence, double cos_emission,
