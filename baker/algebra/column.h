@@ -3,12 +3,12 @@
 
 namespace coppermoon::algebra {
 
-/// A number of a result by name: a key of its JSON, a line of its table, a property in Python.
+/// Named number of a result: a key of its JSON, a line of its table, a property in Python.
 template <class Result>
 struct Column {
   const char* name;  ///< ends in its unit: "altitude_deg"
   double (*value)(const Result&);
-  const char* text;  ///< for whoever reads about it
+  const char* text;  ///< description for documentation
 };
 
 }  // namespace coppermoon::algebra

@@ -13,8 +13,7 @@
 
 namespace coppermoon::algebra {
 
-/// Memory that is all zero. What nobody writes into is nowhere: the system gives it when it is
-/// touched.
+/// Allocator of zeroed memory; the system provides pages only when they are written to.
 template <class T>
 struct ZeroedMemory {
   using value_type = T;
@@ -28,7 +27,7 @@ struct ZeroedMemory {
     throw std::bad_alloc();
   }
   void deallocate(T* memory, std::size_t) { std::free(memory); }
-  /// Leaves a value as it is: zero.
+  /// Leaves a value zero, as allocated.
   void construct(T*) {}
   template <class... Arguments>
   void construct(T* at, Arguments&&... arguments) {
@@ -37,7 +36,7 @@ struct ZeroedMemory {
   bool operator==(const ZeroedMemory&) const { return true; }
 };
 
-/// Values over two indices, row by row. The one place where index arithmetic is written.
+/// Values over two indices, stored row by row.
 template <class T>
 class Grid {
  public:

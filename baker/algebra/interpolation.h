@@ -8,8 +8,8 @@
 
 namespace coppermoon::algebra {
 
-/// Where a value lies among increasing ones: those on either side, and how far it is from the one below to the one
-/// above; outside, the end alone.
+/// Place of a value among increasing ones: indices of the neighbours below and above, and the fraction of the way
+/// from one to the other; outside, both are the end.
 struct OnLine {
   std::size_t below, above;
   double further;  ///< 0 to 1
@@ -18,27 +18,27 @@ struct OnLine {
 /// Given  x  increasing, one or more
 OnLine on_line(std::span<const double> x, double at);
 
-/// Straight lines between the points (x, y), the end values held outside.
+/// Linear interpolation between points (x, y); outside, the end values hold.
 ///
-/// Given  x  increasing; y: as many; at: where
+/// Given  x  increasing
 double interpolated(std::span<const double> x, std::span<const double> y, double at);
 
-/// The mean of the piecewise linear function through (x, y) over [from, to], the end values held
-/// outside.
+/// Mean over [from, to] of the piecewise linear function through (x, y); outside, the end values hold.
 double mean_between(std::span<const double> x, std::span<const double> y, double from, double to);
 
-/// Weights of some nodes for a value between them: Lagrange's, on the polynomial through all of them.
+/// Lagrange weights of nodes for the value, at x, of the polynomial through all of them.
 ///
 ///     c_i = Π_{j≠i} (x − x_j) / (x_i − x_j)
 ///
-/// Given     nodes  all different; at: x
-/// Returned  as many, whose sum is 1
+/// Given     nodes  all different
+///           at     x
+/// Returned  [node], with sum 1
 std::vector<double> on_polynomial(std::span<const double> nodes, double at);
 
-/// Writes these weights into as many numbers.
+/// Writes the weights into a span of equal length.
 void on_polynomial(std::span<const double> nodes, double at, std::span<double> weights);
 
-/// Weights of a number of nodes that is known when it is compiled.
+/// Weights of nodes whose number is known at compile time.
 template <std::size_t size>
 std::array<double, size> on_polynomial(std::span<const double, size> nodes, double at) {
   std::array<double, size> weights;
@@ -46,25 +46,27 @@ std::array<double, size> on_polynomial(std::span<const double, size> nodes, doub
   return weights;
 }
 
-/// Some of the values that stand evenly around a circle, and how much each counts.
+/// Indices and weights of four among values spaced evenly around a circle.
 struct OnCircle {
   std::array<std::size_t, 4> at;
   std::array<double, 4> share;  ///< their sum is 1
 };
 
-/// The cubic through two values on either side; where all around is one value, that alone.
+/// Cubic interpolation through two values on either side; constant where the circle has one value.
 ///
-/// Given  count  values around the circle; turn: where between them, 0 at the first, `count` all around
+/// Given  count  number of values around the circle
+///        turn   place among them: 0 at the first, `count` after a full circle
 OnCircle on_circle(std::size_t count, double turn);
 
-/// A smooth curve through points: cubics whose slopes agree where they meet, between two points
-/// never above the higher nor below the lower one. Outside, straight on with the end slopes.
+/// Monotone piecewise cubic interpolation with continuous slope; between two points it stays between their values.
+/// Outside, it continues linearly.
 ///
-/// Source  Fritsch & Butland (1984), SIAM J. Sci. Stat. Comput. 5, 300; at the ends the slope to
+/// Source  Fritsch & Butland (1984), SIAM J. Sci. Stat. Comput. 5, 300; slopes at the ends are those to
 ///         the next point
 class MonotoneCubic {
  public:
-  /// Given  x  increasing, two or more; y: as many
+  /// Given  x  increasing, two or more
+  ///        y  as many values
   MonotoneCubic(std::span<const double> x, std::span<const double> y);
   double operator()(double at) const;
 

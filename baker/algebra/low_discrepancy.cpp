@@ -74,7 +74,7 @@ class Bits {
   int left_ = 0;
 };
 
-/// Where each 1024th goes: halves change places or not, then quarters within each half, and so on.
+/// Permutation of the 1024ths: halves are exchanged or not, then quarters within each half, and so on.
 std::array<std::uint32_t, points_a_block> scrambling(Random& random) {
   std::array<std::uint32_t, points_a_block> place{}, finer{};
   Bits bits(random);

@@ -10,13 +10,13 @@ namespace coppermoon::algebra {
 inline constexpr std::size_t points_a_block = 1024;
 inline constexpr std::size_t most_dimensions = 6;
 
-/// A block of points of the unit cube, spread more evenly than chance does: Sobol's first 1024,
-/// scrambled as Owen has it. Every coordinate has one point in each 1024th of [0, 1), every two of
-/// them nearly as evenly; each point by itself is uniform, and blocks are independent of each
-/// other: the mean over a block of any function is without bias, and blocks give its standard
-/// error.
+/// Block of quasi-random points of the unit cube: the first 1024 points of Sobol's sequence, with Owen's scrambling.
+/// Each coordinate has one point in each 1024th of [0, 1), and pairs of coordinates are nearly as even. Each point
+/// by itself is uniform, and blocks are independent: the mean of a function over a block is unbiased, and its
+/// standard error follows from several blocks.
 ///
-/// Given     seed, block  the same points whichever thread asks; dimensions: 1 to most_dimensions
+/// Given     seed, block  determine the points, on any thread
+///           dimensions   1 to most_dimensions
 /// Returned  (point, dimension); point i is in the i-th 1024th of dimension 0
 /// Throws    Error  when dimensions is outside its range
 /// Source    Owen (1995), Randomly permuted (t, m, s)-nets and (t, s)-sequences; direction numbers

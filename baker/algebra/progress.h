@@ -5,7 +5,7 @@
 
 namespace coppermoon::algebra {
 
-/// A callback that is told the fraction done, 0 to 1, now and then, from any thread; may be empty.
+/// Callback for progress: gets the fraction done, 0 to 1, now and then, from any thread; may be empty.
 using Progress = std::function<void(double)>;
 
 }  // namespace coppermoon::algebra

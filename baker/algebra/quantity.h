@@ -45,7 +45,7 @@ constexpr double in_radians(Angle x) { return x.in_kept_unit(); }
 constexpr double in_degrees(Angle x) { return x.in_kept_unit() * 180 / std::numbers::pi; }
 constexpr double in_arcminutes(Angle x) { return in_degrees(x) * 60; }
 
-/// Angle of the same direction, 0 to a circle (the circle itself by rounding alone).
+/// Angle reduced to 0 to 2π (2π itself by rounding alone).
 inline Angle within_circle(Angle x) {
   const Angle circle = radians(2 * std::numbers::pi);
   const Angle rest = radians(std::fmod(in_radians(x), in_radians(circle)));

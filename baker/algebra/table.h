@@ -19,7 +19,8 @@ struct Table {
 /// Reads comma-separated text: lines that begin with `#` are comments, the first other line names
 /// the columns, all further lines are numbers.
 ///
-/// Given     text   the table; name: what to call it in errors
+/// Given     text   the table
+///           name   its name in errors
 /// Throws    Error  "<name>:<line>: …" for a cell that is no number or a line of the wrong length
 Table parse_table(std::string_view text, std::string_view name);
 
