@@ -21,12 +21,12 @@ struct Costs {
   double angle_harmonic = 30e-9;    ///< of one term and one part, at a position angle
   double angle_wavelength = 30e-9;  ///< likewise
   double lookup = 6e-3;
-  double trial = 10e-3;  ///< at what terms matter
+  double trial = 10e-3;  ///< finding the effect of each term
   double twilight = 40e-3, twilight_wavelength = 1e-3;
   double photon_wavelength = 2.2e-9;  ///< by the table, on one plane, gathered in rings alone
   double sectors_dearer = 8;          ///< gathered in sectors too
   double photon_marched = 14e-6, photon_step_by_step = 163e-6;
-  double together = 2.2;  ///< what all parts of light take over their sum: a hundred planned runs
+  double together = 2.2;  ///< time of light over the sum of its parts, by a hundred planned runs
   double texel = 48e-9;   ///< lit and written
   double map_file = 0.2;
 };
@@ -38,20 +38,20 @@ constexpr double scattered_error = 3e-3;
 /// The error falls as the root of the number of photons.
 double noise(Method method) { return method == Method::step_by_step ? 250 : 35; }
 
-/// Cells that a ring is gathered in, where light is not alike all around.
+/// Number of sectors in which photons are gathered; 1 where light is symmetric about the axis.
 double sectors(const Work& work, const Scene& scene) {
   const bool alike = !(work.ellipsoid && scene.ellipsoid) && !(work.regions && scene.columns > 1);
   return alike ? 1 : 24;
 }
 
-/// Axis distances that light is computed at: every 100 km, and more where it is not smooth.
+/// Number of axis distances where light is computed: every 100 km, and more where light is not smooth.
 double distances(const Work& work, const Scene& scene) {
   const double across_m = scene.farthest_m - scene.nearest_m;
   const double share = std::min(1., scene.without_refracted);
   return across_m / 100e3 + 2 + 26 * share * std::max(0., std::log10(0.1 / work.place_error));
 }
 
-/// Seconds on one core that light at the places takes, from all that landed.
+/// Seconds on one core for light at the places, once all rays have landed.
 double seconds_of_places(const Work& work, const Scene& scene, double places) {
   const Costs cost;
   const bool regions = work.regions && scene.columns > 1;
@@ -79,7 +79,7 @@ double seconds_of_places(const Work& work, const Scene& scene, double places) {
   return places * std::min(series, by_angle);
 }
 
-/// Seconds that the quadrature takes on one core.
+/// Seconds on one core for the quadrature.
 double seconds_of_quadrature(const Work& work, const Scene& scene, double distances) {
   const Costs cost;
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
@@ -93,12 +93,12 @@ double seconds_of_quadrature(const Work& work, const Scene& scene, double distan
          seconds_of_places(work, scene, places);
 }
 
-/// Seconds that it takes on one core to check the error of light, at thirty places.
+/// Seconds on one core to check the error of light at thirty places.
 double seconds_of_check(const Work& work, const Scene& scene) {
   return seconds_of_quadrature(finer(work), scene, 8);
 }
 
-/// How much of a scene's parallel work one more core takes off.
+/// Speed-up of parallel work by a machine's cores.
 double cores(const Machine& machine) { return 1 + 0.85 * (machine.cores - 1); }
 
 }  // namespace

@@ -7,14 +7,14 @@
 
 namespace coppermoon::plan {
 
-/// A setting of a knob, and the error of luminance that it leaves.
+/// Setting of a knob, and the relative error of luminance at that setting.
 struct LawPoint {
   double setting, error;
 };
 
-/// Errors that 95 of 100 scenes stay under, each knob by itself, where the disc reaches into the
-/// umbra: measured on sixty random eclipses under random air, against the finest settings; together
-/// they are held to it by a hundred planned runs (tests/end_to_end/planned_runs).
+/// Error by each knob alone, at the 95th percentile of scenes whose disc reaches into the umbra: measured on sixty
+/// random eclipses in random air, against the finest settings. A hundred planned runs check all knobs together
+/// (tests/end_to_end/planned_runs).
 inline constexpr std::array<LawPoint, 7> law_of_bands{
     {{10, 0.035}, {20, 5e-3}, {40, 1.6e-3}, {60, 4e-4}, {80, 1.3e-4}, {200, 6e-5}, {400, 1e-6}}};
 inline constexpr std::array<LawPoint, 7> law_of_rays{{{60, 0.03},
@@ -37,7 +37,7 @@ inline constexpr std::array<LawPoint, 8> law_of_place_error{{{3e-5, 2e-5},
                                                              {0.03, 0.02},
                                                              {0.1, 0.11}}};
 
-/// Straight lines between the points of a law, in logarithms, and on beyond its ends.
+/// Error at a setting, by linear interpolation of a law's logarithms, extrapolated beyond its ends.
 double law(std::span<const LawPoint> points, double setting);
 
 }  // namespace coppermoon::plan

@@ -16,11 +16,11 @@
 namespace coppermoon::plan {
 namespace {
 
-/// [Term]
+/// Names of terms, by Term.
 constexpr std::array<std::string_view, 4> term_names{"light through the air", "ellipsoid",
                                                      "regions", "scattered light"};
 
-/// One knob: settings from the cheapest to the finest, and how to turn it.
+/// Knob: settings from the cheapest to the finest, and the function that applies one.
 struct Knob {
   std::vector<double> settings;
   std::function<void(Work&, double)> turn;
@@ -34,15 +34,14 @@ Knob knob(std::vector<double> settings, const std::optional<Member>& by_hand,
           [member](Work& work, double value) { work.*member = static_cast<Member>(value); }};
 }
 
-/// A switch: off, and where it makes a difference, on.
+/// Knob of a term: off and, where the term makes a difference, on.
 Knob term(bool there, const ByHand& by_hand, bool Work::*member) {
   std::vector<double> settings = there ? std::vector<double>{0, 1} : std::vector<double>{0};
   if (by_hand.terms) settings = {*by_hand.terms.*member ? 1. : 0.};
   return {std::move(settings), [member](Work& work, double value) { work.*member = value != 0; }};
 }
 
-/// Light through the air that is needed is no choice: coarsely computed it may be more wrong than
-/// none.
+/// Knob of refracted light: always on where it is needed, since coarse refracted light may be worse than none.
 Knob refracted(double tolerance, const Scene& scene, const ByHand& by_hand) {
   if (by_hand.terms || scene.without_refracted <= tolerance)
     return term(scene.without_refracted > 0, by_hand, &Work::refracted);
@@ -85,7 +84,7 @@ std::vector<Knob> knobs(double tolerance, const Scene& scene, const ByHand& by_h
   return all;
 }
 
-/// The coarsest work, refined step by step until it is good enough.
+/// Greedy refinement of the coarsest work.
 class Refinement {
  public:
   Refinement(double tolerance, const Scene& scene, const ByHand& by_hand, Method method)
@@ -102,7 +101,7 @@ class Refinement {
     return work;
   }
 
-  /// Whether there was anything left to refine.
+  /// Refines one knob; false when all are at their finest.
   bool refine() {
     double best = 0;
     std::size_t chosen = knobs_.size();
@@ -121,7 +120,7 @@ class Refinement {
     return true;
   }
 
-  /// Takes back what turned out not to be needed, dearest first.
+  /// Undoes refinements that turned out to be unnecessary, most expensive first.
   void coarsen(double tolerance) {
     for (;;) {
       double saved = 0;
@@ -167,7 +166,7 @@ std::vector<LeftOut> left_out(const Work& work, const Scene& scene) {
 Plan plan_with(Method method, double tolerance, const Scene& scene, const Machine& machine,
                const ByHand& by_hand) {
   Refinement refinement(tolerance, scene, by_hand, method);
-  // what is by hand may leave more error than that; the rest need not make up for it
+  // settings by hand may leave more error than the tolerance; other settings need not compensate
   const double least = predicted_error(refinement.finest(), scene);
   const double goal = least > tolerance ? least + tolerance : tolerance;
   while (predicted_error(refinement.work(), scene) > goal && refinement.refine()) {
@@ -182,9 +181,9 @@ Plan plan_with(Method method, double tolerance, const Scene& scene, const Machin
           {}};
 }
 
-/// Plan by the cheapest method that is good enough; where none is, by the quickest: photons might take
-/// weeks to be better by a hair. A method is chosen as if nothing were set by hand: few rays ask for a
-/// coarse quadrature, not for photons.
+/// Plan by the cheapest method that reaches the tolerance; where none does, by the quickest, as photons might take
+/// weeks for a tiny gain. The method is chosen as if nothing were set by hand: somebody who asks for few rays wants
+/// a coarse quadrature instead of photons.
 Plan plan_within(double tolerance, const Scene& scene, const Machine& machine,
                  const ByHand& by_hand) {
   const auto tried = by_hand.method ? std::span<const Method>(&*by_hand.method, 1)

@@ -21,14 +21,14 @@ inline constexpr std::array methods{Method::quadrature, Method::table, Method::m
 /// literal" for `Method::step_by_step`.
 std::string_view name(Method method);
 
-/// How closely the light on a Moon is computed: every knob that costs time.
+/// Settings of the light on a Moon that trade accuracy against time.
 struct Work {
   Method method = Method::quadrature;
-  double photons = 0;            ///< of the methods that have any
-  bool refracted = true;         ///< light that came through the air; off: direct sunlight alone
-  bool ellipsoid = true;         ///< off: a sphere as large as the limb is there
-  bool regions = true;           ///< off: the air that is no region's, all around
-  bool scattered_light = false;  ///< off: what the air scatters into the shadow is left out
+  double photons = 0;            ///< number of photons; 0 with the quadrature
+  bool refracted = true;         ///< light refracted by the air; off: direct sunlight alone
+  bool ellipsoid = true;         ///< off: a sphere with the radius of the limb next to the Moon
+  bool regions = true;           ///< off: the whole limb has the air outside all regions
+  bool scattered_light = false;  ///< twilight that the air scatters into the shadow
   int bands = 200;               ///< of wavelength
   int rays = 1000;               ///< of the limb table and the quadrature
   int sun_terms = 6;             ///< of the limb-darkened Sun
@@ -36,47 +36,47 @@ struct Work {
   double place_error = 1e-3;     ///< between the axis distances where light is computed
 };
 
-/// Settings that the error of some work is found against: one plane, all terms, every knob twice as fine, and
-/// never coarse, for two coarse settings may be wrong alike.
+/// Reference settings from which the error of some work is estimated: one plane, all terms, and every knob twice as
+/// fine. None is coarse, as two coarse settings may share an error.
 Work finer(const Work& work);
 
-/// The knobs that were set by hand; the others are empty, and free.
+/// Knobs set by hand; empty ones are chosen by the plan.
 struct ByHand {
   std::optional<Method> method{};
   std::optional<double> photons{};
   std::optional<int> bands{}, rays{}, sun_terms{}, planes{};
   std::optional<double> place_error{};
-  std::optional<Work> terms{};   ///< sets the four switches, and nothing else
-  bool scattered_light = false;  ///< wanted however little it is, where `terms` is empty
+  std::optional<Work> terms{};   ///< only its four switches are used
+  bool scattered_light = false;  ///< forces scattered light, however faint, where `terms` is empty
 };
 
-/// A Moon in the Earth's shadow, as far as work depends on it.
+/// Properties of a Moon in the Earth's shadow on which time and error depend.
 struct Scene {
-  double nearest_m = 0, farthest_m = 0;  ///< axis distances of its disc
+  double nearest_m = 0, farthest_m = 0;  ///< least and largest axis distance of the Moon's disc
   bool limb_darkening = true, ellipsoid = true;
-  std::size_t columns = 1;  ///< of air: 1; with regions or belts more
-  std::size_t parts = 1;  ///< of the limb that have rays of their own, where there are more columns
-  bool borders = false;   ///< whether one air ends and another begins somewhere, as of regions
-  double texels = 0;      ///< that are baked; 0: no texture
-  bool map_file = false;  ///< an albedo map is read
+  std::size_t columns = 1;  ///< columns of air; more than 1 with regions or belts
+  std::size_t parts = 1;    ///< parts of the limb with rays of their own, where columns > 1
+  bool borders = false;     ///< whether the air changes abruptly somewhere, as with regions
+  double texels = 0;        ///< number of baked texels; 0: no texture
+  bool map_file = false;    ///< whether an albedo map is read
 
   /// Largest relative change of luminance anywhere on the disc when a term is left out.
   double without_refracted = 1, without_ellipsoid = 0, without_regions = 0, without_scattered = 0;
 };
 
-/// Tolerance, budget or both, as asked for. Without a budget time does not count; with both the budget counts first.
+/// Tolerance, budget of time, or both, as asked for. With both, the budget has precedence.
 struct Wish {
   std::optional<double> tolerance{};  ///< of luminance anywhere on the disc, 1e-4 to 0.5
   std::optional<double> budget_s{};   ///< 1e-3 s or more
 };
 
-/// How fast a machine is.
+/// Speed of a machine.
 struct Machine {
-  double speed = 1;  ///< of one core, over that of the machine the cost model was measured on
+  double speed = 1;  ///< of one core, relative to the machine on which the cost model was measured
   int cores = 2;
 };
 
-/// A method that was weighed up: its predicted time and error.
+/// Method considered by a plan, with its predicted time and error.
 struct Alternative {
   Method method;
   double seconds, error;
@@ -86,12 +86,12 @@ struct Alternative {
 /// air around the limb, scattered light.
 enum class Term { refracted, ellipsoid, regions, scattered_light };
 
-/// The term's name in reports: "light through the air", "ellipsoid", "regions" or "scattered light".
+/// Name of a term in reports: "light through the air", "ellipsoid", "regions" or "scattered light".
 std::string_view name(Term term);
 
-/// The term of a name in reports.
+/// Term of a name in reports.
 ///
-/// Throws  Error  when there is none
+/// Throws  Error  when no term has that name
 Term term_named(std::string_view name);
 
 struct LeftOut {
@@ -101,39 +101,39 @@ struct LeftOut {
 
 struct Plan {
   Work work{};
-  double tolerance = 0;  ///< that the work was chosen for
+  double tolerance = 0;  ///< for which the work was chosen
   double seconds = 0, error = 0;
   std::vector<LeftOut> left_out{};
-  std::vector<Alternative> methods{};  ///< those that were weighed up, best first
-  bool misses_tolerance = false;  ///< the one asked for cannot be had, or not within the budget
+  std::vector<Alternative> methods{};  ///< methods considered, best first
+  bool misses_tolerance = false;       ///< at any cost, or within the budget
 };
 
-/// Seconds that light and texture take.
+/// Predicted seconds for light and texture.
 ///
 /// Accuracy  a factor of two
 double predicted_seconds(const Work& work, const Scene& scene, const Machine& machine);
 
-/// Bound of the relative error of luminance anywhere on the disc.
+/// Predicted bound of the relative error of luminance anywhere on the disc.
 ///
-/// Accuracy  holds for 95 of 100 scenes
+/// Accuracy  95 of 100 scenes stay within it
 double predicted_error(const Work& work, const Scene& scene);
 
-/// The cheapest work, of the cheapest method, whose predicted error is within the tolerance: from
-/// the coarsest, step by step that refinement (or that term) which takes off most error for its
-/// time. What is set by hand may leave more than the tolerance: then all else is within it; the
-/// method is chosen as if nothing were set by hand. Where no method is good enough, the quickest,
-/// within the tolerance of its best. With a budget, the finest tolerance it has time for; where even
-/// the coarsest work takes longer, that.
+/// Plan with the cheapest work of the cheapest method whose predicted error is within the tolerance. The search is
+/// greedy: it begins with the coarsest work and adds, one at a time, the refinement or the term that removes most
+/// error for its time. Where settings by hand alone exceed the tolerance, all others are chosen to stay within it. The
+/// method is chosen as if nothing were set by hand. Where no method reaches the tolerance, the quickest method is
+/// taken, refined to within the tolerance of its best. With a budget, the plan has the finest tolerance for which
+/// there is time, or is the coarsest work where even this exceeds the budget.
 ///
-/// Given     by_hand  stays as it is
-/// Throws    Error    when a wish is outside its range, or asks for nothing
+/// Given     by_hand  its settings are kept
+/// Throws    Error    when a wish is outside its range, or has neither tolerance nor budget
 Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine,
               const ByHand& by_hand = {});
 
-/// The rays and the terms of the Sun that light at given places and wavelengths takes, on one plane;
-/// nothing else of the work is chosen.
+/// Work whose rays and terms of the Sun are chosen for light at given places and wavelengths, on one plane;
+/// all other settings are defaults.
 ///
-/// Given   by_hand  its rays and terms stay as they are
+/// Given   by_hand  its rays and terms of the Sun are kept
 /// Throws  Error    when the tolerance is outside its range
 Work work_of_rays(double tolerance, bool limb_darkening, const ByHand& by_hand = {});
 
