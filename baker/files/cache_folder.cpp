@@ -20,7 +20,7 @@ using About = struct stat;
 
 bool is_own(const About& about) { return about.st_uid == ::geteuid() || about.st_uid == 0; }
 
-/// Whether a path, and what a link there leads to, belong to this user or to the administrator.
+/// Whether a path, and its target if it is a link, belong to this user or to the administrator.
 bool is_own(const fs::path& path) {
   About itself{}, behind_it{};
   return ::lstat(path.c_str(), &itself) == 0 && ::stat(path.c_str(), &behind_it) == 0 &&

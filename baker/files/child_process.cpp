@@ -40,7 +40,7 @@ void become(char* const* arguments, char* const* variables, const Program& progr
   ::execvpe(arguments[0], arguments, variables);
 }
 
-/// Our environment with some variables set otherwise.
+/// Environment of this process with some variables replaced.
 std::vector<std::string> environment_with(std::vector<std::string> variables) {
   const auto named = variables;
   for (char** ours = environ; *ours != nullptr; ++ours) {
@@ -60,14 +60,14 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
   return pointers;
 }
 
-/// errno that the child wrote before it ended, or 0 when exec closed the pipe.
+/// Value of errno that the child wrote before it ended, or 0 when exec closed the pipe.
 int failure_of(int from) {
   int failure = 0;
   while (::read(from, &failure, sizeof failure) < 0 && errno == EINTR) continue;
   return failure;
 }
 
-/// Text read until the other end is closed; of more than 4096 bytes the beginning.
+/// Text read until the other end is closed; at most the first 4096 bytes.
 std::string all_said(int from) {
   std::string said;
   std::array<char, 4096> buffer;
@@ -79,13 +79,13 @@ std::string all_said(int from) {
   }
 }
 
-/// Last line of a text that is not empty.
+/// Last non-empty line of a text.
 std::string last_line(std::string text) {
   while (text.ends_with('\n')) text.pop_back();
   return text.substr(text.rfind('\n') + 1);
 }
 
-/// First line of a text that is not empty.
+/// First non-empty line of a text.
 std::string first_line(std::string text) {
   text.erase(0, text.find_first_not_of('\n'));
   return text.substr(0, text.find('\n'));

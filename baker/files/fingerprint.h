@@ -6,7 +6,7 @@
 
 namespace coppermoon::files {
 
-/// 64 bits that tell two contents apart unless someone forges one: the same on every machine.
+/// Checksum of 64 bits that distinguishes contents, but is no protection against forgery; equal on every machine.
 ///
 /// Source  XXH3_64bits of xxHash 0.8
 std::uint64_t fingerprint(std::string_view bytes);

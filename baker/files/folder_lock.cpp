@@ -12,7 +12,7 @@ int opened(const std::filesystem::path& folder) {
   return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
 }
 
-/// Whether another holds any of some bytes locked, as F_OFD_GETLK tells.
+/// Whether another open file holds a lock on any byte of a range, by F_OFD_GETLK.
 ///
 /// Given  length  0: all from there on
 bool others_hold(int descriptor, off_t from, off_t length) {
@@ -33,7 +33,7 @@ FolderLock::~FolderLock() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-/// A purpose is the one byte that all who have it lock for reading.
+/// Claims by a read lock on one byte, whose offset is the purpose.
 FolderClaim::FolderClaim(const std::filesystem::path& folder, std::uint64_t purpose)
     : descriptor_(opened(folder)) {
   const auto byte = static_cast<off_t>(purpose >> 2) + 1;  // neither the first nor the last

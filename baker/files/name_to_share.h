@@ -6,10 +6,10 @@
 
 namespace coppermoon::files {
 
-/// Name of a file without the user's own folders, for files that others get.
+/// Name of a file without the user's private folders, for files that are passed on to others.
 ///
-/// Returned  a relative name as it is; an absolute one relative to the current folder, where the file is in it;
-///           /usr/… as it is; of any other the file name alone
+/// Returned  relative names and /usr/… unchanged; absolute names within the current folder relative to it; the
+///           file name alone for all other names
 std::string name_to_share(const std::filesystem::path& path);
 
 /// Path of a file that a shared file names: in the current folder if it is there, else beside the shared file.

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view mark = " as coppermoon wrote it: ";
 
-/// Whether anything has that name, a link that leads nowhere too.
+/// Whether a path exists, dangling links included.
 bool is_taken(const fs::path& path) {
   std::error_code failed;
   return fs::exists(fs::symlink_status(path, failed));

@@ -7,7 +7,7 @@
 
 namespace coppermoon::files {
 
-/// Text with its own fingerprint in a comment on a last line, by which a later change is found.
+/// Text with its fingerprint appended as a comment on a last line, which reveals later changes.
 ///
 /// Given  text     whole lines
 ///        comment  begin of a comment in the text's language, as "//"

@@ -13,8 +13,8 @@ namespace coppermoon::files {
 /// Throws  Error  with the name that TMPDIR gives
 void require_temporary_folder();
 
-/// Removal of a file or a folder when the program ends while this lives, by kill -9 too: a shell waits beside
-/// the program for its end. Without a shell it stays.
+/// Removal of a file or a folder when the program ends during this object's lifetime, even by kill -9: a child shell
+/// waits for the program's end. Where there is no shell, file or folder stay.
 class RemovalAtEnd {
  public:
   explicit RemovalAtEnd(const std::filesystem::path& path);
@@ -26,9 +26,9 @@ class RemovalAtEnd {
   Child remover_;
 };
 
-/// Folder that is there for as long as this is, and no longer than the program, whatever ends it.
+/// Temporary folder, removed with this object or at the program's end, whatever ends it.
 ///
-/// Throws  Error  when the system's temporary folder takes none
+/// Throws  Error  when the system's temporary folder is not writable
 class TemporaryFolder {
  public:
   TemporaryFolder();

@@ -27,8 +27,8 @@ algebra::Error cannot_write(const fs::path& path, int reason) {
                                     std::generic_category().message(reason)));
 }
 
-/// A new file beside the final one; gone at the end, however that comes, unless it was renamed. Where
-/// the file system can, it has no name until then.
+/// New file beside the final one, removed at the program's end or by the destructor unless renamed. Where the file
+/// system can, the file has no name until then.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& final_path) : final_(final_path) {
@@ -60,7 +60,7 @@ class TemporaryFile {
   }
 
  private:
-  /// Makes a name that nobody has.
+  /// Makes a file under a name that does not exist yet.
   template <typename Make>
   int with_a_name(Make make) {
     static std::atomic<unsigned> names = 0;
@@ -73,7 +73,7 @@ class TemporaryFile {
     }
   }
 
-  /// Takes over the permissions of the file that is replaced, as far as this user may.
+  /// Copies the permissions of the replaced file, as far as this user may.
   void keep_permissions() const {
     struct stat replaced {};
     constexpr mode_t permissions = 0777;
@@ -93,7 +93,7 @@ class TemporaryFile {
   std::optional<RemovalAtEnd> removal_;
 };
 
-/// Where the file will stand: links resolved, the folder made explicit.
+/// Final path of a file: links resolved, folder made explicit.
 fs::path destination(const fs::path& path) {
   if (path.filename().empty() || fs::is_directory(path)) throw cannot_write(path, EISDIR);
   std::error_code failed;
@@ -104,7 +104,7 @@ fs::path destination(const fs::path& path) {
   return resolved;
 }
 
-/// The rename itself must outlive a power cut; some file systems cannot promise it, so no error.
+/// Flushes a folder, so that a rename survives a power cut; no error where the file system cannot.
 void flush_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
