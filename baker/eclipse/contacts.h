@@ -26,8 +26,8 @@ struct Contacts {
 struct Eclipse {
   almanac::Instant greatest;  ///< least angle between the Moon's centre and the axis
   EclipseType type = EclipseType::penumbral;
-  double gamma =
-      0;  ///< axis distance of the Moon's centre at greatest eclipse, in Earth radii, north positive
+  /// axis distance of the Moon's centre at greatest eclipse, in Earth radii, north positive
+  double gamma = 0;
   double umbral_magnitude = 0, penumbral_magnitude = 0;  ///< share of the Moon's diameter immersed
   Contacts contacts;
   almanac::Calendar calendar = almanac::Calendar::gregorian;  ///< of dates in reports
