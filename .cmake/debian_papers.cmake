@@ -25,7 +25,17 @@ Upstream-Name: coppermoon
 Files: *
 Copyright: ${holder}
 License: Expat
-${license}")
+
+Files: colour/data/camera_spectra.csv
+Copyright: Academy Software Foundation and contributors to rawtoaces-data
+License: Apache-2.0
+
+License: Expat
+${license}
+
+License: Apache-2.0
+ On Debian systems the text of this licence is in /usr/share/common-licenses/Apache-2.0.
+")
   file(WRITE ${papers}/changelog "${name} (${CPACK_PACKAGE_VERSION}) unstable; urgency=medium
 
   * See CHANGELOG.md of the package coppermoon.
