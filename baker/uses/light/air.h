@@ -78,8 +78,8 @@ atmosphere::Atmosphere atmosphere_of(const Air& air, algebra::Angle sun_declinat
 /// Air over the limb that the Moon of a sky sees, scaled to Danjon's scale where that is asked for.
 atmosphere::Atmosphere atmosphere_of(const Air& air, const almanac::SkyState& sky);
 
-/// Whether some air gives the eclipse of that night the step of Danjon's scale that is asked for; true where none is asked
-/// for, or the air has no belts. Otherwise the clearest or the darkest air is taken.
+/// Whether some air gives the eclipse of that night the step of Danjon's scale that is asked for; true where none is
+/// asked for, or the air has no belts. Otherwise the clearest or the darkest air is taken.
 bool reaches_danjon(const Air& asked, const almanac::SkyState& sky);
 
 }  // namespace coppermoon::uses

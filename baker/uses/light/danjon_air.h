@@ -8,21 +8,21 @@ namespace coppermoon::uses {
 
 /// Air whose cloud and aerosol are scaled by one number, or increased in the stratosphere.
 ///
-/// Given     clearness  1: no cloud, no aerosol; 0: the air unchanged; below 0: its amount is added to the optical depth
-///                      of the stratosphere
+/// Given     clearness  1: no cloud, no aerosol; 0: the air unchanged; below 0: its amount is added to the optical
+///                      depth of the stratosphere
 /// Returned  air of belts, with all its columns changed
 atmosphere::Atmosphere cleared(atmosphere::Atmosphere air, double clearness);
 
-/// Ends between which clearness is sought, and distance from them at which the search has failed.
+/// Interval in which clearness is searched for, and distance from its ends at which the search has failed.
 inline constexpr double darkest_clearness = -2, brightest_clearness = 1,
                         clearness_error = 2. / 1024;
 
-/// Clearness for which the eclipse nearest to a moment has the step L of Danjon's scale: at its greatest phase the Moon has
-/// the visual magnitude that goes with L.
+/// Clearness for which the eclipse nearest to a moment has the step L of Danjon's scale: at its greatest phase the Moon
+/// has the visual magnitude that goes with L.
 ///
 ///     m = 4.2 − 3 L + (L/2)²
 ///
-/// An eclipse that is not total is taken as if the Moon had just gone in.
+/// In an eclipse that is not total, the Moon is placed just inside the umbra.
 ///
 /// Given     l    0 to 4
 ///           air  of belts, of that night

@@ -19,7 +19,7 @@ namespace coppermoon::uses {
 std::vector<double> irradiance_of_disc(const texture::Image& texture, const almanac::SkyState& sky,
                                        const glm::dvec3& from_m = {0, 0, 0});
 
-/// Solid angle of the Moon from there [sr], summed over the same texels.
+/// Solid angle of the Moon from a place [sr], summed over the texels of irradiance_of_disc.
 double solid_angle_of_disc(std::size_t rows, const almanac::SkyState& sky,
                            const glm::dvec3& from_m = {0, 0, 0});
 

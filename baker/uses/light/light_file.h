@@ -9,8 +9,8 @@
 
 namespace coppermoon::uses {
 
-/// Writes light without its direct part, with its plan without the seconds of this machine; the file appears whole or not
-/// at all.
+/// Writes light without its direct part, with its plan without the seconds of this machine; the file appears whole or
+/// not at all.
 ///
 /// Given   key    recipe of all that the light depends on
 /// Throws  Error  one line with the path, when it cannot

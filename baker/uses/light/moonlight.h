@@ -25,7 +25,7 @@ namespace coppermoon::uses {
 struct PhotonFiles {
   std::optional<Shard> shard{};              ///< without: all photons
   std::filesystem::path keep{};              ///< file that the sums are written to; empty: none
-  std::vector<std::filesystem::path> add{};  ///< files that were kept: their photons count
+  std::vector<std::filesystem::path> add{};  ///< files of sums whose photons are added
   std::string key{};  ///< recipe that the photons depend on; sums of another are refused
 
   /// Whether any of these is asked for; other solvers refuse them.
@@ -58,29 +58,29 @@ struct LightRequest {
   PhotonFiles photon_files{};
 };
 
-/// Scattered light of a request. With air of Danjon's scale `automatic` is off: that scale was fitted to eclipses as they
-/// were seen, scattered light included.
+/// Scattered light of a request. With air of Danjon's scale `automatic` is off, as the scale was fitted to observed
+/// eclipses, scattered light included.
 ScatteredLight scattered_light_of(const LightRequest& request);
 
 /// Sun's disc, limb-darkened or uniform, and the planes behind the Earth.
 shadow::Arrangement arrangement_of(const LightRequest& request, double sun_distance_m,
                                    std::vector<double> depths_m);
 
-/// The Moon of one moment, in the shadow of that air.
+/// Moon of one moment in the shadow of the request's Earth and air.
 ShadowedMoon shadowed_moon(const LightRequest& request, const almanac::SkyState& sky);
 
-/// Where light is computed, on each plane.
+/// Places where light is computed on each plane.
 struct LightGrid {
   std::span<const double> wavelengths_nm;
   std::span<const double> axis_distances_m{};   ///< photons gather in rings of their own
   std::size_t around = shadow::sectors_around;  ///< sectors, where light differs around the axis
 };
 
-/// Refracted light by the solver asked for, with scattered light unless it is off or left out (each
-/// wavelength counts by itself, so `automatic` has it), and starlight where it is on. Its rays and the
-/// terms of the Sun are those that 0.1 % of light asks for, or a finer tolerance.
+/// Refracted light by the solver asked for, with scattered light unless it is off or left out (`automatic` includes
+/// it), and with starlight where it is on. Rays and terms of the Sun are chosen for a tolerance of 0.1 %, or the
+/// request's where it is finer.
 ///
-/// Throws  Error  when photons are asked for, and not how many
+/// Throws  Error  when photons are asked for without their number
 shadow::RefractedLight refracted_light(const LightRequest& request,
                                        const atmosphere::Atmosphere& air,
                                        const shadow::Arrangement& arrangement,

@@ -28,7 +28,7 @@ std::vector<PhotometricBand> photometric_bands();
 /// Response of these bands to irradiance, [band][wavelength band], peak 1 times the width [nm].
 ///
 /// Given  edges_nm  380 to 780
-/// Omits  what R sees beyond 780 nm, 6 % of it
+/// Omits  the part of R beyond 780 nm, 6 % of it
 /// Source Bessell (1990), PASP 102, 1181
 algebra::Grid<double> photometric_response(std::span<const double> edges_nm);
 

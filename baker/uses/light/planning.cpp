@@ -70,7 +70,7 @@ std::vector<double> evenly(Range range, int intervals) {
 
 constexpr std::size_t sectors_of_a_trial = 24;
 
-/// Sectors that the disc takes in where the Moon stands at a place.
+/// Sectors that the Moon's disc covers when its centre is at a place.
 shadow::Sectors sectors_of(const eclipse::ShadowPlace& place, std::size_t around) {
   const double centre = algebra::in_metres(place.axis_distance);
   if (centre <= lunar_radius_m) return {around};
@@ -166,7 +166,8 @@ double largest_change(const CoarseLight& all, const CoarseLight& without) {
   return worst;
 }
 
-/// Scattered light where the disc is darkest: its upper bound, and where that may count, its value.
+/// Share of scattered light where the disc is darkest. An upper bound is returned where it is negligible; only
+/// otherwise is scattered light computed.
 double scattered_share(const ShadowedMoon& moon, const CoarseLight& coarse,
                        std::span<const double> places_m) {
   constexpr double most = 1.2e-6, counts = 1e-5;
@@ -218,7 +219,7 @@ void add_edge_of_the_umbra(const ShadowedMoon& moon, const shadow::Arrangement& 
   places_m.erase(std::unique(places_m.begin(), places_m.end()), places_m.end());
 }
 
-/// Safety factor on the size of a term, for the coarse look misses some.
+/// Safety factor on the size of a term, which coarse light underestimates.
 constexpr double margin = 2;
 
 }  // namespace
@@ -336,8 +337,8 @@ double depth_between_planes(const ShadowedMoon& moon, int planes) {
   return std::midpoint(depths[depths.size() - 2], depths.back());
 }
 
-/// Sectors in which errors are found: their number divides none of a plan's, so that they lie off its middles. Fewer
-/// between regions, where each takes time.
+/// Settings in whose sectors errors are estimated. The number of sectors has no common divisor with a plan's, so that
+/// their middles do not coincide. With regions there are fewer, as each takes more time.
 shadow::QuadratureSettings settings_of_check(const plan::Work& finer, const ShadowedMoon& moon) {
   const std::size_t around = moon.air.regions.empty() ? 29 : 13;
   auto settings = quadrature_for(finer, moon, around);
@@ -357,7 +358,7 @@ class ExactLight {
       : depth_m_(depth_m),
         settings_(settings_of_check(finer(work), moon)),
         weights_(at_wavelengths(luminance_weights(), finer(work).bands)) {
-    constexpr double off_nodes = 0.07;  // of the disc: between the places light was computed at
+    constexpr double off_nodes = 0.07;  // lunar radii, off the places where light was computed
     const auto disc = disc_of(moon);
     auto places =
         evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, places_over(disc, 23));

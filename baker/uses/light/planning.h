@@ -33,8 +33,7 @@ struct Purpose {
 /// Throws  Error
 void require_knobs(const plan::ByHand& by_hand);
 
-/// Depths of planes through the half of the Moon that faces the Sun; of a path, as close through all depths that it takes
-/// up.
+/// Depths of planes through the half of the Moon that faces the Sun; for a path, equally dense over all its depths.
 std::vector<double> depths_of(const ShadowedMoon& moon, int planes);
 
 /// Axis distances at most 200 km apart, from before the disc to behind it.
@@ -62,10 +61,10 @@ plan::Machine this_machine();
 /// Weights of wavelengths that give luminance.
 shadow::ChannelWeights luminance_weights();
 
-/// The largest error of luminance that is found at some places of the disc, against all terms computed
-/// more finely (plan::finer): evenly over it, where direct light begins, and where light is least smooth;
-/// at the depth that is farthest from all planes. A node of the look-up, 1 km, from where all light begins,
-/// it is no measure.
+/// Largest relative error of luminance at sample places, against light with all terms and finer settings
+/// (plan::finer). Places lie evenly over the disc, where direct light begins, and where light is least smooth, at the
+/// depth farthest from all planes. Within one node of the look-up (1 km) of the beginning of all light, the error is
+/// no measure.
 ///
 /// Given  luminance         one channel, luminance_weights
 ///        scattered_counts  where it was left out, scattered light is part of the error

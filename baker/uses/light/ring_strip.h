@@ -22,8 +22,8 @@ struct RingStrip {
   texture::Attributes attributes;  ///< for a file's header
 };
 
-/// Given   request  its air and its Sun count
-///         on       place on the Moon; without: where the Earth stands in the zenith
+/// Given   request  only its air and its Sun are used
+///         on       place on the Moon; none: the point with the Earth in the zenith
 ///         scale    factor of all values, 1e-9 to 1e9
 /// Throws  Error    when no eclipse is under way, the Earth is below that place's horizon, direct
 ///                  sunlight falls there, or the air bends no light to it

@@ -24,15 +24,14 @@ std::vector<double> band_centres_nm();
 /// Source  Yapo & Cutler (2009) §2.2, for 200 of them
 std::vector<double> wavelengths_nm(int count);
 
-/// Weights of those wavelengths that stand for weights of bands: between the wavelengths, light is a cubic through the
-/// four nearest, and Σ weight(band) light(band) becomes a sum over wavelengths.
+/// Weights of wavelengths that are equivalent to weights of bands: between the wavelengths, light is a cubic through
+/// the four nearest, so Σ weight(band) light(band) becomes a sum over wavelengths.
 ///
 /// Given     weights  (channel, band)
 /// Returned  (channel, wavelength), as many as `count`
 algebra::Grid<double> at_wavelengths(const algebra::Grid<double>& weights, int count);
 
-/// Colours of light that was computed at few wavelengths, or by few photons: less than no luminance,
-/// as cubics through noise may leave, is black; others are brought into the gamut.
+/// Brings channels into the gamut; negative luminance, which cubics through noise can cause, becomes black.
 void into_gamut_or_black(colour::WorkingSpace space, std::span<double> channels);
 
 /// Weights of bands by which a white diffuse ground that faces the Sun at 1 au fills some channels:
@@ -47,18 +46,18 @@ algebra::Grid<double> white_ground_weights(
     const algebra::Grid<double>& response,
     const std::optional<atmosphere::Sightline>& sightline = {});
 
-/// Weights of bands for ground as reddish as the Moon, of normal albedo 1 in V:
+/// Weights of bands for ground of the Moon's mean colour, with normal albedo 1 in V:
 ///
 ///     w = C E k_r / (π k_V)        k_V: k_r averaged over the Sun's light as the eye sees it
 algebra::Grid<double> moonlight_weights(const algebra::Grid<double>& response,
                                         const std::optional<atmosphere::Sightline>& sightline = {});
 
-/// surface::colour_spectrum less its mean over the Moon's light in sunshine as the eye sees it: ground of
-/// another colour keeps its normal albedo in V.
+/// Value of surface::colour_spectrum less its mean over sunlit moonlight weighted by V, so that ground of another
+/// colour keeps its normal albedo in V.
 double colour_at(double wavelength_nm);
 
-/// Weights of moonlight, first as the reddest ground returns it and then all as the bluest does
-/// (surface::strongest_colour): what texture::bake wants of ground that differs by place.
+/// Weights of moonlight for the reddest ground, followed by those for the bluest ground (surface::strongest_colour),
+/// as texture::bake expects for ground whose colour varies.
 ///
 /// Given     weights  (channel, wavelength) of mean ground
 ///           at_nm    the wavelengths
