@@ -32,8 +32,8 @@ struct Photograph {
 
 /// Simulated photograph of a scene.
 ///
-/// Light is spread by aperture and air, near its place and far (glow.h), the sky's added, and turned into electrons by the sensor's
-/// response: with noise, as many as a Poisson process sets free. A pixel holds no more than its full
+/// Light is spread by aperture and air, near its place and far (glow.h), the sky's added, and turned into electrons by
+/// the sensor's response: with noise, as many as a Poisson process sets free. A pixel holds no more than its full
 /// well; amplifier and converter add their noise; whole numbers of as many bits come out, cut off at
 /// either end. Developed, no channel is above what white has where the most sensitive one saturates.
 ///

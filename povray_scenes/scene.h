@@ -57,8 +57,8 @@ std::string to_pov(const MoonScene& scene);
 /// Throws  Error  as to_pov
 std::string to_ini(const MoonScene& scene);
 
-/// Refuses a folder in which a scene would overwrite an eclipse.pov or eclipse.ini of somebody's own: one
-/// that was changed, or is a link. Absence is sound.
+/// Refuses a folder whose eclipse.pov or eclipse.ini is a link, or was changed since the program wrote it. A folder
+/// without these files passes.
 ///
 /// Throws  Error
 void require_scene_place(const std::filesystem::path& folder);

@@ -18,9 +18,9 @@ CameraText camera_text(const SceneCamera& camera, double moon_radius);
 /// Parts of eclipse.pov in which a single scene and a sequence differ.
 struct PovText {
   std::string declarations;            ///< before the camera: whole lines
-  std::string location, sky, look_at;  ///< expressions
-  std::string texture;                 ///< an expression: the file's name
-  std::string flattened;               ///< whole lines within the sphere
+  std::string location, sky, look_at;  ///< POV-Ray expressions of the camera's vectors
+  std::string texture;                 ///< POV-Ray expression of the texture's file name
+  std::string flattened;               ///< whole lines inside the sphere: its flattening
   std::string lights = {};             ///< whole lines at the end
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t digits = std::bit_width(points_a_block) - 1;
 
-using Directions = std::array<std::uint32_t, digits>;  // of each binary digit of a point's number
+using Directions = std::array<std::uint32_t, digits>;  // [binary digit of the point's index]
 
 /// A primitive polynomial over 0 and 1 (its degree, its inner coefficients) and the first numbers
 /// of the recurrence it makes.
@@ -58,7 +58,7 @@ std::uint32_t sobol(const Directions& v, std::size_t point) {
   return value;
 }
 
-/// Random bits, 32 of each uniform number.
+/// Random bits, taken from uniform numbers, 32 bits from each.
 class Bits {
  public:
   explicit Bits(Random& random) : random_(random) {}

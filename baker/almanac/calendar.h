@@ -7,7 +7,7 @@
 
 namespace coppermoon::almanac {
 
-/// Date in a calendar of a day given in the Gregorian one: "1504-03-11" is "1504-03-01" in the Julian calendar.
+/// Date in a calendar, converted from a Gregorian date: "1504-03-11" is "1504-03-01" in the Julian calendar.
 ///
 /// Given   date  "2018-07-27", "-0584-05-22"
 /// Source  Meeus (1998), Astronomical Algorithms, chapter 7: the Julian date of a Julian day

@@ -101,9 +101,9 @@ std::vector<double> chebyshev_roots(double least, double greatest, int count) {
   return roots;
 }
 
-/// Significance of the difference between two paths: bending in milliradians, since one milliradian moves the
-/// landing by as much as light takes to change by a factor e; optical depth as it is, with less weight where
-/// transmittance is small.
+/// Weight of the difference between two paths. Bending counts in milliradians: one milliradian displaces a landing by
+/// the distance over which light changes by a factor e. Optical depth counts as it is, and less where transmittance
+/// is small.
 class Significance {
  public:
   Significance(const Column& column, const Optics& optics)

@@ -66,7 +66,7 @@ RefractedLight by_photons(const atmosphere::Atmosphere& atmosphere, const Arrang
 /// Light convolved along the axis distance with a Gaussian of standard deviation σ, rings weighted by their
 /// area. Standard errors are propagated with rings taken as independent.
 ///
-/// Source  Yapo & Cutler (2009) §3.2, who remove noise so
+/// Source  Yapo & Cutler (2009) §3.2, where it removes noise
 RefractedLight smoothed(const RefractedLight& light, double sigma_m);
 
 }  // namespace coppermoon::shadow

@@ -25,8 +25,8 @@ struct StellariumSight {
 /// Throws  Error
 void require_stellarium_place(const std::filesystem::path& folder);
 
-/// Writes a folder that Stellarium takes for its user's own (`stellarium --user-dir FOLDER`, of its whole path). Its Moon is
-/// the picture as it is: no light, phase, shadow, extinction or halo of Stellarium's. It starts with the
+/// Writes a folder that Stellarium takes for its user's own (`stellarium --user-dir FOLDER`, of its whole path). Its
+/// Moon is the picture as it is: no light, phase, shadow, extinction or halo of Stellarium's. It starts with the
 /// Moon in the middle, the zenith up, the time standing still, ground and air left out.
 ///
 ///     textures/moon_4k.jpg      the picture, of 8 bits

@@ -45,8 +45,8 @@ void add_threads(CLI::App& program, std::unique_ptr<tbb::global_control>& contro
 /// Given   arguments  without the program's name
 /// Throws  WrongUsage       when the usage is wrong: also for an argument that is not UTF-8, which
 ///                          neither a recipe nor JSON could hold
-///         CLI::ParseError  when CLI11 finds it wrong, or for help
-///         algebra::Error   when it cannot be done
+///         CLI::ParseError  when CLI11 rejects the arguments, or help is asked for
+///         algebra::Error   when the command fails
 void run(CLI::App& program, const std::vector<std::string>& arguments);
 
 }  // namespace coppermoon::verbs

@@ -121,7 +121,7 @@ void heed_tiff(const fs::path& path, const OIIO::ImageSpec& spec, Storage& stora
       throw cannot_read(path,
                         "PhotometricInterpretation = 0 (white is zero), allowed of whole "
                         "numbers of 8 and 16 bits");
-    storage.white_is_zero = sixteen;  // of 8 bits OpenImageIO turns them round
+    storage.white_is_zero = sixteen;  // OpenImageIO itself inverts numbers of 8 bits
   }
   const std::uint16_t *red = nullptr, *green = nullptr, *blue = nullptr;
   if (tags.get(TIFFTAG_TRANSFERFUNCTION, &red, &green, &blue))

@@ -11,7 +11,7 @@
 
 namespace coppermoon::texture {
 
-/// Properties of a file's numbers that OpenImageIO does not heed.
+/// Properties of a file's stored numbers that OpenImageIO ignores.
 struct Storage {
   int orientation = 1;         ///< EXIF's: 1 upright, 2 to 4 flipped or turned, 5 to 8 on a side
   bool white_is_zero = false;  ///< black is the largest number

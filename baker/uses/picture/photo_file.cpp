@@ -228,7 +228,7 @@ colour::Bracketed bracketed(const std::string& file) {
   require_sound(file, image);
   colour::Bracketed one{pixels_of(image), channel_of(image, 3), 0};
   const double f_number = number_of(file, "aperture"), time_s = number_of(file, "expTime");
-  colour::exposure_scale({time_s, f_number});  // their ranges
+  colour::exposure_scale({time_s, f_number});  // throws where either is outside its range
   one.light = time_s / (f_number * f_number);
   return one;
 }

@@ -12,9 +12,9 @@ namespace coppermoon::verbs {
 /// Whether a file is one of coppermoon's that holds its recipe, by its ending, or by its name in Stellarium's folder.
 bool holds_recipe(const std::filesystem::path& path);
 
-/// Flags of a recipe, which is a TOML file or stands in a file of coppermoon's. The table [atmosphere] holds parameters of
-/// the air, --atmosphere itself as `model`, and regions as [[atmosphere.region]]; [camera] likewise. Keys of other commands
-/// are passed over: one recipe serves all.
+/// Flags of a recipe, which is a TOML file or stands in a file of coppermoon's. The table [atmosphere] holds parameters
+/// of the air, --atmosphere itself as `model`, and regions as [[atmosphere.region]]; [camera] likewise. Keys of other
+/// commands are passed over: one recipe serves all.
 ///
 /// Given     mine  the user's own arguments: flags that they name are left out of the recipe's
 /// Returned  "--flag=value", in the order of the alphabet, those in [atmosphere] last

@@ -10,8 +10,8 @@
 
 namespace coppermoon::verbs {
 
-/// Progress of a film: on a terminal a bar on stderr with frame, rate and time left; else a line per frame on stdout, or
-/// one JSON event per line.
+/// Progress of a film: on a terminal a bar on stderr with frame, rate and time left; else a line per frame on stdout,
+/// or one JSON event per line.
 class FilmProgress {
  public:
   FilmProgress(const uses::Film& film, std::size_t frames, bool json);

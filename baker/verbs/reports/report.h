@@ -21,8 +21,8 @@ struct Report {
 /// Seconds since a time.
 double seconds_since(std::chrono::steady_clock::time_point start);
 
-/// Prints a report on stdout: one line, or one JSON document with the keys file (files where there are several), chosen,
-/// left_out, predicted and reached.
+/// Prints a report on stdout: one line, or one JSON document with the keys file (files where there are several),
+/// chosen, left_out, predicted and reached.
 void report(const Report& made, bool json);
 
 /// Recipe as JSON.

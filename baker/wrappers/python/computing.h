@@ -15,16 +15,16 @@ namespace coppermoon::python {
 /// Function of Python that hears how far the work is; or none.
 using Callback = std::optional<pybind11::function>;
 
-/// Runs work on another thread, without Python's lock. The calling thread looks twenty times a second whether Ctrl-C was
-/// pressed, and tells the callback how far the work is; what either raises ends the work when it next
+/// Runs work on another thread, without Python's lock. The calling thread looks twenty times a second whether Ctrl-C
+/// was pressed, and tells the callback how far the work is; what either raises ends the work when it next
 /// tells its progress, and is raised then.
 ///
 /// Throws  what the work throws; error_already_set
 void run(const Callback& callback, const std::function<void(const algebra::Progress&)>& work);
 
-/// Result of work that `run` runs.
+/// Value that a function returns, called through `run`.
 ///
-/// Given  work  takes an algebra::Progress; touches nothing of Python's
+/// Given  work  function of an algebra::Progress; must not use Python objects
 template <class Work>
 auto computed(const Callback& callback, Work&& work) {
   std::optional<decltype(work(algebra::Progress{}))> made;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parameters of requests as Python shows them: names, types, values, docstrings. The module and its stub are made from them.
+// Parameters of requests as Python shows them: names, types, values, docstrings. The module and its stub are made from
+// them.
 #pragma once
 
 #include <string>
