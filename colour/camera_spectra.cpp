@@ -61,7 +61,7 @@ struct Seen {
   std::vector<glm::dvec3> xyz, balanced;  ///< the first: white
 };
 
-/// Row of the matrix: the least-squares coefficients of balanced channels, whose sum is white's value.
+/// Row of the matrix, by least squares over the patches; its coefficients sum to the white's value, so that white is kept.
 glm::dvec3 fitted_row(const Seen& seen, int row) {
   const double white = seen.xyz.front()[row];
   double rr = 0, rg = 0, gg = 0, rt = 0, gt = 0;

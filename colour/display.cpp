@@ -23,7 +23,7 @@ namespace {
 
 using algebra::Error;
 
-/// Read once, for it keeps the processors that it makes.
+/// Built-in configuration, parsed once: it caches the processors made from it.
 ocio::ConstConfigRcPtr built_in_config() {
   static const auto config = [] {
     std::istringstream text{std::string(config_text())};

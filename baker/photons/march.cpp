@@ -59,7 +59,7 @@ struct Rays {
   V along_shift_m, height_shift_m;  // of the rays, from those
   V forward, upward;                // n t − (1, 0)
   V step_m;                         // 0 for a ray that has left
-  V reduced_m, pull;                // q; latest change of `upward`
+  V reduced_m, pull;                // q of the equation above; latest change of `upward`
   V lower_m, upper_m, layer;        // the layer of air they are in
   V steps;
 };

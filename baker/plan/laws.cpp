@@ -26,7 +26,7 @@ struct Costs {
   double photon_wavelength = 2.2e-9;  ///< by the table, on one plane, gathered in rings alone
   double sectors_dearer = 8;          ///< gathered in sectors too
   double photon_marched = 14e-6, photon_step_by_step = 163e-6;
-  double together = 2.2;  ///< time of light over the sum of its parts, by a hundred planned runs
+  double together = 2.2;  ///< time of light over the sum of its estimated parts
   double texel = 48e-9;   ///< lit and written
   double map_file = 0.2;
 };

@@ -127,7 +127,7 @@ std::string fault_in(Kind kind, const std::string& text);
 /// The text as recipes spell it: numbers alike however they were given.
 std::string spelt(Kind kind, const std::string& text);
 
-/// Text of a value, and the value that a text of its kind spells.
+/// Text of a value as recipes write it; read_text reads it back.
 std::string text_of(double value);
 std::string text_of(int value);
 std::string text_of(std::size_t value);

@@ -42,7 +42,7 @@ std::string tables_of(const Parameters& parameters, const Parameter& grouped) {
   return text;
 }
 
-/// Flags and their values; all regions of the air as one.
+/// Flags of a recipe with their values, in order; all regions of the air are one entry.
 using Lines = std::vector<std::pair<std::string, std::string>>;
 
 Lines lines_of(const std::string& recipe) {

@@ -13,8 +13,8 @@ namespace coppermoon::request {
 /// A parameter's value as one line of a recipe, "ozone-du = 300"; empty: no value.
 std::string recipe_line(const Parameter& parameter);
 
-/// Parameters as a recipe, in TOML: those given, and the values of all others. Files that are read have their
-/// names to share (files::name_to_share).
+/// Parameters as a recipe, in TOML, with the values of those that were not given too. Names of files that are
+/// read stand in their form for sharing (files::name_to_share).
 ///
 /// Given   chosen          parameters that it holds; without: those that recipes hold (in_recipes)
 /// Throws  algebra::Error  when a region cannot be understood
