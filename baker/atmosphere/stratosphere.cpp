@@ -83,6 +83,7 @@ double grade_of_exponent(double exponent) {
   const auto& table = spectra_of_lowtran();
   const auto& nm = table["wavelength_nm"];
   const auto of = [&](const char* name) {  // from 550 to 1060 nm
+    // FAULT small particles taken for large ones: return -std::log => return std::log
     return -std::log(table[name][3] / table[name][1]) / std::log(nm[3] / nm[1]);
   };
   const std::array<double, 3> exponents{of("fresh_volcanic"), of("aged_volcanic"),
@@ -151,7 +152,6 @@ algebra::MonotoneCubic recorded_extinction(double year, algebra::Angle latitude,
       profile.push_back(shape * over_the_tropopause(altitude_m[i], tropopause_m));
       whole += profile.back() * (altitude_m[1] - altitude_m[0]);
     }
-    // FAULT layers cut at the tropopause, not pressed above it: depth / whole => 1e-3
     for (std::size_t i = 0; whole > 0 && i < sum.size(); ++i) sum[i] += profile[i] * depth / whole;
   }
   altitude_m.push_back(altitude_m.back() + 5e3);
