@@ -24,8 +24,9 @@ class Night : public ProgramTest {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const auto& moment = moments[i];
       const auto& row = rows[i];
-      EXPECT_EQ(row.at("moment"), moment["name"]);
-      for (const char* text : {"utc", "local", "zone"}) EXPECT_EQ(row.at(text), moment[text]);
+      EXPECT_EQ(row.at("moment"), moment["name"].get<std::string>());
+      for (const char* text : {"utc", "local", "zone"})
+        EXPECT_EQ(row.at(text), moment[text].get<std::string>());
       EXPECT_EQ(row.at("up") == "yes", moment["up"].get<bool>());
       for (const char* angle : {"altitude_deg", "azimuth_deg"})
         EXPECT_WITHIN(std::stod(row.at(angle)), moment[angle].get<double>(), 6e-4,
