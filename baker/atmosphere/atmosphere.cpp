@@ -28,6 +28,7 @@ void require_valid(const Column& column) {
                           top_of_us_1976_m / 1e3);
   algebra::require_within("tropospheric optical depth", column.tropospheric_optical_depth, 0, 10);
   algebra::require_within("tropospheric scale height [m]", column.tropospheric_scale_m, 500, 1e4);
+  algebra::require_within("factor on stratospheric aerosol", column.stratospheric_factor, 0, 100);
   algebra::require_within("cloud top [km]", column.cloud_top_m / 1e3, 0, 30);
   algebra::require_within("cloud cover", column.cloud_cover, 0, 1);
   algebra::require_within("cloud's chance [1/m]", column.cloud_per_m, 0, 0.01);
@@ -125,15 +126,18 @@ constexpr std::array<Constituent, absorbers> constituents{{
      tropospheric},
     {stratosphere, "stratosphere",
      [](const Column& c) {
-       return c.stratospheric_layer || c.stratosphere != StratosphericAerosol::none;
+       return c.stratospheric_factor > 0 &&
+              (c.stratospheric_layer || c.stratosphere != StratosphericAerosol::none);
      },
      [](const Column& c, double h) {
        return c.stratospheric_layer ? c.stratospheric_layer->extinction_per_m(h)
                                     : stratospheric_extinction_per_m(c.stratosphere, h);
      },
      [](const Column& c, const Optics& o) {
-       return c.stratospheric_layer ? c.stratospheric_layer->spectrum(wavelength_of(o))
-                                    : stratospheric_spectrum(c.stratosphere, wavelength_of(o));
+       const auto wavelength = wavelength_of(o);
+       const double factor = c.stratospheric_factor;
+       return factor * (c.stratospheric_layer ? c.stratospheric_layer->spectrum(wavelength, factor)
+                                              : stratospheric_spectrum(c.stratosphere, wavelength));
      },
      stratospheric},
     {cloud, "cloud", [](const Column& c) { return c.cloud_per_m > 0; },
@@ -179,7 +183,8 @@ bool holds(const Region& region, double position_angle_rad) {
 }
 
 constexpr std::array amounts_that_may_differ{&Column::dust_extinction_per_m, &Column::ozone_du,
-                                             &Column::cloud_cover};
+                                             &Column::cloud_cover, &Column::cloud_per_m,
+                                             &Column::stratospheric_factor};
 
 /// All columns of an atmosphere, including those that belts replace.
 std::vector<Column*> every_column(Atmosphere& air) {
@@ -302,7 +307,7 @@ Atmosphere richest(std::span<const Atmosphere> airs) {
       }
     if (air != rich)
       throw algebra::Error(
-          "airs lit together differ, allowed in dust, ozone and cloud cover alone");
+          "airs lit together differ, allowed in amounts of dust, ozone, cloud and aerosol alone");
   }
   return rich;
 }

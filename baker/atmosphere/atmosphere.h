@@ -38,6 +38,7 @@ struct Column {
   double tropospheric_optical_depth = 0;  ///< of aerosol, vertical, at 550 nm, 0 to 10; 0: off
   double tropospheric_scale_m = 2e3;      ///< scale height of that aerosol, 500 to 10 000 m
   StratosphericAerosol stratosphere = StratosphericAerosol::none;
+  double stratospheric_factor = 1;  ///< on that aerosol, or the layer below, 0 to 100; 0: off
   double cloud_top_m = 10e3;
   double cloud_cover = 0;  ///< share of the limb where cloud stops all rays below its top; 0: off
 
@@ -140,7 +141,8 @@ struct Atmosphere {
 /// Air with every third of its belts, including the first and the last: cheap, for a coarse result.
 Atmosphere with_fewer_belts(Atmosphere atmosphere);
 
-/// Air that has, column by column, the largest amount of dust, of ozone and of cloud cover among several airs.
+/// Air that has, column by column, the largest amount of dust, of ozone, of cloud and of stratospheric aerosol among
+/// several airs.
 ///
 /// Given   airs   one or more, which differ in these amounts alone and share their tables
 /// Throws  Error  when there are no airs, or they differ in anything else

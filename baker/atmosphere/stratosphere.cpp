@@ -225,10 +225,14 @@ StratosphericLayer StratosphericLayer::with_optical_depth(double optical_depth) 
   algebra::require_within("stratospheric optical depth", optical_depth, 0, 2);
   auto layer = *this;
   layer.optical_depth_ = optical_depth;
-  layer.grade_ =
-      std::clamp(grade_ + grade_of_depth(optical_depth) - grade_of_depth(optical_depth_), 1., 4.);
+  layer.grade_ = grade_at(optical_depth);
   layer.normalise();
   return layer;
+}
+
+double StratosphericLayer::grade_at(double optical_depth) const {
+  return std::clamp(grade_ + grade_of_depth(optical_depth) - grade_of_depth(optical_depth_), 1.,
+                    4.);
 }
 
 StratosphericLayer::StratosphericLayer(double optical_depth, double tropopause_m)
@@ -272,12 +276,13 @@ double StratosphericLayer::extinction_per_m(double altitude_m) const {
   return optical_depth_ == 0 ? 0 : scale_ * unscaled(altitude_m);
 }
 
-double StratosphericLayer::spectrum(algebra::Wavelength wavelength) const {
-  const int low = std::min(static_cast<int>(grade_), 3);
+double StratosphericLayer::spectrum(algebra::Wavelength wavelength, double factor) const {
+  const double place = factor == 1 ? grade_ : grade_at(factor * optical_depth_);
+  const int low = std::min(static_cast<int>(place), 3);
   const auto of = [&](int grade) {
     return std::log(stratospheric_spectrum(static_cast<StratosphericAerosol>(grade), wavelength));
   };
-  return std::exp(std::lerp(of(low), of(low + 1), grade_ - low));
+  return std::exp(std::lerp(of(low), of(low + 1), place - low));
 }
 
 double stratospheric_extinction_per_m(StratosphericAerosol aerosol, double altitude_m) {

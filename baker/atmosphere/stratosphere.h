@@ -86,7 +86,9 @@ class StratosphericLayer {
   /// Extinction at 550 nm [m⁻¹].
   double extinction_per_m(double altitude_m) const;
   /// Ratio of extinction at a wavelength to extinction at 550 nm.
-  double spectrum(algebra::Wavelength wavelength) const;
+  ///
+  /// Given  factor  on the optical depth, for its spectrum; as with_optical_depth has it
+  double spectrum(algebra::Wavelength wavelength, double factor = 1) const;
   /// Named aerosol of the most similar spectrum.
   StratosphericAerosol nearest() const;
 
@@ -99,6 +101,7 @@ class StratosphericLayer {
 
   double unscaled(double altitude_m) const;
   void normalise();  ///< sets the scale
+  double grade_at(double optical_depth) const;
 };
 
 }  // namespace coppermoon::atmosphere

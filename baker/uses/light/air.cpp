@@ -59,11 +59,12 @@ void change_cloud(const ColumnChange& change, const Standing& standing, Column& 
 
 Column changed(Column column, const ColumnChange& change, const Standing& standing) {
   if (change.danjon) column = atmosphere::danjon(*change.danjon, column);
-  column.ozone_du = change.ozone_du.value_or(column.ozone_du);
+  column.ozone_du = change.ozone_factor.value_or(1) * change.ozone_du.value_or(column.ozone_du);
   column.tropospheric_optical_depth =
       change.tropospheric_optical_depth.value_or(column.tropospheric_optical_depth);
   column.tropopause_m = change.tropopause_km.value_or(column.tropopause_m / 1e3) * 1e3;
   if (change.stratosphere) change_stratosphere(*change.stratosphere, standing, column);
+  column.stratospheric_factor = change.stratospheric_factor.value_or(column.stratospheric_factor);
   change_cloud(change, standing, column);
   if (change.free_troposphere) {
     algebra::require_within("free troposphere", *change.free_troposphere, 0, 100);

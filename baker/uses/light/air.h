@@ -31,7 +31,8 @@ struct ColumnChange {
   std::optional<Stratosphere> stratosphere{};
   std::optional<double> tropopause_km{};
   /// Factors on the usual amounts, 0 to 100; the chance of cloud is 0 where a deck is asked for.
-  std::optional<double> cloud_chance{}, cirrus{}, free_troposphere{};
+  std::optional<double> cloud_chance{}, cirrus{}, free_troposphere{}, stratospheric_factor{};
+  std::optional<double> ozone_factor{};  ///< 0 to 10
 
   bool operator==(const ColumnChange&) const = default;
 };

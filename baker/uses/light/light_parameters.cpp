@@ -147,6 +147,9 @@ void describe_layers(Parameters& is, ColumnChange& column) {
       "aerosol of the stratosphere: dated (of that month, 500 BC to 2025), none, background, or "
       "moderate, high, extreme (after an eruption); or its vertical optical depth at 550 nm, 0 to "
       "2"));
+  is.add(parameter("stratospheric-factor", column.stratospheric_factor,
+                   "factor on the aerosol of the stratosphere, 0 (none) to 100"))
+      .within(0, 100);
   is.add(parameter("free-troposphere", column.free_troposphere,
                    "factor on the aerosol that satellites see between ground and tropopause, 0 to "
                    "100"))
@@ -183,6 +186,9 @@ void describe_sought(Parameters& is, ColumnChange& column) {
       .within(0, 4);
   is.add(parameter("ozone-du", column.ozone_du, "vertical column of ozone [DU], 0 to 1000"))
       .within(0, 1000);
+  is.add(parameter("ozone-factor", column.ozone_factor,
+                   "factor on that column of ozone, 0 to 10; of a region: on the ozone around it"))
+      .within(0, 10);
   is.add(parameter("cloud-cover", column.cloud_cover,
                    "share of the Earth's limb where a deck of cloud stops the light, 0 to 1; "
                    "replaces the chance of cloud"))

@@ -335,12 +335,37 @@ TEST(Richest, HasTheMostOfEachAmountInEveryColumn) {
   dusty.regions[0].column.ozone_du = 500;
   cloudy.column.cloud_cover = 0.7;
   cloudy.belts[1].column.dust_extinction_per_m = 1e-7;
+  cloudy.belts[0].column.cloud_per_m = 1e-5;
+  dusty.belts[0].column.stratospheric_factor = 3;
   const std::array airs{air, dusty, cloudy};
   const auto rich = richest(airs);
   EXPECT_EQ(rich.column.cloud_cover, 0.7);
   EXPECT_EQ(rich.belts[0].column.dust_extinction_per_m, air.column.dust_extinction_per_m);
   EXPECT_EQ(rich.belts[1].column.dust_extinction_per_m, 1e-6);
   EXPECT_EQ(rich.regions[0].column.ozone_du, 500);
+  EXPECT_EQ(rich.belts[0].column.cloud_per_m, 1e-5);
+  EXPECT_EQ(rich.belts[0].column.stratospheric_factor, 3);
+}
+
+// The factor is that of a layer of as much more aerosol: its amount, and the colour that goes with it.
+TEST(Spectra, AFactorOnTheStratosphereIsALayerOfThatDepth) {
+  for (const double factor : {0.3, 1., 4.}) {
+    Column asked, layered;
+    const auto layer = StratosphericLayer::of_month(2015.7, algebra::degrees(-30), 15e3);
+    asked.stratospheric_layer = std::make_shared<StratosphericLayer>(layer);
+    asked.stratospheric_factor = factor;
+    layered.stratospheric_layer = std::make_shared<StratosphericLayer>(
+        layer.with_optical_depth(factor * layer.optical_depth()));
+    for (const double nm : {450., 650.}) {
+      const auto optics = sea_level_optics(algebra::nanometres(nm));
+      EXPECT_WITHIN_RELATIVE(extinction_per_m(asked, optics, 21e3),
+                             extinction_per_m(layered, optics, 21e3), 1e-12, "rounding");
+    }
+  }
+  Column none;
+  none.stratosphere = StratosphericAerosol::high;
+  none.stratospheric_factor = 0;
+  EXPECT_FALSE(has(none, stratosphere));
 }
 
 TEST(Richest, RefusesAirsThatDifferInAnythingElse) {

@@ -75,6 +75,15 @@ TEST(AtmosphereOf, WhatDependsOnTheLatitudeMakesBeltsOfAnyAir) {
       << "no air, no belts";
 }
 
+TEST(AtmosphereOf, FactorsAreOnWhatTheMonthHas) {
+  const auto usual = middle(atmosphere_of({}, equinox, july));
+  const auto more = middle(
+      atmosphere_of({.column = {.stratospheric_factor = 2, .ozone_factor = 0.5}}, equinox, july));
+  EXPECT_EQ(more.stratospheric_factor, 2);
+  EXPECT_EQ(more.ozone_du, usual.ozone_du / 2);
+  EXPECT_EQ(more.cloud_per_m, usual.cloud_per_m);
+}
+
 TEST(AtmosphereOf, RegionsChangeTheirBelts) {
   const Air asked{
       .regions = {{.from_latitude = -90, .to_latitude = 0, .column = {.stratosphere = 0.2}}}};
