@@ -188,18 +188,18 @@ Json as_json(const uses::FittedNight& night, const Input& input) {
 void print_json(const Input& input, const uses::FitReport& found) {
   const auto& [fit, photographs, nights] = found;
   const auto& p = fit.posterior;
-  Json all{{"dust_extinction_per_m", as_json(p.estimates[0], true)},
-           {"cloud_cover", as_json(p.estimates[1], false)},
-           {"ozone_du", as_json(p.estimates[2], false)},
-           {"correlation",
-            {{"dust_cloud", p.correlation[0][1]},
-             {"dust_ozone", p.correlation[0][2]},
-             {"cloud_ozone", p.correlation[1][2]}}},
-           {"chi_squared", p.least_chi_squared},
-           {"explained", explains(fit)},
-           {"numbers", fit.measurements},
-           {"photographs", Json::array()},
-           {"nights", Json::array()}};
+  Json all;
+  for (std::size_t a = 0; a < p.estimates.size(); ++a) {
+    const auto& unknown = uses::unknowns_of(fit.unknowns)[a];
+    all[std::string(unknown.key)] = as_json(p.estimates[a], unknown.logarithmic);
+  }
+  all["correlation"] = {{"aerosol_cloud", p.correlation[0][1]},
+                        {"aerosol_ozone", p.correlation[0][2]},
+                        {"cloud_ozone", p.correlation[1][2]}};
+  all["chi_squared"] = p.least_chi_squared;
+  all["explained"] = explains(fit);
+  all["numbers"] = fit.measurements;
+  all["photographs"] = all["nights"] = Json::array();
   for (std::size_t i = 0; i < photographs.size(); ++i)
     all["photographs"].push_back(
         as_json(photographs[i], input.request.photographs[i].file, input.instants[i]));
@@ -238,19 +238,23 @@ void print_table(const Input& input, const uses::FitReport& found) {
     print_photograph(photographs[i], input.request.photographs[i].file);
   for (const auto& [file, why] : input.undated)
     fmt::print("{}: left out: {}\n", one_line(file), one_line(why));
-  const auto print = [](const char* name, const Estimate& e, bool logarithm, const char* unit) {
-    const auto value = [&](double x) { return logarithm ? std::exp(x) : x; };
-    fmt::print("{:<12} {:>9.3g}  {:.3g} to {:.3g} {}{}\n", name, value(e.median), value(e.low),
-               value(e.high), unit, e.information < no_information ? " (not determined)" : "");
-  };
-  print("dust", p.estimates[0], true, "1/m");
-  print("cloud cover", p.estimates[1], false, "");
-  print("ozone", p.estimates[2], false, "DU");
+  std::string flags;
+  for (std::size_t a = 0; a < p.estimates.size(); ++a) {
+    const auto& unknown = uses::unknowns_of(fit.unknowns)[a];
+    const auto& estimate = p.estimates[a];
+    fmt::print("{:<22} {:>9.3g}  {:.3g} to {:.3g} {}{}\n", unknown.title,
+               unknown.from_axis(estimate.median), unknown.from_axis(estimate.low),
+               unknown.from_axis(estimate.high), unknown.unit,
+               estimate.information < no_information ? " (not determined)" : "");
+    flags += fmt::format(" --{} {:.3g}", unknown.parameter, unknown.from_axis(estimate.median));
+  }
   for (const auto& night : nights) print_night(night, input);
   fmt::print(
-      "correlation  dust and cloud {:+.2f}, dust and ozone {:+.2f}, cloud and ozone {:+.2f}\n",
+      "correlation  aerosol and cloud {:+.2f}, aerosol and ozone {:+.2f}, cloud and ozone "
+      "{:+.2f}\n",
       p.correlation[0][1], p.correlation[0][2], p.correlation[1][2]);
   fmt::print("chi squared  {:.1f} of {} numbers\n", p.least_chi_squared, fit.measurements);
+  fmt::print("to bake it  {}\n", flags);
 }
 
 void require_sound(const Options& options) {
@@ -342,7 +346,7 @@ void add_photograph_options(CLI::App& verb, Options& options) {
 void add_fit(CLI::App& program) {
   auto* verb = add_verb(
       program, "fit",
-      "finds the dust, cloud and ozone that explain photographs or magnitudes of an eclipse");
+      "finds the aerosol, cloud and ozone that explain photographs or magnitudes of an eclipse");
   const auto options = std::make_shared<Options>();
   add_flag(*verb, "photos,--photos", options->photos,
            "photographs of eclipsed Moons: any image, or a camera's raw file")
@@ -366,6 +370,12 @@ void add_fit(CLI::App& program) {
   add_described(*verb, moon.light, uses::describe_sunlight);
   add_described(*verb, options->request.view, uses::describe_observer);
   add_described(*verb, moon.response, uses::describe_response);
+  add_choice<uses::Unknowns>(
+      *verb, "--unknowns", options->request.unknowns,
+      {{"factors", uses::Unknowns::factors}, {"amounts", uses::Unknowns::amounts}},
+      "what is looked for. factors: on the stratospheric aerosol, chance of cloud and ozone that "
+      "the month has; amounts: a layer of dust, a deck of cloud and a column of ozone, the same "
+      "everywhere. Default: factors, in air without a month amounts");
   add_switch(*verb, "--despite-misfit", options->despite_misfit,
              "answers although no air explains what was seen, with a warning");
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");

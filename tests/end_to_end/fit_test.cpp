@@ -191,7 +191,7 @@ TEST_F(FitThoroughly, OfMagnitudesFindsTheCloudAndSaysWhatItCannotTell) {
   EXPECT_LT(found["cloud_cover"]["low_68"], 0.55);
   EXPECT_GT(found["cloud_cover"]["high_68"], 0.45);
   // three numbers, three unknowns that are alike: dust hides behind cloud
-  EXPECT_LT(found["correlation"]["dust_cloud"], -0.5);
+  EXPECT_LT(found["correlation"]["aerosol_cloud"], -0.5);
 }
 
 TEST_F(FitThoroughly, SaysThatNoAirExplainsWhatNoneDoes) {

@@ -64,7 +64,7 @@ struct Taken {
 /// the truth as often as it says over that range alone.
 Taken random_photograph(Random& random) {
   Taken taken{};
-  const auto& ozone = uses::search_range[2];
+  const auto& ozone = uses::unknowns_of(uses::Unknowns::amounts)[2];
   taken.truth = {in_decades(random, 1.5e-6, 1e-5), between(random, 0, 0.9),
                  between(random, ozone.least, ozone.most)};
   taken.jpeg = random.uniform() < 0.5;
@@ -198,7 +198,8 @@ Held scene_of(const Occasion& occasion) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc(occasion.instant));
   auto scene = fit_scene(moon, groundwork_of(moon, std::span(&sky, 1)), view, sky);
   const auto bins = lit_bins(scene, sky);
-  return {std::move(scene), {moon.light, std::span(&sky, 1), std::span(&bins, 1)}};
+  return {std::move(scene),
+          {moon.light, uses::Unknowns::amounts, std::span(&sky, 1), std::span(&bins, 1)}};
 }
 
 /// How often something was so, of all.

@@ -18,12 +18,14 @@ std::vector<double> evenly(double from, double to, int steps) {
 
 constexpr std::array axis_steps{32, 24, 14};
 
-/// Axes over the whole search range, in steps of 17 % of dust, 0.04 of cover, 29 DU of ozone.
-Axes whole_axes() {
-  const auto [dust, cover, ozone] = search_range;
-  return {evenly(std::log(dust.least), std::log(dust.most), axis_steps[0]),
-          evenly(cover.least, cover.most, axis_steps[1]),
-          evenly(ozone.least, ozone.most, axis_steps[2])};
+/// Axes over all that a fit allows.
+Axes whole_axes(Unknowns unknowns) {
+  Axes axes;
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const auto& unknown = unknowns_of(unknowns)[a];
+    axes[a] = evenly(unknown.on_axis(unknown.least), unknown.on_axis(unknown.most), axis_steps[a]);
+  }
+  return axes;
 }
 
 /// Axes of as many steps over the range that is probable by a coarser grid.
@@ -39,35 +41,44 @@ Axes axes_about(const Posterior& known, const Axes& coarser) {
   return axes;
 }
 
-/// Goodness of fit at each point of a grid: (dust × ozones + ozone, cover).
+/// Goodness of fit at each point of a grid: (aerosol × ozones + ozone, cloud).
 struct Evaluation {
   algebra::Grid<double> chi_squared;
   std::vector<algebra::Grid<ClockError>> clocks;  ///< [data set]
 };
 
-/// Adds χ² of a data set, and notes its clock, for each cloud cover at one dust and ozone.
-void add_over_cover(const DataSet& data, const FittedLight::Mixed& mixed,
-                    const std::vector<double>& covers, std::span<double> chi_squared,
+/// Adds χ² of a data set, and notes its clock, for each amount of cloud at one aerosol and ozone.
+void add_over_cloud(const DataSet& data, const FittedLight::OverCloud& light,
+                    const std::vector<double>& clouds, std::span<double> chi_squared,
                     std::span<ClockError> clocks) {
-  for (std::size_t j = 0; j < covers.size(); ++j) {
-    const auto found = data.goodness(mixed.under(covers[j]));
+  for (std::size_t j = 0; j < clouds.size(); ++j) {
+    const auto found = data.goodness(light.under(clouds[j]));
     chi_squared[j] += found.chi_squared;
     clocks[j] = {found.clock_s, std::sqrt(found.clock_variance_s2)};
   }
 }
 
+/// Values of an unknown at the places of an axis.
+std::vector<double> values_on(const std::vector<double>& axis, const Unknown& unknown) {
+  std::vector<double> values;
+  for (const double place : axis) values.push_back(unknown.from_axis(place));
+  return values;
+}
+
 Evaluation evaluated(const Axes& axes, std::span<const DataSet> data,
                      const algebra::Progress& progress) {
-  const auto &dusts = axes[0], &covers = axes[1], &ozones = axes[2];
-  const auto rows = dusts.size() * ozones.size();
-  Evaluation all{algebra::Grid<double>(rows, covers.size()), {}};
-  all.clocks.assign(data.size(), algebra::Grid<ClockError>(rows, covers.size()));
+  const auto& unknowns = unknowns_of(data.front().light->unknowns());
+  const auto aerosols = values_on(axes[0], unknowns[0]), clouds = values_on(axes[1], unknowns[1]),
+             ozones = values_on(axes[2], unknowns[2]);
+  const auto rows = aerosols.size() * ozones.size();
+  Evaluation all{algebra::Grid<double>(rows, clouds.size()), {}};
+  all.clocks.assign(data.size(), algebra::Grid<ClockError>(rows, clouds.size()));
   std::atomic<std::size_t> done = 0;
   tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
-    const double dust = std::exp(dusts[row / ozones.size()]), ozone = ozones[row % ozones.size()];
+    const double aerosol = aerosols[row / ozones.size()], ozone = ozones[row % ozones.size()];
     for (std::size_t d = 0; d < data.size(); ++d)
-      add_over_cover(data[d], data[d].light->mixed(dust, ozone), covers, all.chi_squared.row(row),
-                     all.clocks[d].row(row));
+      add_over_cloud(data[d], data[d].light->over_cloud(aerosol, ozone), clouds,
+                     all.chi_squared.row(row), all.clocks[d].row(row));
     progress(static_cast<double>(++done) / static_cast<double>(rows));
   });
   return all;
@@ -95,13 +106,15 @@ Posterior posterior_over(const Axes& axes, const algebra::Grid<double>& chi_squa
   });
 }
 
-/// Dust, cover and ozone where χ² is least.
-std::array<double, 3> best_of(const Axes& axes, const algebra::Grid<double>& chi_squared) {
+/// Numbers of the unknowns where χ² is least.
+AirNumbers best_of(const Axes& axes, const std::array<Unknown, 3>& unknowns,
+                   const algebra::Grid<double>& chi_squared) {
   const auto place = static_cast<std::size_t>(std::ranges::min_element(chi_squared.values()) -
                                               chi_squared.values().begin());
   const auto row = place / chi_squared.columns();
-  return {std::exp(axes[0][row / axes[2].size()]), axes[1][place % chi_squared.columns()],
-          axes[2][row % axes[2].size()]};
+  return {unknowns[0].from_axis(axes[0][row / axes[2].size()]),
+          unknowns[1].from_axis(axes[1][place % chi_squared.columns()]),
+          unknowns[2].from_axis(axes[2][row % axes[2].size()])};
 }
 
 /// Degrees of freedom, 1 or more.
@@ -122,7 +135,8 @@ AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progre
   AirFit result;
   for (const auto& set : data) result.measurements += set.count;
   const double freedom = freedom_of(result.measurements);
-  const auto whole = whole_axes();
+  result.unknowns = data.front().light->unknowns();
+  const auto whole = whole_axes(result.unknowns);
   auto axes = whole;
   for (int look = 1;; ++look) {
     const auto [chi_squared, clocks] = evaluated(axes, data, [&](double part) {
@@ -133,7 +147,7 @@ AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progre
     result.posterior = posterior_over(axes, chi_squared, scale);
     result.posterior.least_chi_squared = least;
     if (look == looks) {
-      result.best = best_of(axes, chi_squared);
+      result.best = best_of(axes, unknowns_of(result.unknowns), chi_squared);
       for (const auto& clock : clocks)
         result.clocks.push_back(over_all_air(chi_squared, least, scale, clock));
       break;

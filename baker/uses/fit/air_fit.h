@@ -32,14 +32,15 @@ struct ClockError {
 
 /// Air fitted to data sets.
 struct AirFit {
-  Posterior posterior{};             ///< unknowns: logarithm of dust [1/m], cloud cover, ozone [DU]
+  Unknowns unknowns = Unknowns::factors;
+  Posterior posterior{};             ///< of the unknowns, logarithms where unknowns_of has them
   std::size_t measurements = 0;      ///< number of them
-  std::array<double, 3> best{};      ///< dust [1/m], cover, ozone [DU] of the least χ²
+  AirNumbers best{};                 ///< of the least χ²
   std::vector<ClockError> clocks{};  ///< by data set
 };
 
 /// Posterior of the air, given all data sets: a grid over the whole search range, made finer twice about what is
-/// probable. Where the least χ² exceeds the degrees of freedom all errors are scaled up to match.
+/// probable. All data sets have light of the same unknowns. Where the least χ² exceeds the degrees of freedom all errors are scaled up to match.
 AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progress = {});
 
 /// Largest χ² of an acceptable fit: ten times the degrees of freedom, as if all errors were three times as large

@@ -89,7 +89,8 @@ std::vector<double> clock_steps_s(double clock_error_s) {
 
 }  // namespace
 
-FittedLight night_light(const LightRequest& request, std::span<const NightPhotograph> photographs,
+FittedLight night_light(const LightRequest& request, Unknowns unknowns,
+                        std::span<const NightPhotograph> photographs,
                         std::span<const almanac::Instant> instants, double clock_error_s,
                         FittedAirs airs, const algebra::Progress& progress) {
   std::vector<LitBins> parts;
@@ -102,7 +103,7 @@ FittedLight night_light(const LightRequest& request, std::span<const NightPhotog
   std::ranges::sort(skies, [](const auto& one, const auto& other) {
     return almanac::seconds_between(one.when, other.when) > 0;
   });
-  return {request, skies, parts, airs, progress};
+  return {request, unknowns, skies, parts, airs, progress};
 }
 
 ComparedNight::ComparedNight(std::span<const NightPhotograph> photographs,

@@ -38,7 +38,8 @@ struct NightErrors {
 ///
 /// Given    instants  of the photographs: those of their scenes, or others
 /// Returned           bins of the photographs in their order, as ComparedNight takes them
-FittedLight night_light(const LightRequest& request, std::span<const NightPhotograph> photographs,
+FittedLight night_light(const LightRequest& request, Unknowns unknowns,
+                        std::span<const NightPhotograph> photographs,
                         std::span<const almanac::Instant> instants, double clock_error_s,
                         FittedAirs airs = FittedAirs::fine, const algebra::Progress& progress = {});
 

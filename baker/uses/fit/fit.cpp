@@ -110,8 +110,8 @@ ByInstant moments_of(const FitRequest& request) {
 void add_magnitudes(const FitRequest& request, const ByInstant& by_instant, Steps& steps,
                     Evidence& evidence) {
   for (const auto& [instant, magnitudes] : by_instant)
-    evidence.magnitudes.push_back(
-        data_of(request.moon, almanac::sky_at(instant), magnitudes, steps.next()));
+    evidence.magnitudes.push_back(data_of(request.moon, unknowns_of(request),
+                                          almanac::sky_at(instant), magnitudes, steps.next()));
 }
 
 constexpr int most_readings = 2;
@@ -149,6 +149,10 @@ void require_sound(const FitRequest& request) {
 }
 
 }  // namespace
+
+Unknowns unknowns_of(const FitRequest& request) {
+  return request.unknowns.value_or(usual_unknowns(request.moon.light.air));
+}
 
 std::string reason_without_name(const std::string& file, const algebra::Error& error) {
   const std::string what = error.what();

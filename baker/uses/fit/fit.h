@@ -28,9 +28,10 @@ struct EclipsePhotograph {
 
 /// Data to be fitted, and all that is taken for known.
 struct FitRequest {
+  std::optional<Unknowns> unknowns = {};  ///< of the air; without: usual_unknowns
   std::vector<EclipsePhotograph> photographs = {};
   std::vector<MeasuredMagnitude> magnitudes = {};
-  /// air but for dust, cloud cover and ozone; limb darkening, scattered light, starlight; map and photometry;
+  /// air but for the unknowns; limb darkening, scattered light, starlight; map and photometry;
   /// the rest is ignored
   MoonRequest moon = {};
   ViewRequest view = {};  ///< observer of the photographs, and the air above
@@ -73,7 +74,10 @@ struct FitReport {
   std::vector<FittedNight> nights;
 };
 
-/// Fits dust, cloud cover and ozone to photographs and magnitudes of eclipses, jointly:
+/// Unknowns that a request looks for.
+Unknowns unknowns_of(const FitRequest& request);
+
+/// Fits aerosol, cloud and ozone to photographs and magnitudes of eclipses, jointly:
 ///
 ///     FitRequest request{.photographs = {{"a.jpg", almanac::instant_from_utc("2018-07-27T20:40")}}};
 ///     request.view.observer = almanac::Observer{algebra::degrees(36), algebra::degrees(38), {}};

@@ -17,29 +17,32 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Scale of dust: the logarithm of light is smooth in ln(1 + dust / scale). Cubics through ten nodes, even in that,
-/// err by 4e-4 up to 3e-6 per metre, 1e-3 up to 8e-6, 5e-3 up to 1.5e-5, 2e-2 beyond.
-constexpr double scale_of_dust_per_m = 2e-6;
+/// Scale on which the logarithm of light is smooth: ln(1 + number / scale).
+double smooth(double number, double scale) { return std::log1p(number / scale); }
 
-double smooth(double dust_per_m) { return std::log1p(dust_per_m / scale_of_dust_per_m); }
-
-/// Nodes of dust.
-constexpr std::array coarse_dusts_per_m{4e-7, 2.5e-6, 7.5e-6, 1.7e-5};
-std::vector<double> fine_dusts_per_m() {
-  constexpr int count = 10;
-  std::vector<double> even;
+/// Numbers from the least to the most, even on that scale.
+std::vector<double> even_on_scale(const Unknown& number, double scale, int count) {
+  std::vector<double> all;
+  const double from = smooth(number.least, scale), to = smooth(number.most, scale);
   for (int i = 0; i < count; ++i)
-    even.push_back(scale_of_dust_per_m *
-                   std::expm1(smooth(search_range[0].most) * i / (count - 1)));
-  return even;
+    all.push_back(scale * std::expm1(from + (to - from) * i / (count - 1)));
+  return all;
 }
 
-/// Nodes of ozone: one at all ten nodes of dust, two more at five of them, for the ratio of light in two ozones is
-/// smoother in dust than light is. Errors between the five, at 100 and 350 DU, are 8e-4 up to 3e-6 per metre, 1.4e-3
-/// up to 8e-6, 3e-3 up to 1.5e-5; near 280 DU 0.
-constexpr double ozone_of_all_dust_du = 280;
-constexpr std::array<double, 2> other_ozones_du{100, 500};
-constexpr std::array<std::size_t, 5> dusts_of_other_ozone{0, 2, 5, 6, 9};
+/// Scale of dust. Cubics through ten nodes, even in it, err by 4e-4 up to 3e-6 per metre, 1e-3 up to 8e-6, 5e-3 up to
+/// 1.5e-5, 2e-2 beyond.
+constexpr double scale_of_dust_per_m = 2e-6;
+constexpr std::array coarse_dusts_per_m{4e-7, 2.5e-6, 7.5e-6, 1.7e-5};
+
+/// Scale of factors on stratospheric aerosol: that of a vertical optical depth of 0.015, along the limb some 1.
+constexpr double scale_of_depth = 0.015;
+
+/// Scale of factors on the chance of cloud.
+constexpr double scale_of_cloud_chance = 0.7;
+
+double smooth_cloud(Unknowns unknowns, double cloud) {
+  return unknowns == Unknowns::factors ? smooth(cloud, scale_of_cloud_chance) : cloud;
+}
 
 /// Work for light as exact as photographs are.
 constexpr plan::Work work_of_fits{.scattered_light = true,
@@ -201,35 +204,48 @@ algebra::Grid<double> in_all_bins(const Setting& setting, const shadow::Refracte
   return all;
 }
 
-/// Air with other dust, cover and ozone everywhere, as a request's column would set them.
-atmosphere::Atmosphere changed(atmosphere::Atmosphere air, double dust, double cover,
-                               double ozone) {
-  const auto change = [&](atmosphere::Column& column) {
-    column.dust_extinction_per_m = dust;
-    column.cloud_cover = cover;
+/// Air whose unknowns have other numbers in all columns.
+atmosphere::Atmosphere changed(atmosphere::Atmosphere air, Unknowns unknowns,
+                               const AirNumbers& numbers) {
+  const auto& [aerosol, cloud, ozone] = numbers;
+  const auto multiply = [&](atmosphere::Column& column) {
+    column.stratospheric_factor *= aerosol;
+    column.cloud_per_m *= cloud;
+    column.ozone_du *= ozone;
+  };
+  const auto replace = [&](atmosphere::Column& column) {
+    column.dust_extinction_per_m = aerosol;
+    column.cloud_cover = cloud;
     column.cloud_per_m = column.cirrus = 0;
     column.ozone_du = ozone;
   };
-  change(air.column);
-  for (auto& belt : air.belts) change(belt.column);
+  const auto change = [&](atmosphere::Column& column, atmosphere::Belts& belts) {
+    unknowns == Unknowns::factors ? multiply(column) : replace(column);
+    for (auto& belt : belts)
+      unknowns == Unknowns::factors ? multiply(belt.column) : replace(belt.column);
+  };
+  change(air.column, air.belts);
+  if (unknowns == Unknowns::factors)
+    for (auto& region : air.regions) change(region.column, region.belts);
   return air;
 }
 
 /// Air of a node, and where the logarithms of its light go, (bin, channel).
 struct Node {
-  double dust_per_m, cover, ozone_du;
+  AirNumbers numbers;
   algebra::Grid<double>* logarithms;
 };
 
-/// Computes light at all nodes, some at once, in order of dust: air of like dust needs light at like places.
-void light(const Setting& setting, std::vector<Node>& all, const algebra::Progress& progress) {
+/// Computes light at all nodes, some at once, in order of aerosol: air of like aerosol needs light at like places.
+void light(const Setting& setting, Unknowns unknowns, std::vector<Node>& all,
+           const algebra::Progress& progress) {
   constexpr std::size_t at_once = 8;
-  std::ranges::stable_sort(all, {}, &Node::dust_per_m);
+  std::ranges::stable_sort(all, {}, [](const Node& node) { return node.numbers.front(); });
   for (std::size_t first = 0; first < all.size(); first += at_once) {
     const auto some = std::span(all).subspan(first, std::min(at_once, all.size() - first));
     std::vector<atmosphere::Atmosphere> airs;
-    for (const auto& [dust, cover, ozone, logarithms] : some)
-      airs.push_back(changed(setting.moon.air, dust, cover, ozone));
+    for (const auto& [numbers, logarithms] : some)
+      airs.push_back(changed(setting.moon.air, unknowns, numbers));
     auto lights = refracted_in(setting, airs);
     if (setting.scattered) shadow::add_twilight_in(lights, airs);
     tbb::parallel_for(std::size_t{0}, airs.size(), [&](std::size_t i) {
@@ -240,24 +256,36 @@ void light(const Setting& setting, std::vector<Node>& all, const algebra::Progre
   }
 }
 
-/// Weights of the nodes of dust, by a cubic through the four nearest.
-std::vector<double> shares_of_dust(std::span<const double> dusts_per_m, double dust_per_m) {
-  const auto above = std::ranges::upper_bound(dusts_per_m, dust_per_m) - dusts_per_m.begin();
-  const auto from = static_cast<std::size_t>(
-      std::clamp<std::ptrdiff_t>(above - 2, 0, std::ssize(dusts_per_m) - 4));
-  std::array<double, 4> nodes;
-  for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = smooth(dusts_per_m[from + i]);
-  std::vector<double> shares(dusts_per_m.size());
-  algebra::on_polynomial(nodes, smooth(dust_per_m), std::span(shares).subspan(from, nodes.size()));
+/// Weights of the nodes of aerosol, by a cubic through the four nearest on their scale.
+std::vector<double> shares_of_aerosol(std::span<const double> aerosols, double aerosol,
+                                      double scale) {
+  constexpr std::size_t near = 4;
+  const auto count = std::min(near, aerosols.size());
+  const auto above = std::ranges::upper_bound(aerosols, aerosol) - aerosols.begin();
+  const auto from = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+      above - 2, 0, std::ssize(aerosols) - static_cast<std::ptrdiff_t>(count)));
+  std::vector<double> nodes(count), shares(aerosols.size());
+  for (std::size_t i = 0; i < count; ++i) nodes[i] = smooth(aerosols[from + i], scale);
+  algebra::on_polynomial(nodes, smooth(aerosol, scale), std::span(shares).subspan(from, count));
   return shares;
 }
 
 /// Adds a multiple of some light to sums of the same size.
-void add(double times, const FittedLight::Mixed& light, FittedLight::Mixed& sums) {
-  for (const auto part : {&FittedLight::Mixed::clear, &FittedLight::Mixed::cloudy}) {
-    const auto values = (light.*part).values();
-    for (std::size_t i = 0; i < values.size(); ++i) (sums.*part).values()[i] += times * values[i];
-  }
+void add(double times, const algebra::Grid<double>& light, algebra::Grid<double>& sums) {
+  const auto values = light.values();
+  for (std::size_t i = 0; i < values.size(); ++i) sums.values()[i] += times * values[i];
+}
+
+/// Scale of aerosol's nodes: of factors, by the mean optical depth of the stratosphere over the limb.
+double aerosol_scale_of(Unknowns unknowns, const atmosphere::Atmosphere& air) {
+  if (unknowns == Unknowns::amounts) return scale_of_dust_per_m;
+  double sum = 0, count = 0;
+  for (const auto* column : air.columns())
+    if (column->stratospheric_layer) {
+      sum += column->stratospheric_layer->optical_depth();
+      ++count;
+    }
+  return sum > 0 ? std::clamp(scale_of_depth * count / sum, 0.1, 10.) : 1;
 }
 
 /// The Moon at all moments.
@@ -271,75 +299,125 @@ ShadowedMoon moon_at(const LightRequest& request, std::span<const almanac::SkySt
 
 }  // namespace
 
-std::vector<FittedLight::InOzone> FittedLight::nodes_of(FittedAirs airs) {
-  const auto node = [](double ozone_du, std::span<const double> dusts) {
-    return InOzone{ozone_du, {dusts.begin(), dusts.end()}, std::vector<Mixed>(dusts.size())};
+std::vector<FittedLight::InOzone> FittedLight::nodes_of(Unknowns unknowns, FittedAirs airs,
+                                                        double aerosol_scale) {
+  const auto& [aerosol, cloud, ozone] = unknowns_of(unknowns);
+  const auto node = [](double of_ozone, std::vector<double> aerosols, std::vector<double> clouds) {
+    const auto count = aerosols.size() * clouds.size();
+    return InOzone{of_ozone, std::move(aerosols), std::move(clouds),
+                   std::vector<algebra::Grid<double>>(count)};
   };
-  if (airs == FittedAirs::coarse) return {node(300, coarse_dusts_per_m)};
-  const auto dusts = fine_dusts_per_m();
-  std::vector<double> fewer;
-  for (const auto d : dusts_of_other_ozone) fewer.push_back(dusts[d]);
-  std::vector<InOzone> nodes{node(ozone_of_all_dust_du, dusts)};
-  for (const double ozone : other_ozones_du) nodes.push_back(node(ozone, fewer));
+  const auto some = [](const std::vector<double>& all, std::initializer_list<std::size_t> which) {
+    std::vector<double> fewer;
+    for (const auto i : which) fewer.push_back(all[i]);
+    return fewer;
+  };
+  const bool fine = airs == FittedAirs::fine;
+  if (unknowns == Unknowns::amounts) {
+    // one ozone at all nodes of dust, two more at five: the ratio of light in two ozones is smoother in dust than light
+    // is. Errors between the five, at 100 and 350 DU, are 8e-4 up to 3e-6 per metre, 1.4e-3 up to 8e-6, 3e-3 up to
+    // 1.5e-5; near 280 DU 0
+    const auto dusts = even_on_scale(aerosol, aerosol_scale, 10);
+    const std::vector<double> deck{0, 1};
+    if (!fine) return {node(300, {coarse_dusts_per_m.begin(), coarse_dusts_per_m.end()}, deck)};
+    std::vector<InOzone> nodes{node(280, dusts, deck)};
+    for (const double other : {ozone.least, ozone.most})
+      nodes.push_back(node(other, some(dusts, {0, 2, 5, 6, 9}), deck));
+    return nodes;
+  }
+  const auto factors = even_on_scale(aerosol, aerosol_scale, fine ? 10 : 4),
+             chances = even_on_scale(cloud, scale_of_cloud_chance, fine ? 5 : 3);
+  std::vector<InOzone> nodes{node(1, factors, chances)};
+  if (fine)
+    for (const double other : {ozone.least, ozone.most})
+      nodes.push_back(node(other, some(factors, {0, 3, 6, 9}), some(chances, {0, 1, 2, 4})));
   return nodes;
 }
 
-FittedLight::FittedLight(const LightRequest& request, std::span<const almanac::SkyState> skies,
-                         std::span<const LitBins> parts, FittedAirs airs,
-                         const algebra::Progress& progress)
-    : nodes_(nodes_of(airs)) {
-  const auto moon = moon_at(request, skies);
+FittedLight::FittedLight(const LightRequest& request, Unknowns unknowns,
+                         std::span<const almanac::SkyState> skies, std::span<const LitBins> parts,
+                         FittedAirs airs, const algebra::Progress& progress)
+    : unknowns_(unknowns) {
+  auto unit = request;
+  if (unknowns == Unknowns::factors) unit.air = with_unit_factors(unit.air);
+  const auto moon = moon_at(unit, skies);
+  aerosol_scale_ = aerosol_scale_of(unknowns, moon.air);
+  nodes_ = nodes_of(unknowns, airs, aerosol_scale_);
   const AirAbove above(parts);
-  Setting setting{
-      request,
-      moon,
-      arrangement_of(request, moon.sun_distance_m, depths_of(moon, work_of_fits.planes)),
-      wavelengths_nm(work_of_fits.bands),
-      distances_over_the_disc(moon),
-      parts,
-      above,
-      at_wavelengths(above.weights(parts), work_of_fits.bands),
-      airs == FittedAirs::fine && request.scattered_light != ScatteredLight::off};
+  Setting setting{unit,
+                  moon,
+                  arrangement_of(unit, moon.sun_distance_m, depths_of(moon, work_of_fits.planes)),
+                  wavelengths_nm(work_of_fits.bands),
+                  distances_over_the_disc(moon),
+                  parts,
+                  above,
+                  at_wavelengths(above.weights(parts), work_of_fits.bands),
+                  airs == FittedAirs::fine && request.scattered_light != ScatteredLight::off};
   add_direct(setting, progress);
   std::vector<Node> nodes;
-  for (auto& [ozone, dusts, logarithms] : nodes_)
-    for (std::size_t d = 0; d < dusts.size(); ++d) {
-      nodes.push_back({dusts[d], 0, ozone, &logarithms[d].clear});
-      nodes.push_back({dusts[d], 1, ozone, &logarithms[d].cloudy});
-    }
-  light(setting, nodes, progress);
+  for (auto& [ozone, aerosols, clouds, logarithms] : nodes_)
+    for (std::size_t i = 0; i < logarithms.size(); ++i)
+      nodes.push_back(
+          {{aerosols[i / clouds.size()], clouds[i % clouds.size()], ozone}, &logarithms[i]});
+  light(setting, unknowns, nodes, progress);
+  const auto& first = nodes_.front();
+  const auto place = [](const std::vector<double>& of, double number) {
+    return static_cast<std::size_t>(std::ranges::find(of, number) - of.begin());
+  };
   for (auto& other : std::span(nodes_).subspan(1))
-    for (std::size_t d = 0; d < other.logarithms.size(); ++d)
-      add(-1, nodes_.front().logarithms[dusts_of_other_ozone[d]], other.logarithms[d]);
+    for (std::size_t i = 0; i < other.logarithms.size(); ++i) {
+      const auto a = place(first.aerosols, other.aerosols[i / other.clouds.size()]),
+                 c = place(first.clouds, other.clouds[i % other.clouds.size()]);
+      add(-1, first.logarithms[a * first.clouds.size() + c], other.logarithms[i]);
+    }
 }
 
-FittedLight::Mixed FittedLight::mixed(double dust_per_m, double ozone_du) const {
-  std::vector<double> ozones_du;
-  for (const auto& node : nodes_) ozones_du.push_back(node.ozone_du);
-  auto of_ozone = algebra::on_polynomial(ozones_du, ozone_du);
+FittedLight::OverCloud FittedLight::over_cloud(double aerosol, double ozone) const {
+  std::vector<double> ozones;
+  for (const auto& node : nodes_) ozones.push_back(node.ozone);
+  auto of_ozone = algebra::on_polynomial(ozones, ozone);
   of_ozone.front() = 1;  // the others are ratios to it
-  const auto& form = nodes_.front().logarithms.front().clear;
-  Mixed result{{form.rows(), form.columns()}, {form.rows(), form.columns()}};
+  const auto& first = nodes_.front();
+  const auto& form = first.logarithms.front();
+  const auto on_scale = [&](const std::vector<double>& clouds) {
+    std::vector<double> all;
+    for (const double cloud : clouds) all.push_back(smooth_cloud(unknowns_, cloud));
+    return all;
+  };
+  OverCloud result;
+  result.unknowns = unknowns_;
+  result.clouds = on_scale(first.clouds);
+  result.light.assign(first.clouds.size(), algebra::Grid<double>(form.rows(), form.columns()));
   for (std::size_t o = 0; o < nodes_.size(); ++o) {
-    const auto of_dust = shares_of_dust(nodes_[o].dusts_per_m, dust_per_m);
-    for (std::size_t d = 0; d < of_dust.size(); ++d)
-      if (of_dust[d] != 0) add(of_ozone[o] * of_dust[d], nodes_[o].logarithms[d], result);
+    const auto& node = nodes_[o];
+    const auto of_aerosol = shares_of_aerosol(node.aerosols, aerosol, aerosol_scale_);
+    const auto clouds = on_scale(node.clouds);
+    for (std::size_t c = 0; c < result.clouds.size(); ++c) {
+      const auto of_cloud = algebra::on_polynomial(clouds, result.clouds[c]);
+      for (std::size_t i = 0; i < node.logarithms.size(); ++i) {
+        const double share =
+            of_ozone[o] * of_aerosol[i / clouds.size()] * of_cloud[i % clouds.size()];
+        if (share != 0) add(share, node.logarithms[i], result.light[c]);
+      }
+    }
   }
-  for (auto* grid : {&result.clear, &result.cloudy})
-    for (double& value : grid->values()) value = std::exp(value);
+  if (unknowns_ == Unknowns::amounts)
+    for (auto& grid : result.light)
+      for (double& value : grid.values()) value = std::exp(value);
   return result;
 }
 
-algebra::Grid<double> FittedLight::Mixed::under(double cloud_cover) const {
-  auto light = clear;
-  for (std::size_t i = 0; i < light.values().size(); ++i)
-    light.values()[i] += cloud_cover * (cloudy.values()[i] - clear.values()[i]);
-  return light;
+algebra::Grid<double> FittedLight::OverCloud::under(double cloud) const {
+  const auto shares = algebra::on_polynomial(clouds, smooth_cloud(unknowns, cloud));
+  algebra::Grid<double> sums(light.front().rows(), light.front().columns());
+  for (std::size_t c = 0; c < shares.size(); ++c) add(shares[c], light[c], sums);
+  if (unknowns == Unknowns::factors)
+    for (double& value : sums.values()) value = std::exp(value);
+  return sums;
 }
 
-algebra::Grid<double> FittedLight::at(double dust_per_m, double cloud_cover,
-                                      double ozone_du) const {
-  return mixed(dust_per_m, ozone_du).under(cloud_cover);
+algebra::Grid<double> FittedLight::at(const AirNumbers& numbers) const {
+  return over_cloud(numbers[0], numbers[2]).under(numbers[1]);
 }
 
 }  // namespace coppermoon::uses

@@ -10,6 +10,7 @@
 #include "algebra/progress.h"
 #include "almanac/sky.h"
 #include "eclipse/shadow_axis.h"
+#include "uses/fit/unknowns.h"
 #include "uses/light/moonlight.h"
 
 namespace coppermoon::uses {
@@ -22,15 +23,6 @@ struct LitPlace {
   double colour = 0;  ///< c of the ground, as surface::Ground has it
 };
 
-/// Range of an unknown.
-struct SearchRange {
-  double least, most;
-};
-
-/// Ranges of the three unknowns: dust [1/m], cover by a deck of cloud (in place of cloud by chance), ozone [DU]
-/// (uniform over the limb).
-constexpr std::array<SearchRange, 3> search_range{{{2e-7, 3e-5}, {0, 1}, {100, 500}}};
-
 /// Bins of the Moon's ground at one moment, as one observer sees them.
 struct LitBins {
   /// (channel, band): of the moonlight of mean ground as seen, 0 or more, as those of XYZ
@@ -39,54 +31,64 @@ struct LitBins {
   std::size_t bins = 0;
 };
 
-/// Nodes of air at which light is computed: fine for fits; coarse (four of dust, one of ozone, no scattered light) for
-/// finding a clock's error.
+/// Nodes of air at which light is computed: fine for fits; coarse (few of aerosol and cloud, one of ozone, no scattered
+/// light) for finding a clock's error.
 enum class FittedAirs { fine, coarse };
 
-/// Light in bins of a Moon on its way through the shadow, in air of any dust, cloud and ozone.
+/// Light in bins of a Moon on its way through the shadow, in air whose unknowns have any numbers.
 ///
 /// Light in the shadow is computed once for all moments. Between different air above the observer its logarithm is
 /// interpolated by a polynomial through up to four of them.
 ///
-/// Nodes are some dust and ozone, with a clear and with a cloudy limb. Between nodes the logarithm of light is
-/// interpolated by cubics in dust and parabolas in ozone. Partial cloud cover mixes clear and cloudy light linearly.
+/// Nodes are some numbers of each unknown. Between nodes the logarithm of light is interpolated by cubics in aerosol and
+/// parabolas in ozone. Under a part of a deck of cloud, light is the mean of clear and cloudy light; between factors on
+/// the chance of cloud, its logarithm is interpolated by a polynomial.
 ///
-/// Accuracy  of X and Y 0.4 %, of Z 0.8 %, against light_on_the_moon of a tolerance of 0.1 %; more where
-///           dust is above 8e-6 per metre: 2 % of the darkest places beyond 1.5e-5
+/// Accuracy  of X and Y 0.4 %, of Z 0.8 %, against light_on_the_moon of a tolerance of 0.1 %; between factors 1 % of
+///           each; more where dust is above 8e-6 per metre: 2 % of the darkest places beyond 1.5e-5
 class FittedLight {
  public:
   /// Given  request  air but for the unknowns, limb darkening, scattered light; the rest is ignored
   ///        skies    of one eclipse, in order of time: those of all parts, one or more
   ///        parts    of equal numbers of channels
-  FittedLight(const LightRequest& request, std::span<const almanac::SkyState> skies,
-              std::span<const LitBins> parts, FittedAirs airs = FittedAirs::fine,
-              const algebra::Progress& progress = {});
+  FittedLight(const LightRequest& request, Unknowns unknowns,
+              std::span<const almanac::SkyState> skies, std::span<const LitBins> parts,
+              FittedAirs airs = FittedAirs::fine, const algebra::Progress& progress = {});
+
+  /// Which unknowns its air has.
+  Unknowns unknowns() const { return unknowns_; }
 
   /// Light of each bin over its sunlit light.
   ///
   /// Returned  (bin, channel); bins of all parts, in their order
-  algebra::Grid<double> at(double dust_per_m, double cloud_cover, double ozone_du) const;
+  algebra::Grid<double> at(const AirNumbers& numbers) const;
 
-  /// Light of each bin with a clear and with a cloudy limb: (bin, channel).
-  struct Mixed {
-    algebra::Grid<double> clear, cloudy;
+  /// Light of each bin at some aerosol and ozone, to be interpolated by cloud: (bin, channel) at each node of cloud.
+  class OverCloud {
+   public:
+    algebra::Grid<double> under(double cloud) const;
 
-    /// Light where cloud covers a part of the limb.
-    algebra::Grid<double> under(double cloud_cover) const;
+   private:
+    friend FittedLight;
+    Unknowns unknowns;
+    std::vector<double> clouds{};                // as their scale has them
+    std::vector<algebra::Grid<double>> light{};  // of factors: its logarithm
   };
-  /// Light at some dust and ozone, to be mixed by cloud cover.
-  Mixed mixed(double dust_per_m, double ozone_du) const;
+  /// Light at some aerosol and ozone.
+  OverCloud over_cloud(double aerosol, double ozone) const;
 
  private:
-  /// Nodes of one ozone.
+  /// Nodes of one ozone: [aerosol × clouds + cloud].
   struct InOzone {
-    double ozone_du;
-    std::vector<double> dusts_per_m;
-    std::vector<Mixed> logarithms;  ///< [dust]
+    double ozone;
+    std::vector<double> aerosols, clouds;
+    std::vector<algebra::Grid<double>> logarithms;
   };
 
-  static std::vector<InOzone> nodes_of(FittedAirs airs);
+  static std::vector<InOzone> nodes_of(Unknowns unknowns, FittedAirs airs, double aerosol_scale);
 
+  Unknowns unknowns_;
+  double aerosol_scale_ = 1;
   std::vector<InOzone> nodes_;  // after the first: light over that of the first
 };
 

@@ -39,7 +39,7 @@ struct MagnitudeData {
 ///         sky              of that moment
 ///         of_one_instant   whose own instants are ignored
 /// Throws  Error            when no eclipse is under way
-MagnitudeData data_of(const MoonRequest& moon, const almanac::SkyState& sky,
+MagnitudeData data_of(const MoonRequest& moon, Unknowns unknowns, const almanac::SkyState& sky,
                       const std::vector<MeasuredMagnitude>& of_one_instant,
                       const algebra::Progress& progress = {});
 

@@ -53,7 +53,7 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
 
 /// Light in the air of the least χ².
 algebra::Grid<double> light_at(const FittedLight& light, const AirFit& fit) {
-  return light.at(fit.best[0], fit.best[1], fit.best[2]);
+  return light.at(fit.best);
 }
 
 }  // namespace
@@ -83,8 +83,8 @@ Night::Night(const FitRequest& request, std::vector<const EclipsePhotograph*> ph
     require_any();
   }
   light_ = std::make_unique<const FittedLight>(
-      night_light(request.moon.light, binned_, instants(clock_s_), request.clock_error_s,
-                  FittedAirs::fine, progress));
+      night_light(request.moon.light, unknowns_of(request), binned_, instants(clock_s_),
+                  request.clock_error_s, FittedAirs::fine, progress));
   compare();
 }
 
@@ -182,20 +182,25 @@ std::vector<almanac::Instant> Night::instants(double clock_s) const {
 }
 
 GoodnessOfFit Night::coarse_fit(double clock_s) const {
-  constexpr int dusts = 16, covers = 8;
-  const auto light = night_light(request_.moon.light, binned_, instants(clock_s),
-                                 request_.clock_error_s, FittedAirs::coarse, heartbeat_);
+  constexpr int aerosols = 16, clouds = 8;
+  const auto& [aerosol, cloud, ozone] = unknowns_of(unknowns_of(request_));
+  const auto light =
+      night_light(request_.moon.light, unknowns_of(request_), binned_, instants(clock_s),
+                  request_.clock_error_s, FittedAirs::coarse, heartbeat_);
   const ComparedNight compared(binned_, {request_.clock_error_s, curve_});
-  const auto [dust, cover, ozone] = search_range;
+  const auto part = [](const Unknown& unknown, double share) {
+    return unknown.from_axis(
+        std::lerp(unknown.on_axis(unknown.least), unknown.on_axis(unknown.most), share));
+  };
   GoodnessOfFit best{std::numeric_limits<double>::infinity()};
-  for (int i = 0; i <= dusts; ++i)
-    for (int j = 0; j <= covers; ++j) {
-      const double share = static_cast<double>(i) / dusts;
-      const auto found = compared.goodness(light.at(
-          dust.least * std::pow(dust.most / dust.least, share),
-          cover.least + (cover.most - cover.least) * j / covers, (ozone.least + ozone.most) / 2));
+  for (int i = 0; i <= aerosols; ++i) {
+    const auto at = light.over_cloud(part(aerosol, static_cast<double>(i) / aerosols),
+                                     (ozone.least + ozone.most) / 2);
+    for (int j = 0; j <= clouds; ++j) {
+      const auto found = compared.goodness(at.under(part(cloud, static_cast<double>(j) / clouds)));
       if (found.chi_squared < best.chi_squared) best = found;
     }
+  }
   return best;
 }
 

@@ -46,23 +46,43 @@ std::vector<uses::MeasuredMagnitude> measured_by(const py::iterable& rows) {
   return all;
 }
 
-/// An unknown that was found, its logarithm undone where that was sought.
-Estimate plain(const Estimate& found, bool logarithm) {
-  if (!logarithm) return found;
-  return {std::exp(found.median), std::exp(found.low), std::exp(found.high), found.information};
+/// An unknown that was found, its logarithm undone; nothing where it was none.
+std::optional<Estimate> found_of(const FitReport& report, uses::Unknowns unknowns, std::size_t i) {
+  if (report.fit.unknowns != unknowns) return std::nullopt;
+  const auto& unknown = uses::unknowns_of(unknowns)[i];
+  const auto& found = report.fit.posterior.estimates[i];
+  return Estimate{unknown.from_axis(found.median), unknown.from_axis(found.low),
+                  unknown.from_axis(found.high), found.information};
+}
+
+/// Attribute of a parameter of the air: "cloud-chance" → "cloud_chance".
+std::string attribute_of(std::string_view parameter) {
+  std::string name(parameter);
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+/// Unknowns by their name; None: those that suit the air.
+std::optional<uses::Unknowns> unknowns_named(const std::optional<std::string>& name) {
+  if (!name) return std::nullopt;
+  if (*name == "factors") return uses::Unknowns::factors;
+  if (*name == "amounts") return uses::Unknowns::amounts;
+  throw algebra::Error(fmt::format("unknowns = {}, allowed factors or amounts", *name));
 }
 
 FitReport fit_of(const py::iterable& magnitudes, std::vector<EclipsePhotograph> photographs,
                  const std::optional<Place>& at, const std::string& camera, double exposure_error,
                  std::optional<double> white_balance_error, double clock_error_s,
-                 bool half_hours_free, const std::optional<uses::Air>& air,
+                 bool half_hours_free, const std::optional<std::string>& unknowns,
+                 const std::optional<uses::Air>& air,
                  const std::optional<uses::LightRequest>& light, const Callback& callback,
                  const py::kwargs& more) {
   algebra::require_within("clock_error_s", clock_error_s, 0, 3600);
   TextureKeywords asked{.moon = {}};
   take_objects(asked, air, light, at);
   take(fit_keywords(asked), "fit", more);
-  const uses::FitRequest request{.photographs = std::move(photographs),
+  const uses::FitRequest request{.unknowns = unknowns_named(unknowns),
+                                 .photographs = std::move(photographs),
                                  .magnitudes = measured_by(magnitudes),
                                  .moon = asked.moon,
                                  .view = asked.view,
@@ -185,19 +205,21 @@ void add_fit(py::module_& package) {
   add_estimate(package);
   add_photographs(package);
   add_nights(package);
-  const auto estimate = [](std::size_t unknown, bool logarithm) {
-    return [=](const FitReport& found) {
-      return plain(found.fit.posterior.estimates[unknown], logarithm);
-    };
-  };
-  py::class_<FitReport>(package, "Fit", "The air that explains what was measured.")
-      .def_property_readonly("dust_extinction", estimate(0, true),
-                             "extinction of a grey layer of dust [1/m]")
-      .def_property_readonly("cloud_cover", estimate(1, false),
-                             "share of the Earth's limb where cloud stops the light, 0 to 1")
-      .def_property_readonly("ozone_du", estimate(2, false), "vertical column of ozone [DU]")
+  py::class_<FitReport> report(package, "Fit", "The air that explains what was measured.");
+  for (const auto unknowns : {uses::Unknowns::factors, uses::Unknowns::amounts})
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& unknown = uses::unknowns_of(unknowns)[i];
+      report.def_property_readonly(
+          attribute_of(unknown.parameter).c_str(),
+          [=](const FitReport& found) { return found_of(found, unknowns, i); },
+          fmt::format("{} found{}; None where it was not looked for", unknown.title,
+                      unknown.unit.empty() ? "" : fmt::format(" [{}]", unknown.unit))
+              .c_str());
+    }
+  report
       .def_property_readonly("correlation", correlation_of,
-                             "of the logarithm of dust, cloud cover and ozone, shape (3, 3)")
+                             "of aerosol, cloud and ozone, logarithms where an unknown is a factor "
+                             "or dust, shape (3, 3)")
       .def_property_readonly(
           "chi_squared",
           [](const FitReport& found) { return found.fit.posterior.least_chi_squared; },
@@ -213,9 +235,9 @@ void add_fit(py::module_& package) {
   TextureKeywords keywords{.moon = {}};
   const auto parameters = fit_keywords(keywords);
   const auto doc = fmt::format(
-      R"(fit(magnitudes=(), *, photographs=(), at=None, camera='', exposure_error=0.1, white_balance_error=None, clock_error_s=0.0, half_hours_free=False, air=None, light=None, {}, progress=None)
+      R"(fit(magnitudes=(), *, photographs=(), at=None, camera='', exposure_error=0.1, white_balance_error=None, clock_error_s=0.0, half_hours_free=False, unknowns=None, air=None, light=None, {}, progress=None)
 
-The dust, cloud cover and ozone that explain photographs of the Moon and measured magnitudes of the whole Moon, of one
+The aerosol, cloud and ozone that explain photographs of the Moon and measured magnitudes of the whole Moon, of one
 eclipse or several, all at once.
 
 magnitudes: (moment, band, magnitude) or (moment, band, magnitude, error): band 'B', 'V' or 'R'; reduced to the Earth's
@@ -228,7 +250,9 @@ exposure_error: standard, of the exposures' logarithm, 0.001 to 10
 white_balance_error: standard, of red and blue over green, 0.001 to 10; None: 0.03, of a camera's own tone curve 0.3
 clock_error_s: standard, of each camera's clock, 0 to 3600; its own error is then found
 half_hours_free: moments may be wrong by any whole number of half hours besides
-air: all but dust, cloud cover and ozone
+unknowns: 'factors' on the stratospheric aerosol, chance of cloud and ozone that the month has; 'amounts' of dust, of a
+    deck of cloud and of ozone, the same everywhere; None: factors, in air without a month amounts
+air: all but the unknowns
 light: limb_darkening, scattered_light and starlight; nothing else of it counts
 {}progress: called with the fraction that is done, some times a second
 
@@ -243,8 +267,8 @@ light: limb_darkening, scattered_light and starlight; nothing else of it counts
   package.def("fit", fit_of, "magnitudes"_a = py::tuple(), py::kw_only(),
               "photographs"_a = std::vector<EclipsePhotograph>{}, "at"_a = py::none(),
               "camera"_a = "", "exposure_error"_a = 0.1, "white_balance_error"_a = py::none(),
-              "clock_error_s"_a = 0., "half_hours_free"_a = false, "air"_a = py::none(),
-              "light"_a = py::none(), "progress"_a = py::none(), doc.c_str());
+              "clock_error_s"_a = 0., "half_hours_free"_a = false, "unknowns"_a = py::none(),
+              "air"_a = py::none(), "light"_a = py::none(), "progress"_a = py::none(), doc.c_str());
 }
 
 }  // namespace coppermoon::python

@@ -48,7 +48,7 @@ TEST(FittedLight, IsThatOfTheSameAirFullyComputed) {
   const auto places = five_places(sky);
   LightRequest request;
   const LitBins bins{weights, places, 6};
-  const FittedLight fitted(request, std::span(&sky, 1), std::span(&bins, 1));
+  const FittedLight fitted(request, Unknowns::amounts, std::span(&sky, 1), std::span(&bins, 1));
   request.wish = {.tolerance = 0.001};
   for (const auto& [dust, cover, ozone] : std::array<std::array<double, 3>, 4>{
            {{1e-6, 0.3, 300}, {4.3e-6, 0.75, 180}, {1.2e-5, 0.1, 430}, {2.5e-7, 0.95, 250}}}) {
@@ -57,7 +57,7 @@ TEST(FittedLight, IsThatOfTheSameAirFullyComputed) {
     request.air.column.ozone_du = ozone;
     const auto light = light_on_the_moon(request, sky);
     const auto exact = light.in_channels(weights), of_colour = light.in_channels(coloured(weights));
-    const auto found = fitted.at(dust, cover, ozone);
+    const auto found = fitted.at({dust, cover, ozone});
     std::array<double, 3> values{}, ends{};
     for (std::size_t b = 0; b < 5; ++b) {
       std::array<double, 3> change{};
@@ -75,13 +75,50 @@ TEST(FittedLight, IsThatOfTheSameAirFullyComputed) {
   }
 }
 
+TEST(FittedLight, OfFactorsOnAMonthsAirIsThatAirFullyComputed) {
+  // a quiet stratosphere, and one after Calbuco
+  for (const char* moment : {"2018-07-27T20:40:00Z", "2015-09-28T02:50:00Z"}) {
+    const auto sky = almanac::sky_at(almanac::instant_from_utc(moment));
+    const auto weights = moonlight_weights(
+        colour::channel_weights(colour::WorkingSpace::ciexyz_d65, band_edges_nm()));
+    const auto places = five_places(sky);
+    LightRequest request;
+    const LitBins bins{weights, places, 6};
+    const FittedLight fitted(request, Unknowns::factors, std::span(&sky, 1), std::span(&bins, 1));
+    request.wish = {.tolerance = 0.001};
+    for (const auto& numbers : std::array<AirNumbers, 6>{{{1, 1, 1},
+                                                          {0.3, 0.4, 1.3},
+                                                          {2.5, 1.6, 0.8},
+                                                          {0.15, 2.5, 1.1},
+                                                          {6, 0.15, 1},
+                                                          {0.7, 0.08, 0.5}}}) {
+      auto asked = request;
+      asked.air = with_unknowns(asked.air, Unknowns::factors, numbers);
+      const auto light = light_on_the_moon(asked, sky);
+      const auto exact = light.in_channels(weights),
+                 of_colour = light.in_channels(coloured(weights));
+      const auto found = fitted.at(numbers);
+      std::array<double, 3> values{}, change{};
+      for (std::size_t b = 0; b < 5; ++b) {
+        exact.read(places[b].place, values);
+        of_colour.read(places[b].place, change);
+        for (std::size_t k = 0; k < 3; ++k) values[k] += places[b].colour * change[k];
+        for (std::size_t k = 0; k < 3; ++k)
+          EXPECT_WITHIN_RELATIVE(found(b, k), values[k], 0.01, "Accuracy")
+              << moment << ": " << numbers[0] << " " << numbers[1] << " " << numbers[2] << ", bin "
+              << b << ", channel " << k;
+      }
+    }
+  }
+}
+
 TEST(FittedLight, OfAFewPlacesIsThatOfAllGroundInABin) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:40:00Z"));
   MoonRequest moon;
   moon.albedo_map = "built-in";
   const auto scene = fit_scene(moon, groundwork_of(moon, std::span(&sky, 1)), {}, sky);
   const auto bins = lit_bins(scene, sky);
-  const FittedLight fitted(moon.light, std::span(&sky, 1), std::span(&bins, 1));
+  const FittedLight fitted(moon.light, Unknowns::amounts, std::span(&sky, 1), std::span(&bins, 1));
   moon.light.wish = {.tolerance = 0.002};
   auto& column = moon.light.air.column;
   column.dust_extinction_per_m = 1.6e-6;
@@ -101,7 +138,7 @@ TEST(FittedLight, OfAFewPlacesIsThatOfAllGroundInABin) {
     sums(ground.bin, 1) += ground.sunlit;
   }
   const auto found =
-      fitted.at(*column.dust_extinction_per_m, *column.cloud_cover, *column.ozone_du);
+      fitted.at({*column.dust_extinction_per_m, *column.cloud_cover, *column.ozone_du});
   for (std::size_t b = 0; b < scene.bins; ++b)
     EXPECT_WITHIN_RELATIVE(found(b, 1), sums(b, 0) / sums(b, 1), 0.003,
                            "0.1 % of the few places, 0.2 % of the reference")
