@@ -330,6 +330,10 @@ void add_photograph_options(CLI::App& verb, Options& options) {
       "standard error of red and blue over green, 0.001 to 10; default: 0.03, with a camera's own "
       "tone curve 0.3")
       .within(1e-3, 10);
+  add("--weather-error", options.request.weather_error,
+      "standard error of the light of 30 degrees of the Earth's limb by weather, in red, 0 to 1; "
+      "default: 0.1 for a camera's own JPEGs, else 0")
+      .within(0, 1);
   add("--clock-error", options.clock_error_min,
       "standard error of a camera's clock [minutes], 0 to 60; the clock's own error is then found; "
       "default: 10 with --instants from-header, else 0")

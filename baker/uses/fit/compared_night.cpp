@@ -6,19 +6,30 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "algebra/error.h"
 #include "colour/working_space.h"
+#include "uses/fit/limb_weather.h"
 
 namespace coppermoon::uses {
 namespace {
 
 /// Columns of the design matrix: nuisance parameters of the night, then those of each photograph.
 namespace of_night {
-enum : std::size_t { exposure, red, blue, curve, count = curve + colour::tone_numbers };
+enum : std::size_t {
+  exposure,
+  red,
+  blue,
+  curve,
+  saturation = curve + colour::tone_numbers,
+  mixing,  ///< six elements off the diagonal, row by row
+  count = mixing + 6
+};
 }
 namespace of_photograph {
 enum : std::size_t { exposure, red, blue, sky, place = sky + 3, glow, count };
@@ -27,8 +38,79 @@ enum : std::size_t { exposure, red, blue, sky, place = sky + 3, glow, count };
 /// Error of a tone curve between the levels at which it is known.
 constexpr double between_tents = 0.01;
 
+/// Weather of a limb's part in one hour: of all light; of blue apart; of deep light, whose rays pass lower, apart.
+enum Weather : std::size_t { of_light, of_blue, of_depth, weathers };
+
+/// Standard deviation of a channel's light by weather, over that of red.
+///
+/// Given  distance_km  from the axis; the umbra ends at some 4600 km
+double weather_of(std::size_t weather, std::size_t channel, double distance_km) {
+  constexpr std::array<double, 3> all{1, 1.2, 1.4}, blue{0, 0.3, 0.6};
+  constexpr double umbra_km = 4600;
+  if (weather == of_blue) return blue[channel];
+  return all[channel] * (weather == of_light ? 1 : 1 - 2 * std::min(1., distance_km / umbra_km));
+}
+
+/// Luminance of linear Rec.709.
+constexpr std::array luminance_of_rec709{0.2126, 0.7152, 0.0722};
+
+/// Least light of a channel over the brightest: cameras do not write less.
+constexpr double least_of_brightest = 0.003;
+
+/// Mean y of two values with ln(a/b) = (a − b)/y.
+double logarithmic_mean(double a, double b) {
+  const double ratio = a / b - 1;
+  return std::abs(ratio) < 1e-4 ? std::sqrt(a * b) : b * ratio / std::log1p(ratio);
+}
+
+/// Hours of photographs' moments that the weather lasts: knots between which it is linear.
+struct WeatherKnots {
+  double first_s = 0;
+  std::size_t count = 1;
+  static constexpr double step_s = 3600;
+
+  /// Lower knot, and the part of the upper.
+  std::pair<std::size_t, double> at(double seconds) const {
+    const double place = count > 1 ? (seconds - first_s) / step_s : 0;
+    const auto knot = std::min(static_cast<std::size_t>(std::max(0., place)), count - 1);
+    return {knot, place - static_cast<double>(knot)};
+  }
+};
+
+/// Seconds from the first photograph's moment.
+double seconds_of(std::span<const NightPhotograph> photographs, std::size_t p) {
+  return almanac::seconds_between(photographs.front().scene.sky.when,
+                                  photographs[p].scene.sky.when);
+}
+
+WeatherKnots weather_knots(std::span<const NightPhotograph> photographs) {
+  double first = 0, last = 0;
+  for (std::size_t p = 0; p < photographs.size(); ++p) {
+    first = std::min(first, seconds_of(photographs, p));
+    last = std::max(last, seconds_of(photographs, p));
+  }
+  const double hours = (last - first) / WeatherKnots::step_s;
+  return {first, hours < 0.25 ? 1 : static_cast<std::size_t>(std::ceil(hours)) + 1};
+}
+
+/// Shares of a scene's bins in the light of the limb's parts: (bin, part).
+algebra::Grid<double> limb_of_bins(const FitScene& scene) {
+  const double sun_m = glm::length(scene.sky.sun_m);
+  algebra::Grid<double> shares(scene.bins, weather_sectors);
+  std::vector<double> sunlit(scene.bins);
+  for (const auto& lit : lit_bins(scene, scene.sky).places) {
+    const auto of_place = shares_of_limb(lit.place, sun_m);
+    sunlit[lit.bin] += lit.sunlit;
+    for (std::size_t s = 0; s < of_place.size(); ++s)
+      shares(lit.bin, s) += lit.sunlit * of_place[s];
+  }
+  for (std::size_t b = 0; b < scene.bins; ++b)
+    for (double& share : shares.row(b)) share /= std::max(sunlit[b], 1e-300);
+  return shares;
+}
+
 /// Prior standard deviation (log units) of a nuisance parameter about which nothing is known.
-constexpr double unknown = 10;
+constexpr double unknown_deviation = 10;
 
 /// Relative error of the computation, independent in each channel: of FittedLight, and of the number of
 /// wavelengths.
@@ -113,6 +195,9 @@ ComparedNight::ComparedNight(std::span<const NightPhotograph> photographs,
   for (const auto& photograph : photographs) {
     bins_ = photograph.scene.bins;
     curved_ = curved_ || !photograph.light.slopes.empty();
+    mixed_ = mixed_ || photograph.errors.mixing_error > 0;
+    mixing_error_ = std::max(mixing_error_, photograph.errors.mixing_error);
+    saturation_error_ = std::max(saturation_error_, photograph.errors.saturation_error);
     distances_km_.push_back(photograph.scene.distances_km);
     sunlight_.push_back(sunlight_of(photograph.scene.weights));
     add_measurements(photograph, distances_km_.size() - 1);
@@ -164,10 +249,36 @@ void ComparedNight::add_measurements(const NightPhotograph& photograph, std::siz
   }
 }
 
+std::array<double, 3> ComparedNight::as_written(std::span<const double> xyz) const {
+  const auto rgb = rec709_of(xyz);
+  const double brightest = *std::ranges::max_element(rgb);
+  std::array<double, 3> written;
+  for (std::size_t k = 0; k < 3; ++k)
+    written[k] = std::max(std::inner_product(rgb.begin(), rgb.end(), errors_.mixing[k].begin(), 0.),
+                          mixed_ ? least_of_brightest * brightest : 1e-12);
+  return written;
+}
+
+std::array<double, 3> ComparedNight::expected_of(const NightPhotograph& photograph,
+                                                 std::size_t index, std::size_t bin) const {
+  const auto steps = clock_steps_s(errors_.clock_error_s).size();
+  if (errors_.expected.rows() > 0)
+    return rec709_of(errors_.expected.row((index * steps + steps / 2) * bins_ + bin));
+  const auto row = photograph.scene.usual_values.row(bin);
+  return {row[0], row[1], row[2]};
+}
+
 algebra::Grid<double> ComparedNight::design(std::span<const NightPhotograph> photographs) const {
   constexpr double shutter_and_iris = 0.03, white_balance_drift = 0.003;
-  algebra::Grid<double> a(measurements_.size(),
-                          of_night::count + of_photograph::count * photographs.size());
+  const auto knots = weather_knots(photographs);
+  const bool weather = std::ranges::any_of(
+      photographs, [](const auto& one) { return one.errors.weather_error > 0; });
+  const std::size_t of_photographs = of_night::count + of_photograph::count * photographs.size(),
+                    of_weather = weather ? weather_sectors * weathers * knots.count : 0;
+  algebra::Grid<double> a(measurements_.size(), of_photographs + of_weather);
+  std::vector<algebra::Grid<double>> limbs;
+  if (weather)
+    for (const auto& photograph : photographs) limbs.push_back(limb_of_bins(photograph.scene));
   for (std::size_t i = 0; i < measurements_.size(); ++i) {
     const auto& [p, b, k, logarithm, error] = measurements_[i];
     const auto& [scene, light, errors] = photographs[p];
@@ -175,8 +286,8 @@ algebra::Grid<double> ComparedNight::design(std::span<const NightPhotograph> pho
     const bool scaled = errors.value_per_cd_m2.has_value(), curved = !light.slopes.empty();
     const auto night = a.row(i), own = night.subspan(of_night::count + of_photograph::count * p,
                                                      of_photograph::count);
-    if (scaled) night[of_night::exposure] = curved ? unknown : errors.exposure_error;
-    own[of_photograph::exposure] = scaled ? shutter_and_iris : unknown;
+    if (scaled) night[of_night::exposure] = curved ? unknown_deviation : errors.exposure_error;
+    own[of_photograph::exposure] = scaled ? shutter_and_iris : unknown_deviation;
     if (k != 1) {
       const bool fixed = errors.white_balance_fixed;
       if (fixed) night[of_night::red + k / 2] = errors.white_balance_error;
@@ -187,8 +298,47 @@ algebra::Grid<double> ComparedNight::design(std::span<const NightPhotograph> pho
         errors.place_error_km * logarithmic_slope(scene, light.values, b, k);
     own[of_photograph::glow] = light.glow_errors(b, k) / value;
     if (curved) std::ranges::copy(light.slopes(b, k), &night[of_night::curve]);
+    if (errors.mixing_error > 0) add_mixing(photographs[p], measurements_[i], night);
+    if (errors.weather_error > 0) {
+      const auto [knot, part] = knots.at(seconds_of(photographs, p));
+      for (std::size_t s = 0; s < weather_sectors; ++s)
+        for (std::size_t w = 0; w < weathers; ++w) {
+          const auto column = [&](std::size_t of_knot) -> double& {
+            return night[of_photographs + (of_knot * weathers + w) * weather_sectors + s];
+          };
+          const double light_of_part =
+              errors.weather_error * weather_of(w, k, scene.distances_km[b]) * limbs[p](b, s);
+          column(knot) += (1 - part) * light_of_part;
+          if (part > 0) column(knot + 1) += part * light_of_part;
+        }
+    }
   }
   return a;
+}
+
+void ComparedNight::add_mixing(const NightPhotograph& photograph, const Measurement& measurement,
+                               std::span<double> night) const {
+  const auto& [p, b, k, logarithm, error] = measurement;
+  const auto light = expected_of(photograph, p, b);
+  std::array<double, 3> written;
+  for (std::size_t c = 0; c < 3; ++c)
+    written[c] = std::inner_product(light.begin(), light.end(), errors_.mixing[c].begin(), 0.);
+  const auto brightest =
+      static_cast<std::size_t>(std::ranges::max_element(written) - written.begin());
+  const double least = least_of_brightest * written[brightest];
+  // the photograph's own light, as bright as expected in its brightest channel
+  const double seen = photograph.light.values(b, brightest) > 0
+                          ? photograph.light.values(b, k) / photograph.light.values(b, brightest) *
+                                written[brightest]
+                          : written[k];
+  const double mean = logarithmic_mean(std::max(seen, least), std::max(written[k], least));
+  std::size_t column = of_night::mixing + 2 * k;
+  for (std::size_t from = 0; from < 3; ++from) {
+    const double change = light[from] / mean;
+    const double whole = (from == k ? 1 : 0) - luminance_of_rec709[from];
+    night[of_night::saturation] += photograph.errors.saturation_error * whole * change;
+    if (from != k) night[column++] = photograph.errors.mixing_error * change;
+  }
 }
 
 std::size_t ComparedNight::count_of(std::size_t photograph) const {
@@ -205,8 +355,8 @@ ComparedNight::Residuals ComparedNight::residuals(const algebra::Grid<double>& l
     const auto& [p, b, k, logarithm, error] = measurements_[i];
     if (i == 0 || p != measurements_[i - 1].photograph || b != measurements_[i - 1].bin)
       for (std::size_t s = 0; s < steps_s.size(); ++s) {
-        logarithms[s] = rec709_of(light.row((p * steps_s.size() + s) * bins_ + b));
-        for (double& value : logarithms[s]) value = std::log(std::max(value, 1e-12));
+        logarithms[s] = as_written(light.row((p * steps_s.size() + s) * bins_ + b));
+        for (double& value : logarithms[s]) value = std::log(value);
       }
     result.differences.push_back(logarithm - logarithms[middle][k]);
     if (steps_s.size() > 1)
@@ -244,6 +394,20 @@ colour::ToneCurve ComparedNight::curve(const algebra::Grid<double>& light) const
   const auto parameters = nuisances_.expected(residuals_by_the_clock(light));
   for (std::size_t n = 0; n < colour::tone_numbers; ++n)
     found.numbers[n] = -parameters[of_night::curve + n];  // excess light is taken off by the curve
+  return found;
+}
+
+Mixing ComparedNight::mixing(const algebra::Grid<double>& light) const {
+  auto found = errors_.mixing;
+  if (!mixed_) return found;
+  const auto parameters = nuisances_.expected(residuals_by_the_clock(light));
+  std::size_t element = of_night::mixing;
+  for (std::size_t to = 0; to < 3; ++to)
+    for (std::size_t from = 0; from < 3; ++from) {
+      const double whole = (from == to ? 1 : 0) - luminance_of_rec709[from];
+      found[to][from] += saturation_error_ * parameters[of_night::saturation] * whole;
+      if (from != to) found[to][from] += mixing_error_ * parameters[element++];
+    }
   return found;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,7 +20,15 @@ struct PhotometricErrors {
   double white_balance_error = 0.03;           ///< of the logarithms of red and blue over green
   bool white_balance_fixed = false;  ///< common to a night; else each photograph has its own
   double place_error_km = 0;         ///< of the registration, towards the shadow's axis
+  /// of a part of the limb 30 degrees wide by its weather, in red; a fifth more in green, half more in blue
+  double weather_error = 0;
+  double mixing_error = 0;      ///< of each element of the camera's matrix off its diagonal
+  double saturation_error = 0;  ///< of the saturation of its colours, as styles of JPEG have it
 };
+
+/// Linear light that a camera writes for linear Rec.709 light: [to][from].
+using Mixing = std::array<std::array<double, 3>, 3>;
+inline constexpr Mixing no_mixing{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 /// A photograph in the bins of its scene.
 struct NightPhotograph {
@@ -32,6 +41,9 @@ struct NightPhotograph {
 struct NightErrors {
   double clock_error_s = 0;   ///< standard error of the clock; 0: instants are exact
   colour::ToneCurve curve{};  ///< with which light was binned, where a curve is in question
+  Mixing mixing = no_mixing;  ///< expected, about which errors are small
+  /// XYZ of all bins, as night_light has it, about which mixing is linear; empty: that of the usual air
+  algebra::Grid<double> expected{};
 };
 
 /// Model light of a night's photographs, and of moments a minute beside them where the clock may be wrong.
@@ -56,8 +68,9 @@ struct MeasuredLight {
 /// Noise of a measurement is that of its pixels; 1.2 % of the Moon's map in each place of 200 km, about 0.3 % of a
 /// bin; and of the computation 0.1 % common to channels and bins close by, 0.1 % of its value and 0.03 % of the
 /// bin's brightest channel. Nuisance parameters are, of the night, the exposure, a fixed white balance, the tone
-/// curve where one is in question, and the clock; of each photograph 3 % of exposure, as shutters and irises
-/// have, the white balance, the registration, the sky and the glow.
+/// curve where one is in question, the clock, the camera's matrix and saturation, and the weather of twelve parts of
+/// the limb in each hour; of each photograph 3 % of exposure, as shutters and irises have, the white balance, the
+/// registration, the sky and the glow.
 class ComparedNight {
  public:
   /// Throws  Error  when fewer than six bins and channels are neither clipped nor lost in noise
@@ -76,6 +89,9 @@ class ComparedNight {
   /// Posterior mean of the tone curve, given the light of an air; the mean of cameras where no curve is in
   /// question.
   colour::ToneCurve curve(const algebra::Grid<double>& light) const;
+
+  /// Posterior mean of the camera's matrix, given the light of an air.
+  Mixing mixing(const algebra::Grid<double>& light) const;
 
   /// Photographs' light in steps of 100 km from the axis, nuisance parameters at their posterior mean, given
   /// the light of an air.
@@ -99,10 +115,20 @@ class ComparedNight {
   std::vector<algebra::Grid<double>> noise(std::span<const NightPhotograph> photographs) const;
   /// Design matrix of the nuisance parameters: (measurement, parameter).
   algebra::Grid<double> design(std::span<const NightPhotograph> photographs) const;
+  /// Light of a bin in linear Rec.709 as the camera writes it, by the mixing expected.
+  std::array<double, 3> as_written(std::span<const double> xyz) const;
+  /// Light that a bin of a photograph is expected to have, in linear Rec.709 without mixing.
+  std::array<double, 3> expected_of(const NightPhotograph& photograph, std::size_t index,
+                                    std::size_t bin) const;
+
+  /// Writes a measurement's growth with the camera's saturation and the elements of its matrix.
+  void add_mixing(const NightPhotograph& photograph, const Measurement& measurement,
+                  std::span<double> night) const;
 
   NightErrors errors_;
   std::size_t bins_ = 0;
-  bool curved_ = false;
+  bool curved_ = false, mixed_ = false;
+  double mixing_error_ = 0, saturation_error_ = 0;
   std::vector<Measurement> measurements_;
   std::vector<std::vector<double>> distances_km_;  // [photograph][bin]
   std::vector<std::array<double, 3>> sunlight_;    // [photograph][channel]

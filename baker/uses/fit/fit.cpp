@@ -142,6 +142,7 @@ void require_sound(const FitRequest& request) {
   algebra::require_within("exposure error", request.exposure_error, 1e-3, 10);
   if (request.white_balance_error)
     algebra::require_within("white balance error", *request.white_balance_error, 1e-3, 10);
+  if (request.weather_error) algebra::require_within("weather error", *request.weather_error, 0, 1);
   algebra::require_within("clock error [min]", request.clock_error_s / 60, 0, 60);
   if (!request.camera.empty()) colour::camera_named(request.camera);
   if (request.photographs.empty() && request.magnitudes.empty())

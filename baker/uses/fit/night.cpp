@@ -43,6 +43,12 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
       request.exposure_error,
       request.white_balance_error.value_or(curved ? of_automatic_white_balance : of_known_colours),
       white_balance_is_fixed(photograph.file)};
+  if (curved) {
+    // of cameras' matrices some per cent; styles of JPEG saturate colours by 0.8 to 1.3
+    errors.mixing_error = request.moon.response ? 0.02 : 0.06;
+    errors.saturation_error = 0.2;
+  }
+  errors.weather_error = request.weather_error.value_or(curved ? 0.1 : 0);
   if (const auto exposure = exposure_of(photograph, curved))
     errors.value_per_cd_m2 =
         request.camera.empty()
@@ -111,8 +117,8 @@ std::vector<almanac::SkyState> Night::way() const {
 }
 
 void Night::compare() {
-  compared_ =
-      std::make_unique<const ComparedNight>(binned_, NightErrors{request_.clock_error_s, curve_});
+  compared_ = std::make_unique<const ComparedNight>(
+      binned_, NightErrors{request_.clock_error_s, curve_, mixing_, expected_});
 }
 
 void Night::take_one(double clock_s, std::size_t index) {
@@ -255,7 +261,10 @@ bool Night::curved() const {
 
 bool Night::refine(const AirFit& fit) {
   if (!curved()) return false;
-  curve_ = compared_->curve(light_at(*light_, fit));
+  expected_ = light_at(*light_, fit);
+  const auto curve = compared_->curve(expected_);
+  mixing_ = compared_->mixing(expected_);
+  curve_ = curve;
   for (std::size_t place = 0; place < taken_.size(); ++place) {
     auto& known = binned_[place];
     if (known.light.slopes.empty()) continue;

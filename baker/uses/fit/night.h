@@ -78,6 +78,9 @@ class Night {
   std::vector<NightPhotograph> binned_;  ///< light of those taken
   double clock_s_ = 0;
   colour::ToneCurve curve_{};
+  Mixing mixing_ = no_mixing;
+  algebra::Grid<double>
+      expected_{};  ///< light about which mixing is linear; empty: the usual air's
   std::unique_ptr<const FittedLight> light_;
   std::unique_ptr<const ComparedNight> compared_;
 };

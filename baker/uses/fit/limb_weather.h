@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include "eclipse/shadow_axis.h"
+
+namespace coppermoon::uses {
+
+/// Equal parts of the limb, by position angle, whose weather is independent: 30 degrees each.
+inline constexpr std::size_t weather_sectors = 12;
+
+/// Shares of a place's refracted light by parts of the limb; part s is centred at the position angle 2π s / 12.
+///
+/// A part of the limb spreads the Sun's image outwards from the axis along its own position angle: a place within the
+/// image's radius of that line has light of it, the more, the farther out on the line. The brightness along the line
+/// grows as exp(x / 2000 km).
+///
+/// Given     sun_distance_m  of the Sun from the Earth
+/// Returned  with sum 1, times the share of refracted light in all light: less than 1 outside the umbra
+/// Accuracy  a fifth of a share: enough for a prior of errors
+std::array<double, weather_sectors> shares_of_limb(const eclipse::ShadowPlace& place,
+                                                   double sun_distance_m);
+
+}  // namespace coppermoon::uses
