@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -190,6 +191,18 @@ const std::vector<std::string>& camera_spectra_names() {
     return names;
   }();
   return all;
+}
+
+std::optional<std::string> spectral_camera_of(std::string_view name_in_header) {
+  constexpr std::size_t shortest = 4;
+  std::string name;
+  for (const char letter : name_in_header)
+    name +=
+        letter == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  for (const auto& camera : camera_spectra_names())
+    if (name.ends_with(camera) || (name.size() >= shortest && camera.ends_with('-' + name)))
+      return camera;
+  return std::nullopt;
 }
 
 bool is_spectral(std::string_view response) {

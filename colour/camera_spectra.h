@@ -3,6 +3,7 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,6 +25,10 @@ struct CameraSpectra {
 
 /// Cameras of data/camera_spectra.csv: canon-eos-600d, nikon-d850, sony-ilce-7m3, …
 const std::vector<std::string>& camera_spectra_names();
+
+/// Camera of camera_spectra_names that a photograph's header names: "NIKON CORPORATION NIKON D850", "ILCE-7M3"; nothing
+/// for others.
+std::optional<std::string> spectral_camera_of(std::string_view name_in_header);
 
 /// Whether a response is spectral: one of camera_spectra_names, or a file that ends in .csv.
 bool is_spectral(std::string_view response);

@@ -176,7 +176,11 @@ Json as_json(const uses::ReadPhotograph& photograph, const std::string& file,
 }
 
 Json as_json(const uses::FittedNight& night, const Input& input) {
-  Json all{{"photographs", Json::array()}, {"clock", Json()}, {"tone_curve", Json()}};
+  Json all{{"photographs", Json::array()},
+           {"response", Json()},
+           {"clock", Json()},
+           {"tone_curve", Json()}};
+  if (night.response) all["response"] = *night.response;
   for (const auto i : night.photographs)
     all["photographs"].push_back(input.request.photographs[i].file);
   if (night.clock)
@@ -225,6 +229,7 @@ void print_night(const uses::FittedNight& night, const Input& input) {
   const auto& first = input.request.photographs[night.photographs.front()].file;
   const auto camera = uses::camera_of(first).value_or("camera of " + first);
   if (night.curve) fmt::print("tone curve   {} ({})\n", in_words(*night.curve), one_line(camera));
+  if (night.response) fmt::print("response     {} ({})\n", *night.response, one_line(camera));
   if (night.clock)
     fmt::print("clock        {:+.1f} min to be added, {:.1f} to {:.1f} ({})\n",
                night.clock->seconds / 60, (night.clock->seconds - night.clock->error_s) / 60,

@@ -11,6 +11,7 @@
 
 #include "algebra/error.h"
 #include "colour/camera.h"
+#include "colour/camera_spectra.h"
 #include "eclipse/contacts.h"
 #include "uses/fit/night.h"
 #include "uses/picture/photo_file.h"
@@ -26,7 +27,8 @@ struct Earlier {
 
 /// All data, and what they refer to.
 struct Evidence {
-  std::vector<std::vector<std::size_t>> photographs;  ///< [night] of the request
+  std::vector<std::vector<std::size_t>> photographs;        ///< [night] of the request
+  std::vector<std::unique_ptr<const FitRequest>> requests;  ///< [night] with its camera's response
   std::vector<std::unique_ptr<Night>> nights;
   std::vector<MagnitudeData> magnitudes;
 
@@ -87,13 +89,27 @@ ByNight nights_of(const FitRequest& request, LeftOut& left_out) {
   return nights;
 }
 
+/// Response of the camera of a night's photographs, where none is asked for.
+std::optional<std::string> usual_response(const EclipsePhotograph& photograph) {
+  const auto camera = camera_of(photograph.file);
+  const auto coding = coding_of(photograph.file, photograph.coding);
+  const bool own_curve = coding == texture::Coding::camera;
+  if (!camera || !(own_curve || texture::is_raw_file(photograph.file))) return std::nullopt;
+  if (const auto known = colour::spectral_camera_of(*camera)) return known;
+  return own_curve ? std::optional<std::string>("canon-eos-600d") : std::nullopt;
+}
+
 void add_nights(const FitRequest& request, const ByNight& nights, Steps& steps, Evidence& evidence,
                 LeftOut& left_out) {
   for (const auto& [key, indices] : nights) try {
       std::vector<const EclipsePhotograph*> photographs;
       for (const auto i : indices) photographs.push_back(&request.photographs[i]);
+      auto of_night = std::make_unique<FitRequest>(request);
+      auto& response = of_night->moon.response;
+      if (!response) response = usual_response(*photographs.front());
       evidence.nights.push_back(
-          std::make_unique<Night>(request, std::move(photographs), steps.next()));
+          std::make_unique<Night>(*of_night, std::move(photographs), steps.next()));
+      evidence.requests.push_back(std::move(of_night));
       evidence.photographs.push_back(indices);
     } catch (const algebra::Error& error) {
       for (const auto i : indices) left_out.add(i, error);
@@ -131,7 +147,11 @@ AirFit fitted(const Evidence& evidence, Steps& steps) {
 FittedNight found_of(const FitRequest& request, const Evidence& evidence, std::size_t n,
                      const AirFit& fit) {
   const auto& night = *evidence.nights[n];
-  FittedNight found{evidence.photographs[n], {}, {}, night.measured(fit)};
+  FittedNight found{.photographs = evidence.photographs[n],
+                    .clock = {},
+                    .response = evidence.requests[n]->moon.response,
+                    .curve = {},
+                    .light = night.measured(fit)};
   if (request.clock_error_s > 0)
     found.clock = ClockError{night.clock_s() + fit.clocks[n].seconds, fit.clocks[n].error_s};
   if (night.curved()) found.curve = night.curve(fit);

@@ -66,6 +66,8 @@ std::string reason_without_name(const std::string& file, const algebra::Error& e
 struct FittedNight {
   std::vector<std::size_t> photographs;  ///< of the request
   std::optional<ClockError> clock;       ///< where clock_error_s > 0
+  std::optional<std::string>
+      response;  ///< through which its camera sees: asked for, known by its name, or usual
   std::optional<colour::ToneCurve> curve;
   std::vector<MeasuredLight> light;  ///< in order of distance
 };
@@ -87,7 +89,9 @@ Unknowns unknowns_of(const FitRequest& request);
 ///     const auto found = fitted_air(request);
 ///     if (explains(found.fit)) use(found.fit.posterior.estimates);
 ///
-/// Photographs of one camera and eclipse share a clock, a tone curve, and an error of exposure. A photograph that
+/// Without a response, light is seen through the filters of the camera that a header names, where these are known; by
+/// JPEGs of others through those of a Canon EOS 600D, for cameras differ less among each other than from the CIE
+/// observer. Photographs of one camera and eclipse share a clock, a tone curve, and an error of exposure. A photograph that
 /// cannot be used is left out while there are other data.
 ///
 /// Given   progress  called with the part that is done; an exception of it ends the fit

@@ -45,7 +45,7 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
       white_balance_is_fixed(photograph.file)};
   if (curved) {
     // of cameras' matrices some per cent; styles of JPEG saturate colours by 0.8 to 1.3
-    errors.mixing_error = request.moon.response ? 0.02 : 0.06;
+    errors.mixing_error = 0.03;
     errors.saturation_error = 0.2;
   }
   errors.weather_error = request.weather_error.value_or(curved ? 0.1 : 0);
