@@ -159,6 +159,14 @@ TEST_F(CameraSpectraTest, DeepRedIsSeenByTheRedChannelAlone) {
   }
 }
 
+TEST_F(CameraSpectraTest, AreFoundByTheNamesInHeaders) {
+  EXPECT_EQ(spectral_camera_of("Canon EOS 600D"), "canon-eos-600d");
+  EXPECT_EQ(spectral_camera_of("NIKON CORPORATION NIKON D810"), "nikon-d810");
+  EXPECT_EQ(spectral_camera_of("ILCE-7M3"), "sony-ilce-7m3");
+  EXPECT_EQ(spectral_camera_of("FUJIFILM X-T30"), std::nullopt);
+  EXPECT_EQ(spectral_camera_of(""), std::nullopt);
+}
+
 TEST_F(CameraSpectraTest, ResponsesOfMatricesAloneLeaveTheObserver) {
   const auto bands = edges(20);
   for (const char* name : {"", "colorimetric", "luminance", "canon-6d"})

@@ -18,7 +18,7 @@ constexpr double refracted_at_the_edge = 3e-4;
 
 std::array<double, weather_sectors> shares_of_limb(const eclipse::ShadowPlace& place,
                                                    double sun_distance_m) {
-  constexpr double brighter_m = 2e6, step_rad = std::numbers::pi / 36;
+  constexpr double brighter_m = 0.7e6, step_rad = std::numbers::pi / 36;
   constexpr int steps = 72;
   const double depth_m = algebra::in_metres(place.depth),
                distance_m = algebra::in_metres(place.axis_distance),

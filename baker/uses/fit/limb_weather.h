@@ -14,11 +14,11 @@ inline constexpr std::size_t weather_sectors = 12;
 ///
 /// A part of the limb spreads the Sun's image outwards from the axis along its own position angle: a place within the
 /// image's radius of that line has light of it, the more, the farther out on the line. The brightness along the line
-/// grows as exp(x / 2000 km).
+/// grows as exp(x / 700 km).
 ///
 /// Given     sun_distance_m  of the Sun from the Earth
 /// Returned  with sum 1, times the share of refracted light in all light: less than 1 outside the umbra
-/// Accuracy  a fifth of a share: enough for a prior of errors
+/// Accuracy  0.05, against light without a part of the limb
 std::array<double, weather_sectors> shares_of_limb(const eclipse::ShadowPlace& place,
                                                    double sun_distance_m);
 

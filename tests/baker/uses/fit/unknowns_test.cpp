@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "uses/fit/unknowns.h"
+
+#include <gtest/gtest.h>
+
+#include "support/within.h"
+#include "uses/light/light_parameters.h"
+
+namespace coppermoon::uses {
+namespace {
+
+TEST(Unknowns, AreFactorsWhereTheAirHasAMonth) {
+  EXPECT_EQ(usual_unknowns({}), Unknowns::factors);
+  EXPECT_EQ(usual_unknowns({.atmosphere = "calibrated"}), Unknowns::factors);
+  EXPECT_EQ(usual_unknowns({.atmosphere = "undated"}), Unknowns::amounts);
+  EXPECT_EQ(usual_unknowns({.column = {.cloud_cover = 0.4}}), Unknowns::amounts);
+}
+
+TEST(Unknowns, HaveThePlaceAndTheNameOfAParameterOfTheAir) {
+  for (const auto unknowns : {Unknowns::factors, Unknowns::amounts}) {
+    const AirNumbers numbers{0.7, 0.6, 0.9};
+    auto air = with_unknowns({}, unknowns, numbers);
+    request::Parameters described;
+    describe(described, air);
+    for (std::size_t a = 0; a < numbers.size(); ++a) {
+      const auto& unknown = unknowns_of(unknowns)[a];
+      const auto parameter =
+          std::ranges::find(described, unknown.parameter, [](const auto& one) { return one.name; });
+      ASSERT_NE(parameter, described.end()) << unknown.parameter;
+      EXPECT_EQ(std::stod(parameter->text()), numbers[a]);
+      EXPECT_WITHIN_RELATIVE(unknown.from_axis(unknown.on_axis(unknown.most)), unknown.most, 1e-14,
+                             "rounding");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace coppermoon::uses
