@@ -27,4 +27,13 @@ constexpr double saturation_exposure_lx_s = 78;
 /// Source    ISO 12232
 double exposure_scale(const Exposure& exposure);
 
+/// Settings that a camera makes of the rounded ones that it shows: whole thirds or halves of a stop. 1/30 s is 1/32 s,
+/// f/5.6 is f/5.657, 30 s is 32 s. A setting that no camera shows stays, and a time of more than 30 s.
+///
+/// Source  CIPA DC-008 (EXIF 2.32), annex C: time values of 5 and 7 are shown as 1/30 and 1/125 s; W. Fulton,
+///         scantips.com/lights/fstop2.html: nominal and precise series
+double real_time_s(double shown_s);
+double real_f_number(double shown);
+double real_iso(double shown);
+
 }  // namespace coppermoon::colour

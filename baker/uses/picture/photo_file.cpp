@@ -88,6 +88,23 @@ std::optional<double> iso_of(const std::string& photo) {
   return faster ? faster : iso;
 }
 
+/// Exposure time by the header's APEX value, where it agrees with the time shown; else by that time. Canon writes a
+/// third of a stop as 3/8, two as 5/8.
+///
+/// Source  ExifTool, lib/Image/ExifTool/Canon.pm: CanonEv
+double real_time_s(const std::string& photo, double shown_s) {
+  constexpr double alike_stops = 0.2, of_eighths = 1e-3;
+  const auto apex =
+      algebra::number_in(texture::read_attribute(photo, "Exif:ShutterSpeedValue").value_or(""));
+  if (!apex || !(std::abs(*apex + std::log2(shown_s)) < alike_stops))
+    return colour::real_time_s(shown_s);
+  double stops = *apex;
+  const double part = stops - std::floor(stops);
+  for (const auto& [written, meant] : {std::pair{3. / 8, 1. / 3}, {5. / 8, 2. / 3}})
+    if (std::abs(part - written) < of_eighths) stops += meant - written;
+  return colour::real_time_s(std::exp2(-stops));
+}
+
 double number_of(const std::string& file, const char* attribute) {
   const double number =
       algebra::number_in(texture::read_attribute(file, attribute).value_or("")).value_or(0);
@@ -113,8 +130,14 @@ void require_sound(const std::string& file, const texture::Image& image) {
 }  // namespace
 
 CameraSettings settings_of(const std::string& photo) {
-  return {number_in_header(photo, {"expTime", "Exif:ExposureTime"}),
-          number_in_header(photo, {"aperture", "Exif:FNumber"}), iso_of(photo)};
+  CameraSettings settings{number_in_header(photo, {"expTime", "Exif:ExposureTime"}),
+                          number_in_header(photo, {"aperture", "Exif:FNumber"}), iso_of(photo)};
+  const auto camera = camera_of(photo);
+  if (!camera || camera->starts_with("coppermoon")) return settings;
+  if (settings.time_s) settings.time_s = real_time_s(photo, *settings.time_s);
+  if (settings.f_number) settings.f_number = colour::real_f_number(*settings.f_number);
+  if (settings.iso) settings.iso = colour::real_iso(*settings.iso);
+  return settings;
 }
 
 std::optional<std::string> camera_of(const std::string& photo) {

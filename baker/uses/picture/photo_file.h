@@ -17,6 +17,7 @@ struct CameraSettings {
   std::optional<double> time_s{}, f_number{}, iso{};
 };
 
+/// Settings by the header; of a camera those that it really uses, as colour::real_time_s has them.
 CameraSettings settings_of(const std::string& photo);
 
 /// Maker and model of the camera that took it, in one line; nothing when its header does not say.

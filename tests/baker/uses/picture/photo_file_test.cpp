@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "algebra/error.h"
+#include "baker/texture/scratch_folder.h"
+#include "support/within.h"
+#include "texture/write_image.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -44,6 +49,50 @@ TEST(ClockIn, RefusesWhatIsNoDate) {
   for (const char* odd : {"21 January 2019", "2019:13:21 05:12:16", "2019:01:21 25:12:16",
                           "2019:01:21", "2019:02:30 05:12:16"})
     EXPECT_THROW(clock_in(odd), algebra::Error) << odd;
+}
+
+class Settings : public ScratchFolder {
+ protected:
+  /// Those of a file whose header says so.
+  CameraSettings of(texture::Attributes header) const {
+    const auto file = in_folder("a.exr");
+    texture::write_exr(file, texture::Image(4, 4, {"R", "G", "B"}), header);
+    return settings_of(file.string());
+  }
+};
+
+TEST_F(Settings, OfACameraAreThoseThatItUses) {
+  const auto found = of({{"Make", "Canon"},
+                         {"Model", "Canon EOS 6D"},
+                         {"Exif:ExposureTime", 1.F / 30},
+                         {"Exif:FNumber", 5.6F},
+                         {"Exif:PhotographicSensitivity", 6400.F}});
+  EXPECT_WITHIN_RELATIVE(found.time_s.value(), 1. / 32, 1e-5, "headers are read as six digits");
+  EXPECT_WITHIN_RELATIVE(found.f_number.value(), 5.656854, 1e-5, "headers are read as six digits");
+  EXPECT_WITHIN_RELATIVE(found.iso.value(), 6400, 1e-5, "headers are read as six digits");
+}
+
+TEST_F(Settings, TakeTheTimeFromTheApexValue) {
+  const auto time_s = [&](float shown_s, double apex) {
+    return of({{"Make", "Canon"},
+               {"Exif:ExposureTime", shown_s},
+               {"Exif:ShutterSpeedValue", static_cast<float>(apex)}})
+        .time_s.value();
+  };
+  const auto is = [](double found, double real) {
+    EXPECT_WITHIN_RELATIVE(found, real, 1e-5, "headers are read as six digits");
+  };
+  is(time_s(1.F / 30, 5), 1. / 32);
+  is(time_s(1.F / 30, std::log2(30.)), 1. / 32);     // as computed from the time shown
+  is(time_s(1.F / 40, 5.375), std::exp2(-16. / 3));  // as Canon writes a third
+  is(time_s(1.F / 20, 4.5), std::exp2(-4.5));        // half a stop, not a third
+  is(time_s(0.5F, 0), 0.5);                          // absent or wrong
+}
+
+TEST_F(Settings, OfOurOwnFilesStayAsTheyWereAskedFor) {
+  for (const char* make : {"coppermoon", ""})
+    EXPECT_WITHIN_RELATIVE(of({{"Make", make}, {"expTime", 1.F / 30}}).time_s.value(), 1. / 30,
+                           1e-5, "headers are read as six digits");
 }
 
 }  // namespace
