@@ -207,15 +207,17 @@ void climb(std::array<Corner, 5>& simplex, const std::function<double(const Part
   }
 }
 
-/// Pose of greatest correlation near a first guess: steps of `begin` at first, of `end_px` at last.
-Pose refined(const Pair& pair, Pose pose, double begin, double end_px) {
+/// Pose of greatest correlation near a first guess, of its scale or of any: steps of `begin` at first, of `end_px` at
+/// last.
+Pose refined(const Pair& pair, Pose pose, bool of_its_scale, double begin, double end_px) {
+  constexpr std::size_t growth = 1;
   const auto height = [&](const Parts& parts) {
     return correlation(pair, {pose.mirrored, parts}, beyond_limb);
   };
   std::array<Corner, 5> simplex;
   for (std::size_t i = 0; i < simplex.size(); ++i) {
     auto at = pose.parts;
-    if (i > 0) at[i - 1] += begin;
+    if (i > 0 && !(of_its_scale && i - 1 == growth)) at[i - 1] += begin;
     simplex[i] = {at, height(at)};
   }
   const auto wide = [&] {
@@ -286,20 +288,23 @@ struct Discs {
 
 }  // namespace
 
-Registration registered(const Values& photo, const Values& render) {
-  const auto in_photo = disc_in(photo, "photograph"), in_render = disc_in(render, "render");
+Registration registered(const Values& photo, const Values& render,
+                        const std::optional<double>& scale) {
+  const auto in_render = disc_in(render, "render");
+  auto in_photo = disc_in(photo, "photograph");
+  if (scale) in_photo.radius_px = *scale * in_render.radius_px;
   const Discs discs{close_up(photo, in_photo), close_up(render, in_render),
                     clipped_share(photo, in_photo)};
   const auto coarse = discs.at_radius(40);
   Pose best;
   double most = -1;
   for (const auto& likely : likely_poses(coarse)) {
-    const auto pose = refined(coarse, likely, 0.015, 0.1);
+    const auto pose = refined(coarse, likely, scale.has_value(), 0.015, 0.1);
     const double alike = correlation(coarse, pose, within_limb);
     if (alike > most) most = alike, best = pose;
   }
   const auto fine = discs.at_radius(160);
-  best = turned(fine, refined(fine, best, 0.003, 0.005));
+  best = turned(fine, refined(fine, best, scale.has_value(), 0.003, 0.005));
   const double alike = correlation(fine, best, within_limb);
   algebra::require_within("correlation of photograph and render", alike, least_correlation, 1);
   algebra::require_within("correlation of markings on photograph and render",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include "algebra/grid.h"
 #include "colour/limb.h"
 #include "colour/similarity.h"
@@ -30,11 +32,14 @@ struct Registration {
 ///           noise of 2 % of the brightest, a clipped disc, the Earth's shadow. Where all but the
 ///           umbra is clipped, 33 times too bright: 0.6 pixel and 1 %. One in thirty small discs (25
 ///           pixels, blur by 2) was turned by 0.5°. Of maps of the same Moon by two hands: 0.3°
+/// Given     scale  of the similarity, where it is known: the photograph's disc then has the size of the render's times
+///                  that, about the centre that its limb has
 /// Throws    Error  as limb_of; when it finds no disc in either, or the correlation is below 0.4:
 ///                  nothing is seen on the Moon, or it is another (up to 0.29 by chance); when that of
 ///                  what varies around the disc is below 0.3: both are alike in how light goes from
 ///                  the middle to the limb alone, as a Sun may be. A render of another hour may come
 ///                  above both, by its shadow, and lie anyhow
-Registration registered(const algebra::Grid<float>& photo, const algebra::Grid<float>& render);
+Registration registered(const algebra::Grid<float>& photo, const algebra::Grid<float>& render,
+                        const std::optional<double>& scale = {});
 
 }  // namespace coppermoon::colour

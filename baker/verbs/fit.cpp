@@ -131,9 +131,10 @@ void add_by_headers(const Options& options, Input& input) {
 }
 
 Input input_of(const Options& options) {
-  constexpr double usual_clock_error_min = 10;
+  constexpr double usual_clock_error_min = 10, farthest_clock_s = 3 * 3600;
   const bool by_headers = options.instants == from_header;
   Input input{options.request, {}};
+  input.request.clock_search_s = by_headers ? farthest_clock_s : 0;
   input.request.clock_error_s =
       60 * options.clock_error_min.value_or(by_headers ? usual_clock_error_min : 0);
   if (by_headers) {
@@ -329,7 +330,11 @@ void add_photograph_options(CLI::App& verb, Options& options) {
   add("--camera", options.request.camera,
       "camera whose saturation is meant; default: that of ISO 12232");
   add("--exposure-error", options.request.exposure_error,
-      "standard error of the exposures' logarithm, 0.001 to 10")
+      "standard error of the exposures' logarithm, common to a night, 0.001 to 10; default: 0.1, "
+      "with a camera's own tone curve free")
+      .within(1e-3, 10);
+  add("--shutter-error", options.request.shutter_error,
+      "standard error of the logarithm of one exposure beside the night's others, 0.001 to 10")
       .within(1e-3, 10);
   add("--white-balance-error", options.request.white_balance_error,
       "standard error of red and blue over green, 0.001 to 10; default: 0.03, with a camera's own "

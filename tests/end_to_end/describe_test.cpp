@@ -199,6 +199,7 @@ TEST_F(Ranges, AreThoseThatTheLibraryKeeps) {
       {"f-number", "colour/exposure: with the focal length it makes the aperture"},
       {"bins", "uses/study/comparison"},
       {"exposure-error", "uses/study/fit_nuisances"},
+      {"shutter-error", "uses/study/fit_nuisances"},
       {"white-balance-error", "uses/study/fit_nuisances"},
       {"clock-error", "uses/study/fit_nuisances"},
       {"longest", "end_to_end/tradeoff"},

@@ -269,7 +269,7 @@ std::array<double, 3> ComparedNight::expected_of(const NightPhotograph& photogra
 }
 
 algebra::Grid<double> ComparedNight::design(std::span<const NightPhotograph> photographs) const {
-  constexpr double shutter_and_iris = 0.03, white_balance_drift = 0.003;
+  constexpr double white_balance_drift = 0.003;
   const auto knots = weather_knots(photographs);
   const bool weather = std::ranges::any_of(
       photographs, [](const auto& one) { return one.errors.weather_error > 0; });
@@ -286,8 +286,8 @@ algebra::Grid<double> ComparedNight::design(std::span<const NightPhotograph> pho
     const bool scaled = errors.value_per_cd_m2.has_value(), curved = !light.slopes.empty();
     const auto night = a.row(i), own = night.subspan(of_night::count + of_photograph::count * p,
                                                      of_photograph::count);
-    if (scaled) night[of_night::exposure] = curved ? unknown_deviation : errors.exposure_error;
-    own[of_photograph::exposure] = scaled ? shutter_and_iris : unknown_deviation;
+    if (scaled) night[of_night::exposure] = errors.exposure_error;
+    own[of_photograph::exposure] = scaled ? errors.shutter_error : unknown_deviation;
     if (k != 1) {
       const bool fixed = errors.white_balance_fixed;
       if (fixed) night[of_night::red + k / 2] = errors.white_balance_error;
@@ -372,11 +372,11 @@ GoodnessOfFit ComparedNight::goodness(const algebra::Grid<double>& light) const 
   GoodnessOfFit result{product(whitened, whitened)};
   if (per_second.empty()) return result;
   const auto clock = nuisances_.whitened(per_second);
-  const double information =
-      product(clock, clock) + 1 / (errors_.clock_error_s * errors_.clock_error_s);
-  result.clock_s = product(clock, whitened) / information;
+  const double believed = 1 / (errors_.clock_error_s * errors_.clock_error_s),
+               mean_s = errors_.clock_mean_s, information = product(clock, clock) + believed;
+  result.clock_s = (product(clock, whitened) + believed * mean_s) / information;
   result.clock_variance_s2 = 1 / information;
-  result.chi_squared -= result.clock_s * result.clock_s * information;
+  result.chi_squared += believed * mean_s * mean_s - result.clock_s * result.clock_s * information;
   return result;
 }
 

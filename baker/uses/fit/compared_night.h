@@ -16,10 +16,11 @@ namespace coppermoon::uses {
 /// Photometric scale of a photograph, and its standard errors.
 struct PhotometricErrors {
   std::optional<double> value_per_cd_m2 = {};  ///< pixel value of 1 cd/m²; without: unknown
-  double exposure_error = 0.1;                 ///< of the exposure's logarithm, common to a night
-  double white_balance_error = 0.03;           ///< of the logarithms of red and blue over green
-  bool white_balance_fixed = false;  ///< common to a night; else each photograph has its own
-  double place_error_km = 0;         ///< of the registration, towards the shadow's axis
+  double exposure_error = 0.1;  ///< of the exposure's logarithm, common to a night; 10: unknown
+  double shutter_error = 0.03;  ///< of the logarithm of this exposure beside the night's others
+  double white_balance_error = 0.03;  ///< of the logarithms of red and blue over green
+  bool white_balance_fixed = false;   ///< common to a night; else each photograph has its own
+  double place_error_km = 0;          ///< of the registration, towards the shadow's axis
   /// of a part of the limb 30 degrees wide by its weather, in red; a fifth more in green, half more in blue
   double weather_error = 0;
   double mixing_error = 0;      ///< of each element of the camera's matrix off its diagonal
@@ -40,6 +41,7 @@ struct NightPhotograph {
 /// Camera of a night: errors that its photographs share.
 struct NightErrors {
   double clock_error_s = 0;   ///< standard error of the clock; 0: instants are exact
+  double clock_mean_s = 0;    ///< of that error's distribution, from the scenes' instants
   colour::ToneCurve curve{};  ///< with which light was binned, where a curve is in question
   Mixing mixing = no_mixing;  ///< expected, about which errors are small
   /// XYZ of all bins, as night_light has it, about which mixing is linear; empty: that of the usual air
@@ -69,8 +71,8 @@ struct MeasuredLight {
 /// bin; and of the computation 0.1 % common to channels and bins close by, 0.1 % of its value and 0.03 % of the
 /// bin's brightest channel. Nuisance parameters are, of the night, the exposure, a fixed white balance, the tone
 /// curve where one is in question, the clock, the camera's matrix and saturation, and the weather of twelve parts of
-/// the limb in each hour; of each photograph 3 % of exposure, as shutters and irises have, the white balance, the
-/// registration, the sky and the glow.
+/// the limb in each hour; of each photograph its exposure beside the others', as shutters and irises have it, the
+/// white balance, the registration, the sky and the glow.
 class ComparedNight {
  public:
   /// Throws  Error  when fewer than six bins and channels are neither clipped nor lost in noise

@@ -77,7 +77,7 @@ ByNight nights_of(const FitRequest& request, LeftOut& left_out) {
   ByNight nights;
   for (std::size_t i = 0; i < request.photographs.size(); ++i) try {
       const auto& photograph = request.photographs[i];
-      if (request.clock_error_s == 0 && !request.half_hours_free)
+      if (request.clock_error_s == 0 && !request.half_hours_free && request.clock_search_s == 0)
         require_eclipse(photograph.instant);
       const auto eclipse = eclipse::nearest_eclipse(
           photograph.instant, eclipse::ShadowConvention::danjon, almanac::LunarTheory::moon98);
@@ -149,6 +149,7 @@ FittedNight found_of(const FitRequest& request, const Evidence& evidence, std::s
   const auto& night = *evidence.nights[n];
   FittedNight found{.photographs = evidence.photographs[n],
                     .clock = {},
+                    .half_hours_s = night.zone_s(),
                     .response = evidence.requests[n]->moon.response,
                     .curve = {},
                     .light = night.measured(fit)};
@@ -159,7 +160,9 @@ FittedNight found_of(const FitRequest& request, const Evidence& evidence, std::s
 }
 
 void require_sound(const FitRequest& request) {
-  algebra::require_within("exposure error", request.exposure_error, 1e-3, 10);
+  if (request.exposure_error)
+    algebra::require_within("exposure error", *request.exposure_error, 1e-3, 10);
+  algebra::require_within("shutter error", request.shutter_error, 1e-3, 10);
   if (request.white_balance_error)
     algebra::require_within("white balance error", *request.white_balance_error, 1e-3, 10);
   if (request.weather_error) algebra::require_within("weather error", *request.weather_error, 0, 1);

@@ -37,9 +37,11 @@ struct FitRequest {
   ViewRequest view = {};  ///< observer of the photographs, and the air above
   /// one of colour::camera_names(), for its saturation; empty: by ISO 12232
   std::string camera = {};
-  /// standard error of the exposures' logarithm, common to a night's photographs, 0.001 to 10; ignored with a
-  /// camera's own tone curve, whose exposure is free
-  double exposure_error = 0.1;
+  /// standard error of the exposures' logarithm, common to a night's photographs, 0.001 to 10; without: 0.1, with a
+  /// camera's own tone curve 10, which leaves it free
+  std::optional<double> exposure_error = {};
+  /// standard error of the logarithm of one exposure beside the night's others, 0.001 to 10
+  double shutter_error = 0.03;
   /// standard error of the logarithms of red and blue over green, 0.001 to 10; without: 0.03, with a camera's
   /// own tone curve 0.3
   std::optional<double> white_balance_error = {};
@@ -48,6 +50,8 @@ struct FitRequest {
   std::optional<double> weather_error = {};
   double clock_error_s = 0;      ///< standard error of each camera's clock, 0 to 3600; 0: exact
   bool half_hours_free = false;  ///< any whole number of half hours may be added to instants
+  /// how far a clock may be wrong beyond that error, where partial phases tell it [s]; 0: no farther
+  double clock_search_s = 0;
 };
 
 /// A photograph as it was read.
@@ -66,8 +70,9 @@ std::string reason_without_name(const std::string& file, const algebra::Error& e
 struct FittedNight {
   std::vector<std::size_t> photographs;  ///< of the request
   std::optional<ClockError> clock;       ///< where clock_error_s > 0
-  std::optional<std::string>
-      response;  ///< through which its camera sees: asked for, known by its name, or usual
+  double half_hours_s = 0;               ///< part of that correction that is another zone's
+  /// through which its camera sees: asked for, known by its name, or usual
+  std::optional<std::string> response;
   std::optional<colour::ToneCurve> curve;
   std::vector<MeasuredLight> light;  ///< in order of distance
 };

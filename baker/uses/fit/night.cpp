@@ -18,15 +18,17 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Exposure by the request, else by the header; nothing unless complete. With a camera's own tone curve a common
-/// factor is free, so an unknown f-number may be any constant.
-std::optional<colour::Exposure> exposure_of(const EclipsePhotograph& photograph, bool curved) {
+constexpr double half_hour_s = 1800;
+
+/// Exposure by the request, else by the header; nothing unless complete. Where a common factor is free an unknown
+/// f-number may be any constant.
+std::optional<colour::Exposure> exposure_of(const EclipsePhotograph& photograph, bool free) {
   const auto header = settings_of(photograph.file);
   const auto either = [](const auto& given, const auto& other) { return given ? given : other; };
   const auto time_s = either(photograph.time_s, header.time_s),
              iso = either(photograph.iso, header.iso);
   auto f_number = either(photograph.f_number, header.f_number);
-  if (curved && !f_number) f_number = 8;
+  if (free && !f_number) f_number = 8;
   if (!time_s || !iso || !f_number) return std::nullopt;
   return colour::Exposure{*time_s, *f_number, *iso};
 }
@@ -37,10 +39,12 @@ bool is_curved(const EclipsePhotograph& photograph) {
 
 PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& photograph) {
   constexpr double of_automatic_white_balance = 0.3, of_known_colours = 0.03;
+  constexpr double of_exposures = 0.1, free = 10;
   const bool curved = is_curved(photograph);
   PhotometricErrors errors{
       {},
-      request.exposure_error,
+      request.exposure_error.value_or(curved ? free : of_exposures),
+      request.shutter_error,
       request.white_balance_error.value_or(curved ? of_automatic_white_balance : of_known_colours),
       white_balance_is_fixed(photograph.file)};
   if (curved) {
@@ -49,12 +53,18 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
     errors.saturation_error = 0.2;
   }
   errors.weather_error = request.weather_error.value_or(curved ? 0.1 : 0);
-  if (const auto exposure = exposure_of(photograph, curved))
+  if (const auto exposure = exposure_of(photograph, errors.exposure_error >= free))
     errors.value_per_cd_m2 =
         request.camera.empty()
             ? colour::exposure_scale(*exposure)
             : 1 / colour::saturation_cd_m2(colour::camera_named(request.camera), *exposure);
   return errors;
+}
+
+/// Whether two scales are of one lens.
+bool is_alike(double one, double other) {
+  constexpr double alike = 0.02;
+  return std::abs(one / other - 1) < alike;
 }
 
 /// Light in the air of the least χ².
@@ -71,33 +81,37 @@ Night::Night(const FitRequest& request, std::vector<const EclipsePhotograph*> ph
         if (progress) progress(0);
       }),
       photographs_(std::move(photographs)),
-      left_out_(photographs_.size()) {
+      kept_(photographs_.size()),
+      left_out_(photographs_.size()),
+      clock_error_s_(request.clock_error_s) {
   groundwork_ = std::make_unique<const FitGroundwork>(groundwork_of(request.moon, way()));
-  if (request.half_hours_free) find_half_hour();
-  std::vector<std::size_t> all(photographs_.size());
-  std::iota(all.begin(), all.end(), 0);
-  take(clock_s_, all);
-  require_any();
+  if (clock_is_free()) scan_clock();
+  const auto all = some(photographs_.size());
+  const auto look = [&] {
+    take(clock_s_, all);
+    require_any();
+    read_light();
+  };
+  look();
   // a shadow at a wrong place shifts a registration by a tenth of that, so registrations are repeated
   constexpr int most_registrations = 3;
   constexpr double near_s = 15;
-  for (int made = 0; request.clock_error_s > 0 && made < most_registrations; ++made) {
+  for (int made = 0; clock_error_s_ > 0 && made < most_registrations; ++made) {
     const double before_s = clock_s_;
     find_clock();
     if (std::abs(clock_s_ - before_s) < near_s) break;
-    take(clock_s_, all);
-    require_any();
+    look();
   }
   light_ = std::make_unique<const FittedLight>(
       night_light(request.moon.light, unknowns_of(request), binned_, instants(clock_s_),
-                  request.clock_error_s, FittedAirs::fine, progress));
+                  clock_error_s_, FittedAirs::fine, progress));
   compare();
 }
 
 std::vector<almanac::SkyState> Night::way() const {
   constexpr double step_s = 300;
   std::vector<almanac::SkyState> skies;
-  if (!request_.half_hours_free && request_.clock_error_s == 0) {
+  if (!clock_is_free() && clock_error_s_ == 0) {
     const auto [first, last] =
         std::ranges::minmax(photographs_, [](const auto* one, const auto* other) {
           return almanac::seconds_between(one->instant, other->instant) > 0;
@@ -116,61 +130,111 @@ std::vector<almanac::SkyState> Night::way() const {
   return skies;
 }
 
-void Night::compare() {
-  compared_ = std::make_unique<const ComparedNight>(
-      binned_, NightErrors{request_.clock_error_s, curve_, mixing_, expected_});
+bool Night::clock_is_free() const {
+  return request_.half_hours_free || request_.clock_search_s > 0;
 }
 
-void Night::take_one(double clock_s, std::size_t index) {
+NightErrors Night::errors() const {
+  return {clock_error_s_, believed_s_ - clock_s_, curve_, mixing_, expected_};
+}
+
+void Night::compare() { compared_ = std::make_unique<const ComparedNight>(binned_, errors()); }
+
+const Night::Kept& Night::kept(std::size_t index) {
+  auto& kept = kept_[index];
+  if (!kept) try {
+      const auto& photograph = *photographs_[index];
+      const auto photo = photo_light(photograph.file, photograph.coding, request_.moon.response);
+      kept = Kept{{}, {photo.width, photo.height}};
+      kept->moon = moon_part(photo);
+    } catch (const algebra::Error& error) {
+      if (!kept) kept.emplace();
+      kept->unusable = reason_without_name(photographs_[index]->file, error);
+    }
+  return *kept;
+}
+
+void Night::take_one(double clock_s, std::size_t index, std::optional<double> px_per_rad) {
   const auto& photograph = *photographs_[index];
-  left_out_[index].clear();
+  const auto& [moon, extent, unusable] = kept(index);
+  left_out_[index] = unusable;
+  if (!unusable.empty()) return;
   heartbeat_(0);
   try {
-    const auto photo = photo_light(photograph.file, photograph.coding, request_.moon.response);
     NightPhotograph known;
     known.scene = fit_scene(request_.moon, *groundwork_, request_.view,
                             almanac::sky_at(almanac::later(photograph.instant, clock_s)));
-    const auto registration = registration_of(known.scene, photo);
-    const auto curve = is_curved(photograph) ? std::optional(curve_) : std::nullopt;
-    known.light = binned(known.scene, photo, registration.render_to_photo, curve);
+    const double px_per_scale = moon.shrunk / known.scene.pixel_rad;
+    if (px_per_rad) *px_per_rad /= px_per_scale;
+    const auto registration = registration_of(known.scene, moon.photo, px_per_rad);
     known.errors = errors_of(request_, photograph);
-    known.errors.place_error_km = place_error_km(known.scene, registration);
-    const double px_per_rad = registration.render_to_photo.scale / known.scene.pixel_rad;
     binned_.push_back(std::move(known));
-    taken_.push_back({index, registration, {photo.width, photo.height}, px_per_rad});
+    taken_.push_back({index, registration, registration.render_to_photo.scale * px_per_scale});
   } catch (const algebra::Error& error) {
     left_out_[index] = reason_without_name(photograph.file, error);
   }
 }
 
-bool Night::at_odds(const Taken& taken) const {
-  constexpr double alike = 0.02;
-  // scale with the most agreement, by the sum of correlations
-  double most = 0, agreed = taken.px_per_rad;
-  for (const auto& one : taken_) {
-    if (one.extent != taken.extent) continue;
-    double sum = 0;
-    for (const auto& other : taken_)
-      if (other.extent == taken.extent && std::abs(other.px_per_rad / one.px_per_rad - 1) < alike)
-        sum += other.registration.correlation;
-    if (sum > most) most = sum, agreed = one.px_per_rad;
+void Night::read_light() {
+  for (std::size_t place = 0; place < taken_.size(); ++place) {
+    const auto& [index, registration, px_per_rad] = taken_[place];
+    auto& [scene, light, errors] = binned_[place];
+    const auto curve = is_curved(*photographs_[index]) ? std::optional(curve_) : std::nullopt;
+    light = binned(scene, kept(index).moon, registration.render_to_photo, curve);
+    errors.place_error_km = place_error_km(scene, registration);
   }
-  return std::abs(taken.px_per_rad / agreed - 1) > alike;
+}
+
+double Night::agreed_px_per_rad(std::size_t index) {
+  const auto sized = [&](const Taken& taken) {
+    return kept(taken.index).extent == kept(index).extent;
+  };
+  double most = 0, agreed = 0;
+  for (const auto& one : taken_) {
+    if (!sized(one)) continue;
+    double sum = 0, scales = 0;
+    for (const auto& other : taken_)
+      if (sized(other) && is_alike(other.px_per_rad, one.px_per_rad)) {
+        sum += other.registration.correlation;
+        scales += other.registration.correlation * other.px_per_rad;
+      }
+    if (sum > most) most = sum, agreed = scales / sum;
+  }
+  return agreed;
+}
+
+void Night::take_in_scale(double clock_s, std::size_t index, double px_per_rad) {
+  constexpr double as_well = 0.9;
+  double alike = 0;
+  const auto erase = [&] {
+    const auto at = std::ranges::find(taken_, index, &Taken::index);
+    if (at == taken_.end()) return;
+    alike = at->registration.correlation;
+    binned_.erase(binned_.begin() + (at - taken_.begin()));
+    taken_.erase(at);
+  };
+  erase();
+  take_one(clock_s, index, px_per_rad);
+  if (alike == 0 ||
+      (left_out_[index].empty() && taken_.back().registration.correlation >= as_well * alike))
+    return;
+  erase();
+  left_out_[index] = "a Moon of another size than on the night's other photographs";
 }
 
 void Night::take(double clock_s, std::span<const std::size_t> indices) {
   taken_.clear();
   binned_.clear();
   for (const auto index : indices) take_one(clock_s, index);
-  std::vector<std::size_t> odd;
-  for (std::size_t place = 0; place < taken_.size(); ++place)
-    if (at_odds(taken_[place])) odd.push_back(place);
-  std::ranges::reverse(odd);  // what is erased moves what follows
-  for (const auto place : odd) {
-    left_out_[taken_[place].index] = "a Moon of another size than on the night's other photographs";
-    taken_.erase(taken_.begin() + static_cast<std::ptrdiff_t>(place));
-    binned_.erase(binned_.begin() + static_cast<std::ptrdiff_t>(place));
+  std::vector<std::pair<std::size_t, double>> again;
+  for (const auto index : indices) {
+    if (!kept(index).unusable.empty()) continue;
+    const double px_per_rad = agreed_px_per_rad(index);
+    const auto at = std::ranges::find(taken_, index, &Taken::index);
+    if (px_per_rad > 0 && (at == taken_.end() || !is_alike(at->px_per_rad, px_per_rad)))
+      again.emplace_back(index, px_per_rad);
   }
+  for (const auto& [index, px_per_rad] : again) take_in_scale(clock_s, index, px_per_rad);
 }
 
 void Night::require_any() const {
@@ -190,10 +254,9 @@ std::vector<almanac::Instant> Night::instants(double clock_s) const {
 GoodnessOfFit Night::coarse_fit(double clock_s) const {
   constexpr int aerosols = 16, clouds = 8;
   const auto& [aerosol, cloud, ozone] = unknowns_of(unknowns_of(request_));
-  const auto light =
-      night_light(request_.moon.light, unknowns_of(request_), binned_, instants(clock_s),
-                  request_.clock_error_s, FittedAirs::coarse, heartbeat_);
-  const ComparedNight compared(binned_, {request_.clock_error_s, curve_});
+  const auto light = night_light(request_.moon.light, unknowns_of(request_), binned_,
+                                 instants(clock_s), clock_error_s_, FittedAirs::coarse, heartbeat_);
+  const ComparedNight compared(binned_, {clock_error_s_, believed_s_ - clock_s, curve_});
   const auto part = [](const Unknown& unknown, double share) {
     return unknown.from_axis(
         std::lerp(unknown.on_axis(unknown.least), unknown.on_axis(unknown.most), share));
@@ -210,33 +273,100 @@ GoodnessOfFit Night::coarse_fit(double clock_s) const {
   return best;
 }
 
-void Night::find_half_hour() {
-  constexpr double half_hour_s = 1800;
-  constexpr int farthest = 52;  // zones are 26 hours apart
-  constexpr std::size_t enough = 3;
-  const auto last = photographs_.size() - 1, count = std::min(enough, photographs_.size());
-  std::vector<std::size_t> some{0};
-  for (std::size_t i = 1; i < count; ++i) some.push_back(i * last / (count - 1));
+std::vector<std::size_t> Night::some(std::size_t most) const {
+  const auto all = photographs_.size(), count = std::min(most, all);
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < count; ++i)
+    indices.push_back(count == 1 ? 0 : i * (all - 1) / (count - 1));
+  return indices;
+}
+
+std::vector<ClockView> Night::views() {
+  std::vector<ClockView> all;
+  for (std::size_t place = 0; place < taken_.size(); ++place) {
+    const auto& [index, registration, px_per_rad] = taken_[place];
+    all.push_back(clock_view(binned_[place].scene, kept(index).moon.photo,
+                             registration.render_to_photo, is_curved(*photographs_[index]),
+                             photographs_[index]->instant));
+  }
+  return all;
+}
+
+std::array<double, 2> Night::possible_s() const {
+  if (!request_.half_hours_free) return {-request_.clock_search_s, request_.clock_search_s};
+  constexpr int farthest = 52;  // half hours: zones are 26 hours apart
   const auto contacts =
       eclipse::nearest_eclipse(photographs_.front()->instant, eclipse::ShadowConvention::danjon)
           .contacts;
-  double most = 0;
+  std::array<double, 2> range{};
+  std::ptrdiff_t most = 0;
   for (int step = -farthest; step <= farthest; ++step) {
     const double clock_s = step * half_hour_s;
-    const bool all_eclipsed = std::ranges::all_of(photographs_, [&](const auto* photograph) {
+    const auto eclipsed = std::ranges::count_if(photographs_, [&](const auto* photograph) {
       const auto moment = almanac::later(photograph->instant, clock_s);
       return almanac::seconds_between(*contacts.P1, moment) > 0 &&
              almanac::seconds_between(moment, *contacts.P4) > 0;
     });
-    if (!all_eclipsed) continue;
-    take(clock_s, some);
-    double alike = 0;  // the better, the nearer the shadow is to its place on the photographs
-    for (const auto& taken : taken_) alike += taken.registration.correlation;
-    if (alike > most) most = alike, clock_s_ = clock_s;
+    if (eclipsed > most) most = eclipsed, range[0] = clock_s;
+    if (eclipsed == most) range[1] = clock_s;
   }
   if (most == 0)
     throw algebra::Error(
         "no zone and clock explain the photographs' dates: allowed are those of an eclipse");
+  return range;
+}
+
+double Night::take_anywhere(std::span<const std::size_t> indices,
+                            const std::array<double, 2>& range_s) {
+  constexpr double enough = 0.75;
+  const bool free = request_.half_hours_free;
+  const double step_s = free ? half_hour_s : 2 * half_hour_s;
+  std::vector<double> clocks_s;
+  for (double s = range_s[0]; s <= range_s[1]; s += step_s) clocks_s.push_back(s);
+  std::ranges::sort(clocks_s, {}, [](double s) { return std::abs(s); });
+  double most = 0, best_s = clocks_s.front();
+  for (const double clock_s : clocks_s) {
+    take(clock_s, indices);
+    double alike = 0;  // the better, the nearer the shadow is to its place on the photographs
+    for (const auto& taken : taken_) alike += taken.registration.correlation;
+    if (alike > most) most = alike, best_s = clock_s;
+    if (!free && static_cast<double>(taken_.size()) >= enough * static_cast<double>(indices.size()))
+      return clock_s;
+  }
+  take(best_s, indices);
+  return best_s;
+}
+
+void Night::scan_clock() {
+  constexpr std::size_t enough = 6;
+  constexpr double near_s = 300, about_s = 1200, least_error_s = 60;
+  const bool free = request_.half_hours_free;
+  const auto nearest_s = [=](double clock_s) {
+    return free ? std::round(clock_s / half_hour_s) * half_hour_s : 0;
+  };
+  const double error_s = std::max(least_error_s, clock_error_s_);
+  const auto believed = [&](double clock_s) {
+    return std::pow((clock_s - nearest_s(clock_s)) / error_s, 2);
+  };
+  auto [from_s, to_s] = possible_s();
+  const double taken_s = take_anywhere(some(enough), {from_s, to_s});
+  auto seen = views();
+  if (seen.empty()) return;  // as the photographs' reasons say
+  const double margin_s = free ? half_hour_s / 2 : 0;
+  auto found = scanned_clock(*groundwork_, seen, from_s - margin_s, to_s + margin_s, believed);
+  if (std::abs(found.seconds - taken_s) > near_s) {
+    take(found.seconds, some(enough));
+    seen = views();
+    if (!seen.empty())
+      found = scanned_clock(*groundwork_, seen, found.seconds - about_s, found.seconds + about_s,
+                            believed);
+  }
+  believed_s_ = nearest_s(found.seconds);
+  clock_s_ = clock_error_s_ > 0 ? found.seconds : believed_s_;
+  if (clock_error_s_ == 0 || taken_.empty()) return;
+  if (found.decided) clock_error_s_ = std::max(clock_error_s_, std::abs(clock_s_ - believed_s_));
+  read_light();
+  find_clock();
 }
 
 void Night::find_clock() {
@@ -259,20 +389,34 @@ bool Night::curved() const {
   return std::ranges::any_of(binned_, [](const auto& one) { return !one.light.slopes.empty(); });
 }
 
+void Night::register_again(const AirFit& fit) {
+  auto moon = request_.moon;
+  moon.light.air = with_unknowns(moon.light.air, fit.unknowns, fit.best);
+  const auto groundwork = groundwork_of(moon, way());
+  for (std::size_t place = 0; place < taken_.size(); ++place) {
+    auto& [index, registration, px_per_rad] = taken_[place];
+    auto& scene = binned_[place].scene;
+    const auto in_air = fit_scene(moon, groundwork, request_.view, scene.sky);
+    const auto& part = kept(index).moon;
+    try {
+      registration = registration_of(in_air, part.photo,
+                                     agreed_px_per_rad(index) * scene.pixel_rad / part.shrunk);
+      scene = in_air;
+    } catch (const algebra::Error&) {  // it stays as it was registered in the usual air
+    }
+  }
+}
+
 bool Night::refine(const AirFit& fit) {
-  if (!curved()) return false;
+  if (registered_in_best_air_ && !curved()) return false;
+  heartbeat_(0);
   expected_ = light_at(*light_, fit);
   const auto curve = compared_->curve(expected_);
   mixing_ = compared_->mixing(expected_);
   curve_ = curve;
-  for (std::size_t place = 0; place < taken_.size(); ++place) {
-    auto& known = binned_[place];
-    if (known.light.slopes.empty()) continue;
-    const auto& [index, registration, extent, px_per_rad] = taken_[place];
-    const auto photo =
-        photo_light(photographs_[index]->file, photographs_[index]->coding, request_.moon.response);
-    known.light = binned(known.scene, photo, registration.render_to_photo, curve_);
-  }
+  if (!registered_in_best_air_) register_again(fit);
+  registered_in_best_air_ = true;
+  read_light();
   compare();
   return true;
 }

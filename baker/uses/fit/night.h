@@ -3,9 +3,12 @@
 
 #include <array>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "uses/fit/clock_scan.h"
 #include "uses/fit/compared_night.h"
 
 namespace coppermoon::uses {
@@ -29,13 +32,15 @@ class Night {
   /// Measurements of all photographs; refers to this.
   DataSet data() const;
 
-  /// Reads the photographs again by the tone curve found in the best air.
+  /// Reads the photographs again by what was found: once more registered, in the best air; by the tone curve.
   ///
-  /// Returned  whether a curve is in question at all
+  /// Returned  whether anything is read anew
   bool refine(const AirFit& fit);
 
   /// Correction of the clock that the scenes already have [s].
   double clock_s() const { return clock_s_; }
+  /// Part of that correction that a zone makes up: half hours [s].
+  double zone_s() const { return believed_s_; }
   /// Whether the camera's tone curve is in question.
   bool curved() const;
   /// Tone curve in the best air.
@@ -50,33 +55,58 @@ class Night {
   struct Taken {
     std::size_t index;  ///< of the photographs given
     colour::Registration registration;
-    std::array<std::size_t, 2> extent;  ///< width and height of its picture [pixels]
-    double px_per_rad;                  ///< scale of its picture
+    double px_per_rad;  ///< scale of its picture
+  };
+  /// A photograph's Moon, kept for further readings.
+  struct Kept {
+    MoonPart moon;
+    std::array<std::size_t, 2> extent;  ///< width and height of the whole picture [pixels]
+    std::string unusable{};             ///< reason; empty: it has a Moon
   };
 
   /// Skies over the photographs' moments, or over the whole eclipse where these are uncertain.
   std::vector<almanac::SkyState> way() const;
-  /// Reads and registers photographs. Pictures of one size have one scale: a registration of another scale than
-  /// most is wrong, and its photograph is left out.
+  bool clock_is_free() const;
+  const Kept& kept(std::size_t index);
+  /// Registers photographs. Pictures of one size have one scale: a photograph that is not registered, or in
+  /// another scale than most, is registered in theirs, and left out where it is less like the Moon then.
   void take(double clock_s, std::span<const std::size_t> indices);
-  void take_one(double clock_s, std::size_t index);
-  bool at_odds(const Taken& taken) const;
+  void take_one(double clock_s, std::size_t index, std::optional<double> px_per_rad = {});
+  void take_in_scale(double clock_s, std::size_t index, double px_per_rad);
+  /// Bins the light of what is taken.
+  void read_light();
+  /// Scale with the most agreement among pictures of that photograph's size, by the sum of correlations; 0: none.
+  double agreed_px_per_rad(std::size_t index);
   void require_any() const;
   std::vector<almanac::Instant> instants(double clock_s) const;
   /// Least χ² over a coarse grid of air.
   GoodnessOfFit coarse_fit(double clock_s) const;
-  void find_half_hour();
+  std::vector<std::size_t> some(std::size_t most) const;
+  std::vector<ClockView> views();
+  /// First and last correction of the clock that is possible.
+  std::array<double, 2> possible_s() const;
+  /// Takes photographs at the correction at which the shadow is where it is on them, in steps of hours or half hours.
+  ///
+  /// Returned  that correction
+  double take_anywhere(std::span<const std::size_t> indices, const std::array<double, 2>& range_s);
+  void scan_clock();
   void find_clock();
+  NightErrors errors() const;
   void compare();
+  void register_again(const AirFit& fit);
 
   const FitRequest& request_;
   algebra::Progress heartbeat_;  ///< called at the start of each step; may throw to cancel
   std::unique_ptr<const FitGroundwork> groundwork_;
   std::vector<const EclipsePhotograph*> photographs_;
-  std::vector<std::string> left_out_;  ///< [photograph] reason; empty: it is read
+  std::vector<std::optional<Kept>> kept_;  ///< by photograph
+  std::vector<std::string> left_out_;      ///< [photograph] reason; empty: it is read
   std::vector<Taken> taken_;
   std::vector<NightPhotograph> binned_;  ///< light of those taken
-  double clock_s_ = 0;
+  double clock_s_ = 0;                   ///< correction that the scenes have
+  double believed_s_ = 0;                ///< mean of the correction, as it is believed
+  double clock_error_s_;                 ///< standard error of that
+  bool registered_in_best_air_ = false;
   colour::ToneCurve curve_{};
   Mixing mixing_ = no_mixing;
   algebra::Grid<double>

@@ -6,12 +6,13 @@
 #include <exception>
 #include <numeric>
 #include <span>
+#include <unordered_set>
 #include <vector>
 
 #include "algebra/error.h"
 #include "almanac/sky.h"
-#include "eclipse/shadow_axis.h"
-#include "eclipse/shadow_cone.h"
+#include "colour/limb.h"
+#include "colour/picture_part.h"
 #include "uses/compare/comparison.h"
 #include "uses/fit/sky_and_glow.h"
 #include "uses/picture/pixels.h"
@@ -43,11 +44,13 @@ SkyAndGlow light_beside(const AroundTheDisc& light, const AroundTheDisc& black,
 }
 
 /// Quantisation step near black of an 8-bit channel, in linear light; 0 of more than 256 values.
-double step_of(const Channel& channel) {
-  std::vector<float> values(channel.values().begin(), channel.values().end());
-  std::ranges::sort(values);
-  const auto end = std::unique(values.begin(), values.end());
-  return end - values.begin() <= 256 ? 1 / 12.92 / 255 : 0;
+double step_of(const texture::Image& photo, std::size_t k) {
+  constexpr std::size_t most = 256;
+  std::unordered_set<float> values;
+  for (std::size_t r = 0; r < photo.height; ++r)
+    for (std::size_t c = 0; c < photo.width; ++c)
+      if (values.insert(photo(r, c, k)); values.size() > most) return 0;
+  return 1 / 12.92 / 255;
 }
 
 /// Sums over a bin's pixels.
@@ -168,18 +171,58 @@ Uncertain usual_glow(const FitScene& scene, std::size_t k, std::span<const Sum> 
   return {share * *middle, error * *middle};
 }
 
-/// Whether nothing is lit beyond the umbra.
-bool lies_in_umbra(const FitScene& scene) {
-  const auto axis = eclipse::shadow_axis(scene.sky);
-  const auto moon = eclipse::place_in_shadow(axis, scene.sky.moon_m);
-  const auto edge = eclipse::shadow_radii(eclipse::ShadowConvention::danjon, axis, moon).umbra;
-  return algebra::in_metres(moon.axis_distance + almanac::lunar_radius) <
-         algebra::in_metres(eclipse::axis_distance_at(edge, moon));
+/// Value of a square of pixels that become one.
+float shrunk_pixel(const texture::Image& photo, std::size_t top, std::size_t left, std::size_t k,
+                   std::size_t side) {
+  constexpr float clipped = 0.84F;  // below all limits of binned
+  float sum = 0, most = 0;
+  std::size_t black = 0;
+  for (std::size_t r = top; r < top + side; ++r)
+    for (std::size_t c = left; c < left + side; ++c) {
+      const float value = photo(r, c, k);
+      sum += value;
+      most = std::max(most, value);
+      black += value <= 0;
+    }
+  const auto all = side * side;
+  return most > clipped ? most : 2 * black > all ? 0 : sum / static_cast<float>(all);
+}
+
+/// Disc in a photograph, or where noise hides its limb in one of half or a quarter of the size.
+colour::Disc disc_in(const Channel& luminance) {
+  for (const double size : {1., 0.5, 0.25}) {
+    const auto extent = [&](std::size_t pixels) {
+      return static_cast<std::size_t>(static_cast<double>(pixels) * size);
+    };
+    const auto disc = colour::limb_of(size == 1 ? luminance
+                                                : colour::resampled(luminance, {.scale = size},
+                                                                    extent(luminance.rows()),
+                                                                    extent(luminance.columns())));
+    if (disc) return {disc->x_px / size, disc->y_px / size, disc->radius_px / size};
+  }
+  throw algebra::Error("no Moon found, allowed is one with a quarter of its limb in the picture");
 }
 
 }  // namespace
 
-colour::Registration registration_of(const FitScene& scene, const texture::Image& photo) {
+MoonPart moon_part(const texture::Image& photo) {
+  constexpr double margin = 1.8, least_radius_px = 0.75 * fit_disc_share * fit_side_px;
+  const auto disc = disc_in(luminance_of(photo));
+  const auto window = colour::window_about({disc.x_px, disc.y_px, margin * disc.radius_px},
+                                           photo.height, photo.width);
+  const auto by =
+      static_cast<std::size_t>(std::max(1., std::floor(disc.radius_px / least_radius_px)));
+  MoonPart part{{window.columns / by, window.rows / by, photo.channels}, static_cast<double>(by)};
+  for (std::size_t r = 0; r < part.photo.height; ++r)
+    for (std::size_t c = 0; c < part.photo.width; ++c)
+      for (std::size_t k = 0; k < photo.channels.size(); ++k)
+        part.photo(r, c, k) = shrunk_pixel(photo, window.top + r * by, window.left + c * by, k, by);
+  for (std::size_t k = 0; k < part.steps.size(); ++k) part.steps[k] = step_of(photo, k);
+  return part;
+}
+
+colour::Registration registration_of(const FitScene& scene, const texture::Image& photo,
+                                     const std::optional<double>& scale) {
   const auto luminance = luminance_of(photo);
   std::exception_ptr first;
   for (double size = 1;; size /= 2) {
@@ -192,7 +235,7 @@ colour::Registration registration_of(const FitScene& scene, const texture::Image
           size == 1
               ? luminance
               : colour::resampled(luminance, smaller, extent(photo.height), extent(photo.width)),
-          scene.usual);
+          scene.usual, scale ? std::optional(*scale * size) : scale);
       found.render_to_photo = colour::composed(found.render_to_photo, colour::inverse(smaller));
       return found;
     } catch (const algebra::Error&) {
@@ -206,21 +249,24 @@ double place_error_km(const FitScene& scene, const colour::Registration& registr
   constexpr double in_umbra = 0.3, with_crescent = 0.8, by_noise = 2;
   const double pixel_km =
       2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
-  const double pixels = std::hypot(lies_in_umbra(scene) ? in_umbra : with_crescent,
+  const double pixels = std::hypot(lies_in_umbra(scene.sky) ? in_umbra : with_crescent,
                                    by_noise * (1 - registration.correlation));
   return pixels * pixel_km / std::min(1., registration.render_to_photo.scale);
 }
 
-BinnedPhotograph binned(const FitScene& scene, const texture::Image& photo,
+BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,
                         const colour::Similarity& render_to_photo,
                         const std::optional<colour::ToneCurve>& curve) {
   constexpr double least_steps = 6, of_a_step = 0.3, least_skies = 5;
   const algebra::Grid<double> none(scene.bins, 3);
   BinnedPhotograph result{none, none, none, none, {}};
   if (curve) result.slopes = algebra::Grid<ToneSlopes>(scene.bins, 3);
+  const auto& photo = moon.photo;
   const auto back = colour::inverse(render_to_photo);
   const auto brought = [&](const Channel& channel) {
-    return colour::resampled(channel, back, fit_side_px, fit_side_px);
+    return std::ranges::all_of(channel.values(), [](float value) { return value == 0; })
+               ? Channel(fit_side_px, fit_side_px)
+               : colour::resampled(channel, back, fit_side_px, fit_side_px);
   };
   const colour::ToneTable table(curve.value_or(colour::ToneCurve{}));
   const auto clipped =
@@ -231,7 +277,7 @@ BinnedPhotograph binned(const FitScene& scene, const texture::Image& photo,
     Brought there{
         brought(channel), {}, brought(mapped(channel, is_black)), plane_of(scene.glow, k)};
     there.light = curve ? brought(mapped(channel, table)) : there.displayed;
-    const double step = stretched * step_of(channel);
+    const double step = stretched * moon.steps[k];
     const auto around = around_the_disc(there.light);
     Off off{median_of(around_the_disc(there.displayed)), median_of(around), 0};
     const auto usual = usual_glow(scene, k, sums_of(scene, there, clipped, off, false));

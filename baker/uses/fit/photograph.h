@@ -25,10 +25,25 @@ struct BinnedPhotograph {
   algebra::Grid<ToneSlopes> slopes;   ///< empty: linear light, no curve is in question
 };
 
+/// A photograph's Moon and what is around it, shrunk by a whole factor while its disc stays half as wide again as a
+/// scene's. Where any pixel of those that become one is clipped the brightest stands for them, where most are black 0.
+struct MoonPart {
+  texture::Image photo;
+  double shrunk = 1;  ///< the factor
+  std::array<double, 3> steps =
+      {};  ///< of the photograph's numbers near black, in linear light; 0: fine ones
+};
+
+/// Given   photo  linear by its coding, 1 saturates
+/// Throws  Error  when there is no disc, also in the photograph halved in size once or twice; as colour::limb_of
+MoonPart moon_part(const texture::Image& photo);
+
 /// Registers a scene in a photograph. Where noise hides the limb the photograph is halved in size, twice at most.
 ///
+/// Given   scale  of the similarity, where it is known
 /// Throws  Error  as colour::registered
-colour::Registration registration_of(const FitScene& scene, const texture::Image& photo);
+colour::Registration registration_of(const FitScene& scene, const texture::Image& photo,
+                                     const std::optional<double>& scale = {});
 
 /// Standard error of a registration, in any direction [km].
 ///
@@ -44,10 +59,9 @@ double place_error_km(const FitScene& scene, const colour::Registration& registr
 /// of the glow is 0.03 ± 0.02 of the light, as lenses have it. The glow subtracted has an error of a quarter of it,
 /// for the glow of real lenses falls by other powers of the angle.
 ///
-/// Given   photo            linear by its coding, 1 saturates
-///         render_to_photo  registration of the scene
+/// Given   render_to_photo  registration of the scene
 ///         curve            tone curve to be undone, pixel by pixel; without: light is linear
-BinnedPhotograph binned(const FitScene& scene, const texture::Image& photo,
+BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,
                         const colour::Similarity& render_to_photo,
                         const std::optional<colour::ToneCurve>& curve = {});
 

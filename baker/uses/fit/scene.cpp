@@ -12,6 +12,7 @@
 #include "colour/glow.h"
 #include "colour/working_space.h"
 #include "eclipse/shadow_axis.h"
+#include "eclipse/shadow_cone.h"
 #include "povray_scenes/sight.h"
 #include "surface/albedo_map.h"
 #include "texture/bake.h"
@@ -279,6 +280,14 @@ FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
   scene.glow = glow_of(moon_seen, scene.pixel_rad);
   scene.usual_values = over_sunlit(scene, moon_seen);
   return scene;
+}
+
+bool lies_in_umbra(const almanac::SkyState& sky) {
+  const auto axis = eclipse::shadow_axis(sky);
+  const auto moon = eclipse::place_in_shadow(axis, sky.moon_m);
+  const auto edge = eclipse::shadow_radii(eclipse::ShadowConvention::danjon, axis, moon).umbra;
+  return algebra::in_metres(moon.axis_distance + almanac::lunar_radius) <
+         algebra::in_metres(eclipse::axis_distance_at(edge, moon));
 }
 
 LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky) {

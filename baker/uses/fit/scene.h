@@ -75,6 +75,9 @@ FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::Sk
 FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
                    const ViewRequest& view, const almanac::SkyState& sky);
 
+/// Whether all ground lies within the umbra.
+bool lies_in_umbra(const almanac::SkyState& sky);
+
 /// Bins of a scene at another moment: the same ground, elsewhere in the shadow. A few places stand for all ground of
 /// a bin.
 LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky);

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "colour/similarity.h"
+#include "texture/image.h"
+#include "uses/fit/scene.h"
+
+namespace coppermoon::uses {
+
+/// A photograph in cells of its scene: how light lies on the Moon, at whatever moment that was.
+struct ClockView {
+  /// Ground of a cell, and its light.
+  struct Cell {
+    glm::dvec3 ground;  ///< unit vector, Moon-fixed
+    double sunlit;      ///< light without the shadow
+    double
+        light;  ///< logarithm of the scene's light, by the mean tone curve of cameras where one is in question
+    enum class Seen {
+      dark,
+      well,
+      clipped
+    } seen;  ///< light is the least or most that is seen where it is not well seen
+  };
+  almanac::Instant instant;  ///< by the camera's clock
+  std::vector<Cell> cells;
+};
+
+/// View of a photograph that is registered in a scene, whatever the scene's moment is.
+///
+/// Given  curved  whether the photograph has a camera's own tone curve
+ClockView clock_view(const FitScene& scene, const texture::Image& photo,
+                     const colour::Similarity& render_to_photo, bool curved,
+                     const almanac::Instant& instant);
+
+/// How far a photograph is from the Moon of another moment, in the usual air and by any exposure: the mean square of
+/// the cells' differences in the logarithm of light, none counted as more than 1.
+///
+/// Given     clock_s  added to what the clock says
+/// Returned  0 to 1; 0 where nothing is well seen
+double misfit_at(const FitGroundwork& groundwork, const ClockView& view, double clock_s);
+
+/// Correction of a clock by photographs, and how it is known.
+struct ScannedClock {
+  double seconds;  ///< to be added
+  bool decided;    ///< by partial phases; else by what was believed
+};
+
+/// The clock's correction at which photographs are nearest to the Moon: in steps of 5 minutes, then of 1. A mean
+/// misfit q of n views counts as a χ² of n · w · ln q, with w = 10 where some show a partial phase when q is least, else
+/// 0.3: in mid-totality one moment looks like another.
+///
+/// Given  views         one or more
+///        from_s, to_s  corrections that are possible
+///        believed      χ² of a correction by what is known of the clock
+ScannedClock scanned_clock(const FitGroundwork& groundwork, std::span<const ClockView> views,
+                           double from_s, double to_s,
+                           const std::function<double(double clock_s)>& believed);
+
+}  // namespace coppermoon::uses
