@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "almanac/gazetteer.h"
 #include "uses/fit/fit.h"
 #include "uses/fit/measured_light.h"
+#include "uses/fit/misfit.h"
 #include "uses/night/local_time.h"
 #include "uses/picture/photo_file.h"
 #include "uses/picture/picture_parameters.h"
@@ -38,7 +40,7 @@ struct Options {
   texture::Coding coding = texture::Coding::as_file_says;
   std::optional<double> f_number;
   uses::FitRequest request;  ///< without photographs and magnitudes
-  bool despite_misfit = false, json = false;
+  bool despite_misfit = false, misfits = false, json = false;
 };
 
 /// Value for a photograph, of a list with one for each or one for all.
@@ -176,17 +178,35 @@ Json as_json(const uses::ReadPhotograph& photograph, const std::string& file,
   return all;
 }
 
+constexpr std::array channel_names{"red", "green", "blue"};
+
+Json as_json(const uses::Suspicion& suspicion, const Input& input) {
+  constexpr std::array names{"instant", "exposure", "colours", "clock", "tone curve", "air"};
+  return {{"file", input.request.photographs[suspicion.worst.photograph].file},
+          {"channel", channel_names[suspicion.worst.channel]},
+          {"suspect", names[static_cast<std::size_t>(suspicion.suspect)]}};
+}
+
 Json as_json(const uses::FittedNight& night, const Input& input) {
   Json all{{"photographs", Json::array()},
            {"response", Json()},
            {"clock", Json()},
-           {"tone_curve", Json()}};
+           {"tone_curve", Json()},
+           {"misfits", Json::array()}};
   if (night.response) all["response"] = *night.response;
   for (const auto i : night.photographs)
     all["photographs"].push_back(input.request.photographs[i].file);
   if (night.clock)
     all["clock"] = {{"add_s", night.clock->seconds}, {"standard_error_s", night.clock->error_s}};
   if (night.curve) all["tone_curve"] = components_of(*night.curve);
+  for (const auto& misfit : night.misfits)
+    all["misfits"].push_back({{"file", input.request.photographs[misfit.photograph].file},
+                              {"channel", channel_names[misfit.channel]},
+                              {"numbers", misfit.count},
+                              {"chi_squared", misfit.chi_squared},
+                              {"mean_log_ratio", misfit.mean},
+                              {"worst_km", misfit.worst_km},
+                              {"worst_log_ratio", misfit.worst}});
   return all;
 }
 
@@ -211,6 +231,8 @@ void print_json(const Input& input, const uses::FitReport& found) {
   for (const auto& [file, why] : input.undated)
     all["photographs"].push_back({{"file", file}, {"instant", Json()}, {"left_out", why}});
   for (const auto& night : nights) all["nights"].push_back(as_json(night, input));
+  const auto suspicion = suspicion_of(found);
+  all["misfit"] = suspicion ? as_json(*suspicion, input) : Json();
   fmt::print("{}\n", all.dump(2));
 }
 
@@ -274,21 +296,68 @@ void require_sound(const Options& options) {
   for (const auto& file : options.outputs) uses::require_light_file(file);
 }
 
-/// Message, in one line, for air that explains nothing.
-std::string misfit_of(const uses::FitReport& found) {
-  const auto& [fit, photographs, nights] = found;
-  std::string why =
-      "a list of another eclipse or of other bands, or standard errors that are too small";
-  if (!photographs.empty()) {
-    why = "a tone curve (--coding), another instant, another eclipse or place";
-    if (std::ranges::any_of(photographs, [](const ReadPhotograph& photograph) {
-          return photograph.registration.render_to_photo.mirrored;
-        }))
-      why += ", a mirrored photograph";
+/// Light over other light, by its logarithm: "+12 %", or "-1.3 stops" where the two differ much.
+std::string ratio_in_words(double logarithm) {
+  return std::abs(logarithm) < 0.5 ? fmt::format("{:+.1f} %", 100 * std::expm1(logarithm))
+                                   : fmt::format("{:+.1f} stops", logarithm / std::log(2));
+}
+
+/// Options to try against a suspected reason of a misfit.
+const char* remedy(uses::Suspect suspect) {
+  using enum uses::Suspect;
+  switch (suspect) {
+    case instant:
+      return "its instant (--instants), or leave it out";
+    case exposure:
+      return "its exposure (--times, --isos), or leave it out";
+    case colours:
+      return "the camera's filters (--response), its white balance (--white-balance-error), the "
+             "tone "
+             "curve (--coding)";
+    case clock:
+      return "the clock (--zone, --clock-error), the place (--at)";
+    case tone_curve:
+      return "the tone curve (--coding), the exposures";
+    case air:
+      return "another air (--atmosphere), another eclipse";
   }
+  return "";
+}
+
+/// Photograph and channel that misfit most, what to try, and mirrored photographs.
+std::string misfit_of(const uses::Suspicion& suspicion, const uses::FitRequest& request) {
+  const auto& worst = suspicion.worst;
+  auto text = fmt::format("worst: {} in {}, {} at {:.0f} km from the shadow's axis; try: {}",
+                          request.photographs[worst.photograph].file, channel_names[worst.channel],
+                          ratio_in_words(worst.worst), worst.worst_km, remedy(suspicion.suspect));
+  for (const auto i : suspicion.mirrored)
+    text += fmt::format("; mirrored: {}", request.photographs[i].file);
+  return text;
+}
+
+void print_misfits(const Input& input, const uses::FitReport& found) {
+  if (found.nights.empty()) return;
+  if (const auto suspicion = suspicion_of(found))
+    fmt::print("misfit       {}\n", one_line(misfit_of(*suspicion, input.request)));
+  fmt::print("misfits      light over that of the air found; chi squared and its numbers\n");
+  for (const auto& night : found.nights)
+    for (const auto& misfit : night.misfits)
+      fmt::print("{} {:<5} {:>11}, {} at {:.0f} km from the axis; {:.1f} of {}\n",
+                 one_line(input.request.photographs[misfit.photograph].file),
+                 channel_names[misfit.channel], ratio_in_words(misfit.mean),
+                 ratio_in_words(misfit.worst), misfit.worst_km, misfit.chi_squared, misfit.count);
+}
+
+/// Message, in one line, for air that explains nothing.
+std::string misfit_of(const uses::FitReport& found, const uses::FitRequest& request) {
+  const auto& fit = found.fit;
+  const auto suspicion = suspicion_of(found);
   return fmt::format(
-      "no air explains this: chi squared = {:.1f} of {} numbers, allowed up to {:.1f}; likely: {}",
-      fit.posterior.least_chi_squared, fit.measurements, most_chi_squared(fit), why);
+      "no air explains this: chi squared = {:.1f} of {} numbers, allowed up to {:.1f}; {}",
+      fit.posterior.least_chi_squared, fit.measurements, most_chi_squared(fit),
+      suspicion ? misfit_of(*suspicion, request)
+                : "likely: a list of another eclipse or of other bands, or standard errors that "
+                  "are too small");
 }
 
 void run(const Options& options) {
@@ -299,9 +368,12 @@ void run(const Options& options) {
     return uses::fitted_air(input.request, bar.progress());
   }();
   if (!explains(found.fit)) {
-    if (!options.despite_misfit)
-      throw algebra::Error(misfit_of(found) + "; --despite-misfit answers all the same");
-    fmt::print(stderr, "coppermoon: {}\n", one_line(misfit_of(found)));
+    const auto why = misfit_of(found, input.request);
+    if (!options.despite_misfit) {
+      if (!options.json) print_misfits(input, found);
+      throw algebra::Error(why + "; --despite-misfit answers all the same");
+    }
+    fmt::print(stderr, "coppermoon: {}\n", one_line(why));
   }
   std::vector<std::vector<uses::MeasuredLight>> nights;
   for (const auto& night : found.nights) nights.push_back(night.light);
@@ -309,7 +381,9 @@ void run(const Options& options) {
   for (const auto& night : found.nights)
     if (const auto doubt = night.curve ? doubt_of(*night.curve) : ""; !doubt.empty())
       fmt::print(stderr, "coppermoon: {}\n", doubt);
-  options.json ? print_json(input, found) : print_table(input, found);
+  if (options.json) return print_json(input, found);
+  print_table(input, found);
+  if (options.misfits || !explains(found.fit)) print_misfits(input, found);
 }
 
 void add_photograph_options(CLI::App& verb, Options& options) {
@@ -392,6 +466,9 @@ void add_fit(CLI::App& program) {
       "everywhere. Default: factors, in air without a month amounts");
   add_switch(*verb, "--despite-misfit", options->despite_misfit,
              "answers although no air explains what was seen, with a warning");
+  add_run_switch(*verb, "--misfits", options->misfits,
+                 "prints how each photograph and channel differs from the air that was found; done "
+                 "in any case where no air explains them");
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });

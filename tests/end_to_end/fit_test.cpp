@@ -22,9 +22,10 @@ class Fit : public ProgramTest {
   void make(const Words& words) const { expect_done(coppermoon(words)); }
 
   /// a.png, under a known air.
-  void photograph(const std::string& side, const Words& more) const {
+  void photograph(const std::string& side, const Words& more,
+                  const std::string& instant = deep) const {
     make(Words{"still",
-               deep,
+               instant,
                "--at",
                syria,
                "--dust-extinction",
@@ -101,13 +102,58 @@ TEST_F(Fit, SeesThroughTheFiltersOfThePhotographsCamera) {
                          "as above");
   EXPECT_WITHIN(found["cloud_cover"]["median"].get<double>(), 0.4, 0.15, "as above");
   EXPECT_LT(found["chi_squared"], found["numbers"]);
-  EXPECT_NE(
-      refusal_of(of_photograph + Words{"--albedo-map", "built-in"}).find("no air explains this"),
-      std::string::npos)
+  const auto refusal = refusal_of(of_photograph + Words{"--albedo-map", "built-in"});
+  EXPECT_NE(refusal.find("no air explains this"), std::string::npos)
       << "its colours are not the observer's";
+  EXPECT_NE(refusal.find("worst: a.png in "), std::string::npos) << refusal;
 }
 
 using FitThoroughly = Fit;
+
+TEST_F(FitThoroughly, NamesThePhotographAndTheChannelThatMisfit) {
+  const std::vector<std::string> minutes{"20:05", "20:20", "20:35", "20:50"};
+  const auto moments = [](const std::vector<std::string>& all) {
+    std::string list;
+    for (const auto& minute : all)
+      list += fmt::format("{}2018-07-27T{}:00Z", list.empty() ? "" : ",", minute);
+    return list;
+  };
+  Words photographs, pale;
+  for (const auto& minute : minutes) {
+    photographs.push_back(minute.substr(3) + ".png");
+    pale.push_back("pale" + photographs.back());
+    photograph("300", {"--bits", "16"}, "2018-07-27T" + minute + ":00Z");
+    std::filesystem::rename(here("a.png"), here(photographs.back()));
+    run({"oiiotool", photographs.back(), "--mulc", "0.7,1,1", "-o", pale.back()});
+  }
+  run({"oiiotool", "35.png", "--flop", "-o", "mirrored.png"});
+  const Words taken{"--at",       syria, "--camera",     "400mm",   "--isos",          "800",
+                    "--f-number", "5.6", "--atmosphere", "undated", "--despite-misfit"};
+  const auto found = [&](const Words& files, const std::string& instants, const char* times) {
+    const auto outcome = coppermoon(
+        Words{"fit"} + files + taken +
+        Words{"--instants", instants, "--times", times, "--albedo-map", "built-in", "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return json::parse(outcome.out);
+  };
+  const auto sound = found({photographs[0], photographs[1], "mirrored.png", photographs[3]},
+                           moments(minutes), "2");
+  EXPECT_TRUE(sound["misfit"].is_null());
+  EXPECT_EQ(sound["photographs"][2]["mirrored"], true);
+  EXPECT_GE(sound["nights"][0]["misfits"].size(), 8) << "four photographs, red and green at least";
+  const auto by_a_stop = found(photographs, moments(minutes), "2,2,4,2")["misfit"];
+  EXPECT_EQ(by_a_stop["file"], "35.png");
+  EXPECT_EQ(by_a_stop["suspect"], "exposure");
+  const auto late = found(photographs, moments({"20:05", "20:40", "20:35", "20:50"}), "2");
+  EXPECT_EQ(late["explained"], false);
+  EXPECT_EQ(late["misfit"]["file"], "20.png");
+  EXPECT_EQ(late["misfit"]["suspect"], "instant");
+  const auto all_late = found(photographs, moments({"20:15", "20:30", "20:45", "21:00"}), "2");
+  EXPECT_EQ(all_late["misfit"]["suspect"], "clock");
+  const auto of_a_pale_red = found(pale, moments(minutes), "2")["misfit"];
+  EXPECT_EQ(of_a_pale_red["channel"], "red");
+  EXPECT_EQ(of_a_pale_red["suspect"], "colours");
+}
 
 TEST_F(FitThoroughly, OfARawPhotographFindsItsAirByItsOwnHeader) {
   photograph("880", {"--raw", "a.dng"});

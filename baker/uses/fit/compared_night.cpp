@@ -439,4 +439,45 @@ std::vector<MeasuredLight> ComparedNight::measured(const algebra::Grid<double>& 
   return all;
 }
 
+std::vector<Misfit> ComparedNight::misfits(const algebra::Grid<double>& light) const {
+  constexpr double step_km = 300;
+  auto differences = residuals_by_the_clock(light);
+  const auto weighed = nuisances_.weighed(differences), known = nuisances_.explained(differences),
+             own = nuisances_.explained(differences, of_night::count,
+                                        of_photograph::count * distances_km_.size());
+  for (std::size_t i = 0; i < differences.size(); ++i) differences[i] -= known[i] - own[i];
+  struct Sum {
+    std::size_t count = 0;
+    double weight = 0, distance_km = 0, mean = 0, squares = 0, chi_squared = 0;
+
+    void add(double noise, double km, double difference, double part) {
+      const double w = 1 / (noise * noise);
+      ++count;
+      weight += w;
+      distance_km += w * km;
+      mean += w * difference;
+      squares += w * difference * difference;
+      chi_squared += part;
+    }
+  };
+  std::map<std::pair<std::size_t, std::size_t>, std::map<long, Sum>> sums;
+  std::map<std::pair<std::size_t, std::size_t>, Sum> wholes;
+  for (std::size_t i = 0; i < measurements_.size(); ++i) {
+    const auto& [p, b, k, logarithm, error] = measurements_[i];
+    const double km = distances_km_[p][b], part = differences[i] * weighed[i];
+    for (auto* sum : {&wholes[{p, k}], &sums[{p, k}][std::lround(km / step_km)]})
+      sum->add(error, km, differences[i], part);
+  }
+  std::vector<Misfit> all;
+  for (const auto& [place, whole] : wholes) {
+    const auto& [distance, worst] = *std::ranges::max_element(
+        sums[place], {}, [](const auto& step) { return step.second.chi_squared; });
+    const double mean = whole.mean / whole.weight;
+    all.push_back({place.first, place.second, whole.count, whole.chi_squared, mean,
+                   std::sqrt(std::max(0., whole.squares / whole.weight - mean * mean)),
+                   worst.distance_km / worst.weight, worst.mean / worst.weight});
+  }
+  return all;
+}
+
 }  // namespace coppermoon::uses

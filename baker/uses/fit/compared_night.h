@@ -65,6 +65,17 @@ struct MeasuredLight {
   double error;         ///< standard error of the light's logarithm
 };
 
+/// Difference of a photograph's light in one channel from that of an air, the night's nuisance parameters at their
+/// posterior mean, the photograph's own at 0: logarithms of light over that of the air.
+struct Misfit {
+  std::size_t photograph, channel;  ///< red, green, blue
+  std::size_t count;                ///< of measurements
+  double chi_squared;               ///< part of χ², own nuisance parameters included
+  double mean, scatter;             ///< weighted mean, standard deviation about it
+  double worst_km,
+      worst;  ///< distance from the shadow's axis of the largest part of χ²; difference there
+};
+
 /// Photographs of one camera and night as one data set: logarithms of light by bin and channel.
 ///
 /// Noise of a measurement is that of its pixels; 1.2 % of the Moon's map in each place of 200 km, about 0.3 % of a
@@ -98,6 +109,10 @@ class ComparedNight {
   /// Photographs' light in steps of 100 km from the axis, nuisance parameters at their posterior mean, given
   /// the light of an air.
   std::vector<MeasuredLight> measured(const algebra::Grid<double>& light) const;
+
+  /// Misfits of photographs and channels, given the light of an air, in that order. Their parts of χ² are those of
+  /// Σ r C⁻¹ r; with χ² of the night's own parameters they make up the whole.
+  std::vector<Misfit> misfits(const algebra::Grid<double>& light) const;
 
  private:
   struct Measurement {

@@ -152,7 +152,9 @@ FittedNight found_of(const FitRequest& request, const Evidence& evidence, std::s
                     .half_hours_s = night.zone_s(),
                     .response = evidence.requests[n]->moon.response,
                     .curve = {},
-                    .light = night.measured(fit)};
+                    .light = night.measured(fit),
+                    .misfits = night.misfits(fit)};
+  for (auto& misfit : found.misfits) misfit.photograph = found.photographs[misfit.photograph];
   if (request.clock_error_s > 0)
     found.clock = ClockError{night.clock_s() + fit.clocks[n].seconds, fit.clocks[n].error_s};
   if (night.curved()) found.curve = night.curve(fit);

@@ -75,6 +75,7 @@ struct FittedNight {
   std::optional<std::string> response;
   std::optional<colour::ToneCurve> curve;
   std::vector<MeasuredLight> light;  ///< in order of distance
+  std::vector<Misfit> misfits;       ///< photographs of the request
 };
 
 /// Air that was found, and the photographs and cameras that it is from.

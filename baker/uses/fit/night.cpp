@@ -429,6 +429,12 @@ std::vector<MeasuredLight> Night::measured(const AirFit& fit) const {
   return compared_->measured(light_at(*light_, fit));
 }
 
+std::vector<Misfit> Night::misfits(const AirFit& fit) const {
+  auto all = compared_->misfits(light_at(*light_, fit));
+  for (auto& misfit : all) misfit.photograph = taken_[misfit.photograph].index;
+  return all;
+}
+
 std::vector<ReadPhotograph> Night::read() const {
   std::vector<ReadPhotograph> all(photographs_.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i].left_out = left_out_[i];

@@ -47,6 +47,8 @@ class Night {
   colour::ToneCurve curve(const AirFit& fit) const;
   /// Light by distance from the shadow's axis, in the best air.
   std::vector<MeasuredLight> measured(const AirFit& fit) const;
+  /// Misfits in the best air, by the order of the photographs given.
+  std::vector<Misfit> misfits(const AirFit& fit) const;
   /// Photographs as read, in the order given.
   std::vector<ReadPhotograph> read() const;
 

@@ -74,8 +74,28 @@ std::vector<double> Nuisances::expected(std::span<const double> residuals) const
 }
 
 std::vector<double> Nuisances::explained(std::span<const double> residuals) const {
+  return explained(residuals, 0, design_.columns());
+}
+
+std::vector<double> Nuisances::explained(std::span<const double> residuals, std::size_t first,
+                                         std::size_t count) const {
   const auto mean = expected(residuals);
-  const Eigen::VectorXd result = matrix(design_) * vector(mean);
+  const auto from = static_cast<Eigen::Index>(first), columns = static_cast<Eigen::Index>(count);
+  const Eigen::VectorXd result =
+      matrix(design_).middleCols(from, columns) * vector(mean).segment(from, columns);
+  return {result.begin(), result.end()};
+}
+
+std::vector<double> Nuisances::weighed(std::span<const double> residuals) const {
+  const auto known = explained(residuals);
+  Eigen::VectorXd result = vector(residuals) - vector(known);
+  whiten(noise_, Eigen::Ref<Eigen::VectorXd>(result));
+  Eigen::Index from = 0;
+  for (const auto& block : noise_) {
+    const auto size = matrix(block).rows();
+    lower(block).adjoint().solveInPlace(result.segment(from, size));
+    from += size;
+  }
   return {result.begin(), result.end()};
 }
 

@@ -36,6 +36,13 @@ class Nuisances {
   /// Part of the residuals that the posterior mean u of the parameters explains: A u.
   std::vector<double> explained(std::span<const double> residuals) const;
 
+  /// Part of the residuals that `count` parameters from the first on explain.
+  std::vector<double> explained(std::span<const double> residuals, std::size_t first,
+                                std::size_t count) const;
+
+  /// C⁻¹ r.
+  std::vector<double> weighed(std::span<const double> residuals) const;
+
   /// Standard error of a weighted mean, by the noise and the posterior covariance of the parameters.
   double error_of_mean(std::span<const double> weights) const;
 

@@ -78,6 +78,21 @@ TEST(Nuisances, ExplainWhatTheyExpect) {
                   "A u");
 }
 
+TEST(Nuisances, ExplainByOneOfThemAlone) {
+  const auto expected = nuisances().expected(residuals);
+  const auto explained = nuisances().explained(residuals, 1, 1);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_WITHIN(explained[i], design[i][1] * expected[1], 1e-12, "the second column of A u");
+}
+
+TEST(Nuisances, WeighResidualsOneByOne) {
+  const auto weighed = nuisances().weighed(residuals);
+  const auto expected =
+      glm::inverse(covariance()) * glm::dvec3(residuals[0], residuals[1], residuals[2]);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_WITHIN_RELATIVE(weighed[i], expected[static_cast<int>(i)], 1e-9, "C⁻¹ r, in doubles");
+}
+
 TEST(Nuisances, LeaveTheErrorOfAMeanThatIsBetterThanTheirOwnPriorSays) {
   const std::vector<double> one{1, 0, 0};
   // a residual has its noise, and the posterior errors of both parameters, given all three

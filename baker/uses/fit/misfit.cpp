@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "uses/fit/misfit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+
+namespace coppermoon::uses {
+namespace {
+
+/// Share of the misfit that is most of it.
+constexpr double most = 0.6;
+
+/// Least distance from the shadow's axis of what counts as the umbra's edge, and of ground beyond it [km].
+constexpr double edge_km = 4000, beyond_km = 4900;
+
+/// Part of χ² that the sums do not expect.
+double excess(const Misfit& misfit) {
+  return std::max(0., misfit.chi_squared - static_cast<double>(misfit.count));
+}
+
+/// Excess of misfits that fulfil a condition, over that of all.
+double share_of(const std::vector<Misfit>& all, const std::function<bool(const Misfit&)>& chosen) {
+  double sum = 0, whole = 0;
+  for (const auto& misfit : all) {
+    whole += excess(misfit);
+    if (chosen(misfit)) sum += excess(misfit);
+  }
+  return whole > 0 ? sum / whole : 0;
+}
+
+/// Suspect where one photograph alone misfits: its exposure where all channels differ alike, else its instant.
+Suspect of_one_photograph(const std::vector<Misfit>& own) {
+  double sum = 0, squares = 0, scatter = 0;
+  for (const auto& misfit : own) {
+    sum += misfit.mean;
+    squares += misfit.mean * misfit.mean;
+    scatter += misfit.scatter;
+  }
+  const auto count = static_cast<double>(own.size());
+  const double mean = sum / count, between = std::sqrt(std::max(0., squares / count - mean * mean));
+  return std::abs(mean) > 2 * std::hypot(between, scatter / count) ? Suspect::exposure
+                                                                   : Suspect::instant;
+}
+
+/// Whether photographs differ from each other by more than parts of one do.
+bool change_in_time(const std::vector<Misfit>& all) {
+  std::array<double, 3> sums{}, squares{}, within{};
+  std::array<int, 3> counts{};
+  for (const auto& misfit : all) {
+    sums[misfit.channel] += misfit.mean;
+    squares[misfit.channel] += misfit.mean * misfit.mean;
+    within[misfit.channel] += misfit.scatter * misfit.scatter;
+    ++counts[misfit.channel];
+  }
+  double between = 0, of_parts = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (counts[k] == 0) continue;
+    between += squares[k] - sums[k] * sums[k] / counts[k];
+    of_parts += within[k];
+  }
+  return between > of_parts;
+}
+
+Suspect suspect_of(const std::vector<Misfit>& all, const Misfit& worst) {
+  std::vector<Misfit> own;
+  std::map<std::size_t, int> photographs;
+  for (const auto& misfit : all) {
+    ++photographs[misfit.photograph];
+    if (misfit.photograph == worst.photograph) own.push_back(misfit);
+  }
+  const auto of_worst = [&](const Misfit& one) { return one.photograph == worst.photograph; };
+  if (photographs.size() > 1 && share_of(all, of_worst) > most) return of_one_photograph(own);
+  if (share_of(all, [&](const Misfit& one) { return one.channel == worst.channel; }) > most)
+    return Suspect::colours;
+  const auto worst_within = [&](double from_km, double to_km) {
+    return share_of(all, [&](const Misfit& one) {
+             return one.worst_km >= from_km && one.worst_km < to_km;
+           }) > most;
+  };
+  if (worst_within(edge_km, beyond_km)) return Suspect::clock;
+  if (!worst_within(0, edge_km)) return Suspect::tone_curve;
+  return change_in_time(all) ? Suspect::clock : Suspect::air;
+}
+
+}  // namespace
+
+std::optional<Suspicion> suspicion_of(const FitReport& report) {
+  std::vector<Misfit> all;
+  for (const auto& night : report.nights)
+    all.insert(all.end(), night.misfits.begin(), night.misfits.end());
+  if (all.empty() ||
+      report.fit.posterior.least_chi_squared <= static_cast<double>(report.fit.measurements))
+    return std::nullopt;
+  const auto worst = *std::ranges::max_element(all, {}, excess);
+  Suspicion result{suspect_of(all, worst), worst, {}};
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < report.photographs.size(); ++i) {
+    const auto& photograph = report.photographs[i];
+    used += photograph.left_out.empty();
+    if (photograph.left_out.empty() && photograph.registration.render_to_photo.mirrored)
+      result.mirrored.push_back(i);
+  }
+  if (result.mirrored.size() == used && used > 1) result.mirrored.clear();
+  return result;
+}
+
+}  // namespace coppermoon::uses
