@@ -9,17 +9,23 @@
 #include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <map>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "algebra/interpolation.h"
 #include "algebra/random.h"
 #include "colour/camera.h"
+#include "colour/camera_spectra.h"
 #include "colour/measured_tone_curves.h"
 #include "colour/photograph.h"
 #include "colour/similarity.h"
+#include "eclipse/contacts.h"
 #include "eclipse/shadow_axis.h"
 #include "povray_scenes/sight.h"
 #include "surface/albedo_map.h"
@@ -32,9 +38,28 @@
 
 namespace coppermoon::end_to_end {
 
+/// Air of the month, changed by factors, and weather along the limb.
+struct MonthTruth {
+  double stratospheric_factor = 1, cloud_chance = 1, ozone_factor = 1;
+  /// Standard deviation of the logarithm of cloud's chance from each 30° of position angle to the next. The logarithm
+  /// of the umbra's red light falls by 0.3 of that of the chance: 0.33 makes 10 %.
+  double weather = 0.33;
+};
+
+/// A stranger's camera.
+struct StrangersCamera {
+  std::string name = "Canon EOS 600D";      ///< in the header
+  std::string response = "canon-eos-600d";  ///< filters, of colour::camera_spectra_names
+  double matrix_error = 0.03;               ///< standard, of each mixture of two channels
+  double saturation = 1;                    ///< of the JPEG's style
+  bool says_shutter = false;  ///< the header has the exact time too (ShutterSpeedValue)
+};
+
 /// What a night's photographs are made with, and a fit is not told.
 struct NightTruth {
-  double dust_per_m = 3e-6, cloud_cover = 0.3, ozone_du = 300;
+  double dust_per_m = 3e-6, cloud_cover = 0.3, ozone_du = 300;  ///< without a month
+  std::optional<MonthTruth> month{};
+  std::optional<StrangersCamera> stranger{};
   std::string camera = "Canon EOS 6D";  ///< whose tone curve: measured_tone_curves
   double clock_s = 0;                   ///< to be added to what the camera's clock says
   double exposed = 1;                   ///< factor on all exposures
@@ -59,11 +84,15 @@ class MadeNight {
       : occasion_(occasion), truth_(truth), random_(truth.seed, 7) {
     moon_.albedo_map = "built-in";
     auto& air = moon_.light.air;
-    air.atmosphere = "undated";
-    air.column.dust_extinction_per_m = truth.dust_per_m;
-    air.column.cloud_cover = truth.cloud_cover;
-    air.column.ozone_du = truth.ozone_du;
-    moon_.light.wish = {.tolerance = 0.003};
+    if (truth.month) {
+      change_month(air, *truth.month);
+    } else {
+      air.atmosphere = "undated";
+      air.column.dust_extinction_per_m = truth.dust_per_m;
+      air.column.cloud_cover = truth.cloud_cover;
+      air.column.ozone_du = truth.ozone_du;
+    }
+    moon_.light.wish = {.tolerance = truth.month ? 0.01 : 0.003};  // regions take long
     view_.observer =
         almanac::Observer{algebra::degrees(occasion.latitude_deg),
                           algebra::degrees(occasion.longitude_deg), algebra::metres(0)};
@@ -71,13 +100,14 @@ class MadeNight {
     view_.field_deg = field_deg;
     view_.width = view_.height = side;
     angle_rad_ = 2 * std::numbers::pi * random_.uniform();
+    if (truth.stranger) mixture_ = mixture_of(*truth.stranger);
   }
 
   /// The request of a fit that knows what a photographer knows.
   uses::FitRequest request(const std::filesystem::path& folder) {
     uses::FitRequest request;
     request.moon.albedo_map = albedo_map(folder);
-    request.moon.light.air.atmosphere = "undated";
+    if (!truth_.month) request.moon.light.air.atmosphere = "undated";
     request.view.observer = view_.observer;
     request.view.reddening = false;
     request.clock_error_s = 600;
@@ -92,7 +122,8 @@ class MadeNight {
       way.push_back(almanac::sky_at(taken_at(min)));
     const auto light = uses::light_on_the_way(moon_.light, uses::moon_on_its_way(moon_.light, way))
                            .in_channels(uses::moonlight_weights(colour::channel_weights(
-                               colour::WorkingSpace::linear_rec709, uses::band_edges_nm())));
+                               colour::WorkingSpace::linear_rec709, uses::band_edges_nm(),
+                               truth_.stranger ? truth_.stranger->response : "")));
     for (std::size_t i = 0; i < all.size(); ++i) {
       const auto file = folder / fmt::format("{:02}.jpg", i);
       const auto told = almanac::later(skies[i].when, -truth_.clock_s);
@@ -135,6 +166,40 @@ class MadeNight {
            std::cos(2 * std::numbers::pi * random_.uniform());
   }
 
+  void change_month(uses::Air& air, const MonthTruth& month) {
+    constexpr int region_deg = 30;
+    auto& column = air.column;
+    column.stratospheric_factor = month.stratospheric_factor;
+    column.ozone_factor = month.ozone_factor;
+    column.cloud_chance = month.cloud_chance;
+    for (int from = 0; month.weather > 0 && from < 360; from += region_deg) {
+      auto& region = air.regions.emplace_back();
+      region.from_position_angle = from;
+      region.to_position_angle = from + region_deg;
+      const double half_variance = month.weather * month.weather / 2;
+      region.column.cloud_chance =
+          month.cloud_chance * std::exp(month.weather * normal() - half_variance);
+    }
+  }
+
+  /// Mixture of channels by a matrix that is wrong, and by a JPEG's saturation; white stays white.
+  glm::dmat3 mixture_of(const StrangersCamera& camera) {
+    glm::dmat3 matrix(1), saturated(0);
+    for (int from = 0; from < 3; ++from)
+      for (int to = 0; to < 3; ++to) {
+        if (from == to) continue;
+        const double error = camera.matrix_error * normal();
+        matrix[from][to] += error;
+        matrix[to][to] -= error;
+      }
+    const glm::dvec3 luma(0.2126, 0.7152, 0.0722);
+    for (int from = 0; from < 3; ++from)
+      for (int to = 0; to < 3; ++to)
+        saturated[from][to] =
+            (1 - camera.saturation) * luma[from] + (from == to ? camera.saturation : 0);
+    return saturated * matrix;
+  }
+
   /// The scene [cd/m²], a mean over four places of each pixel.
   colour::Image scene(const almanac::SkyState& sky, const shadow::Lookup& lookup) const {
     constexpr auto rec709 = colour::WorkingSpace::linear_rec709;
@@ -164,7 +229,20 @@ class MadeNight {
     return image;
   }
 
-  /// A time, in thirds of stops, that shows the brightest ground, or what is in the umbra.
+  struct Setting {
+    double time_s, iso;
+  };
+
+  /// A setting, in thirds of stops, that shows the brightest ground, or what is in the umbra. A stranger holds still for
+  /// a second at most.
+  Setting setting_for(const colour::Image& image, const colour::Camera& camera, bool deep) const {
+    const double time_s = time_for(image, camera, deep);
+    if (!truth_.stranger) return {std::clamp(time_s, 1e-4, 8.), iso};
+    double faster = 0.25;  // ISO 100
+    while (time_s / faster > 1 && faster < 16) faster *= 2;
+    return {std::min(time_s / faster, 1.), iso * faster};
+  }
+
   double time_for(const colour::Image& image, const colour::Camera& camera, bool deep) const {
     std::vector<double> lit;
     for (const auto& pixel : image.values())
@@ -182,22 +260,35 @@ class MadeNight {
     auto camera = colour::camera_named("400mm");
     camera.seeing_arcsec = 2;
     const auto image = scene(sky, lookup);
-    const double time_s = std::clamp(time_for(image, camera, deep), 1e-4, 8.);
+    const auto setting = setting_for(image, camera, deep);
+    const auto [time_s, speed] = setting;
+    const double shutter = truth_.stranger ? 0.01 : 0.03;
     const double pixel_rad = 2 * std::tan(field_deg / 2 * std::numbers::pi / 180) / side;
-    const auto taken = colour::photographed(image, colour::WorkingSpace::linear_rec709, camera,
-                                            {{time_s * std::exp(0.03 * normal()), f_number, iso},
-                                             pixel_rad,
-                                             2e-4,
-                                             truth_.seed,
-                                             frame_++});
+    const auto taken =
+        colour::photographed(image, colour::WorkingSpace::linear_rec709, camera,
+                             {{time_s * std::exp(shutter * normal()), f_number, speed},
+                              pixel_rad,
+                              2e-4,
+                              truth_.seed,
+                              frame_++});
     const std::array<double, 3> gains{
         truth_.exposed * std::exp(truth_.white_balance_drift * normal()), truth_.exposed,
         truth_.exposed * std::exp(truth_.white_balance_drift * normal())};
     auto shown = uses::image_of(taken.scene_linear);
     for (std::size_t i = 0; i < shown.values.size(); ++i)
       shown.values[i] *= static_cast<float>(
-          gains[i % 3] / colour::saturation_cd_m2(camera, {time_s, f_number, iso}));
-    write_jpeg(file, turned(shown), time_s, told);
+          gains[i % 3] / colour::saturation_cd_m2(camera, {time_s, f_number, speed}));
+    mix(shown);
+    write_jpeg(file, turned(shown), setting, told);
+  }
+
+  void mix(texture::Image& image) const {
+    if (!truth_.stranger) return;
+    for (std::size_t i = 0; i < image.values.size(); i += 3) {
+      auto* pixel = &image.values[i];
+      const auto mixed = mixture_ * glm::dvec3(pixel[0], pixel[1], pixel[2]);
+      for (int k = 0; k < 3; ++k) pixel[k] = static_cast<float>(mixed[k]);
+    }
   }
 
   texture::Image turned(const texture::Image& image) const {
@@ -216,8 +307,17 @@ class MadeNight {
     return result;
   }
 
-  void write_jpeg(const std::filesystem::path& file, const texture::Image& image, double time_s,
-                  const almanac::Instant& told) const {
+  /// A time in thirds of stops as cameras name it: 1/30 for 1/32.
+  static double nominal_s(double time_s) {
+    constexpr std::array names{1.,   1.3,  1.6,  2.,   2.5,  3.,   4.,   5.,   6.,   8.,   10.,
+                               13.,  15.,  20.,  25.,  30.,  40.,  50.,  60.,  80.,  100., 125.,
+                               160., 200., 250., 320., 400., 500., 640., 800., 1000.};
+    const auto third = static_cast<std::size_t>(std::lround(-3 * std::log2(time_s)));
+    return 1 / names[std::min(third, names.size() - 1)];
+  }
+
+  void write_jpeg(const std::filesystem::path& file, const texture::Image& image,
+                  const Setting& setting, const almanac::Instant& told) const {
     const auto curve = measured_tone_curves().at(truth_.camera).smooth();
     std::vector<float> shown;
     for (const float value : image.values) {
@@ -227,12 +327,18 @@ class MadeNight {
     }
     OIIO::ImageSpec spec(side, side, 3, OIIO::TypeDesc::UINT8);
     spec.attribute("compression", "jpeg:92");
-    spec.attribute("Make", truth_.camera.substr(0, truth_.camera.find(' ')));
-    spec.attribute("Model", truth_.camera);
+    const auto& name = truth_.stranger ? truth_.stranger->name : truth_.camera;
+    spec.attribute("Make", name.starts_with("ILCE")  ? "SONY"
+                           : name.starts_with("X-T") ? "FUJIFILM"
+                                                     : name.substr(0, name.find(' ')));
+    spec.attribute("Model", name);
     // OpenImageIO 2.4 writes whole seconds as a fraction over nothing
+    const double time_s = truth_.stranger ? nominal_s(setting.time_s) : setting.time_s;
     spec.attribute("ExposureTime", static_cast<float>(time_s * 1.0001));
-    spec.attribute("FNumber", static_cast<float>(f_number));
-    spec.attribute("Exif:PhotographicSensitivity", static_cast<int>(iso));
+    if (!truth_.stranger) spec.attribute("FNumber", static_cast<float>(f_number));
+    if (truth_.stranger && truth_.stranger->says_shutter)
+      spec.attribute("Exif:ShutterSpeedValue", static_cast<float>(-std::log2(setting.time_s)));
+    spec.attribute("Exif:PhotographicSensitivity", static_cast<int>(setting.iso));
     spec.attribute("Exif:WhiteBalance", 0);
     auto date = almanac::utc_text(told).substr(0, 19);
     std::ranges::replace(date, '-', ':');
@@ -252,6 +358,7 @@ class MadeNight {
   uses::MoonRequest moon_;
   uses::ViewRequest view_;
   double angle_rad_ = 0;
+  glm::dmat3 mixture_{1};
   std::uint64_t frame_ = 0;
 };
 
@@ -263,6 +370,103 @@ inline std::vector<NightOccasion> night_occasions() {
           {"2015-09-28T02:47:07Z", 30, -40, sunlit, umbra},
           {"2010-12-21T08:16:57Z", 40, -100, sunlit, umbra},
           {"2000-07-16T13:55:35Z", -20, 150, {-100, -80, 75, 100}, {-85, -40, 0, 40, 85}}};
+}
+
+/// Eclipses with eighteen photographs from the first bite to totality.
+inline std::vector<NightOccasion> strangers_occasions() {
+  auto all = night_occasions();
+  for (auto& occasion : all) {
+    const auto eclipse = eclipse::nearest_eclipse(almanac::instant_from_utc(occasion.greatest),
+                                                  eclipse::ShadowConvention::danjon);
+    const auto minutes = [&](const almanac::Instant& contact) {
+      return -almanac::seconds_between(contact, almanac::instant_from_utc(occasion.greatest)) / 60;
+    };
+    const double u1 = minutes(*eclipse.contacts.U1), u2 = minutes(*eclipse.contacts.U2);
+    occasion.short_min.clear();
+    occasion.long_min.clear();
+    for (const double share : {0.06, 0.18, 0.3, 0.42, 0.54, 0.66, 0.76, 0.86})
+      occasion.short_min.push_back(u1 + share * (u2 - u1));
+    for (const double share : {0.5, 0.62, 0.74, 0.88})
+      occasion.long_min.push_back(u1 + share * (u2 - u1));
+    for (const double share : {0.97, 0.8, 0.6, 0.4, 0.2, 0.})
+      occasion.long_min.push_back(share * u2);
+  }
+  return all;
+}
+
+/// Name that a camera of colour::camera_spectra_names gives itself in headers: "Canon EOS 600D".
+inline std::string named_by_its_maker(const std::string& response) {
+  static const std::map<std::string, std::string> names{
+      {"canon-eos-5d-mark-ii", "Canon EOS 5D Mark II"},
+      {"canon-eos-5d-mark-iii", "Canon EOS 5D Mark III"},
+      {"canon-eos-600d", "Canon EOS 600D"},
+      {"canon-eos-200d", "Canon EOS 200D"},
+      {"canon-eos-r6", "Canon EOS R6"},
+      {"nikon-d5100", "NIKON D5100"},
+      {"nikon-d5300", "NIKON D5300"},
+      {"nikon-d810", "NIKON D810"},
+      {"nikon-d850", "NIKON D850"},
+      {"sony-ilce-7m3", "ILCE-7M3"},
+      {"sony-ilce-7sm2", "ILCE-7SM2"},
+      {"fujifilm-x-t3", "X-T3"}};
+  return names.at(response);
+}
+
+/// What a photographer says of a camera's clock.
+enum class ZoneGiven { none, right, an_hour_wrong };
+
+/// A stranger's night: camera and air at random.
+struct StrangersNight {
+  NightTruth truth;
+  NightOccasion occasion;
+  ZoneGiven zone;
+  double zone_error_s;  ///< of the clock that --zone makes of the header's
+
+  /// Words that tell `fit` what the photographer says.
+  std::vector<std::string> told() const {
+    std::vector<std::string> words{
+        "--instants",  "from-header",
+        "--at",        fmt::format("{},{}", occasion.latitude_deg, occasion.longitude_deg),
+        "--reddening", "off"};
+    if (zone != ZoneGiven::none)
+      words.insert(words.end(), {"--zone", zone == ZoneGiven::right ? "+02:00" : "+03:00"});
+    return words;
+  }
+};
+
+inline StrangersNight strangers_night(std::uint64_t night) {
+  algebra::Random random(20150928, night);
+  const auto between = [&](double from, double to) {
+    return from + (to - from) * random.uniform();
+  };
+  const auto in_decades = [&](double from, double to) {
+    return from * std::pow(to / from, random.uniform());
+  };
+  const auto one_of = [&](const auto& all) {
+    auto place = all.begin();
+    std::advance(
+        place, static_cast<std::ptrdiff_t>(random.uniform() * static_cast<double>(std::size(all))));
+    return *place;
+  };
+  constexpr double zone_s = 2 * 3600, farthest_s = 40 * 60;
+  NightTruth truth;
+  truth.month = MonthTruth{in_decades(0.3, 5), in_decades(0.4, 2), between(0.7, 1.3)};
+  static const auto curves = measured_tone_curves();
+  truth.camera = one_of(curves).first;
+  StrangersCamera camera;
+  camera.response = one_of(colour::camera_spectra_names());
+  camera.name = random.uniform() < 0.5 ? named_by_its_maker(camera.response) : "Pentax K-5";
+  camera.saturation = one_of(std::array{0.9, 1., 1.2});
+  camera.says_shutter = random.uniform() < 0.5;
+  truth.stranger = camera;
+  const double error_s = between(-farthest_s, farthest_s);
+  truth.clock_s = error_s - zone_s;
+  truth.exposed = in_decades(0.5, 2);
+  truth.seed = 1000 + night;
+  const auto zone = one_of(std::array{ZoneGiven::none, ZoneGiven::right, ZoneGiven::an_hour_wrong});
+  const auto occasions = strangers_occasions();
+  return {truth, occasions[night % occasions.size()], zone,
+          error_s + (zone == ZoneGiven::an_hour_wrong ? 3600 : 0)};
 }
 
 }  // namespace coppermoon::end_to_end
