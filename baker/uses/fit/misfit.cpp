@@ -11,7 +11,7 @@ namespace coppermoon::uses {
 namespace {
 
 /// Share of the misfit that is most of it.
-constexpr double most = 0.6;
+constexpr double most_of_it = 0.6;
 
 /// Least distance from the shadow's axis of what counts as the umbra's edge, and of ground beyond it [km].
 constexpr double edge_km = 4000, beyond_km = 4900;
@@ -72,13 +72,13 @@ Suspect suspect_of(const std::vector<Misfit>& all, const Misfit& worst) {
     if (misfit.photograph == worst.photograph) own.push_back(misfit);
   }
   const auto of_worst = [&](const Misfit& one) { return one.photograph == worst.photograph; };
-  if (photographs.size() > 1 && share_of(all, of_worst) > most) return of_one_photograph(own);
-  if (share_of(all, [&](const Misfit& one) { return one.channel == worst.channel; }) > most)
+  if (photographs.size() > 1 && share_of(all, of_worst) > most_of_it) return of_one_photograph(own);
+  if (share_of(all, [&](const Misfit& one) { return one.channel == worst.channel; }) > most_of_it)
     return Suspect::colours;
   const auto worst_within = [&](double from_km, double to_km) {
     return share_of(all, [&](const Misfit& one) {
              return one.worst_km >= from_km && one.worst_km < to_km;
-           }) > most;
+           }) > most_of_it;
   };
   if (worst_within(edge_km, beyond_km)) return Suspect::clock;
   if (!worst_within(0, edge_km)) return Suspect::tone_curve;
