@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "end_to_end/program.h"
 #include "support/within.h"
@@ -93,15 +94,41 @@ TEST_F(FilmPictures, OnAContactSheetHaveTheirOwnLight) {
   }
 }
 
+/// A movie's tags as its container has them: primaries, transfer characteristics and matrix by ITU-T H.273.
+std::string colour_box(int primaries, int transfer, int matrix) {
+  std::string box = "colrnclx";
+  for (const int code : {primaries, transfer, matrix})
+    for (const int byte : {0, code}) box += static_cast<char>(byte);
+  return box;
+}
+
+constexpr int bt709 = 1, p3_d65 = 12, srgb = 13;
+
 TEST_F(FilmPictures, AsAMovieAreAllThereInOrder) {
   expect_done(coppermoon(film({"--range", "1-5x2", "--movie", "film.mp4", "--fps", "12"})));
   const auto probed = run({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
                            "stream=codec_name,width,height,pix_fmt,color_range,color_space,"
                            "color_transfer,color_primaries,r_frame_rate,nb_read_frames",
                            "-of", "csv=p=0", "film.mp4"});
-  EXPECT_EQ(probed.out, "h264,34,26,yuv420p,tv,bt709,bt709,bt709,12/1,3\n");
+  EXPECT_EQ(probed.out, "h264,34,26,yuv420p,tv,bt709,iec61966-2-1,bt709,12/1,3\n");
   const auto bytes = text_of(here("film.mp4"));
   EXPECT_LT(bytes.find("moov"), bytes.find("mdat")) << "it can be shown while it comes";
+  EXPECT_NE(bytes.find(colour_box(bt709, srgb, bt709)), std::string::npos);
+}
+
+TEST_F(FilmPictures, AsAMovieAreTaggedAsTheirDisplayIs) {
+  for (const auto& [display, stream, box] :
+       {std::tuple("Rec.1886 Rec.709", "bt709,bt709,bt709\n", colour_box(bt709, bt709, bt709)),
+        std::tuple("Display P3", "bt709,iec61966-2-1,smpte432\n",
+                   colour_box(p3_d65, srgb, bt709))}) {
+    expect_done(coppermoon(
+        film({"--range", "3", "--movie", "film.mp4", "--display", display, "--replace"})));
+    const auto probed =
+        run({"ffprobe", "-v", "error", "-show_entries",
+             "stream=color_space,color_transfer,color_primaries", "-of", "csv=p=0", "film.mp4"});
+    EXPECT_EQ(probed.out, stream) << display;
+    EXPECT_NE(text_of(here("film.mp4")).find(box), std::string::npos) << display;
+  }
 }
 
 TEST_F(FilmPictures, AsAMovieKeepTheirLight) {

@@ -180,6 +180,8 @@ TEST_F(HighRangeFilm, SaysWhatItHolds) {
         fmt::format("max_content={:.0f}", std::ceil(brightest)),
         fmt::format("max_average={:.0f}", std::ceil(brightest_mean))})
     EXPECT_NE(said.find(line + "\n"), std::string::npos) << line << "\n" << said;
+  const std::string as_box_says("colrnclx\0\x09\0\x10\0\x09\0", 15);  // ITU-T H.273
+  EXPECT_NE(text_of(here("a.mp4")).find(as_box_says), std::string::npos);
 
   // pictures of the usual range are what they are without; the film goes on with or without
   const auto picture = text_of(here("film/frame.0001.png"));

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <sstream>
@@ -37,11 +38,31 @@ void number_pictures(const fs::path& folder, const std::vector<fs::path>& pictur
     fs::create_symlink(fs::absolute(pictures[i]), folder / fmt::format("{:07}.png", i));
 }
 
-/// Arguments of ffmpeg for a film of standard dynamic range.
-std::string standard_range_coding() {
-  return "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,"
-         "format=yuv420p -c:v libx264 -crf 16 "
-         "-color_primaries bt709 -color_trc bt709 -colorspace bt709";
+/// Primaries and transfer characteristics of a display's code values, named as by ffmpeg.
+///
+/// Source  ITU-T H.273
+struct DisplayCoding {
+  const char *display, *primaries, *transfer;
+};
+
+/// Coding of a display of the built-in configuration; of any other display that of sRGB.
+DisplayCoding coding_of(const std::string& display) {
+  constexpr std::array<DisplayCoding, 3> others{{{"Rec.1886 Rec.709", "bt709", "bt709"},
+                                                 {"Display P3", "smpte432", "iec61966-2-1"},
+                                                 {"P3-D65", "smpte432", "smpte428"}}};
+  const auto found = std::ranges::find(others, display, &DisplayCoding::display);
+  return found != others.end() ? *found : DisplayCoding{"sRGB", "bt709", "iec61966-2-1"};
+}
+
+/// Arguments of ffmpeg for a film of standard dynamic range. The filter `setparams` tags the frames, as ffmpeg 7 would tag
+/// all that comes from PNGs as sRGB, whatever -color_trc says.
+std::string standard_range_coding(const std::string& display) {
+  const auto coding = coding_of(display);
+  return fmt::format(
+      "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=yuv420p,"
+      "setparams=range=tv:colorspace=bt709:color_primaries={}:color_trc={} "
+      "-c:v libx264 -crf 16",
+      coding.primaries, coding.transfer);
 }
 
 /// Arguments of ffmpeg for HDR10. SMPTE ST 2086 counts chromaticities, here Rec.2020's, in steps of 0.00002, and light
@@ -50,10 +71,10 @@ std::string high_range_coding(const LightLevels& levels) {
   const auto whole = [](double light) { return std::max(1., std::ceil(light)); };
   return fmt::format(
       "scale=out_color_matrix=bt2020:out_range=tv:flags=accurate_rnd+full_chroma_int,"
-      "format=yuv420p10le -c:v libx265 -crf 4 -tag:v hvc1 "
-      "-color_primaries bt2020 -color_trc smpte2084 -colorspace bt2020nc "
-      "-x265-params log-level=error:hdr10=1:hdr10-opt=1:repeat-headers=1:range=limited:"
-      "colorprim=bt2020:transfer=smpte2084:colormatrix=bt2020nc:"
+      "format=yuv420p10le,"
+      "setparams=range=tv:colorspace=bt2020nc:color_primaries=bt2020:color_trc=smpte2084 "
+      "-c:v libx265 -crf 4 -tag:v hvc1 "
+      "-x265-params log-level=error:hdr10=1:hdr10-opt=1:repeat-headers=1:"
       "master-display=G(8500,39850)B(6550,2300)R(35400,14600)WP(15635,16450)L({0:.0f},1):"
       "max-cll={1:.0f},{2:.0f}",
       1e4 * whole(levels.brightest), whole(levels.brightest), whole(levels.brightest_mean));
@@ -64,7 +85,7 @@ std::vector<std::string> command(double fps, const std::string& coding) {
   std::istringstream words(
       fmt::format("ffmpeg -nostdin -loglevel error -xerror -y -framerate {} -f image2 -i %07d.png "
                   "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2,{} "
-                  "-color_range tv -movflags +faststart -f mp4 /dev/fd/1",
+                  "-movflags +faststart -f mp4 /dev/fd/1",
                   fps, coding));
   return {std::istream_iterator<std::string>(words), {}};
 }
@@ -89,7 +110,7 @@ void write_movie(const fs::path& path, const Film& film, const std::vector<std::
   const auto pictures = pictures_of(film, frames);
   number_pictures(folder.path(), pictures);
   const auto coding = film.products.high_range ? high_range_coding(light_levels(pictures))
-                                               : standard_range_coding();
+                                               : standard_range_coding(film.development.display);
   files::write_whole(path, [&](int descriptor) {
     files::run_program(
         {.words = command(film.fps, coding), .package = package, .folder = folder.path()},

@@ -14,8 +14,9 @@ namespace coppermoon::uses {
 /// Throws  Error  when it cannot be run: names the package
 void require_ffmpeg();
 
-/// Encodes the pictures of some frames, in the order given, by ffmpeg: H.264 in 4:2:0, tagged BT.709. An odd number of
-/// pixels on a side gets a black one more. The file appears whole or not at all.
+/// Encodes the pictures of some frames, in the order given, by ffmpeg: H.264 in 4:2:0, with the matrix of BT.709, tagged
+/// with primaries and transfer characteristics of the film's display. An odd number of pixels on a side gets a black one
+/// more. The file appears whole or not at all.
 ///
 /// Pictures of high dynamic range become HDR10: HEVC, 10 bits in 4:2:0, PQ, Rec.2020, with the film's light levels,
 /// and the least mastering display that shows all of them.
