@@ -64,6 +64,12 @@ float linear(float v, Curve curve) {
   return curve.power == 1 ? v : std::pow(v, curve.power);
 }
 
+/// Names of a file's channels. OpenImageIO 2.5 calls luminance and its two differences R, G and B.
+std::vector<std::string> channels_of(const OIIO::ImageSpec& spec) {
+  if (spec.get_int_attribute("openexr:luminancechroma") != 0) return {"Y", "RY", "BY"};
+  return spec.channelnames;
+}
+
 /// List of channels for an error, shortened when very many.
 std::string names_of(const std::vector<std::string>& channels) {
   constexpr std::size_t most = 12;
@@ -88,17 +94,18 @@ void require_bands(const fs::path& path, const OIIO::ImageSpec& spec) {
 std::array<std::size_t, 3> rgb_channels(const fs::path& path, const OIIO::ImageInput& input) {
   const auto& spec = input.spec();
   if (!is_openexr(input)) require_bands(path, spec);
-  const auto has = [&](const char* name) { return spec.channelindex(name) >= 0; };
+  const auto channels = channels_of(spec);
   const auto at = [&](const char* name) {
-    return static_cast<std::size_t>(spec.channelindex(name));
+    return static_cast<std::size_t>(std::ranges::find(channels, name) - channels.begin());
   };
+  const auto has = [&](const char* name) { return at(name) < channels.size(); };
   if (has("R") && has("G") && has("B")) return {at("R"), at("G"), at("B")};
   if (has("Y") && !has("RY") && !has("BY") && !has("X") && !has("Z"))
     return {at("Y"), at("Y"), at("Y")};
   if (!is_openexr(input))
     return spec.nchannels < 3 ? std::array<std::size_t, 3>{0, 0, 0}
                               : std::array<std::size_t, 3>{0, 1, 2};
-  throw cannot_read(path, names_of(spec.channelnames) + ", allowed R, G and B, or Y alone");
+  throw cannot_read(path, names_of(channels) + ", allowed R, G and B, or Y alone");
 }
 
 /// Reads all that a picture shows: `put` is told where in it a texel is, and the texel's numbers, several
@@ -290,12 +297,14 @@ Image read_channels(const fs::path& path, const std::vector<std::string>& names)
     throw algebra::Error(fmt::format(
         "{}: holds whole numbers, allowed light [cd/m2] in floating-point ones, as an .exr does",
         path.string()));
+  const auto channels = channels_of(spec);
   std::vector<std::size_t> chosen;
   for (const auto& name : names) {
-    if (spec.channelindex(name) < 0)
-      throw algebra::Error(fmt::format("{}: {}, allowed {}", path.string(),
-                                       names_of(spec.channelnames), fmt::join(names, ", ")));
-    chosen.push_back(static_cast<std::size_t>(spec.channelindex(name)));
+    const auto found = std::ranges::find(channels, name);
+    if (found == channels.end())
+      throw algebra::Error(fmt::format("{}: {}, allowed {}", path.string(), names_of(channels),
+                                       fmt::join(names, ", ")));
+    chosen.push_back(static_cast<std::size_t>(found - channels.begin()));
   }
   return within_memory(path, spec, [&] {
     auto image = black(*input, names);
