@@ -40,7 +40,10 @@ coppermoon_package(development libcoppermoon-dev SECTION libdevel DEPENDS "${lib
 coppermoon_package(openimageio coppermoon-openimageio SECTION graphics DEPENDS "coppermoon ${same}"
   TEXT "${about}\nThis package lets programs that read images through OpenImageIO read\nan eclipse.")
 if(TARGET coppermoon_python)
-  coppermoon_package(python python3-coppermoon SECTION python DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy"
+  get_target_property(minor coppermoon_python PYTHON_MINOR)
+  math(EXPR next "${minor} + 1")
+  coppermoon_package(python python3-coppermoon SECTION python
+    DEPENDS "python3 (>= 3.${minor}), python3 (<< 3.${next}), python3-numpy"
     TEXT "${about}\nThis package has it for Python 3, as NumPy arrays.")
 endif()
 include(CPack)

@@ -1,11 +1,34 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Makes the Debian packages, has lintian look at them, installs them in a fresh Debian, uses and removes them. On Debian
-# 12 as root, with a network; some ten minutes on two processors.
+# Makes the Debian packages, has lintian look at them, installs them in a fresh Debian, uses and removes them. As root, with
+# a network; some ten minutes on two processors.
+#
+#   tests/packages.sh           for the Debian that it runs on
+#   tests/packages.sh RELEASE   for another, as trixie: in a bare one, where all is built from nothing; half an hour
 set -eu
 cd "$(dirname "$0")/.."
+. /etc/os-release
+release=${1:-$VERSION_CODENAME}
+# bare FOLDER: a bare Debian, with /proc; its apt runs as root, for nobody else may enter the folder.
+bare() {
+  debootstrap --variant=minbase "$release" "$1" >/dev/null
+  echo 'APT::Sandbox::User "root";' >"$1/etc/apt/apt.conf.d/root"
+  mount -t proc proc "$1/proc"
+}
+fresh=$(mktemp -d)
+trap 'umount "$fresh/proc" 2>/dev/null || true; rm -rf --one-file-system "$fresh"' EXIT
+
+if [ "$release" != "$VERSION_CODENAME" ]; then
+  apt-get install -y --no-install-recommends debootstrap >/dev/null
+  bare "$fresh"
+  mkdir "$fresh/coppermoon"
+  tar -c --exclude=./build --exclude=./.git . | tar -x -C "$fresh/coppermoon"
+  chroot "$fresh" env -i PATH="$PATH" HOME=/root LC_ALL=C.UTF-8 /coppermoon/tests/packages.sh
+  exit
+fi
+
+sh examples/build.sh coppermoon_test_main packages.tests.debian
 apt-get install -y --no-install-recommends debootstrap dpkg-dev lintian >/dev/null
-sh examples/build.sh coppermoon_program packages.tests.debian
 cmake --workflow --preset debian
 packages=$PWD/build/debian
 
@@ -13,17 +36,13 @@ packages=$PWD/build/debian
 lintian --allow-root --fail-on error,warning --suppress-tags bogus-mail-host,bogus-mail-host-in-debian-changelog \
   "$packages"/*.deb
 
-fresh=$(mktemp -d)
-trap 'umount "$fresh/proc" 2>/dev/null || true; rm -rf --one-file-system "$fresh"' EXIT
-debootstrap --variant=minbase bookworm "$fresh" >/dev/null
+bare "$fresh"
 mkdir "$fresh/packages" "$fresh/consumer"
 cp "$packages"/*.deb "$fresh/packages"
 cp -r tests/package/contacts/. "$fresh/consumer"
-mount -t proc proc "$fresh/proc"
 chroot "$fresh" sh -eu <<'END'
 export DEBIAN_FRONTEND=noninteractive HOME=/tmp LC_ALL=C
 cd /tmp
-echo 'APT::Sandbox::User "root";' >/etc/apt/apt.conf.d/root
 install() { apt-get install -y --no-install-recommends "$@" >/dev/null; }
 apt-get update >/dev/null
 
