@@ -112,25 +112,23 @@ std::array<std::size_t, 3> rgb_channels(const fs::path& path, const OIIO::ImageI
 /// rows at a time. Where the file has none nothing is put.
 template <class Put>
 void for_all_texels(OIIO::ImageInput& input, const fs::path& path, const Put& put) {
-  const auto [data, display] = windows_of(input);
+  const auto windows = windows_of(input);
+  const auto &data = windows.data, &display = windows.display;
   const auto stride = static_cast<std::ptrdiff_t>(input.spec().nchannels);
-  const auto left = std::max(data.left, display.left),
+  const auto top = data.top - display.top, left = std::max(data.left, display.left),
              right = std::min(data.left + static_cast<int>(data.width),
                               display.left + static_cast<int>(display.width));
-  for_all_rows<float>(input, path,
-                      [&, top = data.top - display.top, data = data,
-                       display = display](const RowsRead<float>& band) {
-                        tbb::parallel_for(std::size_t{0}, band.rows, [&](std::size_t r) {
-                          const auto row = top + static_cast<std::ptrdiff_t>(band.first_row + r);
-                          if (row < 0 || row >= static_cast<std::ptrdiff_t>(display.height)) return;
-                          const float* texels = band.values.data() +
-                                                r * data.width * static_cast<std::size_t>(stride);
-                          for (auto x = left; x < right; ++x)
-                            put(static_cast<std::size_t>(row) * display.width +
-                                    static_cast<std::size_t>(x - display.left),
-                                texels + (x - data.left) * stride);
-                        });
-                      });
+  for_all_rows<float>(input, path, [&](const RowsRead<float>& band) {
+    tbb::parallel_for(std::size_t{0}, band.rows, [&](std::size_t r) {
+      const auto row = top + static_cast<std::ptrdiff_t>(band.first_row + r);
+      if (row < 0 || row >= static_cast<std::ptrdiff_t>(display.height)) return;
+      const float* texels = band.values.data() + r * data.width * static_cast<std::size_t>(stride);
+      for (auto x = left; x < right; ++x)
+        put(static_cast<std::size_t>(row) * display.width +
+                static_cast<std::size_t>(x - display.left),
+            texels + (x - data.left) * stride);
+    });
+  });
 }
 
 /// Black image of the size that the file shows.
@@ -221,10 +219,11 @@ struct Holes {
 template <class Tone>
 void read_luminance(OIIO::ImageInput& input, const fs::path& path, const Tone& tone,
                     const Storage& storage, algebra::Grid<float>& map) {
-  const auto [r, g, b] = rgb_channels(path, input);
+  const auto rgb = rgb_channels(path, input);
+  const auto r = rgb[0], g = rgb[1], b = rgb[2];
   const auto stride = static_cast<std::size_t>(input.spec().nchannels);
   const Holes<typename Tone::Number> holes(input.spec(), storage);
-  const auto add = [&, r = r, g = g, b = b](const auto& band) {
+  const auto add = [&](const auto& band) {
     tbb::parallel_for(std::size_t{0}, band.rows, [&](std::size_t row) {
       const auto* texel = band.values.data() + row * map.columns() * stride;
       for (float& value : map.row(band.first_row + row)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/twilight.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
