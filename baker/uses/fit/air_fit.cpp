@@ -16,27 +16,32 @@ std::vector<double> evenly(double from, double to, int steps) {
   return all;
 }
 
-constexpr std::array axis_steps{32, 24, 14};
+/// Steps of the three axes in each look: the first finds where it is probable, the last has steps of half a standard
+/// deviation.
+constexpr std::size_t looks = 3;
+constexpr std::array<std::array<int, 3>, looks> axis_steps{
+    {{20, 14, 8}, {20, 16, 10}, {24, 20, 12}}};
 
 /// Axes over all that a fit allows.
 Axes whole_axes(Unknowns unknowns) {
   Axes axes;
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const auto& unknown = unknowns_of(unknowns)[a];
-    axes[a] = evenly(unknown.on_axis(unknown.least), unknown.on_axis(unknown.most), axis_steps[a]);
+    axes[a] =
+        evenly(unknown.on_axis(unknown.least), unknown.on_axis(unknown.most), axis_steps[0][a]);
   }
   return axes;
 }
 
-/// Axes of as many steps over the range that is probable by a coarser grid.
-Axes axes_about(const Posterior& known, const Axes& coarser) {
+/// Axes of a look over the range that is probable by a coarser grid.
+Axes axes_about(const Posterior& known, const Axes& coarser, std::size_t look) {
   constexpr double beyond = 2;  // interval widths beyond it: five deviations from the median
   Axes axes;
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const auto& [median, low, high, information] = known.estimates[a];
     const double step = coarser[a][1] - coarser[a][0], width = std::max(high - low, step);
     axes[a] = evenly(std::max(coarser[a].front(), low - beyond * width),
-                     std::min(coarser[a].back(), high + beyond * width), axis_steps[a]);
+                     std::min(coarser[a].back(), high + beyond * width), axis_steps[look][a]);
   }
   return axes;
 }
@@ -131,16 +136,15 @@ bool explains(const AirFit& fit) {
 }
 
 AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progress) {
-  constexpr int looks = 3;
   AirFit result;
   for (const auto& set : data) result.measurements += set.count;
   const double freedom = freedom_of(result.measurements);
   result.unknowns = data.front().light->unknowns();
   const auto whole = whole_axes(result.unknowns);
   auto axes = whole;
-  for (int look = 1;; ++look) {
+  for (std::size_t look = 1;; ++look) {
     const auto [chi_squared, clocks] = evaluated(axes, data, [&](double part) {
-      if (progress) progress((look - 1 + part) / looks);
+      if (progress) progress((static_cast<double>(look - 1) + part) / static_cast<double>(looks));
     });
     const double least = *std::ranges::min_element(chi_squared.values()),
                  scale = std::max(1., least / freedom);
@@ -152,7 +156,7 @@ AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progre
         result.clocks.push_back(over_all_air(chi_squared, least, scale, clock));
       break;
     }
-    axes = axes_about(result.posterior, axes);
+    axes = axes_about(result.posterior, axes, look);
   }
   // information is relative to the whole range, not to the last grid's
   for (std::size_t a = 0; a < whole.size(); ++a) {

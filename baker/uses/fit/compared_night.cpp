@@ -41,7 +41,7 @@ constexpr double between_tents = 0.01;
 /// Weather of a limb's part in one hour: of all light; of blue apart; of deep light, whose rays pass lower, apart.
 enum Weather : std::size_t { of_light, of_blue, of_depth, weathers };
 
-/// Standard deviation of a channel's light by weather, over that of red.
+/// Standard deviation of a channel's light by weather, over that of red, where its derivative by cloud is not known.
 ///
 /// Given  distance_km  from the axis; the umbra ends at some 4600 km
 double weather_of(std::size_t weather, std::size_t channel, double distance_km) {
@@ -276,6 +276,7 @@ algebra::Grid<double> ComparedNight::design(std::span<const NightPhotograph> pho
   const std::size_t of_photographs = of_night::count + of_photograph::count * photographs.size(),
                     of_weather = weather ? weather_sectors * weathers * knots.count : 0;
   algebra::Grid<double> a(measurements_.size(), of_photographs + of_weather);
+  const auto dimming = dimming_by_cloud();
   std::vector<algebra::Grid<double>> limbs;
   if (weather)
     for (const auto& photograph : photographs) limbs.push_back(limb_of_bins(photograph.scene));
@@ -307,13 +308,38 @@ algebra::Grid<double> ComparedNight::design(std::span<const NightPhotograph> pho
             return night[of_photographs + (of_knot * weathers + w) * weather_sectors + s];
           };
           const double light_of_part =
-              errors.weather_error * weather_of(w, k, scene.distances_km[b]) * limbs[p](b, s);
+              errors.weather_error * limbs[p](b, s) *
+              (dimming.rows() == 0 || w == of_blue ? weather_of(w, k, scene.distances_km[b])
+               : w == of_light                     ? dimming(p * bins_ + b, k)
+                                                   : 0);
           column(knot) += (1 - part) * light_of_part;
           if (part > 0) column(knot + 1) += part * light_of_part;
         }
     }
   }
   return a;
+}
+
+algebra::Grid<double> ComparedNight::dimming_by_cloud() const {
+  if (errors_.clouded.rows() == 0) return {};
+  constexpr double least_distance_km = 1000, most_distance_km = 4000;
+  const auto steps = clock_steps_s(errors_.clock_error_s).size();
+  algebra::Grid<double> all(distances_km_.size() * bins_, 3);
+  double red = 0, count = 0;
+  for (std::size_t p = 0; p < distances_km_.size(); ++p)
+    for (std::size_t b = 0; b < bins_; ++b) {
+      const auto row = (p * steps + steps / 2) * bins_ + b;
+      const auto before = as_written(errors_.expected.row(row)),
+                 after = as_written(errors_.clouded.row(row));
+      for (std::size_t k = 0; k < 3; ++k) all(p * bins_ + b, k) = std::log(before[k] / after[k]);
+      const double distance_km = distances_km_[p][b];
+      if (distance_km < least_distance_km || distance_km > most_distance_km) continue;
+      red += all(p * bins_ + b, 0);
+      ++count;
+    }
+  if (count == 0 || red <= 0) return {};
+  for (double& value : all.values()) value *= count / red;
+  return all;
 }
 
 void ComparedNight::add_mixing(const NightPhotograph& photograph, const Measurement& measurement,

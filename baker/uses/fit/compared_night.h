@@ -46,6 +46,8 @@ struct NightErrors {
   Mixing mixing = no_mixing;  ///< expected, about which errors are small
   /// XYZ of all bins, as night_light has it, about which mixing is linear; empty: that of the usual air
   algebra::Grid<double> expected{};
+  /// Light of the same air under more cloud, for its derivative by weather; empty: that of a rough formula.
+  algebra::Grid<double> clouded{};
 };
 
 /// Model light of a night's photographs, and of moments a minute beside them where the clock may be wrong.
@@ -138,6 +140,9 @@ class ComparedNight {
   std::array<double, 3> expected_of(const NightPhotograph& photograph, std::size_t index,
                                     std::size_t bin) const;
 
+  /// Decrease of the logarithm of light by cloud, (photograph × bins + bin, channel), over its mean of red in the umbra;
+  /// empty where it is not known.
+  algebra::Grid<double> dimming_by_cloud() const;
   /// Writes a measurement's growth with the camera's saturation and the elements of its matrix.
   void add_mixing(const NightPhotograph& photograph, const Measurement& measurement,
                   std::span<double> night) const;

@@ -72,6 +72,15 @@ algebra::Grid<double> light_at(const FittedLight& light, const AirFit& fit) {
   return light.at(fit.best);
 }
 
+/// Numbers of an air with more cloud than the best.
+AirNumbers clouded_numbers(const AirFit& fit) {
+  constexpr double more = 0.1;
+  auto numbers = fit.best;
+  const auto& cloud = unknowns_of(fit.unknowns)[1];
+  numbers[1] = cloud.logarithmic ? numbers[1] * (1 + more) : numbers[1] + more * (1 - numbers[1]);
+  return numbers;
+}
+
 }  // namespace
 
 Night::Night(const FitRequest& request, std::vector<const EclipsePhotograph*> photographs,
@@ -135,7 +144,7 @@ bool Night::clock_is_free() const {
 }
 
 NightErrors Night::errors() const {
-  return {clock_error_s_, believed_s_ - clock_s_, curve_, mixing_, expected_};
+  return {clock_error_s_, believed_s_ - clock_s_, curve_, mixing_, expected_, clouded_};
 }
 
 void Night::compare() { compared_ = std::make_unique<const ComparedNight>(binned_, errors()); }
@@ -411,6 +420,7 @@ bool Night::refine(const AirFit& fit) {
   if (registered_in_best_air_ && !curved()) return false;
   heartbeat_(0);
   expected_ = light_at(*light_, fit);
+  clouded_ = light_->at(clouded_numbers(fit));
   const auto curve = compared_->curve(expected_);
   mixing_ = compared_->mixing(expected_);
   curve_ = curve;

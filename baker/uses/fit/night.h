@@ -111,8 +111,8 @@ class Night {
   bool registered_in_best_air_ = false;
   colour::ToneCurve curve_{};
   Mixing mixing_ = no_mixing;
-  algebra::Grid<double>
-      expected_{};  ///< light about which mixing is linear; empty: the usual air's
+  /// light of the best air, and under more cloud, about which errors are linear; empty: the usual air's
+  algebra::Grid<double> expected_{}, clouded_{};
   std::unique_ptr<const FittedLight> light_;
   std::unique_ptr<const ComparedNight> compared_;
 };
