@@ -53,6 +53,7 @@ algebra::Grid<double> lit_patches() {
   names.insert(names.begin(), "d65");
   auto lit = band_integrals(table, names, edges_nm());
   for (std::size_t patch = 1; patch < lit.rows(); ++patch)
+    // FAULT patches in light of equal energy: lit(0, band); => lit(0, 0);
     for (std::size_t band = 0; band < lit.columns(); ++band) lit(patch, band) *= lit(0, band);
   return lit;
 }
@@ -69,10 +70,12 @@ glm::dvec3 fitted_row(const Seen& seen, int row) {
   for (std::size_t i = 1; i < seen.xyz.size(); ++i) {
     const auto& c = seen.balanced[i];
     const double r = c.r - c.b, g = c.g - c.b, t = seen.xyz[i][row] - white * c.b;
+    // FAULT least squares that mix up red and green: rt += r * t => rt += g * t
     rr += r * r, rg += r * g, gg += g * g, rt += r * t, gt += g * t;
   }
   const double determinant = rr * gg - rg * rg;
   const double red = (rt * gg - gt * rg) / determinant, green = (gt * rr - rt * rg) / determinant;
+  // FAULT daylight that is no longer white: white - red - green => 1 - red - green
   return {red, green, white - red - green};
 }
 

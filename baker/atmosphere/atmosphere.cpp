@@ -36,6 +36,7 @@ void require_valid(const Column& column) {
   algebra::require_within("tropopause [km]", column.tropopause_m / 1e3, 5, 20);
   algebra::require_within("aerosol of the free troposphere [1/m]", column.free_troposphere_per_m, 0,
                           0.01);
+  algebra::require_within("water vapour", column.water_vapour, 0, 1000);
   if (column.density == Density::seasonal && !column.seasonal_air)
     throw algebra::Error("density = seasonal, allowed with the air of a latitude and a season");
 }
@@ -165,6 +166,16 @@ constexpr std::array<Constituent, absorbers> constituents{{
      [](const Column&, double h) { return nitrogen_dioxide_per_m3(h); },
      [](const Column&, const Optics& o) {
        return nitrogen_dioxide_cross_section_m2(wavelength_of(o));
+     }},
+    {oxygen_bands, "oxygenBands",
+     [](const Column& c) { return c.oxygen_bands && c.density != Density::none; },
+     [](const Column& c, double h) { return density_ratio(c, h).value; },
+     [](const Column&, const Optics& o) { return oxygen_bands_per_m(wavelength_of(o)); }},
+    {water_vapour, "waterVapour",
+     [](const Column& c) { return c.water_vapour > 0 && c.density != Density::none; },
+     [](const Column&, double h) { return water_vapour_profile(h); },
+     [](const Column& c, const Optics& o) {
+       return water_vapour_per_m(c.water_vapour, wavelength_of(o));
      }},
 }};
 

@@ -48,6 +48,8 @@ struct Column {
   /// extinction by the free troposphere's aerosol at 7 km and 550 nm, 0 to 0.01; 0: off
   double free_troposphere_per_m = 0;
   bool oxygen_pairs = false, nitrogen_dioxide = false;  ///< whether these absorb
+  bool oxygen_bands = false;                            ///< whether these absorb
+  double water_vapour = 0;  ///< over that of the US standard atmosphere, 0 to 1000; 0: off
   std::shared_ptr<const SeasonalAir> seasonal_air{};    ///< for Density::seasonal
   std::shared_ptr<const OzoneClimate> ozone_climate{};  ///< profile of ozone; null: that of US 1976
   /// replaces `stratosphere`, unless null
@@ -175,6 +177,8 @@ enum Absorber : std::size_t {
   free_troposphere,
   oxygen_pairs,
   nitrogen_dioxide,
+  oxygen_bands,
+  water_vapour,
   absorbers  ///< their number
 };
 using Amounts = std::array<double, absorbers>;
@@ -200,6 +204,8 @@ double profile(const Column& column, Absorber absorber, double altitude_m);
 ///     free_troposphere   extinction at 550 nm [m⁻¹]
 ///     oxygen_pairs       (ρ/ρ₀)²
 ///     nitrogen_dioxide   molecules [m⁻³]
+///     oxygen_bands       ρ/ρ₀
+///     water_vapour       water_vapour_profile
 Amounts profiles(const Column& column, double altitude_m);
 
 /// Spectra of all absorbers: the factors that turn profiles into extinction [m⁻¹], and profiles summed along a

@@ -26,6 +26,51 @@ double oxygen_pair_cross_section_m5(algebra::Wavelength wavelength);
 /// Source    JPL Publication 06-2 (2006); Vandaele et al. (1998), JQSRT 59, 171
 double nitrogen_dioxide_cross_section_m2(algebra::Wavelength wavelength);
 
+/// Extinction at sea level by the bands of oxygen at 628, 688 and 762 nm, along rays that pass the limb:
+///
+///     −ln T = extinction ∫ ρ/ρ₀ ds        T: the transmittance's mean over 20 nm
+///
+/// A band's transmittance is exp(−(C W)^0.5641), with W = ∫ ρ p^0.9353 ds. So −ln T grows with about the square root of
+/// W, and falls with the tangent height as the density does.
+///
+/// Given     wavelength  380 to 780 nm
+/// Returned  [m⁻¹]       at most 2.4e-6, at 765 nm
+/// Accuracy  light lost at 628 and 688 nm, 15 %; at 762 nm, which saturates, 35 %; tangent heights 3 to 20 km
+/// Omits     all that is narrower than 20 nm
+/// Throws    Error       when the wavelength is outside its range
+/// Source    band model of LOWTRAN 7: Kneizys et al. (1988), AFGL-TR-88-0177
+double oxygen_bands_per_m(algebra::Wavelength wavelength);
+
+/// Extinction at sea level by the bands of water vapour at 590, 650, 695 and 725 nm, along rays that pass the limb:
+///
+///     −ln T = extinction ∫ water_vapour_profile ds        T: as for oxygen
+///
+/// Extinction goes as water^0.62; the band model has powers from 0.61 to 0.66.
+///
+/// Given     water       over that of the US standard atmosphere (14 mm of precipitable water), 0 or more
+///           wavelength  380 to 780 nm
+/// Returned  [m⁻¹]       at most 6.8e-6, at 725 nm and water = 1
+/// Accuracy  light lost, 15 %; tangent heights 2 to 8 km
+/// Omits     all that is narrower than 20 nm
+/// Throws    Error       when the wavelength is outside its range
+/// Source    as oxygen_bands_per_m
+double water_vapour_per_m(double water, algebra::Wavelength wavelength);
+
+/// Extinction by water vapour over that at sea level: (density of the vapour × p^0.66)^0.62.
+///
+/// Given     altitude_m  above sea level
+/// Accuracy  0.03
+/// Source    US standard atmosphere of Anderson et al. (1986), AFGL-TR-86-0110
+double water_vapour_profile(double altitude_m);
+
+/// Water vapour 5 km above a latitude in a season, over that of the US standard atmosphere: 0.3 to 2.4.
+///
+/// Given   year   its fraction is the season
+/// Throws  Error  when the latitude is outside ±90°
+/// Omits   weather
+/// Source  mixing ratios of Anderson et al. (1986), AFGL-TR-86-0110
+double seasonal_water(algebra::Angle latitude, double year);
+
 /// Number density of nitrogen dioxide [m⁻³]; the vertical column is 6.0e19 m⁻².
 ///
 /// Given     altitude_m  0 to 86 km

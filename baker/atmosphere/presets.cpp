@@ -11,6 +11,7 @@
 
 #include "algebra/error.h"
 #include "atmosphere/cloud.h"
+#include "atmosphere/gases.h"
 #include "atmosphere/tropopause.h"
 
 namespace coppermoon::atmosphere {
@@ -20,7 +21,7 @@ constexpr std::array<std::string_view, 7> names{"paper",    "molecular",  "clear
                                                 "standard", "calibrated", "none"};
 
 /// Factor on the chance of cloud of "calibrated".
-constexpr double calibrated_cloud = 0.63;
+constexpr double calibrated_cloud = 0.60;
 
 constexpr double us_1976_ozone_du = 345;
 
@@ -36,7 +37,7 @@ Column usual_by_chance(Column column) {
   column.tropospheric_optical_depth = 0.07;
   column.tropospheric_scale_m = 1.2e3;
   column.cirrus = 1;
-  column.oxygen_pairs = column.nitrogen_dioxide = true;
+  column.oxygen_pairs = column.oxygen_bands = column.nitrogen_dioxide = true;
   return column;
 }
 
@@ -64,6 +65,7 @@ Column climatic(Column column, algebra::Angle latitude, double year) {
   column.stratospheric_layer = std::make_shared<StratosphericLayer>(
       StratosphericLayer::of_month(year, latitude, column.tropopause_m));
   column.free_troposphere_per_m = free_troposphere_per_m(latitude);
+  column.water_vapour = seasonal_water(latitude, year);
   column.cloud_per_m = cloud_chance_per_m(latitude);
   return column;
 }

@@ -16,8 +16,8 @@ namespace coppermoon::atmosphere {
 ///     undated    clear, and average aerosol and cloud, independent of place and date: background stratosphere,
 ///                tropospheric aerosol of 0.07, cloud to 10 km over 70 % of the limb
 ///     standard   air of a month in 13 belts of latitude (see climatic), with tropospheric aerosol of 0.07,
-///                cloud and cirrus by probability, oxygen pairs and nitrogen dioxide
-///     calibrated standard, with 0.63 of its probability of cloud: one number, fitted to the whole Moon of five eclipses
+///                cloud and cirrus by probability, oxygen's pairs and bands, nitrogen dioxide, water vapour
+///     calibrated standard, with 0.60 of its probability of cloud: one number, fitted to the whole Moon of five eclipses
 ///                and the umbra of a sixth as instruments measured them. Each left out in turn, it foretells
 ///                them to 0.21 mag rms, "standard" to 0.25
 ///     none       the bare Earth, an ellipsoid
@@ -31,7 +31,7 @@ std::span<const std::string_view> preset_names();
 Atmosphere preset(std::string_view name, algebra::Angle sun_declination, double year = 2000);
 
 /// Column whose terms that depend on latitude and month are replaced by those of a latitude and a month:
-/// density, ozone, stratospheric aerosol, tropopause, the free troposphere's aerosol, probability of cloud.
+/// density, ozone, stratospheric aerosol, tropopause, the free troposphere's aerosol, probability of cloud, water vapour.
 ///
 /// Given  year  with its fraction, which is the month
 Column climatic(Column column, algebra::Angle latitude, double year);

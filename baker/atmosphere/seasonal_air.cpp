@@ -25,24 +25,6 @@ double summer(double year) {
   return (1 - std::cos(2 * std::numbers::pi * (year - mid_january))) / 2;
 }
 
-/// Temperatures at the models' altitudes [K].
-std::vector<double> temperatures(const algebra::Table& table, double latitude_deg, double year) {
-  // FAULT winter in July: latitude_deg < 0 ? 0.5 : 0 => latitude_deg < 0 ? 0 : 0.5
-  const double south = latitude_deg < 0 ? 0.5 : 0, away = std::abs(latitude_deg);
-  const double warm = summer(year + south), to_45 = std::clamp((away - 15) / 30, 0., 1.),
-               to_60 = std::clamp((away - 45) / 15, 0., 1.);
-  std::vector<double> all;
-  for (std::size_t i = 0; i < table["altitude_km"].size(); ++i) {
-    const auto of_season = [&](const char* winter, const char* in_summer) {
-      return std::lerp(table[winter][i], table[in_summer][i], warm);
-    };
-    const double middle = of_season("midlatitude_winter", "midlatitude_summer"),
-                 high = of_season("subarctic_winter", "subarctic_summer");
-    all.push_back(std::lerp(std::lerp(table["tropical"][i], middle, to_45), high, to_60));
-  }
-  return all;
-}
-
 double gravity_ratio(double altitude_m) {
   const double ratio = geopotential_radius / (geopotential_radius + altitude_m);
   return ratio * ratio;
@@ -50,15 +32,30 @@ double gravity_ratio(double altitude_m) {
 
 }  // namespace
 
+double between_models(const ByModel& models, algebra::Angle latitude, double year) {
+  const double degrees = algebra::in_degrees(latitude), away = std::abs(degrees);
+  algebra::require_within("latitude [degrees]", degrees, -90, 90);
+  // FAULT winter in July: degrees < 0 ? 0.5 : 0 => degrees < 0 ? 0 : 0.5
+  const double warm = summer(year + (degrees < 0 ? 0.5 : 0)),
+               to_45 = std::clamp((away - 15) / 30, 0., 1.),
+               to_60 = std::clamp((away - 45) / 15, 0., 1.),
+               middle = std::lerp(models.midlatitude_winter, models.midlatitude_summer, warm),
+               high = std::lerp(models.subarctic_winter, models.subarctic_summer, warm);
+  return std::lerp(std::lerp(models.tropical, middle, to_45), high, to_60);
+}
+
 SeasonalAir::SeasonalAir(algebra::Angle latitude, double year) {
   static const auto table =
       algebra::parse_table(tables::seasonal_temperature(), "seasonal_temperature.csv");
-  const double degrees = algebra::in_degrees(latitude);
-  algebra::require_within("latitude [degrees]", degrees, -90, 90);
   auto altitude_m = table["altitude_km"];
   for (double& h : altitude_m) h *= 1e3;
-  const auto models = temperatures(table, degrees, year);
-  const algebra::MonotoneCubic temperature(altitude_m, models);
+  std::vector<double> temperatures;
+  for (std::size_t i = 0; i < altitude_m.size(); ++i)
+    temperatures.push_back(between_models(
+        {table["tropical"][i], table["midlatitude_summer"][i], table["midlatitude_winter"][i],
+         table["subarctic_summer"][i], table["subarctic_winter"][i]},
+        latitude, year));
+  const algebra::MonotoneCubic temperature(altitude_m, temperatures);
   const auto fall = [&](double h) {  // −d ln p/dh
     return gravity_over_gas_constant * gravity_ratio(h) / temperature(h);
   };

@@ -8,6 +8,17 @@
 
 namespace coppermoon::atmosphere {
 
+/// A number in the model atmospheres of Anderson et al. (1986).
+struct ByModel {
+  double tropical, midlatitude_summer, midlatitude_winter, subarctic_summer, subarctic_winter;
+};
+
+/// Number over a latitude in a season, interpolated between the models as SeasonalAir's temperature.
+///
+/// Given   year   its fraction is the season
+/// Throws  Error  when the latitude is outside ±90°
+double between_models(const ByModel& models, algebra::Angle latitude, double year);
+
 /// Air over a latitude in a season. Temperature is interpolated between model atmospheres; density follows by
 /// hydrostatic equilibrium over 1013.25 hPa at sea level.
 ///

@@ -24,7 +24,7 @@ namespace coppermoon::shadow {
 ///           axis_distances_m  0 or more
 /// Returned  one sector for air without regions, else sectors_around; at 450 nm on the axis 1.6e-7
 ///           in clear air, 3.7e-7 in standard air, 1.0e-6 under a stratosphere full of ash
-/// Accuracy  1.5 % of this integral; only every third belt is used
+/// Accuracy  1.5 % of this integral; every third belt alone, in 0.4 of the time: 2 % in 1982 and 1991, 4 % in 2022
 /// Omits     multiple scattering, by our estimate some tenths of this light in clear air, and as much as this
 ///           light in ash; refraction, 20' of the 57' between sight and sunlight at 12 km; the Sun's radius,
 ///           16'; the ellipsoid: a sphere of its mean limb, 0.2 %; depolarisation, 1 %; forward

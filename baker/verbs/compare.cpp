@@ -271,6 +271,7 @@ void run(const Options& options) {
   require_sound(options);
   const auto coding = uses::coding_of(options.photo, options.coding);
   const auto exif = exif_to_use(options, coding);
+  warn_of_another_camera(options.render, options.response);
   const auto [places, glow] =
       geometry_of(options.recipe_in.empty() ? options.render : options.recipe_in);
   const auto photo = uses::photo_light(options.photo, coding, options.response),

@@ -15,6 +15,7 @@
 #include "verbs/flags/camera_options.h"
 #include "verbs/flags/named_files.h"
 #include "verbs/recipes/recipe.h"
+#include "verbs/recipes/recipe_file.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
 
@@ -123,6 +124,7 @@ void develop(const Options& options, const Job& job, const uses::Exposures& expo
              std::size_t number) {
   const auto frame = read_frame(options, job.frame, job.space);
   const auto seen = uses::seen_by(fs::path(job.frame));
+  warn_of_another_camera(job.frame, options.develop.camera.response);
   if (const double sky = sky_over_moon(options.develop, frame, job.space, seen); sky > 1)
     fmt::print(stderr, "coppermoon: {}: {}\n", one_line(job.frame), bright_sky_in_words(sky));
   write_picture(options.develop, exposures,

@@ -84,15 +84,20 @@ struct Undated {
 struct Input {
   uses::FitRequest request;
   std::vector<std::string> instants;
+  std::vector<std::string> zones{};  ///< [photograph] of the clocks, empty: unknown; or none
   std::vector<Undated> undated{};
 };
 
 constexpr const char* from_header = "from-header";
 
-/// Instant in UTC by a camera's clock, in the option's zone, else the header's, else the place's; without any, the
-/// clock's reading passes for UTC.
+/// Zone of a camera's clock by the option, else by the header; empty: unknown.
+std::string zone_of(const uses::HeaderClock& clock, const Options& options) {
+  return options.zone.empty() ? clock.offset.value_or("") : options.zone;
+}
+
+/// Instant in UTC by a camera's clock, in its zone, else the place's; without any, the clock's reading passes for UTC.
 std::string instant_by(const uses::HeaderClock& clock, const Options& options) {
-  const auto zone = options.zone.empty() ? clock.offset.value_or("") : options.zone;
+  const auto zone = zone_of(clock, options);
   if (zone.starts_with('+') || zone.starts_with('-')) return clock.local + zone;
   const auto& observer = options.request.view.observer;
   const auto named = zone.empty() && observer ? almanac::nearest_city(*observer).time_zone : zone;
@@ -125,7 +130,8 @@ void add_by_headers(const Options& options, Input& input) {
       continue;
     }
     add_photograph(options, i, instant_by(*clock, options), input);
-    input.request.half_hours_free |= options.zone.empty() && !clock->offset;
+    input.zones.push_back(zone_of(*clock, options));
+    input.request.half_hours_free |= input.zones.back().empty();
   }
   if (input.request.photographs.empty() && !input.undated.empty())
     throw algebra::Error(
@@ -187,6 +193,11 @@ Json as_json(const uses::Suspicion& suspicion, const Input& input) {
           {"suspect", names[static_cast<std::size_t>(suspicion.suspect)]}};
 }
 
+/// Zone of a night's clock; empty: unknown.
+std::string zone_of(const uses::FittedNight& night, const Input& input) {
+  return input.zones.empty() ? "" : input.zones[night.photographs.front()];
+}
+
 Json as_json(const uses::FittedNight& night, const Input& input) {
   Json all{{"photographs", Json::array()},
            {"response", Json()},
@@ -196,8 +207,10 @@ Json as_json(const uses::FittedNight& night, const Input& input) {
   if (night.response) all["response"] = *night.response;
   for (const auto i : night.photographs)
     all["photographs"].push_back(input.request.photographs[i].file);
-  if (night.clock)
+  if (night.clock) {
     all["clock"] = {{"add_s", night.clock->seconds}, {"standard_error_s", night.clock->error_s}};
+    if (const auto zone = zone_of(night, input); !zone.empty()) all["clock"]["zone"] = zone;
+  }
   if (night.curve) all["tone_curve"] = components_of(*night.curve);
   for (const auto& misfit : night.misfits)
     all["misfits"].push_back({{"file", input.request.photographs[misfit.photograph].file},
@@ -253,10 +266,14 @@ void print_night(const uses::FittedNight& night, const Input& input) {
   const auto camera = uses::camera_of(first).value_or("camera of " + first);
   if (night.curve) fmt::print("tone curve   {} ({})\n", in_words(*night.curve), one_line(camera));
   if (night.response) fmt::print("response     {} ({})\n", *night.response, one_line(camera));
-  if (night.clock)
-    fmt::print("clock        {:+.1f} min to be added, {:.1f} to {:.1f} ({})\n",
-               night.clock->seconds / 60, (night.clock->seconds - night.clock->error_s) / 60,
-               (night.clock->seconds + night.clock->error_s) / 60, one_line(camera));
+  if (!night.clock) return;
+  const auto& [seconds, error_s] = *night.clock;
+  const auto zone = zone_of(night, input);
+  fmt::print("clock        {:+.1f} min to be added, {:.1f} to {:.1f} ({}){}\n", seconds / 60,
+             (seconds - error_s) / 60, (seconds + error_s) / 60, one_line(camera),
+             zone.empty()
+                 ? ""
+                 : fmt::format(": {:.0f} minutes from {}", std::abs(seconds) / 60, one_line(zone)));
 }
 
 void print_table(const Input& input, const uses::FitReport& found) {
@@ -420,7 +437,7 @@ void add_photograph_options(CLI::App& verb, Options& options) {
       .within(0, 1);
   add("--clock-error", options.clock_error_min,
       "standard error of a camera's clock [minutes], 0 to 60; the clock's own error is then found; "
-      "default: 10 with --instants from-header, else 0")
+      "default: 10 with --instants from-header, up to 3 hours where partial phases tell, else 0")
       .within(0, 60);
   add_coding_option(verb, options.coding,
                     "coding of the photographs' numbers: camera (its own tone curve, which is "

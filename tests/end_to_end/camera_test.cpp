@@ -143,6 +143,22 @@ TEST_F(CameraTest, DevelopsARawPhotographAsItsFrame) {
   EXPECT_WITHIN_RELATIVE(light[0], light[1], 0.03, "a mosaic of a Moon of 36 pixels, 8 bits");
 }
 
+TEST_F(CameraTest, SaysThatAFrameIsInTheColoursOfAnotherCamera) {
+  make(still({"--response", "sony-ilce-7m3", "--frame", "frame.exr"}));
+  const auto develop = [&](const Words& more) {
+    Words words{"develop", "frame.exr", "--time", "2", "-o", "b.png"};
+    words.insert(words.end(), more.begin(), more.end());
+    const auto outcome = coppermoon(words);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_EQ(develop({"--response", "nikon-d850"}),
+            "coppermoon: frame.exr: its colours are those of sony-ilce-7m3, not of nikon-d850: "
+            "make it anew with --response nikon-d850\n");
+  EXPECT_EQ(develop({"--response", "sony-ilce-7m3"}), "");
+  EXPECT_EQ(develop({}), "");
+}
+
 TEST_F(CameraTest, SetsTheViewUnlessItIsSetByHand) {
   make(still({"--camera", "400mm", "--frame", "camera.exr"}));
   make(still({"--focal-length", "400", "--sensor-width", "35.8", "--frame", "hand.exr"}));

@@ -198,10 +198,11 @@ TEST_F(Ranges, AreThoseThatTheLibraryKeeps) {
       {"aperture", "colour/exposure: with the focal length it makes the f-number"},
       {"f-number", "colour/exposure: with the focal length it makes the aperture"},
       {"bins", "uses/study/comparison"},
-      {"exposure-error", "uses/study/fit_nuisances"},
-      {"shutter-error", "uses/study/fit_nuisances"},
-      {"white-balance-error", "uses/study/fit_nuisances"},
-      {"clock-error", "uses/study/fit_nuisances"},
+      {"exposure-error", "end_to_end/fit"},
+      {"shutter-error", "end_to_end/fit"},
+      {"white-balance-error", "end_to_end/fit"},
+      {"clock-error", "end_to_end/fit"},
+      {"weather-error", "end_to_end/fit"},
       {"longest", "end_to_end/tradeoff"},
       {"repeat", "end_to_end/tradeoff"}};
   for (const auto& [name, parameter] : parameters()) {

@@ -92,6 +92,19 @@ TEST_F(Fit, OfAPhotographFindsItsAir) {
   EXPECT_TRUE(found["photographs"][1]["left_out"].get<std::string>().starts_with("cannot be read"));
 }
 
+TEST_F(Fit, ExplainsAStillInTheAirOfItsMonth) {
+  constexpr const char* instant = "2018-07-27T19:40:17Z";
+  make({"still", instant, "--at", "Nairobi", "--width", "600", "--height", "400", "-o", "st.png"});
+  const auto found = fit({"st.png", "--instants", instant, "--at", "Nairobi"});
+  EXPECT_EQ(found["explained"], true);
+  EXPECT_TRUE(found["misfit"].is_null());
+  for (const char* factor : {"stratospheric_factor", "cloud_chance", "ozone_factor"}) {
+    const double low = found[factor]["low_68"], high = found[factor]["high_68"];
+    EXPECT_WITHIN(found[factor]["median"].get<double>(), 1, 2 * (high - low),
+                  "the usual air, within four standard errors");
+  }
+}
+
 TEST_F(Fit, SeesThroughTheFiltersOfThePhotographsCamera) {
   photograph("300", {"--bits", "16", "--response", "canon-eos-600d"});
   const Words of_photograph{"a.png", "--instants",   deep,     "--at",   syria, "--camera",
@@ -106,6 +119,22 @@ TEST_F(Fit, SeesThroughTheFiltersOfThePhotographsCamera) {
   EXPECT_NE(refusal.find("no air explains this"), std::string::npos)
       << "its colours are not the observer's";
   EXPECT_NE(refusal.find("worst: a.png in "), std::string::npos) << refusal;
+}
+
+TEST_F(Fit, RefusesErrorsOutsideTheirRanges) {
+  run({"oiiotool", "--create", "64x64", "3", "-o", "dot.png"});
+  for (const auto& [flag, value, allowed] :
+       std::vector<std::array<std::string, 3>>{{"--weather-error", "1.01", "0 to 1"},
+                                               {"--weather-error", "-0.01", "0 to 1"},
+                                               {"--shutter-error", "11", "0.001 to 10"},
+                                               {"--exposure-error", "0", "0.001 to 10"},
+                                               {"--white-balance-error", "11", "0.001 to 10"},
+                                               {"--clock-error", "61", "0 to 60"}}) {
+    const auto outcome =
+        coppermoon({"fit", "dot.png", "--instants", deep, "--at", syria, flag + "=" + value});
+    EXPECT_NE(outcome.status, 0);
+    EXPECT_NE(outcome.err.find("allowed " + allowed), std::string::npos) << outcome.err;
+  }
 }
 
 using FitThoroughly = Fit;
@@ -191,6 +220,26 @@ TEST_F(FitThoroughly, OfANightOfJpegsFindsAirCurveAndAClockThatIsHoursWrong) {
   const auto light = text_of(here("light.csv"));
   EXPECT_TRUE(light.starts_with("night,distance_km,channel,light,error,model\n1,"));
   EXPECT_GT(std::ranges::count(light, '\n'), 50);
+}
+
+TEST_F(FitThoroughly, OfAStrangersNightFindsTheClock) {
+  auto night = strangers_night(3);
+  night.truth.month->weather = 0;  // light of many regions takes half a minute
+  for (auto* minutes : {&night.occasion.short_min, &night.occasion.long_min}) {
+    std::vector<double> half;
+    for (std::size_t i = 0; i < minutes->size(); i += 2) half.push_back((*minutes)[i]);
+    *minutes = half;
+  }
+  MadeNight made(night.occasion, night.truth);
+  const auto request = made.request(here());
+  Words words{"fit"};
+  for (const auto& photograph : request.photographs) words.push_back(photograph.file);
+  const auto outcome =
+      coppermoon(words + night.told() + Words{"--albedo-map", request.moon.albedo_map, "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto found = json::parse(outcome.out);
+  EXPECT_WITHIN(found["nights"][0]["clock"]["add_s"].get<double>(), night.zone_error_s, 30,
+                "what was asked for");
 }
 
 TEST_F(Fit, ReadsAnInstantForEachPhotograph) {

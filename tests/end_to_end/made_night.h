@@ -133,6 +133,15 @@ class MadeNight {
     return request;
   }
 
+  /// Mean over the limb of the chance of cloud.
+  double cloud_chance() const {
+    const auto& air = moon_.light.air;
+    double sum = 0;
+    for (const auto& region : air.regions) sum += *region.column.cloud_chance;
+    return air.regions.empty() ? air.column.cloud_chance.value_or(1)
+                               : sum / static_cast<double>(air.regions.size());
+  }
+
  private:
   /// The built-in Moon's, made once.
   static const algebra::Grid<float>& albedo() {

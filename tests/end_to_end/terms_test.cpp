@@ -12,7 +12,7 @@ namespace coppermoon::end_to_end {
 namespace {
 
 enum Place { axis, half_way, edge };       // 0, 2300, 4400 km
-enum Colour { blue, green, orange, red };  // 450, 550, 600 (the deepest of ozone), 650 nm
+enum Colour { blue, green, orange, red };  // 450, 550, 600 (the deepest of ozone), 650 nm; and 690
 
 class Terms : public ProgramTest {
  protected:
@@ -23,7 +23,7 @@ class Terms : public ProgramTest {
 
   Ratios shadow(std::vector<std::string> flags) const {
     flags.insert(flags.begin(), {"shadow", "2008-02-21T03:26:00Z", "--json", "--wavelengths",
-                                 "450,550,600,650", "--axis-distances", "0,2300,4400",
+                                 "450,550,600,650,690", "--axis-distances", "0,2300,4400",
                                  "--atmosphere", air, "--scattered-light", "off"});
     const auto outcome = coppermoon(flags);
     expect_done(outcome);
@@ -54,6 +54,7 @@ TEST_F(Terms, OfTheAirOfAMonthAllTakeLight) {
       {"--cloud-chance", "0"},          {"--cirrus", "0"},
       {"--free-troposphere", "0"},      {"--tropospheric-aerosol", "0"},
       {"--stratospheric-aerosol", "0"}, {"--oxygen-pairs", "off"},
+      {"--oxygen-bands", "off"},        {"--water-vapour", "0"},
       {"--nitrogen-dioxide", "off"},    {"--ozone-du", "0"}};
   for (const auto& flags : without) {
     const auto change = stops(flags);
@@ -65,6 +66,24 @@ TEST_F(Terms, OfTheAirOfAMonthAllTakeLight) {
       }
     EXPECT_GT(most, 0.005) << flags[0] << ": pairs of oxygen, beside their bands, are the least";
   }
+}
+
+TEST_F(Terms, BandsOfOxygenAndWaterTakeDeepRedAndLittleOfV) {
+  const auto magnitudes = [&](const Words& flags) {
+    Words words{"brightness", "2018-01-31T13:29:51Z", "--json"};
+    words.insert(words.end(), flags.begin(), flags.end());
+    const auto outcome = coppermoon(words);
+    expect_done(outcome);
+    return nlohmann::json::parse(outcome.out).at("magnitudes");
+  };
+  const auto with = magnitudes({}),
+             without = magnitudes({"--oxygen-bands", "off", "--water-vapour", "0"});
+  const auto taken = [&](const char* band) {
+    return with[band].get<double>() - without[band].get<double>();
+  };
+  EXPECT_WITHIN(taken("B"), 0, 1e-3, "no band lies there");
+  EXPECT_WITHIN(taken("V"), 0.011, 0.003, "the figure in docs/exactness.md, and the light's error");
+  EXPECT_WITHIN(taken("R"), 0.125, 0.01, "the figure in docs/exactness.md, and the light's error");
 }
 
 TEST_F(Terms, WithoutLimbDarkeningTheShadowIsBrighterAndBluer) {

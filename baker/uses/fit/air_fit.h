@@ -40,7 +40,8 @@ struct AirFit {
 };
 
 /// Posterior of the air, given all data sets: a grid over the whole search range, made finer twice about what is
-/// probable. All data sets have light of the same unknowns. Where the least χ² exceeds the degrees of freedom all errors are scaled up to match.
+/// probable. All data sets have light of the same unknowns. Where the least χ² exceeds the degrees of freedom all
+/// errors are scaled up to match.
 AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progress = {});
 
 /// Largest χ² of an acceptable fit: ten times the degrees of freedom, as if all errors were three times as large

@@ -120,7 +120,7 @@ double misfit_at(const FitGroundwork& groundwork, const ClockView& view, double 
 ScannedClock scanned_clock(const FitGroundwork& groundwork, std::span<const ClockView> views,
                            double from_s, double to_s,
                            const std::function<double(double clock_s)>& believed) {
-  constexpr double wide_s = 300, close_s = 60, of_partial = 10, of_total = 0.3;
+  constexpr double wide_s = 300, of_partial = 10, of_total = 0.3, most_believed = 9;
   const auto tried = [&](double from, double to, double step_s) {
     std::vector<Tried> all;
     for (double clock_s = from; clock_s <= to; clock_s += step_s)
@@ -131,14 +131,17 @@ ScannedClock scanned_clock(const FitGroundwork& groundwork, std::span<const Cloc
   const double alike_s = std::ranges::min(widely, {}, &Tried::misfit).clock_s;
   const bool decided = shows_partial_phase(views, alike_s);
   const double weight = static_cast<double>(views.size()) * (decided ? of_partial : of_total);
-  const auto best_of = [&](const std::vector<Tried>& all) {
-    return std::ranges::min(
-               all, {},
-               [&](const Tried& one) { return weight * one.misfit + believed(one.clock_s); })
-        .clock_s;
+  const auto chi_squared_of = [&](const Tried& one) {
+    const double prior = believed(one.clock_s);
+    return weight * one.misfit + (decided ? std::min(most_believed, prior) : prior);
   };
-  const double near_s = best_of(widely);
-  return {best_of(tried(near_s - wide_s, near_s + wide_s, close_s)), decided};
+  const auto best_of = [&](const std::vector<Tried>& all) {
+    return std::ranges::min(all, {}, chi_squared_of).clock_s;
+  };
+  double best_s = best_of(widely);
+  for (const auto& [about_s, step_s] : {std::pair{300., 60.}, {45., 15.}})
+    best_s = best_of(tried(best_s - about_s, best_s + about_s, step_s));
+  return {best_s, decided};
 }
 
 }  // namespace coppermoon::uses

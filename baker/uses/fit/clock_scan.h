@@ -17,13 +17,9 @@ struct ClockView {
   struct Cell {
     glm::dvec3 ground;  ///< unit vector, Moon-fixed
     double sunlit;      ///< light without the shadow
-    double
-        light;  ///< logarithm of the scene's light, by the mean tone curve of cameras where one is in question
-    enum class Seen {
-      dark,
-      well,
-      clipped
-    } seen;  ///< light is the least or most that is seen where it is not well seen
+    double light;       ///< logarithm of the scene's light, by the mean tone curve of cameras
+    enum class Seen { dark, well, clipped };
+    Seen seen;  ///< dark and clipped: light is the least or the most that is seen
   };
   almanac::Instant instant;  ///< by the camera's clock
   std::vector<Cell> cells;
@@ -49,9 +45,9 @@ struct ScannedClock {
   bool decided;    ///< by partial phases; else by what was believed
 };
 
-/// The clock's correction at which photographs are nearest to the Moon: in steps of 5 minutes, then of 1. A mean
-/// misfit q of n views counts as a χ² of n · w · ln q, with w = 10 where some show a partial phase when q is least, else
-/// 0.3: in mid-totality one moment looks like another.
+/// Correction of a clock at which photographs are nearest to the Moon: in steps of 5 minutes, then of 1, then of 15 s.
+/// A mean misfit q of n views counts as a χ² of n · w · ln q. Where some show a partial phase when q is least, w is 10,
+/// and what is believed counts as 9 at most; else w is 0.3, for in mid-totality one moment looks like another.
 ///
 /// Given  views         one or more
 ///        from_s, to_s  corrections that are possible

@@ -63,7 +63,7 @@ double logarithmic_mean(double a, double b) {
   return std::abs(ratio) < 1e-4 ? std::sqrt(a * b) : b * ratio / std::log1p(ratio);
 }
 
-/// Hours of photographs' moments that the weather lasts: knots between which it is linear.
+/// Moments, an hour apart, between which weather changes linearly.
 struct WeatherKnots {
   double first_s = 0;
   std::size_t count = 1;

@@ -149,7 +149,6 @@ FittedNight found_of(const FitRequest& request, const Evidence& evidence, std::s
   const auto& night = *evidence.nights[n];
   FittedNight found{.photographs = evidence.photographs[n],
                     .clock = {},
-                    .half_hours_s = night.zone_s(),
                     .response = evidence.requests[n]->moon.response,
                     .curve = {},
                     .light = night.measured(fit),

@@ -70,7 +70,6 @@ std::string reason_without_name(const std::string& file, const algebra::Error& e
 struct FittedNight {
   std::vector<std::size_t> photographs;  ///< of the request
   std::optional<ClockError> clock;       ///< where clock_error_s > 0
-  double half_hours_s = 0;               ///< part of that correction that is another zone's
   /// through which its camera sees: asked for, known by its name, or usual
   std::optional<std::string> response;
   std::optional<colour::ToneCurve> curve;

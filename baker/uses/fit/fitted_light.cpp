@@ -207,7 +207,7 @@ algebra::Grid<double> in_all_bins(const Setting& setting, const shadow::Refracte
 /// Air whose unknowns have other numbers in all columns.
 atmosphere::Atmosphere changed(atmosphere::Atmosphere air, Unknowns unknowns,
                                const AirNumbers& numbers) {
-  const auto& [aerosol, cloud, ozone] = numbers;
+  const double aerosol = numbers[0], cloud = numbers[1], ozone = numbers[2];
   const auto multiply = [&](atmosphere::Column& column) {
     column.stratospheric_factor *= aerosol;
     column.cloud_per_m *= cloud;

@@ -190,7 +190,7 @@ void Night::read_light() {
     auto& [scene, light, errors] = binned_[place];
     const auto curve = is_curved(*photographs_[index]) ? std::optional(curve_) : std::nullopt;
     light = binned(scene, kept(index).moon, registration.render_to_photo, curve);
-    errors.place_error_km = place_error_km(scene, registration);
+    errors.place_error_km = place_error_km(scene, registration, registered_in_best_air_);
   }
 }
 
@@ -213,22 +213,29 @@ double Night::agreed_px_per_rad(std::size_t index) {
 }
 
 void Night::take_in_scale(double clock_s, std::size_t index, double px_per_rad) {
-  constexpr double as_well = 0.9;
-  double alike = 0;
+  constexpr double as_well = 0.9, well = 0.8;
   const auto erase = [&] {
     const auto at = std::ranges::find(taken_, index, &Taken::index);
-    if (at == taken_.end()) return;
-    alike = at->registration.correlation;
+    if (at == taken_.end()) return 0.;
+    const double correlation = at->registration.correlation;
     binned_.erase(binned_.begin() + (at - taken_.begin()));
     taken_.erase(at);
+    return correlation;
   };
-  erase();
+  const double alike = erase();
+  const auto why = left_out_[index];
   take_one(clock_s, index, px_per_rad);
-  if (alike == 0 ||
-      (left_out_[index].empty() && taken_.back().registration.correlation >= as_well * alike))
-    return;
+  const double in_scale = left_out_[index].empty() ? taken_.back().registration.correlation : 0;
+  if (in_scale >= std::max(well, as_well * alike)) return;
   erase();
-  left_out_[index] = "a Moon of another size than on the night's other photographs";
+  if (alike >= well)
+    left_out_[index] = "a Moon of another size than on the night's other photographs";
+  else if (in_scale > 0)
+    left_out_[index] = fmt::format(
+        "correlation of photograph and Moon in the others' scale = {:.2f}, allowed {} to 1",
+        in_scale, well);
+  else if (!why.empty())
+    left_out_[index] = why;
 }
 
 void Night::take(double clock_s, std::span<const std::size_t> indices) {
@@ -372,10 +379,8 @@ void Night::scan_clock() {
   }
   believed_s_ = nearest_s(found.seconds);
   clock_s_ = clock_error_s_ > 0 ? found.seconds : believed_s_;
-  if (clock_error_s_ == 0 || taken_.empty()) return;
-  if (found.decided) clock_error_s_ = std::max(clock_error_s_, std::abs(clock_s_ - believed_s_));
-  read_light();
-  find_clock();
+  if (clock_error_s_ > 0 && found.decided)
+    clock_error_s_ = std::max(clock_error_s_, std::abs(clock_s_ - believed_s_));
 }
 
 void Night::find_clock() {

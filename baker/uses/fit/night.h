@@ -39,8 +39,6 @@ class Night {
 
   /// Correction of the clock that the scenes already have [s].
   double clock_s() const { return clock_s_; }
-  /// Part of that correction that a zone makes up: half hours [s].
-  double zone_s() const { return believed_s_; }
   /// Whether the camera's tone curve is in question.
   bool curved() const;
   /// Tone curve in the best air.

@@ -245,11 +245,14 @@ colour::Registration registration_of(const FitScene& scene, const texture::Image
   }
 }
 
-double place_error_km(const FitScene& scene, const colour::Registration& registration) {
-  constexpr double in_umbra = 0.3, with_crescent = 0.8, by_noise = 2;
+double place_error_km(const FitScene& scene, const colour::Registration& registration,
+                      bool in_its_air) {
+  constexpr double in_umbra = 0.3, with_crescent = 0.8, of_known_air = 0.2, by_noise = 2;
   const double pixel_km =
       2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
-  const double pixels = std::hypot(lies_in_umbra(scene.sky) ? in_umbra : with_crescent,
+  const double pixels = std::hypot(in_its_air                 ? of_known_air
+                                   : lies_in_umbra(scene.sky) ? in_umbra
+                                                              : with_crescent,
                                    by_noise * (1 - registration.correlation));
   return pixels * pixel_km / std::min(1., registration.render_to_photo.scale);
 }

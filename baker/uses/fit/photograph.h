@@ -48,11 +48,15 @@ colour::Registration registration_of(const FitScene& scene, const texture::Image
 /// Standard error of a registration, in any direction [km].
 ///
 /// In the larger pixels of photograph and scene: 0.3 for a Moon in the umbra, 0.8 where ground beyond the umbra is
-/// lit, for a bright limb misleads registration; in quadrature 2 (1 − correlation), for noise.
+/// lit, for a bright limb misleads registration; against the Moon in the air that was found, in the scale of all of the
+/// night's photographs, 0.2 for both; in quadrature 2 (1 − correlation), for noise.
 ///
+/// Given   in_its_air  whether it was registered so
 /// Source  errors measured on simulated photographs: in the middle of the umbra 0.03, by its edge 0.2 to 0.45, at a
-///         correlation below 0.8 0.8, beside a lit crescent up to 1.1
-double place_error_km(const FitScene& scene, const colour::Registration& registration);
+///         correlation below 0.8 0.8, beside a lit crescent up to 1.1; of a night of 18 JPEGs 0.2 to 0.3 in the umbra
+///         and 0.3 to 2.4 outside, in the air found 0.1 to 0.2 and 0.04 to 0.3
+double place_error_km(const FitScene& scene, const colour::Registration& registration,
+                      bool in_its_air = false);
 
 /// Bins a photograph's light. Clipped pixels are left out; a bin is left out of which more than 0.5 % is clipped or
 /// more than 2 % is black. Light of the sky and glow of the lens, measured beside the disc, are subtracted. The prior

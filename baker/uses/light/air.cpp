@@ -11,6 +11,7 @@
 #include "algebra/error.h"
 #include "almanac/instant.h"
 #include "atmosphere/cloud.h"
+#include "atmosphere/gases.h"
 #include "atmosphere/presets.h"
 #include "eclipse/contacts.h"
 #include "eclipse/shadow_axis.h"
@@ -59,6 +60,7 @@ void change_cloud(const ColumnChange& change, const Standing& standing, Column& 
 
 Column changed(Column column, const ColumnChange& change, const Standing& standing) {
   if (change.danjon) column = atmosphere::danjon(*change.danjon, column);
+  if (change.ozone_factor) algebra::require_within("ozone factor", *change.ozone_factor, 0, 10);
   column.ozone_du = change.ozone_factor.value_or(1) * change.ozone_du.value_or(column.ozone_du);
   column.tropospheric_optical_depth =
       change.tropospheric_optical_depth.value_or(column.tropospheric_optical_depth);
@@ -70,6 +72,11 @@ Column changed(Column column, const ColumnChange& change, const Standing& standi
     algebra::require_within("free troposphere", *change.free_troposphere, 0, 100);
     column.free_troposphere_per_m =
         *change.free_troposphere * atmosphere::free_troposphere_per_m(standing.latitude);
+  }
+  if (change.water_vapour) {
+    algebra::require_within("water vapour", *change.water_vapour, 0, 100);
+    column.water_vapour =
+        *change.water_vapour * atmosphere::seasonal_water(standing.latitude, standing.year);
   }
   column.dust_extinction_per_m =
       change.dust_extinction_per_m.value_or(column.dust_extinction_per_m);
@@ -135,6 +142,7 @@ void change_terms(const Air& asked, const Standing& standing, Column& column) {
   change_profiles(asked, standing, column);
   column.ozone_path = asked.ozone_path.value_or(column.ozone_path);
   column.oxygen_pairs = asked.oxygen_pairs.value_or(column.oxygen_pairs);
+  column.oxygen_bands = asked.oxygen_bands.value_or(column.oxygen_bands);
   column.nitrogen_dioxide = asked.nitrogen_dioxide.value_or(column.nitrogen_dioxide);
   column.refraction = asked.refraction;
   column.rayleigh = asked.rayleigh;
@@ -143,7 +151,7 @@ void change_terms(const Air& asked, const Standing& standing, Column& column) {
 
 bool depends_on_latitude(const ColumnChange& change) {
   const auto& stratosphere = change.stratosphere;
-  return change.cloud_chance || change.free_troposphere ||
+  return change.cloud_chance || change.free_troposphere || change.water_vapour ||
          (stratosphere && std::holds_alternative<DatedAerosol>(*stratosphere));
 }
 

@@ -31,7 +31,8 @@ struct ColumnChange {
   std::optional<Stratosphere> stratosphere{};
   std::optional<double> tropopause_km{};
   /// Factors on the usual amounts, 0 to 100; the chance of cloud is 0 where a deck is asked for.
-  std::optional<double> cloud_chance{}, cirrus{}, free_troposphere{}, stratospheric_factor{};
+  std::optional<double> cloud_chance{}, cirrus{}, free_troposphere{}, stratospheric_factor{},
+      water_vapour{};
   std::optional<double> ozone_factor{};  ///< 0 to 10
 
   bool operator==(const ColumnChange&) const = default;
@@ -57,7 +58,7 @@ struct Air {
   std::optional<atmosphere::KingFactor> king_factor{};
   std::optional<atmosphere::OzonePath> ozone_path{};
   std::optional<OzoneProfile> ozone_profile{};
-  std::optional<bool> oxygen_pairs{}, nitrogen_dioxide{};
+  std::optional<bool> oxygen_pairs{}, oxygen_bands{}, nitrogen_dioxide{};
   ColumnChange column{};
   std::vector<AirRegion> regions{};  ///< the first that holds a place counts
 

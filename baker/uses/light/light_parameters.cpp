@@ -154,6 +154,9 @@ void describe_layers(Parameters& is, ColumnChange& column) {
                    "factor on the aerosol that satellites see between ground and tropopause, 0 to "
                    "100"))
       .within(0, 100);
+  is.add(parameter("water-vapour", column.water_vapour,
+                   "factor on the water vapour of latitude and season, 0 (none) to 100"))
+      .within(0, 100);
   is.add(parameter("cloud-chance", column.cloud_chance,
                    "factor on the chance that a ray meets cloud, 0 (no cloud) to 100; the chance "
                    "depends on height and latitude"))
@@ -250,6 +253,8 @@ void describe_terms(Parameters& is, Air& air) {
                 {{"climatology", OzoneProfile::climatology}, {"us-1976", OzoneProfile::us_1976}},
                 "height profile of ozone: climatology (by latitude and month) or us-1976"));
   is.add(on_off("oxygen-pairs", air.oxygen_pairs, "absorption by pairs of oxygen molecules"));
+  is.add(on_off("oxygen-bands", air.oxygen_bands,
+                "absorption by the bands of oxygen at 628, 688 and 762 nm"));
   is.add(on_off("nitrogen-dioxide", air.nitrogen_dioxide, "absorption by nitrogen dioxide"));
 }
 

@@ -11,13 +11,16 @@
 #include <sstream>
 
 #include "algebra/error.h"
+#include "colour/camera_spectra.h"
 #include "files/name_to_share.h"
 #include "files/whole_file.h"
 #include "request/likeness.h"
 #include "texture/read_image.h"
 #include "texture/write_stellarium.h"
 #include "uses/light/light_parameters.h"
+#include "uses/picture/picture_parameters.h"
 #include "verbs/flags/known_words.h"
+#include "verbs/flags/verb.h"
 #include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
@@ -343,6 +346,20 @@ std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string
     flags.push_back(own);
   }
   return flags;
+}
+
+void warn_of_another_camera(const std::string& file, const std::optional<std::string>& response) {
+  if (!response || !holds_recipe(file) || !texture::read_attribute(file, "coppermoon:recipe"))
+    return;
+  Verb recorded;
+  std::optional<std::string> made_for;
+  add_described(recorded, made_for, uses::describe_response);
+  recorded.parse(flags_of_recipe(recorded, file, {}));
+  if (made_for && colour::is_spectral(*made_for) && *made_for != *response)
+    fmt::print(stderr,
+               "coppermoon: {}: its colours are those of {}, not of {}: make it anew with "
+               "--response {}\n",
+               one_line(file), one_line(*made_for), one_line(*response), one_line(*response));
 }
 
 }  // namespace coppermoon::verbs

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,5 +24,10 @@ bool holds_recipe(const std::filesystem::path& path);
 ///                            more than 1 MiB, a text with a zero byte, or a name of 17 parts
 std::vector<std::string> flags_of_recipe(const CLI::App& verb, const std::string& path,
                                          const std::vector<std::string>& mine);
+
+/// Says on stderr, in one line, where a file was made in the colours of another camera than a response is.
+///
+/// Given  response  of the photograph or picture; none: any
+void warn_of_another_camera(const std::string& file, const std::optional<std::string>& response);
 
 }  // namespace coppermoon::verbs

@@ -45,7 +45,9 @@ export function factors(air, part, absorbers) {
     cloud: on(air.clouds) * air.cloud * remaining(air),
     cirrus: on(air.clouds) * air.cloud * remaining(air),
     oxygenPairs: on(air.gases),
+    oxygenBands: on(air.gases),
     nitrogenDioxide: on(air.gases),
+    waterVapour: on(air.gases),
   };
   return absorbers.map((name) => all[name]);
 }

@@ -95,7 +95,7 @@ function airOptions(air, facts) {
   if (step >= 0) return ['--danjon', String(step)];
   add(!air.refraction, '--refraction', 'off');
   add(!air.scattering, '--rayleigh', 'off');
-  add(!air.gases, '--oxygen-pairs', 'off', '--nitrogen-dioxide', 'off');
+  add(!air.gases, '--oxygen-pairs', 'off', '--oxygen-bands', 'off', '--nitrogen-dioxide', 'off', '--water-vapour', '0');
   if (!air.ozone || air.ozoneDu !== null) options.push('--ozone-du', short(air.ozone ? air.ozoneDu : 0));
   if (facts.dated) {
     add(cloud * share !== 1, '--cloud-chance', short(cloud * share), '--cirrus', short(cloud * share));

@@ -35,13 +35,14 @@ TEST(AtmosphereOf, EachOfItsTermsHasASwitch) {
   Air asked;
   asked.density = atmosphere::Density::us_1976;
   asked.ozone_profile = OzoneProfile::us_1976;
-  asked.oxygen_pairs = asked.nitrogen_dioxide = false;
+  asked.oxygen_pairs = asked.oxygen_bands = asked.nitrogen_dioxide = false;
   asked.column = {.ozone_du = 300,
                   .stratosphere = StratosphericAerosol::background,
                   .tropopause_km = 12,
                   .cloud_chance = 0.5,
                   .cirrus = 0,
-                  .free_troposphere = 0};
+                  .free_troposphere = 0,
+                  .water_vapour = 0};
   const auto column = middle(atmosphere_of(asked, equinox, july));
   EXPECT_EQ(column.density, atmosphere::Density::us_1976);
   EXPECT_EQ(column.ozone_climate, nullptr);
@@ -53,7 +54,8 @@ TEST(AtmosphereOf, EachOfItsTermsHasASwitch) {
                 "rounding");
   EXPECT_EQ(column.cirrus, 0);
   EXPECT_EQ(column.free_troposphere_per_m, 0);
-  EXPECT_FALSE(column.oxygen_pairs || column.nitrogen_dioxide);
+  EXPECT_FALSE(column.oxygen_pairs || column.oxygen_bands || column.nitrogen_dioxide);
+  EXPECT_EQ(column.water_vapour, 0);
 }
 
 TEST(AtmosphereOf, ADeckOfCloudStandsInPlaceOfTheChance) {
