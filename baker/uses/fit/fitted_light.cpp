@@ -325,12 +325,12 @@ std::vector<FittedLight::InOzone> FittedLight::nodes_of(Unknowns unknowns, Fitte
       nodes.push_back(node(other, some(dusts, {0, 2, 5, 6, 9}), deck));
     return nodes;
   }
-  const auto factors = even_on_scale(aerosol, aerosol_scale, fine ? 10 : 4),
+  const auto factors = even_on_scale(aerosol, aerosol_scale, fine ? 11 : 4),
              chances = even_on_scale(cloud, scale_of_cloud_chance, fine ? 5 : 3);
   std::vector<InOzone> nodes{node(1, factors, chances)};
   if (fine)
     for (const double other : {ozone.least, ozone.most})
-      nodes.push_back(node(other, some(factors, {0, 3, 6, 9}), some(chances, {0, 1, 2, 4})));
+      nodes.push_back(node(other, some(factors, {0, 2, 5, 7, 10}), some(chances, {0, 2, 4})));
   return nodes;
 }
 
