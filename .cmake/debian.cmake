@@ -45,5 +45,16 @@ if(TARGET coppermoon_python)
   coppermoon_package(python python3-coppermoon SECTION python
     DEPENDS "python3 (>= 3.${minor}), python3 (<< 3.${next}), python3-numpy"
     TEXT "${about}\nThis package has it for Python 3, as NumPy arrays.")
+  # modules are compiled when the package is installed, and what was compiled goes with it, as with all of Debian's
+  foreach(script postinst prerm)
+    set(does py3compile)
+    if(script STREQUAL "prerm")
+      set(does py3clean)
+    endif()
+    file(CONFIGURE OUTPUT debian/${script} CONTENT "#!/bin/sh\nset -e\nif command -v ${does} >/dev/null 2>&1; then\n  ${does} -p python3-coppermoon\nfi\n"
+         @ONLY)
+    file(CHMOD ${PROJECT_BINARY_DIR}/debian/${script} PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+    list(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/debian/${script})
+  endforeach()
 endif()
 include(CPack)

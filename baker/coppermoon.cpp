@@ -10,9 +10,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <string_view>
+#include <system_error>
 
 #include "verbs/command_line.h"
 #include "verbs/flags/help.h"
@@ -58,6 +60,15 @@ void speak_to_whoever_hears() {
   std::_Exit(could_not);
 }
 
+/// Time zones of a portable archive, where the system has none.
+void find_time_zones() {
+  std::error_code failed;
+  if (std::filesystem::exists("/usr/share/zoneinfo", failed)) return;
+  const auto own =
+      std::filesystem::read_symlink("/proc/self/exe", failed).parent_path() / "../share/zoneinfo";
+  if (std::filesystem::exists(own, failed)) ::setenv("TZDIR", own.c_str(), 0);
+}
+
 int run(CLI::App& program, int count, char** words) {
   try {
     verbs::run(program, {words + std::min(count, 1), words + count});
@@ -94,6 +105,7 @@ int main(int count, char** words) {
   std::set_terminate(end_at_once);
   // OpenImageIO brings OpenBLAS along, whose threads nobody needs: where memory is short they never end
   ::setenv("OPENBLAS_NUM_THREADS", "1", 0);
+  find_time_zones();
   CLI::App program{"coppermoon bakes eclipsed Moons", "coppermoon"};
   std::unique_ptr<tbb::global_control> threads;
   verbs::add_words(program);
