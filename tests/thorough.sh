@@ -18,7 +18,7 @@ export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppress
 steps="compiled_alone quick_in_release heavy_under_sanitizers races tidy fuzzers libraries_thoroughly program_thoroughly
 extremes_thoroughly films_and_convergence plans_kept plans_kept_with_regions air_recovered nights_recovered planted_faults planted_parameter other_programs packages measurements
 small_examples full_examples full_film sweep_1 sweep_2 sweep_3 sweep_4 sweep_5
-packages_debian_13"
+packages_debian_13 portable"
 
 released() { sh examples/build.sh "$1" packages.tests.debian; }
 test_release() { ctest --test-dir build/release --output-on-failure --no-tests=error --parallel "$processors" "$@"; }
@@ -119,6 +119,8 @@ other_programs() { tests/hand_off.sh; }
 packages() { tests/packages.sh; }
 
 packages_debian_13() { tests/packages.sh trixie; }
+
+portable() { tests/portable.sh; }
 
 # sweep K: the K-th fifth of ten thousand random recipes.
 sweep() {
