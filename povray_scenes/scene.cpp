@@ -39,11 +39,6 @@ void require_one_line(std::string_view caption) {
 
 std::string left_handed(const glm::dvec3& v) { return fmt::format("<{}, {}, {}>", v.x, v.z, v.y); }
 
-glm::dvec3 middle(const SceneCamera& camera) {
-  if (camera.direction == glm::dvec3(0, 0, 0)) return {0, 0, 0};
-  return camera.position + glm::length(camera.position) * line_of_sight(camera);
-}
-
 /// The matrix is symmetric: its rows are its columns.
 std::string squash(const SceneCamera& camera) {
   if (camera.flattening == 1) return {};
@@ -52,36 +47,43 @@ std::string squash(const SceneCamera& camera) {
                      m[2].y, m[1].x, m[1].z, m[1].y);
 }
 
-/// Emitting sphere that gives a light's illuminance at the camera.
-///
-/// Given  away  distance from the camera, in the scene's units
-std::string sphere_of(const SkyLight& light, const MoonScene& scene, double away) {
-  constexpr double pi = std::numbers::pi, most_luminance = 3e4;  // a half float ends at 65504
-  const auto& camera = scene.camera;
-  const double pixel =
-      2 * std::tan(in_radians(camera.horizontal_field) / 2) / static_cast<double>(camera.width);
-  const auto& lux = light.illuminance_lux;
-  const double radius = std::max({std::sin(std::min(pixel, 0.1)), light.radius_rad,
-                                  std::sqrt(std::ranges::max(lux) / (pi * most_luminance))});
-  const double solid_angle = pi * radius * radius;
-  const glm::dvec3 place = scene.moon_radius * camera.position + away * light.direction;
-  return fmt::format(
-      "sphere {{ {}, {} pigment {{ rgb <{:.6g}, {:.6g}, {:.6g}> }} finish {{ ambient 0 diffuse 0 "
-      "emission 1 }} }}\n",
-      left_handed(place), away * radius, lux[0] / solid_angle, lux[1] / solid_angle,
-      lux[2] / solid_angle);
-}
-
-/// Spheres of all lights, as near behind the Moon as can be: POV-Ray renders black from 1e7, and bounds nothing from
-/// 1e6.
-std::string spheres_of(const MoonScene& scene) {
-  const double away = std::min(2 * scene.moon_radius * glm::length(scene.camera.position), 0.995e7);
+/// Spheres of all lights, for POV-Ray.
+std::string spheres_text(const MoonScene& scene) {
   std::string text;
-  for (const auto& light : scene.lights) text += sphere_of(light, scene, away);
+  for (const auto& [centre, radius, luminance] : light_spheres(scene))
+    text += fmt::format(
+        "sphere {{ {}, {} pigment {{ rgb <{:.6g}, {:.6g}, {:.6g}> }} finish {{ ambient 0 diffuse 0 "
+        "emission 1 }} }}\n",
+        left_handed(centre), radius, luminance[0], luminance[1], luminance[2]);
   return text;
 }
 
 }  // namespace
+
+glm::dvec3 middle(const SceneCamera& camera) {
+  if (camera.direction == glm::dvec3(0, 0, 0)) return {0, 0, 0};
+  return camera.position + glm::length(camera.position) * line_of_sight(camera);
+}
+
+std::vector<LightSphere> light_spheres(const MoonScene& scene) {
+  constexpr double pi = std::numbers::pi, most_luminance = 3e4;  // a half float ends at 65504
+  const auto& camera = scene.camera;
+  // as near behind the Moon as can be: POV-Ray renders black from 1e7, and bounds nothing from 1e6
+  const double away = std::min(2 * scene.moon_radius * glm::length(camera.position), 0.995e7);
+  const double pixel =
+      2 * std::tan(in_radians(camera.horizontal_field) / 2) / static_cast<double>(camera.width);
+  std::vector<LightSphere> all;
+  for (const auto& light : scene.lights) {
+    const auto& lux = light.illuminance_lux;
+    const double radius = std::max({std::sin(std::min(pixel, 0.1)), light.radius_rad,
+                                    std::sqrt(std::ranges::max(lux) / (pi * most_luminance))});
+    const double solid_angle = pi * radius * radius;
+    all.push_back({scene.moon_radius * camera.position + away * light.direction,
+                   away * radius,
+                   {lux[0] / solid_angle, lux[1] / solid_angle, lux[2] / solid_angle}});
+  }
+  return all;
+}
 
 void require_renderable(const MoonScene& scene) {
   require_sound(scene.camera);
@@ -164,12 +166,16 @@ Verbose=on
       fmt::arg("depth", std::max(scene.sampling_depth, 1)));
 }
 
-void write_texts(const std::filesystem::path& folder, const std::string& pov,
-                 const std::string& ini) {
+void require_folder(const std::filesystem::path& folder) {
   std::error_code failure;
   std::filesystem::create_directory(folder, failure);
   if (!std::filesystem::is_directory(folder, failure))
     throw algebra::Error(fmt::format("{}: cannot be made a folder", folder.string()));
+}
+
+void write_texts(const std::filesystem::path& folder, const std::string& pov,
+                 const std::string& ini) {
+  require_folder(folder);
   files::write_whole(folder / scene_file, files::stamped(pov, "//"));
   files::write_whole(folder / settings_file, files::stamped(ini, ";"));
 }
@@ -185,7 +191,7 @@ std::string to_pov(const MoonScene& scene) {
                           .look_at = camera.look_at,
                           .texture = fmt::format("\"{}\"", scene.texture),
                           .flattened = flattened,
-                          .lights = spheres_of(scene)});
+                          .lights = spheres_text(scene)});
 }
 
 std::string to_ini(const MoonScene& scene) {

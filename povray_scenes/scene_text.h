@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <string>
+#include <vector>
 
 #include "povray_scenes/scene.h"
 
@@ -14,6 +17,17 @@ struct CameraText {
   std::string squash;                  ///< a matrix's nine numbers; empty: the disc is round
 };
 CameraText camera_text(const SceneCamera& camera, double moon_radius);
+
+/// Point that the middle of a picture shows, Moon-fixed, in lunar radii.
+glm::dvec3 middle(const SceneCamera& camera);
+
+/// Emitting sphere that gives a light's illuminance at the camera.
+struct LightSphere {
+  glm::dvec3 centre;                      ///< Moon-fixed, in the scene's units
+  double radius;                          ///< in the scene's units
+  std::array<double, 3> luminance_cd_m2;  ///< linear Rec.709
+};
+std::vector<LightSphere> light_spheres(const MoonScene& scene);
 
 /// Parts of eclipse.pov in which a single scene and a sequence differ.
 struct PovText {
@@ -36,6 +50,11 @@ std::string ini_text(const MoonScene& scene, const std::string& output,
 
 /// Throws  Error  as to_pov of a single scene
 void require_renderable(const MoonScene& scene);
+
+/// Makes a folder whose last part alone is missing.
+///
+/// Throws  Error
+void require_folder(const std::filesystem::path& folder);
 
 /// Writes both files into a folder, made when only its last part is missing.
 void write_texts(const std::filesystem::path& folder, const std::string& pov,

@@ -15,10 +15,14 @@
 namespace coppermoon::verbs {
 namespace {
 
+const request::Words<uses::Renderer> renderers{{"povray", uses::Renderer::povray},
+                                               {"mitsuba", uses::Renderer::mitsuba}};
+
 struct Options {
   MoonOptions moon;
   uses::ViewRequest view;
   std::string output;
+  uses::Renderer renderer = uses::Renderer::povray;
   bool json = false;
 };
 
@@ -27,20 +31,21 @@ void run(const CLI::App& verb, const Options& options) {
   if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
     throw algebra::Error(fmt::format("{}: is no directory", folder.string()));
   if (!std::filesystem::is_directory(folder)) files::require_place_for(folder);
-  uses::require_scene_folder(folder, options.view);
+  uses::require_scene_folder(folder, options.view, options.renderer);
   const auto start = std::chrono::steady_clock::now();
   ProgressBar bar("bake");
   const auto scene = lit_scene(verb, options.moon, options.view, {.progress = bar.progress()});
-  write_lit_scene(folder, scene, uses::scene_lights(scene.view, scene.moon.sky));
-  write_moon_include(folder, scene);
+  write_lit_scene(folder, scene, uses::scene_lights(scene.view, scene.moon.sky), {},
+                  options.renderer);
+  if (options.renderer == uses::Renderer::povray) write_moon_include(folder, scene);
   report(report_of(options.output, scene, seconds_since(start)), options.json);
 }
 
 }  // namespace
 
 void add_scene(CLI::App& program) {
-  auto* verb = add_verb(program, "scene",
-                        "writes a POV-Ray scene with its texture into a folder, ready to render");
+  auto* verb =
+      add_verb(program, "scene", "writes a scene with its texture into a folder, ready to render");
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   add_described(*verb, options->view);
@@ -50,6 +55,9 @@ void add_scene(CLI::App& program) {
            "moon.inc and eclipse_stars.inc, Moon and stars for scenes of your own")
       .writes_folder()
       .required();
+  add_choice(*verb, "--for", options->renderer, renderers,
+             "renderer of the scene: povray, or mitsuba (Mitsuba 3: eclipse.xml, which "
+             "`mitsuba -m scalar_rgb -o frame.exr eclipse.xml` renders)");
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });

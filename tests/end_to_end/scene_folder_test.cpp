@@ -12,11 +12,27 @@ namespace {
 
 class SceneFolder : public ProgramTest {
  protected:
-  void write_scene() const {
-    expect_done(
-        coppermoon({"scene", "2008-02-21T03:26:05Z", "--at", "42.86,-73.77", "--rays", "50",
-                    "--albedo-map", "built-in", "--atmosphere", "undated", "--texture-width", "64",
-                    "--width", "32", "--height", "24", "-o", "scene"}));
+  void write_scene(const std::string& renderer = "povray") const {
+    expect_done(coppermoon({"scene",
+                            "2008-02-21T03:26:05Z",
+                            "--at",
+                            "42.86,-73.77",
+                            "--rays",
+                            "50",
+                            "--albedo-map",
+                            "built-in",
+                            "--atmosphere",
+                            "undated",
+                            "--texture-width",
+                            "64",
+                            "--width",
+                            "32",
+                            "--height",
+                            "24",
+                            "--for",
+                            renderer,
+                            "-o",
+                            "scene"}));
   }
 };
 
@@ -36,6 +52,24 @@ TEST_F(SceneFolder, HoldsSceneSettingsAndTexture) {
   for (const std::filesystem::path file : expected)
     EXPECT_FALSE(std::filesystem::exists(of_povray / file.filename()))
         << file << ": from another folder `#include` would read POV-Ray's own";
+}
+
+TEST_F(SceneFolder, ForMitsubaHoldsItsSceneAndTheSameTexture) {
+  write_scene();
+  const auto texture = text_of(here("scene/moon_lin_rec709.exr"));
+  std::filesystem::remove_all(here("scene"));
+  write_scene("mitsuba");
+  const std::set<std::string> expected{"here/scene", "here/scene/eclipse.xml",
+                                       "here/scene/moon.obj", "here/scene/moon_lin_rec709.exr"};
+  EXPECT_EQ(listing(), expected);
+  const auto pixels = texture::read_image(here("scene/moon_lin_rec709.exr"));
+  write_scene();  // beside it: both renderers have one texture
+  EXPECT_EQ(texture::read_image(here("scene/moon_lin_rec709.exr")).values, pixels.values);
+  EXPECT_EQ(text_of(here("scene/moon_lin_rec709.exr")), texture);
+  file("scene/moon.obj", "mine");
+  const auto refused = coppermoon({"scene", "2018-07-27", "--for", "mitsuba", "-o", "scene"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_EQ(text_of(here("scene/moon.obj")), "mine");
 }
 
 TEST_F(SceneFolder, RendersWithPovrayAloneWhereverItIsMoved) {

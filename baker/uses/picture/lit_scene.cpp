@@ -11,6 +11,7 @@
 #include "files/folder_lock.h"
 #include "files/own_file.h"
 #include "files/whole_file.h"
+#include "povray_scenes/mitsuba.h"
 #include "povray_scenes/moon_include.h"
 #include "texture/own_image.h"
 #include "uses/light/disc_brightness.h"
@@ -64,9 +65,11 @@ LitScene lit_scene(const MoonRequest& request, const ViewRequest& view,
   return {std::move(moon), seen, std::move(texture)};
 }
 
-void require_scene_folder(const std::filesystem::path& folder, const ViewRequest& view) {
-  povray_scenes::require_scene_place(folder);
+void require_scene_folder(const std::filesystem::path& folder, const ViewRequest& view,
+                          Renderer renderer) {
   texture::require_own_image(folder / texture_file);
+  if (renderer == Renderer::mitsuba) return povray_scenes::require_mitsuba_place(folder);
+  povray_scenes::require_scene_place(folder);
   if (!view.observer) return;
   for (const char* file : {moon_file, stars_file}) files::require_stamped(folder / file);
   const auto copied = folder / macros_file;  // by hand perhaps, as it is installed
@@ -105,8 +108,8 @@ void write_moon_include(const std::filesystem::path& folder, const LitScene& sce
 
 void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
                      const std::vector<povray_scenes::SkyLight>& lights,
-                     const texture::ExrOptions& options) {
-  const povray_scenes::MoonScene pov{
+                     const texture::ExrOptions& options, Renderer renderer) {
+  const povray_scenes::MoonScene moon{
       .camera = scene.view.camera, .texture = texture_file, .caption = {}, .lights = lights};
   std::error_code ignored;
   const bool made = std::filesystem::create_directory(folder, ignored);
@@ -114,7 +117,10 @@ void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
   try {
     texture::write_exr(folder / texture_file, scene.texture.parts, scene.texture.attributes,
                        options);
-    write_scene(folder, pov);
+    if (renderer == Renderer::mitsuba)
+      write_mitsuba_scene(folder, moon);
+    else
+      write_scene(folder, moon);
   } catch (...) {
     if (made) std::filesystem::remove_all(folder, ignored);
     throw;

@@ -41,11 +41,15 @@ struct SceneBaking {
 LitScene lit_scene(const MoonRequest& moon, const ViewRequest& view, const almanac::SkyState& sky,
                    const SceneBaking& baking = {});
 
+/// Renderer that a scene's folder is written for.
+enum class Renderer { povray, mitsuba };
+
 /// Refuses a folder in which a scene would overwrite a file of somebody's own, or one that was changed; or
 /// a link. The folder need not be there.
 ///
 /// Throws  Error
-void require_scene_folder(const std::filesystem::path& folder, const ViewRequest& view);
+void require_scene_folder(const std::filesystem::path& folder, const ViewRequest& view,
+                          Renderer renderer = Renderer::povray);
 
 /// Writes moon.inc, eclipse_stars.inc and coppermoon.inc beside a scene that has an observer: the Moon and the
 /// stars of it, ready for a scene written by hand (povray_scenes::moon_include, star_include). Nothing
@@ -57,9 +61,9 @@ void write_moon_include(const std::filesystem::path& folder, const LitScene& sce
 /// Bakes the texture, and writes it, scene and settings into a folder, made when only its last part
 /// is missing; a folder made so is gone again when they cannot be written.
 ///
-/// Given  lights  stars and planets for POV-Ray (see scene_lights)
+/// Given  lights  stars and planets for the renderer (see scene_lights)
 void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
                      const std::vector<povray_scenes::SkyLight>& lights = {},
-                     const texture::ExrOptions& options = {});
+                     const texture::ExrOptions& options = {}, Renderer renderer = Renderer::povray);
 
 }  // namespace coppermoon::uses
