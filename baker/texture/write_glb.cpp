@@ -10,7 +10,7 @@
 #include "algebra/error.h"
 #include "almanac/lunar_orientation.h"
 #include "files/whole_file.h"
-#include "texture/openimageio/oiio.h"
+#include "texture/openimageio/picture_on_globe.h"
 #include "texture/sphere_mesh.h"
 
 namespace coppermoon::texture {
@@ -27,39 +27,6 @@ static_assert(std::endian::native == std::endian::little, "numbers are copied as
 
 enum Component { unsigned_short = 5123, floating = 5126 };
 enum Target { array = 34962, element_array = 34963 };
-
-void require_picture(const fs::path& path, const Image& image) {
-  const auto fail = [&](const std::string& what) { throw Error(path.string() + ": " + what); };
-  const auto channels = image.channels.size();
-  if (channels != 1 && channels != 3)
-    fail(fmt::format("picture of {} channels, allowed 1 or 3", channels));
-  if (image.width < 2 || image.width > most_glb_columns)
-    fail(fmt::format("picture {} texels wide, allowed 2 to {}, which viewers of glTF can show",
-                     image.width, most_glb_columns));
-  if (2 * image.height + 1 < image.width || 2 * image.height > image.width + 1)
-    fail(fmt::format("picture of {} x {} texels, allowed 2:1", image.width, image.height));
-  if (image.values.size() != image.width * image.height * channels)
-    fail(
-        fmt::format("picture of {} values, allowed as many as its size says", image.values.size()));
-  const auto wrong =
-      std::ranges::find_if(image.values, [](float v) { return !(v >= 0 && v <= 1); });
-  if (wrong != image.values.end()) fail(fmt::format("texel = {}, allowed 0 to 1", *wrong));
-}
-
-std::string as_png(const fs::path& path, const Image& image) {
-  OIIO::Filesystem::IOVecOutput bytes;
-  OIIO::Filesystem::IOProxy* proxy = &bytes;
-  OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height),
-                       static_cast<int>(image.channels.size()), OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, static_cast<void*>(&proxy));
-  const auto output = OIIO::ImageOutput::create("png");
-  const bool written = output && output->open("", spec) &&
-                       output->write_image(OIIO::TypeDesc::FLOAT, image.values.data()) &&
-                       output->close();
-  const auto reason = (output ? output->geterror() : "") + OIIO::geterror();
-  if (!written) throw Error(fmt::format("{}: cannot be written as PNG: {}", path.string(), reason));
-  return {bytes.buffer().begin(), bytes.buffer().end()};
-}
 
 template <class Number>
 void append(std::string& bytes, std::initializer_list<Number> numbers) {
@@ -173,9 +140,8 @@ void append_chunk(std::string& file, std::uint32_t type, const std::string& byte
 }  // namespace
 
 void write_glb(const fs::path& path, const Image& developed, const std::string& generator) {
-  require_picture(path, developed);
   Buffer buffer;
-  const auto document_of_all = document(buffer, as_png(path, developed), generator);
+  const auto document_of_all = document(buffer, picture_on_globe(path, developed), generator);
   auto text = document_of_all.dump(-1, ' ', false, json::error_handler_t::replace);
   pad(text, ' ');
   constexpr std::size_t heads = 12 + 2 * 8;

@@ -8,7 +8,7 @@
 
 namespace coppermoon::texture {
 
-/// The widest picture that viewers of glTF can be expected to show.
+/// The widest picture that viewers of glTF and USDZ can be expected to show.
 inline constexpr std::size_t most_glb_columns = 8192;
 
 /// Writes the Moon as one binary glTF 2.0 file, whole or not at all: sphere_mesh's sphere of radius

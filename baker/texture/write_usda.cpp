@@ -10,6 +10,7 @@
 #include "almanac/lunar_orientation.h"
 #include "files/whole_file.h"
 #include "texture/sphere_mesh.h"
+#include "texture/usd_text.h"
 
 namespace coppermoon::texture {
 namespace {
@@ -36,7 +37,9 @@ std::string asset(std::string_view file_name) {
   return fmt::format("@@@./{}@@@", name);
 }
 
-std::string layer() {
+}  // namespace
+
+std::string usd_layer() {
   return fmt::format(R"(#usda 1.0
 (
     defaultPrim = "Moon"
@@ -52,6 +55,8 @@ std::string layer() {
                      algebra::in_metres(almanac::lunar_radius));
 }
 
+namespace {
+
 template <std::size_t length>
 std::string tuple(const double (&numbers)[length]) {
   std::string text;
@@ -60,7 +65,9 @@ std::string tuple(const double (&numbers)[length]) {
   return text + ")";
 }
 
-std::string mesh_text() {
+}  // namespace
+
+std::string usd_mesh() {
   const auto mesh = sphere_mesh();
   std::string points, places, triangles, counts;
   const auto add = [](std::string& list, std::string_view item) {
@@ -95,6 +102,8 @@ std::string mesh_text() {
 )",
                      counts, triangles, points, points, places);
 }
+
+namespace {
 
 constexpr const char* looks = R"(    def Scope "Looks"
     {{
@@ -170,7 +179,7 @@ void write_usda(const fs::path& path, const std::string& texture_file_name,
       fmt::format(fmt::runtime(looks), asset(texture_file_name), colour_space_name, asset(preview));
   files::write_whole(
       path, fmt::format("{}\ndef Xform \"Moon\" (\n    kind = \"component\"\n)\n{{\n{}\n{}}}\n",
-                        layer(), mesh_text(), look));
+                        usd_layer(), usd_mesh(), look));
 }
 
 }  // namespace coppermoon::texture

@@ -15,6 +15,7 @@
 #include "texture/write_image.h"
 #include "texture/write_stellarium.h"
 #include "texture/write_usda.h"
+#include "texture/write_usdz.h"
 #include "uses/light/header.h"
 #include "uses/light/light_parameters.h"
 #include "uses/picture/baked_moon.h"
@@ -47,7 +48,8 @@ struct Output {
 
   bool ends_in(const char* ending) const { return path.extension() == ending; }
   bool for_stellarium() const { return ends_in(".stellarium"); }
-  bool developed() const { return ends_in(".png") || ends_in(".glb") || for_stellarium(); }
+  bool developed() const { return ends_in(".png") || on_globe() || for_stellarium(); }
+  bool on_globe() const { return ends_in(".glb") || ends_in(".usdz"); }
 };
 
 /// Output of a file; a colour space in its name counts.
@@ -64,7 +66,7 @@ Output output_at(const std::string& file, const uses::TextureContent& asked) {
   return output;
 }
 
-constexpr std::array endings{".exr", ".tx", ".png", ".glb", ".usda", ".stellarium"};
+constexpr std::array endings{".exr", ".tx", ".png", ".glb", ".usda", ".usdz", ".stellarium"};
 
 /// Texture in a colour space beside a .usda, if one is written.
 std::vector<Output>::const_iterator texture_for(const Output& scene, colour::WorkingSpace space,
@@ -114,8 +116,7 @@ void require_sound(const Options& options, const std::vector<Output>& outputs) {
       throw algebra::Error(
           fmt::format("{}: a texture ends in {}", output.path.string(), fmt::join(endings, ", ")));
     if (output.developed()) require_sound(options.develop, output.path.stem() += ".png");
-    if (output.ends_in(".glb") &&
-        texture_width_of(options.moon.request) > texture::most_glb_columns)
+    if (output.on_globe() && texture_width_of(options.moon.request) > texture::most_glb_columns)
       throw algebra::Error(fmt::format("{}: texture width [texels] = {}, allowed to {}",
                                        output.path.string(), texture_width_of(options.moon.request),
                                        texture::most_glb_columns));
@@ -144,7 +145,8 @@ void write_picture(const uses::Development& develop, const Output& output,
   if (output.ends_in(".png"))
     return write_picture(develop, exposures, {image, space}, baked.attributes, output.path);
   const auto picture = developed(develop, exposures, {image, space});
-  if (!output.for_stellarium())
+  if (output.ends_in(".usdz")) return texture::write_usdz(output.path, picture);
+  if (output.ends_in(".glb"))
     return texture::write_glb(output.path, picture, fmt::format("coppermoon {}", uses::version()));
   auto attributes = baked.attributes;
   uses::add_exposure(attributes, exposures);
@@ -278,9 +280,10 @@ void add_bake(CLI::App& program) {
   add_flag(
       *verb, "-o,--output", options->outputs,
       "texture: .exr; .tx (tiled and mip-mapped); .png (developed); .glb (developed, on a sphere); "
-      ".usda (a sphere, with its moon_lin_rec709.exr beside it); .stellarium (a folder for "
-      "Stellarium, needs "
-      "--at). May be given again: one simulation serves all")
+      ".usda (a sphere, with its moon_lin_rec709.exr beside it); .usdz (developed, on a sphere, "
+      "for "
+      "telephones); .stellarium (a folder for Stellarium, needs --at). May be given again: one "
+      "simulation serves all")
       .writes_file()
       .kept_each_time();
   add_flag(

@@ -6,6 +6,7 @@
 #include "texture/write_dng.h"
 #include "texture/write_glb.h"
 #include "texture/write_image.h"
+#include "texture/write_usdz.h"
 
 namespace coppermoon::texture {
 
@@ -36,6 +37,7 @@ struct ImageFunctions {
   decltype(texture::write_tiff)* write_tiff;
   decltype(texture::write_dng)* write_dng;
   decltype(texture::write_glb)* write_glb;
+  decltype(texture::write_usdz)* write_usdz;
 
   decltype(texture::sheet_grid)* sheet_grid;
   decltype(texture::sheet_font)* sheet_font;

@@ -24,6 +24,7 @@ coppermoon_image_functions() {
       .write_tiff = texture::write_tiff,
       .write_dng = texture::write_dng,
       .write_glb = texture::write_glb,
+      .write_usdz = texture::write_usdz,
       .sheet_grid = texture::sheet_grid,
       .sheet_font = texture::sheet_font,
       .drawn = texture::drawn};

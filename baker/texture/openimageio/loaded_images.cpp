@@ -145,6 +145,10 @@ void write_dng(const fs::path& path, const RawPhotograph& photograph,
   images().write_dng(path, photograph, attributes);
 }
 
+void write_usdz(const fs::path& path, const Image& developed) {
+  images().write_usdz(path, developed);
+}
+
 void write_glb(const fs::path& path, const Image& developed, const std::string& generator) {
   images().write_glb(path, developed, generator);
 }

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "texture/write_usdz.h"
+
+#include <zlib.h>
+
+#include <bit>
+#include <cstdint>
+
+#include "files/whole_file.h"
+#include "texture/openimageio/picture_on_globe.h"
+#include "texture/usd_text.h"
+
+namespace coppermoon::texture {
+namespace {
+
+constexpr const char* looks = R"(    def Scope "Looks"
+    {
+        def Material "Moonlight"
+        {
+            token outputs:surface.connect = </Moon/Looks/Moonlight/Preview.outputs:surface>
+
+            def Shader "Preview"
+            {
+                uniform token info:id = "UsdPreviewSurface"
+                color3f inputs:diffuseColor = (0, 0, 0)
+                color3f inputs:emissiveColor.connect = </Moon/Looks/Moonlight/Texture.outputs:rgb>
+                float inputs:roughness = 1
+                color3f inputs:specularColor = (0, 0, 0)
+                int inputs:useSpecularWorkflow = 1
+                token outputs:surface
+            }
+
+            def Shader "Texture"
+            {
+                uniform token info:id = "UsdUVTexture"
+                asset inputs:file = @moon.png@
+                token inputs:sourceColorSpace = "sRGB"
+                float2 inputs:st.connect = </Moon/Looks/Moonlight/Place.outputs:result>
+                token inputs:wrapS = "repeat"
+                token inputs:wrapT = "clamp"
+                float3 outputs:rgb
+            }
+
+            def Shader "Place"
+            {
+                uniform token info:id = "UsdPrimvarReader_float2"
+                string inputs:varname = "st"
+                float2 outputs:result
+            }
+        }
+    }
+)";
+
+static_assert(std::endian::native == std::endian::little, "numbers are copied as they stand");
+
+template <class Number>
+void append(std::string& bytes, Number number) {
+  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+/// ZIP archive of files that are stored as they are, each from a multiple of 64 bytes on.
+class Archive {
+ public:
+  void add(const std::string& name, const std::string& content) {
+    constexpr std::size_t alignment = 64, head = 30, extra_head = 4;
+    const auto offset = static_cast<std::uint32_t>(bytes_.size());
+    const auto ends = bytes_.size() + head + name.size() + extra_head;
+    const auto padding = static_cast<std::uint16_t>((alignment - ends % alignment) % alignment);
+    const auto shared = facts_of(name, content);
+    append<std::uint32_t>(bytes_, 0x04034b50);
+    bytes_ += shared;
+    append<std::uint16_t>(bytes_, extra_head + padding);
+    bytes_ += name;
+    append<std::uint16_t>(bytes_, 0x1986);  // a field of padding, as USD's own writer names it
+    append<std::uint16_t>(bytes_, padding);
+    bytes_.append(padding, '\0');
+    bytes_ += content;
+    append<std::uint32_t>(directory_, 0x02014b50);
+    append<std::uint16_t>(directory_, version);
+    directory_ += shared;
+    append<std::uint16_t>(directory_, 0);  // no extra field
+    append<std::uint16_t>(directory_, 0);  // nor comment
+    append<std::uint16_t>(directory_, 0);  // on the first disk
+    append<std::uint16_t>(directory_, 0);
+    append<std::uint32_t>(directory_, 0);
+    append<std::uint32_t>(directory_, offset);
+    directory_ += name;
+    ++files_;
+  }
+
+  std::string whole() const {
+    auto bytes = bytes_ + directory_;
+    append<std::uint32_t>(bytes, 0x06054b50);
+    append<std::uint32_t>(bytes, 0);  // one disk
+    append<std::uint16_t>(bytes, files_);
+    append<std::uint16_t>(bytes, files_);
+    append(bytes, static_cast<std::uint32_t>(directory_.size()));
+    append(bytes, static_cast<std::uint32_t>(bytes_.size()));
+    append<std::uint16_t>(bytes, 0);  // no comment
+    return bytes;
+  }
+
+ private:
+  static constexpr std::uint16_t version = 10, first_day_of_zip = 0x0021;  // 1980-01-01
+
+  /// Facts that a file's head and its entry in the directory share, to the length of its name.
+  static std::string facts_of(const std::string& name, const std::string& content) {
+    const auto size = static_cast<std::uint32_t>(content.size());
+    const auto sum = ::crc32_z(0, reinterpret_cast<const Bytef*>(content.data()), content.size());
+    std::string facts;
+    append(facts, version);
+    append<std::uint16_t>(facts, 0);  // no flags
+    append<std::uint16_t>(facts, 0);  // stored
+    append<std::uint16_t>(facts, 0);  // at midnight
+    append(facts, first_day_of_zip);
+    append(facts, static_cast<std::uint32_t>(sum));
+    append(facts, size);
+    append(facts, size);
+    append(facts, static_cast<std::uint16_t>(name.size()));
+    return facts;
+  }
+
+  std::string bytes_, directory_;
+  std::uint16_t files_ = 0;
+};
+
+}  // namespace
+
+void write_usdz(const std::filesystem::path& path, const Image& developed) {
+  Archive archive;
+  const auto picture = picture_on_globe(path, developed);
+  archive.add("moon.usda", usd_layer() +
+                               "\ndef Xform \"Moon\" (\n    kind = \"component\"\n)\n{\n" +
+                               usd_mesh() + "\n" + looks + "}\n");
+  archive.add("moon.png", picture);
+  files::write_whole(path, archive.whole());
+}
+
+}  // namespace coppermoon::texture
