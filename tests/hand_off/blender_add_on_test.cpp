@@ -157,6 +157,32 @@ TEST_F(BlenderAddOn, LightsAWhiteWallAsTheDiscDoes) {
                          "single precision; Cycles' default drops so dim a light at random");
 }
 
+/// Blender 5 works in a space that the file chooses; older ones in linear Rec.709 alone.
+TEST_F(BlenderAddOn, HasALampOfTheSameLuminanceInEachWorkingSpace) {
+  const auto outcome = python(
+      "spaces = ['Linear Rec.709']\n"
+      "if hasattr(bpy.data, 'colorspace'):\n"
+      "    kept = bpy.data.colorspace.bl_rna.properties['working_space'].enum_items\n"
+      "    spaces = [item.identifier for item in kept]\n"
+      "for i, space in enumerate(spaces):\n"
+      "    if i > 0:\n"
+      "        bpy.ops.wm.set_working_color_space(working_space=space, convert_colors=False)\n"
+      "        assert bpy.data.colorspace.working_space == space\n"
+      "    " +
+      add_eclipse() +
+      "    lamp = bpy.context.scene.objects['Moonlight' + ('' if i == 0 else f'.{i:03}')].data\n"
+      "    print(f'lux{i}', lamp.energy)\n"
+      "    print(f'red{i}', lamp.color[0] / lamp.color[1])\n"
+      "print('spaces', len(spaces))\n");
+  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  for (int i = 1; i < number(outcome, "spaces"); ++i) {
+    EXPECT_WITHIN_RELATIVE(number(outcome, fmt::format("lux{}", i)), number(outcome, "lux0"), 1e-3,
+                           "luminance is the same in all; four digits of its weights");
+    EXPECT_GT(std::abs(number(outcome, fmt::format("red{}", i)) - number(outcome, "red0")), 1e-3)
+        << "its channels are not";
+  }
+}
+
 TEST_F(BlenderAddOn, KeysAWholeEclipseFromP1ToP4) {
   constexpr int frames = 12;
   const auto outcome = python(

@@ -11,10 +11,18 @@ VIEWS = ("Un-tone-mapped", "Standard")  # without tone mapping: in our configura
 MEAN = 0.25  # of the disc's strongest channel, after exposure: nothing clips
 
 
+def black_world():
+    world = bpy.data.worlds.new("Black")
+    world.color = (0, 0, 0)
+    for node in world.node_tree.nodes if world.node_tree else ():  # of Blender 5: grey when new
+        if node.type == "BACKGROUND":
+            node.inputs["Color"].default_value = (0, 0, 0, 1)
+    return world
+
+
 def new_scene():
     scene = bpy.data.scenes.new("Eclipse")
-    scene.world = bpy.data.worlds.new("Black")
-    scene.world.color = (0, 0, 0)
+    scene.world = black_world()
     set_render(scene)
     return scene
 

@@ -47,9 +47,21 @@ def new_mesh():
     return mesh
 
 
+def keep_from_sampling(material):
+    """Has Cycles send no rays to the sphere to find light: the lamp lights the scene. Else the lamp, dimmer than the
+    sphere seems, is chosen too seldom, and what it lights is noisy."""
+    cycles = getattr(material, "cycles", None)
+    if hasattr(cycles, "emission_sampling"):
+        cycles.emission_sampling = "NONE"
+    elif hasattr(cycles, "sample_as_light"):  # before Blender 3.5
+        cycles.sample_as_light = False
+
+
 def new_material():
     material = bpy.data.materials.new("Moon")
-    material.use_nodes = True
+    if material.node_tree is None:  # before Blender 5
+        material.use_nodes = True
+    keep_from_sampling(material)
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()
     texels = nodes.new("ShaderNodeTexImage")
@@ -77,7 +89,7 @@ def new_moon(scene):
 def texture_node(moon):
     """Node of the Moon's texture."""
     for slot in moon.material_slots:
-        if slot.material and slot.material.use_nodes:
+        if slot.material and slot.material.node_tree:
             for node in slot.material.node_tree.nodes:
                 if node.type == "TEX_IMAGE":
                     return node

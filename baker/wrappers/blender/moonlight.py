@@ -52,9 +52,19 @@ def illuminance(texture, set_colours):
     return [max(0.0, value) for value in sums]
 
 
+# Luminance of each channel in the spaces that Blender 5 works in, by the Color Interop Forum's names.
+LUMINANCE = {
+    "lin_rec709_scene": (0.2126, 0.7152, 0.0722),
+    "lin_rec2020_scene": (0.2627, 0.6780, 0.0593),
+    "lin_ap1_scene": (0.2676, 0.6744, 0.0580),  # adapted from its own white to D65
+}
+
+
 def luminance(colour):
-    """Luminance of linear Rec.709."""
-    return 0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2]
+    """Luminance of a colour in the space that Blender works in: before Blender 5, linear Rec.709."""
+    space = getattr(getattr(bpy.data, "colorspace", None), "working_space_interop_id", "")
+    weights = LUMINANCE.get(space, LUMINANCE["lin_rec709_scene"])
+    return sum(weight * channel for weight, channel in zip(weights, colour))
 
 
 def new_lamp(scene, moon):
