@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Mitsuba's frame of a scene is POV-Ray's.
+#include <algorithm>
+#include <cmath>
+
+#include "end_to_end/program.h"
+#include "povray_scenes/mitsuba.h"
+#include "povray_scenes/render.h"
+#include "support/within.h"
+#include "texture/read_image.h"
+#include "texture/write_image.h"
+
+namespace coppermoon::hand_off {
+namespace {
+
+class Mitsuba : public end_to_end::ProgramTest {
+ protected:
+  texture::Image rendered_in(const std::string& folder) const {
+    const auto outcome = run({COPPERMOON_HAND_OFF_PYTHON "/bin/mitsuba", "-m", "scalar_rgb", "-o",
+                              "frame.exr", povray_scenes::mitsuba_file},
+                             {.folder = here(folder)});
+    EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+    return texture::read_image(here(folder) / "frame.exr");
+  }
+};
+
+/// Pixels whose surroundings within two pixels are all lit: no limb, where a pixel is a matter of its rays.
+std::vector<std::size_t> within_the_disc(const texture::Image& frame) {
+  std::vector<std::size_t> pixels;
+  for (std::size_t r = 2; r + 2 < frame.height; ++r)
+    for (std::size_t c = 2; c + 2 < frame.width; ++c) {
+      bool lit = true;
+      for (std::size_t i = r - 2; i <= r + 2; ++i)
+        for (std::size_t j = c - 2; j <= c + 2; ++j) lit &= frame(i, j, 0) > 0;
+      if (lit) pixels.push_back(r * frame.width + c);
+    }
+  return pixels;
+}
+
+void expect_one_picture(const texture::Image& theirs, const texture::Image& ours) {
+  ASSERT_EQ(theirs.values.size(), ours.values.size());
+  const auto pixels = within_the_disc(ours);
+  ASSERT_GT(pixels.size(), 10000U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    double sum = 0, reference = 0, squares = 0;
+    for (const auto pixel : pixels) {
+      const double a = theirs.values[3 * pixel + k], b = ours.values[3 * pixel + k];
+      sum += a, reference += b;
+      if (b > 1e-4)  // POV-Ray's frame is of halves: steps of 3e-8 below 6e-5
+        squares += (a / b - 1) * (a / b - 1);
+    }
+    EXPECT_WITHIN_RELATIVE(sum, reference, 1e-3, "64 rays in each of ten thousand pixels");
+    EXPECT_LT(std::sqrt(squares / static_cast<double>(pixels.size())), 0.01)
+        << "a hundredth, pixel by pixel: the noise of 64 rays over a pixel's detail is 0.4 %";
+  }
+}
+
+class MitsubaSees : public Mitsuba, public testing::WithParamInterface<std::vector<std::string>> {};
+
+TEST_P(MitsubaSees, ThePictureThatPovRaySees) {
+  std::vector<std::string> scene{
+      "scene",    "--albedo-map", "built-in", "--atmosphere", "undated",         "--width", "240",
+      "--height", "160",          "--up",     "zenith",       "--texture-width", "1024"};
+  scene.insert(scene.begin() + 1, GetParam().begin(), GetParam().end());
+  const auto write = [&](const std::string& renderer) {
+    auto words = scene;
+    words.insert(words.end(), {"--for", renderer, "-o", renderer});
+    end_to_end::expect_done(coppermoon(words));
+  };
+  write("povray");
+  write("mitsuba");
+  expect_one_picture(rendered_in("mitsuba"),
+                     texture::read_image(povray_scenes::render(here("povray"))));
+}
+
+// high in the sky, before the middle; low, flattened by a twelfth
+INSTANTIATE_TEST_SUITE_P(AtPlaces, MitsubaSees,
+                         testing::Values(std::vector<std::string>{"2018-07-27T19:35:00Z", "--at",
+                                                                  "Nairobi", "--field", "0.7"},
+                                         std::vector<std::string>{"2018-07-27T20:21:45Z", "--at",
+                                                                  "52.9,-3.9"}));
+
+TEST_F(Mitsuba, SeesAMirroredMoonWhereTheCameraIsMirrored) {
+  const povray_scenes::SceneCamera camera{.position = {220, 10, 5},
+                                          .up = {0, 0.3, 1},
+                                          .horizontal_field = algebra::degrees(0.6),
+                                          .width = 200,
+                                          .height = 150,
+                                          .mirrored = true};
+  texture::Image moon(512, 256, {"R", "G", "B"});
+  for (std::size_t r = 0; r < moon.height; ++r)
+    for (std::size_t c = 0; c < moon.width; ++c)
+      for (std::size_t k = 0; k < 3; ++k)  // another slope in each channel, no symmetry
+        moon(r, c, k) = static_cast<float>(1 + std::sin(0.03 * static_cast<double>(c + 40 * k)) *
+                                                   std::cos(0.02 * static_cast<double>(r)));
+  const povray_scenes::MoonScene scene{.camera = camera, .texture = "moon.exr"};
+  write_scene(here("povray"), scene);
+  write_mitsuba_scene(here("mitsuba"), scene);
+  for (const char* folder : {"povray", "mitsuba"})
+    texture::write_exr(here(folder) / "moon.exr", moon, {});
+  expect_one_picture(rendered_in("mitsuba"),
+                     texture::read_image(povray_scenes::render(here("povray"))));
+}
+
+}  // namespace
+}  // namespace coppermoon::hand_off
