@@ -453,6 +453,69 @@ TEST_F(Explore, EachControlChangesWhatItSaysAndNothingElse) {
   }
 }
 
+const Asked touched(
+    page_2018,
+    "const {canvas} = page.picture, box = canvas.getBoundingClientRect();\n"
+    "const touch = (kind, pointerId, clientX, clientY) => canvas.dispatchEvent(new "
+    "PointerEvent(kind, {pointerId, clientX, clientY}));\n"
+    "const crater = {longitude: -11.4, latitude: -43.3}, ratio = page.frame().ratio;\n"
+    "const at = () => page.pixelOf(crater).map((x, i) => x / ratio + [box.left, box.top][i]);\n"
+    "const off = (x, y) => Math.hypot(at()[0] - x, at()[1] - y);\n"
+    "const [x, y] = at(), said = {};\n"
+    "touch('pointerdown', 1, x - 20, y); touch('pointerdown', 2, x + 20, y);\n"
+    "touch('pointermove', 1, x - 60, y); touch('pointermove', 2, x + 60, y);\n"
+    "said.zoom = page.state.zoom; said.stays = off(x, y);\n"
+    "touch('pointermove', 1, x - 60 + 30, y + 10); touch('pointermove', 2, x + 60 + 30, y + 10);\n"
+    "said.follows = off(x + 30, y + 10);\n"
+    "touch('pointerup', 1, x - 30, y + 10);\n"
+    "touch('pointermove', 2, x + 100, y + 10);\n"
+    "said.dragged = off(x + 40, y + 10);\n"
+    "touch('pointerup', 2, x + 100, y + 10);\n"
+    "touch('pointermove', 2, x, y);\n"
+    "said.left = off(x + 40, y + 10);\n"
+    "touch('pointerdown', 1, x - 60, y); touch('pointerdown', 2, x + 60, y);\n"
+    "touch('pointermove', 2, x - 58, y);\n"
+    "said.whole = [page.state.zoom, ...page.state.middle];\n"
+    "touch('pointercancel', 1, x, y); touch('pointercancel', 2, x, y);\n"
+    "return said;");
+
+TEST_F(Explore, TwoFingersEnlargeTheMoonAboutThePlaceBetweenThem) {
+  const auto said = touched.answer();
+  EXPECT_WITHIN(said["zoom"].get<double>(), 3, 1e-9, "they moved three times as far apart");
+  for (const char* how : {"stays", "follows", "dragged", "left"})
+    EXPECT_LT(said[how].get<double>(), 1.) << how << ", in pixels of the page";
+  EXPECT_EQ(said["whole"], json({1, 0, 0})) << "pinched, the whole Moon is in the middle again";
+}
+
+const Asked saved(page_2018,
+                  "const kept = HTMLAnchorElement.prototype.click;\n"
+                  "const said = await new Promise((take) => {\n"
+                  "  HTMLAnchorElement.prototype.click = async function () {\n"
+                  "    const bitmap = await createImageBitmap(await (await "
+                  "fetch(this.href)).blob());\n"
+                  "    const drawn = new OffscreenCanvas(bitmap.width, bitmap.height);\n"
+                  "    const context = drawn.getContext('2d');\n"
+                  "    context.drawImage(bitmap, 0, 0);\n"
+                  "    const middle = context.getImageData(bitmap.width / 2, bitmap.height / 2, 1, "
+                  "1).data;\n"
+                  "    take({name: this.download, size: [bitmap.width, bitmap.height], "
+                  "middle: [...middle]});\n"
+                  "  };\n"
+                  "  page.find('save').click();\n"
+                  "});\n"
+                  "HTMLAnchorElement.prototype.click = kept;\n"
+                  "const {width, height} = page.picture.canvas;\n"
+                  "return {...said, canvas: [width, height]};");
+
+TEST_F(Explore, SavesThePictureThatItShows) {
+  const auto said = saved.answer();
+  EXPECT_EQ(said["name"], "moon_2018-07-27T202145Z.png");
+  EXPECT_EQ(said["size"], said["canvas"]);
+  const auto middle = said["middle"].get<std::vector<int>>();
+  EXPECT_GT(middle.at(0), 20) << "the Moon is in the middle";
+  EXPECT_GT(middle.at(0), middle.at(2)) << "and red";
+}
+
 const Asked links(
     page_2018,
     "page.set({ms: Date.parse('2018-07-27T19:05:00Z'), up: 'zenith', look: 'Filmic', circle: "

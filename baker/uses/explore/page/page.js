@@ -258,6 +258,7 @@ export class Page {
     this.find('on').addEventListener('click', () => this.move(this.state.ms + 6e5));
     this.find('nearer').addEventListener('click', () => this.nearer());
     this.find('farther').addEventListener('click', () => this.zoomTo(1));
+    this.find('save').addEventListener('click', () => this.save());
     this.find('copy').addEventListener('click', () => navigator.clipboard?.writeText(this.find('command').textContent));
     this.find('link').addEventListener('click', () => navigator.clipboard?.writeText(
       `${location.href.split('#')[0]}#${linkOf(this.state, this.facts)}`));
@@ -274,6 +275,21 @@ export class Page {
     });
   }
 
+  /** Name of a file of the picture shown. */
+  nameOfPicture() {
+    return `moon_${utc(this.state.ms).replaceAll(':', '')}.png`;
+  }
+
+  /** Saves the picture as it is shown, as a PNG file. */
+  save() {
+    this.draw();
+    this.picture.canvas.toBlob((blob) => {
+      const href = URL.createObjectURL(blob);
+      Object.assign(document.createElement('a'), {href, download: this.nameOfPicture()}).click();
+      setTimeout(() => URL.revokeObjectURL(href), 1e3);
+    }, 'image/png');
+  }
+
   /** Doubles the zoom, about the marked place. */
   nearer() {
     const {sky, view} = this.scene();
@@ -288,20 +304,46 @@ export class Page {
     this.redraw();
   }
 
+  /** Lets a finger or the mouse move an enlarged Moon, and two fingers enlarge it about the place between them. */
   pointers(canvas) {
-    let held = null;
+    const held = new Map();  // pointers by number: [x, y] in the window
+    let from = null;  // middle of the pointers and their distance when their number last changed, and the place there
+    const mean = (i) => [...held.values()].reduce((sum, at) => sum + at[i], 0) / held.size;
+    const apart = () => {
+      const [a, b] = [...held.values()];
+      return b ? Math.max(1, Math.hypot(a[0] - b[0], a[1] - b[1])) : 1;
+    };
+    const placeAt = (x, y, {pixel, ratio}, sign) => {
+      const box = canvas.getBoundingClientRect();
+      const across = (x - box.left - box.width / 2) * ratio * pixel, upwards = (box.top + box.height / 2 - y) * ratio * pixel;
+      return [sign * across, sign * upwards];
+    };
+    const begin = () => {
+      from = held.size ? {zoom: this.state.zoom, apart: apart()} : null;
+      if (!from) return;
+      const beside = placeAt(mean(0), mean(1), this.frame(), 1);
+      from.place = this.state.middle.map((middle, i) => middle + beside[i]);
+    };
     canvas.addEventListener('pointerdown', (event) => {
-      held = [event.clientX, event.clientY, ...this.state.middle];
-      canvas.setPointerCapture(event.pointerId);
+      held.set(event.pointerId, [event.clientX, event.clientY]);
+      if (event.isTrusted) canvas.setPointerCapture(event.pointerId);
+      begin();
       this.point(event);
     });
     canvas.addEventListener('pointermove', (event) => {
-      if (!held || this.state.zoom === 1) return this.point(event);
-      const {pixel, ratio} = this.frame();
-      this.state.middle = [held[2] - (event.clientX - held[0]) * ratio * pixel, held[3] + (event.clientY - held[1]) * ratio * pixel];
+      if (!held.has(event.pointerId)) return this.point(event);
+      held.set(event.pointerId, [event.clientX, event.clientY]);
+      if (held.size > 1) this.zoomTo(from.zoom * apart() / from.apart);
+      else if (this.state.zoom === 1) return this.point(event);
+      if (this.state.zoom === 1) return;
+      const beside = placeAt(mean(0), mean(1), this.frame(), -1);
+      this.state.middle = from.place.map((place, i) => place + beside[i]);
       this.redraw();
     });
-    for (const name of ['pointerup', 'pointercancel']) canvas.addEventListener(name, () => { held = null; });
+    for (const name of ['pointerup', 'pointercancel']) canvas.addEventListener(name, (event) => {
+      held.delete(event.pointerId);
+      begin();
+    });
     canvas.addEventListener('wheel', (event) => {
       event.preventDefault();
       this.zoomTo(this.state.zoom * Math.exp(-event.deltaY / 400));

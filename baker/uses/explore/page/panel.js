@@ -208,7 +208,7 @@ export class Panel {
 
   words() {
     const keys = {Space: 'plays and stops', '← →': 'one minute', 'Shift ← →': 'ten minutes', 'Home, End': 'P1, P4',
-      '+ −': 'exposure, half a stop', F: 'exposure follows', '0': 'the whole Moon again', Wheel: 'nearer'};
+      '+ −': 'exposure, half a stop', F: 'exposure follows', '0': 'the whole Moon again', 'Wheel, two fingers': 'nearer'};
     const listed = ['P1', 'U1', 'U2', 'greatest', 'U3', 'U4', 'P4', 'V', 'stops', 'danjon'].map((word) => {
       const [name, ...rest] = meanings[word].split(': ');
       return [name, rest.join(': ')];
