@@ -7,6 +7,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "algebra/error.h"
@@ -52,10 +53,56 @@ double middle_of(const DiscFeatures& features) {
   return 0.5 * static_cast<double>(features.contrast.columns());
 }
 
+/// Pixel of the photograph's disc.
+struct Seen {
+  glm::dvec2 at;        ///< column and row
+  double away_squared;  ///< from the disc's middle
+  double weight, contrast;
+};
+
 /// Features of both discs at one radius.
 struct Pair {
   DiscFeatures photo, render;
   double radius_px;
+  std::vector<Seen> seen = {};                               ///< with weight, within beyond_limb
+  algebra::Grid<std::array<float, 2>> weight_contrast = {};  ///< of the render
+
+  Pair(DiscFeatures of_photo, DiscFeatures of_render, double radius)
+      : photo(std::move(of_photo)),
+        render(std::move(of_render)),
+        radius_px(radius),
+        weight_contrast(render.weight.rows(), render.weight.columns()) {
+    const double middle = middle_of(photo), reach = beyond_limb * radius_px;
+    for (std::size_t r = 0; r < photo.contrast.rows(); ++r)
+      for (std::size_t c = 0; c < photo.contrast.columns(); ++c) {
+        const glm::dvec2 at(static_cast<double>(c), static_cast<double>(r)),
+            out = at + 0.5 - middle;
+        const double weight = photo.weight(r, c), squared = glm::dot(out, out);
+        if (weight > 0 && squared <= reach * reach)
+          seen.push_back({at, squared, weight, photo.contrast(r, c)});
+      }
+    for (std::size_t i = 0; i < weight_contrast.values().size(); ++i)
+      weight_contrast.values()[i] = {render.weight.values()[i], render.contrast.values()[i]};
+  }
+
+  /// Weight and contrast of the render at a place, as between_pixels.
+  std::array<double, 2> rendered(const glm::dvec2& pixel) const {
+    const double x = pixel.x - 0.5, y = pixel.y - 0.5;
+    const std::size_t rows = weight_contrast.rows(), columns = weight_contrast.columns();
+    if (!(x >= 0 && y >= 0 && x < static_cast<double>(columns - 1) &&
+          y < static_cast<double>(rows - 1)))
+      return {between_pixels(render.weight, pixel), between_pixels(render.contrast, pixel)};
+    const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
+    const double across = x - static_cast<double>(column), down = y - static_cast<double>(row);
+    const auto* at = &weight_contrast(row, column);
+    std::array<double, 2> values{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double a = at[0][k], b = at[1][k], c = at[columns][k], d = at[columns + 1][k];
+      const double upper = a + across * (b - a), lower = c + across * (d - c);
+      values[k] = upper + down * (lower - upper);
+    }
+    return values;
+  }
 };
 
 /// Map from the render's grid to the photograph's.
@@ -70,24 +117,18 @@ Similarity similarity_of(const Pair& pair, const Pose& pose) {
 }
 
 /// Calls `act` for each pixel of the photograph's disc within a share of the radius that the render shows too: with
-/// the distance from the centre over that limit, the weight, and both contrasts.
+/// the square of the distance from the centre over that limit, the weight, and both contrasts.
 void for_all_shared(const Pair& pair, const Pose& pose, double out_to, const auto& act) {
   const auto back = inverse(similarity_of(pair, pose));
   const auto corner = moved(back, {0.5, 0.5}), across = moved(back, {1.5, 0.5}) - corner,
              down = moved(back, {0.5, 1.5}) - corner;
-  const double middle = middle_of(pair.photo), reach = out_to * pair.radius_px;
-  for (std::size_t r = 0; r < pair.photo.contrast.rows(); ++r)
-    for (std::size_t c = 0; c < pair.photo.contrast.columns(); ++c) {
-      const double x = static_cast<double>(c), y = static_cast<double>(r);
-      const glm::dvec2 out(x + 0.5 - middle, y + 0.5 - middle);
-      const double here = pair.photo.weight(r, c);
-      if (here <= 0 || glm::dot(out, out) > reach * reach) continue;
-      const auto there = corner + x * across + y * down;
-      const double weight = here * between_pixels(pair.render.weight, there);
-      if (weight > 0)
-        act(glm::length(out) / reach, weight, double{pair.photo.contrast(r, c)},
-            between_pixels(pair.render.contrast, there));
-    }
+  const double reach = out_to * pair.radius_px;
+  for (const auto& [at, away_squared, here, contrast] : pair.seen) {
+    if (away_squared > reach * reach) continue;
+    const auto [of_render, rendered] = pair.rendered(corner + at.x * across + at.y * down);
+    const double weight = here * of_render;
+    if (weight > 0) act(away_squared / (reach * reach), weight, contrast, rendered);
+  }
 }
 
 /// Correlation of the discs in a pose, within a share of their radius.
@@ -102,8 +143,9 @@ double correlation(const Pair& pair, const Pose& pose, double out_to) {
 double correlation_of_markings(const Pair& pair, const Pose& pose) {
   constexpr std::size_t count = 24;
   std::array<Sums, count> rings;
-  for_all_shared(pair, pose, within_limb, [&](double share, double weight, double a, double b) {
-    rings[std::min(count - 1, static_cast<std::size_t>(share * count))].add(weight, a, b);
+  for_all_shared(pair, pose, within_limb, [&](double squared, double weight, double a, double b) {
+    const auto ring = static_cast<std::size_t>(std::sqrt(squared) * count);
+    rings[std::min(count - 1, ring)].add(weight, a, b);
   });
   Sums all{.w = 1};
   for (const auto& ring : rings) {
@@ -282,29 +324,30 @@ struct Discs {
     TonalRange range{clipped};
     auto seen = features_of(photo.picture, photo.disc, radius_px, range);
     range.floor = seen.floor;
-    return {std::move(seen), features_of(render.picture, render.disc, radius_px, range), radius_px};
+    auto rendered = features_of(render.picture, render.disc, radius_px, range);
+    return {std::move(seen), std::move(rendered), radius_px};
   }
 };
 
 }  // namespace
 
-Registration registered(const Values& photo, const Values& render,
-                        const std::optional<double>& scale) {
-  const auto in_render = disc_in(render, "render");
-  auto in_photo = disc_in(photo, "photograph");
-  if (scale) in_photo.radius_px = *scale * in_render.radius_px;
+Registration registered(const Values& photo, const Values& render, const KnownBefore& known) {
+  const auto in_render = known.in_render ? *known.in_render : disc_in(render, "render");
+  auto in_photo = known.in_photo ? *known.in_photo : disc_in(photo, "photograph");
+  const bool of_its_scale = known.scale.has_value();
+  if (of_its_scale) in_photo.radius_px = *known.scale * in_render.radius_px;
   const Discs discs{close_up(photo, in_photo), close_up(render, in_render),
                     clipped_share(photo, in_photo)};
   const auto coarse = discs.at_radius(40);
   Pose best;
   double most = -1;
   for (const auto& likely : likely_poses(coarse)) {
-    const auto pose = refined(coarse, likely, scale.has_value(), 0.015, 0.1);
+    const auto pose = refined(coarse, likely, of_its_scale, 0.015, 0.1);
     const double alike = correlation(coarse, pose, within_limb);
     if (alike > most) most = alike, best = pose;
   }
-  const auto fine = discs.at_radius(160);
-  best = turned(fine, refined(fine, best, scale.has_value(), 0.003, 0.005));
+  const auto fine = known.roughly ? coarse : discs.at_radius(160);
+  if (!known.roughly) best = turned(fine, refined(fine, best, of_its_scale, 0.003, 0.005));
   const double alike = correlation(fine, best, within_limb);
   algebra::require_within("correlation of photograph and render", alike, least_correlation, 1);
   algebra::require_within("correlation of markings on photograph and render",

@@ -16,6 +16,14 @@ struct Registration {
   Disc in_photo{};     ///< fitted to the photograph's limb
 };
 
+/// What is known of both pictures before a registration.
+struct KnownBefore {
+  std::optional<Disc> in_photo = {}, in_render = {};  ///< else by limb_of
+  /// of the similarity: the photograph's disc then has the size of the render's times that, about the same centre
+  std::optional<double> scale = {};
+  bool roughly = false;  ///< to a hundredth of the radius, in a tenth of the time
+};
+
 /// Finds a rendered Moon in a photograph of it.
 ///
 /// The limbs give place and size. Both discs are brought to one size, and light is divided by what
@@ -32,14 +40,12 @@ struct Registration {
 ///           noise of 2 % of the brightest, a clipped disc, the Earth's shadow. Where all but the
 ///           umbra is clipped, 33 times too bright: 0.6 pixel and 1 %. One in thirty small discs (25
 ///           pixels, blur by 2) was turned by 0.5°. Of maps of the same Moon by two hands: 0.3°
-/// Given     scale  of the similarity, where it is known: the photograph's disc then has the size of the render's times
-///                  that, about the centre that its limb has
 /// Throws    Error  as limb_of; when it finds no disc in either, or the correlation is below 0.4:
 ///                  nothing is seen on the Moon, or it is another (up to 0.29 by chance); when that of
 ///                  what varies around the disc is below 0.3: both are alike in how light goes from
 ///                  the middle to the limb alone, as a Sun may be. A render of another hour may come
 ///                  above both, by its shadow, and lie anyhow
 Registration registered(const algebra::Grid<float>& photo, const algebra::Grid<float>& render,
-                        const std::optional<double>& scale = {});
+                        const KnownBefore& known = {});
 
 }  // namespace coppermoon::colour

@@ -57,8 +57,8 @@ struct Tolerance {
       "quarter pixel cannot be seen in a pixel's difference";
 };
 
-void expect_found(const Trial& trial, const Tolerance& tolerance) {
-  const auto found = registered(trial.photo, trial.render);
+void expect_found(const Trial& trial, const Tolerance& tolerance, const KnownBefore& known = {}) {
+  const auto found = registered(trial.photo, trial.render, known);
   const auto& is = found.render_to_photo;
   const auto off = moved(is, trial.disc_in_render) - moved(trial.truth, trial.disc_in_render);
   const double turn = std::remainder(is.rotation_rad - trial.truth.rotation_rad, 2 * pi);
@@ -133,6 +133,28 @@ TEST(Registration, HoldsForARenderOfAnotherAir) {
     const auto trial = random_trial(total, {.blur_px = 1}, random, Shadow{total.middle, 0.003});
     expect_found(trial, {0.5, 0.01, 0.3, 0.5,
                          "an umbra 33 times as dark ends elsewhere, and pulls the disc with it"});
+  }
+}
+
+TEST(Registration, HoldsFromDiscsThatAreKnown) {
+  algebra::Random random(8, 10);
+  for (const auto& shadow : {partial, total}) {
+    const auto trial = random_trial(shadow, {.blur_px = 1, .noise = 0.005}, random);
+    const auto in_photo = moved(trial.truth, trial.disc_in_render);
+    // begun 1 % of the radius beside the photograph's disc
+    KnownBefore known{
+        .in_photo = Disc{in_photo.x + 0.01 * trial.radius_px, in_photo.y, trial.radius_px},
+        .in_render = Disc{trial.disc_in_render.x, trial.disc_in_render.y,
+                          trial.radius_px / trial.truth.scale}};
+    expect_found(trial, {}, known);
+    known.scale = trial.truth.scale;
+    expect_found(trial, {}, known);
+    known.roughly = true;
+    expect_found(trial,
+                 {.rotation_deg = 0.6,
+                  .shift_px = 0.01 * trial.radius_px,
+                  .reason = "a hundredth of the radius"},
+                 known);
   }
 }
 

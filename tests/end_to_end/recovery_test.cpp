@@ -266,7 +266,7 @@ TEST_F(Recovery, OfAHundredPhotographsFindsDustAndCloudAndKnowsHowWell) {
       const auto photo = uses::moon_part(texture::read_light(here(photograph_of(
           frame_of(occasion, words_of(taken.truth)), taken, random, value_per_cd_m2))));
       try {
-        const auto found = registration_of(scene, photo.photo);
+        const auto found = registration_of(scene, photo);
         const uses::NightPhotograph night{scene,
                                           binned(scene, photo, found.render_to_photo),
                                           {.value_per_cd_m2 = value_per_cd_m2,

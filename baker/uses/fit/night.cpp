@@ -163,7 +163,8 @@ const Night::Kept& Night::kept(std::size_t index) {
   return *kept;
 }
 
-void Night::take_one(double clock_s, std::size_t index, std::optional<double> px_per_rad) {
+void Night::take_one(double clock_s, std::size_t index, std::optional<double> px_per_rad,
+                     bool roughly) {
   const auto& photograph = *photographs_[index];
   const auto& [moon, extent, unusable] = kept(index);
   left_out_[index] = unusable;
@@ -175,7 +176,7 @@ void Night::take_one(double clock_s, std::size_t index, std::optional<double> px
                             almanac::sky_at(almanac::later(photograph.instant, clock_s)));
     const double px_per_scale = moon.shrunk / known.scene.pixel_rad;
     if (px_per_rad) *px_per_rad /= px_per_scale;
-    const auto registration = registration_of(known.scene, moon.photo, px_per_rad);
+    const auto registration = registration_of(known.scene, moon, px_per_rad, roughly);
     known.errors = errors_of(request_, photograph);
     binned_.push_back(std::move(known));
     taken_.push_back({index, registration, registration.render_to_photo.scale * px_per_scale});
@@ -189,6 +190,7 @@ void Night::read_light() {
     const auto& [index, registration, px_per_rad] = taken_[place];
     auto& [scene, light, errors] = binned_[place];
     const auto curve = is_curved(*photographs_[index]) ? std::optional(curve_) : std::nullopt;
+    if (scene.glow.empty()) scene.glow = glow_of(scene);
     light = binned(scene, kept(index).moon, registration.render_to_photo, curve);
     errors.place_error_km = place_error_km(scene, registration, registered_in_best_air_);
   }
@@ -224,7 +226,7 @@ void Night::take_in_scale(double clock_s, std::size_t index, double px_per_rad) 
   };
   const double alike = erase();
   const auto why = left_out_[index];
-  take_one(clock_s, index, px_per_rad);
+  take_one(clock_s, index, px_per_rad, false);
   const double in_scale = left_out_[index].empty() ? taken_.back().registration.correlation : 0;
   if (in_scale >= std::max(well, as_well * alike)) return;
   erase();
@@ -238,10 +240,11 @@ void Night::take_in_scale(double clock_s, std::size_t index, double px_per_rad) 
     left_out_[index] = why;
 }
 
-void Night::take(double clock_s, std::span<const std::size_t> indices) {
+void Night::take(double clock_s, std::span<const std::size_t> indices, bool roughly) {
   taken_.clear();
   binned_.clear();
-  for (const auto index : indices) take_one(clock_s, index);
+  for (const auto index : indices) take_one(clock_s, index, {}, roughly);
+  if (roughly) return;
   std::vector<std::pair<std::size_t, double>> again;
   for (const auto index : indices) {
     if (!kept(index).unusable.empty()) continue;
@@ -342,7 +345,7 @@ double Night::take_anywhere(std::span<const std::size_t> indices,
   std::ranges::sort(clocks_s, {}, [](double s) { return std::abs(s); });
   double most = 0, best_s = clocks_s.front();
   for (const double clock_s : clocks_s) {
-    take(clock_s, indices);
+    take(clock_s, indices, free);
     double alike = 0;  // the better, the nearer the shadow is to its place on the photographs
     for (const auto& taken : taken_) alike += taken.registration.correlation;
     if (alike > most) most = alike, best_s = clock_s;
@@ -385,11 +388,11 @@ void Night::scan_clock() {
 
 void Night::find_clock() {
   constexpr int most_looks = 8;
-  constexpr double near_s = 20;
+  constexpr double linear_s = 60;  // of light beside a moment
   for (int look = 0; look < most_looks; ++look) {
     const double further_s = std::clamp(coarse_fit(clock_s_).clock_s, -300., 300.);
     clock_s_ += further_s;
-    if (std::abs(further_s) < near_s) return;
+    if (std::abs(further_s) < linear_s) return;
   }
 }
 
@@ -413,8 +416,8 @@ void Night::register_again(const AirFit& fit) {
     const auto in_air = fit_scene(moon, groundwork, request_.view, scene.sky);
     const auto& part = kept(index).moon;
     try {
-      registration = registration_of(in_air, part.photo,
-                                     agreed_px_per_rad(index) * scene.pixel_rad / part.shrunk);
+      registration =
+          registration_of(in_air, part, agreed_px_per_rad(index) * scene.pixel_rad / part.shrunk);
       scene = in_air;
     } catch (const algebra::Error&) {  // it stays as it was registered in the usual air
     }

@@ -70,8 +70,10 @@ class Night {
   const Kept& kept(std::size_t index);
   /// Registers photographs. Pictures of one size have one scale: a photograph that is not registered, or in
   /// another scale than most, is registered in theirs, and left out where it is less like the Moon then.
-  void take(double clock_s, std::span<const std::size_t> indices);
-  void take_one(double clock_s, std::size_t index, std::optional<double> px_per_rad = {});
+  ///
+  /// Given  roughly  as colour::KnownBefore has it; each photograph then keeps its own scale
+  void take(double clock_s, std::span<const std::size_t> indices, bool roughly = false);
+  void take_one(double clock_s, std::size_t index, std::optional<double> px_per_rad, bool roughly);
   void take_in_scale(double clock_s, std::size_t index, double px_per_rad);
   /// Bins the light of what is taken.
   void read_light();

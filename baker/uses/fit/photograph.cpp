@@ -212,18 +212,25 @@ MoonPart moon_part(const texture::Image& photo) {
                                            photo.height, photo.width);
   const auto by =
       static_cast<std::size_t>(std::max(1., std::floor(disc.radius_px / least_radius_px)));
-  MoonPart part{{window.columns / by, window.rows / by, photo.channels}, static_cast<double>(by)};
+  MoonPart part{.photo = {window.columns / by, window.rows / by, photo.channels},
+                .shrunk = static_cast<double>(by)};
   for (std::size_t r = 0; r < part.photo.height; ++r)
     for (std::size_t c = 0; c < part.photo.width; ++c)
       for (std::size_t k = 0; k < photo.channels.size(); ++k)
         part.photo(r, c, k) = shrunk_pixel(photo, window.top + r * by, window.left + c * by, k, by);
+  part.luminance = luminance_of(part.photo);
+  const auto within = [&](double at, std::size_t from) {
+    return (at - static_cast<double>(from)) / part.shrunk;
+  };
+  part.disc = {within(disc.x_px, window.left), within(disc.y_px, window.top),
+               disc.radius_px / part.shrunk};
   for (std::size_t k = 0; k < part.steps.size(); ++k) part.steps[k] = step_of(photo, k);
   return part;
 }
 
-colour::Registration registration_of(const FitScene& scene, const texture::Image& photo,
-                                     const std::optional<double>& scale) {
-  const auto luminance = luminance_of(photo);
+colour::Registration registration_of(const FitScene& scene, const MoonPart& moon,
+                                     const std::optional<double>& scale, bool roughly) {
+  const auto& luminance = moon.luminance;
   std::exception_ptr first;
   for (double size = 1;; size /= 2) {
     const colour::Similarity smaller{.scale = size};
@@ -231,16 +238,19 @@ colour::Registration registration_of(const FitScene& scene, const texture::Image
       return static_cast<std::size_t>(static_cast<double>(pixels) * size);
     };
     try {
+      colour::KnownBefore known{.in_render = scene.disc, .scale = scale, .roughly = roughly};
+      if (size == 1) known.in_photo = moon.disc;
+      if (scale) *known.scale *= size;
       auto found = colour::registered(
-          size == 1
-              ? luminance
-              : colour::resampled(luminance, smaller, extent(photo.height), extent(photo.width)),
-          scene.usual, scale ? std::optional(*scale * size) : scale);
+          size == 1 ? luminance
+                    : colour::resampled(luminance, smaller, extent(luminance.rows()),
+                                        extent(luminance.columns())),
+          scene.usual, known);
       found.render_to_photo = colour::composed(found.render_to_photo, colour::inverse(smaller));
       return found;
     } catch (const algebra::Error&) {
       if (!first) first = std::current_exception();
-      if (size <= 0.25) std::rethrow_exception(first);
+      if (roughly || size <= 0.25) std::rethrow_exception(first);
     }
   }
 }
@@ -265,6 +275,7 @@ BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,
   BinnedPhotograph result{none, none, none, none, {}};
   if (curve) result.slopes = algebra::Grid<ToneSlopes>(scene.bins, 3);
   const auto& photo = moon.photo;
+  const auto glow = scene.glow.empty() ? glow_of(scene) : scene.glow;
   const auto back = colour::inverse(render_to_photo);
   const auto brought = [&](const Channel& channel) {
     return std::ranges::all_of(channel.values(), [](float value) { return value == 0; })
@@ -277,19 +288,18 @@ BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,
   const double stretched = curve ? std::exp(colour::tone_logarithm(*curve, 0)) : 1;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto channel = channel_of(photo, k);
-    Brought there{
-        brought(channel), {}, brought(mapped(channel, is_black)), plane_of(scene.glow, k)};
+    Brought there{brought(channel), {}, brought(mapped(channel, is_black)), plane_of(glow, k)};
     there.light = curve ? brought(mapped(channel, table)) : there.displayed;
     const double step = stretched * moon.steps[k];
     const auto around = around_the_disc(there.light);
     Off off{median_of(around_the_disc(there.displayed)), median_of(around), 0};
     const auto usual = usual_glow(scene, k, sums_of(scene, there, clipped, off, false));
-    const auto [sky, glow] =
+    const auto [sky, of_glow] =
         light_beside(around, around_the_disc(there.black), around_the_disc(there.glow), usual,
                      !curve || off.displayed >= colour::least_displayed);
     off.sky = sky.value;
     if (off.sky == 0) off.displayed = 0;
-    off.glow = glow.value;
+    off.glow = of_glow.value;
     const auto sums = sums_of(scene, there, clipped, off, curve.has_value());
     for (std::size_t b = 0; b < scene.bins; ++b) {
       const auto& sum = sums[b];
@@ -300,7 +310,7 @@ BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,
       result.values(b, k) = sum.ratio();
       result.errors(b, k) = std::hypot(sum.error(), of_a_step * step / mean * sum.ratio());
       result.sky_errors(b, k) = sky.error / mean * sum.ratio();
-      result.glow_errors(b, k) = glow.error * sum.glow / sum.sunlit;
+      result.glow_errors(b, k) = of_glow.error * sum.glow / sum.sunlit;
       if (!curve) continue;
       for (std::size_t n = 0; n < colour::tone_numbers; ++n)
         result.slopes(b, k)[n] = sum.slopes[n] / sum.light;

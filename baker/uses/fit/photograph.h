@@ -29,7 +29,9 @@ struct BinnedPhotograph {
 /// scene's. Where any pixel of those that become one is clipped the brightest stands for them, where most are black 0.
 struct MoonPart {
   texture::Image photo;
-  double shrunk = 1;  ///< the factor
+  algebra::Grid<float> luminance = {};  ///< of the photo
+  colour::Disc disc = {};               ///< in the photo
+  double shrunk = 1;                    ///< the factor
   std::array<double, 3> steps =
       {};  ///< of the photograph's numbers near black, in linear light; 0: fine ones
 };
@@ -40,10 +42,11 @@ MoonPart moon_part(const texture::Image& photo);
 
 /// Registers a scene in a photograph. Where noise hides the limb the photograph is halved in size, twice at most.
 ///
-/// Given   scale  of the similarity, where it is known
-/// Throws  Error  as colour::registered
-colour::Registration registration_of(const FitScene& scene, const texture::Image& photo,
-                                     const std::optional<double>& scale = {});
+/// Given   scale    of the similarity, where it is known
+///         roughly  as colour::KnownBefore has it
+/// Throws  Error    as colour::registered
+colour::Registration registration_of(const FitScene& scene, const MoonPart& moon,
+                                     const std::optional<double>& scale = {}, bool roughly = false);
 
 /// Standard error of a registration, in any direction [km].
 ///

@@ -158,16 +158,6 @@ colour::Image moon_in_rgb(const FitScene& scene, const std::optional<std::string
   return moon;
 }
 
-/// Glow of a picture, all its light scattered by the lens.
-colour::Image glow_of(const colour::Image& picture, double pixel_rad) {
-  constexpr float share = 0.5;  // cancels
-  auto glow = colour::with_glow(picture, share, pixel_rad);
-  for (std::size_t i = 0; i < glow.values().size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      glow.values()[i][k] = (glow.values()[i][k] - (1 - share) * picture.values()[i][k]) / share;
-  return glow;
-}
-
 /// Light of a picture in each bin over sunlit light: (bin, channel).
 algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& picture) {
   algebra::Grid<double> values(scene.bins, 3);
@@ -186,32 +176,35 @@ algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& pi
 /// ones.
 ///
 /// Given  middle_rad  position angle of the disc's centre, from which angles are counted
-void add_groups(std::vector<LitPlace> all, double middle_rad, std::vector<LitPlace>& few) {
+void add_groups(std::vector<LitPlace> places, double middle_rad, std::vector<LitPlace>& few) {
   constexpr std::size_t by_distance = 8;
   constexpr double widest_rad = pi / 18;
-  const auto distance_of = [](const LitPlace& lit) {
-    return algebra::in_metres(lit.place.axis_distance);
+  struct Sorted {
+    double distance_m, angle_rad;
+    LitPlace lit;
   };
-  const auto angle_of = [=](const LitPlace& lit) {
-    return std::remainder(algebra::in_radians(lit.place.position_angle) - middle_rad, 2 * pi);
-  };
-  std::ranges::sort(all, {}, distance_of);
-  const auto part = [](std::span<LitPlace> whole, std::size_t i, std::size_t parts) {
+  std::vector<Sorted> all;
+  for (const auto& lit : places)
+    all.push_back(
+        {algebra::in_metres(lit.place.axis_distance),
+         std::remainder(algebra::in_radians(lit.place.position_angle) - middle_rad, 2 * pi), lit});
+  std::ranges::sort(all, {}, &Sorted::distance_m);
+  const auto part = [](std::span<Sorted> whole, std::size_t i, std::size_t parts) {
     const auto from = whole.size() * i / parts, to = whole.size() * (i + 1) / parts;
     return whole.subspan(from, to - from);
   };
   for (std::size_t i = 0; i < by_distance; ++i) {
     const auto ring = part(all, i, by_distance);
     if (ring.empty()) continue;
-    std::ranges::sort(ring, {}, angle_of);
+    std::ranges::sort(ring, {}, &Sorted::angle_rad);
     const auto by_angle =
-        static_cast<std::size_t>(1 + (angle_of(ring.back()) - angle_of(ring.front())) / widest_rad);
+        static_cast<std::size_t>(1 + (ring.back().angle_rad - ring.front().angle_rad) / widest_rad);
     for (std::size_t j = 0; j < by_angle; ++j) {
       double sunlit = 0, distance = 0, depth = 0, east = 0, north = 0, colour = 0;
       const auto group = part(ring, j, by_angle);
-      for (const auto& lit : group) {
+      for (const auto& [distance_m, angle, lit] : group) {
         sunlit += lit.sunlit;
-        distance += lit.sunlit * distance_of(lit);
+        distance += lit.sunlit * distance_m;
         depth += lit.sunlit * algebra::in_metres(lit.place.depth);
         colour += lit.sunlit * lit.colour;
         const double angle_rad = algebra::in_radians(lit.place.position_angle);
@@ -223,7 +216,7 @@ void add_groups(std::vector<LitPlace> all, double middle_rad, std::vector<LitPla
                       algebra::within_circle(algebra::radians(std::atan2(east, north))),
                       algebra::metres(depth / sunlit)},
                      sunlit,
-                     group.front().bin,
+                     group.front().lit.bin,
                      colour / sunlit});
     }
   }
@@ -271,15 +264,25 @@ FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
   scene.pixel_rad = pixel_rad_of(seen.camera);
   const auto grounds = grounds_of(seen.camera, sky);
   const auto sunlit = picture_of(sunlit_map(moon, groundwork, sky), grounds);
+  const double middle = fit_side_px / 2.;
+  scene.disc = {middle, middle, std::sqrt(static_cast<double>(grounds.size()) / pi)};
   bin(scene, sunlit, grounds, groundwork.ground.get());
   const auto light = usual_light(groundwork, sunlit, grounds);
   scene.usual = Channel(fit_side_px, fit_side_px);
   for (std::size_t i = 0; i < grounds.size(); ++i)
     scene.usual.values()[grounds[i].pixel] = static_cast<float>(light[i][1]);
-  const auto moon_seen = moon_in_rgb(scene, moon.response, grounds, light);
-  scene.glow = glow_of(moon_seen, scene.pixel_rad);
-  scene.usual_values = over_sunlit(scene, moon_seen);
+  scene.moon = moon_in_rgb(scene, moon.response, grounds, light);
+  scene.usual_values = over_sunlit(scene, scene.moon);
   return scene;
+}
+
+colour::Image glow_of(const FitScene& scene) {
+  constexpr float share = 0.5;  // cancels
+  auto glow = colour::with_glow(scene.moon, share, scene.pixel_rad);
+  for (std::size_t i = 0; i < glow.values().size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      glow.values()[i][k] = (glow.values()[i][k] - (1 - share) * scene.moon.values()[i][k]) / share;
+  return glow;
 }
 
 bool lies_in_umbra(const almanac::SkyState& sky) {

@@ -11,6 +11,7 @@
 #include "algebra/grid.h"
 #include "almanac/sky.h"
 #include "colour/display.h"
+#include "colour/limb.h"
 #include "shadow/lookup.h"
 #include "surface/ground.h"
 #include "uses/fit/fitted_light.h"
@@ -33,12 +34,14 @@ struct FitGround {
 struct FitScene {
   almanac::SkyState sky;
   algebra::Grid<float> usual;  ///< luminance under the usual air, for registration
+  colour::Disc disc;           ///< of that picture
   std::vector<FitGround> grounds;
   std::size_t bins = 0;
-  std::vector<double> distances_km;  ///< [bin] mean distance from the axis
-  algebra::Grid<double> weights;     ///< (X Y Z, band): of moonlight through the air above
-  double pixel_rad = 0;              ///< angle that a pixel takes in
-  colour::Image glow;  ///< glow of that Moon, all its light scattered by the lens; linear Rec.709
+  std::vector<double> distances_km;    ///< [bin] mean distance from the axis
+  algebra::Grid<double> weights;       ///< (X Y Z, band): of moonlight through the air above
+  double pixel_rad = 0;                ///< angle that a pixel takes in
+  colour::Image moon;                  ///< under the usual air; linear Rec.709
+  colour::Image glow = {};             ///< as glow_of; empty: not computed yet
   algebra::Grid<double> usual_values;  ///< (bin, channel): light of that Moon over sunlit light
 };
 
@@ -74,6 +77,9 @@ FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::Sk
 /// Throws  Error       as view_of; when no eclipse is under way
 FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
                    const ViewRequest& view, const almanac::SkyState& sky);
+
+/// Glow of a scene's Moon, all its light scattered by the lens; linear Rec.709.
+colour::Image glow_of(const FitScene& scene);
 
 /// Whether all ground lies within the umbra.
 bool lies_in_umbra(const almanac::SkyState& sky);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace coppermoon::uses {
 namespace {
@@ -16,24 +17,38 @@ double spread_of(AroundTheDisc values) {
   return of_normal * median_of(values);
 }
 
-}  // namespace
+/// Pixel of the ring around the disc, and its sector.
+struct RingPixel {
+  std::size_t pixel, sector;
+};
 
-AroundTheDisc around_the_disc(const algebra::Grid<float>& picture) {
+std::vector<RingPixel> ring_pixels() {
   const double middle = fit_side_px / 2., radius = fit_disc_share * middle;
-  AroundTheDisc sums{}, counts{};
-  const auto parts = sums.size();
+  const std::size_t sectors = AroundTheDisc().size();
+  std::vector<RingPixel> ring;
   for (std::size_t r = 0; r < fit_side_px; ++r)
     for (std::size_t c = 0; c < fit_side_px; ++c) {
       const double x = static_cast<double>(c) + 0.5 - middle,
                    y = static_cast<double>(r) + 0.5 - middle, away = std::hypot(x, y);
       if (away <= 1.12 * radius || away >= 1.24 * radius) continue;
       const double turn = std::atan2(y, x) / (2 * std::numbers::pi) + 0.5;
-      const auto part =
-          std::min(static_cast<std::size_t>(turn * static_cast<double>(parts)), parts - 1);
-      sums[part] += picture(r, c);
-      ++counts[part];
+      ring.push_back(
+          {r * fit_side_px + c,
+           std::min(static_cast<std::size_t>(turn * static_cast<double>(sectors)), sectors - 1)});
     }
-  for (std::size_t i = 0; i < parts; ++i) sums[i] /= counts[i];
+  return ring;
+}
+
+}  // namespace
+
+AroundTheDisc around_the_disc(const algebra::Grid<float>& picture) {
+  static const auto ring = ring_pixels();
+  AroundTheDisc sums{}, counts{};
+  for (const auto& [pixel, sector] : ring) {
+    sums[sector] += picture.values()[pixel];
+    ++counts[sector];
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= counts[i];
   return sums;
 }
 
