@@ -3,11 +3,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <pwd.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdlib>
+#include <string>
 #include <system_error>
 
 #include "algebra/error.h"
@@ -27,7 +31,69 @@ bool is_own(const fs::path& path) {
          is_own(itself) && is_own(behind_it);
 }
 
+fs::path variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+bool names_a_kept_file(const fs::path& path) {
+  const auto stem = path.stem().string();
+  const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
+  return path.extension() == ".tx" && stem.size() == 16 && std::ranges::all_of(stem, is_digit);
+}
+
 }  // namespace
+
+fs::path usual_cache() {
+  if (const auto own = variable("COPPERMOON_CACHE"); !own.empty()) return fs::absolute(own);
+  if (const auto xdg = variable("XDG_CACHE_HOME"); xdg.is_absolute()) return xdg / "coppermoon";
+  auto home = variable("HOME");
+  if (home.empty())
+    if (const auto* user = ::getpwuid(::geteuid())) home = user->pw_dir;
+  if (home.is_absolute()) return home / ".cache" / "coppermoon";
+  throw algebra::Error("no folder for textures: the variable COPPERMOON_CACHE may name one");
+}
+
+bool is_usual_cache(const fs::path& folder) {
+  try {
+    std::error_code failed;
+    return fs::equivalent(folder, usual_cache(), failed);
+  } catch (const algebra::Error&) {
+    return false;
+  }
+}
+
+std::vector<KeptFile> kept_in(const fs::path& folder) {
+  std::vector<KeptFile> all;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(folder, failed)) {
+    if (!names_a_kept_file(entry.path()) || !is_users_own(entry.path())) continue;
+    std::error_code gone;  // by another process
+    const KeptFile file{entry.path(), entry.file_size(gone), entry.last_write_time(gone)};
+    if (!gone) all.push_back(file);
+  }
+  std::ranges::sort(all, std::ranges::greater{}, &KeptFile::used);
+  return all;
+}
+
+void mark_as_used(const fs::path& file) {
+  std::error_code ignored;
+  fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
+}
+
+std::vector<KeptFile> remove_oldest(const fs::path& folder, double most_bytes,
+                                    fs::file_time_type since) {
+  std::vector<KeptFile> gone;
+  double bytes = 0;
+  for (const auto& file : kept_in(folder)) {
+    bytes += static_cast<double>(file.bytes);
+    std::error_code failed;
+    if (bytes <= most_bytes || file.used > since || !fs::remove(file.path, failed)) continue;
+    bytes -= static_cast<double>(file.bytes);
+    gone.push_back(file);
+  }
+  return gone;
+}
 
 void make_private_folder(const fs::path& folder) {
   const auto path = folder.has_filename() ? folder : folder.parent_path();  // of "kept/" too

@@ -21,6 +21,7 @@
 #include "uses/picture/baked_moon.h"
 #include "uses/picture/picture_parameters.h"
 #include "uses/picture/view.h"
+#include "verbs/cache.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moon_options.h"
 #include "verbs/recipes/recipe.h"
@@ -236,6 +237,9 @@ bool is_kept(const std::filesystem::path& texture) {
 void run_with_cache(const CLI::App& verb, const Options& options) {
   require_sound(options.texture);
   files::make_private_folder(options.cache);
+  std::optional<double>
+      limit_gb;  // of the usual cache alone: scenes may rely on textures elsewhere
+  if (files::is_usual_cache(options.cache)) limit_gb = cache_limit_gb();
   const auto output = place_in_cache(verb, options);
   if (!is_kept(output.path)) {
     const files::FileLock lock(output.path, [&] {
@@ -247,6 +251,8 @@ void run_with_cache(const CLI::App& verb, const Options& options) {
       make(verb, options, {output});
     }
   }
+  files::mark_as_used(output.path);
+  if (limit_gb) files::remove_oldest(options.cache, *limit_gb * 1e9, a_day_ago());
   fmt::print("{}\n", output.path.string());
 }
 

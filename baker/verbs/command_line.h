@@ -31,6 +31,7 @@ void add_compare(CLI::App& program);
 void add_fit(CLI::App& program);
 void add_tradeoff(CLI::App& program);
 void add_describe(CLI::App& program);
+void add_cache(CLI::App& program);
 
 /// Adds all commands, each with its flags.
 void add_words(CLI::App& program);

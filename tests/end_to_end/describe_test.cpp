@@ -42,7 +42,7 @@ TEST_F(Describe, HasEachCommandInTheOrderOfHelp) {
   const auto help = coppermoon({"--help"}).out;
   std::size_t at = 0;
   const auto all = commands();
-  EXPECT_EQ(all.size(), 18U);
+  EXPECT_EQ(all.size(), 19U);
   for (const auto& command : all) {
     const auto next = help.find("\n  " + command["name"].get<std::string>() + " ", at);
     ASSERT_NE(next, std::string::npos) << command["name"];
@@ -203,6 +203,7 @@ TEST_F(Ranges, AreThoseThatTheLibraryKeeps) {
       {"white-balance-error", "end_to_end/fit"},
       {"clock-error", "end_to_end/fit"},
       {"weather-error", "end_to_end/fit"},
+      {"limit", "end_to_end/cache"},
       {"longest", "end_to_end/tradeoff"},
       {"repeat", "end_to_end/tradeoff"}};
   for (const auto& [name, parameter] : parameters()) {

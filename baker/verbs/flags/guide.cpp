@@ -82,7 +82,10 @@ const std::vector<GuideGroup>& guides() {
          {"coppermoon tradeoff --quick -o measured",
           "coppermoon tradeoff --only quadrature -o measured"}}}},
       {"Other programs",
-       {{"describe", {"json"}, {"coppermoon describe --json", "coppermoon describe still bake"}}}}};
+       {{"describe", {"json"}, {"coppermoon describe --json", "coppermoon describe still bake"}},
+        {"cache",
+         {"list", "clean", "limit"},
+         {"coppermoon cache", "coppermoon cache --clean --limit 5"}}}}};
   return groups;
 }
 

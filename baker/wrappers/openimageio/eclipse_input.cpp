@@ -8,7 +8,6 @@
 #include <OpenImageIO/sysutil.h>
 #include <dlfcn.h>
 #include <fmt/format.h>
-#include <pwd.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -23,6 +22,7 @@
 #include <vector>
 
 #include "algebra/error.h"
+#include "files/cache_folder.h"
 #include "files/child_process.h"
 
 namespace coppermoon::wrappers {
@@ -76,23 +76,6 @@ std::string program() {
   return "coppermoon";
 }
 
-/// Where baked textures are kept: a folder of our own variable, or as the XDG Base Directory
-/// Specification has it.
-///
-/// Throws  Error  when the user has no home
-fs::path cache() {
-  const auto variable = [](const char* name) {
-    return fs::path(std::string(OIIO::Sysutil::getenv(name)));
-  };
-  if (const auto own = variable("COPPERMOON_CACHE"); !own.empty()) return fs::absolute(own);
-  if (const auto xdg = variable("XDG_CACHE_HOME"); xdg.is_absolute()) return xdg / "coppermoon";
-  auto home = variable("HOME");
-  if (home.empty())
-    if (const auto* user = ::getpwuid(::geteuid())) home = user->pw_dir;
-  if (home.is_absolute()) return home / ".cache" / "coppermoon";
-  throw algebra::Error("no folder for textures: the variable COPPERMOON_CACHE may name one");
-}
-
 /// The variable that tells the program, and a reader in it, which recipes are being read, one a line: each
 /// is the map of the one before.
 constexpr const char* variable_of_recipes = "COPPERMOON_RECIPES_BEING_READ";
@@ -127,7 +110,7 @@ std::string said_by(const files::Program& program) {
 fs::path texture_of(const Request& request) {
   const auto recipe = fs::absolute(request.recipe);
   std::vector<std::string> words{program(), "bake", "--recipe=" + recipe.string(),
-                                 "--cache=" + cache().string()};
+                                 "--cache=" + files::usual_cache().string()};
   for (const auto& [option, value] : request.options)
     words.push_back(fmt::format("--{}={}", option, value));
   auto path = said_by(
