@@ -10,6 +10,7 @@
 #include "fuzz/refused.h"
 #include "fuzz/scratch_file.h"
 #include "verbs/command_line.h"
+#include "verbs/flags/flags.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/one_line.h"
 
@@ -27,8 +28,10 @@ struct SilentProgram {
     app.parse_complete_callback([] { throw Understood(); });
   }
 
-  /// Whether the words can be understood.
+  /// Whether the words can be understood; all that earlier words gave is forgotten.
   bool understands(const Words& words) {
+    for (auto* verb : app.get_subcommands({}))
+      for (auto& parameter : verbs::parameters_of(*verb)) parameter.reset();
     try {
       done([&] { verbs::run(app, words); });
     } catch (const Understood&) {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,27 +30,26 @@ class Reader {
       text += static_cast<char>(letter);
     return text;
   }
-  /// Four bytes as they are.
-  std::string bytes() {
-    std::string text(4, '\0');
-    if (!file_.read(text.data(), 4)) text.clear();
+  /// Bytes as they are.
+  std::string bytes(std::size_t count) {
+    std::string text(count, '\0');
+    if (!file_.read(text.data(), static_cast<std::streamsize>(count))) text.clear();
     return text;
   }
-  /// Little endian, as OpenEXR has it.
-  std::optional<std::int64_t> integer() {
-    const auto text = bytes();
+  /// A whole number of some bytes, 0 or more.
+  std::optional<std::int64_t> natural(std::size_t count, std::endian order) {
+    auto text = bytes(count);
     if (text.empty()) return {};
-    std::uint32_t value = 0;
-    for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<unsigned char>(text[i]);
-    return static_cast<std::int32_t>(value);
-  }
-  /// Big endian, as PNG has it.
-  std::optional<std::int64_t> length() {
-    const auto text = bytes();
-    if (text.empty()) return {};
-    std::uint32_t value = 0;
+    if (order == std::endian::little) std::ranges::reverse(text);
+    std::int64_t value = 0;
     for (const char byte : text) value = value << 8 | static_cast<unsigned char>(byte);
     return value;
+  }
+  /// Four bytes with a sign, little endian, as OpenEXR has them.
+  std::optional<std::int64_t> integer() {
+    const auto value = natural(4, std::endian::little);
+    if (!value) return {};
+    return static_cast<std::int32_t>(*value);
   }
   std::int64_t at() { return static_cast<std::int64_t>(file_.tellg()); }
   std::int64_t left() { return static_cast<std::int64_t>(size_) - at(); }
@@ -171,20 +172,75 @@ void require_honest_exr(const std::filesystem::path& path, Reader& file) {
 void require_honest_png(const std::filesystem::path& path, Reader& file) {
   constexpr std::int64_t signature = 8, checksum = 4;
   file.go_to(signature);
-  while (const auto length = file.length()) {
-    const auto type = file.bytes();
+  while (const auto length = file.natural(4, std::endian::big)) {
+    const auto type = file.bytes(4);
     if (type.empty() || type == "IEND") return;
     require(*length <= file.left(), path, "chunk " + type, *length);
     file.go_to(file.at() + *length + checksum);
   }
 }
 
+/// Goes over segments to the frame header. libjpeg makes room for a whole progressive picture when it opens the file.
+void require_honest_jpeg(const std::filesystem::path& path, Reader& file) {
+  constexpr std::int64_t signature = 2, fill = 0xFF, start_of_scan = 0xDA;
+  const auto next = [&](std::size_t count) {
+    return file.natural(count, std::endian::big).value_or(0);
+  };
+  file.go_to(signature);
+  while (file.good()) {
+    if (next(1) != fill) continue;
+    auto marker = next(1);
+    while (marker == fill) marker = next(1);
+    const bool frame = marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 &&
+                       marker != 0xCC,
+               alone = marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD9);
+    if (marker == start_of_scan) return;
+    if (alone) continue;
+    const auto end = file.at() + next(2);
+    if (frame) {
+      next(1);  // bits of a number
+      const auto height = next(2), width = next(2), channels = next(1);
+      return require_numbers(path, static_cast<double>(height * width * channels));
+    }
+    file.go_to(end);
+  }
+}
+
+/// OpenImageIO makes room for all of the screen when it opens the file; it counts the room's bytes in an int.
+void require_honest_gif(const std::filesystem::path& path, Reader& file) {
+  constexpr std::int64_t signature = 6, channels = 4;
+  file.go_to(signature);
+  const auto width = file.natural(2, std::endian::little).value_or(0),
+             height = file.natural(2, std::endian::little).value_or(0);
+  const auto numbers = static_cast<double>(width * height * channels);
+  require_numbers(path, numbers);
+  require_within(path, "numbers of a GIF", numbers, std::numeric_limits<int>::max());
+}
+
 }  // namespace
+
+void require_within(const std::filesystem::path& path, std::string_view what, double value,
+                    double most) {
+  if (value <= most) return;
+  throw cannot_read(path, fmt::format("{} = {:g}, allowed up to {:g}", what, value, most));
+}
+
+double most_numbers_in(const std::filesystem::path& path) {
+  return most_numbers_of_any_file +
+         most_numbers_a_byte * static_cast<double>(std::filesystem::file_size(path));
+}
+
+void require_numbers(const std::filesystem::path& path, double numbers) {
+  require_within(path, "numbers, texels by channels", numbers, most_numbers);
+  require_within(path, "numbers in a file so small", numbers, most_numbers_in(path));
+}
 
 void require_honest_claims(const std::filesystem::path& path, std::string_view format) {
   Reader file(path);
   if (format == "openexr") require_honest_exr(path, file);
   if (format == "png") require_honest_png(path, file);
+  if (format == "jpeg") require_honest_jpeg(path, file);
+  if (format == "gif") require_honest_gif(path, file);
 }
 
 }  // namespace coppermoon::texture

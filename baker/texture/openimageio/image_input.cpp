@@ -48,26 +48,18 @@ void require_readable_file(const fs::path& path) {
 
 /// A header may claim any size: the file must be able to hold it before any memory is asked for.
 void require_size(const fs::path& path, const OIIO::ImageInput& input) {
-  const auto within = [&](std::string_view what, double value, double most) {
-    if (value <= most) return;
-    throw cannot_read(path, fmt::format("{} = {:g}, allowed up to {:g}", what, value, most));
-  };
   const auto& spec = input.spec();
-  const double of_this_file =
-      most_numbers_of_any_file + most_numbers_a_byte * static_cast<double>(fs::file_size(path));
   const auto [data, display] = windows_of(input);
   for (const auto& [left, top, width, height] : {data, display}) {
-    within("width [texels]", static_cast<double>(width), most_texels_a_side);
-    within("height [texels]", static_cast<double>(height), most_texels_a_side);
-    within("distance from the origin [texels]", std::max(std::abs(left * 1.), std::abs(top * 1.)),
-           most_texels_a_side);
-    const double numbers =
-        static_cast<double>(width) * static_cast<double>(height) * spec.nchannels;
-    within("numbers, texels by channels", numbers, most_numbers);
-    within("numbers in a file so small", numbers, of_this_file);
+    require_within(path, "width [texels]", static_cast<double>(width), most_texels_a_side);
+    require_within(path, "height [texels]", static_cast<double>(height), most_texels_a_side);
+    require_within(path, "distance from the origin [texels]",
+                   std::max(std::abs(left * 1.), std::abs(top * 1.)), most_texels_a_side);
+    require_numbers(path,
+                    static_cast<double>(width) * static_cast<double>(height) * spec.nchannels);
   }
   const double tile = 1. * spec.tile_width * spec.tile_height * spec.nchannels;
-  within("numbers of a tile in a file so small", tile, of_this_file);
+  require_within(path, "numbers of a tile in a file so small", tile, most_numbers_in(path));
 }
 
 /// First bytes of a kind of files, from some byte on.
@@ -88,7 +80,7 @@ std::string format_of(const fs::path& path) {
                                         {0, "II+\0"sv, "tiff"},
                                         {0, "MM\0+"sv, "tiff"},
                                         {0, "\x89PNG"sv, "png"},
-                                        {0, "\xFF\xD8\xFF"sv, "jpeg"},
+                                        {0, "\xFF\xD8"sv, "jpeg"},
                                         {0, "SIMPLE  ="sv, "fits"},
                                         {0, "GIF8"sv, "gif"},
                                         {0, "8BPS"sv, "psd"},

@@ -164,6 +164,21 @@ TEST_F(ReadImage, PixelTypesThatOpenExrDoesNotHaveAreRefused) {
   }
 }
 
+/// Opening such a file would take 2 GB, or more bytes than OpenImageIO 2.4.7 can count.
+TEST_F(ReadImage, ClaimsOfSidesAreNotBelieved) {
+  using namespace std::string_literals;
+  const auto begin = "\xFF\xD8"s, comment = "\xFF\xFE\0\6\xFF\xC2\0\7"s,
+             sides = "\0\x11\x08\x3F\xFF\xC4\x20\3\1\x22\0\2\x11\1\3\x11\1"s;
+  for (const auto& before : {""s, comment, "junk"s, "\xFF\xFF"s})
+    EXPECT_ERROR(read_image(file("a.jpg", begin + before + "\xFF\xC2"s + sides)),
+                 "a.jpg: cannot be read: numbers in a file so small = 2.46767e+09, allowed up to ");
+  EXPECT_ERROR(read_image(file("a.gif", "GIF89a\xFA\xFA\xFA\x25\0\0\0"s)),
+               "a.gif: cannot be read: numbers in a file so small = 2.49855e+09, allowed up to ");
+  const std::string padding(1 << 19, '\0');
+  EXPECT_ERROR(read_image(file("b.gif", "GIF89a\xFA\xFA\xFA\x25\0\0\0"s + padding)),
+               "b.gif: cannot be read: numbers of a GIF = 2.49855e+09, allowed up to 2.14748e+09");
+}
+
 /// libpng and libtiff say a line of their own of such files.
 TEST_F(ReadImage, OfBrokenFilesNobodyPrints) {
   Image image(64, 32, {"R", "G", "B"});
