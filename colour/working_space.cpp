@@ -111,6 +111,11 @@ std::span<const std::string_view> aliases(WorkingSpace space) {
 
 std::string_view name(WorkingSpace space) { return aliases(space).front(); }
 
+std::string_view interop_id(WorkingSpace space) {
+  return *std::ranges::find_if(aliases(space),
+                               [](std::string_view alias) { return alias.ends_with("_scene"); });
+}
+
 WorkingSpace working_space(std::string_view name_or_alias) {
   for (const auto space : all_spaces)
     for (const auto alias : aliases(space))

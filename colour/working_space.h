@@ -19,6 +19,11 @@ enum class WorkingSpace { linear_rec709, acescg, ciexyz_d65 };
 /// Name of a space in file names and in config.ocio: lin_rec709, acescg, lin_ciexyzd65_scene.
 std::string_view name(WorkingSpace space);
 
+/// Identifier of a space in files, `colorInteropID` of OpenEXR: lin_rec709_scene, lin_ap1_scene, lin_ciexyzd65_scene.
+///
+/// Source  ASWF Color Interop Forum, Color Space Encodings for Texture Assets and CG Rendering 1.1.0 (July 2026)
+std::string_view interop_id(WorkingSpace space);
+
 /// All names of a space, `name` first.
 std::span<const std::string_view> aliases(WorkingSpace space);
 

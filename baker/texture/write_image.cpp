@@ -62,6 +62,7 @@ void write_exr(const std::filesystem::path& path, std::span<const Part> parts,
     specs.push_back(exr_spec(part.layout, options.type, attributes));
     specs.back().attribute("compression", !options.packed ? "none" : half ? "piz" : "zip");
     for (const auto& name : part.left_out) specs.back().erase_attribute(oiio_name(name));
+    for (const auto& [name, value] : part.own) set_attribute(specs.back(), name, value);
     if (!part.name.empty()) specs.back().attribute("oiio:subimagename", part.name);
     if (specs.size() > 1) specs.back().erase_attribute(seal_attribute);  // one seal for all parts
   }
@@ -94,7 +95,8 @@ void write_png(const std::filesystem::path& path, const Image& image, int bits,
     throw Error(fmt::format("{}: PNG of {} channels, allowed 1 or 3", path.string(),
                             image.channels.size()));
   auto spec = spec_of(layout, bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16, {});
-  for (const auto& [name, value] : attributes) spec.attribute(oiio_name(name), as_text(value));
+  for (const auto& [name, value] : attributes)
+    if (name != "colorInteropID") spec.attribute(oiio_name(name), as_text(value));  // sRGB now
   spec.attribute("oiio:ColorSpace", "sRGB");
   if (bits == 8) spec.attribute("oiio:dither", 1);
   // a third of the usual time, 8 % more bytes: each row as its differences from the one above

@@ -42,11 +42,12 @@ struct Part {
   Layout layout;
   Rows rows;
   std::vector<std::string> left_out =
-      {};  ///< attributes of the file that are not true of this part
+      {};               ///< attributes of the file that are not true of this part
+  Attributes own = {};  ///< attributes of this part alone, or in place of the file's
 };
 
 /// Several images in one OpenEXR file of as many parts, as above; the attributes stand in each,
-/// but for those that it leaves out.
+/// but for those that it leaves out or has of its own.
 ///
 /// Throws  Error  also when there is none, or two have one name
 void write_exr(const std::filesystem::path& path, std::span<const Part> parts,

@@ -126,7 +126,9 @@ constexpr const char* looks = R"(    def Scope "Looks"
             def Shader "Texture"
             {{
                 uniform token info:id = "UsdUVTexture"
-                asset inputs:file = {2}
+                asset inputs:file = {2} (
+                    colorSpace = "lin_rec709_scene"
+                )
                 token inputs:sourceColorSpace = "raw"
                 float2 inputs:st.connect = </Moon/Looks/Moonlight/Place.outputs:result>
                 token inputs:wrapS = "repeat"
@@ -168,15 +170,17 @@ constexpr const char* looks = R"(    def Scope "Looks"
 }  // namespace
 
 void write_usda(const fs::path& path, const std::string& texture_file_name,
-                std::string_view colour_space_name, const std::string& preview_file_name) {
+                std::string_view colour_space, const std::string& preview_file_name) {
   const auto& preview = preview_file_name.empty() ? texture_file_name : preview_file_name;
   require_plain_name(texture_file_name);
   require_plain_name(preview);
-  if (colour_space_name != "lin_rec709" && colour_space_name != "acescg")
-    throw Error(fmt::format("colour space of a texture for USD = {}, allowed lin_rec709 or acescg",
-                            colour_space_name));
+  if (colour_space != "lin_rec709_scene" && colour_space != "lin_ap1_scene")
+    throw Error(
+        fmt::format("colour space of a texture for USD = {}, allowed lin_rec709_scene or "
+                    "lin_ap1_scene",
+                    colour_space));
   const auto look =
-      fmt::format(fmt::runtime(looks), asset(texture_file_name), colour_space_name, asset(preview));
+      fmt::format(fmt::runtime(looks), asset(texture_file_name), colour_space, asset(preview));
   files::write_whole(
       path, fmt::format("{}\ndef Xform \"Moon\" (\n    kind = \"component\"\n)\n{{\n{}\n{}}}\n",
                         usd_layer(), usd_mesh(), look));

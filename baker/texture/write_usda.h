@@ -13,14 +13,14 @@ namespace coppermoon::texture {
 /// layer's customLayerData hold the Moon's true radius [m].
 ///
 /// Given   texture_file_name  in the same folder: no path
-///         colour_space_name  the texture's, lin_rec709 or acescg: MaterialX's own names
+///         colour_space       the texture's, lin_rec709_scene or lin_ap1_scene
 ///         preview_file_name  of linear Rec.709 in the same folder, for the preview surface, which
 ///                            knows no colour spaces; empty: the texture, which is right with the
 ///                            first
 /// Throws  Error              another colour space; a file name that is a path, empty, or has control
 ///                            characters; a file that cannot be written
-/// Source  OpenUSD: UsdGeomMesh, UsdPreviewSurface 2.6; MaterialX 1.38
+/// Source  OpenUSD: UsdGeomMesh, UsdPreviewSurface 2.6, GfColorSpaceNames; MaterialX 1.38
 void write_usda(const std::filesystem::path& path, const std::string& texture_file_name,
-                std::string_view colour_space_name, const std::string& preview_file_name = {});
+                std::string_view colour_space, const std::string& preview_file_name = {});
 
 }  // namespace coppermoon::texture

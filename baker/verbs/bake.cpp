@@ -171,7 +171,8 @@ void write(const Options& options, const std::vector<Output>& outputs, const Out
     const auto wide = texture_for(output, colour::WorkingSpace::acescg, outputs);
     const auto& texture = wide != outputs.end() ? *wide : *preview;
     texture::write_usda(output.path, texture.path.filename().string(),
-                        colour::name(space_of(texture.content)), preview->path.filename().string());
+                        colour::interop_id(space_of(texture.content)),
+                        preview->path.filename().string());
   } else if (output.developed())
     write_picture(options.develop, output, moon, made);
   else if (output.ends_in(".tx"))

@@ -97,6 +97,9 @@ TEST(WorkingSpace, IsKnownByItsNames) {
   for (const auto space : spaces)
     for (const auto alias : aliases(space)) EXPECT_EQ(working_space(alias), space);
   EXPECT_EQ(name(linear_rec709), "lin_rec709");
+  EXPECT_EQ(interop_id(linear_rec709), "lin_rec709_scene");
+  EXPECT_EQ(interop_id(acescg), "lin_ap1_scene");
+  EXPECT_EQ(interop_id(ciexyz_d65), "lin_ciexyzd65_scene");
   EXPECT_EQ(working_space("lin_srgb"), linear_rec709);
   EXPECT_EQ(working_space("ACEScg"), acescg);
 }

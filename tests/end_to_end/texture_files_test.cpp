@@ -84,10 +84,50 @@ TEST_F(TextureFiles, OfUsdAreTheLinearRec709OneWhereThereIsOne) {
   bake({"-o", "aces_acescg.exr", "-o", "aces.usda"});
   const auto aces = text_of(here("aces.usda"));
   EXPECT_NE(aces.find("@./aces_acescg.exr@"), std::string::npos);
-  EXPECT_NE(aces.find("@./aces_lin_rec709.exr@\n                token inputs:sourceColorSpace"),
-            std::string::npos)
+  EXPECT_NE(
+      aces.find("@./aces_lin_rec709.exr@ (\n                    colorSpace = \"lin_rec709_scene\""),
+      std::string::npos)
       << "the preview surface takes it for linear Rec.709";
   EXPECT_TRUE(text_of(here("aces_lin_rec709.exr")) == text_of(here("moon_lin_rec709.exr")));
+}
+
+/// Space of each part of a file, as OpenImageIO's own program prints it.
+Words spaces_said_of(const std::string& said) {
+  const std::regex line("colorInteropID: \"(.*)\"");
+  Words spaces;
+  for (std::sregex_iterator found(said.begin(), said.end(), line), end; found != end; ++found)
+    spaces.push_back((*found)[1]);
+  return spaces;
+}
+
+/// The names are those of the Color Interop Forum's recommendations of July 2026.
+TEST_F(TextureFiles, TellOtherProgramsTheirSpace) {
+  const std::vector<std::pair<std::string, std::string>> spaces{
+      {"acescg", "lin_ap1_scene"},
+      {"lin_rec709", "lin_rec709_scene"},
+      {"lin_ciexyzd65_scene", "lin_ciexyzd65_scene"}};
+  Words words{"--texture-width", "64", "--passes", "-o", "c.png", "-o", "a.usda"};
+  for (const auto& [space, id] : spaces)
+    for (const char* ending : {".exr", ".tx"})
+      words.insert(words.end(), {"-o", "a_" + space + ending});
+  bake(words);
+  const auto said = [&](const std::string& file) {
+    return run({"oiiotool", "--info", "-v", "-a", file}).out;
+  };
+  for (const auto& [space, id] : spaces) {
+    EXPECT_EQ(spaces_said_of(said("a_" + space + ".exr")), (Words{id, id, id, id, "data", "data"}));
+    EXPECT_EQ(spaces_said_of(said("a_" + space + ".tx")), Words{id});
+  }
+  EXPECT_EQ(spaces_said_of(said("c.png")), Words{}) << "it is developed";
+  EXPECT_NE(said("c.png").find("oiio:ColorSpace: \"sRGB\""), std::string::npos);
+  EXPECT_NE(text_of(here("a.usda"))
+                .find("@./a_acescg.exr@ (\n                    colorSpace = "
+                      "\"lin_ap1_scene\""),
+            std::string::npos);
+  expect_done(coppermoon({"ring", partial.front(), "-o", "ring.exr"}));
+  expect_done(coppermoon({"shadow", partial.front(), "--bands", "20", "--lookup", "strip.exr"}));
+  for (const char* file : {"ring.exr", "strip.exr"})
+    EXPECT_EQ(spaces_said_of(said(file)), Words{"lin_rec709_scene"}) << file;
 }
 
 TEST_F(TextureFiles, OfUsdComeBesideIt) {

@@ -28,6 +28,7 @@ texture::Attributes scene_linear_header(colour::WorkingSpace space, const almana
 
 void say_space(texture::Attributes& header, colour::WorkingSpace space) {
   const auto xy = colour::chromaticities(space);
+  header["colorInteropID"] = std::string(colour::interop_id(space));
   header["chromaticities"] = std::vector<float>(xy.begin(), xy.end());
   header["coppermoon:colour_space"] = std::string(colour::name(space));
 }

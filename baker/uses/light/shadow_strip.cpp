@@ -115,8 +115,8 @@ ordered_json facts_of(const std::filesystem::path& file, const Strip& strip,
 
 /// Facts of the strip as attributes of a header.
 texture::Attributes header(const ordered_json& facts) {
-  const auto xy = colour::chromaticities(picture_space);
-  texture::Attributes attributes{{"chromaticities", std::vector<float>(xy.begin(), xy.end())}};
+  texture::Attributes attributes;
+  say_space(attributes, picture_space);
   for (const auto& [key, value] : facts.items()) {
     if (key == "texture") continue;  // a file may be renamed
     auto& attribute = attributes["coppermoon:" + key];

@@ -322,8 +322,10 @@ BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking
   std::ranges::copy(grounds, sunlit.values().begin());
   add("reflectance", colour, shadow::Lookup(sunlit), {reflectance});
   made.parts.push_back(albedo_part(moon));
-  for (auto& share : std::span(made.parts).last(2))  // of light: it has no unit
-    share.left_out = {"whiteLuminance", "coppermoon:unit"};
+  for (auto& share : std::span(made.parts).last(2)) {  // of light: neither unit nor colour
+    share.left_out = {"whiteLuminance", "coppermoon:unit", "chromaticities"};
+    share.own = {{"colorInteropID", std::string("data")}};
+  }
   return made;
 }
 

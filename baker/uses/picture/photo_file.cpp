@@ -230,7 +230,7 @@ texture::Image raw_light(const std::string& photo, colour::WorkingSpace space,
 texture::Attributes scene_attributes(const std::string& file) {
   texture::Attributes attributes;
   for (const char* name : {"coppermoon:recipe", "coppermoon:version", "coppermoon:colour_space",
-                           "coppermoon:unit", "capDate"})
+                           "coppermoon:unit", "capDate", "colorInteropID"})
     if (const auto text = texture::read_attribute(file, name)) attributes[name] = *text;
   return attributes;
 }

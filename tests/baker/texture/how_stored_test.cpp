@@ -273,6 +273,34 @@ TEST_F(HowStored, PrimariesOfAnExrAreHeeded) {
   EXPECT_WITHIN(light(0, 0, 1), 1, 1e-4, "a matrix of floats");
 }
 
+/// Numbers of AP1 are of light whose white is D60: white stays white, and red is deeper than Rec.709's.
+TEST_F(HowStored, SpaceThatAnExrNamesIsHeeded) {
+  const auto red = [&](const std::string& id, bool chromaticities) {
+    OIIO::ImageSpec spec(2, 1, 3, OIIO::TypeDesc::FLOAT);
+    const std::array rec709{0.64F, 0.33F, 0.3F, 0.6F, 0.15F, 0.06F, 0.3127F, 0.329F};
+    if (chromaticities)
+      spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), rec709.data());
+    spec.attribute("colorInteropID", id);
+    const auto output = OIIO::ImageOutput::create("openexr");
+    const std::array rgb{1.F, 0.F, 0.F, 1.F, 1.F, 1.F};
+    EXPECT_TRUE(output->open(in_folder("a.exr").string(), spec));
+    EXPECT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, rgb.data()));
+    output->close();
+    const auto light = read_light(in_folder("a.exr"));
+    EXPECT_WITHIN(light(0, 1, 1), 1, 1e-4, "a matrix of floats");
+    return light(0, 0, 0);
+  };
+  for (const bool chromaticities : {false, true}) {
+    EXPECT_WITHIN(red("lin_ap1_scene", chromaticities), 1.70505, 1e-3,
+                  "published to as many digits: ACEScg to linear Rec.709, Bradford");
+    for (const char* as_it_is : {"lin_rec709_scene", "data", "unknown"})
+      EXPECT_EQ(red(as_it_is, chromaticities), 1) << as_it_is;
+  }
+  EXPECT_ERROR(red("srgb_rec709_scene", false),
+               "a.exr: cannot be read: colorInteropID = \"srgb_rec709_scene\", allowed data, "
+               "unknown, lin_rec709_scene, lin_ap0_scene");
+}
+
 /// A WebP of two pixels, white and black, with no loss; chunks behind it.
 std::string webp(const std::filesystem::path& path, const std::string& chunks) {
   OIIO::ImageSpec spec(2, 1, 3, OIIO::TypeDesc::UINT8);

@@ -49,5 +49,5 @@ assert.match(text, /upAxis = "Y"/);
 assert.match(text, /metersPerUnit = 1\b/);
 assert.match(text, /float radius_m = 1737400\b/);
 assert.match(text, /token outputs:mtlx:surface.connect = <\/Moon\/Looks\/Moonlight\/MaterialX.outputs:out>/);
-assert.match(text, /asset inputs:file = @.\/moon_lin_rec709.exr@ \(\s*colorSpace = "lin_rec709"\s*\)/);
+assert.match(text, /asset inputs:file = @.\/moon_lin_rec709.exr@ \(\s*colorSpace = "lin_rec709_scene"\s*\)/);
 console.log(`${mesh.points.length / 3} points, ${mesh.faceVertexCounts.length} faces`);

@@ -21,7 +21,7 @@ int main(int, char** arguments) try {
     }
   write_glb(folder / "moon.glb", picture, "coppermoon 0.0.0");
   write_exr(folder / "moon_lin_rec709.exr", picture, {});
-  write_usda(folder / "moon.usda", "moon_lin_rec709.exr", "lin_rec709");
+  write_usda(folder / "moon.usda", "moon_lin_rec709.exr", "lin_rec709_scene");
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;
