@@ -124,8 +124,9 @@ TEST_F(TextureFiles, TellOtherProgramsTheirSpace) {
                 .find("@./a_acescg.exr@ (\n                    colorSpace = "
                       "\"lin_ap1_scene\""),
             std::string::npos);
-  expect_done(coppermoon({"ring", partial.front(), "-o", "ring.exr"}));
-  expect_done(coppermoon({"shadow", partial.front(), "--bands", "20", "--lookup", "strip.exr"}));
+  expect_done(coppermoon({"ring", partial.front(), "--atmosphere", "undated", "-o", "ring.exr"}));
+  expect_done(coppermoon({"shadow", partial.front(), "--bands", "20", "--atmosphere", "undated",
+                          "--earth", "sphere", "--lookup", "strip.exr"}));
   for (const char* file : {"ring.exr", "strip.exr"})
     EXPECT_EQ(spaces_said_of(said(file)), Words{"lin_rec709_scene"}) << file;
 }
