@@ -64,7 +64,7 @@ set(include \"${CMAKE_INSTALL_INCLUDEDIR}\")" COMPONENT development)
 install(SCRIPT .cmake/headers.cmake COMPONENT development)
 
 file(GLOB recipes CONFIGURE_DEPENDS examples/*.toml)
-install(FILES povray_scenes/coppermoon.inc colour/config.ocio
+install(FILES povray_scenes/coppermoon.inc colour/config.ocio ${PROJECT_BINARY_DIR}/colour/config_aces2.ocio
         DESTINATION ${CMAKE_INSTALL_DATADIR}/coppermoon COMPONENT program)
 install(FILES ${recipes} DESTINATION ${CMAKE_INSTALL_DATADIR}/coppermoon/recipes COMPONENT program)
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)

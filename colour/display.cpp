@@ -23,10 +23,18 @@ namespace {
 
 using algebra::Error;
 
+bool knows_aces2() {
+  const auto builtins = ocio::BuiltinTransformRegistry::Get();
+  for (std::size_t i = 0; i < builtins->getNumBuiltins(); ++i)
+    if (std::string_view(builtins->getBuiltinStyle(i)).ends_with("SDR-100nit-REC709_2.0"))
+      return true;
+  return false;
+}
+
 /// Built-in configuration, parsed once: it caches the processors made from it.
 ocio::ConstConfigRcPtr built_in_config() {
   static const auto config = [] {
-    std::istringstream text{std::string(config_text())};
+    std::istringstream text{knows_aces2() ? config_text_of_aces2() : std::string(config_text())};
     return ocio::Config::CreateFromStream(text);
   }();
   return config;
@@ -118,6 +126,14 @@ void expose_row(Image& image, std::size_t row, double scale) {
 }  // namespace
 
 std::string_view config_text() { return tables::config(); }
+
+std::string config_text_of_aces2() {
+  constexpr std::string_view mark = "\n#2.4", version = "ocio_profile_version: 2";
+  std::string text(config_text());
+  for (auto at = text.find(mark); at != text.npos; at = text.find(mark, at))
+    text.erase(at + 1, mark.size() - 1);
+  return text.insert(text.find(version) + version.size(), ".4");
+}
 
 std::vector<std::string> displays(const std::filesystem::path& config) {
   return displays_at(config);

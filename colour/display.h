@@ -63,4 +63,8 @@ std::string view_named(const std::string& name, const std::string& display,
 /// Text of the built-in configuration, as installed in share/coppermoon/config.ocio.
 std::string_view config_text();
 
+/// Text of the built-in configuration where OpenColorIO knows ACES 2 (2.4 and later): the views of ACES 2 stand beside
+/// all others.
+std::string config_text_of_aces2();
+
 }  // namespace coppermoon::colour

@@ -15,6 +15,7 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <random>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -300,6 +301,17 @@ TEST(Display, HasBuiltInTheConfigurationThatIsInstalled) {
   const auto installed = text_of(COPPERMOON_TEST_DATA "/../colour/config.ocio");
   ASSERT_FALSE(installed.empty());
   EXPECT_EQ(config_text(), installed);
+}
+
+/// Its colours are compared with OpenColorIO's own where a newer one is (tests/hand_off/colour).
+TEST(Display, HasTheViewsOfAces2ForNewerOpenColorIo) {
+  const auto text = config_text_of_aces2();
+  EXPECT_NE(text.find("\nocio_profile_version: 2.4\n"), text.npos);
+  EXPECT_EQ(text.find("\n#2.4"), text.npos);
+  EXPECT_NE(text.find("\n      ACES 2.0 SDR 100 nits (Rec.709),\n      Filmic, Log, Raw]"),
+            text.npos);
+  EXPECT_EQ(std::regex_replace(text, std::regex("\n#2\\.5"), "\n"),
+            text_of(COPPERMOON_BUILT "/colour/config_aces2.ocio"));
 }
 
 /// A configuration of one view, by a table, in a folder of its own.

@@ -4,6 +4,7 @@ coppermoon_tests(colour LINKS coppermoon::colour coppermoon::surface PkgConfig::
         working_space
   HEAVY limb_in_jpeg registration)
 coppermoon_computing_tests(colour limb)
+target_compile_definitions(colour_quick_tests PRIVATE COPPERMOON_BUILT="${PROJECT_BINARY_DIR}")
 
 find_program(OCIOCHECK ociocheck)
 if(OCIOCHECK)

@@ -38,3 +38,30 @@ endforeach()
 foreach(step readers_are_installed models_are_written a_bake_is_written ${checks})
   set_tests_properties(hand_off/gltf/${step} PROPERTIES LABELS hand_off TIMEOUT 300 WORKING_DIRECTORY ${readers})
 endforeach()
+
+# Colour spaces as OpenImageIO 3.2, Blender 5, OpenUSD, MaterialX and OpenColorIO 2.6 find them: PyPI's, which pip puts into the build folder.
+set(python ${PROJECT_BINARY_DIR}/hand_off/python)
+set(made ${PROJECT_BINARY_DIR}/hand_off/colour)
+set(config ${PROJECT_BINARY_DIR}/colour/config_aces2.ocio)
+set(pinned ${PROJECT_SOURCE_DIR}/packages.hand_off.pypi)
+add_test(NAME hand_off/colour/environment_is_made
+         COMMAND sh -c "python3 -m venv ${python} && ${python}/bin/pip install --quiet --no-deps --requirement ${pinned}")
+add_test(NAME hand_off/colour/files_are_made
+         COMMAND sh ${CMAKE_CURRENT_LIST_DIR}/colour/make_files.sh $<TARGET_FILE:coppermoon_program> ${made})
+set_tests_properties(hand_off/colour/environment_is_made hand_off/colour/files_are_made PROPERTIES FIXTURES_SETUP colour)
+foreach(tool openimageio blender usd materialx)
+  add_test(NAME hand_off/colour/${tool}_finds_spaces
+           COMMAND ${python}/bin/python ${CMAKE_CURRENT_LIST_DIR}/colour/check_files.py ${tool} ${made})
+  list(APPEND colour_checks ${tool}_finds_spaces)
+endforeach()
+add_test(NAME hand_off/colour/opencolorio_shows_the_same
+         COMMAND ${python}/bin/python ${CMAKE_CURRENT_LIST_DIR}/colour/check_views.py ${config})
+add_test(NAME hand_off/colour/passes_ociocheck COMMAND ${python}/bin/ociocheck --iconfig ${config})
+set_tests_properties(hand_off/colour/passes_ociocheck PROPERTIES FAIL_REGULAR_EXPRESSION "Warning;ERROR;failed")
+list(APPEND colour_checks opencolorio_shows_the_same passes_ociocheck)
+foreach(check ${colour_checks})
+  set_tests_properties(hand_off/colour/${check} PROPERTIES FIXTURES_REQUIRED colour)
+endforeach()
+foreach(step environment_is_made files_are_made ${colour_checks})
+  set_tests_properties(hand_off/colour/${step} PROPERTIES LABELS hand_off TIMEOUT 600 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
+endforeach()

@@ -17,6 +17,10 @@ endforeach()
 check_same(docs/index.md ${DOC}/docs/index.md)
 check_same(povray_scenes/coppermoon.inc ${SHARE}/coppermoon.inc)
 check_same(colour/config.ocio ${SHARE}/config.ocio)
+file(STRINGS ${SHARE}/config_aces2.ocio marks REGEX "^#2[.]|^ocio_profile_version: 2[.]4$")
+if(NOT marks STREQUAL "ocio_profile_version: 2.4")
+  message(FATAL_ERROR "config_aces2.ocio: is not for OpenColorIO 2.4: ${marks}")
+endif()
 
 # Blender's add-on is one folder of Python, which says one version.
 set(unpacked ${SHARE}/../../add_on)
