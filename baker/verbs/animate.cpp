@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "algebra/error.h"
+#include "files/whole_file.h"
+#include "povray_scenes/scene.h"
 #include "request/recipe.h"
 #include "uses/film/film.h"
 #include "uses/film/film_files.h"
@@ -24,6 +26,7 @@
 #include "verbs/flags/film_options.h"
 #include "verbs/flags/moon_options.h"
 #include "verbs/recipes/recipe.h"
+#include "verbs/reports/film_job.h"
 #include "verbs/reports/film_progress.h"
 #include "verbs/reports/progress_bar.h"
 
@@ -36,8 +39,8 @@ struct Options {
   uses::ViewRequest view;
   uses::Development development;
   uses::TextureContent content;
-  std::string time = "follow", output;
-  bool json = false, replace = false;
+  std::string time = "follow", output, job;
+  bool json = false, replace = false, dry_run = false;
 };
 
 uses::Film film_of(const Options& options) {
@@ -84,6 +87,35 @@ void trace(const uses::Film& film, const uses::Shard& shard) {
   trace_shard(film, shard, bar.progress());
 }
 
+void write_job(const CLI::App& verb, const uses::Film& film, const uses::Shard& shard,
+               const std::filesystem::path& file) {
+  if (file.extension() != ".yaml")
+    throw algebra::Error(fmt::format("{}: a job ends in .yaml", file.string()));
+  if (shard.parts > 1)
+    throw algebra::Error(fmt::format(
+        "shard = {}/{}, allowed 1/1 with --job, whose tasks are shards", shard.part, shard.parts));
+  if (film.products.light_alone()) require_photons(film, {1, 2});
+  files::write_whole(file, film_job(verb, film, file));
+}
+
+/// Lists the files that this run would write; those of every frame where the light is not there.
+void list(uses::Film film, const std::vector<std::size_t>& frames, const uses::FilmFiles& files,
+          bool replace, FilmProgress& progress) {
+  if (!replace && std::filesystem::is_directory(film.folder)) require_own(film, false);
+  const auto light = kept_light(film, replace);
+  if (light) film.record.work = light->plan.work;
+  const bool light_alone = film.products.light_alone();
+  if (!light && (light_alone || !frames.empty())) progress.file(film.folder / uses::light_file);
+  if (light_alone || frames.empty()) return;
+  if (film.products.scenes)
+    for (const char* name : {povray_scenes::scene_file, povray_scenes::settings_file})
+      progress.file(film.folder / name);
+  for (const auto frame : frames)
+    if (!light || !is_made(film, frame))
+      for (const auto& file : film.files(frame)) progress.file(file);
+  for (const auto& file : files.all()) progress.file(file);
+}
+
 void run(const CLI::App& verb, const Options& options) {
   auto film = film_of(options);
   const bool light_alone = film.products.light_alone();
@@ -100,10 +132,13 @@ void run(const CLI::App& verb, const Options& options) {
   require_makeable(files, film);
   const bool part_of_light = light_alone && shard.parts > 1;
   if (part_of_light) require_photons(film, shard);
+  if (!options.job.empty()) return write_job(verb, film, shard, options.job);
+  FilmProgress progress(film, light_alone ? 0 : frames.size(), options.json);
+  if (options.dry_run && part_of_light) return progress.file(sums_file(film, shard));
+  if (options.dry_run) return list(std::move(film), frames, files, options.replace, progress);
   std::filesystem::create_directory(film.folder);
   const uses::FilmClaim claim(film);
   require_own(film, options.replace);
-  FilmProgress progress(film, light_alone ? 0 : frames.size(), options.json);
   if (part_of_light) {
     trace(film, shard);
   } else if (light_alone || !frames.empty()) {
@@ -142,6 +177,14 @@ void add_animate(CLI::App& program) {
       *verb, "--replace", options->replace,
       "overwrites another film in the folder; linear frames that differ only in exposure are "
       "kept and developed again");
+  add_flag(*verb, "--job", options->job,
+           "writes a job for a render farm, .yaml, and makes no film: a template of Open Job "
+           "Description, with a task for each shard, then one for what needs every frame")
+      .writes_file();
+  add_run_switch(*verb, "--dry-run", options->dry_run,
+                 "lists the files that would be written, and writes none; without the film's light "
+                 "those of every frame")
+      .excludes("--job");
   add_run_switch(*verb, "--json", options->json, "prints one JSON event per line");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });

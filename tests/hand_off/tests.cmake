@@ -1,15 +1,56 @@
 # SPDX-License-Identifier: MIT
 # Other programs, given what coppermoon makes: tests/hand_off.sh installs and runs them.
-coppermoon_test_program(hand_off hand_off "blender;blender_add_on;mitsuba;moon_and_stars;raw;shader;side_by_side;stellarium;tools" "coppermoon::verbs;PkgConfig::OpenImageIO")
+coppermoon_test_program(hand_off hand_off "blender;blender_add_on;job;mitsuba;moon_and_stars;raw;shader;side_by_side;stellarium;tools" "coppermoon::verbs;PkgConfig::OpenImageIO")
 target_compile_definitions(${program} PRIVATE COPPERMOON_ADD_ON="${PROJECT_BINARY_DIR}/coppermoon_blender.zip"
                            COPPERMOON_HAND_OFF_PYTHON="${PROJECT_BINARY_DIR}/hand_off/python"
                            COPPERMOON_READERS="$<TARGET_FILE_DIR:coppermoon_imageio>"
                            COPPERMOON_HAND_OFF_READERS="${PROJECT_BINARY_DIR}/hand_off/gltf")
 add_dependencies(${program} coppermoon_blender coppermoon_imageio)
-foreach(noun blender blender_add_on mitsuba moon_and_stars raw shader side_by_side stellarium tools)
+foreach(noun blender blender_add_on job mitsuba moon_and_stars raw shader side_by_side stellarium tools)
   add_test(NAME hand_off/${noun} COMMAND ${program} ${noun})
   set_tests_properties(hand_off/${noun} PROPERTIES LABELS hand_off TIMEOUT 900)
 endforeach()
+
+# PyPI's programs, which pip puts into the build folder; and older versions of Blender, each by itself.
+set(python ${PROJECT_BINARY_DIR}/hand_off/python)
+set(pinned ${PROJECT_SOURCE_DIR}/packages.hand_off.pypi)
+add_test(NAME hand_off/python_is_installed
+         COMMAND sh -c "python3 -m venv ${python} && ${python}/bin/pip install --quiet --no-deps --requirement ${pinned}")
+set_tests_properties(hand_off/python_is_installed PROPERTIES FIXTURES_SETUP python LABELS hand_off TIMEOUT 600)
+set_tests_properties(hand_off/job hand_off/mitsuba PROPERTIES FIXTURES_REQUIRED python)
+file(STRINGS ${pinned} newest REGEX "^bpy==")
+string(REPLACE "bpy==" "" newest ${newest})
+set(tried BlenderAddOn.*:-*WorksInAWindow:*CyclesRendersARecipe)  # no window, nor Debian's OpenImageIO
+foreach(version 4.2.23 4.5.15 ${newest})
+  set(venv ${PROJECT_BINARY_DIR}/hand_off/blender_${version})
+  set(script ${venv}/programs/blender)
+  add_test(NAME hand_off/blender_${version}_is_installed
+           COMMAND sh -c "python3 -m venv ${venv} &&
+             sed -n \"/^# Blender's/,/^# Mitsuba's/p\" ${pinned} >${venv}/pinned && echo bpy==${version} >>${venv}/pinned &&
+             ${venv}/bin/pip install --quiet --no-deps --requirement ${venv}/pinned && mkdir -p ${venv}/programs &&
+             printf '#!/bin/sh\\nexec ${venv}/bin/python ${CMAKE_CURRENT_LIST_DIR}/blender_of_bpy.py \"$@\"\\n' >${script} &&
+             chmod +x ${script}")
+  add_test(NAME hand_off/add_on_in_blender_${version}
+           COMMAND ${CMAKE_COMMAND} -E env "PATH=${venv}/programs:$ENV{PATH}" $<TARGET_FILE:${program}> --gtest_filter=${tried})
+  set_tests_properties(hand_off/blender_${version}_is_installed PROPERTIES FIXTURES_SETUP blender_${version})
+  set_tests_properties(hand_off/add_on_in_blender_${version} PROPERTIES FIXTURES_REQUIRED blender_${version})
+  set_tests_properties(hand_off/blender_${version}_is_installed hand_off/add_on_in_blender_${version}
+                       PROPERTIES LABELS hand_off TIMEOUT 900)
+endforeach()
+
+# OpenUSD's and MaterialX's own validators.
+set(validated ${PROJECT_BINARY_DIR}/hand_off/validated)
+file(MAKE_DIRECTORY ${validated})
+add_test(NAME hand_off/validators/files_are_made
+         COMMAND coppermoon_program bake 2018-07-27T19:20:00Z --albedo-map built-in --texture-width 256 -o moon_acescg.exr -o moon.usda
+                 -o moon.usdz)
+set_tests_properties(hand_off/validators/files_are_made PROPERTIES FIXTURES_SETUP validated LABELS hand_off TIMEOUT 300
+                     WORKING_DIRECTORY ${validated})
+add_test(NAME hand_off/validators/find_nothing
+         COMMAND ${python}/bin/python ${CMAKE_CURRENT_LIST_DIR}/validate.py moon.usda moon.usdz
+                 ${PROJECT_SOURCE_DIR}/examples/shadow.mtlx)
+set_tests_properties(hand_off/validators/find_nothing PROPERTIES FIXTURES_REQUIRED "python;validated" LABELS hand_off TIMEOUT 300
+                     WORKING_DIRECTORY ${validated} ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 
 # glTF, USD and MaterialX as others read them: Khronos' validator, three.js, tinyusdz, MaterialX's shader generator. npm puts them into the build folder.
 set(readers ${PROJECT_BINARY_DIR}/hand_off/gltf)
@@ -39,16 +80,12 @@ foreach(step readers_are_installed models_are_written a_bake_is_written ${checks
   set_tests_properties(hand_off/gltf/${step} PROPERTIES LABELS hand_off TIMEOUT 300 WORKING_DIRECTORY ${readers})
 endforeach()
 
-# Colour spaces as OpenImageIO 3.2, Blender 5, OpenUSD, MaterialX and OpenColorIO 2.6 find them: PyPI's, which pip puts into the build folder.
-set(python ${PROJECT_BINARY_DIR}/hand_off/python)
+# Colour spaces as OpenImageIO 3.2, Blender 5, OpenUSD, MaterialX and OpenColorIO 2.6 find them: PyPI's, the same environment.
 set(made ${PROJECT_BINARY_DIR}/hand_off/colour)
 set(config ${PROJECT_BINARY_DIR}/colour/config_aces2.ocio)
-set(pinned ${PROJECT_SOURCE_DIR}/packages.hand_off.pypi)
-add_test(NAME hand_off/colour/environment_is_made
-         COMMAND sh -c "python3 -m venv ${python} && ${python}/bin/pip install --quiet --no-deps --requirement ${pinned}")
 add_test(NAME hand_off/colour/files_are_made
          COMMAND sh ${CMAKE_CURRENT_LIST_DIR}/colour/make_files.sh $<TARGET_FILE:coppermoon_program> ${made})
-set_tests_properties(hand_off/colour/environment_is_made hand_off/colour/files_are_made PROPERTIES FIXTURES_SETUP colour)
+set_tests_properties(hand_off/colour/files_are_made PROPERTIES FIXTURES_SETUP colour)
 foreach(tool openimageio blender usd materialx)
   add_test(NAME hand_off/colour/${tool}_finds_spaces
            COMMAND ${python}/bin/python ${CMAKE_CURRENT_LIST_DIR}/colour/check_files.py ${tool} ${made})
@@ -60,8 +97,8 @@ add_test(NAME hand_off/colour/passes_ociocheck COMMAND ${python}/bin/ociocheck -
 set_tests_properties(hand_off/colour/passes_ociocheck PROPERTIES FAIL_REGULAR_EXPRESSION "Warning;ERROR;failed")
 list(APPEND colour_checks opencolorio_shows_the_same passes_ociocheck)
 foreach(check ${colour_checks})
-  set_tests_properties(hand_off/colour/${check} PROPERTIES FIXTURES_REQUIRED colour)
+  set_tests_properties(hand_off/colour/${check} PROPERTIES FIXTURES_REQUIRED "colour;python")
 endforeach()
-foreach(step environment_is_made files_are_made ${colour_checks})
+foreach(step files_are_made ${colour_checks})
   set_tests_properties(hand_off/colour/${step} PROPERTIES LABELS hand_off TIMEOUT 600 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 endforeach()

@@ -52,12 +52,15 @@ void require_product(bool made, const fs::path& file, const char* what, const ch
 
 }  // namespace
 
-bool FilmFiles::any() const {
-  return !contact_sheet.empty() || !movie.empty() || !composite.empty() || !curves.empty();
+std::vector<fs::path> FilmFiles::all() const {
+  auto files = curves;
+  for (const auto* file : {&contact_sheet, &composite, &movie})
+    if (!file->empty()) files.push_back(*file);
+  return files;
 }
 
 void require_sound(const FilmFiles& files, const Shard& shard) {
-  if (!files.any()) return;
+  if (files.all().empty()) return;
   if (shard.parts != 1)
     throw algebra::Error(fmt::format("shard = {}/{}, allowed 1/1 for what needs every frame",
                                      shard.part, shard.parts));

@@ -16,7 +16,8 @@ struct FilmFiles {
   std::filesystem::path contact_sheet, movie, composite;
   std::vector<std::filesystem::path> curves;
 
-  bool any() const;
+  /// Those that are asked for, in the order in which they are made.
+  std::vector<std::filesystem::path> all() const;
 };
 
 /// Refuses files that no film could have.

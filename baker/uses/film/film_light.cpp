@@ -63,23 +63,35 @@ void refuse_key(const Film& film, const std::string& there, const std::string& a
       film.folder.string(), differences_in_words(there, asked), light_file, film.record.way_out));
 }
 
+/// Light of the folder, where it is the film's and complete.
+std::optional<Moonlight> kept_on_the_way(const Film& film, const ShadowedMoon& moon, bool replace) {
+  auto known = read_light(film.folder / light_file);
+  if (!known) return std::nullopt;
+  const auto key = key_of(film);
+  const bool same = same_light(*known, key);
+  if (!same && !replace) refuse_key(film, known->key, key);
+  if (!same || !complete(film.moon.light, moon, known->light)) return std::nullopt;
+  return std::move(known->light);
+}
+
 }  // namespace
 
 FilmLight film_light(const Film& film, bool replace, const algebra::Progress& progress) {
-  const auto& request = film.moon.light;
-  const auto file = film.folder / light_file;
-  const auto moon = moon_on_its_way(request, skies_of(film.moments));
-  const auto key = key_of(film);
+  const auto moon = moon_on_its_way(film.moon.light, skies_of(film.moments));
   const files::FolderLock alone(film.folder);
-  if (auto known = read_light(file)) {
-    const bool same = same_light(*known, key);
-    if (!same && !replace) refuse_key(film, known->key, key);
-    if (same && complete(request, moon, known->light)) return {std::move(known->light), true};
-  }
+  if (auto kept = kept_on_the_way(film, moon, replace)) return {std::move(*kept), true};
   auto light =
-      light_on_the_way(with_shards(request, film.folder), moon, purpose_of(film), progress);
-  write_light(file, key, light);
+      light_on_the_way(with_shards(film.moon.light, film.folder), moon, purpose_of(film), progress);
+  write_light(film.folder / light_file, key_of(film), light);
   return {std::move(light), false};
+}
+
+std::optional<Moonlight> kept_light(const Film& film, bool replace) {
+  return kept_on_the_way(film, moon_on_its_way(film.moon.light, skies_of(film.moments)), replace);
+}
+
+std::filesystem::path sums_file(const Film& film, const Shard& shard) {
+  return film.folder / fmt::format("eclipse.{}-of-{}.sums", shard.part, shard.parts);
 }
 
 void trace_shard(const Film& film, const Shard& shard, const algebra::Progress& progress) {
@@ -90,8 +102,7 @@ void trace_shard(const Film& film, const Shard& shard, const algebra::Progress& 
                     shard.part, shard.parts));
   request.solver = Solver::photons;
   request.photon_files.shard = shard;
-  request.photon_files.keep =
-      film.folder / fmt::format("eclipse.{}-of-{}.sums", shard.part, shard.parts);
+  request.photon_files.keep = sums_file(film, shard);
   files::require_no_link(request.photon_files.keep);
   light_on_the_way(request, moon_on_its_way(request, skies_of(film.moments)), {}, progress);
 }

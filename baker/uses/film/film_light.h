@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
+#include <optional>
+
 #include "algebra/progress.h"
 #include "uses/film/film.h"
 #include "uses/light/shard.h"
@@ -26,8 +29,15 @@ struct FilmLight {
 FilmLight film_light(const Film& film, bool replace = false,
                      const algebra::Progress& progress = {});
 
-/// Traces one part of a film's photons, and writes their sums into its folder for film_light to add:
-/// "eclipse.2-of-8.sums".
+/// Light that `film_light` would keep; none where it would compute.
+///
+/// Throws  Error  as film_light
+std::optional<Moonlight> kept_light(const Film& film, bool replace = false);
+
+/// File in the film's folder for the sums of one part of its photons: "eclipse.2-of-8.sums".
+std::filesystem::path sums_file(const Film& film, const Shard& shard);
+
+/// Traces one part of a film's photons, and writes their sums into its folder (sums_file) for film_light to add.
 ///
 /// Throws  Error  as film_light; when no number of photons is given
 void trace_shard(const Film& film, const Shard& shard, const algebra::Progress& progress = {});

@@ -30,7 +30,8 @@ const std::vector<GuideGroup>& guides() {
           "coppermoon ring 2018-07-27 --on Tycho --danjon 1 -o ring.exr"}}}},
       {"Films",
        {{"animate",
-         {"at", "output", "from", "to", "frames", "make", "time", "movie", "replace", "shard"},
+         {"at", "output", "from", "to", "frames", "make", "time", "movie", "replace", "shard",
+          "job"},
          {"coppermoon animate 2018-07-27 --at Nairobi --frames 240 -o film --movie eclipse.mp4",
           "coppermoon animate 2018-07-27 --from U2-10min --to U3+10min --width 1920 --height 1080 "
           "-o film"}}}},
