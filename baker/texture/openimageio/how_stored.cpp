@@ -12,7 +12,6 @@
 #include <fstream>
 #include <initializer_list>
 #include <memory>
-#include <ranges>
 #include <string>
 #include <string_view>
 
@@ -252,10 +251,11 @@ Colours exr_colours(const OIIO::ImageSpec& spec) {
   if (id == "data") return std::nullopt;
   const auto known = std::ranges::find(named_spaces, id, &NamedSpace::id);
   if (known != named_spaces.end()) return ColourProfile::of_primaries(known->xy, 1);
-  if (!id.empty() && id != "unknown")
-    throw algebra::Error(
-        fmt::format("colorInteropID = {:?}, allowed data, unknown, {}", id,
-                    fmt::join(named_spaces | std::views::transform(&NamedSpace::id), ", ")));
+  if (!id.empty() && id != "unknown") {
+    std::string allowed = "data, unknown";
+    for (const auto& space : named_spaces) allowed += ", " + std::string(space.id);
+    throw algebra::Error(fmt::format("colorInteropID = {:?}, allowed {}", id, allowed));
+  }
   std::array<float, 8> xy{};
   const auto type = OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8);
   if (!spec.getattribute("chromaticities", type, xy.data())) return std::nullopt;
