@@ -3,10 +3,14 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "algebra/error.h"
 #include "almanac/calendar.h"
 #include "eclipse/sky_columns.h"
 #include "uses/picture/place_text.h"
+#include "uses/picture/sky_lights.h"
+#include "uses/picture/view.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moments.h"
 #include "verbs/recipes/recipe.h"
@@ -17,6 +21,7 @@ namespace {
 struct Options {
   MomentOptions moment;
   std::string at;
+  std::optional<double> faintest_star;
   bool json = false;
 };
 
@@ -26,18 +31,37 @@ void add(nlohmann::ordered_json& all, const std::vector<algebra::Column<Result>>
   for (const auto& column : columns) all[column.name] = column.value(result);
 }
 
+/// Adds the Moon's place and the stars' as an observer's air raises them.
+void add_stars(nlohmann::ordered_json& all, const almanac::Observer& observer, double faintest,
+               const almanac::SkyState& sky) {
+  const auto place = uses::apparent_place(observer, sky);
+  all["apparent_altitude_deg"] = in_degrees(place.altitude);
+  all["observer_latitude_deg"] = in_degrees(observer.latitude);
+  all["stars"] = nlohmann::json::array();
+  const auto view =
+      uses::view_of({.observer = observer, .stars = {.shown = true, .faintest = faintest}}, sky);
+  for (const auto& star : uses::lights_over(view, sky))
+    all["stars"].push_back({{"altitude_deg", in_degrees(star.place.altitude)},
+                            {"azimuth_deg", in_degrees(star.place.azimuth)},
+                            {"illuminance_lux", star.illuminance_lux}});
+}
+
 nlohmann::ordered_json described(const Options& options) {
   const auto sky = almanac::sky_at(instant_of(options.moment));
   const auto calendar = options.moment.calendar;
   nlohmann::ordered_json all{{"instant", almanac::utc_text(sky.when, calendar, 3)}};
   add(all, eclipse::sky_columns(), sky);
   say_calendar(all, calendar);
-  if (!options.at.empty())
-    add(all, eclipse::view_columns(), almanac::view_from(uses::observer_from(options.at), sky));
+  if (options.at.empty()) return all;
+  const auto observer = uses::observer_from(options.at);
+  add(all, eclipse::view_columns(), almanac::view_from(observer, sky));
+  if (options.faintest_star) add_stars(all, observer, *options.faintest_star, sky);
   return all;
 }
 
 void run(const Options& options) {
+  if (options.faintest_star && (options.at.empty() || !options.json))
+    throw algebra::Error("stars are listed with --at and --json");
   const auto all = described(options);
   if (options.json) {
     fmt::print("{}\n", all.dump(2));
@@ -59,6 +83,12 @@ void add_sky(CLI::App& program) {
   add_flag(*verb, "--at", options->at,
            "place of an observer: a city, as Chicago, or LAT,LON[,ELEV] [degrees north and east, "
            "metres]");
+  add_flag(
+      *verb, "--stars", options->faintest_star,
+      "V magnitude, -5 to 20: lists stars and planets to it, with the Moon's apparent altitude; "
+      "illuminance in linear Rec.709")
+      .within(-5, 20)
+      .of(request::Affects::run);
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });

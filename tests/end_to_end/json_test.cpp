@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Other programs rely on these keys, units and forms of time.
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -203,6 +204,26 @@ TEST_F(Json, WithoutJsonPeopleGetAText) {
   expect_done(outcome);
   EXPECT_TRUE(json::parse(outcome.out, nullptr, false).is_discarded());
   EXPECT_NE(outcome.out.find("2008-02-21T03:2"), std::string::npos);
+}
+
+/// Mars was at its opposition: V = -2.8, six degrees from the Moon.
+TEST_F(Json, ListsTheStarsOfAnObserversSky) {
+  const Words sky{"sky", "2018-07-27", "--at", "Nairobi", "--stars", "-2.5"};
+  const auto outcome = coppermoon(sky + Words{"--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto said = nlohmann::json::parse(outcome.out);
+  EXPECT_GT(said["apparent_altitude_deg"], said["altitude_deg"]) << "raised by refraction";
+  ASSERT_EQ(said["stars"].size(), 1U) << "Mars; Venus has set";
+  const auto& mars = said["stars"][0];
+  const double up =
+      mars["altitude_deg"].get<double>() - said["apparent_altitude_deg"].get<double>();
+  EXPECT_LT(std::abs(up), 7) << "degrees";
+  const double lux = 0.2126 * mars["illuminance_lux"][0].get<double>() +
+                     0.7152 * mars["illuminance_lux"][1].get<double>() +
+                     0.0722 * mars["illuminance_lux"][2].get<double>();
+  EXPECT_WITHIN(-13.98 - 2.5 * std::log10(lux), -2.6, 0.25,
+                "V = -2.8 above the air, which takes 0.1 to 0.3 mag at 65 degrees");
+  EXPECT_EQ(coppermoon(sky).err, "coppermoon: stars are listed with --at and --json\n");
 }
 
 }  // namespace

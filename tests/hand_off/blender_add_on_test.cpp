@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "hand_off/agreement.h"
 #include "hand_off/blender.h"
 #include "hand_off/reference_projection.h"
 #include "support/within.h"
+#include "uses/picture/view.h"
 
 namespace coppermoon::hand_off {
 namespace {
@@ -322,6 +324,107 @@ TEST_F(BlenderAddOn, LeavesASceneOfTheUsersAsItIs) {
   EXPECT_EQ(number(outcome, "threshold"), 0) << "or Cycles drops moonlight at random";
   EXPECT_EQ(line(outcome, "objects"), "Camera Cube Light Moon Moonlight");
   EXPECT_NE(line(outcome, "image"), "none");
+}
+
+/// Where Moon and first star stand in the sky of the scene: altitude, azimuth and diameter [degrees].
+const std::string print_sky =
+    "import math, mathutils\n"
+    "scene = bpy.context.scene\n"
+    "moon, stars = bpy.data.objects['Moon'], bpy.data.objects['Stars']\n"
+    "def places(d):\n"
+    "    return math.degrees(math.asin(d.normalized().z)), math.degrees(math.atan2(d.x, d.y)) % "
+    "360\n"
+    "def star():\n"
+    "    corners = [stars.matrix_world @ v.co for v in stars.data.vertices[:4]]\n"
+    "    return sum(corners, mathutils.Vector())\n"
+    "def say(name):\n"
+    "    d = moon.matrix_world.translation\n"
+    "    print('moon' + name, *places(d), math.degrees(2 * math.asin(moon.scale[0] / d.length)))\n"
+    "    print('star' + name, *places(star()))\n";
+
+TEST_F(BlenderAddOn, HangsMoonAndStarsIntoTheSkyOfALandscape) {
+  const auto in_sky =
+      fmt::format(
+          "bpy.ops.coppermoon.add_eclipse(date='{}', place='{}', own_scene=False, "
+          "texture_width=1024)\n",
+          look.instant, at(look.observer)) +
+      print_sky + "say('')\nprint('clip', scene.camera.data.clip_end)\n" + square() +
+      fmt::format(
+          "from coppermoon import film\nfilm.set_render(scene)\n"
+          "scene.world.use_nodes, scene.world.color = False, (0, 0, 0)\n"
+          "bpy.data.objects.remove(bpy.data.objects['Cube'])\n"
+          "eye = scene.camera\neye.location, eye.rotation_mode = (0, 0, 0), 'QUATERNION'\n"
+          "eye.data.lens = eye.data.sensor_width / 2 / math.tan(math.radians({}) / 2)\n",
+          field_deg);
+  const auto said = python(
+      in_sky +
+          "eye.rotation_quaternion = moon.matrix_world.translation.to_track_quat('-Z', 'Y')\n"
+          "stars.hide_render = True\n",
+      {"-o", here("moon.####").string(), "-f", "1"});
+  ASSERT_EQ(said.status, 0) << said.out << said.err;
+  const auto sky = look.sky();
+  const auto view = look.view();
+  std::istringstream moon(line(said, "moon")), star(line(said, "star"));
+  double altitude = 0, azimuth = 0, diameter = 0;
+  moon >> altitude >> azimuth >> diameter;
+  const auto place = uses::apparent_place(look.observer, sky);
+  EXPECT_WITHIN(altitude, in_degrees(place.altitude), 1e-4, "single precision");
+  EXPECT_WITHIN(azimuth, in_degrees(place.azimuth), 1e-4, "single precision");
+  EXPECT_WITHIN_RELATIVE(
+      diameter,
+      2 * in_degrees(algebra::radians(std::asin(almanac::lunar_radius / view.moon_distance))), 1e-5,
+      "single precision");
+  EXPECT_GT(number(said, "clip"), 384e3) << "or the camera would not see it";
+  ASSERT_EQ(textures_kept().size(), 1U);
+  const auto frame = luminances(texture::read_image(here("moon.0001.exr"))),
+             reference = luminances(
+                 reference_projection(texture::read_image(textures_kept().front()), look.camera()));
+  EXPECT_LT(part_that_differs(frame, reference, radius_px(look.camera()), 0.01), 0.01);
+  EXPECT_WITHIN_RELATIVE(total(frame), total(reference), 5e-4,
+                         "rays in the pixels of the limb: 1.5e-4");
+  EXPECT_LT(glm::length(shift(frame, reference)), 0.1);
+
+  const auto listed =
+      coppermoon({"sky", look.instant, "--at", at(look.observer), "--stars", "6.5", "--json"});
+  const auto first = nlohmann::json::parse(listed.out)["stars"][0];
+  star >> altitude >> azimuth;
+  EXPECT_WITHIN(altitude, first["altitude_deg"].get<double>(), 1e-4, "single precision");
+  EXPECT_WITHIN(azimuth, first["azimuth_deg"].get<double>(), 1e-4, "single precision");
+  const auto light =
+      lux(rendered(in_sky + "eye.rotation_quaternion = star().to_track_quat('-Z', 'Y')\n"));
+  for (int k = 0; k < 3; ++k)
+    EXPECT_WITHIN_RELATIVE(light[k], first["illuminance_lux"][k].get<double>(), 0.01,
+                           "64 rays in the pixels of its edges, an eighth of all");
+}
+
+TEST_F(BlenderAddOn, TurnsTheSkyOfALandscapeInAFilm) {
+  const auto outcome = python(
+      "bpy.ops.coppermoon.add_eclipse(date='2018-07-27', place='-33.9,18.4', own_scene=False, "
+      "film=True, frames=3, begin='2018-07-27T20:10Z', end='2018-07-27T21:30Z', " +
+      quick + ")\n" + print_sky +
+      "for frame in (1, 3):\n    scene.frame_set(frame)\n    say(str(frame))\n");
+  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  const auto sky_of = [&](const std::string& name, const std::string& what) {
+    std::istringstream text(line(outcome, what + name));
+    std::array<double, 2> place{};
+    text >> place[0] >> place[1];
+    return place;
+  };
+  const auto listed =
+      coppermoon({"sky", "2018-07-27T21:30Z", "--at", "-33.9,18.4", "--stars", "6.5", "--json"});
+  const auto sky = nlohmann::json::parse(listed.out);
+  const auto moon = sky_of("3", "moon"), star = sky_of("3", "star"), before = sky_of("1", "star");
+  EXPECT_WITHIN(moon[0], sky["apparent_altitude_deg"].get<double>(), 1e-3, "a part of a second");
+  EXPECT_WITHIN(moon[1], sky["azimuth_deg"].get<double>(), 2e-3, "a part of a second");
+  double nearest = 90;
+  for (const auto& one : sky["stars"])
+    if (one["illuminance_lux"][0] > 1e-5)
+      nearest = std::min(nearest, std::hypot(star[0] - one["altitude_deg"].get<double>(),
+                                             (star[1] - one["azimuth_deg"].get<double>()) *
+                                                 std::cos(in_radians(algebra::degrees(star[0])))));
+  EXPECT_WITHIN(nearest, 0, 0.2,
+                "degrees: refraction where it was first, and a planet's way in an hour");
+  EXPECT_GT(std::hypot(star[0] - before[0], star[1] - before[1]), 10) << "degrees, in 80 minutes";
 }
 
 TEST_F(BlenderAddOn, ListsTheEclipsesOfSomeYears) {

@@ -4,7 +4,7 @@ import hashlib
 import json
 import os
 
-from . import film, moon, moonlight, observer, preferences, program, values
+from . import film, moon, moonlight, observer, preferences, program, sky, values
 from .texture import Texture, second_of_day, textures_of
 
 
@@ -13,10 +13,11 @@ class Baked:
 
     Given  contacts  moments in UTC
            measured  illuminance by path, as far as it is known already
+           skies     of the textures, where a place sees them
     """
 
     def __init__(self, textures, contacts=None, measured=None):
-        self.textures, self.contacts = textures, contacts or {}
+        self.textures, self.contacts, self.skies = textures, contacts or {}, None
         self.lights = [(measured or {}).get(texture.path) or light_of(texture) for texture in textures]
 
 
@@ -92,7 +93,10 @@ def bake(wanted):
     Given  wanted  plain values
     """
     values.require_sound(wanted)
-    return (yield from (bake_film if wanted.film else bake_moment)(wanted))
+    baked = yield from (bake_film if wanted.film else bake_moment)(wanted)
+    if wanted.in_sky:
+        baked.skies = yield from sky.skies(wanted, baked.textures)
+    return baked
 
 
 def show(of_moon, baked):
@@ -101,6 +105,8 @@ def show(of_moon, baked):
     moon.put_textures(of_moon, baked.textures)
     for scene in of_moon.users_scene:
         moonlight.keep_dim_light(scene)
+    if wanted.stars and baked.skies:
+        sky.hang(of_moon, of_moon.users_scene[0], baked.textures, baked.skies)
     if wanted.lamp:
         moonlight.place_lamp(wanted.lamp, baked.textures, baked.lights)
     if wanted.scene:
@@ -112,8 +118,8 @@ def show(of_moon, baked):
     values.remember(wanted, "field")
 
 
-def new_eclipse(context, own_scene):
-    """Adds a Moon that does not shine yet, and its light; in a scene of its own also an observer."""
+def new_eclipse(context, own_scene, in_sky=False):
+    """Adds a Moon that does not shine yet, and its light; in a scene of its own also an observer, in a sky stars."""
     scene = film.new_scene() if own_scene else context.scene
     of_moon = moon.new_moon(scene)
     wanted = of_moon.coppermoon
@@ -123,6 +129,8 @@ def new_eclipse(context, own_scene):
         wanted.scene = scene
         wanted.camera = scene.camera = observer.new_camera(scene, of_moon)
         context.window.scene = scene
+    elif in_sky:
+        wanted.stars = sky.new_stars(scene)
     for other in context.view_layer.objects:
         other.select_set(False)
     of_moon.select_set(True)

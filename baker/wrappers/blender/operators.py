@@ -177,7 +177,8 @@ class AddEclipse(values.Values, bpy.types.Operator):
     own_scene: BoolProperty(
         name="Scene of its own", default=True,
         description="A new scene with the observer's camera, a black world, time line and render "
-                    "settings; otherwise the Moon and its light alone, in this scene")
+                    "settings; otherwise the Moon and its light alone, in this scene, with a place in its "
+                    "sky among the stars: +Z up, +Y north")
     first_year: IntProperty(name="From", default=datetime.date.today().year, min=1, max=3000,
                             options={"SKIP_SAVE"}, update=by_date, description="First year of the list")
     last_year: IntProperty(name="To", default=datetime.date.today().year + 10, min=1, max=3000,
@@ -205,7 +206,7 @@ class AddEclipse(values.Values, bpy.types.Operator):
         try:
             values.require_sound(self)
             baked = result(baking.bake(values.plain(self))) if bpy.app.background else None
-            moon = baking.new_eclipse(context, self.own_scene)
+            moon = baking.new_eclipse(context, self.own_scene, bool(self.place.strip()))
             values.copy(self, moon.coppermoon)
             if baked:
                 baking.show(moon, baked)

@@ -122,6 +122,7 @@ class MoonValues(Values, bpy.types.PropertyGroup):
     is_moon: BoolProperty(description="This object is a Moon of this add-on")
     camera: PointerProperty(type=bpy.types.Object, description="The observer; moved when baked again")
     lamp: PointerProperty(type=bpy.types.Object, description="The light; changed when baked again")
+    stars: PointerProperty(type=bpy.types.Object, description="The stars of the sky; made anew when baked again")
     scene: PointerProperty(type=bpy.types.Scene, description="The scene of this eclipse alone, if any")
     last_set: StringProperty(
         default="{}", description="What was set in scene and camera, by name, as JSON: a setting that "
@@ -163,7 +164,8 @@ def remember(wanted, name):
 
 def plain(source):
     """Copy of the values, since Blender's own are gone after an undo."""
-    return SimpleNamespace(**{name: getattr(source, name) for name in NAMES})
+    in_sky = bool(source.place.strip() and getattr(source, "stars", not getattr(source, "own_scene", True)))
+    return SimpleNamespace(in_sky=in_sky, **{name: getattr(source, name) for name in NAMES})
 
 
 def day_of(values):

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: MIT
+"""Moon and stars in the sky of a scene of the user's: +X is east, +Y north, +Z up, and the origin the observer."""
+import json
+import math
+
+import bpy
+from mathutils import Matrix, Quaternion, Vector
+
+from . import program, values
+from .observer import axes_of
+from .texture import MOON_RADIUS_KM
+
+NEARER = 1000  # by this the Moon is nearer and smaller than it was: 380 km off, with a radius of 1.7 km
+BEYOND = 1.2  # distance of the stars, over the Moon's
+NAKED_EYE = 6.5  # magnitude of the faintest star
+NONE = -5  # brighter than any star
+
+
+def direction(place):
+    """Unit vector to a place of the program's [degrees]."""
+    altitude = math.radians(place.get("apparent_altitude_deg", place["altitude_deg"]))
+    azimuth = math.radians(place["azimuth_deg"])
+    return Vector((math.cos(altitude) * math.sin(azimuth), math.cos(altitude) * math.cos(azimuth), math.sin(altitude)))
+
+
+def seen_from(place, texture, faintest):
+    """Yields as `program.run`; returns the program's account of the sky at the texture's moment."""
+    date, time = texture.header["capDate"].split(" ")
+    lines = []
+    yield from program.run(["sky", f"--instant={date.replace(':', '-')}T{time}Z", f"--at={place}", "--json",
+                            f"--stars={faintest}"], lines.append)
+    return json.loads("".join(lines))
+
+
+def skies(wanted, textures):
+    """Yields as `program.run`; returns a sky for each texture, the first with its stars."""
+    all_of_them = []
+    for texture in textures:
+        faintest = NONE if all_of_them else NAKED_EYE
+        all_of_them.append((yield from seen_from(wanted.place.strip(), texture, faintest)))
+    return all_of_them
+
+
+def scale(scene):
+    """Units of a scene in a lunar radius."""
+    return 1000 * MOON_RADIUS_KM / NEARER / scene.unit_settings.scale_length
+
+
+def hang_moon(moon, scene, textures, skies_seen):
+    """Puts the Moon where the observer sees it, as large, and turned as it is seen."""
+    moon.rotation_mode = "QUATERNION"
+    moon.scale = [scale(scene)] * 3
+    for texture, sky in zip(textures, skies_seen):
+        to_moon = direction(sky)
+        moon.location = scale(scene) * texture.distance * to_moon
+        right = to_moon.cross(Vector((0, 0, 1))).normalized()
+        seen = Matrix((right, right.cross(to_moon), -to_moon)).transposed()
+        turned = (seen @ Matrix(axes_of(texture, "zenith"))).to_quaternion()
+        turned.make_compatible(moon.rotation_quaternion)
+        moon.rotation_quaternion = turned
+        if len(textures) > 1:
+            for path in ("location", "rotation_quaternion"):
+                moon.keyframe_insert(path, frame=texture.frame())
+
+
+def star_material():
+    """Light that adds to that of the sky behind."""
+    material = bpy.data.materials.new("Stars")
+    material.use_nodes = True
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    nodes.clear()
+    light, emission, clear, both, output = [nodes.new(f"ShaderNode{kind}") for kind in (
+        "Attribute", "Emission", "BsdfTransparent", "AddShader", "OutputMaterial")]
+    light.attribute_name = "Light"
+    links.new(light.outputs["Color"], emission.inputs["Color"])
+    links.new(emission.outputs[0], both.inputs[0])
+    links.new(clear.outputs[0], both.inputs[1])
+    links.new(both.outputs[0], output.inputs["Surface"])
+    return material
+
+
+def star_mesh(stars, distance, side):
+    """A square for each star, which faces the origin.
+
+    Given  side  angle across it [rad]: the star's illuminance is spread over it
+    """
+    corners, lights = [], []
+    for star in stars:
+        toward = direction(star)
+        across = toward.orthogonal().normalized()
+        up = toward.cross(across)
+        for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+            corners.append(distance * (toward + math.tan(side / 2) * (x * across + y * up)))
+            lights.extend([lux / side ** 2 for lux in star["illuminance_lux"]] + [1])
+    mesh = bpy.data.meshes.new("Stars")
+    mesh.from_pydata(corners, [], [range(k, k + 4) for k in range(0, len(corners), 4)])
+    mesh.attributes.new("Light", "FLOAT_COLOR", "POINT").data.foreach_set("color", lights)
+    return mesh
+
+
+def pixel(scene):
+    """Angle of a pixel in the middle of the scene's picture [rad]."""
+    data, render = scene.camera.data, scene.render
+    return 2 * math.tan(data.angle / 2) / max(render.resolution_x, render.resolution_y)
+
+
+def hang_stars(stars, scene, textures, skies_seen):
+    """Puts the stars of the first moment behind the Moon; in a film they turn about the pole."""
+    side = 2 * pixel(scene) if scene.camera else math.radians(0.05)
+    old = stars.data
+    stars.data = star_mesh(skies_seen[0]["stars"], BEYOND * scale(scene) * textures[0].distance, side)
+    stars.data.materials.append(old.materials[0])
+    bpy.data.meshes.remove(old)
+    latitude = math.radians(skies_seen[0]["observer_latitude_deg"])
+    pole = Vector((0, math.cos(latitude), math.sin(latitude)))
+    for texture in textures if len(textures) > 1 else ():
+        turn = math.tau * 1.0027379 * ((texture.second() - textures[0].second()) % 86400) / 86400
+        stars.rotation_quaternion = Quaternion(pole, -turn)
+        stars.keyframe_insert("rotation_quaternion", frame=texture.frame())
+
+
+def new_stars(scene):
+    mesh = bpy.data.meshes.new("Stars")
+    mesh.materials.append(star_material())
+    stars = bpy.data.objects.new("Stars", mesh)
+    stars.rotation_mode = "QUATERNION"
+    stars.visible_diffuse = stars.visible_volume_scatter = stars.visible_shadow = False
+    scene.collection.objects.link(stars)
+    return stars
+
+
+def hang(moon, scene, textures, skies_seen):
+    """Puts Moon and stars into the sky; the scene's camera sees as far."""
+    wanted = moon.coppermoon
+    for thing in (moon, wanted.stars):
+        thing.animation_data_clear()
+    hang_moon(moon, scene, textures, skies_seen)
+    hang_stars(wanted.stars, scene, textures, skies_seen)
+    if scene.camera:
+        farthest = 2 * BEYOND * scale(scene) * max(texture.distance for texture in textures)
+        values.put(wanted, scene.camera.data, clip_end=max(scene.camera.data.clip_end, farthest))
