@@ -219,8 +219,15 @@ TEST_F(BlenderAddOn, BakesAgainWhenAValueChanges) {
   const auto first =
       python("bpy.ops.coppermoon.add_eclipse(date='2018-07-27', " + quick + ")\n" + print_state +
              "bpy.ops.wm.save_as_mainfile(filepath=r'" + here("eclipse.blend").string() +
-             "')\nprint('saved', node.image.filepath)\n");
+             "')\nprint('saved', node.image.filepath)\n"
+             "print('name', node.image.name)\n"
+             "print('clip', bpy.context.scene.camera.data.clip_start)\n"
+             "print('device', bpy.context.scene.cycles.device)\n");
   ASSERT_EQ(first.status, 0) << first.out;
+  EXPECT_LT(std::filesystem::file_size(here("eclipse.blend")), 9e6) << "bytes of 46 000 faces";
+  EXPECT_EQ(line(first, "name"), "Moon 2018-07-27 20:21:45");
+  EXPECT_LT(number(first, "clip"), 0.2) << "lunar radii: what stands before the Moon is seen";
+  EXPECT_EQ(line(first, "device"), "CPU") << "as the preferences are by default";
   std::filesystem::remove_all(here("cache/coppermoon"));
   const auto again =
       blender({"blender", "-b", "--factory-startup", "--python-exit-code", "3", "--addons",
@@ -287,6 +294,19 @@ TEST_F(BlenderAddOn, KeepsWhatTheUserHasChanged) {
   EXPECT_EQ(line(outcome, "exposure"), "True") << "without keys of the film";
   EXPECT_EQ(line(outcome, "kept"), "1001 1004 30 200.0");
   EXPECT_WITHIN_RELATIVE(number(outcome, "degrees"), 2 * field_deg, 1e-4, "tan of 0.6 degrees");
+}
+
+TEST_F(BlenderAddOn, RendersByTheDeviceOfTheUsersPreferences) {
+  const auto outcome = python(
+      "from types import SimpleNamespace\n"
+      "from coppermoon import film\n"
+      "def device(kind):\n"
+      "    cycles = SimpleNamespace(preferences=SimpleNamespace(compute_device_type=kind))\n"
+      "    user = SimpleNamespace(preferences=SimpleNamespace(addons={'cycles': cycles}))\n"
+      "    film.bpy = SimpleNamespace(context=user)\n"
+      "    return film.users_device()\n"
+      "print('devices', device('OPTIX'), device('NONE'))\n");
+  EXPECT_EQ(line(outcome, "devices"), "GPU CPU") << outcome.out << outcome.err;
 }
 
 TEST_F(BlenderAddOn, IsUndone) {

@@ -27,11 +27,18 @@ def new_scene():
     return scene
 
 
+def users_device():
+    """Device of Cycles that the user's preferences choose, for a scene."""
+    cycles = bpy.context.preferences.addons.get("cycles")
+    kind = getattr(cycles.preferences, "compute_device_type", "NONE") if cycles else "NONE"
+    return "CPU" if kind == "NONE" else "GPU"
+
+
 def set_render(scene):
     """Sets rendering: each pixel is the mean of its area, in cd/m² in OpenEXR."""
     scene.render.engine = "CYCLES"
     cycles = scene.cycles
-    cycles.device = "CPU"
+    cycles.device = users_device()
     cycles.samples = 64
     cycles.use_adaptive_sampling = cycles.use_denoising = False
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0

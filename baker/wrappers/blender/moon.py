@@ -8,8 +8,10 @@ from .texture import COLOUR_SPACES
 from .wrong import Wrong
 
 # Corners of the limb. A polygon of n corners falls short of the circle by 1 - cos(pi / n) of the radius at most: for
-# 512 by 1.9e-5, a fiftieth of a pixel in a disc 2000 pixels wide.
+# 512 by 1.9e-5, a fiftieth of a pixel in a disc 2000 pixels wide. Far from the limb that the Earth sees, 90 degrees
+# from the middle and at most 10 more or less, a fourth of the meridians does.
 SEGMENTS, RINGS = 512, 256
+MERIDIANS = [i for i in range(SEGMENTS + 1) if abs(abs(i - SEGMENTS // 2) - SEGMENTS // 4) < SEGMENTS // 32 or i % 4 == 0]
 
 
 def first_known(owner, setting, names):
@@ -31,7 +33,7 @@ def set_colours(texture):
 
 def new_mesh():
     """Sphere with UV in plate carrée: longitude 0 in the middle, east to the right, north up."""
-    across, up = range(SEGMENTS + 1), range(RINGS + 1)
+    across, up = MERIDIANS, range(RINGS + 1)
     uv = [(i / SEGMENTS, j / RINGS) for j in up for i in across]
     angles = [(math.tau * (u - 0.5), math.pi * (v - 0.5)) for u, v in uv]
     places = [(math.cos(latitude) * math.cos(longitude),
@@ -107,6 +109,7 @@ def put_textures(moon, textures):
     set_colours(first)(image)
     if bpy.data.filepath:
         image.filepath = bpy.path.relpath(first.path)
+    image.name = f"Moon {first.moment()}{' film' if len(textures) > 1 else ''}".strip()
     before, node.image = node.image, image
     if before and before.users == 0:
         bpy.data.images.remove(before)

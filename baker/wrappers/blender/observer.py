@@ -55,8 +55,7 @@ def place_camera(camera, textures, wanted, render):
     """
     data = camera.data
     set_lens(data, render, wanted)
-    distances = [texture.distance for texture in textures]
-    values.put(wanted, data, clip_start=min(distances) - 1, clip_end=max(distances) + 1)
+    values.put(wanted, data, clip_start=0.1, clip_end=max(texture.distance for texture in textures) + 1)
     camera.animation_data_clear()
     for texture in textures:
         axes = axes_of(texture, wanted.up)

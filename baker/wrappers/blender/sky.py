@@ -25,9 +25,8 @@ def direction(place):
 
 def seen_from(place, texture, faintest):
     """Yields as `program.run`; returns the program's account of the sky at the texture's moment."""
-    date, time = texture.header["capDate"].split(" ")
     lines = []
-    yield from program.run(["sky", f"--instant={date.replace(':', '-')}T{time}Z", f"--at={place}", "--json",
+    yield from program.run(["sky", f"--instant={texture.moment().replace(' ', 'T')}Z", f"--at={place}", "--json",
                             f"--stars={faintest}"], lines.append)
     return json.loads("".join(lines))
 

@@ -85,6 +85,10 @@ class Texture:
         """Frame of the scene that shows it."""
         return self.number() + self.frames_later
 
+    def moment(self):
+        """Its moment in UTC, as 2018-07-27 20:21:45; empty where the header has none."""
+        return self.header.get("capDate", "").replace(":", "-", 2)
+
     def second(self):
         """Time of day of its moment [s]."""
         return second_of_day(self.header.get("capDate", ""))
