@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: MIT
+"""table.py BUILD FILE: the page of other programs, by the last run of the tests labelled hand_off in a build folder.
+
+Writes FILE only where every test that the page names has run and passed.
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+build, page = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+root = pathlib.Path(__file__).resolve().parents[2]
+log = (build / "Testing/Temporary/LastTest.log").read_text(errors="replace")
+
+
+def first_number(words):
+    said = subprocess.run(words, capture_output=True, text=True)
+    return re.search(r"\d+(\.\d+)+", said.stdout + said.stderr)[0]
+
+
+def debian(package):
+    said = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", package], capture_output=True, text=True)
+    return re.match(r"(\d+:)?([\d.]+\d)", said.stdout)[2]
+
+
+pinned = dict(re.findall(r"^([\w-]+)==(\S+)$", (root / "packages.hand_off.pypi").read_text(), re.M))
+npm = json.loads((root / "tests/hand_off/gltf/package.json").read_text())["dependencies"]
+bpys = sorted(set(re.findall(r"hand_off/add_on_in_blender_([\d.]+)\b", log)))
+
+# host, version, file, what was done with it, tests
+ROWS = [
+    ("Blender (Debian)", debian("blender"), "a date, `.exr`, `.tx`, a film's folder", "add-on and import: places, light on a "
+     "wall, colours, frames, undo, a window; `.eclipse` in Cycles", ["blender", "blender_add_on", "side_by_side"]),
+    *((f"Blender (`bpy`)", version, "a date, `.tx`", "add-on: places, light on a wall, a whole eclipse, undo, landscapes; "
+       "working spaces of Blender 5", [f"add_on_in_blender_{version}"]) for version in bpys),
+    ("Blender (`bpy`)", pinned["bpy"], "`.exr`, `.tx`, `.png`, `.glb`", "finds the colour space by itself",
+     ["colour/blender_finds_spaces"]),
+    ("Mitsuba", pinned["mitsuba"], "`scene --for mitsuba`", "rendered: POV-Ray's picture, pixel by pixel", ["mitsuba"]),
+    ("OpenImageIO's tools (Debian)", debian("openimageio-tools"), "`.exr`, `.tx`, `.png`", "header, every texel, mip levels",
+     ["tools"]),
+    ("OpenImageIO", pinned["OpenImageIO"], "`.exr`, `.tx`, `.png`", "finds the colour space by itself",
+     ["colour/openimageio_finds_spaces"]),
+    ("OpenColorIO", pinned["opencolorio"], "`config_aces2.ocio`", "`ociocheck` is silent; views as those of its own ACES",
+     ["colour/opencolorio_shows_the_same", "colour/passes_ociocheck"]),
+    ("OpenUSD", pinned["usd-core"], "`.usda`, `.usdz`", "validators find nothing; finds the colour space by itself",
+     ["validators/find_nothing", "colour/usd_finds_spaces"]),
+    ("tinyusdz", npm["tinyusdz"], "`.usda`", "read: mesh, material, places of texels",
+     ["gltf/usda_is_read", "gltf/usda_of_a_bake_is_read"]),
+    ("MaterialX", pinned["MaterialX"], "`.usda`, `examples/shadow.mtlx`", "validator finds nothing; finds the colour space",
+     ["validators/find_nothing", "colour/materialx_finds_spaces"]),
+    ("MaterialX's generator, in Chromium", npm["@needle-tools/materialx"], "`examples/shadow.mtlx`",
+     "a shader, run: the shadow's light within 1 %", ["shader"]),
+    ("Khronos' glTF validator", npm["gltf-validator"], "`.glb`", "finds nothing",
+     ["gltf/glb_is_read", "gltf/glb_of_a_bake_is_read"]),
+    ("three.js", npm["three"], "`.glb`", "read: mesh, material, places of texels",
+     ["gltf/glb_is_read", "gltf/glb_of_a_bake_is_read"]),
+    ("OpenJobDescription's `openjd`", pinned["openjd-cli"], "`animate --job job.yaml`", "checked; run, with a task killed on "
+     "the way: the bytes of the direct run", ["job"]),
+    ("LibRaw's `dcraw_emu`", debian("libraw-bin"), "`.dng`", "the same light", ["raw"]),
+    ("darktable", debian("darktable"), "`.dng`", "the same light", ["raw"]),
+    ("Stellarium", debian("stellarium"), "`.stellarium`", "shown: the texture as it is, where our camera has it",
+     ["stellarium"]),
+]
+
+CANNOT = [
+    ("Blender's `bpy`", "`.eclipse`", "it brings an OpenImageIO of its own, which cannot load the reader built with Debian's"),
+    ("Blender's viewport", "`.eclipse`", "it has readers of its own, and shows nothing; Cycles reads it"),
+    ("Mitsuba's spectral variants", "`scene --for mitsuba`", "they would make spectra of their own from RGB"),
+    ("pbrt-v4", "a scene", "not written: pbrt was not at hand to be tried"),
+    ("glTF", "cd/m²", "the picture is developed and 8-bit: the format has no floating-point textures"),
+    ("iPhone's and iPad's viewers", "`.usdz`", "not at hand; OpenUSD's validators for such packages find nothing"),
+    ("Maya, Houdini, Nuke, Unreal, Arnold, RenderMan", "`.tx`, `.usda`, `.exr`", "not at hand: written as their documentation "
+     "has it"),
+]
+
+result = dict(re.findall(r"^\d+/\d+ Test: (\S+)\n.*?^Test (Passed|Failed)\.", log, re.M | re.S))
+missing = [test for *_, tests in ROWS for test in tests if result.get("hand_off/" + test) != "Passed"]
+if missing:
+    sys.exit(f"not run, or failed: {', '.join(sorted(set(missing)))}; {page} stays as it is")
+
+lines = ["# Other programs", "", "Programs that were given what coppermoon makes, and what they made of it. `tests/hand_off.sh` "
+         "tries them, and writes this page", "when all tests pass.", "", "| program | version | given | what was done |",
+         "| --- | --- | --- | --- |"]
+lines += [f"| {host} | {version} | {given} | {done} |" for host, version, given, done, _ in ROWS]
+lines += ["", "## What is not to be had", "", "| program | file | why |", "| --- | --- | --- |"]
+lines += [f"| {host} | {given} | {why} |" for host, given, why in CANNOT]
+page.write_text("\n".join(lines) + "\n")
+print(f"{page}: {len(ROWS)} rows")
