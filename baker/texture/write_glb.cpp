@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -22,11 +23,35 @@ namespace fs = std::filesystem;
 
 constexpr std::uint32_t magic = 0x46546C67, version = 2, json_chunk = 0x4E4F534A,
                         binary_chunk = 0x004E4942;
-constexpr const char* unlit = "KHR_materials_unlit";
+constexpr const char *unlit = "KHR_materials_unlit",
+                     *emissive_strength = "KHR_materials_emissive_strength";
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they stand");
 
 enum Component { unsigned_short = 5123, floating = 5126 };
 enum Target { array = 34962, element_array = 34963 };
+
+/// Texels over the brightest, coded as sRGB.
+///
+/// Source  IEC 61966-2-1
+Image coded(Image image, double brightest) {
+  for (float& value : image.values) {
+    const double share = std::max(0., double{value}) / brightest;
+    value = static_cast<float>(std::min(
+        1., share <= 0.0031308 ? 12.92 * share : 1.055 * std::pow(share, 1 / 2.4) - 0.055));
+  }
+  return image;
+}
+
+/// Luminance of the brightest channel of all texels; 1 where none shines.
+double brightest_in(const fs::path& path, const Image& image) {
+  double most = 0;
+  for (const float value : image.values) {
+    if (!std::isfinite(value))
+      throw Error(fmt::format("{}: a luminance is {}", path.string(), value));
+    most = std::max(most, double{value});
+  }
+  return most > 0 ? most : 1;
+}
 
 template <class Number>
 void append(std::string& bytes, std::initializer_list<Number> numbers) {
@@ -100,6 +125,17 @@ json material() {
           {"extensions", {{unlit, json::object()}}}};
 }
 
+/// Black, and shining by a picture times a luminance [cd/m²].
+json emitting(double luminance) {
+  return {{"name", "Moonlight"},
+          {"pbrMetallicRoughness",
+           {{"baseColorFactor", {0, 0, 0, 1}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}},
+          {"emissiveTexture", {{"index", 0}}},
+          {"emissiveFactor", {1, 1, 1}},
+          {"doubleSided", false},
+          {"extensions", {{emissive_strength, {{"emissiveStrength", luminance}}}}}};
+}
+
 json sampler() {
   constexpr int linear = 9729, linear_of_mipmaps = 9987, repeat = 10497, clamp_to_edge = 33071;
   return {{"magFilter", linear},
@@ -108,7 +144,8 @@ json sampler() {
           {"wrapT", clamp_to_edge}};
 }
 
-json document(Buffer& buffer, const std::string& png, const std::string& generator) {
+json document(Buffer& buffer, const std::string& png, const json& material,
+              const std::string& generator) {
   const json primitive{{"attributes", {{"POSITION", 0}, {"NORMAL", 0}, {"TEXCOORD_0", 1}}},
                        {"indices", 2},
                        {"material", 0}};
@@ -118,12 +155,12 @@ json document(Buffer& buffer, const std::string& png, const std::string& generat
            {{"version", "2.0"},
             {"generator", generator},
             {"extras", {{"coppermoon:radius_m", algebra::in_metres(almanac::lunar_radius)}}}}},
-          {"extensionsUsed", only(unlit)},
+          {"extensionsUsed", only(material["extensions"].begin().key())},
           {"scene", 0},
           {"scenes", only({{"name", "Moon"}, {"nodes", only(0)}})},
           {"nodes", only({{"name", "Moon"}, {"mesh", 0}})},
           {"meshes", only({{"name", "Moon"}, {"primitives", only(primitive)}})},
-          {"materials", only(material())},
+          {"materials", only(material)},
           {"textures", only({{"sampler", 0}, {"source", 0}})},
           {"images", only({{"name", "Moon"}, {"bufferView", picture}, {"mimeType", "image/png"}})},
           {"samplers", only(sampler())},
@@ -139,9 +176,14 @@ void append_chunk(std::string& file, std::uint32_t type, const std::string& byte
 
 }  // namespace
 
-void write_glb(const fs::path& path, const Image& developed, const std::string& generator) {
+void write_glb(const fs::path& path, const Image& image, const std::string& generator,
+               GlbTexels texels) {
+  const bool developed = texels == GlbTexels::developed;
+  const double brightest = developed ? 1 : brightest_in(path, image);
+  const auto picture = developed ? image : coded(image, brightest);
   Buffer buffer;
-  const auto document_of_all = document(buffer, picture_on_globe(path, developed), generator);
+  const auto document_of_all = document(buffer, picture_on_globe(path, picture, developed ? 8 : 16),
+                                        developed ? material() : emitting(brightest), generator);
   auto text = document_of_all.dump(-1, ' ', false, json::error_handler_t::replace);
   pad(text, ' ');
   constexpr std::size_t heads = 12 + 2 * 8;

@@ -49,8 +49,15 @@ struct Output {
 
   bool ends_in(const char* ending) const { return path.extension() == ending; }
   bool for_stellarium() const { return ends_in(".stellarium"); }
-  bool developed() const { return ends_in(".png") || on_globe() || for_stellarium(); }
+  /// A sphere in cd/m², which a name with linear Rec.709 asks for: glTF knows no other space.
+  bool in_cd_m2() const {
+    return ends_in(".glb") &&
+           colour::space_in_name(path.stem().string()) == colour::WorkingSpace::linear_rec709;
+  }
   bool on_globe() const { return ends_in(".glb") || ends_in(".usdz"); }
+  bool developed() const {
+    return ends_in(".png") || (on_globe() && !in_cd_m2()) || for_stellarium();
+  }
 };
 
 /// Output of a file; a colour space in its name counts.
@@ -173,7 +180,11 @@ void write(const Options& options, const std::vector<Output>& outputs, const Out
     texture::write_usda(output.path, texture.path.filename().string(),
                         colour::interop_id(space_of(texture.content)),
                         preview->path.filename().string());
-  } else if (output.developed())
+  } else if (output.in_cd_m2())
+    texture::write_glb(output.path, image_of(made.parts.front()),
+                       fmt::format("coppermoon {}", uses::version()),
+                       texture::GlbTexels::luminance);
+  else if (output.developed())
     write_picture(options.develop, output, moon, made);
   else if (output.ends_in(".tx"))
     texture::write_mipmapped(output.path, made.parts.front().layout, made.parts.front().rows,
@@ -284,13 +295,11 @@ void add_bake(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   options->develop.bits = 16;
   add_moon_options(*verb, options->moon);
-  add_flag(
-      *verb, "-o,--output", options->outputs,
-      "texture: .exr; .tx (tiled and mip-mapped); .png (developed); .glb (developed, on a sphere); "
-      ".usda (a sphere, with its moon_lin_rec709.exr beside it); .usdz (developed, on a sphere, "
-      "for "
-      "telephones); .stellarium (a folder for Stellarium, needs --at). May be given again: one "
-      "simulation serves all")
+  add_flag(*verb, "-o,--output", options->outputs,
+           "texture: .exr; .tx (tiled and mip-mapped); .png (developed); .glb (developed, on a "
+           "sphere; moon_lin_rec709.glb in cd/m²); .usda (a sphere, with its moon_lin_rec709.exr "
+           "beside it); .usdz (developed, on a sphere, for telephones); .stellarium (a folder for "
+           "Stellarium, needs --at). May be given again: one simulation serves all")
       .writes_file()
       .kept_each_time();
   add_flag(

@@ -149,8 +149,9 @@ void write_usdz(const fs::path& path, const Image& developed) {
   images().write_usdz(path, developed);
 }
 
-void write_glb(const fs::path& path, const Image& developed, const std::string& generator) {
-  images().write_glb(path, developed, generator);
+void write_glb(const fs::path& path, const Image& image, const std::string& generator,
+               GlbTexels texels) {
+  images().write_glb(path, image, generator, texels);
 }
 
 SheetGrid sheet_grid(std::size_t pictures, std::size_t columns, std::size_t width,

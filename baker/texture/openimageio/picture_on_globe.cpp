@@ -33,12 +33,13 @@ void require_picture(const fs::path& path, const Image& image) {
 
 }  // namespace
 
-std::string picture_on_globe(const fs::path& path, const Image& image) {
+std::string picture_on_globe(const fs::path& path, const Image& image, int bits) {
   require_picture(path, image);
   OIIO::Filesystem::IOVecOutput bytes;
   OIIO::Filesystem::IOProxy* proxy = &bytes;
   OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height),
-                       static_cast<int>(image.channels.size()), OIIO::TypeDesc::UINT8);
+                       static_cast<int>(image.channels.size()),
+                       bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16);
   spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, static_cast<void*>(&proxy));
   const auto output = OIIO::ImageOutput::create("png");
   const bool written = output && output->open("", spec) &&

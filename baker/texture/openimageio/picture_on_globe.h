@@ -8,11 +8,12 @@
 
 namespace coppermoon::texture {
 
-/// Bytes of a developed picture as an 8-bit PNG, for a globe in a viewer's file.
+/// Bytes of a developed picture as a PNG, for a globe in a viewer's file.
 ///
 /// Given   path  of the viewer's file, for errors
+///         bits  8 or 16
 /// Throws  Error  values outside 0 to 1, another shape than 2:1, a number of channels other than 1 or 3, or a width
 ///                above most_glb_columns
-std::string picture_on_globe(const std::filesystem::path& path, const Image& image);
+std::string picture_on_globe(const std::filesystem::path& path, const Image& image, int bits = 8);
 
 }  // namespace coppermoon::texture

@@ -3,6 +3,7 @@
 
 #include <sys/resource.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstring>
@@ -94,6 +95,45 @@ TEST_F(WriteGlb, ShinesByItselfWithAndWithoutTheExtension) {
   EXPECT_EQ(parts.document["samplers"][0]["wrapS"], 10497);
   EXPECT_EQ(parts.document["samplers"][0]["wrapT"], 33071);
   EXPECT_EQ(parts.document["samplers"][0]["minFilter"], 9987);
+}
+
+TEST_F(WriteGlb, EmitsItsLuminance) {
+  Image moon(64, 32, {"R", "G", "B"});
+  for (std::size_t i = 0; i < moon.values.size(); ++i)
+    moon.values[i] = 4000 * std::pow(10.F, -6 * static_cast<float>(i) / 6143);
+  moon.values[5] = -0.1F;
+  write_glb(in_folder("moon.glb"), moon, generator, GlbTexels::luminance);
+  const Parts parts(bytes_of(in_folder("moon.glb")));
+  const auto& material = parts.document["materials"][0];
+  EXPECT_EQ(parts.document["extensionsUsed"], json::array({"KHR_materials_emissive_strength"}));
+  const double strength =
+      material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"];
+  EXPECT_EQ(strength, 4000);
+  EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorFactor"], json::array({0, 0, 0, 1}));
+  EXPECT_EQ(material["emissiveTexture"]["index"], 0);
+  const auto& held = parts.document["images"][0];
+  const auto back = read_image(file("held.png", parts.view(held["bufferView"])));
+  for (std::size_t i = 0; i < moon.values.size(); ++i) {
+    const double code = double{back.values[i]};  // by IEC 61966-2-1
+    const double share = code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+    const double wanted = std::max(0., double{moon.values[i]});
+    const double slope =
+        code <= 0.04045 ? 1 / 12.92 : 2.4 / 1.055 * std::pow((code + 0.055) / 1.055, 1.4);
+    EXPECT_WITHIN(strength * share, wanted, 1.01 * strength * slope / 131070 + 1e-6 * wanted,
+                  "half of a 65535th of the code, and a hundredth of that for the slope's change; "
+                  "floats");
+  }
+  moon.values[7] = std::numeric_limits<float>::infinity();
+  EXPECT_ERROR(write_glb(in_folder("bad.glb"), moon, generator, GlbTexels::luminance),
+               "bad.glb: a luminance is inf");
+}
+
+TEST_F(WriteGlb, EmitsNothingWhereNothingShines) {
+  write_glb(in_folder("dark.glb"), Image(64, 32, {"Y"}), generator, GlbTexels::luminance);
+  const Parts parts(bytes_of(in_folder("dark.glb")));
+  EXPECT_EQ(parts.document["materials"][0]["extensions"]["KHR_materials_emissive_strength"]
+                          ["emissiveStrength"],
+            1);
 }
 
 TEST_F(WriteGlb, NamesItsProgramAndTheMoonsRadius) {

@@ -23,10 +23,17 @@ globalThis.createImageBitmap = async blob => {
 const buffer = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length);
 const { scene, asset } = await new GLTFLoader().parseAsync(buffer, '');
 const { material } = scene.getObjectByName('Moon').getObjectByProperty('isMesh', true);
-assert.equal(material.type, 'MeshBasicMaterial');  // three's name for unlit
-assert.equal(material.map.colorSpace, THREE.SRGBColorSpace);
-assert.equal(material.map.wrapS, THREE.RepeatWrapping);
-assert.equal(material.map.wrapT, THREE.ClampToEdgeWrapping);
+const luminous = process.argv[2].includes('lin_rec709');  // in cd/m²
+assert.equal(material.type, luminous ? 'MeshStandardMaterial' : 'MeshBasicMaterial');  // three's name for unlit
+const map = luminous ? material.emissiveMap : material.map;
+assert.equal(map.colorSpace, THREE.SRGBColorSpace);
+assert.equal(map.wrapS, THREE.RepeatWrapping);
+assert.equal(map.wrapT, THREE.ClampToEdgeWrapping);
+if (luminous) {
+  assert.ok(material.emissiveIntensity > 1 && material.emissiveIntensity < 6000);  // the full Moon has 5000 cd/m²
+  assert.equal(material.color.getHex(), 0);
+  assert.equal(material.emissive.getHex(), 0xffffff);
+}
 assert.equal(material.side, THREE.FrontSide);
 assert.deepEqual(kinds, ['image/png']);
 assert.match(asset.generator, /^coppermoon/);
