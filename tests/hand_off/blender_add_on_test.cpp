@@ -487,7 +487,7 @@ TEST_F(BlenderAddOn, WorksInAWindow) {
        "def state(word):\n"
        "    moon = bpy.data.objects['Moon']\n"
        "    node = next(n for n in moon.active_material.node_tree.nodes if n.type == 'TEX_IMAGE')\n"
-       "    print(word, node.image.name if node.image else 'none', flush=True)\n"
+       "    print(word, node.image.filepath if node.image else 'none', flush=True)\n"
        "def steps():\n"
        "    add = bpy.ops.coppermoon.add_eclipse\n"
        "    add('EXEC_DEFAULT', True, date='2018-07-27', " +
