@@ -190,6 +190,7 @@ Json as_json(const uses::Suspicion& suspicion, const Input& input) {
   constexpr std::array names{"instant", "exposure", "colours", "clock", "tone curve", "air"};
   return {{"file", input.request.photographs[suspicion.worst.photograph].file},
           {"channel", channel_names[suspicion.worst.channel]},
+          {"place", uses::part_of_shadow(suspicion.worst.worst_km)},
           {"suspect", names[static_cast<std::size_t>(suspicion.suspect)]}};
 }
 
@@ -344,9 +345,11 @@ const char* remedy(uses::Suspect suspect) {
 /// Photograph and channel that misfit most, what to try, and mirrored photographs.
 std::string misfit_of(const uses::Suspicion& suspicion, const uses::FitRequest& request) {
   const auto& worst = suspicion.worst;
-  auto text = fmt::format("worst: {} in {}, {} at {:.0f} km from the shadow's axis; try: {}",
-                          request.photographs[worst.photograph].file, channel_names[worst.channel],
-                          ratio_in_words(worst.worst), worst.worst_km, remedy(suspicion.suspect));
+  auto text =
+      fmt::format("worst: {} in {}, {} in the {}, {:.0f} km from the shadow's axis; try: {}",
+                  request.photographs[worst.photograph].file, channel_names[worst.channel],
+                  ratio_in_words(worst.worst), uses::part_of_shadow(worst.worst_km), worst.worst_km,
+                  remedy(suspicion.suspect));
   for (const auto i : suspicion.mirrored)
     text += fmt::format("; mirrored: {}", request.photographs[i].file);
   return text;
@@ -433,7 +436,7 @@ void add_photograph_options(CLI::App& verb, Options& options) {
       .within(1e-3, 10);
   add("--weather-error", options.request.weather_error,
       "standard error of the light of 30 degrees of the Earth's limb by weather, in red, 0 to 1; "
-      "default: 0.1 for a camera's own JPEGs, else 0")
+      "default: 0.1 for a camera's own JPEGs and raw files, else 0")
       .within(0, 1);
   add("--clock-error", options.clock_error_min,
       "standard error of a camera's clock [minutes], 0 to 60; the clock's own error is then found; "

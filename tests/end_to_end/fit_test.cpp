@@ -184,6 +184,35 @@ TEST_F(FitThoroughly, NamesThePhotographAndTheChannelThatMisfit) {
   EXPECT_EQ(of_a_pale_red["suspect"], "colours");
 }
 
+TEST_F(FitThoroughly, NamesBlueInTheUmbraWhereItAloneIsScaledThere) {
+  Words photographs;
+  std::string moments;
+  const auto take = [&](const std::string& name, const std::string& moment, const Words& more) {
+    photograph("300", Words{"--bits", "16"} + more, moment);
+    std::filesystem::rename(here("a.png"), here(name));
+    photographs.push_back(name);
+    moments += (moments.empty() ? "" : ",") + moment;
+  };
+  const Words clear{"--dust-extinction", "1e-6", "--cloud-cover", "0.1"};  // blue is seen in it
+  take("sunlit.png", "2018-07-27T18:50:00Z", clear + Words{"--time", "1/500"});
+  for (const char* minute : {"05", "20", "35", "50"}) {
+    const auto name = std::string(minute) + ".png";
+    take(name, fmt::format("2018-07-27T20:{}:00Z", minute), clear + Words{"--time", "1"});
+    run({"oiiotool", name, "--mulc", "1,1,1.6", "-o", name});
+  }
+  const auto outcome =
+      coppermoon(Words{"fit"} + photographs +
+                 Words{"--instants", moments, "--times", "0.002,1,1,1,1", "--isos", "800",
+                       "--f-number", "5.6", "--at", syria, "--camera", "400mm", "--atmosphere",
+                       "undated", "--despite-misfit", "--albedo-map", "built-in", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto misfit = json::parse(outcome.out)["misfit"];
+  EXPECT_EQ(misfit["channel"], "blue");
+  EXPECT_EQ(misfit["place"], "umbra");
+  EXPECT_EQ(misfit["suspect"], "colours");
+  EXPECT_NE(misfit["file"], "sunlit.png");
+}
+
 TEST_F(FitThoroughly, OfARawPhotographFindsItsAirByItsOwnHeader) {
   photograph("880", {"--raw", "a.dng"});
   const auto found = fit(

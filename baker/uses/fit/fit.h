@@ -46,7 +46,7 @@ struct FitRequest {
   /// own tone curve 0.3
   std::optional<double> white_balance_error = {};
   /// standard error of the light of 30 degrees of the limb by weather, 0 to 1; without: 0.1 for a camera's own
-  /// JPEGs, else 0
+  /// JPEGs and raw files, else 0
   std::optional<double> weather_error = {};
   double clock_error_s = 0;      ///< standard error of each camera's clock, 0 to 3600; 0: exact
   bool half_hours_free = false;  ///< any whole number of half hours may be added to instants

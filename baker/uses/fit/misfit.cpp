@@ -10,8 +10,8 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Share of the misfit that is most of it.
-constexpr double most_of_it = 0.6;
+/// Shares of the misfit that are most of it, and nearly all.
+constexpr double most_of_it = 0.6, nearly_all = 0.8;
 
 /// Least distance from the shadow's axis of what counts as the umbra's edge, and of ground beyond it [km].
 constexpr double edge_km = 4000, beyond_km = 4900;
@@ -71,10 +71,15 @@ Suspect suspect_of(const std::vector<Misfit>& all, const Misfit& worst) {
     ++photographs[misfit.photograph];
     if (misfit.photograph == worst.photograph) own.push_back(misfit);
   }
+  const double of_channel =
+      share_of(all, [&](const Misfit& one) { return one.channel == worst.channel; });
   const auto of_worst = [&](const Misfit& one) { return one.photograph == worst.photograph; };
-  if (photographs.size() > 1 && share_of(all, of_worst) > most_of_it) return of_one_photograph(own);
-  if (share_of(all, [&](const Misfit& one) { return one.channel == worst.channel; }) > most_of_it)
-    return Suspect::colours;
+  if (photographs.size() > 1 && share_of(all, of_worst) > most_of_it) {
+    const auto suspect = of_one_photograph(own);
+    // another instant changes all channels
+    return suspect == Suspect::instant && of_channel > nearly_all ? Suspect::colours : suspect;
+  }
+  if (of_channel > most_of_it) return Suspect::colours;
   const auto worst_within = [&](double from_km, double to_km) {
     return share_of(all, [&](const Misfit& one) {
              return one.worst_km >= from_km && one.worst_km < to_km;
@@ -86,6 +91,11 @@ Suspect suspect_of(const std::vector<Misfit>& all, const Misfit& worst) {
 }
 
 }  // namespace
+
+const char* part_of_shadow(double axis_distance_km) {
+  if (axis_distance_km < edge_km) return "umbra";
+  return axis_distance_km < beyond_km ? "edge of the umbra" : "penumbra";
+}
 
 std::optional<Suspicion> suspicion_of(const FitReport& report) {
   std::vector<Misfit> all;

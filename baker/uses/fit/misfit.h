@@ -26,6 +26,9 @@ struct Suspicion {
   std::vector<std::size_t> mirrored{};  ///< photographs, where not all are
 };
 
+/// Part of the shadow at a distance from its axis: "umbra", "edge of the umbra", "penumbra".
+const char* part_of_shadow(double axis_distance_km);
+
 /// Likely reason of a misfit, by its pattern over photographs, channels and distances from the shadow's axis.
 ///
 /// Returned  nothing without photographs, or where χ² is what errors make it

@@ -47,12 +47,11 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
       request.shutter_error,
       request.white_balance_error.value_or(curved ? of_automatic_white_balance : of_known_colours),
       white_balance_is_fixed(photograph.file)};
-  if (curved) {
-    // of cameras' matrices some per cent; styles of JPEG saturate colours by 0.8 to 1.3
-    errors.mixing_error = 0.03;
-    errors.saturation_error = 0.2;
-  }
-  errors.weather_error = request.weather_error.value_or(curved ? 0.1 : 0);
+  // of cameras' matrices some per cent; that of a raw file is known with its filters
+  const bool raw = texture::is_raw_file(photograph.file);
+  if (curved || (raw && !request.moon.response)) errors.mixing_error = 0.03;
+  if (curved) errors.saturation_error = 0.2;  // styles of JPEG saturate colours by 0.8 to 1.3
+  errors.weather_error = request.weather_error.value_or(curved || raw ? 0.1 : 0);
   if (const auto exposure = exposure_of(photograph, errors.exposure_error >= free))
     errors.value_per_cd_m2 =
         request.camera.empty()

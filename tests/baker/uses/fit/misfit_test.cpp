@@ -56,6 +56,10 @@ TEST(Misfit, OfOneChannelIsTheCamerasColours) {
   EXPECT_EQ(found.suspect, Suspect::colours);
   EXPECT_EQ(found.worst.channel, 2);
   EXPECT_EQ(found.worst.photograph, 3);
+  const auto of_one_photograph = with([](Misfit& one) {
+    if (one.channel == 2 && one.photograph == 1) one.chi_squared = 500, one.mean = 0.5;
+  });
+  EXPECT_EQ(of_one_photograph.suspect, Suspect::colours) << "an instant changes all channels";
 }
 
 TEST(Misfit, OfAllIsTheClockTheAirOrTheToneCurveByItsPlace) {
@@ -72,6 +76,12 @@ TEST(Misfit, OfAllIsTheClockTheAirOrTheToneCurveByItsPlace) {
             }).suspect,
             Suspect::clock)
       << "what changes with time";
+}
+
+TEST(Misfit, IsInAPartOfTheShadow) {
+  EXPECT_STREQ(part_of_shadow(3000), "umbra");
+  EXPECT_STREQ(part_of_shadow(4500), "edge of the umbra");
+  EXPECT_STREQ(part_of_shadow(5500), "penumbra");
 }
 
 TEST(Misfit, NamesMirroredPhotographsAmongOthers) {
