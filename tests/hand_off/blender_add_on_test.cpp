@@ -371,7 +371,7 @@ TEST_F(BlenderAddOn, HangsMoonAndStarsIntoTheSkyOfALandscape) {
       print_sky + "say('')\nprint('clip', scene.camera.data.clip_end)\n" + square() +
       fmt::format(
           "from coppermoon import film\nfilm.set_render(scene)\n"
-          "scene.world.use_nodes, scene.world.color = False, (0, 0, 0)\n"
+          "scene.world = film.black_world()\n"
           "bpy.data.objects.remove(bpy.data.objects['Cube'])\n"
           "eye = scene.camera\neye.location, eye.rotation_mode = (0, 0, 0), 'QUATERNION'\n"
           "eye.data.lens = eye.data.sensor_width / 2 / math.tan(math.radians({}) / 2)\n",
