@@ -238,7 +238,9 @@ colour::Registration registration_of(const FitScene& scene, const MoonPart& moon
       return static_cast<std::size_t>(static_cast<double>(pixels) * size);
     };
     try {
-      colour::KnownBefore known{.in_render = scene.disc, .scale = scale, .roughly = roughly};
+      colour::KnownBefore known{.scale = scale, .roughly = roughly};
+      // finely both discs are by their limbs, whose errors are alike
+      if (roughly) known.in_render = scene.disc;
       if (size == 1) known.in_photo = moon.disc;
       if (scale) *known.scale *= size;
       auto found = colour::registered(
