@@ -131,15 +131,15 @@ Values light_nearby(const Centred& picture) {
                      static_cast<std::size_t>(std::max(2., std::round(reach * disc.radius_px))));
 }
 
-/// Weight 0 beyond the picture, and at a clipped limb and the halo beside it, which end further out.
+/// Weight 0 beyond the picture, and at a clipped limb, which blur moves outward.
 Values weights_of(const Centred& picture) {
-  constexpr double inner = 0.92, halo = 0.03;  // of the radius
+  constexpr double inner = 0.92;  // of the radius
   const auto& disc = picture.disc;
   const auto clipped = blurred(where(picture.light,
                                      [&](std::size_t r, std::size_t c) {
                                        return picture.light(r, c) > 0.99F * picture.too_bright;
                                      }),
-                               static_cast<std::size_t>(std::max(1., halo * disc.radius_px)));
+                               1);
   return where(picture.light, [&](std::size_t r, std::size_t c) {
     const bool at_limb = away_from(disc.x_px, disc.y_px, r, c) > inner * disc.radius_px;
     return picture.usable(r, c) > 0 && !(at_limb && clipped(r, c) > 0);
