@@ -215,8 +215,14 @@ TEST_F(FitThoroughly, NamesBlueInTheUmbraWhereItAloneIsScaledThere) {
 
 TEST_F(FitThoroughly, OfARawPhotographFindsItsAirByItsOwnHeader) {
   photograph("880", {"--raw", "a.dng"});
-  const auto found = fit(
-      {"a.dng", "--instants", deep, "--at", syria, "--camera", "400mm", "--atmosphere", "undated"});
+  const Words words{"a.dng",    "--instants", deep,           "--at",   syria,
+                    "--camera", "400mm",      "--atmosphere", "undated"};
+  const auto found = fit(words);
+  const auto chi_squared_at = [&](const char* weather) {
+    return fit(words + Words{"--weather-error", weather})["chi_squared"].get<double>();
+  };
+  EXPECT_EQ(chi_squared_at("0.1"), found["chi_squared"]) << "weather is of the sky";
+  EXPECT_NE(chi_squared_at("0"), found["chi_squared"]);
   EXPECT_EQ(found["photographs"][0]["exposure_known"], true);
   EXPECT_EQ(found["explained"], true);
   EXPECT_WITHIN_RELATIVE(found["dust_extinction_per_m"]["median"].get<double>(), 5e-6, 0.25,
