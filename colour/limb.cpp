@@ -80,19 +80,10 @@ Spread spread_of(std::span<const double> values) {
   return {mean, std::sqrt(squares) / n};
 }
 
-/// Limb that counts: all, or where ground and its bloom are not clipped.
-enum class Limb { all, unclipped };
-
 /// Picture, and the light above which it is clipped.
 struct Picture {
   const Luminance& image;
   double clipped;
-  Limb limb;
-
-  /// Whether a profile's limb counts.
-  bool counts(std::span<const double> profile) const {
-    return !profile.empty() && (limb == Limb::all || *std::ranges::max_element(profile) <= clipped);
-  }
 };
 
 /// Profile from the inner end of its brightest stretch on, where light is above three quarters of the brightest: a
@@ -113,7 +104,7 @@ std::optional<LimbPlace> limb_place(const Picture& picture, const Disc& disc, do
                                     double half_width_px) {
   constexpr double clearly = 4, of_clipped = 0.3;
   const auto light = profile(picture.image, disc, angle, half_width_px);
-  if (!picture.counts(light)) return std::nullopt;
+  if (light.empty()) return std::nullopt;
   const auto all = ground_and_sky(light);
   const double inner_px =
       half_width_px * (1 - 2 * static_cast<double>(all.size()) / static_cast<double>(light.size()));
@@ -206,14 +197,14 @@ Found measured(const Picture& picture, Disc disc, double last_share) {
 /// Unevenness of the sky beside a disc: its own steps of light and its excess over its darkest fifth, over the steps
 /// from disc to sky. Above a half for edges that go on beyond the circle (corner, horizon) or a steady slope; infinite
 /// for a disc without visible contrast.
-double unevenness(const Picture& picture, const Disc& disc) {
+double unevenness(const Luminance& image, const Disc& disc) {
   constexpr double band = 0.1;
   const double wide_px = std::max(2., band * disc.radius_px);
   double uneven = 0, limb = 0;
   std::vector<double> beyond;
   for (int degree = 0; degree < 360; ++degree) {
-    const auto light = profile(picture.image, disc, degree * std::numbers::pi / 180, 2 * wide_px);
-    if (!picture.counts(light)) continue;
+    const auto light = profile(image, disc, degree * std::numbers::pi / 180, 2 * wide_px);
+    if (light.empty()) continue;
     const std::span all(light);
     const auto mean = [&](std::size_t quarter) {
       return spread_of(all.subspan(quarter * all.size() / 4, all.size() / 4)).mean;
@@ -243,7 +234,7 @@ double roundness(const Picture& picture, const Disc& disc) {
 
 /// Whether a disc is round and before an even sky.
 bool stands_alone(const Picture& picture, const Disc& disc) {
-  return unevenness(picture, disc) <= 0.5 && roundness(picture, disc) >= 0.75;
+  return unevenness(picture.image, disc) <= 0.5 && roundness(picture, disc) >= 0.75;
 }
 
 bool alike(const Disc& a, const Disc& b) {
@@ -253,8 +244,8 @@ bool alike(const Disc& a, const Disc& b) {
 }
 
 /// Circle of most evidence among the likely ones.
-Found found_in(const Luminance& image, Limb limb) {
-  const Picture picture{image, 0.98 * *std::ranges::max_element(image.values()), limb};
+Found found_in(const Luminance& image) {
+  const Picture picture{image, 0.98 * *std::ranges::max_element(image.values())};
   std::vector<Disc> tried;
   Found best{{}, 0};
   for (const auto& circle : likely_circles(image)) {
@@ -277,13 +268,13 @@ std::size_t reduction_of(std::size_t rows, std::size_t columns) {
 }
 
 /// Best circle in a part of a picture, binned to 400 pixels, and further where noise hides the limb.
-Found found_within(const Luminance& image, const PicturePart& part, Limb limb) {
+Found found_within(const Luminance& image, const PicturePart& part) {
   constexpr double least_reduced_px = 20;  // a square's corners are seen
   std::size_t by = reduction_of(part.rows, part.columns);
   for (int level = 0; level < 3; ++level, by *= 2) {
     if (std::min(part.rows, part.columns) < 16 * by) break;
     const double scale = static_cast<double>(by);
-    const auto [disc, evidence] = found_in(reduced(image, part, by), limb);
+    const auto [disc, evidence] = found_in(reduced(image, part, by));
     if (evidence > 0 && (level == 0 || disc.radius_px > least_reduced_px))
       return {{static_cast<double>(part.left) + scale * disc.x_px,
                static_cast<double>(part.top) + scale * disc.y_px, scale * disc.radius_px},
@@ -311,21 +302,18 @@ PicturePart about_the_brightest(const Luminance& image) {
 std::optional<Disc> limb_of(const Luminance& luminance) {
   require_luminance(luminance);
   constexpr double margin = 1.6;
-  const PicturePart whole{0, 0, luminance.columns(), luminance.rows()},
-      bright = about_the_brightest(luminance);
-  for (const auto limb : {Limb::all, Limb::unclipped})
-    for (const auto& window : {whole, bright}) {
-      const auto found = found_within(luminance, window, limb);
-      if (found.evidence == 0) continue;
-      const auto& [x, y, radius] = found.disc;
-      const auto close =
-          window_about({x, y, margin * radius}, luminance.rows(), luminance.columns());
-      if (reduction_of(close.rows, close.columns) < reduction_of(window.rows, window.columns))
-        if (const auto again = found_within(luminance, close, limb); again.evidence > 0)
-          return again.disc;
-      return found.disc;
-    }
-  return std::nullopt;
+  PicturePart window{0, 0, luminance.columns(), luminance.rows()};
+  auto found = found_within(luminance, window);
+  if (found.evidence == 0) {
+    window = about_the_brightest(luminance);
+    found = found_within(luminance, window);
+  }
+  if (found.evidence == 0) return std::nullopt;
+  const auto& [x, y, radius] = found.disc;
+  const auto close = window_about({x, y, margin * radius}, luminance.rows(), luminance.columns());
+  if (reduction_of(close.rows, close.columns) < reduction_of(window.rows, window.columns))
+    if (const auto again = found_within(luminance, close); again.evidence > 0) return again.disc;
+  return found.disc;
 }
 
 }  // namespace coppermoon::colour

@@ -20,9 +20,7 @@ struct Disc {
 /// limb is measured along 360 radii, by the area under each step of light, which no blur moves, and the
 /// circle is fitted to those places by least squares without outliers. The circle on which most
 /// light ends is the limb. This is done in a picture of 400 pixels at most, in smaller ones where
-/// noise hides the limb, about the brightest place where nothing else is found, and once more close up. Where
-/// nothing is found so, the limb is looked for where neither ground nor halo is clipped: the halo of a crescent that
-/// is a hundred times too bright ends elsewhere.
+/// noise hides the limb, about the brightest place where nothing else is found, and once more close up.
 ///
 /// Given     luminance  scene-linear, of any scale; what saturated the camera has the largest value
 /// Returned  nothing when no circle has a limb along a quarter of it in the picture, is round and

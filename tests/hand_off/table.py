@@ -68,7 +68,7 @@ CANNOT = [
     ("Blender's viewport", "`.eclipse`", "it has readers of its own, and shows nothing; Cycles reads it"),
     ("Mitsuba's spectral variants", "`scene --for mitsuba`", "they would make spectra of their own from RGB"),
     ("pbrt-v4", "a scene", "not written: pbrt was not at hand to be tried"),
-    ("glTF", "cd/m²", "the picture is developed and 8-bit: the format has no floating-point textures"),
+    ("glTF", "floats", "the format has no such textures: `moon_lin_rec709.glb` has cd/m² in 16 bits, sRGB-coded, and a strength"),
     ("iPhone's and iPad's viewers", "`.usdz`", "not at hand; OpenUSD's validators for such packages find nothing"),
     ("Maya, Houdini, Nuke, Unreal, Arnold, RenderMan", "`.tx`, `.usda`, `.exr`", "not at hand: written as their documentation "
      "has it"),

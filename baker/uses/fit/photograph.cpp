@@ -200,7 +200,10 @@ colour::Disc disc_in(const Channel& luminance) {
                                                                     extent(luminance.columns())));
     if (disc) return {disc->x_px / size, disc->y_px / size, disc->radius_px / size};
   }
-  throw algebra::Error("no Moon found, allowed is one with a quarter of its limb in the picture");
+  throw algebra::Error(
+      "no Moon found, allowed is one with a quarter of its limb in the picture, neither clipped "
+      "nor "
+      "lost in noise");
 }
 
 }  // namespace

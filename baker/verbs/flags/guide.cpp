@@ -30,8 +30,7 @@ const std::vector<GuideGroup>& guides() {
           "coppermoon ring 2018-07-27 --on Tycho --danjon 1 -o ring.exr"}}}},
       {"Films",
        {{"animate",
-         {"at", "output", "from", "to", "frames", "make", "time", "movie", "replace", "shard",
-          "job"},
+         {"at", "output", "from", "to", "frames", "make", "time", "movie", "shard", "job"},
          {"coppermoon animate 2018-07-27 --at Nairobi --frames 240 -o film --movie eclipse.mp4",
           "coppermoon animate 2018-07-27 --from U2-10min --to U3+10min --width 1920 --height 1080 "
           "-o film"}}}},
@@ -86,7 +85,7 @@ const std::vector<GuideGroup>& guides() {
        {{"describe", {"json"}, {"coppermoon describe --json", "coppermoon describe still bake"}},
         {"cache",
          {"list", "clean", "limit"},
-         {"coppermoon cache", "coppermoon cache --clean --limit 5"}}}}};
+         {"coppermoon cache --list", "coppermoon cache --clean --limit 5"}}}}};
   return groups;
 }
 
