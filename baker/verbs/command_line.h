@@ -19,6 +19,7 @@ void add_night(CLI::App& program);
 void add_explore(CLI::App& program);
 void add_plan(CLI::App& program);
 void add_shadow(CLI::App& program);
+void add_shader(CLI::App& program);
 void add_brightness(CLI::App& program);
 void add_bake(CLI::App& program);
 void add_ring(CLI::App& program);

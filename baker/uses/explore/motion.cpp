@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "algebra/chebyshev.h"
 #include "almanac/observer.h"
 #include "almanac/sky.h"
 #include "eclipse/shadow_axis.h"
@@ -56,19 +57,11 @@ Positions positions_at(const almanac::Instant& when) {
   return all;
 }
 
-double node(int i) { return -std::cos(pi * (i + 0.5) / nodes); }
-
-/// Coefficients c of the series Σ c_k T_k through the values at all nodes.
+/// Chebyshev series of one component.
 std::vector<double> series_through(const std::vector<Positions>& known, std::size_t component) {
-  std::vector<double> coefficients;
-  for (int k = 0; k < nodes; ++k) {
-    double sum = 0;
-    for (int i = 0; i < nodes; ++i)
-      sum +=
-          known[static_cast<std::size_t>(i)].numbers[component] * std::cos(k * std::acos(node(i)));
-    coefficients.push_back((k == 0 ? 1 : 2) * sum / nodes);
-  }
-  return coefficients;
+  std::vector<double> values;
+  for (const auto& positions : known) values.push_back(positions.numbers[component]);
+  return algebra::chebyshev_series(values);
 }
 
 }  // namespace
@@ -78,7 +71,7 @@ ordered_json motion_between(const almanac::Instant& from, const almanac::Instant
   std::vector<Positions> known(nodes);
   tbb::parallel_for(0, nodes, [&](int i) {
     known[static_cast<std::size_t>(i)] =
-        positions_at(almanac::later(from, (node(i) + 1) / 2 * seconds));
+        positions_at(almanac::later(from, (algebra::chebyshev_node(i, nodes) + 1) / 2 * seconds));
   });
   ordered_json series;
   std::size_t component = 0;

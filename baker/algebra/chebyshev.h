@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace coppermoon::algebra {
+
+/// Node i of n, from −1 to 1, for `chebyshev_series`.
+double chebyshev_node(int i, int n);
+
+/// Coefficients c of the Chebyshev series Σ c_k T_k through values at all nodes.
+///
+/// Given  values  [node], one or more
+std::vector<double> chebyshev_series(std::span<const double> values);
+
+/// Coefficients a of the power series Σ a_k x^k that equals a Chebyshev series.
+///
+/// Accuracy  rounding grows by about 2.4 for each degree: for a few coefficients
+std::vector<double> power_series(std::span<const double> chebyshev);
+
+}  // namespace coppermoon::algebra

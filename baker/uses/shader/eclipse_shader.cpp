@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "uses/shader/eclipse_shader.h"
+
+#include <fmt/format.h>
+
+#include "algebra/error.h"
+#include "almanac/calendar.h"
+#include "files/own_file.h"
+#include "files/whole_file.h"
+#include "texture/write_image.h"
+#include "uses/light/header.h"
+#include "uses/shader/shader_languages.h"
+
+namespace coppermoon::uses {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* strip_file = "eclipse.exr";
+
+nlohmann::ordered_json facts_of(const EclipseShader& shader, const ShaderHead& head) {
+  const auto& eclipse = shader.eclipse;
+  nlohmann::ordered_json contacts;
+  for (const auto& [name, when] : eclipse::contacts_of(eclipse))
+    contacts[name] = std::round(almanac::seconds_between(eclipse.greatest, when));
+  return {{"title", head.title},
+          {"greatest", head.greatest},
+          {"contacts_s", contacts},
+          {"half_s", shader.motion.half_s},
+          {"strip", head.strip},
+          {"columns", shader.strip.roots.width},
+          {"rows", shader.strip.roots.height},
+          {"colour_space", head.colour_space},
+          {"version", version()},
+          {"steps", json_of(shader.formula)}};
+}
+
+texture::Attributes header_of(const ShaderHead& head, const std::string& recipe) {
+  return {{"colorInteropID", "data"},
+          {"comments",
+           fmt::format("square roots of light on the Moon over full sunlight, no unit; red, green "
+                       "and blue of {}; read by eclipse.osl, .glsl, .mtlx, .inc",
+                       head.colour_space)},
+          {"coppermoon:light_space", head.colour_space},
+          {"coppermoon:greatest", head.greatest},
+          {"coppermoon:version", std::string(version())},
+          {"coppermoon:recipe", recipe}};
+}
+
+std::string scene_of(const eclipse::Eclipse& eclipse, const ShaderHead& head) {
+  const auto contacts = eclipse::contacts_of(eclipse);
+  const auto seconds = [&](const almanac::Instant& when) {
+    return almanac::seconds_between(eclipse.greatest, when);
+  };
+  return fmt::format(
+      R"(// SPDX-License-Identifier: MIT
+// {}, seen from the Earth's centre, made by coppermoon for POV-Ray 3.7.
+//
+//   povray eclipse.pov +KFF24 +KI{:.0f} +KF{:.0f} +W480 +H480 +FE +A0.0 +AM2 +R2 -J
+//
+// renders 24 frames, from the first contact to the last: clock is seconds from greatest eclipse. The frames are in cd/m2:
+// develop them with `coppermoon develop`.
+#version 3.7;
+global_settings {{ assumed_gamma 1.0 }}
+#include "eclipse.inc"
+
+Eclipse_At(clock)
+camera {{
+  location 200*Eclipse_Earth
+  direction z
+  right x*image_width/image_height
+  up y
+  sky Eclipse_North
+  angle 0.8
+  look_at 0
+}}
+
+// A Moon of one grey. Yours: pigment {{ image_map {{ exr "moon.exr" map_type 1 interpolate 2 }} rotate y*180 }}
+// of `coppermoon bake {} --unshadowed -o moon.exr`, in cd/m2, or a map of your own times its sunlight.
+Eclipse_Moon(pigment {{ rgb 4000 }})
+)",
+      head.title, seconds(contacts.front().second), seconds(contacts.back().second),
+      head.greatest.substr(0, head.greatest.find('T')));
+}
+
+}  // namespace
+
+EclipseShader eclipse_shader(const eclipse::Eclipse& eclipse, const ShaderRequest& request,
+                             const algebra::Progress& progress) {
+  EclipseShader shader;
+  shader.eclipse = eclipse;
+  shader.eclipse.greatest = almanac::instant_from_utc(almanac::utc_text(eclipse.greatest));
+  shader.motion = shadow_motion(shader.eclipse);
+  const double radius_km = algebra::in_kilometres(almanac::lunar_radius);
+  // the Moon's farther half is never in sunlight
+  shader.strip =
+      light_strip(request.light, almanac::sky_at(shader.eclipse.greatest),
+                  (shader.motion.nearest - 1) * radius_km, shader.motion.farthest * radius_km,
+                  request.space, request.response, progress);
+  shader.formula = shadow_formula(shader.motion, shader.strip);
+  return shader;
+}
+
+std::vector<std::string> write_shader(const fs::path& folder, const EclipseShader& shader,
+                                      const ShaderRequest& request, const std::string& recipe) {
+  const ShaderHead head{title(shader.eclipse), almanac::utc_text(shader.eclipse.greatest),
+                        std::string(colour::name(request.space)), strip_file};
+  const std::vector<std::pair<std::string, std::string>> texts{
+      {"eclipse.osl", files::stamped(osl_of(shader.formula, head), "//")},
+      {"eclipse.glsl", files::stamped(glsl_of(shader.formula, head), "//")},
+      {"eclipse.mtlx", files::stamped(materialx_of(shader.formula, head), "<!--", " -->")},
+      {"eclipse.inc", files::stamped(povray_of(shader.formula, head), "//")},
+      {"eclipse.pov", files::stamped(scene_of(shader.eclipse, head), "//")}};
+  for (const auto& [name, text] : texts) files::require_stamped(folder / name);
+  for (const auto* name : {strip_file, "eclipse.json"}) files::require_no_link(folder / name);
+  fs::create_directories(folder);
+  std::vector<std::string> written{strip_file};
+  texture::write_exr(folder / strip_file, shader.strip.roots, header_of(head, recipe));
+  for (const auto& [name, text] : texts) {
+    files::write_whole(folder / name, text);
+    written.push_back(name);
+  }
+  files::write_whole(folder / "eclipse.json", facts_of(shader, head).dump(1) + "\n");
+  written.push_back("eclipse.json");
+  return written;
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algebra/progress.h"
+#include "eclipse/contacts.h"
+#include "uses/light/moonlight.h"
+#include "uses/shader/formula.h"
+
+namespace coppermoon::uses {
+
+/// Request for an eclipse's shader.
+struct ShaderRequest {
+  LightRequest light{};
+  colour::WorkingSpace space = colour::WorkingSpace::linear_rec709;
+  std::optional<std::string> response{};  ///< as in colour::channel_weights
+};
+
+/// A whole eclipse as one small image and the formula that reads it.
+struct EclipseShader {
+  eclipse::Eclipse eclipse;  ///< its greatest phase at a whole second
+  ShadowMotion motion;
+  LightStrip strip;
+  Formula formula;
+};
+
+/// Shader of an eclipse.
+///
+/// Accuracy  a sunlit Moon times the light is within 1 % of the brightest channel of a baked Moon, 2 % where direct
+///           light begins, beside the errors of both lights
+/// Throws    Error  as light_strip
+EclipseShader eclipse_shader(const eclipse::Eclipse& eclipse, const ShaderRequest& request,
+                             const algebra::Progress& progress = {});
+
+/// Writes a shader's files into a folder: eclipse.exr, the strip; eclipse.osl, .glsl, .mtlx; eclipse.inc and
+/// eclipse.pov for POV-Ray; eclipse.json, the formula step by step with all facts, for other programs.
+///
+/// Given     recipe  for the strip's header
+/// Returned  names of the files
+/// Throws    Error   when a file there is not ours, or cannot be written
+std::vector<std::string> write_shader(const std::filesystem::path& folder,
+                                      const EclipseShader& shader, const ShaderRequest& request,
+                                      const std::string& recipe);
+
+}  // namespace coppermoon::uses

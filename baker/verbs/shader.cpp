@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "algebra/error.h"
+#include "uses/picture/picture_parameters.h"
+#include "uses/shader/eclipse_shader.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/film_options.h"
+#include "verbs/flags/light_options.h"
+#include "verbs/flags/moments.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/reports/one_line.h"
+#include "verbs/reports/progress_bar.h"
+#include "verbs/reports/report.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+namespace fs = std::filesystem;
+
+const request::Words<colour::WorkingSpace> spaces{
+    {"lin_rec709", colour::WorkingSpace::linear_rec709},
+    {"acescg", colour::WorkingSpace::acescg},
+    {"lin_ciexyzd65_scene", colour::WorkingSpace::ciexyz_d65}};
+
+struct Options {
+  FilmOptions film;  ///< eclipse and calendar alone
+  std::string output;
+  LightOptions light;
+  uses::ShaderRequest request;
+  bool json = false;
+};
+
+void run(const CLI::App& verb, Options options) {
+  const fs::path folder = options.output;
+  if (fs::exists(folder) && !fs::is_directory(folder))
+    throw algebra::Error(fmt::format("{}: is no directory", one_line(options.output)));
+  const auto start = std::chrono::steady_clock::now();
+  options.request.light = light_request(options.light);
+  const auto eclipse = times_of(options.film).eclipse;
+  say_unless_danjon_is_reached(options.request.light.air, almanac::sky_at(eclipse.greatest));
+  const auto shader = [&] {
+    ProgressBar bar("light");
+    return uses::eclipse_shader(eclipse, options.request, bar.progress());
+  }();
+  const auto files = uses::write_shader(folder, shader, options.request, recipe_of(verb));
+  if (options.json)
+    fmt::print("{}\n",
+               nlohmann::ordered_json{
+                   {"folder", options.output}, {"files", files}, {"seconds", seconds_since(start)}}
+                   .dump(2));
+  else
+    fmt::print("{}: {}\n", one_line(options.output), fmt::join(files, ", "));
+}
+
+}  // namespace
+
+void add_shader(CLI::App& program) {
+  auto* verb = add_verb(program, "shader",
+                        "writes an eclipse as one small image and a shader that knows the time, "
+                        "for OSL, GLSL, MaterialX, POV-Ray and Blender");
+  const auto options = std::make_shared<Options>();
+  add_flag(*verb, "eclipse,--eclipse", options->film.eclipse, "day of the eclipse, as 2018-07-27")
+      .required();
+  add_calendar_option(*verb, options->film.calendar);
+  add_flag(*verb, "-o,--output", options->output,
+           "folder for the strip, eclipse.exr, and the shaders that read it")
+      .writes_folder()
+      .required();
+  add_choice(*verb, "--space", options->request.space, spaces,
+             "colour space of the light: lin_rec709, acescg or lin_ciexyzd65_scene");
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_light_options(*verb, options->light);
+  add_described(*verb, options->request.response, uses::describe_response);
+  add_recipe_option(*verb);
+  on_run(*verb, [verb, options] { run(*verb, *options); });
+}
+
+}  // namespace coppermoon::verbs

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+// An eclipse as one strip and a formula: the Moon that `bake` makes, at every moment and in every language.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+#include <sstream>
+
+#include "almanac/calendar.h"
+#include "almanac/sky.h"
+#include "eclipse/shadow_axis.h"
+#include "end_to_end/eclipse_shader.h"
+#include "support/within.h"
+
+namespace coppermoon::end_to_end {
+namespace {
+
+using nlohmann::json;
+using std::numbers::pi;
+
+/// The largest of |light × sunlit − baked| over the baked texel's brightest channel.
+struct Misses {
+  double umbra = 0;   ///< with less than 1e-3 of sunlight
+  double begins = 0;  ///< up to 3 % of sunlight: where direct light begins
+  double bright = 0;
+};
+
+Vector place_of(std::size_t row, std::size_t column, std::size_t rows) {
+  const double texel = pi / static_cast<double>(rows);
+  const double latitude = pi / 2 - (static_cast<double>(row) + 0.5) * texel,
+               longitude = (static_cast<double>(column) + 0.5) * texel - pi;
+  return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+          std::sin(latitude)};
+}
+
+double brightest(const texture::Image& image, std::size_t row, std::size_t column) {
+  return std::max({image(row, column, 0), image(row, column, 1), image(row, column, 2)});
+}
+
+/// An eclipse whose light takes little time.
+const Words quick{"2018-07-27", "--atmosphere", "undated", "--bands", "20"};
+
+class Shader : public ShaderTest {
+ protected:
+  EclipseShader shader(Words flags) const {
+    expect_done(coppermoon(Words{"shader"} + flags + Words{"-o", "eclipse"}));
+    return read_shader(here("eclipse"));
+  }
+
+  texture::Image baked(const Words& flags) const {
+    expect_done(coppermoon(Words{"bake"} + flags +
+                           Words{"--type", "float", "--texture-width", "256", "--quality",
+                                 "reference", "-o", "moon.exr"}));
+    return texture::read_image(here("moon.exr"));
+  }
+
+  /// Light in all places of one time, within a share of itself.
+  static void expect_alike(const std::vector<Vector>& found, const EclipseShader& of,
+                           const std::vector<Vector>& places, double seconds, double share,
+                           const char* why) {
+    double least = 1, most = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto expected = of.at(places[i], seconds);
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_WITHIN(found[i][k], expected[k], share * (expected[k] + 1e-5), why);
+        least = std::min(least, expected[k]), most = std::max(most, expected[k]);
+      }
+    }
+    EXPECT_LT(least, 1e-3) << "umbra";
+    EXPECT_GT(most, seconds < -5000 ? 0.5 : 1e-4);
+  }
+
+  std::string moment(const EclipseShader& of, double seconds) const {
+    const auto greatest = almanac::instant_from_utc(of.facts["greatest"].get<std::string>());
+    return almanac::utc_text(almanac::later(greatest, seconds), 3);
+  }
+
+  Misses misses(const EclipseShader& of, double seconds, const Words& air) const {
+    const auto when = moment(of, seconds);
+    const auto shadowed = baked(Words{when} + air), full = baked(Words{when, "--unshadowed"} + air);
+    Misses worst;
+    for (std::size_t r = 0; r < full.height; ++r)
+      for (std::size_t c = 0; c < full.width; ++c) {
+        const double most = brightest(shadowed, r, c);
+        if (most <= 0) continue;
+        const auto light = of.at(place_of(r, c, full.height), seconds);
+        const double share = most / brightest(full, r, c);
+        auto& miss = share < 1e-3 ? worst.umbra : share < 0.03 ? worst.begins : worst.bright;
+        for (std::size_t k = 0; k < 3; ++k)
+          miss = std::max(miss, std::abs(light[k] * full(r, c, k) - shadowed(r, c, k)) / most);
+      }
+    return worst;
+  }
+};
+
+using ShaderThoroughly = Shader;
+
+TEST_F(Shader, TimesTheSunlitMoonIsTheBakedMoon) {
+  const Words air{"--scattered-light", "off"};
+  const auto worst = misses(shader(Words{"2018-07-27"} + air), -4000, air);
+  EXPECT_WITHIN(worst.umbra, 0., 0.01, "as stated; ground of another colour than the mean");
+  EXPECT_WITHIN(worst.begins, 0., 0.02, "as stated");
+  EXPECT_WITHIN(worst.bright, 0., 0.01, "as stated");
+}
+
+TEST_F(ShaderThoroughly, TimesTheSunlitMoonIsTheBakedMoonAtAllTimes) {
+  struct Case {
+    Words eclipse;
+    std::vector<double> seconds;
+  };
+  const std::string region = "from-latitude=-90,to-latitude=10,ozone-du=350,cloud-cover=0.7",
+                    sector = "from-position-angle=20,to-position-angle=110,dust-extinction=3e-6";
+  const std::vector<Case> cases{
+      {{"2018-07-27"}, {-9600, -7500, -5400, -3600, -1800, 0, 2400, 4800, 7200, 9000}},
+      {{"1992-12-09"}, {-6500, -4000, -1500, 1000, 3500}},
+      {{"2021-11-19", "--region", region, "--region", sector}, {-8000, -3000, 0, 2500, 6000}}};
+  for (const auto& [eclipse, moments] : cases) {
+    const Words air(eclipse.begin() + 1, eclipse.end());
+    const auto of = shader(eclipse);
+    for (const double seconds : moments) {
+      const auto worst = misses(of, seconds, air);
+      const auto said = fmt::format("{} at {} s", eclipse[0], seconds);
+      EXPECT_WITHIN(worst.umbra, 0., 0.01, "as stated") << said;
+      EXPECT_WITHIN(worst.begins, 0., 0.02, "as stated") << said;
+      EXPECT_WITHIN(worst.bright, 0., 0.01, "as stated") << said;
+    }
+  }
+}
+
+TEST_F(Shader, HoldsAWholeEclipseInLittle) {
+  shader({"2018-07-27"});
+  EXPECT_LE(std::filesystem::file_size(here("eclipse/eclipse.exr")), 1000000U) << "as asked";
+  EXPECT_EQ(listing(),
+            (std::set<std::string>{"here/eclipse", "here/eclipse/eclipse.exr",
+                                   "here/eclipse/eclipse.glsl", "here/eclipse/eclipse.inc",
+                                   "here/eclipse/eclipse.json", "here/eclipse/eclipse.mtlx",
+                                   "here/eclipse/eclipse.osl", "here/eclipse/eclipse.pov"}));
+}
+
+TEST_F(Shader, IsFullSunlightBeforeAndAfter) {
+  const auto of = shader(quick);
+  const double half = of.facts["half_s"];
+  for (const double seconds : {-1e6, -half, half, 1e6})
+    for (const auto& place : places_on_moon()) {
+      if (place[0] < 0) continue;  // the far side, in the night
+      for (const double channel : of.at(place, seconds))
+        EXPECT_WITHIN(channel, 1., 1e-6, "a half float holds 1 exactly");
+    }
+}
+
+TEST_F(Shader, ItsMotionIsTheAlmanacs) {
+  const auto of = shader(quick);
+  // steps by name, run on the way to the light
+  for (const double seconds : {-11000., -3000., 0., 8000.}) {
+    const auto sky = almanac::sky_at(almanac::instant_from_utc(moment(of, seconds)));
+    const auto axis = eclipse::shadow_axis(sky);
+    for (const auto& place : {Vector{1, 0, 0}, Vector{0.6, 0, 0.8}, Vector{0.6, -0.8, 0}}) {
+      const auto truth = eclipse::place_of_ground(axis, sky, {place[0], place[1], place[2]});
+      const double km = algebra::in_kilometres(truth.axis_distance);
+      EXPECT_WITHIN(of.step("distance", place, seconds) * 1737.4, km, 0.1, "as stated");
+      EXPECT_WITHIN(of.step("depth", place, seconds) * 1737.4, algebra::in_kilometres(truth.depth),
+                    0.1, "as stated");
+      EXPECT_WITHIN(std::cos(2 * pi * of.step("turns", place, seconds) -
+                             algebra::in_radians(truth.position_angle)),
+                    1., 1e-6, "0.1 km in 100 km, squared");
+    }
+  }
+}
+
+TEST_F(Shader, OfGlslFindsTheLight) {
+  const auto of = shader(quick);
+  const auto source =
+      "#version 300 es\nprecision highp float;\nin vec3 positionObject;\n"
+      "uniform float seconds;\nout vec4 colour;\n" +
+      text_of(here("eclipse/eclipse.glsl")) +
+      "void main() { colour = vec4(eclipse_light(positionObject, seconds), 1); }\n";
+  const auto places = places_on_moon();
+  for (const double seconds : {-5400., 1000.}) {
+    const auto found =
+        shaded(source, {{"seconds", seconds}}, "eclipse_strip", {of.strip, {}}, false, places);
+    expect_alike(found, of, places, seconds, 0.01, "a GPU's filter has 256 steps between texels");
+  }
+}
+
+TEST_F(Shader, OfPovRayFindsTheLight) {
+  const auto of = shader(quick);
+  auto places = places_on_moon();
+  places.resize(400);
+  std::string scene =
+      "#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\n#include \"eclipse.inc\"\n";
+  for (const double seconds : {-5400., 1000.}) {
+    scene += fmt::format("Eclipse_At({})\n", seconds);
+    for (const auto& [x, y, z] : places)  // its y is north, its z 90 degrees east
+      scene += fmt::format(
+          "#debug concat(\"light \", vstr(3, <Eclipse_Red({0},{1},{2}), "
+          "Eclipse_Green({0},{1},{2}), "
+          "Eclipse_Blue({0},{1},{2})>, \" \", 0, 9), \"\\n\")\n",
+          x, z, y);
+  }
+  file("eclipse/print.pov", scene);
+  const auto said =
+      run({"povray", "+Iprint.pov", "+W1", "+H1", "-D", "-F"}, {.folder = here("eclipse")});
+  std::vector<Vector> found;
+  std::istringstream lines(said.err);
+  for (std::string line; std::getline(lines, line);) {
+    Vector light;
+    if (std::sscanf(line.c_str(), "light %lf %lf %lf", &light[0], &light[1], &light[2]) == 3)
+      found.push_back(light);
+  }
+  ASSERT_EQ(found.size(), 2 * places.size()) << said.err.substr(0, 2000);
+  expect_alike({found.begin(), found.begin() + 400}, of, places, -5400, 1e-4, "six digits");
+  expect_alike({found.begin() + 400, found.end()}, of, places, 1000, 1e-4, "six digits");
+}
+
+/// The Moon of eclipse.pov, pixel by pixel, by rays of our own.
+TEST_F(Shader, OfPovRayIsAFilm) {
+  const auto of = shader(quick);
+  const double seconds = -4000;
+  const auto done =
+      run({"povray", "eclipse.pov", "+K-4000", "+W40", "+H40", "+FE", "+Oframe.exr", "-D", "-A"},
+          {.folder = here("eclipse")});
+  ASSERT_EQ(done.status, 0) << done.err.substr(0, 2000);
+  const auto frame = texture::read_image(here("eclipse/frame.exr"));
+  const auto sky = almanac::sky_at(almanac::instant_from_utc(moment(of, seconds)));
+  const auto& from_gcrs = sky.selenographic_from_gcrs;
+  const auto eye = -200. * glm::normalize(from_gcrs * sky.moon_m);
+  const auto forward = -glm::normalize(eye);
+  const auto axes = glm::transpose(eclipse::shadow_axis(sky).shadow_from_gcrs);
+  const auto right = glm::normalize(glm::cross(forward, from_gcrs * axes[1])),
+             up = glm::cross(right, forward);  // celestial north; east is to the left
+  const double half = std::tan(0.4 * pi / 180);
+  int seen = 0;
+  for (std::size_t r = 0; r < 40; ++r)
+    for (std::size_t c = 0; c < 40; ++c) {
+      const double x = (static_cast<double>(c) + 0.5) / 20 - 1,
+                   y = 1 - (static_cast<double>(r) + 0.5) / 20;
+      const auto ray = glm::normalize(forward + half * (x * right + y * up));
+      const double along = -glm::dot(eye, ray), inside = 1 - glm::dot(eye, eye) + along * along;
+      if (inside < 0.1) continue;  // the limb
+      const auto p = eye + (along - std::sqrt(inside)) * ray;
+      const auto light = of.at({p.x, p.y, p.z}, seconds);
+      for (std::size_t k = 0; k < 3; ++k, ++seen)
+        EXPECT_WITHIN(frame(r, c, k), 4000 * light[k], 4000 * light[k] * 5e-3 + 1e-3,
+                      "half floats, and a column of the strip's slope in what a camera is off");
+    }
+  EXPECT_GT(seen, 1000);
+}
+
+TEST_F(Shader, WritesOverNothingOfYours) {
+  shader(quick);
+  file("eclipse/eclipse.glsl", "mine");
+  const auto outcome = coppermoon(Words{"shader"} + quick + Words{"-o", "eclipse"});
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("eclipse.glsl"), std::string::npos) << outcome.err;
+  EXPECT_EQ(text_of(here("eclipse/eclipse.glsl")), "mine");
+}
+
+TEST_F(Shader, ItsStripsHeaderMakesItAgain) {
+  shader(quick);
+  expect_done(coppermoon({"shader", "--recipe", "eclipse/eclipse.exr", "-o", "again"}));
+  for (const auto* name : {"eclipse.exr", "eclipse.osl", "eclipse.json"})
+    EXPECT_EQ(text_of(here("again") / name), text_of(here("eclipse") / name)) << name;
+}
+
+}  // namespace
+}  // namespace coppermoon::end_to_end
