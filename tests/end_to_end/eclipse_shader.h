@@ -3,6 +3,7 @@
 #pragma once
 
 #include "end_to_end/shadow_strip.h"
+#include "support/within.h"
 
 namespace coppermoon::end_to_end {
 
@@ -105,6 +106,22 @@ struct EclipseShader {
 inline EclipseShader read_shader(const std::filesystem::path& folder) {
   return {texture::read_image(folder / "eclipse.exr"),
           nlohmann::json::parse(text_of(folder / "eclipse.json"))};
+}
+
+/// Light in all places of one time, within a share of itself.
+inline void expect_alike(const std::vector<Vector>& found, const EclipseShader& of,
+                         const std::vector<Vector>& places, double seconds, double share,
+                         const char* why) {
+  double least = 1, most = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto expected = of.at(places[i], seconds);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_WITHIN(found[i][k], expected[k], share * (expected[k] + 1e-5), why);
+      least = std::min(least, expected[k]), most = std::max(most, expected[k]);
+    }
+  }
+  EXPECT_LT(least, 1e-3) << "umbra";
+  EXPECT_GT(most, seconds < -5000 ? 0.5 : 1e-4);
 }
 
 }  // namespace coppermoon::end_to_end

@@ -215,6 +215,46 @@ TEST_F(BlenderAddOn, KeysAWholeEclipseFromP1ToP4) {
   EXPECT_LT(number(outcome, "lux7"), 1e-3 * number(outcome, "lux1")) << "or all were alike";
 }
 
+TEST_F(BlenderAddOn, DrawsAFilmByAShaderAsByTextures) {
+  const auto frames = [&](const char* by, const char* name) {
+    const auto outcome = python(
+        fmt::format(
+            "bpy.ops.coppermoon.add_eclipse(date='2018-07-27', film=True, frames=5, begin='U1', "
+            "end='U3', texture_width=2048, shader={}, field={:.9f})\n",
+            by, in_radians(algebra::degrees(field_deg))) +
+            square() +
+            "scene.cycles.samples = 16\nscene.frame_step = 2\n"
+            "print('images', len(bpy.data.images), len(bpy.data.node_groups))\n",
+        {"-o", here(std::string(name) + ".####").string(), "-a"});
+    EXPECT_EQ(outcome.status, 0) << outcome.out;
+    std::vector<texture::Image> images;
+    for (const int frame : {1, 3, 5})
+      images.push_back(texture::read_image(here(fmt::format("{}.{:04}.exr", name, frame))));
+    return images;
+  };
+  const auto shaded = frames("True", "shaded"), textured = frames("False", "textured");
+  for (std::size_t f = 0; f < 3; ++f) {
+    const auto ours = luminances(shaded[f]), theirs = luminances(textured[f]);
+    double sum = 0, worst = 0;
+    std::size_t seen = 0;
+    for (std::size_t y = 1; y + 1 < side; ++y)
+      for (std::size_t x = 1; x + 1 < side; ++x) {
+        // within the limb, whose pixels other rays meet in each run
+        const double here = theirs(y, x);
+        const bool limb = std::min({theirs(y, x - 1), theirs(y, x + 1), theirs(y - 1, x),
+                                    theirs(y + 1, x)}) < 0.5 * here;
+        if (limb || here <= 0) continue;
+        const double off = ours(y, x) / here - 1;
+        worst = std::max(worst, std::abs(off));
+        sum += off * off, ++seen;
+      }
+    EXPECT_GT(seen, 45000U);
+    EXPECT_WITHIN(std::sqrt(sum / static_cast<double>(seen)), 0., 0.004,
+                  "ground of another colour than the mean");
+    EXPECT_WITHIN(worst, 0., 0.02, "as stated, where sunlight begins");
+  }
+}
+
 TEST_F(BlenderAddOn, BakesAgainWhenAValueChanges) {
   const auto first =
       python("bpy.ops.coppermoon.add_eclipse(date='2018-07-27', " + quick + ")\n" + print_state +

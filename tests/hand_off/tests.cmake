@@ -3,6 +3,7 @@
 coppermoon_test_program(hand_off hand_off "blender;blender_add_on;job;mitsuba;moon_and_stars;raw;shader;side_by_side;stellarium;tools" "coppermoon::verbs;PkgConfig::OpenImageIO")
 target_compile_definitions(${program} PRIVATE COPPERMOON_ADD_ON="${PROJECT_BINARY_DIR}/coppermoon_blender.zip"
                            COPPERMOON_HAND_OFF_PYTHON="${PROJECT_BINARY_DIR}/hand_off/python"
+                           COPPERMOON_HAND_OFF_BLENDER="${PROJECT_BINARY_DIR}/hand_off/blender_newest"
                            COPPERMOON_READERS="$<TARGET_FILE_DIR:coppermoon_imageio>"
                            COPPERMOON_HAND_OFF_READERS="${PROJECT_BINARY_DIR}/hand_off/gltf")
 add_dependencies(${program} coppermoon_blender coppermoon_imageio)
@@ -20,6 +21,7 @@ set_tests_properties(hand_off/python_is_installed PROPERTIES FIXTURES_SETUP pyth
 set_tests_properties(hand_off/job hand_off/mitsuba PROPERTIES FIXTURES_REQUIRED python)
 file(STRINGS ${pinned} newest REGEX "^bpy==")
 string(REPLACE "bpy==" "" newest ${newest})
+set_tests_properties(hand_off/shader PROPERTIES FIXTURES_REQUIRED "blender_${newest};gltf")
 set(tried BlenderAddOn.*:-*WorksInAWindow:*CyclesRendersARecipe)  # no window, nor Debian's OpenImageIO
 foreach(version 4.2.23 4.5.15 ${newest})
   set(venv ${PROJECT_BINARY_DIR}/hand_off/blender_${version})
@@ -29,7 +31,7 @@ foreach(version 4.2.23 4.5.15 ${newest})
              sed -n \"/^# Blender's/,/^# Mitsuba's/p\" ${pinned} >${venv}/pinned && echo bpy==${version} >>${venv}/pinned &&
              ${venv}/bin/pip install --quiet --no-deps --requirement ${venv}/pinned && mkdir -p ${venv}/programs &&
              printf '#!/bin/sh\\nexec ${venv}/bin/python ${CMAKE_CURRENT_LIST_DIR}/blender_of_bpy.py \"$@\"\\n' >${script} &&
-             chmod +x ${script}")
+             chmod +x ${script} && ln -sfn blender_${newest} ${PROJECT_BINARY_DIR}/hand_off/blender_newest")
   add_test(NAME hand_off/add_on_in_blender_${version}
            COMMAND ${CMAKE_COMMAND} -E env "PATH=${venv}/programs:$ENV{PATH}" $<TARGET_FILE:${program}> --gtest_filter=${tried})
   set_tests_properties(hand_off/blender_${version}_is_installed PROPERTIES FIXTURES_SETUP blender_${version})

@@ -134,7 +134,7 @@ Formula shadow_formula(const ShadowMotion& motion, const LightStrip& strip) {
              depth = (dot(axis(2, "away", "away from the Sun"), ground) + centre(2, "centre_depth"))
                          .named("depth");
   const auto distance = of_one(Operation::square_root, to_east * to_east + to_north * to_north)
-                            .named("distance", "from the shadow's axis");
+                            .named("from_axis", "distance from the shadow's axis");
   const auto one_limb =
       of_two(Operation::minimum, distance / radii(shadow::one_limb_m / 1e3), number(formula, 1));
   const auto deeper_by = number(formula, radii(strip.middle_km())) / depth - 1.;

@@ -13,12 +13,18 @@ namespace {
 /// Words of a language whose expressions are like C's.
 struct Language {
   std::string vector, colour, literal;  ///< types, and a vector's constructor
+  std::string time;                     ///< name of the input; OSL has a `time` of its own
   std::string arc_tangent;
   std::string texel;  ///< of {0}, {1}
 };
 
-const Language glsl{"vec3", "vec3", "vec3", "atan", "texture(eclipse_strip, vec2({}, {})).rgb"};
-const Language osl{"vector", "color", "vector", "atan2",
+const Language glsl{"vec3", "vec3", "vec3",
+                    "time", "atan", "texture(eclipse_strip, vec2({}, {})).rgb"};
+const Language osl{"vector",
+                   "color",
+                   "vector",
+                   "seconds",
+                   "atan2",
                    "(color)texture(strip, {}, {}, \"width\", 0, \"blur\", 0, \"wrap\", \"clamp\", "
                    "\"interp\", \"linear\")"};
 
@@ -40,10 +46,14 @@ struct ExpressionWriter {
                                        : language.colour;
   }
 
+  const std::string& name(const Step& step) const {
+    return step.operation == Operation::time ? language.time : step.name;
+  }
+
   /// A step within an expression: its name, or what it is computed from.
   std::string operand(std::size_t step) const {
     const auto& all = formula.steps[step];
-    if (!all.name.empty()) return all.name;
+    if (!all.name.empty()) return name(all);
     const auto text = expression(step);
     switch (all.operation) {
       case Operation::add:
@@ -62,12 +72,12 @@ struct ExpressionWriter {
     const auto of = [&](std::size_t i) { return operand(all.operands[i]); };
     const auto bare = [&](std::size_t i) {
       const auto& part = formula.steps[all.operands[i]];
-      return part.name.empty() ? expression(all.operands[i]) : part.name;
+      return part.name.empty() ? expression(all.operands[i]) : name(part);
     };
     switch (all.operation) {
       case Operation::place:
       case Operation::time:
-        return all.name;
+        return name(all);
       case Operation::constant:
         if (all.kind == ValueKind::number) return literal(all.constant[0]);
         return fmt::format("{}({}, {}, {})", language.literal, literal(all.constant[0]),
@@ -133,25 +143,26 @@ struct ExpressionWriter {
 };
 
 /// What every shader's head says.
-std::string head_of(const ShaderHead& head) {
+std::string head_of(const ShaderHead& head, const Language& language) {
   return fmt::format(
       "// SPDX-License-Identifier: MIT\n"
       "// {}: light on the Moon over full sunlight, made by coppermoon.\n"
       "//\n"
-      "//   place  point of the Moon on Moon-fixed axes, of any length: +X longitude 0, +Y 90 "
+      "//   place    point of the Moon on Moon-fixed axes, of any length: +X longitude 0, +Y 90 "
       "degrees east, +Z north\n"
-      "//   time   seconds from greatest eclipse, {} UTC\n"
-      "//   light  factor on the sunlit Moon, no unit, 1 in full sunlight; red, green and blue of "
+      "//   {:<8} seconds from greatest eclipse, {} UTC\n"
+      "//   light    factor on the sunlit Moon, no unit, 1 in full sunlight; red, green and blue "
+      "of "
       "{}\n"
       "//\n",
-      head.title, head.greatest, head.colour_space);
+      head.title, language.time, head.greatest, head.colour_space);
 }
 
 }  // namespace
 
 std::string glsl_of(const Formula& formula, const ShaderHead& head) {
   const ExpressionWriter write{formula, glsl};
-  return head_of(head) +
+  return head_of(head, write.language) +
          fmt::format(
              "// eclipse_strip is {}, its rows uploaded from the image's top, as numbers (no "
              "sRGB), filtered linearly,\n"
@@ -163,14 +174,15 @@ std::string glsl_of(const Formula& formula, const ShaderHead& head) {
 
 std::string osl_of(const Formula& formula, const ShaderHead& head) {
   const ExpressionWriter write{formula, osl};
-  return head_of(head) + fmt::format(
-                             "shader eclipse(\n"
-                             "    string strip = \"{}\" [[ string widget = \"filename\" ]],\n"
-                             "    vector place = transform(\"object\", P),\n"
-                             "    float time = 0,\n"
-                             "    output color light = 1)\n"
-                             "{{\n{}  light = {};\n}}\n",
-                             head.strip, write.lines(), write.expression(formula.result()));
+  return head_of(head, write.language) +
+         fmt::format(
+             "shader eclipse(\n"
+             "    string strip = \"{}\" [[ string widget = \"filename\" ]],\n"
+             "    vector place = transform(\"object\", P),\n"
+             "    float seconds = 0,\n"
+             "    output color light = 1)\n"
+             "{{\n{}  light = {};\n}}\n",
+             head.strip, write.lines(), write.expression(formula.result()));
 }
 
 }  // namespace coppermoon::uses

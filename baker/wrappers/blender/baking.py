@@ -4,7 +4,7 @@ import hashlib
 import json
 import os
 
-from . import film, moon, moonlight, observer, preferences, program, sky, values
+from . import eclipse_shadow, film, moon, moonlight, observer, preferences, program, sky, values
 from .texture import Texture, second_of_day, textures_of
 
 
@@ -12,17 +12,18 @@ class Baked:
     """Textures in the order of their frames, the light of each disc, and contacts by name.
 
     Given  contacts  moments in UTC
+           shaded    shader of the film and textures of the sunlit Moon, where the textures are in little
            measured  illuminance by path, as far as it is known already
            skies     of the textures, where a place sees them
     """
 
-    def __init__(self, textures, contacts=None, measured=None):
-        self.textures, self.contacts, self.skies = textures, contacts or {}, None
+    def __init__(self, textures, contacts=None, measured=None, shaded=None):
+        self.textures, self.contacts, self.skies, self.shaded = textures, contacts or {}, None, shaded
         self.lights = [(measured or {}).get(texture.path) or light_of(texture) for texture in textures]
 
 
 def light_of(texture):
-    return moonlight.illuminance(texture, moon.set_colours(texture))
+    return moonlight.illuminance(moonlight.shrunk(texture.path, moon.set_colours(texture)), texture)
 
 
 def parts_of(contacts, textures):
@@ -43,11 +44,28 @@ def eclipses(first, last):
     return json.loads("".join(lines))
 
 
-def bake_moment(wanted):
+def bake_texture(moment, words):
     lines = []
-    yield from program.run(["bake", f"--instant={values.moment(wanted)}", *values.options(wanted),
-                            f"--cache={preferences.texture_folder()}"], lines.append)
-    return Baked([Texture(lines[-1])])
+    yield from program.run(["bake", f"--instant={moment}", *words, f"--cache={preferences.texture_folder()}"],
+                           lines.append)
+    return Texture(lines[-1])
+
+
+def bake_moment(wanted):
+    return Baked([(yield from bake_texture(values.moment(wanted), values.options(wanted)))])
+
+
+def bake_shader(wanted, textures):
+    """Shader of a film's eclipse, and textures of the sunlit Moon in its first and last frame."""
+    day = values.day_of(wanted)
+    words = ["shader", f"--eclipse={day}", *values.light_options(wanted)]
+    folder = film_folder(day, words)
+    yield from program.run([*words, f"--output={folder}"], lambda line: None)
+    words = [*values.options(wanted), "--unshadowed"]
+    sunlit = []
+    for texture in (textures[0], textures[-1]):
+        sunlit.append((yield from bake_texture(texture.moment() + "Z", words)))
+    return eclipse_shadow.Shader(folder), sunlit
 
 
 def film_folder(day, words):
@@ -57,8 +75,10 @@ def film_folder(day, words):
 
 
 def film_words(wanted):
-    return ["animate", f"--eclipse={values.day_of(wanted)}", *values.options(wanted), *values.span(wanted),
-            f"--frames={wanted.frames}", "--make=textures"]
+    """Command for the textures of a film; in little where a shader draws it."""
+    words = ["animate", f"--eclipse={values.day_of(wanted)}", *values.options(wanted), *values.span(wanted),
+             f"--frames={wanted.frames}", "--make=textures"]
+    return [*words, f"--texture-width={min(wanted.texture_width, 2 * moonlight.ROWS)}"] if wanted.shader else words
 
 
 def bake_film(wanted):
@@ -84,7 +104,8 @@ def bake_film(wanted):
     textures = textures_of(folder)
     for texture in textures:
         texture.frames_later = wanted.start_frame - textures[0].number()
-    return Baked(textures, contacts, measured)
+    shaded = (yield from bake_shader(wanted, textures)) if wanted.shader else None
+    return Baked(textures, contacts, measured, shaded)
 
 
 def bake(wanted):
@@ -102,7 +123,14 @@ def bake(wanted):
 def show(of_moon, baked):
     """Builds Moon, light, observer and scene from these textures."""
     wanted = of_moon.coppermoon
-    moon.put_textures(of_moon, baked.textures)
+    material = of_moon.material_slots[0].material
+    if baked.shaded:
+        shader, sunlit = baked.shaded
+        moon.put_textures(of_moon, sunlit[:1])
+        eclipse_shadow.shade(material, shader, sunlit, baked.textures, baked.lights)
+    else:
+        eclipse_shadow.unshadow(material)
+        moon.put_textures(of_moon, baked.textures)
     for scene in of_moon.users_scene:
         moonlight.keep_dim_light(scene)
     if wanted.stars and baked.skies:

@@ -98,18 +98,26 @@ def texture_node(moon):
     raise Wrong(f"{moon.name}: has no material with an image texture")
 
 
+def image_of(texture):
+    """New image of a texture, named by its moment."""
+    image = bpy.data.images.load(texture.path)
+    if min(image.size) == 0:
+        bpy.data.images.remove(image)
+        raise Wrong(f"{texture.path}: Blender cannot read its texels")
+    set_colours(texture)(image)
+    if bpy.data.filepath:
+        image.filepath = bpy.path.relpath(texture.path)
+    image.name = f"Moon {texture.moment()}".strip()
+    return image
+
+
 def put_textures(moon, textures):
     """Has the Moon shine by these textures, in a film by one in each frame."""
     node = texture_node(moon)
     first = textures[0]
-    image = bpy.data.images.load(first.path)
-    if min(image.size) == 0:
-        bpy.data.images.remove(image)
-        raise Wrong(f"{first.path}: Blender cannot read its texels")
-    set_colours(first)(image)
-    if bpy.data.filepath:
-        image.filepath = bpy.path.relpath(first.path)
-    image.name = f"Moon {first.moment()}{' film' if len(textures) > 1 else ''}".strip()
+    image = image_of(first)
+    if len(textures) > 1:
+        image.name += " film"
     before, node.image = node.image, image
     if before and before.users == 0:
         bpy.data.images.remove(before)

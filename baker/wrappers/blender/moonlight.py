@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Moonlight in a scene: a Sun lamp, whose strength is illuminance in lux where radiance is luminance in cd/m²."""
-import array
 import math
 
 import bpy
+import numpy
 
 from .observer import axes_of, turn
 
@@ -11,45 +11,45 @@ ROWS = 128  # of the texture, shrunk; to 0.2 % of its light
 
 
 def shrunk(path, set_colours):
-    """Texels of a texture, [row][column][RGBA] from the south up, scene-linear."""
+    """Texels of a texture, [row × column][RGB] from the south up, scene-linear."""
     image = bpy.data.images.load(path)
     try:
         set_colours(image)
         image.scale(2 * ROWS, ROWS)
-        texels = array.array("f", bytes(4 * 4 * 2 * ROWS * ROWS))
+        texels = numpy.empty(4 * 2 * ROWS * ROWS, dtype=numpy.float32)
         image.pixels.foreach_get(texels)
-        return texels
+        return texels.reshape(-1, 4)[:, :3]
     finally:
         bpy.data.images.remove(image)
 
 
-def illuminance(texture, set_colours):
+def places_of_texels():
+    """Unit vectors of the texels of `shrunk`, [row × column][axis], Moon-fixed."""
+    step = numpy.pi / ROWS
+    latitude, longitude = numpy.meshgrid(step * (numpy.arange(ROWS) + 0.5) - numpy.pi / 2,
+                                         step * (numpy.arange(2 * ROWS) + 0.5) - numpy.pi, indexing="ij")
+    places = (numpy.cos(latitude) * numpy.cos(longitude), numpy.cos(latitude) * numpy.sin(longitude),
+              numpy.sin(latitude))
+    return numpy.stack(places, axis=-1).reshape(-1, 3)
+
+
+def illuminance(texels, texture):
     """Illuminance by channel [lux] of a surface at the observer's place that faces the Moon:
 
         E = sum L cos e dA / d^2        e: emission angle, d: texel to observer
+
+    Given  texels   L, as `shrunk` has them
+           texture  whose observer it is
     """
-    texels = shrunk(texture.path, set_colours)
-    distance = texture.distance
-    step = math.pi / ROWS
-    south = math.radians(texture.latitude)
-    across = [math.cos(step * (i + 0.5) - math.pi - math.radians(texture.longitude))
-              for i in range(2 * ROWS)]
-    sums = [0.0, 0.0, 0.0]
-    for j in range(ROWS):
-        latitude = step * (j + 0.5) - math.pi / 2
-        area = step * step * math.cos(latitude)
-        along, level = (distance * math.sin(latitude) * math.sin(south),
-                        distance * math.cos(latitude) * math.cos(south))
-        for i, cosine in enumerate(across):
-            height = along + level * cosine  # of the observer above the texel's horizon, plus 1
-            if height <= 1:
-                continue
-            squared = distance * distance + 1 - 2 * height
-            weight = area * (height - 1) / (squared * math.sqrt(squared))
-            k = 4 * (2 * ROWS * j + i)
-            for c in range(3):
-                sums[c] += weight * texels[k + c]
-    return [max(0.0, value) for value in sums]
+    places = places_of_texels()
+    south, east = math.radians(texture.latitude), math.radians(texture.longitude)
+    observer = texture.distance * numpy.array([math.cos(south) * math.cos(east), math.cos(south) * math.sin(east),
+                                               math.sin(south)])
+    height = places @ observer  # of the observer above the texel's horizon, plus 1
+    squared = texture.distance ** 2 + 1 - 2 * height
+    area = (math.pi / ROWS) ** 2 * numpy.sqrt(1 - places[:, 2] ** 2)
+    weight = area * numpy.maximum(height - 1, 0) / squared ** 1.5
+    return [max(0.0, float(value)) for value in weight @ texels]
 
 
 # Luminance of each channel in the spaces that Blender 5 works in, by the Color Interop Forum's names.

@@ -16,6 +16,7 @@ def draw_values(layout, of):
         column.prop(of, "begin")
         column.prop(of, "end")
         column.prop(of, "start_frame")
+        column.prop(of, "shader")
     else:
         moment = column.column()
         moment.active = values.is_day(of)

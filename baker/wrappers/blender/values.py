@@ -69,7 +69,11 @@ class Values:
         description="Day of greatest eclipse (UTC), as 2018-07-27; or a moment in UTC, as "
                     "2018-07-27T20:40Z")
     film: BoolProperty(
-        name="Whole eclipse", description="A texture for each frame; otherwise one moment")
+        name="Whole eclipse", description="A film from the first contact to the last; otherwise one moment")
+    shader: BoolProperty(
+        name="By a shader", default=True,
+        description="The film is one texture of the sunlit Moon and the node group \"Eclipse shadow\", which knows the "
+                    "time; otherwise a texture for each frame. Alike within 1 %, 2 % where sunlight begins")
     frames: IntProperty(
         name="Frames", default=240, min=2, max=1000000, soft_max=5000,
         description="Number of frames, evenly from the first moment to the last")
@@ -206,6 +210,11 @@ def options(values):
     if values.place.strip():
         words.append(f"--at={values.place.strip()}")
     return words
+
+
+def light_options(values):
+    """Those of them that change the light in the shadow."""
+    return [word for word in options(values) if not word.startswith(("--texture-width", "--at"))]
 
 
 def span(values):
