@@ -22,8 +22,7 @@ using std::numbers::pi;
 
 /// The largest of |light × sunlit − baked| over the baked texel's brightest channel.
 struct Misses {
-  double umbra = 0;   ///< with less than 1e-3 of sunlight
-  double begins = 0;  ///< up to 3 % of sunlight: where direct light begins
+  double umbra = 0;  ///< with less than 1e-3 of sunlight
   double bright = 0;
 };
 
@@ -73,7 +72,7 @@ class Shader : public ShaderTest {
         if (most <= 0) continue;
         const auto light = of.at(place_of(r, c, full.height), seconds);
         const double share = most / brightest(full, r, c);
-        auto& miss = share < 1e-3 ? worst.umbra : share < 0.03 ? worst.begins : worst.bright;
+        auto& miss = share < 1e-3 ? worst.umbra : worst.bright;
         for (std::size_t k = 0; k < 3; ++k)
           miss = std::max(miss, std::abs(light[k] * full(r, c, k) - shadowed(r, c, k)) / most);
       }
@@ -87,15 +86,14 @@ TEST_F(Shader, TimesTheSunlitMoonIsTheBakedMoon) {
   const Words air{"--scattered-light", "off"};
   const auto worst = misses(shader(Words{"2018-07-27"} + air), -4000, air);
   EXPECT_WITHIN(worst.umbra, 0., 0.01, "as stated; ground of another colour than the mean");
-  EXPECT_WITHIN(worst.begins, 0., 0.02, "as stated");
-  EXPECT_WITHIN(worst.bright, 0., 0.01, "as stated");
+  EXPECT_WITHIN(worst.bright, 0., 0.01, "as stated, also where sunlight begins");
 }
 
 TEST_F(ShaderThoroughly, TimesTheSunlitMoonIsTheBakedMoonAtAllTimes) {
   struct Case {
     Words eclipse;
     std::vector<double> seconds;
-    std::string tolerance = "0.1%";
+    std::string tolerance = "0.3%";
   };
   const std::string region = "from-latitude=-90,to-latitude=10,ozone-du=350,cloud-cover=0.7",
                     sector = "from-position-angle=20,to-position-angle=110,dust-extinction=3e-6";
@@ -104,20 +102,18 @@ TEST_F(ShaderThoroughly, TimesTheSunlitMoonIsTheBakedMoonAtAllTimes) {
       {{"1992-12-09"}, {-6500, -4000, -1500, 1000, 3500}},
       {{"2021-11-19", "--region", region, "--region", sector},
        {-8000, -3000, 0, 2500, 6000},
-       "0.4%"}};
+       "0.5%"}};
   for (const auto& [eclipse, moments, tolerance] : cases) {
     const Words air(eclipse.begin() + 1, eclipse.end());
     const auto of = shader(eclipse);
     for (const double seconds : moments) {
-      for (const std::string ground : {"mean", "by-place"}) {
-        const auto worst = misses(of, seconds, air, {"--tolerance", tolerance, "--ground", ground});
-        const auto said = fmt::format("{} at {} s", eclipse[0], seconds);
-        EXPECT_WITHIN(worst.umbra, 0., 0.01, "as stated") << said;
-        EXPECT_WITHIN(worst.begins, 0., 0.02, "as stated") << said;
-        EXPECT_WITHIN(worst.bright, 0., 0.01, "as stated") << said;
-        std::printf("%s %s %.4f %.4f %.4f\n", said.c_str(), ground.c_str(), worst.umbra,
-                    worst.begins, worst.bright);
-      }
+      const auto worst = misses(of, seconds, air, {"--tolerance", tolerance, "--ground", "mean"}),
+                 coloured = misses(of, seconds, air, {"--tolerance", tolerance});
+      const auto said = fmt::format("{} at {} s", eclipse[0], seconds);
+      EXPECT_WITHIN(std::max(worst.umbra, worst.bright), 0., 0.01, "as stated") << said;
+      EXPECT_WITHIN(std::max(coloured.umbra, coloured.bright), 0., 0.02,
+                    "as stated: the strip's light is for ground of the mean colour")
+          << said;
     }
   }
 }

@@ -31,8 +31,8 @@ struct EclipseShader {
 
 /// Shader of an eclipse.
 ///
-/// Accuracy  a sunlit Moon times the light is within 1 % of the brightest channel of a baked Moon, 2 % where direct
-///           light begins, beside the errors of both lights
+/// Accuracy  a sunlit Moon times the light is within 1 % of the brightest channel of a baked Moon, beside the errors of
+///           both lights; 2 % in the umbra where ground has another colour than the Moon's mean
 /// Throws    Error  as light_strip
 EclipseShader eclipse_shader(const eclipse::Eclipse& eclipse, const ShaderRequest& request,
                              const algebra::Progress& progress = {});

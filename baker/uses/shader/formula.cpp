@@ -148,23 +148,29 @@ Formula shadow_formula(const ShadowMotion& motion, const LightStrip& strip) {
   };
   const auto columns = static_cast<double>(strip.roots.width),
              rows = static_cast<double>(strip.roots.height);
-  const auto along =
-      ((stretch(0) + stretch(1) + stretch(2) + 0.5) / columns).named("along", "place in the strip");
+  const auto along = ((stretch(0) + stretch(1) + stretch(2) + stretch(3) + 0.5) / columns)
+                         .named("along", "place in the strip");
   // 1e-9: on the axis itself an arc tangent has no angle
   const auto angle = made(formula, Operation::arc_tangent, ValueKind::number,
                           {(to_east + 1e-9).step, to_north.step});
   const auto turns = (angle / (2 * std::numbers::pi)).named("turns", "position angle");
   const auto around =
       (turns - of_one(Operation::floor, turns)) * static_cast<double>(strip.sectors);
-  const auto across = ((around + 0.5) / rows).named("across", "in the rows of the nearer plane");
+  const auto across = ((around + 0.5) / rows).named("across", "in the rows of the nearest plane");
   const auto deeper =
-      clamped((depth - radii(strip.nearer_km)) / radii(strip.farther_km - strip.nearer_km))
-          .named("deeper", "share of the farther plane");
+      clamped((depth - radii(strip.nearest_km)) / radii(strip.farthest_km - strip.nearest_km))
+          .named("deeper", "from the nearest plane to the farthest");
   const auto texel = [&](Value row) {
     return made(formula, Operation::texel, ValueKind::colour, {along.step, row.step});
   };
-  const auto root = mix(texel(across), texel(across + 0.5), deeper)
-                        .named("root", "square root of light over sunlight");
+  auto root = texel(across);
+  const auto intervals = static_cast<double>(strip.planes - 1);
+  for (std::size_t p = 1; p < strip.planes; ++p) {
+    const auto plane = static_cast<double>(p);
+    root = mix(root, texel(across + plane / (intervals + 1)),
+               clamped(deeper * intervals - (plane - 1)));
+  }
+  root = root.named("root", "square root of light over sunlight");
   (root * root).named("light");
   formula = in_order(formula);
   return formula;
