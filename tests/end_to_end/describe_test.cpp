@@ -42,7 +42,7 @@ TEST_F(Describe, HasEachCommandInTheOrderOfHelp) {
   const auto help = coppermoon({"--help"}).out;
   std::size_t at = 0;
   const auto all = commands();
-  EXPECT_EQ(all.size(), 19U);
+  EXPECT_EQ(all.size(), 20U);
   for (const auto& command : all) {
     const auto next = help.find("\n  " + command["name"].get<std::string>() + " ", at);
     ASSERT_NE(next, std::string::npos) << command["name"];

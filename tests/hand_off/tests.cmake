@@ -46,11 +46,12 @@ file(MAKE_DIRECTORY ${validated})
 add_test(NAME hand_off/validators/files_are_made
          COMMAND coppermoon_program bake 2018-07-27T19:20:00Z --albedo-map built-in --texture-width 256 -o moon_acescg.exr -o moon.usda
                  -o moon.usdz)
-set_tests_properties(hand_off/validators/files_are_made PROPERTIES FIXTURES_SETUP validated LABELS hand_off TIMEOUT 300
+add_test(NAME hand_off/validators/a_shader_is_made COMMAND coppermoon_program shader 2018-07-27 --bands 20 -o eclipse)
+set_tests_properties(hand_off/validators/files_are_made hand_off/validators/a_shader_is_made PROPERTIES FIXTURES_SETUP validated LABELS hand_off TIMEOUT 300
                      WORKING_DIRECTORY ${validated})
 add_test(NAME hand_off/validators/find_nothing
          COMMAND ${python}/bin/python ${CMAKE_CURRENT_LIST_DIR}/validate.py moon.usda moon.usdz
-                 ${PROJECT_SOURCE_DIR}/examples/shadow.mtlx)
+                 eclipse/eclipse.mtlx)
 set_tests_properties(hand_off/validators/find_nothing PROPERTIES FIXTURES_REQUIRED "python;validated" LABELS hand_off TIMEOUT 300
                      WORKING_DIRECTORY ${validated} ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 
