@@ -1,12 +1,38 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <glm/vec3.hpp>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace coppermoon::texture {
 
 /// Head of a USD layer: its default prim Moon, metres, Y up, and the Moon's true radius.
 std::string usd_layer();
+
+/// A moment of the Moon's observer, for USD.
+struct UsdMoment {
+  double time_code = 0;
+  glm::dvec3 position;        ///< Moon-fixed, lunar radii
+  glm::dvec3 direction, up;   ///< of the camera, Moon-fixed, unit, at right angles
+  double field_rad = 0;       ///< across the picture
+  std::array<double, 3> lux;  ///< illuminance by channel at the observer
+};
+
+/// Prims `Observer`, a camera, and `Moonlight`, a distant light that shines from the Moon to it, within Moon; with
+/// samples at each moment where there are several.
+///
+/// Given  height_over_width  of the picture
+///        luminance          weights of the channels
+std::string usd_observer(std::span<const UsdMoment> moments, double height_over_width,
+                         const std::array<double, 3>& luminance);
+
+/// Path of a file beside the layer, as a value of type asset.
+///
+/// Throws  Error  unless it is a plain name without control characters
+std::string usd_asset(std::string_view file_name);
 
 /// Prim `Surface` within Moon: sphere_mesh's sphere, bound to the material Looks/Moonlight.
 std::string usd_mesh();

@@ -18,26 +18,23 @@ namespace {
 using algebra::Error;
 namespace fs = std::filesystem;
 
-void require_plain_name(const std::string& name) {
+}  // namespace
+
+std::string usd_asset(std::string_view file_name) {
   const bool control =
-      std::ranges::any_of(name, [](char c) { return (c >= 0 && c < ' ') || c == 127; });
-  if (control || name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
+      std::ranges::any_of(file_name, [](char c) { return (c >= 0 && c < ' ') || c == 127; });
+  if (control || file_name.empty() || file_name == "." || file_name == ".." ||
+      file_name.find('/') != std::string_view::npos)
     throw Error(fmt::format(
         "texture file of the USD layer = {:?}, allowed a name in its folder without control "
         "characters",
-        name));
-}
-
-/// Asset path of a file beside the layer, between as many @ as its name takes.
-std::string asset(std::string_view file_name) {
+        file_name));
   if (file_name.find('@') == std::string_view::npos) return fmt::format("@./{}@", file_name);
   std::string name(file_name);
   for (auto at = name.find("@@@"); at != std::string::npos; at = name.find("@@@", at + 4))
     name.insert(at, 1, '\\');
   return fmt::format("@@@./{}@@@", name);
 }
-
-}  // namespace
 
 std::string usd_layer() {
   return fmt::format(R"(#usda 1.0
@@ -170,20 +167,22 @@ constexpr const char* looks = R"(    def Scope "Looks"
 }  // namespace
 
 void write_usda(const fs::path& path, const std::string& texture_file_name,
-                std::string_view colour_space, const std::string& preview_file_name) {
+                std::string_view colour_space, const std::string& preview_file_name,
+                const std::string& observer) {
   const auto& preview = preview_file_name.empty() ? texture_file_name : preview_file_name;
-  require_plain_name(texture_file_name);
-  require_plain_name(preview);
   if (colour_space != "lin_rec709_scene" && colour_space != "lin_ap1_scene")
     throw Error(
         fmt::format("colour space of a texture for USD = {}, allowed lin_rec709_scene or "
                     "lin_ap1_scene",
                     colour_space));
-  const auto look =
-      fmt::format(fmt::runtime(looks), asset(texture_file_name), colour_space, asset(preview));
+  const auto look = fmt::format(fmt::runtime(looks), usd_asset(texture_file_name), colour_space,
+                                usd_asset(preview));
   files::write_whole(
-      path, fmt::format("{}\ndef Xform \"Moon\" (\n    kind = \"component\"\n)\n{{\n{}\n{}}}\n",
-                        usd_layer(), usd_mesh(), look));
+      path, fmt::format("{}\ndef Xform \"Moon\" (\n    kind = \"component\"\n    prepend "
+                        "apiSchemas = [\"ColorSpaceAPI\"]\n)\n{{\n"
+                        "    uniform token colorSpace:name = \"{}\"\n\n{}\n{}{}{}}}\n",
+                        usd_layer(), colour_space, usd_mesh(), look, observer.empty() ? "" : "\n",
+                        observer));
 }
 
 }  // namespace coppermoon::texture

@@ -17,10 +17,12 @@ namespace coppermoon::texture {
 ///         preview_file_name  of linear Rec.709 in the same folder, for the preview surface, which
 ///                            knows no colour spaces; empty: the texture, which is right with the
 ///                            first
+///         observer           prims of usd_observer, within Moon; empty: none
 /// Throws  Error              another colour space; a file name that is a path, empty, or has control
 ///                            characters; a file that cannot be written
 /// Source  OpenUSD: UsdGeomMesh, UsdPreviewSurface 2.6, GfColorSpaceNames; MaterialX 1.38
 void write_usda(const std::filesystem::path& path, const std::string& texture_file_name,
-                std::string_view colour_space, const std::string& preview_file_name = {});
+                std::string_view colour_space, const std::string& preview_file_name = {},
+                const std::string& observer = {});
 
 }  // namespace coppermoon::texture

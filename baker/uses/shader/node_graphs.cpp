@@ -103,9 +103,8 @@ std::string node(const Formula& formula, std::size_t i) {
   const auto names = input_names(step.operation, step.operands.size());
   for (std::size_t k = 0; k < step.operands.size(); ++k)
     inputs += input(formula, names[k], step.operands[k]);
-  const auto* nodes_word = step.operation == Operation::divide ? "divide" : word(step.operation);
-  return fmt::format("    <{0} name=\"{1}\" type=\"{2}\">\n{3}    </{0}>\n", nodes_word, name,
-                     type_of(step.kind), inputs);
+  return fmt::format("    <{0} name=\"{1}\" type=\"{2}\">\n{3}    </{0}>\n", word(step.operation),
+                     name, type_of(step.kind), inputs);
 }
 
 }  // namespace
@@ -134,6 +133,96 @@ std::string materialx_of(const Formula& formula, const ShaderHead& head) {
 )",
       head.title, head.colour_space, head.greatest, head.strip, nodes,
       name_of(formula, formula.result()));
+}
+
+namespace {
+
+/// Types of USD.
+const char* usd_type(ValueKind kind) {
+  return kind == ValueKind::number ? "float" : kind == ValueKind::vector ? "float3" : "color3f";
+}
+
+/// Node definition of MaterialX for a step.
+std::string definition(const Formula& formula, const Step& step) {
+  const bool scaled =
+      step.operation == Operation::multiply && formula.steps[step.operands[1]].kind != step.kind;
+  const auto kind = step.operation == Operation::dot ? ValueKind::vector : step.kind;
+  return fmt::format("ND_{}_{}{}", word(step.operation), type_of(kind), scaled ? "FA" : "");
+}
+
+std::string shader_prim(const std::string& name, const std::string& id, const std::string& inputs,
+                        const char* type) {
+  return fmt::format(
+      "                def Shader \"{}\"\n                {{\n"
+      "                    uniform token info:id = \"{}\"\n{}"
+      "                    {} outputs:out\n                }}\n\n",
+      name, id, inputs, type);
+}
+
+}  // namespace
+
+UsdNodes usd_of(const Formula& formula, const std::string& scope, const std::string& strip) {
+  const auto input = [&](const std::string& name, std::size_t of) {
+    const auto& from = formula.steps[of];
+    const auto declared =
+        fmt::format("                    {} inputs:{}", usd_type(from.kind), name);
+    if (from.operation == Operation::time)
+      return fmt::format("{}.connect = <{}.inputs:time>\n", declared, scope);
+    if (from.operation != Operation::constant)
+      return fmt::format("{}.connect = <{}/{}.outputs:out>\n", declared, scope,
+                         name_of(formula, of));
+    const auto& c = from.constant;  // y, z, x stand for x, y, z
+    return from.kind == ValueKind::number
+               ? fmt::format("{} = {:.9g}\n", declared, c[0])
+               : fmt::format("{} = ({:.9g}, {:.9g}, {:.9g})\n", declared, c[1], c[2], c[0]);
+  };
+  UsdNodes nodes;
+  for (std::size_t i = 0; i < formula.steps.size(); ++i) {
+    const auto& step = formula.steps[i];
+    const auto name = name_of(formula, i);
+    std::string inputs;
+    switch (step.operation) {
+      case Operation::constant:
+      case Operation::time:
+        continue;
+      case Operation::place:
+        nodes.prims +=
+            shader_prim(name, "ND_position_vector3",
+                        "                    string inputs:space = \"object\"\n", "float3");
+        continue;
+      case Operation::texel: {
+        nodes.prims += shader_prim(
+            name + "_v", "ND_subtract_float",
+            "                    float inputs:in1 = 1\n" + input("in2", step.operands[1]), "float");
+        nodes.prims += shader_prim(
+            name + "_uv", "ND_combine2_vector2",
+            input("in1", step.operands[0]) +
+                fmt::format(
+                    "                    float inputs:in2.connect = <{}/{}_v.outputs:out>\n", scope,
+                    name),
+            "float2");
+        nodes.prims += shader_prim(
+            name, "ND_image_color3",
+            fmt::format(
+                "                    asset inputs:file = {} (\n"
+                "                        colorSpace = \"data\"\n                    )\n"
+                "                    float2 inputs:texcoord.connect = <{}/{}_uv.outputs:out>\n"
+                "                    string inputs:uaddressmode = \"clamp\"\n"
+                "                    string inputs:vaddressmode = \"clamp\"\n",
+                strip, scope, name),
+            "color3f");
+        continue;
+      }
+      default:
+        break;
+    }
+    const auto names = input_names(step.operation, step.operands.size());
+    for (std::size_t k = 0; k < step.operands.size(); ++k)
+      inputs += input(names[k], step.operands[k]);
+    nodes.prims += shader_prim(name, definition(formula, step), inputs, usd_type(step.kind));
+  }
+  nodes.output = fmt::format("{}/{}.outputs:out", scope, name_of(formula, formula.result()));
+  return nodes;
 }
 
 nlohmann::ordered_json json_of(const Formula& formula) {

@@ -28,6 +28,16 @@ std::string materialx_of(const Formula& formula, const ShaderHead& head);
 /// Include file for POV-Ray: macros Eclipse_At and Eclipse_Moon.
 std::string povray_of(const Formula& formula, const ShaderHead& head);
 
+/// Prims of UsdShade, MaterialX's nodes, within a scope; their sphere's north is +Y, its longitude 0 +Z.
+///
+/// Given     scope  path of the prim that holds them; `scope`.inputs:time is the time
+///           strip  the strip, as a value of type asset
+/// Returned  text of the prims, and the path of the output
+struct UsdNodes {
+  std::string prims, output;
+};
+UsdNodes usd_of(const Formula& formula, const std::string& scope, const std::string& strip);
+
 /// The formula for programs: {"operation", "kind", "from": [steps or numbers], "name"} of each step.
 nlohmann::ordered_json json_of(const Formula& formula);
 

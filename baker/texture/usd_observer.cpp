@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <numbers>
+
+#include "texture/usd_text.h"
+
+namespace coppermoon::texture {
+namespace {
+
+using Moments = std::span<const UsdMoment>;
+
+/// Moon-fixed vector on the axes of USD's Moon, whose north is +Y.
+glm::dvec3 y_up(const glm::dvec3& v) { return {v.y, v.z, v.x}; }
+
+std::string tuple(const glm::dvec3& v) {
+  return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x + 0., v.y + 0., v.z + 0.);
+}
+
+/// Attribute with a value, or with samples where it changes.
+template <class Value>
+std::string attribute(const std::string& declared, Moments moments, const Value& value) {
+  if (moments.size() == 1)
+    return fmt::format("        {} = {}\n", declared, value(moments.front()));
+  auto text = fmt::format("        {}.timeSamples = {{\n", declared);
+  for (const auto& moment : moments)
+    text += fmt::format("            {:g}: {},\n", moment.time_code, value(moment));
+  return text + "        }\n";
+}
+
+/// Transform of a camera or a light, both of which look along −Z.
+std::string looking(const glm::dvec3& along, const glm::dvec3& up, const glm::dvec3& position) {
+  const auto forward = y_up(along), upward = y_up(up), at = y_up(position),
+             right = glm::cross(forward, upward);
+  const auto row = [](const glm::dvec3& v, int last) {
+    return fmt::format("({:.9g}, {:.9g}, {:.9g}, {})", v.x + 0., v.y + 0., v.z + 0., last);
+  };
+  return fmt::format("( {}, {}, {}, {} )", row(right, 0), row(upward, 0), row(-forward, 0),
+                     row(at, 1));
+}
+
+constexpr double aperture = 36;  ///< across the picture, in tenths of a unit as USD counts
+
+}  // namespace
+
+std::string usd_observer(Moments moments, double height_over_width,
+                         const std::array<double, 3>& luminance) {
+  const auto bright = [&](const UsdMoment& m) {
+    return luminance[0] * m.lux[0] + luminance[1] * m.lux[1] + luminance[2] * m.lux[2];
+  };
+  std::string text =
+      "    def Camera \"Observer\"\n    {\n        float2 clippingRange = (1, 1e6)\n";
+  text += attribute("float focalLength", moments, [](const UsdMoment& m) {
+    return fmt::format("{:.7g}", aperture / 2 / std::tan(m.field_rad / 2));
+  });
+  text += fmt::format(
+      "        float horizontalAperture = {:g}\n        float verticalAperture = {:.7g}\n",
+      aperture, aperture * height_over_width);
+  text += attribute("matrix4d xformOp:transform", moments,
+                    [](const UsdMoment& m) { return looking(m.direction, m.up, m.position); });
+  text += "        uniform token[] xformOpOrder = [\"xformOp:transform\"]\n    }\n\n";
+
+  text += "    def DistantLight \"Moonlight\"\n    {\n";
+  text += attribute("float inputs:angle", moments, [](const UsdMoment& m) {
+    return fmt::format("{:.7g}",
+                       2 * std::asin(1 / glm::length(m.position)) * 180 / std::numbers::pi);
+  });
+  text += attribute("color3f inputs:color", moments, [&](const UsdMoment& m) {
+    const double all = bright(m);
+    return all > 0 ? tuple({m.lux[0] / all, m.lux[1] / all, m.lux[2] / all}) : "(1, 1, 1)";
+  });
+  text += attribute("float inputs:intensity", moments,
+                    [&](const UsdMoment& m) { return fmt::format("{:.7g}", bright(m)); });
+  text += "        bool inputs:normalize = 1\n";
+  text += attribute("matrix4d xformOp:transform", moments, [](const UsdMoment& m) {
+    const auto to_observer = glm::normalize(m.position);
+    const auto aside = m.up - glm::dot(m.up, to_observer) * to_observer;
+    return looking(to_observer, glm::normalize(aside), {0, 0, 0});
+  });
+  return text + "        uniform token[] xformOpOrder = [\"xformOp:transform\"]\n    }\n";
+}
+
+}  // namespace coppermoon::texture
