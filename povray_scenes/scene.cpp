@@ -108,7 +108,7 @@ std::string pov_text(const MoonScene& scene, const PovText& text) {
 // The Moon-fixed axes X (longitude 0), Y (90 east), Z (north) are x, z, y here.
 #version 3.7;
 global_settings {{ assumed_gamma 1.0 charset utf8 }}
-background {{ rgb 0 }}
+background {{ {background} }}
 {declarations}camera {{
   perspective
   location {location}
@@ -127,6 +127,7 @@ sphere {{
 {flattened}}}
 {lights})",
       fmt::arg("caption", scene.caption.empty() ? "The eclipsed Moon" : scene.caption),
+      fmt::arg("background", scene.alpha ? "rgbt 1" : "rgb 0"),
       fmt::arg("declarations", text.declarations), fmt::arg("location", text.location),
       fmt::arg("mirror", camera.mirrored ? "-" : ""), fmt::arg("width", camera.width),
       fmt::arg("height", camera.height), fmt::arg("sky", text.sky),
@@ -144,7 +145,7 @@ Input_File_Name={input}
 Output_File_Name={output}
 Output_to_File=on
 Output_File_Type=E
-Output_Alpha=off
+Output_Alpha={alpha}
 Width={width}
 Height={height}
 Quality=9
@@ -160,8 +161,9 @@ Verbose=on
 {animation})",
       fmt::arg("caption", scene.caption.empty() ? "The eclipsed Moon" : scene.caption),
       fmt::arg("settings", settings_file), fmt::arg("input", scene_file),
-      fmt::arg("output", output), fmt::arg("animation", animation),
-      fmt::arg("width", scene.camera.width), fmt::arg("height", scene.camera.height),
+      fmt::arg("output", output), fmt::arg("alpha", scene.alpha ? "on" : "off"),
+      fmt::arg("animation", animation), fmt::arg("width", scene.camera.width),
+      fmt::arg("height", scene.camera.height),
       fmt::arg("antialias", scene.sampling_depth > 0 ? "on" : "off"),
       fmt::arg("depth", std::max(scene.sampling_depth, 1)));
 }

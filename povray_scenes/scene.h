@@ -35,6 +35,7 @@ struct MoonScene {
   /// Lights behind the Moon: emitting spheres with the radius of a pixel, or of the planet where that is larger. Of
   /// two closer than that one hides the other.
   std::vector<SkyLight> lights = {};
+  bool alpha = false;  ///< the frame has a channel A: the share of each pixel that the Moon covers
 };
 
 /// Text of the scene for POV-Ray, without includes.

@@ -29,7 +29,9 @@ MoonScene single_scene(const Sequence& sequence, std::size_t frame) {
           .texture = numbered_file(sequence.textures, frame, sequence.cameras.size()),
           .moon_radius = sequence.moon_radius,
           .sampling_depth = sequence.sampling_depth,
-          .caption = sequence.caption};
+          .caption = sequence.caption,
+          .lights = {},
+          .alpha = sequence.alpha};
 }
 
 void require_same_picture(const SceneCamera& camera, const SceneCamera& first) {

@@ -23,6 +23,7 @@ struct Sequence {
   double moon_radius = 1;            ///< in the scene's own units, as MoonScene's
   int sampling_depth = 2;            ///< as MoonScene's
   std::string caption = {};          ///< one line, written as a comment at the head of both files
+  bool alpha = false;                ///< as MoonScene's
 };
 
 /// Name of a numbered file of a sequence.

@@ -55,12 +55,11 @@ void write_exr(const std::filesystem::path& path, const Layout& layout, const Ro
 void write_exr(const std::filesystem::path& path, std::span<const Part> parts,
                const Attributes& attributes, const ExrOptions& options) {
   require_parts(path, parts);
-  const bool half = options.type == ExrType::half;
-  const float highest = highest_of(options.type);
   std::vector<OIIO::ImageSpec> specs;
   for (const auto& part : parts) {
-    specs.push_back(exr_spec(part.layout, options.type, attributes));
-    specs.back().attribute("compression", !options.packed ? "none" : half ? "piz" : "zip");
+    const auto [type, negative, packed] = part.options.value_or(options);
+    specs.push_back(exr_spec(part.layout, type, attributes));
+    specs.back().attribute("compression", !packed ? "none" : type == ExrType::half ? "piz" : "zip");
     for (const auto& name : part.left_out) specs.back().erase_attribute(oiio_name(name));
     for (const auto& [name, value] : part.own) set_attribute(specs.back(), name, value);
     if (!part.name.empty()) specs.back().attribute("oiio:subimagename", part.name);
@@ -72,8 +71,9 @@ void write_exr(const std::filesystem::path& path, std::span<const Part> parts,
                        : output.open(name, static_cast<int>(specs.size()), specs.data());
     for (std::size_t i = 0; i < parts.size() && written; ++i) {
       if (i > 0) written = output.open(name, specs[i], OIIO::ImageOutput::AppendSubimage);
-      const Source source{
-          path, parts[i].layout, parts[i].rows, {options.allow_negative ? -highest : 0, highest}};
+      const auto [type, negative, packed] = parts[i].options.value_or(options);
+      const float highest = highest_of(type);
+      const Source source{path, parts[i].layout, parts[i].rows, {negative ? -highest : 0, highest}};
       written = written && write_scanlines(output, source);
     }
     return written;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -44,6 +45,7 @@ struct Part {
   std::vector<std::string> left_out =
       {};               ///< attributes of the file that are not true of this part
   Attributes own = {};  ///< attributes of this part alone, or in place of the file's
+  std::optional<ExrOptions> options = {};  ///< of this part; without: the file's
 };
 
 /// Several images in one OpenEXR file of as many parts, as above; the attributes stand in each,

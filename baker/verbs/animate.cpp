@@ -48,8 +48,6 @@ uses::Film film_of(const Options& options) {
   film.folder = options.output;
   film.products = products_of(options.film);
   film.content = options.content;
-  if (film.products.framed() && (film.content.passes || film.content.spectral_nm))
-    throw algebra::Error("passes and spectra need --make textures alone");
   film.fps = options.film.fps;
   film.moments = moments_of(times_of(options.film, options.view));
   film.moon = moon_request(options.moon);

@@ -35,8 +35,7 @@ void run(const CLI::App& verb, const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   ProgressBar bar("bake");
   const auto scene = lit_scene(verb, options.moon, options.view, {.progress = bar.progress()});
-  write_lit_scene(folder, scene, uses::scene_lights(scene.view, scene.moon.sky), {},
-                  options.renderer);
+  write_lit_scene(folder, scene, uses::scene_lights(scene.view, scene.moon.sky), options.renderer);
   if (options.renderer == uses::Renderer::povray) write_moon_include(folder, scene);
   report(report_of(options.output, scene, seconds_since(start)), options.json);
 }

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <memory>
 
+#include "algebra/error.h"
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
 #include "uses/light/header.h"
@@ -27,11 +28,12 @@ struct Options {
   uses::Development develop;
   std::string output, frame;
   colour::WorkingSpace space = uses::picture_space;
-  bool json = false;
+  bool passes = false, json = false;
 };
 
 void require_sound(const Options& options) {
   require_sound(options.develop, options.output);
+  if (options.passes && options.frame.empty()) throw algebra::Error("passes need --frame");
   files::require_temporary_folder();
   const auto& camera = options.develop.camera;
   for (const std::filesystem::path& file :
@@ -52,16 +54,22 @@ void run(const CLI::App& verb, Options options) {
   const auto made = report_of(options.output, scene, seconds_since(start));
   const auto frame = [&] {
     ProgressBar bar("render");
-    return uses::rendered(scene, bar.progress());
+    return uses::rendered(scene, options.passes, bar.progress());
   }();
   const auto seen = uses::seen_by(scene.view, scene.moon.sky);
-  const auto exposures = exposures_for(options.develop, frame, uses::picture_space, seen);
-  if (const double sky = sky_over_moon(options.develop, frame, uses::picture_space, seen); sky > 1)
+  const auto exposures = exposures_for(options.develop, frame.whole, uses::picture_space, seen);
+  if (const double sky = sky_over_moon(options.develop, frame.whole, uses::picture_space, seen);
+      sky > 1)
     fmt::print(stderr, "coppermoon: {}\n", bright_sky_in_words(sky));
-  const auto header = uses::frame_header(scene, exposures);
-  if (!options.frame.empty()) uses::write_frame(options.frame, frame, header, options.space);
+  if (!options.frame.empty()) {
+    auto header = uses::frame_header(scene, exposures);
+    uses::say_space(header, options.space);
+    uses::write_frame(options.frame, in_space(frame, uses::picture_space, options.space),
+                      scene.view.camera, header);
+  }
   write_picture(
-      options.develop, exposures, {frame, uses::picture_space, seen, 0, scene.texture.attributes},
+      options.develop, exposures,
+      {frame.whole, uses::picture_space, seen, 0, scene.texture.attributes},
       {{"coppermoon:recipe", made.recipe}, {"coppermoon:version", std::string(uses::version())}},
       options.output);
   report(made, options.json);
@@ -85,6 +93,7 @@ void add_still(CLI::App& program) {
   add_flag(*verb, "--frame", options->frame, "writes the scene-linear frame too: .exr [cd/m²]")
       .writes_file();
   add_frame_space_option(*verb, options->space);
+  add_described(*verb, options->passes, uses::describe_passes);
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });

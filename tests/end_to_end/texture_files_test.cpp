@@ -216,7 +216,7 @@ TEST_F(TextureFiles, RefuseWhatTheyCannotHold) {
       {"animate", "2018-07-27", "--make", "textures,frames", "--space", "acescg", "-o", "film"},
       "space = acescg, allowed lin_rec709 with textures beside frames");
   expect_refused({"animate", "2018-07-27", "--passes", "-o", "film"},
-                 "passes and spectra need --make textures alone");
+                 "passes need a film of textures alone, or of frames");
 }
 
 TEST_F(TextureFiles, PassesMakeUpTheWhole) {

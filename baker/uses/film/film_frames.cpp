@@ -48,7 +48,10 @@ BakedMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& vi
                     film.ground,   film.light,    range_at(*film.light, sky),
                     view.observer, view.sightline};
   auto content = film.content;
-  if (film.products.framed()) content.space = picture_space;  // of POV-Ray's frames
+  if (film.products.framed()) {  // textures are for POV-Ray
+    content.space = picture_space;
+    content.passes = false;
+  }
   auto moon = baked(lit, content, {extent});
   for (const auto& [name, value] : header_of(film, frame)) moon.attributes[name] = value;
   moon.attributes["framesPerSecond"] = static_cast<float>(film.fps);
@@ -77,6 +80,7 @@ struct Rendered {
   std::size_t frame;
   texture::Attributes attributes;
   SeenFrame seen;
+  povray_scenes::SceneCamera camera;
 };
 
 Exposures exposures_of(const Film& film, const Rendered& rendered, const texture::Image& image) {
@@ -109,18 +113,17 @@ void write_pictures(const Film& film, const Rendered& rendered, const texture::I
 
 /// Writes a frame and its pictures.
 ///
-/// Given  image  in the film's space
-MadeFrame finished(const Film& film, const Rendered& rendered, const texture::Image& image) {
-  const auto exposures = exposures_of(film, rendered, image);
+/// Given  frame  in the film's space
+MadeFrame finished(const Film& film, const Rendered& rendered, const LinearFrame& frame) {
+  const auto exposures = exposures_of(film, rendered, frame.whole);
   auto attributes = rendered.attributes;
   add_exposure(attributes, exposures);
   add_seen(attributes, rendered.seen);
   if (const auto space = space_of(film.content); space != picture_space)
     say_space(attributes, space);
   if (film.products.frames)
-    texture::write_exr(film.linear_frame(rendered.frame), image, attributes,
-                       {.type = frame_type(image)});
-  if (film.products.pictures) write_pictures(film, rendered, image, exposures);
+    write_frame(film.linear_frame(rendered.frame), frame, rendered.camera, attributes);
+  if (film.products.pictures) write_pictures(film, rendered, frame.whole, exposures);
   return {rendered.frame, exposures};
 }
 
@@ -132,7 +135,8 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
   const auto texture_file = [&](std::size_t number) {
     return folder.path() / povray_scenes::numbered_file(texture_stem, number, frames.size());
   };
-  povray_scenes::Sequence sequence{.cameras = {}, .textures = texture_stem};
+  povray_scenes::Sequence sequence{
+      .cameras = {}, .textures = texture_stem, .alpha = film.content.passes};
   std::vector<Rendered> batch;
   std::vector<std::vector<SkyLight>> lights;
   std::vector<View> views;
@@ -148,17 +152,15 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
       texture::write_exr(path, moon.parts, moon.attributes, {.packed = false});
     }
     sequence.cameras.push_back(view.camera);
-    batch.push_back({frame, moon.attributes, seen_by(view, sky)});
+    batch.push_back({frame, moon.attributes, seen_by(view, sky), view.camera});
     lights.push_back(sky_lights(view, sky));
     views.push_back(view);
   }
   write_sequence(folder.path(), sequence);
   const auto in_film_space = [&](std::size_t number, const std::filesystem::path& rendered) {
-    auto image = texture::read_image(rendered);
-    add_lights(image, sequence.cameras[number - 1], lights[number - 1]);
-    hide_below_horizon(image, views[number - 1], film.sky(batch[number - 1].frame));
-    const auto space = space_of(film.content);
-    return space == picture_space ? image : in_space(image, picture_space, space);
+    const auto frame = completed(texture::read_image(rendered), views[number - 1],
+                                 film.sky(batch[number - 1].frame), lights[number - 1]);
+    return in_space(frame, picture_space, space_of(film.content));
   };
   povray_scenes::render_sequence(
       folder.path(), 1, frames.size(),
@@ -177,8 +179,8 @@ void expose(const Film& film, std::size_t frame, const WhenMade& when_made) {
   const auto moon = moon_of(film, sky, view, frame);
   if (film.products.textures && !is_own(film, film.texture(frame), frame))
     write_texture(film, frame, moon);
-  auto made = finished(film, {frame, moon.attributes, seen_by(view, sky)},
-                       texture::read_image(film.linear_frame(frame)));
+  auto made = finished(film, {frame, moon.attributes, seen_by(view, sky), view.camera},
+                       {texture::read_image(film.linear_frame(frame))});
   made.developed_again = true;
   when_made(made);
 }
@@ -251,7 +253,7 @@ void make_frames(const Film& film, const std::vector<std::size_t>& frames, const
     for (const std::size_t frame : batch)
       if (!film.products.rendered())
         bake(film, frame, when_made);
-      else if (shows_scene(film, frame))
+      else if (!film.content.passes && shows_scene(film, frame))
         expose(film, frame, when_made);
       else
         unseen.push_back(frame);

@@ -15,7 +15,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Refuses textures that POV-Ray cannot read: other spaces, passes and spectra. Frames get their space after
+/// Refuses textures that POV-Ray cannot read: other spaces, passes and spectra. Frames get their space and passes after
 /// rendering.
 void require_content(const Film& film) {
   require_sound(film.content);
@@ -25,8 +25,9 @@ void require_content(const Film& film) {
       space != picture_space && (products.scenes || products.textures))
     throw algebra::Error(fmt::format("space = {}, allowed lin_rec709 with {}", colour::name(space),
                                      products.scenes ? "scenes" : "textures beside frames"));
-  if (film.content.passes || film.content.spectral_nm)
-    throw algebra::Error("passes and spectra need a film of textures alone");
+  if (film.content.spectral_nm) throw algebra::Error("spectra need a film of textures alone");
+  if (film.content.passes && (!products.frames || products.textures || products.scenes))
+    throw algebra::Error("passes need a film of textures alone, or of frames");
 }
 
 void require_exposure(const Film& film) {

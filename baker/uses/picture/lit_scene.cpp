@@ -107,16 +107,14 @@ void write_moon_include(const std::filesystem::path& folder, const LitScene& sce
 }
 
 void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
-                     const std::vector<povray_scenes::SkyLight>& lights,
-                     const texture::ExrOptions& options, Renderer renderer) {
+                     const std::vector<povray_scenes::SkyLight>& lights, Renderer renderer) {
   const povray_scenes::MoonScene moon{
       .camera = scene.view.camera, .texture = texture_file, .caption = {}, .lights = lights};
   std::error_code ignored;
   const bool made = std::filesystem::create_directory(folder, ignored);
   const files::FolderLock alone(folder);
   try {
-    texture::write_exr(folder / texture_file, scene.texture.parts, scene.texture.attributes,
-                       options);
+    texture::write_exr(folder / texture_file, scene.texture.parts, scene.texture.attributes);
     if (renderer == Renderer::mitsuba)
       write_mitsuba_scene(folder, moon);
     else

@@ -64,6 +64,6 @@ void write_moon_include(const std::filesystem::path& folder, const LitScene& sce
 /// Given  lights  stars and planets for the renderer (see scene_lights)
 void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
                      const std::vector<povray_scenes::SkyLight>& lights = {},
-                     const texture::ExrOptions& options = {}, Renderer renderer = Renderer::povray);
+                     Renderer renderer = Renderer::povray);
 
 }  // namespace coppermoon::uses

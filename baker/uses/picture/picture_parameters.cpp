@@ -304,10 +304,14 @@ void describe(Parameters& is, TextureContent& content) {
                    "width of spectral bands [nm], 1 to 100, a divisor of 400: an .exr gets the "
                    "spectral radiance from 380 to 780 nm too"))
       .within(1, 100);
+  describe_passes(is, content.passes);
+}
+
+void describe_passes(Parameters& is, bool& passes) {
   is.add(request::presence(
-      "passes", content.passes,
-      "adds parts to an .exr: direct light, refracted light, irradiance, reflectance, "
-      "albedo"));
+      "passes", passes,
+      "adds parts to an .exr: to a texture direct light, refracted light, irradiance, reflectance, "
+      "albedo; to a frame alpha, the Moon, stars, positions on the Moon"));
 }
 
 ExposureTime exposure_time_from(const std::string& text) {

@@ -44,6 +44,9 @@ void describe_time(request::Parameters& is, std::string& time);
 /// Space, type of numbers, spectrum and passes of a texture.
 void describe(request::Parameters& is, TextureContent& content);
 
+/// Whether a texture or a frame has passes.
+void describe_passes(request::Parameters& is, bool& passes);
+
 /// "auto", "follow", "composite" or seconds.
 ///
 /// Throws  Error  when the text is none of them

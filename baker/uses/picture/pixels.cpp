@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "uses/picture/pixels.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
@@ -20,6 +22,16 @@ texture::Image three_channels(const Pixels& pixels, float unit) {
 }
 
 }  // namespace
+
+float as_half(double value) {
+  constexpr double most = 65504;
+  constexpr int bits = 11, least_exponent = -13;
+  if (!(value < most)) return static_cast<float>(value);
+  int exponent = 0;
+  std::frexp(value, &exponent);
+  const int step = std::max(exponent, least_exponent) - bits;
+  return static_cast<float>(std::ldexp(std::nearbyint(std::ldexp(value, -step)), step));
+}
 
 void require_colours(const texture::Image& image) {
   if (image.channels.size() < 3)

@@ -9,6 +9,9 @@
 
 namespace coppermoon::uses {
 
+/// The nearest half float, of a number that is not below 0; itself beyond the last one.
+float as_half(double value);
+
 /// Throws  Error  when an image has fewer than three channels
 void require_colours(const texture::Image& image);
 

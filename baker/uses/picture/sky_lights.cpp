@@ -19,6 +19,7 @@
 #include "almanac/stars.h"
 #include "atmosphere/astronomical_refraction.h"
 #include "povray_scenes/sight.h"
+#include "uses/picture/pixels.h"
 #include "uses/picture/star_light.h"
 
 namespace coppermoon::uses {
@@ -218,17 +219,6 @@ struct Spread {
   std::ptrdiff_t first = 0;
   std::vector<double> shares;
 };
-
-/// The nearest half float, of a number that is not below 0; itself beyond the last one.
-float as_half(double value) {
-  constexpr double most = 65504;
-  constexpr int bits = 11, least_exponent = -13;
-  if (!(value < most)) return static_cast<float>(value);
-  int exponent = 0;
-  std::frexp(value, &exponent);
-  const int step = std::max(exponent, least_exponent) - bits;
-  return static_cast<float>(std::ldexp(std::nearbyint(std::ldexp(value, -step)), step));
-}
 
 Spread spread_about(double place) {
   constexpr double deviation_px = 0.6, reach_px = 4;  // beyond are 3e-11 of it

@@ -4,32 +4,134 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "files/temporary_folder.h"
 #include "povray_scenes/render.h"
+#include "povray_scenes/scene.h"
+#include "povray_scenes/sight.h"
 #include "texture/read_image.h"
 #include "uses/light/header.h"
 #include "uses/picture/disc_outline.h"
 #include "uses/picture/pixels.h"
-#include "uses/picture/sky_lights.h"
 
 namespace coppermoon::uses {
+namespace {
 
-texture::Image rendered(const LitScene& scene, const algebra::Progress& progress) {
+using texture::ExrType, texture::Image;
+
+constexpr std::size_t colours = 3;
+
+/// How a frame's numbers are stored.
+ExrType type_of(const Image& frame) {
+  constexpr float most_of_half = 65504;
+  const bool beyond = std::ranges::any_of(frame.values, [](float v) { return v > most_of_half; });
+  return beyond ? ExrType::floating : ExrType::half;
+}
+
+Image with_alpha(const Image& colour, const Image& moon) {
+  auto channels = colour.channels;
+  channels.emplace_back("A");
+  Image image(colour.width, colour.height, channels);
+  for (std::size_t i = 0; i < colour.width * colour.height; ++i) {
+    std::copy_n(&colour.values[colours * i], colours, &image.values[(colours + 1) * i]);
+    image.values[(colours + 1) * i + colours] = moon.values[(colours + 1) * i + colours];
+  }
+  return image;
+}
+
+/// Clears alpha beside the window that was rendered: POV-Ray writes 1 there.
+void clear_beside(Image& moon, const std::optional<povray_scenes::RenderWindow>& window) {
+  for (std::size_t r = 0; window && r < moon.height; ++r)
+    for (std::size_t c = 0; c < moon.width; ++c)
+      if (r < window->top || r >= window->bottom || c < window->left || c >= window->right)
+        moon(r, c, colours) = 0;
+}
+
+/// Difference of the stored numbers.
+Image stars_of(const LinearFrame& frame, ExrType type) {
+  auto stars = frame.whole;
+  for (std::size_t i = 0; i < stars.values.size(); ++i) {
+    const float moon = frame.moon.values[i / colours * (colours + 1) + i % colours];
+    float& value = stars.values[i];
+    value = (type == ExrType::half ? as_half(value) : value) - as_half(moon);
+  }
+  return stars;
+}
+
+Image positions(const Image& moon, const povray_scenes::SceneCamera& camera) {
+  const auto sight = povray_scenes::sight_of(camera);
+  Image image(moon.width, moon.height, {"X", "Y", "Z"});
+  for (std::size_t r = 0; r < moon.height; ++r)
+    for (std::size_t c = 0; c < moon.width; ++c)
+      if (moon(r, c, colours) > 0)
+        if (const auto place =
+                ground_at(sight, {static_cast<double>(c) + 0.5, static_cast<double>(r) + 0.5}))
+          for (std::size_t k = 0; k < colours; ++k)
+            image(r, c, k) = static_cast<float>((*place)[static_cast<int>(k)]);
+  return image;
+}
+
+/// Part of a frame's file. Blender tells parts apart by the names of their channels, as moon.R, alone.
+texture::Part part_of(const std::string& name, Image image, texture::ExrOptions options) {
+  texture::Layout layout{image.width, image.height, image.channels};
+  if (name != "rgba")
+    for (auto& channel : layout.channels) channel = name + "." + channel;
+  return {.name = name,
+          .layout = layout,
+          .rows =
+              [image = std::move(image)](std::size_t first_row, std::span<float> values) {
+                const auto length = image.width * image.channels.size();
+                std::copy_n(&image.values[first_row * length], values.size(), values.begin());
+              },
+          .left_out = {},
+          .own = {},
+          .options = options};
+}
+
+}  // namespace
+
+LinearFrame completed(Image rendered, const View& view, const almanac::SkyState& sky,
+                      std::span<const SkyLight> lights) {
+  LinearFrame frame{std::move(rendered)};
+  if (frame.whole.channels.size() > colours) {
+    frame.moon = std::move(frame.whole);
+    frame.whole = image_of(pixels_of(frame.moon));
+    clear_beside(frame.moon, disc_window({&view.camera, 1}));
+    hide_below_horizon(frame.moon, view, sky);
+  }
+  add_lights(frame.whole, view.camera, lights);
+  hide_below_horizon(frame.whole, view, sky);
+  return frame;
+}
+
+LinearFrame rendered(const LitScene& scene, bool passes, const algebra::Progress& progress) {
   const files::TemporaryFolder folder;
   std::vector<SkyLight> lights;
   tbb::task_group beside;  // POV-Ray sleeps when it starts
   beside.run([&] { lights = sky_lights(scene.view, scene.moon.sky); });
-  write_lit_scene(folder.path(), scene, {}, {.packed = false});
+  constexpr const char* texture_file = "moon_lin_rec709.exr";
+  texture::write_exr(folder.path() / texture_file, scene.texture.parts, scene.texture.attributes,
+                     {.packed = false});
+  povray_scenes::write_scene(
+      folder.path(), {.camera = scene.view.camera, .texture = texture_file, .alpha = passes});
   const auto window = disc_window({&scene.view.camera, 1});
-  texture::Image frame;
+  Image frame;
   povray_scenes::render_for([&](const auto& exr) { frame = texture::read_image(exr); },
                             folder.path(), {.window = window}, progress);
   beside.wait();
-  add_lights(frame, scene.view.camera, lights);
-  hide_below_horizon(frame, scene.view, scene.moon.sky);
-  return frame;
+  return completed(std::move(frame), scene.view, scene.moon.sky, lights);
+}
+
+LinearFrame in_space(const LinearFrame& frame, colour::WorkingSpace from, colour::WorkingSpace to) {
+  if (from == to) return frame;
+  LinearFrame changed{in_space(frame.whole, from, to)};
+  if (!frame.moon.values.empty())
+    changed.moon = with_alpha(in_space(frame.moon, from, to), frame.moon);
+  return changed;
 }
 
 texture::Attributes frame_header(const LitScene& scene, const Exposures& exposures) {
@@ -39,19 +141,19 @@ texture::Attributes frame_header(const LitScene& scene, const Exposures& exposur
   return attributes;
 }
 
-texture::ExrType frame_type(const texture::Image& frame) {
-  constexpr float most_of_half = 65504;
-  const bool beyond = std::ranges::any_of(frame.values, [](float v) { return v > most_of_half; });
-  return beyond ? texture::ExrType::floating : texture::ExrType::half;
-}
-
-void write_frame(const std::filesystem::path& file, const texture::Image& frame,
-                 texture::Attributes header, colour::WorkingSpace space) {
-  if (space == picture_space)
-    return texture::write_exr(file, frame, header, {.type = frame_type(frame)});
-  say_space(header, space);
-  const auto changed = in_space(frame, picture_space, space);
-  texture::write_exr(file, changed, header, {.type = frame_type(changed)});
+void write_frame(const std::filesystem::path& file, const LinearFrame& frame,
+                 const povray_scenes::SceneCamera& camera, const texture::Attributes& header) {
+  const texture::ExrOptions light{.type = type_of(frame.whole)};
+  if (frame.moon.values.empty()) return texture::write_exr(file, frame.whole, header, light);
+  std::vector<texture::Part> parts{
+      part_of("rgba", with_alpha(frame.whole, frame.moon), light), part_of("moon", frame.moon, {}),
+      part_of("stars", stars_of(frame, light.type), {.type = ExrType::floating}),
+      part_of("position", positions(frame.moon, camera),
+              {.type = ExrType::floating, .allow_negative = true})};
+  parts.back().left_out = {"whiteLuminance", "chromaticities"};
+  parts.back().own = {{"colorInteropID", std::string("data")},
+                      {"coppermoon:unit", std::string("lunar radii")}};
+  texture::write_exr(file, parts, header);
 }
 
 }  // namespace coppermoon::uses

@@ -1,28 +1,55 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
 #include "texture/write_image.h"
 #include "uses/picture/development.h"
 #include "uses/picture/lit_scene.h"
+#include "uses/picture/sky_lights.h"
 
 namespace coppermoon::uses {
 
-/// A scene-linear frame of a scene, linear Rec.709 [cd/m²]: POV-Ray renders the Moon in a folder that is gone
-/// afterwards, and the stars of the view are added (see sky_lights).
+/// Scene-linear frame [cd/m²].
+struct LinearFrame {
+  texture::Image whole;  ///< channels R, G, B
+  /// R, G, B, A: the Moon without stars, its colours times the share of the pixel that is seen of it; empty unless
+  /// passes are asked for
+  texture::Image moon = {};
+};
+
+/// Completes a frame of POV-Ray, linear Rec.709: adds stars and planets, and hides what is below the horizon.
+///
+/// Given  rendered  with a channel A where passes are asked for
+LinearFrame completed(texture::Image rendered, const View& view, const almanac::SkyState& sky,
+                      std::span<const SkyLight> lights);
+
+/// Frame of a scene, linear Rec.709: POV-Ray renders the Moon in a folder that is gone afterwards, and the stars of
+/// the view are added (see sky_lights).
 ///
 /// Throws  Error  when POV-Ray is not there, or fails; when a catalogue of stars is damaged
-texture::Image rendered(const LitScene& scene, const algebra::Progress& progress = {});
+LinearFrame rendered(const LitScene& scene, bool passes = false,
+                     const algebra::Progress& progress = {});
+
+/// Frame in another working space.
+LinearFrame in_space(const LinearFrame& frame, colour::WorkingSpace from, colour::WorkingSpace to);
 
 /// A frame's header: the texture's, and the exposure and what a camera has to know of it.
 texture::Attributes frame_header(const LitScene& scene, const Exposures& exposures);
 
-/// How a frame's numbers are stored: as half floats, where no star is brighter than these go.
-texture::ExrType frame_type(const texture::Image& frame);
-
-/// Writes a frame in a working space, which its header says.
+/// Writes a frame: its numbers are half floats, where no star is brighter than these go.
 ///
-/// Given  frame  linear Rec.709, with its header
-void write_frame(const std::filesystem::path& file, const texture::Image& frame,
-                 texture::Attributes header, colour::WorkingSpace space);
+/// With passes the file has four parts:
+///
+///     rgba      R, G, B, A: the frame, and the share of the pixel that the Moon covers, by which its colours are multiplied
+///     moon      moon.R and so on: the same without stars
+///     stars     stars.R, stars.G, stars.B, floats: rgba less moon, exactly as both are stored
+///     position  position.X, position.Y, position.Z, floats: place on the Moon in the pixel's middle, Moon-fixed (X to
+///               longitude 0, Y to 90° east, Z north), in radii; 0 beside the Moon
+///
+/// Given  camera  of the frame; for passes alone
+///        header  says the frame's space
+void write_frame(const std::filesystem::path& file, const LinearFrame& frame,
+                 const povray_scenes::SceneCamera& camera, const texture::Attributes& header);
 
 }  // namespace coppermoon::uses
