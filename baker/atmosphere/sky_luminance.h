@@ -2,6 +2,7 @@
 #pragma once
 
 #include "algebra/quantity.h"
+#include "atmosphere/observer_air.h"
 
 namespace coppermoon::atmosphere {
 
@@ -27,5 +28,97 @@ double luminance_of_magnitude_cd_m2(double mag_per_arcsec2);
 /// Source    illuminance: Janiczek & DeYoung (1987), USNO Circular 171; zenith: Patat, Ugolnikov &
 ///           Postylyakov (2006), A&A 455, 385; night: Patat (2003), A&A 400, 1183
 double sky_luminance_cd_m2(algebra::Angle sun_altitude);
+
+/// Extinction of the air above an observer in V, at the zenith [mag].
+///
+///     k = 2.5 lg e · τ(550 nm)        τ: Rayleigh scattering, ozone and aerosol (vertical_depths)
+///
+/// Throws  Error  when a term of the air is outside its range
+double visual_extinction_mag(const ObserverAir& air);
+
+/// Air mass of light that is scattered or emitted along a line of sight.
+///
+///     X = (1 − 0.96 sin² z)^−½        z: zenith distance
+///
+/// Given     altitude  0 to 90 degrees; held at either end
+/// Returned  X         1 at the zenith, 5 on the horizon
+/// Source    Garstang (1989), PASP 101, 306; Krisciunas & Schaefer (1991), eq. 3
+double sky_air_mass(algebra::Angle altitude);
+
+/// Luminance of the airglow of a moonless night.
+///
+///     L₀ X 10^(−0.4 k (X − 1))        L₀: 21.9 mag/arcsec²
+///
+/// Given     extinction_mag  k, of visual_extinction_mag
+/// Returned  [cd/m²]         1.9e-4 at the zenith, twice as much at 20 degrees
+/// Omits     towns, Milky Way, zodiacal light; the sunspot cycle, by which it varies by a factor of two
+/// Source    Krisciunas & Schaefer (1991), PASP 103, 1033, eq. 2
+double airglow_cd_m2(algebra::Angle altitude, double extinction_mag);
+
+/// Body that lights the air.
+struct SkyLamp {
+  double magnitude = 0;     ///< V, above the air; infinite of a body that is dark
+  algebra::Angle altitude;  ///< airless
+};
+
+/// Direction of a line of sight.
+struct SkyDirection {
+  algebra::Angle altitude, from_lamp;  ///< from_lamp: angle between it and the body
+};
+
+/// Terms of moonlight that the air scatters, each over the light's transmittance and share that is scattered.
+///
+///     molecules 10^5.36 (1.06 + cos²ρ)        aerosol max(10^(6.15 − ρ/40°), 6.2e7 (ρ/1°)^−2)
+///
+/// Given   from_lamp  ρ, 0 to 180 degrees; held at 0.25 degrees, within the Moon's disc
+/// Source  Krisciunas & Schaefer (1991), eqs. 17 to 21. They take the second term of aerosol below 10 degrees, with a
+///         step of a fifth there
+struct ScatteringTerms {
+  double molecules, aerosol;
+};
+ScatteringTerms scattering_terms(algebra::Angle from_lamp);
+
+/// Luminance of moonlight that a clear sky scatters.
+///
+///     B = f(ρ) 10^(−0.4 (m + 16.57)) 10^(−0.4 k X_m) (1 − 10^(−0.4 k X)) nL
+///
+/// with f the sum of scattering_terms, X the air mass of the line of sight, X_m that of the Moon, and 1 nL = 10⁻⁵/π
+/// cd/m². It fades out while the Moon is within 0.3 degrees of the horizon.
+///
+/// Given     extinction_mag  k, of visual_extinction_mag
+/// Returned  [cd/m²]         0 for a Moon below the horizon
+/// Accuracy  8 to 23 %, of the formula; at sea level, where the air holds more aerosol than on Mauna Kea, some 0.3 mag
+/// Omits     polarisation; that red light of a total eclipse is scattered less than white light of its magnitude, by a
+///           tenth
+/// Source    Krisciunas & Schaefer (1991), PASP 103, 1033
+double moonlit_sky_cd_m2(const SkyLamp& moon, const SkyDirection& towards, double extinction_mag);
+
+/// Twilight of a clear sky in every direction.
+///
+///     L = L₀ (1 + w (s/s₀ − 1))        s = 10^(0.4 z/(360° k)) (100°/θ) (1 − 10^(−0.4 k X))
+///
+/// L₀ and s₀ are those of the zenith, without airglow; z is the zenith distance, θ the angle from the Sun (held at 5
+/// degrees). Schaefer's pattern s alone gives the ground twice the almanac's illuminance: the share w of it, of 0 to 1,
+/// is the one with which the whole sky gives the illuminance that sky_luminance_cd_m2 is made of.
+///
+/// Given     sun_altitude    -90 to 5 degrees, airless
+///           extinction_mag  k, of visual_extinction_mag; held at 0.05
+/// Accuracy  a factor of two; the illuminance of level ground 1 %, of air with k from 0.1 to 0.5
+/// Omits     the Earth's shadow and the belt above it
+/// Throws    Error           when the Sun's altitude is outside its range
+/// Source    pattern: Schaefer (1993), Vistas in Astronomy 36, 311, as in "To the visual limits", Sky & Telescope (May
+///           1998) 57
+class Twilight {
+ public:
+  Twilight(algebra::Angle sun_altitude, double extinction_mag);
+
+  /// [cd/m²]
+  double luminance_cd_m2(const SkyDirection& towards) const;
+
+ private:
+  double pattern(const SkyDirection& towards) const;
+
+  double extinction_mag_, zenith_cd_m2_, of_zenith_, share_ = 0;
+};
 
 }  // namespace coppermoon::atmosphere

@@ -8,12 +8,12 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "atmosphere/sky_luminance.h"
 #include "eclipse/shadow_axis.h"
 #include "texture/resize.h"
 #include "uses/light/photometric_bands.h"
 #include "uses/night/star_limit.h"
 #include "uses/picture/brightness.h"
+#include "uses/picture/clear_sky.h"
 #include "uses/picture/moon_survey.h"
 
 namespace coppermoon::uses {
@@ -129,29 +129,13 @@ PhaseExposure exposure_of(const MoonSurvey& survey, const Exposer& exposer,
   return exposure;
 }
 
-algebra::Angle sun_altitude(const almanac::Observer& place, const almanac::SkyState& sky) {
-  const auto view = almanac::view_from(place, sky);
-  const auto to_sun = glm::normalize(sky.sun_m - view.position_m);
-  return algebra::radians(std::asin(glm::dot(to_sun, view.zenith)));
-}
-
-/// Luminance of the sky in a place's zenith: its own by the Sun's altitude, and moonlight scattered in it. Of a day
-/// that of bright twilight.
-double zenith_luminance_cd_m2(const almanac::Observer& place, const almanac::SkyState& sky,
-                              double moon_magnitude) {
-  constexpr auto brightest_twilight = algebra::degrees(5);
-  const auto sun = std::min(sun_altitude(place, sky), brightest_twilight);
-  return atmosphere::sky_luminance_cd_m2(sun) +
-         moonlit_sky_cd_m2(moon_magnitude, almanac::view_from(place, sky).altitude);
-}
-
 NightLight light_at(const MoonSurvey& survey, const NightMoment& moment,
-                    const almanac::Observer& place) {
+                    const almanac::Observer& place, const atmosphere::ObserverAir& air) {
   const auto sky = almanac::sky_at(moment.when);
   const auto disc = survey.brightness(sky);
   const double V = disc.magnitudes[V_band];
   return {moment.name, moment.when, V, disc.mean_luminance_cd_m2,
-          faintest_star(zenith_luminance_cd_m2(place, sky, V))};
+          faintest_star(ClearSky(place, sky, air, V).zenith_cd_m2())};
 }
 
 /// Share of the Moon's diameter in the umbra, by the axis distance since U1.
@@ -228,9 +212,10 @@ NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
   NightLights lights{.f_number = exposer.f_number(), .iso = development.iso};
   if (night.eclipse.contacts.U2)
     lights.V_error = totality_error_mag(moon.light.air, almanac::year_of(night.eclipse.greatest));
+  const auto air = air_over(night.place, view);
   for (const auto& moment : night.moments)
     if (!moment.name.starts_with("moon"))
-      lights.moments.push_back(light_at(survey, moment, night.place));
+      lights.moments.push_back(light_at(survey, moment, night.place, air));
   for (const auto& [phase, when] : phases_of(night.eclipse))
     lights.exposures.push_back(exposure_of(survey, exposer, phase, when));
   if (!steps) return lights;

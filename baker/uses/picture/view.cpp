@@ -70,15 +70,6 @@ algebra::Angle field_of(const ViewRequest& request) {
   return algebra::radians(2 * std::atan(across * std::tan(shorter_rad / 2)));
 }
 
-atmosphere::ObserverAir air_over(const almanac::Observer& observer, const ViewRequest& request) {
-  atmosphere::ObserverAir air;
-  air.ozone_du = request.observer_ozone_du;
-  air.aerosol_optical_depth = request.observer_aerosol;
-  air.elevation_m = algebra::in_metres(observer.elevation);
-  require_valid(air);
-  return air;
-}
-
 }  // namespace
 
 std::string place_text(const almanac::Observer& observer) {
@@ -140,6 +131,15 @@ void hide_below_horizon(texture::Image& frame, const View& view, const almanac::
       for (std::size_t k = 0; share < 1 && k < frame.channels.size(); ++k)
         frame(row, column, k) *= static_cast<float>(share);
     }
+}
+
+atmosphere::ObserverAir air_over(const almanac::Observer& observer, const ViewRequest& request) {
+  atmosphere::ObserverAir air;
+  air.ozone_du = request.observer_ozone_du;
+  air.aerosol_optical_depth = request.observer_aerosol;
+  air.elevation_m = algebra::in_metres(observer.elevation);
+  require_valid(air);
+  return air;
 }
 
 View view_of(const ViewRequest& request, const almanac::SkyState& sky) {

@@ -74,6 +74,11 @@ bool moon_is_up(const ViewRequest& request, const almanac::SkyState& sky);
 /// Given  frame  of the view's camera; from space nothing is hidden
 void hide_below_horizon(texture::Image& frame, const View& view, const almanac::SkyState& sky);
 
+/// Air above a place, as a request has it.
+///
+/// Throws  Error  when a term of it is outside its range
+atmosphere::ObserverAir air_over(const almanac::Observer& observer, const ViewRequest& request);
+
 /// Throws Error when nothing of the Moon is above the observer's horizon: says by how much; or when the
 ///        observer's air is not sound
 View view_of(const ViewRequest& request, const almanac::SkyState& sky);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "almanac/observer.h"
+#include "atmosphere/observer_air.h"
+#include "atmosphere/sky_luminance.h"
+
+namespace coppermoon::uses {
+
+/// Terms of a sky's luminance [cd/m²].
+struct SkyTerms {
+  double airglow, twilight, moonlight;
+
+  double sum() const { return airglow + twilight + moonlight; }
+};
+
+/// Clear sky over a place at one moment, in every direction: airglow, twilight, and moonlight that the air scatters
+/// (atmosphere/sky_luminance.h). Of a day it is that of bright twilight, with the Sun at 5 degrees.
+class ClearSky {
+ public:
+  /// Given   moon_magnitude  V, above the air; infinite of a dark Moon
+  /// Throws  Error           when a term of the air is outside its range
+  ClearSky(const almanac::Observer& place, const almanac::SkyState& sky,
+           const atmosphere::ObserverAir& air, double moon_magnitude);
+
+  /// Given  direction  unit: east, north, up; as it is seen, refraction included
+  SkyTerms towards(const glm::dvec3& direction) const;
+
+  /// Angle from the Moon, as both are seen.
+  algebra::Angle from_moon(const glm::dvec3& direction) const;
+  /// Angle from the Sun, airless.
+  algebra::Angle from_sun(const glm::dvec3& direction) const;
+
+  double zenith_cd_m2() const { return towards({0, 0, 1}).sum(); }
+  algebra::Angle sun_altitude() const { return sun_altitude_; }  ///< airless
+  double extinction_mag() const { return extinction_mag_; }      ///< in V, at the zenith
+
+ private:
+  double extinction_mag_;
+  atmosphere::SkyLamp moon_;
+  glm::dvec3 to_moon_, to_sun_;  ///< east, north, up
+  algebra::Angle sun_altitude_;
+  atmosphere::Twilight twilight_;
+};
+
+/// Direction in an observer's sky, unit: east, north, up.
+glm::dvec3 in_sky(algebra::Angle altitude, algebra::Angle azimuth);
+
+}  // namespace coppermoon::uses
