@@ -19,10 +19,10 @@ void add_words(CLI::App& program) {
       CLI::MultiOptionPolicy::TakeLast);
   program.require_subcommand(1);
   program.set_version_flag("--version", fmt::format("coppermoon {}", uses::version()));
-  for (const auto add : {add_almanac, add_night,  add_explore,    add_sky,      add_plan,
-                         add_shadow,  add_shader, add_brightness, add_bake,     add_ring,
-                         add_scene,   add_still,  add_animate,    add_develop,  add_merge,
-                         add_compare, add_fit,    add_tradeoff,   add_describe, add_cache})
+  for (const auto add :
+       {add_almanac, add_night, add_explore, add_sky,    add_plan,     add_shadow,   add_brightness,
+        add_bake,    add_ring,  add_dome,    add_shader, add_scene,    add_still,    add_animate,
+        add_develop, add_merge, add_compare, add_fit,    add_tradeoff, add_describe, add_cache})
     add(program);
   program.set_help_flag("-h,--help", "lists the commands");
   program.set_help_all_flag("--help-all", "lists the commands");

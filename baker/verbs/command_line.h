@@ -23,6 +23,7 @@ void add_shader(CLI::App& program);
 void add_brightness(CLI::App& program);
 void add_bake(CLI::App& program);
 void add_ring(CLI::App& program);
+void add_dome(CLI::App& program);
 void add_scene(CLI::App& program);
 void add_still(CLI::App& program);
 void add_animate(CLI::App& program);

@@ -42,7 +42,7 @@ TEST_F(Describe, HasEachCommandInTheOrderOfHelp) {
   const auto help = coppermoon({"--help"}).out;
   std::size_t at = 0;
   const auto all = commands();
-  EXPECT_EQ(all.size(), 20U);
+  EXPECT_EQ(all.size(), 21U);
   for (const auto& command : all) {
     const auto next = help.find("\n  " + command["name"].get<std::string>() + " ", at);
     ASSERT_NE(next, std::string::npos) << command["name"];
@@ -163,6 +163,8 @@ class Ranges : public Describe {
     if (!end && (name == "width" || name == "height")) return still();
     if (of_shadow.contains(name)) return shadow() + Words{"--rays", "20"};
     if (name == "scale") return Words{"ring", eclipsed, "-o", "ring.exr"} + air;
+    if (name == "ground-albedo")
+      return Words{"dome", eclipsed, "--at", "Nairobi", "-o", "sky.exr", "--width", "16"} + air;
     if (name == "spectral")
       return Words{"bake", eclipsed,      "-o", "moon.exr", "--texture-width",
                    "16",   "--tolerance", "50%"} +

@@ -45,7 +45,7 @@ TEST_F(Start, WhatTouchesNoImageNeedsNoModule) {
   expect_done(run({program, "--version"}));
   expect_done(run({program, "--help"}));
   for (const char* verb :
-       {"almanac", "sky", "plan", "shadow", "shader", "brightness", "bake", "ring", "scene",
+       {"almanac", "sky", "plan", "shadow", "brightness", "bake", "ring", "dome", "shader", "scene",
         "still", "animate", "develop", "merge", "compare", "fit", "tradeoff", "describe", "cache"})
     expect_done(run({program, verb, "--help"}));
   expect_done(run({program, "almanac", "--from", "2008-01-01", "--to", "2008-12-31"}));

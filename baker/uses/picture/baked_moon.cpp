@@ -17,6 +17,7 @@
 
 #include "algebra/error.h"
 #include "files/name_to_share.h"
+#include "uses/light/disc_brightness.h"
 #include "uses/light/header.h"
 #include "uses/light/spectral_bands.h"
 #include "uses/picture/texture_recipe.h"
@@ -327,6 +328,18 @@ BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking
     share.own = {{"colorInteropID", std::string("data")}};
   }
   return made;
+}
+
+std::array<double, 3> illuminance_seen(LitMoon moon) {
+  constexpr std::size_t rows = 360;
+  moon.request.texture_width = 2 * rows;
+  const auto texture = baked(moon, {}, {texture::Extent::seen_from_earth, {}});
+  const auto& part = texture.parts.front();
+  texture::Image image(part.layout.width, part.layout.height, part.layout.channels);
+  part.rows(0, image.values);
+  const auto lux =
+      irradiance_of_disc(image, moon.sky, almanac::view_from(*moon.observer, moon.sky).position_m);
+  return {lux[0], lux[1], lux[2]};
 }
 
 }  // namespace coppermoon::uses

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -77,5 +78,11 @@ struct Baking {
 /// Colours outside the space are brought into it, in each part separately. The attribute `coppermoon:recipe` has the
 /// recipe that bakes the same texels again (texture_recipe).
 BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking& baking = {});
+
+/// Illuminance by the whole Moon on a surface that faces it, at its observer, through the sightline: linear Rec.709 [lux].
+///
+/// Given     moon  with an observer
+/// Accuracy  0.2 %, of a disc of 360 rows
+std::array<double, 3> illuminance_seen(LitMoon moon);
 
 }  // namespace coppermoon::uses

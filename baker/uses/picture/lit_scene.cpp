@@ -14,7 +14,6 @@
 #include "povray_scenes/mitsuba.h"
 #include "povray_scenes/moon_include.h"
 #include "texture/own_image.h"
-#include "uses/light/disc_brightness.h"
 #include "uses/picture/sky_lights.h"
 
 namespace coppermoon::uses {
@@ -80,23 +79,15 @@ void require_scene_folder(const std::filesystem::path& folder, const ViewRequest
 
 void write_moon_include(const std::filesystem::path& folder, const LitScene& scene) {
   if (!scene.view.observer) return;
-  constexpr std::size_t rows = 360;
-  auto small = scene.moon;
-  small.request.texture_width = 2 * rows;
-  const auto texture = baked(small, {}, {texture::Extent::seen_from_earth, {}});
-  const auto& part = texture.parts.front();
-  texture::Image image(part.layout.width, part.layout.height, part.layout.channels);
-  part.rows(0, image.values);
   const auto& sky = scene.moon.sky;
   const auto view = almanac::view_from(*scene.view.observer, sky);
-  const auto lux = irradiance_of_disc(image, sky, view.position_m);
   const povray_scenes::MoonInSky moon{
       .texture = texture_file,
       .title = almanac::utc_text(sky.when) + " from " + place_text(*scene.view.observer),
       .view = view,
       .axis_position_angle = sky.axis_position_angle,
       .place = apparent_place(*scene.view.observer, sky),
-      .illuminance_lux = {lux[0], lux[1], lux[2]}};
+      .illuminance_lux = illuminance_seen(scene.moon)};
   const auto write = [&](const char* file, std::string_view text) {
     files::write_whole(folder / file, files::stamped(text, "//"));
   };

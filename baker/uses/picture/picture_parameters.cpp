@@ -227,6 +227,11 @@ void describe(Parameters& is, ViewRequest& view) {
                  {"zenith", Up::zenith},
                  {"moon-north", Up::moon_north}},
                 "direction that is up in the frame"));
+  describe_stars(is, view);
+}
+
+void describe_stars(Parameters& is, ViewRequest& view) {
+  is.begin(view_heading, "", Affects::frame);
   is.add(parsed(
       "stars", view.stars, [&view] { return text_of(view.stars); },
       [&view](const std::string& text) { view.stars = stars_from(text); },
@@ -289,7 +294,7 @@ void describe(Parameters& is, Development& development) {
   describe_but_time(is, development);
 }
 
-void describe(Parameters& is, TextureContent& content) {
+void describe_numbers(Parameters& is, TextureContent& content) {
   is.begin(texture_heading, "", Affects::ground);
   is.add(parsed(
       "space", content.space,
@@ -300,6 +305,10 @@ void describe(Parameters& is, TextureContent& content) {
   is.add(choice("type", content.type,
                 {{"half", texture::ExrType::half}, {"float", texture::ExrType::floating}},
                 "numbers of a texel: half or float; default: half, float for a spectrum"));
+}
+
+void describe(Parameters& is, TextureContent& content) {
+  describe_numbers(is, content);
   is.add(parameter("spectral", content.spectral_nm,
                    "width of spectral bands [nm], 1 to 100, a divisor of 400: an .exr gets the "
                    "spectral radiance from 380 to 780 nm too"))

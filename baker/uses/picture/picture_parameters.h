@@ -28,6 +28,9 @@ void describe_unshadowed(request::Parameters& is, MoonRequest& moon);
 /// The observer, and the air above.
 void describe_observer(request::Parameters& is, ViewRequest& view);
 
+/// Stars and planets.
+void describe_stars(request::Parameters& is, ViewRequest& view);
+
 /// The observer, the air above, and the frame: its field, its size, which way is up.
 void describe(request::Parameters& is, ViewRequest& view);
 
@@ -40,6 +43,9 @@ void describe(request::Parameters& is, Development& development);
 
 /// Exposure time as text, for whoever reads more than one time in it.
 void describe_time(request::Parameters& is, std::string& time);
+
+/// Space and type of numbers of a texture.
+void describe_numbers(request::Parameters& is, TextureContent& content);
 
 /// Space, type of numbers, spectrum and passes of a texture.
 void describe(request::Parameters& is, TextureContent& content);

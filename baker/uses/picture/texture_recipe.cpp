@@ -31,26 +31,34 @@ ViewRequest view_in(const LitMoon& moon) {
 
 }  // namespace
 
-std::string texture_recipe(const LitMoon& moon, const TextureContent& content) {
+std::string recipe_of_light(const LitMoon& moon, bool with_width,
+                            const std::function<void(request::Parameters&)>& more) {
   auto instant = exact_text(moon.sky.when);
   auto request = moon.request;
-  auto view = view_in(moon);
-  auto held = content;
-  held.space = space_of(content);
   request::Parameters all;
   all.add(request::parameter("instant", instant, ""));
   describe_map(all, request);
-  describe_width(all, request);
+  if (with_width) describe_width(all, request);
   describe_unshadowed(all, request);
   describe(all, request.light.air);
   describe_sunlight(all, request.light);
   describe_knobs(all, request.light.by_hand);
   describe_solver(all, request.light);
-  describe_observer(all, view);
-  describe(all, held);
-  describe_response(all, request.response);
+  more(all);
   const auto recipe = request::recipe_of(all);
   return request.unshadowed ? recipe : with_work(recipe, moon.light->plan.work);
+}
+
+std::string texture_recipe(const LitMoon& moon, const TextureContent& content) {
+  auto view = view_in(moon);
+  auto response = moon.request.response;
+  auto held = content;
+  held.space = space_of(content);
+  return recipe_of_light(moon, true, [&](request::Parameters& all) {
+    describe_observer(all, view);
+    describe(all, held);
+    describe_response(all, response);
+  });
 }
 
 }  // namespace coppermoon::uses

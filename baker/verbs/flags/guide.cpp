@@ -31,7 +31,12 @@ const std::vector<GuideGroup>& guides() {
         {"ring",
          {"output", "on", "atmosphere", "danjon", "scale"},
          {"coppermoon ring 2018-07-27 -o ring.exr",
-          "coppermoon ring 2018-07-27 --on Tycho --danjon 1 -o ring.exr"}}}},
+          "coppermoon ring 2018-07-27 --on Tycho --danjon 1 -o ring.exr"}},
+        {"dome",
+         {"at", "output", "width", "moon", "stars", "ground-albedo", "space", "danjon"},
+         {"coppermoon dome 2018-07-27 --at Nairobi -o sky.exr",
+          "coppermoon dome 2018-07-27 U1+30min --at Nairobi --moon on --ground-albedo 0.2 -o "
+          "sky_acescg.exr"}}}},
       {"Films",
        {{"animate",
          {"at", "output", "from", "to", "frames", "make", "time", "movie", "shard", "job"},

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+#include "uses/dome/dome.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "algebra/error.h"
+#include "texture/bake.h"
+#include "uses/dome/scattered_colour.h"
+#include "uses/light/header.h"
+#include "uses/light/photometer.h"
+#include "uses/light/photometric_bands.h"
+#include "uses/light/spectral_bands.h"
+#include "uses/picture/clear_sky.h"
+#include "uses/picture/picture_parameters.h"
+#include "uses/picture/pixels.h"
+#include "uses/picture/sky_lights.h"
+#include "uses/picture/texture_recipe.h"
+
+namespace coppermoon::uses {
+namespace {
+
+using std::numbers::pi;
+
+/// B − V and V − R of the night sky: Patat (2003).
+constexpr ColourIndices night_colour{1.03, 0.74};
+
+/// Grid of directions.
+class Directions {
+ public:
+  explicit Directions(std::size_t columns) : columns_(columns), step_(2 * pi / double(columns)) {}
+
+  std::size_t columns() const { return columns_; }
+  std::size_t rows() const { return columns_ / 2; }
+  std::size_t rows_above() const { return rows() / 2; }
+
+  /// Altitude of a row's middle [rad].
+  double altitude(std::size_t row) const { return pi / 2 - (double(row) + 0.5) * step_; }
+  /// Azimuth of a column's middle [rad], −π to π.
+  double azimuth(std::size_t column) const { return (double(column) + 0.5) * step_ - pi; }
+
+  glm::dvec3 direction(std::size_t row, std::size_t column) const {
+    return in_sky(algebra::radians(altitude(row)), algebra::radians(azimuth(column)));
+  }
+
+  /// Solid angle of a texel [sr].
+  double solid_angle(std::size_t row) const {
+    return step_ * 2 * std::sin(step_ / 2) * std::cos(altitude(row));
+  }
+
+  /// Place in texels, from the upper left corner.
+  std::pair<double, double> place(algebra::Angle altitude, algebra::Angle azimuth) const {
+    return {(algebra::in_radians(azimuth) + pi) / step_,
+            (pi / 2 - algebra::in_radians(altitude)) / step_};
+  }
+
+  /// Column within the picture, which goes on around the horizon.
+  std::size_t around(std::ptrdiff_t column) const {
+    const auto all = static_cast<std::ptrdiff_t>(columns_);
+    return static_cast<std::size_t>((column % all + all) % all);
+  }
+
+ private:
+  std::size_t columns_;
+  double step_;  ///< [rad]
+};
+
+void add(texture::Image& image, std::size_t row, std::size_t column, const Rgb& light,
+         double factor) {
+  for (std::size_t k = 0; k < light.size(); ++k)
+    image(row, column, k) += static_cast<float>(factor * light[k]);
+}
+
+/// Moon as it lights an observer.
+struct MoonOver {
+  std::vector<double> magnitudes;  ///< [band], above the air, from the Earth's centre
+  Rgb lux{};  ///< through the air, on a surface that faces it; 0 below the horizon
+  povray_scenes::HorizonPlace place;
+
+  ColourIndices colour() const {
+    return {magnitudes[0] - magnitudes[1], magnitudes[1] - magnitudes[2]};
+  }
+  bool shines() const { return std::isfinite(colour().b_minus_v + colour().v_minus_r); }
+};
+
+/// Magnitudes of the whole Moon above the air, from the Earth's centre, [band].
+std::vector<double> magnitudes_of(const LitMoon& moon) {
+  constexpr std::size_t rows = 180;
+  const auto meter = photometer();
+  const auto weights =
+      moon.ground ? reddest_and_bluest(meter.weights, band_centres_nm()) : meter.weights;
+  const auto light =
+      moon.within
+          ? moon.light->in_sums(at_wavelengths(weights, moon.light->plan.work.bands), *moon.within)
+          : shadow::Lookup(weights);
+  const auto texture = texture::bake({*moon.albedo, moon.sky, light, moon.ground.get()},
+                                     meter.channels, rows, moon.request.photometry);
+  return measured(meter, texture, moon.sky).magnitudes;
+}
+
+MoonOver moon_over(LitMoon moon, const ViewRequest& view) {
+  MoonOver over{magnitudes_of(moon), {}, apparent_place(*view.observer, moon.sky)};
+  if (!moon_is_up(view, moon.sky)) return over;
+  const auto seen = view_of(view, moon.sky);
+  moon.observer = seen.observer;
+  moon.sightline = seen.sightline;
+  over.lux = illuminance_seen(moon);
+  return over;
+}
+
+/// View of all the sky, whether or not the Moon is up.
+View view_around(const ViewRequest& request, const atmosphere::ObserverAir& air) {
+  View view;
+  view.observer = request.observer;
+  view.stars = request.stars;
+  if (request.reddening) view.sightline = {air, {}};
+  return view;
+}
+
+/// Light of air, between the Sun, the Moon and an observer.
+class AirLight {
+ public:
+  AirLight(const ClearSky& sky, const atmosphere::ObserverAir& air, const MoonOver& moon)
+      : sky_(sky),
+        night_(colour_of(spectrum_of(night_colour))),
+        of_sun_(air, sun_colour(), algebra::degrees(90)) {
+    if (moon.shines()) of_moon_.emplace(air, moon.colour(), moon.place.altitude);
+  }
+
+  void fill(const Directions& all, std::size_t row, texture::Image& image) const {
+    const auto altitude = algebra::radians(all.altitude(row));
+    const auto sunlight = of_sun_.along(altitude);
+    const auto moonlight = of_moon_ ? of_moon_->along(altitude) : sunlight;
+    for (std::size_t column = 0; column < all.columns(); ++column) {
+      const auto direction = all.direction(row, column);
+      const auto terms = sky_.towards(direction);
+      add(image, row, column, night_, terms.airglow);
+      add_scattered(image, row, column, sunlight, sky_.from_sun(direction), terms.twilight);
+      add_scattered(image, row, column, moonlight, sky_.from_moon(direction), terms.moonlight);
+    }
+  }
+
+ private:
+  static ColourIndices sun_colour() {
+    const auto sun = photometric_bands();
+    return {sun[0].solar_magnitude - sun[1].solar_magnitude,
+            sun[1].solar_magnitude - sun[2].solar_magnitude};
+  }
+
+  /// Adds light of a luminance in the colour that molecules and aerosol give it together.
+  static void add_scattered(texture::Image& image, std::size_t row, std::size_t column,
+                            const ScatteredColour::Pair& pair, algebra::Angle from_lamp,
+                            double luminance) {
+    if (!(luminance > 0)) return;
+    const auto [molecules, aerosol] = atmosphere::scattering_terms(from_lamp);
+    Rgb light{};
+    for (std::size_t k = 0; k < light.size(); ++k)
+      light[k] = molecules * pair.molecules[k] + aerosol * pair.aerosol[k];
+    add(image, row, column, light, luminance / colour::luminance(picture_space, light));
+  }
+
+  const ClearSky& sky_;
+  Rgb night_;
+  ScatteredColour of_sun_;
+  std::optional<ScatteredColour> of_moon_;
+};
+
+/// Spreads a point's light over the four texels around it, by their distance; none of it below the horizon.
+void add_point(texture::Image& image, const Directions& all,
+               const povray_scenes::HorizonPlace& place, const Rgb& lux) {
+  const auto [x, y] = all.place(place.altitude, place.azimuth);
+  const double left = std::floor(x - 0.5), above = std::floor(y - 0.5);
+  for (const int down : {0, 1})
+    for (const int right : {0, 1}) {
+      const double share = (right ? x - 0.5 - left : 1 - (x - 0.5 - left)) *
+                           (down ? y - 0.5 - above : 1 - (y - 0.5 - above));
+      const auto row =
+          static_cast<std::size_t>(std::clamp(above + down, 0., double(all.rows_above() - 1)));
+      const auto column = all.around(static_cast<std::ptrdiff_t>(left) + right);
+      add(image, row, column, lux, share / all.solid_angle(row));
+    }
+}
+
+void add_stars(texture::Image& image, const Directions& all, const View& view,
+               const almanac::SkyState& sky) {
+  for (const auto& star : lights_over(view, sky))
+    if (algebra::in_radians(star.place.altitude) >= 0)
+      add_point(image, all, star.place, star.illuminance_lux);
+}
+
+/// Adds the Moon's disc in equal points; those below the horizon are left out.
+void add_moon(texture::Image& image, const Directions& all, const MoonOver& moon,
+              algebra::Angle radius) {
+  constexpr int points = 1 << 16;
+  constexpr double golden_angle = pi * (3 - 2.23606797749979);
+  const auto middle = in_sky(moon.place.altitude, moon.place.azimuth);
+  const glm::dvec3 aside = std::abs(middle.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 right = glm::normalize(glm::cross(middle, aside)),
+                   up = glm::cross(right, middle);
+  for (int k = 0; k < points; ++k) {
+    const double out = std::tan(algebra::in_radians(radius)) * std::sqrt((k + 0.5) / points),
+                 turn = k * golden_angle;
+    const auto to = glm::normalize(middle + out * (std::cos(turn) * right + std::sin(turn) * up));
+    if (to.z < 0) continue;
+    const auto [x, y] =
+        all.place(algebra::radians(std::asin(to.z)), algebra::radians(std::atan2(to.x, to.y)));
+    const auto row = std::min(static_cast<std::size_t>(y), all.rows_above() - 1);
+    add(image, row, all.around(static_cast<std::ptrdiff_t>(std::floor(x))), moon.lux,
+        1 / (points * all.solid_angle(row)));
+  }
+}
+
+/// Illuminance of level ground by all that is above the horizon.
+Rgb on_level_ground(const texture::Image& image, const Directions& all) {
+  Rgb lux{};
+  for (std::size_t row = 0; row < all.rows_above(); ++row) {
+    Rgb sum{};
+    for (std::size_t column = 0; column < all.columns(); ++column)
+      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += image(row, column, k);
+    for (std::size_t k = 0; k < sum.size(); ++k)
+      lux[k] += sum[k] * all.solid_angle(row) * std::sin(all.altitude(row));
+  }
+  return lux;
+}
+
+texture::Attributes header(const DomeRequest& request, const LitMoon& moon, const ViewRequest& view,
+                           const std::vector<std::pair<std::string, double>>& figures) {
+  auto attributes = scene_linear_header(space_of(request.content), moon.sky.when);
+  const auto& place = *view.observer;
+  attributes["latitude"] = static_cast<float>(algebra::in_degrees(place.latitude));
+  attributes["longitude"] = static_cast<float>(algebra::in_degrees(place.longitude));
+  attributes["altitude"] = static_cast<float>(algebra::in_metres(place.elevation));
+  attributes["coppermoon:projection"] = std::string(
+      "latitude-longitude: zenith on top, north in the middle column, east to the right of it");
+  attributes["coppermoon:moon"] = std::string(request.moon ? "on" : "off");
+  for (const auto& [name, value] : figures)
+    attributes["coppermoon:" + name] = static_cast<float>(value);
+  auto asked = request;
+  auto seen = view;
+  asked.content.space = space_of(request.content);
+  attributes["coppermoon:recipe"] = recipe_of_light(moon, false, [&](request::Parameters& all) {
+    describe_observer(all, seen);
+    describe_stars(all, seen);
+    describe(all, asked);
+  });
+  return attributes;
+}
+
+}  // namespace
+
+void describe(request::Parameters& is, DomeRequest& dome) {
+  is.begin("The dome", "", request::Affects::frame);
+  is.add(request::parameter(
+             "width", dome.width,
+             "width of the dome [texels], a multiple of 4, 16 to 16384; its height is half of it"))
+      .within(16, 16384);
+  is.add(request::on_off("moon", dome.moon,
+                         "the Moon itself, as an even disc; off for scenes with a Moon of their "
+                         "own, which would shine twice"));
+  is.add(request::parameter("ground-albedo", dome.ground_albedo,
+                            "albedo of the ground below the horizon, 0 to 1; 0: black"))
+      .within(0, 1);
+  describe_numbers(is, dome.content);
+}
+
+void require_sound(const DomeRequest& dome) {
+  algebra::require_within("width of the dome [texels]", static_cast<double>(dome.width), 16, 16384);
+  if (dome.width % 4 != 0)
+    throw algebra::Error(
+        fmt::format("width of the dome [texels] = {}, allowed multiples of 4", dome.width));
+  algebra::require_within("albedo of the ground", dome.ground_albedo, 0, 1);
+}
+
+Dome dome_over(const DomeRequest& request, const LitMoon& moon, const ViewRequest& view) {
+  require_sound(request);
+  if (!view.observer) throw algebra::Error("dome: seen from no place, allowed from a place");
+  const auto& observer = *view.observer;
+  const auto air = air_over(observer, view);
+  const auto over = moon_over(moon, view);
+  const ClearSky sky(observer, moon.sky, air, over.magnitudes[V_band]);
+  const AirLight air_light(sky, air, over);
+  const Directions all(request.width);
+  Dome dome{{all.columns(), all.rows(), {"R", "G", "B"}}, {}, {}};
+  tbb::parallel_for(std::size_t{0}, all.rows_above(),
+                    [&](std::size_t row) { air_light.fill(all, row, dome.light); });
+  add_stars(dome.light, all, view_around(view, air), moon.sky);
+  const auto of_sky = on_level_ground(dome.light, all);
+  const auto seen = almanac::view_from(observer, moon.sky);
+  if (request.moon)
+    add_moon(dome.light, all, over,
+             algebra::radians(std::asin(almanac::lunar_radius / seen.moon_distance)));
+  const double steep = std::max(0., std::sin(algebra::in_radians(over.place.altitude)));
+  for (std::size_t row = all.rows_above(); row < all.rows(); ++row)
+    for (std::size_t column = 0; column < all.columns(); ++column)
+      for (std::size_t k = 0; k < of_sky.size(); ++k)
+        dome.light(row, column, k) =
+            static_cast<float>(request.ground_albedo / pi * (of_sky[k] + steep * over.lux[k]));
+  dome.figures = {{"zenith_luminance_cd_m2", sky.zenith_cd_m2()},
+                  {"sky_illuminance_lx", colour::luminance(picture_space, of_sky)},
+                  {"moon_illuminance_lx", colour::luminance(picture_space, over.lux)},
+                  {"moon_altitude_deg", algebra::in_degrees(over.place.altitude)},
+                  {"moon_azimuth_deg", algebra::in_degrees(over.place.azimuth)},
+                  {"sun_altitude_deg", algebra::in_degrees(sky.sun_altitude())},
+                  {"extinction_mag", sky.extinction_mag()}};
+  dome.attributes = header(request, moon, view, dome.figures);
+  const auto space = space_of(request.content);
+  if (space != picture_space) dome.light = in_space(dome.light, picture_space, space);
+  return dome;
+}
+
+}  // namespace coppermoon::uses

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "request/parameter.h"
+#include "texture/image.h"
+#include "uses/picture/baked_moon.h"
+#include "uses/picture/view.h"
+
+namespace coppermoon::uses {
+
+/// Picture of a whole sky.
+struct DomeRequest {
+  std::size_t width = 2048;  ///< a multiple of 4, 16 to 16384 texels; half as many rows
+  TextureContent content{};  ///< space and type of numbers
+  bool moon = false;         ///< also the Moon itself, as an even disc
+  double ground_albedo = 0;  ///< below the horizon, 0 to 1; 0: black
+};
+
+/// Parameters of a dome: width, Moon, ground, space and type.
+void describe(request::Parameters& is, DomeRequest& dome);
+
+/// Throws  Error  when a number of it is outside its range
+void require_sound(const DomeRequest& dome);
+
+/// Luminance of the night sky in all directions.
+struct Dome {
+  texture::Image light;            ///< in the space asked for [cd/m²]
+  texture::Attributes attributes;  ///< for a file's header
+  /// By name: zenith_luminance_cd_m2 (without stars), sky_illuminance_lx (of the sky and the stars on level ground, without the
+  /// Moon itself), moon_illuminance_lx (on a surface that faces the Moon), moon_altitude_deg, moon_azimuth_deg (as
+  /// seen), sun_altitude_deg (airless), extinction_mag
+  std::vector<std::pair<std::string, double>> figures;
+};
+
+/// Clear night sky over an observer, latitude–longitude: the zenith on top, the horizon in the middle, north in the
+/// middle column, east to the right of it, at three quarters of the width. Seen from inside, nothing is mirrored.
+///
+/// Luminance is that of ClearSky. Stars and planets are points: each gives its light to the four texels around its
+/// place, so that luminance times solid angle, summed, is its illuminance through the air. The Moon, where it is asked
+/// for, is an even disc of the illuminance that brightness_of has; whoever has a Moon of geometry leaves it out.
+/// The ground is diffuse and lit by sky, stars and Moon.
+///
+/// Colours: moonlight and twilight as air scatters them (ScatteredColour), of a Moon with the B − V and V − R of the eclipse; airglow
+/// with B − V = 1.03 and V − R = 0.74 (Patat 2003); stars as StarLights.
+///
+/// Given     moon      of any moment; below the horizon it lights nothing
+///           view      its observer, air and stars (to V = 6.5 unless it says how faint)
+/// Returned  [cd/m²]   finite and not below 0 in every direction
+/// Accuracy  that of ClearSky; the stars' illuminance 1e-5
+/// Omits     towns, Milky Way and zodiacal light, clouds, the afterglow's red, stars below the horizon of a high place
+/// Throws    Error     without an observer; as require_sound, air_over; when a catalogue is damaged
+/// Source    colours of the night: Patat (2003), A&A 400, 1183
+Dome dome_over(const DomeRequest& request, const LitMoon& moon, const ViewRequest& view);
+
+}  // namespace coppermoon::uses

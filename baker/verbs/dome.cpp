@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "uses/dome/dome.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "algebra/error.h"
+#include "almanac/calendar.h"
+#include "files/whole_file.h"
+#include "texture/write_image.h"
+#include "uses/picture/picture_parameters.h"
+#include "verbs/command_line.h"
+#include "verbs/flags/moon_options.h"
+#include "verbs/recipes/recipe.h"
+#include "verbs/reports/progress_bar.h"
+
+namespace coppermoon::verbs {
+namespace {
+
+struct Options {
+  MoonOptions moon;
+  uses::ViewRequest view;  ///< observer, air and stars alone
+  uses::DomeRequest dome;
+  std::string output;
+  bool json = false;
+};
+
+/// Dome as asked for; a colour space in its file's name counts.
+uses::DomeRequest dome_request(const Options& options) {
+  auto dome = options.dome;
+  const std::filesystem::path file = options.output;
+  const auto named = colour::space_in_name(file.stem().string());
+  if (named && dome.content.space && dome.content.space != named)
+    throw algebra::Error(fmt::format("{}: space = {}, allowed {} as its name says, or no --space",
+                                     options.output, colour::name(*dome.content.space),
+                                     colour::name(*named)));
+  if (named) dome.content.space = named;
+  return dome;
+}
+
+void require_sound(const Options& options) {
+  if (std::filesystem::path(options.output).extension() != ".exr")
+    throw algebra::Error(fmt::format("{}: a dome ends in .exr", options.output));
+  if (!options.view.observer) throw WrongUsage("--at: missing; a sky is seen from a place");
+  uses::require_sound(options.dome);
+  files::require_place_for(options.output);
+}
+
+void print_json(const Options& options, const almanac::SkyState& sky, const uses::Dome& dome) {
+  const auto calendar = options.moon.moment.calendar;
+  nlohmann::ordered_json all{{"file", options.output},
+                             {"instant", almanac::utc_text(sky.when, calendar)}};
+  say_calendar(all, calendar);
+  for (const auto& [name, value] : dome.figures) all[name] = value;
+  fmt::print("{}\n", all.dump(2));
+}
+
+void run(const Options& options) {
+  require_sound(options);
+  const auto request = dome_request(options);
+  auto moon = moon_request(options.moon);
+  moon.texture_width = 720;  // of the Moon's whole light
+  const auto sky = eclipsed_sky(options.moon);
+  const auto lit = [&] {
+    ProgressBar bar("light");
+    return uses::lit_moon(moon, sky, bar.progress());
+  }();
+  const auto dome = uses::dome_over(request, lit, options.view);
+  texture::write_exr(options.output, dome.light, dome.attributes, {type_of(request.content)});
+  if (options.json) return print_json(options, sky, dome);
+  for (const auto& [name, value] : dome.figures) fmt::print("{:<30}{:.6g}\n", name, value);
+}
+
+}  // namespace
+
+void add_dome(CLI::App& program) {
+  auto* verb = add_verb(program, "dome",
+                        "makes the night sky around the Moon: latitude-longitude, cd/m², the "
+                        "zenith on top, north in the middle");
+  const auto options = std::make_shared<Options>();
+  add_moment_options(*verb, options->moon.moment,
+                     "; or a file that coppermoon made, to make it again")
+      .required();
+  add_map_options(*verb, options->moon.request);
+  add_described(*verb, options->moon.request, uses::describe_unshadowed);
+  add_light_options(*verb, options->moon.light);
+  add_flag(*verb, "-o,--output", options->output,
+           "sky, .exr: 2:1, east to the right of north, three quarters across; sky_acescg.exr in "
+           "that space")
+      .writes_file()
+      .required();
+  add_described(*verb, options->view, uses::describe_observer);
+  add_described(*verb, options->view, uses::describe_stars);
+  add_described(*verb, options->dome);
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_recipe_option(*verb);
+  on_run(*verb, [options] { run(*options); });
+}
+
+}  // namespace coppermoon::verbs
