@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -23,8 +24,9 @@ std::string tuple(const glm::dvec3& v) {
 /// Attribute with a value, or with samples where it changes.
 template <class Value>
 std::string attribute(const std::string& declared, Moments moments, const Value& value) {
-  if (moments.size() == 1)
-    return fmt::format("        {} = {}\n", declared, value(moments.front()));
+  const std::string first = value(moments.front());
+  if (std::ranges::all_of(moments, [&](const UsdMoment& m) { return value(m) == first; }))
+    return fmt::format("        {} = {}\n", declared, first);
   auto text = fmt::format("        {}.timeSamples = {{\n", declared);
   for (const auto& moment : moments)
     text += fmt::format("            {:g}: {},\n", moment.time_code, value(moment));

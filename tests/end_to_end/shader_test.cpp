@@ -107,14 +107,14 @@ TEST_F(ShaderThoroughly, TimesTheSunlitMoonIsTheBakedMoonAtAllTimes) {
     const Words air(eclipse.begin() + 1, eclipse.end());
     const auto of = shader(eclipse);
     for (const double seconds : moments) {
-      const auto worst = misses(of, seconds, air, {"--tolerance", tolerance, "--ground", "mean"}),
-                 coloured = misses(of, seconds, air, {"--tolerance", tolerance});
-      const auto said = fmt::format("{} at {} s", eclipse[0], seconds);
-      EXPECT_WITHIN(std::max(worst.umbra, worst.bright), 0., 0.01, "as stated") << said;
-      EXPECT_WITHIN(std::max(coloured.umbra, coloured.bright), 0., 0.02,
-                    "as stated: the strip's light is for ground of the mean colour")
-          << said;
+      const auto worst = misses(of, seconds, air, {"--tolerance", tolerance, "--ground", "mean"});
+      EXPECT_WITHIN(std::max(worst.umbra, worst.bright), 0., 0.01, "as stated")
+          << fmt::format("{} at {} s", eclipse[0], seconds);
     }
+    const auto coloured = misses(of, moments[moments.size() / 2], air, {"--tolerance", tolerance});
+    EXPECT_WITHIN(std::max(coloured.umbra, coloured.bright), 0., 0.02,
+                  "as stated: the strip's light is for ground of the mean colour")
+        << eclipse[0];
   }
 }
 

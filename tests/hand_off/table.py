@@ -45,6 +45,8 @@ ROWS = [
      ["colour/opencolorio_shows_the_same", "colour/passes_ociocheck"]),
     ("OpenUSD", pinned["usd-core"], "`.usda`, `.usdz`", "validators find nothing; finds the colour space by itself",
      ["validators/find_nothing", "colour/usd_finds_spaces"]),
+    ("OpenUSD", pinned["usd-core"], "`animate --stage`", "read, node by node: the film's textures within 2 %; light in lux; camera; "
+     "validators find nothing", ["stage/is_read", "stage/validators_find_nothing"]),
     ("tinyusdz", npm["tinyusdz"], "`.usda`", "read: mesh, material, places of texels",
      ["gltf/usda_is_read", "gltf/usda_of_a_bake_is_read"]),
     ("MaterialX", pinned["MaterialX"], "`.usda`, `eclipse.mtlx`", "validator finds nothing; finds the colour space",

@@ -40,6 +40,18 @@ foreach(version 4.2.23 4.5.15 ${newest})
                        PROPERTIES LABELS hand_off TIMEOUT 900)
 endforeach()
 
+# A film's stage, read by OpenUSD.
+set(staged ${PROJECT_BINARY_DIR}/hand_off/stage)
+add_test(NAME hand_off/stage/is_made
+         COMMAND coppermoon_program animate 2018-07-27 --at Nairobi --tolerance 0.3% --frames 13 --make textures --texture-width 512
+                 --replace -o ${staged} --stage ${staged}/film.usda)
+set_tests_properties(hand_off/stage/is_made PROPERTIES FIXTURES_SETUP stage LABELS hand_off TIMEOUT 300)
+add_test(NAME hand_off/stage/is_read COMMAND ${python}/bin/python ${CMAKE_CURRENT_LIST_DIR}/check_stage.py ${staged}/film.usda)
+add_test(NAME hand_off/stage/validators_find_nothing
+         COMMAND ${python}/bin/python ${CMAKE_CURRENT_LIST_DIR}/validate.py ${staged}/film.usda)
+set_tests_properties(hand_off/stage/is_read hand_off/stage/validators_find_nothing
+                     PROPERTIES FIXTURES_REQUIRED "python;stage" LABELS hand_off TIMEOUT 300 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
+
 # OpenUSD's and MaterialX's own validators.
 set(validated ${PROJECT_BINARY_DIR}/hand_off/validated)
 file(MAKE_DIRECTORY ${validated})

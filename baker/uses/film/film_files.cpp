@@ -12,6 +12,7 @@
 #include "uses/film/film_curve.h"
 #include "uses/film/film_movie.h"
 #include "uses/film/film_sheet.h"
+#include "uses/film/film_stage.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -54,7 +55,7 @@ void require_product(bool made, const fs::path& file, const char* what, const ch
 
 std::vector<fs::path> FilmFiles::all() const {
   auto files = curves;
-  for (const auto* file : {&contact_sheet, &composite, &movie})
+  for (const auto* file : {&contact_sheet, &composite, &movie, &stage})
     if (!file->empty()) files.push_back(*file);
   return files;
 }
@@ -68,17 +69,19 @@ void require_sound(const FilmFiles& files, const Shard& shard) {
   require_ending(files.contact_sheet, "contact sheet", ".png");
   require_ending(files.composite, "composite", ".png");
   require_ending(files.movie, "movie", ".mp4");
+  require_ending(files.stage, "stage", ".usda");
 }
 
 void require_makeable(const FilmFiles& files, const Film& film) {
   for (const auto& curve : files.curves) require_place_for(curve, film);
-  for (const auto* file : {&files.contact_sheet, &files.movie, &files.composite})
+  for (const auto* file : {&files.contact_sheet, &files.movie, &files.composite, &files.stage})
     require_place_for(*file, film);
   require_product(film.products.pictures, files.contact_sheet, "contact sheet", "pictures");
   if (!files.contact_sheet.empty()) texture::sheet_font();
   require_product(film.products.frames, files.composite, "composite", "frames");
   require_product(film.products.pictures, files.movie, "movie", "pictures");
   if (!files.movie.empty()) require_ffmpeg();
+  if (!files.stage.empty()) require_stage(files.stage, film);
 }
 
 void write_film_files(const FilmFiles& files, const Film& film, std::vector<std::size_t> frames,
@@ -102,6 +105,7 @@ void write_film_files(const FilmFiles& files, const Film& film, std::vector<std:
   make(files.contact_sheet, write_contact_sheet);
   make(files.composite, write_composite);
   make(files.movie, write_movie);
+  make(files.stage, write_stage);
 }
 
 }  // namespace coppermoon::uses

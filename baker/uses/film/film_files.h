@@ -13,7 +13,7 @@ namespace coppermoon::uses {
 
 /// Files to make of a whole film, once its frames are there; an empty path asks for none.
 struct FilmFiles {
-  std::filesystem::path contact_sheet, movie, composite;
+  std::filesystem::path contact_sheet, movie, composite, stage;
   std::vector<std::filesystem::path> curves;
 
   /// Those that are asked for, in the order in which they are made.
@@ -34,7 +34,7 @@ void require_makeable(const FilmFiles& files, const Film& film);
 /// Makes the files, each whole or not at all, from frames in order of time.
 ///
 /// Given   made   called with each file once it is there; may be empty
-/// Throws  Error  as write_contact_sheet, write_composite, write_curve, write_movie
+/// Throws  Error  as write_contact_sheet, write_composite, write_curve, write_movie, write_stage
 void write_film_files(const FilmFiles& files, const Film& film, std::vector<std::size_t> frames,
                       const std::function<void(const std::filesystem::path&)>& made = {});
 

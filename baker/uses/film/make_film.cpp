@@ -24,7 +24,8 @@ std::vector<std::size_t> missing_of(const Film& film, const std::vector<std::siz
   return missing;
 }
 
-/// Film with its ground: the albedo at the textures' size, which no frame need resize again.
+}  // namespace
+
 Film with_ground(Film film) {
   const auto albedo = normal_albedo(film.moon);
   film.albedo = std::make_shared<const algebra::Grid<float>>(
@@ -32,8 +33,6 @@ Film with_ground(Film film) {
   film.ground = ground_of(film.moon, albedo);
   return film;
 }
-
-}  // namespace
 
 void make_film(const Film& film, const std::vector<std::size_t>& frames, const FilmEvents& events) {
   if (film.products.light_alone() || frames.empty()) return;

@@ -16,6 +16,11 @@ struct FilmEvents {
   std::function<void(const MadeFrame& frame)> made = {};  ///< for a frame made now, from any thread
 };
 
+/// Film with its ground: the albedo at the textures' size, which no frame need resize again.
+///
+/// Throws  Error  as normal_albedo
+Film with_ground(Film film);
+
 /// Makes the missing ones of some frames, and the scene of all frames where the film has one. A frame is kept whose
 /// files are all there, whole and of this film.
 ///

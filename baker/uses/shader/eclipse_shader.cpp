@@ -35,16 +35,25 @@ nlohmann::ordered_json facts_of(const EclipseShader& shader, const ShaderHead& h
           {"steps", json_of(shader.formula)}};
 }
 
+ShaderHead head_of(const EclipseShader& shader, const ShaderRequest& request,
+                   const std::string& strip) {
+  return {title(shader.eclipse), almanac::utc_text(shader.eclipse.greatest),
+          std::string(colour::name(request.space)), strip};
+}
+
 texture::Attributes header_of(const ShaderHead& head, const std::string& recipe) {
-  return {{"colorInteropID", "data"},
-          {"comments",
-           fmt::format("square roots of light on the Moon over full sunlight, no unit; red, green "
-                       "and blue of {}; read by eclipse.osl, .glsl, .mtlx, .inc",
-                       head.colour_space)},
-          {"coppermoon:light_space", head.colour_space},
-          {"coppermoon:greatest", head.greatest},
-          {"coppermoon:version", std::string(version())},
-          {"coppermoon:recipe", recipe}};
+  texture::Attributes header{
+      {"colorInteropID", "data"},
+      {"comments",
+       fmt::format("square roots of light on the Moon over full sunlight, no unit; red, green "
+                   "and blue of {}; read by the shaders beside it",
+                   head.colour_space)},
+      {"coppermoon:light_space", head.colour_space},
+      {"coppermoon:greatest", head.greatest},
+      {"coppermoon:version", std::string(version())},
+  };
+  if (!recipe.empty()) header["coppermoon:recipe"] = recipe;
+  return header;
 }
 
 std::string scene_of(const eclipse::Eclipse& eclipse, const ShaderHead& head) {
@@ -93,18 +102,21 @@ EclipseShader eclipse_shader(const eclipse::Eclipse& eclipse, const ShaderReques
   shader.motion = shadow_motion(shader.eclipse);
   const double radius_km = algebra::in_kilometres(almanac::lunar_radius);
   // the Moon's farther half is never in sunlight
-  shader.strip =
-      light_strip(request.light, almanac::sky_at(shader.eclipse.greatest),
-                  (shader.motion.nearest - 1) * radius_km, shader.motion.farthest * radius_km,
-                  request.space, request.response, progress);
+  shader.strip = light_strip(request, almanac::sky_at(shader.eclipse.greatest),
+                             (shader.motion.nearest - 1) * radius_km,
+                             shader.motion.farthest * radius_km, progress);
   shader.formula = shadow_formula(shader.motion, shader.strip);
   return shader;
 }
 
+void write_strip(const fs::path& file, const EclipseShader& shader, const ShaderRequest& request,
+                 const std::string& recipe) {
+  texture::write_exr(file, shader.strip.roots, header_of(head_of(shader, request, ""), recipe));
+}
+
 std::vector<std::string> write_shader(const fs::path& folder, const EclipseShader& shader,
                                       const ShaderRequest& request, const std::string& recipe) {
-  const ShaderHead head{title(shader.eclipse), almanac::utc_text(shader.eclipse.greatest),
-                        std::string(colour::name(request.space)), strip_file};
+  const auto head = head_of(shader, request, strip_file);
   const std::vector<std::pair<std::string, std::string>> texts{
       {"eclipse.osl", files::stamped(osl_of(shader.formula, head), "//")},
       {"eclipse.glsl", files::stamped(glsl_of(shader.formula, head), "//")},
@@ -115,7 +127,7 @@ std::vector<std::string> write_shader(const fs::path& folder, const EclipseShade
   for (const auto* name : {strip_file, "eclipse.json"}) files::require_no_link(folder / name);
   fs::create_directories(folder);
   std::vector<std::string> written{strip_file};
-  texture::write_exr(folder / strip_file, shader.strip.roots, header_of(head, recipe));
+  write_strip(folder / strip_file, shader, request, recipe);
   for (const auto& [name, text] : texts) {
     files::write_whole(folder / name, text);
     written.push_back(name);

@@ -3,23 +3,14 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "algebra/progress.h"
 #include "eclipse/contacts.h"
-#include "uses/light/moonlight.h"
 #include "uses/shader/formula.h"
 
 namespace coppermoon::uses {
-
-/// Request for an eclipse's shader.
-struct ShaderRequest {
-  LightRequest light{};
-  colour::WorkingSpace space = colour::WorkingSpace::linear_rec709;
-  std::optional<std::string> response{};  ///< as in colour::channel_weights
-};
 
 /// A whole eclipse as one small image and the formula that reads it.
 struct EclipseShader {
@@ -36,6 +27,12 @@ struct EclipseShader {
 /// Throws    Error  as light_strip
 EclipseShader eclipse_shader(const eclipse::Eclipse& eclipse, const ShaderRequest& request,
                              const algebra::Progress& progress = {});
+
+/// Writes a shader's strip, .exr.
+///
+/// Given  recipe  for its header; empty: none
+void write_strip(const std::filesystem::path& file, const EclipseShader& shader,
+                 const ShaderRequest& request, const std::string& recipe);
 
 /// Writes a shader's files into a folder: eclipse.exr, the strip; eclipse.osl, .glsl, .mtlx; eclipse.inc and
 /// eclipse.pov for POV-Ray; eclipse.json, the formula step by step with all facts, for other programs.

@@ -31,11 +31,9 @@ std::vector<double> distances_to(double reach_m, double begins_m) {
 
 }  // namespace
 
-LightStrip light_strip(const LightRequest& request, const almanac::SkyState& sky, double nearest_km,
-                       double farthest_km, colour::WorkingSpace space,
-                       const std::optional<std::string>& response,
-                       const algebra::Progress& progress) {
-  auto cut = shadow_at_the_moon(request, sky);
+LightStrip light_strip(const ShaderRequest& request, const almanac::SkyState& sky,
+                       double nearest_km, double farthest_km, const algebra::Progress& progress) {
+  auto cut = shadow_at_the_moon(request.light, sky);
   LightStrip strip;
   strip.stretches = stretches;
   strip.nearest_km = nearest_km;
@@ -43,7 +41,7 @@ LightStrip light_strip(const LightRequest& request, const almanac::SkyState& sky
   cut.arrangement.depths_m.clear();
   for (std::size_t p = 0; p < strip.planes; ++p)
     cut.arrangement.depths_m.push_back(strip.depth_km(p) * 1e3);
-  const int bands = request.by_hand.bands.value_or(100);
+  const int bands = request.light.by_hand.bands.value_or(100);
   const auto waves = wavelengths_nm(bands);
   const shadow::DirectLight direct(cut.air, cut.arrangement, waves);
   const double middle_m = strip.middle_km() * 1e3,
@@ -56,13 +54,14 @@ LightStrip light_strip(const LightRequest& request, const almanac::SkyState& sky
   const auto distances_m = distances_to(
       shadow::refracted_reach_m(cut.arrangement, cut.air, cut.arrangement.depths_m.back()),
       begins_m);
-  const auto refracted =
-      refracted_light(request, cut.air, cut.arrangement, {waves, distances_m, around}, progress);
+  const auto refracted = refracted_light(request.light, cut.air, cut.arrangement,
+                                         {waves, distances_m, around}, progress);
   strip.sectors = refracted.sectors;
-  const auto weights =
-      moonlight_weights(colour::channel_weights(space, band_edges_nm(), response.value_or("")));
+  const auto weights = moonlight_weights(
+      colour::channel_weights(request.space, band_edges_nm(), request.response.value_or("")),
+      request.sightline);
   shadow::Lookup lookup(refracted, direct, at_wavelengths(weights, bands));
-  lookup.transform([space](std::span<double> colour) { into_gamut_or_black(space, colour); });
+  lookup.transform([&](std::span<double> colour) { into_gamut_or_black(request.space, colour); });
 
   const std::size_t rows = strip.sectors + 1;
   strip.roots = {static_cast<std::size_t>(columns), strip.planes * rows, {"R", "G", "B"}};

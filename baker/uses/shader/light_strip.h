@@ -8,11 +8,21 @@
 
 #include "algebra/progress.h"
 #include "almanac/sky.h"
+#include "atmosphere/observer_air.h"
 #include "colour/working_space.h"
 #include "texture/image.h"
 #include "uses/light/moonlight.h"
 
 namespace coppermoon::uses {
+
+/// Request for an eclipse's shader.
+struct ShaderRequest {
+  LightRequest light{};
+  colour::WorkingSpace space = colour::WorkingSpace::linear_rec709;
+  std::optional<std::string> response{};  ///< as in colour::channel_weights
+  /// Observer's air, whose reddening weighs the light; without: seen from space
+  std::optional<atmosphere::Sightline> sightline{};
+};
 
 /// Light in the shadow of a whole eclipse as one small image, which shaders read:
 ///
@@ -41,12 +51,10 @@ struct LightStrip {
 ///
 /// Given     sky        of the greatest eclipse: air, and the Sun's distance
 ///           nearest_km, farthest_km  depths of the first plane and the last [km]
-///           response   as in colour::channel_weights
 /// Accuracy  0.5 % of the brightest channel, beside that of the light
 /// Throws    Error      as refracted_light
-LightStrip light_strip(const LightRequest& request, const almanac::SkyState& sky, double nearest_km,
-                       double farthest_km, colour::WorkingSpace space,
-                       const std::optional<std::string>& response,
+LightStrip light_strip(const ShaderRequest& request, const almanac::SkyState& sky,
+                       double nearest_km, double farthest_km,
                        const algebra::Progress& progress = {});
 
 }  // namespace coppermoon::uses

@@ -110,6 +110,12 @@ void add_files_of_all(CLI::App& verb, FilmOptions& options) {
            "picture of all frames together, .png, each with its own exposure")
       .writes_file()
       .in(group);
+  add_flag(verb, "--stage", options.stage,
+           "stage of USD among the textures, .usda: the Moon by one shader or by its textures, "
+           "camera, moonlight and "
+           "contacts")
+      .writes_file()
+      .in(group);
 }
 
 constexpr double half_a_month_s = 15 * 86400.;
@@ -241,6 +247,7 @@ const char* whole_film_flag(const FilmOptions& options) {
   return !options.movie.empty()           ? "--movie"
          : !options.contact_sheet.empty() ? "--contact-sheet"
          : !options.composite.empty()     ? "--composite"
+         : !options.stage.empty()         ? "--stage"
          : !options.curves.empty()        ? "--curve"
                                           : nullptr;
 }
@@ -249,6 +256,7 @@ uses::FilmFiles files_of(const FilmOptions& options, const uses::Products& produ
   uses::FilmFiles files{.contact_sheet = options.contact_sheet,
                         .movie = options.movie,
                         .composite = options.composite,
+                        .stage = options.stage,
                         .curves = {options.curves.begin(), options.curves.end()}};
   if (const auto* flag = whole_film_flag(options);
       flag && uses::shard_from(options.shard).parts > 1)
@@ -256,6 +264,7 @@ uses::FilmFiles files_of(const FilmOptions& options, const uses::Products& produ
         fmt::format("{} needs every frame: run it without --shard after all shards", flag));
   require_sound(files, {});
   require_product(products.pictures, options.contact_sheet, "--contact-sheet", "pictures");
+  require_product(products.textures, options.stage, "--stage", "textures");
   require_product(products.frames, options.composite, "--composite", "frames");
   require_product(products.pictures, options.movie, "--movie", "pictures");
   return files;

@@ -26,7 +26,7 @@ struct FilmOptions {
   std::string aim = {};
   std::optional<double> bracket_ev = {};
   bool hdr = false;
-  std::string contact_sheet = {}, movie = {}, composite = {};
+  std::string contact_sheet = {}, movie = {}, composite = {}, stage = {};
   std::vector<std::string> curves = {};
 };
 

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: MIT
+#include "uses/film/film_stage.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <glm/geometric.hpp>
+
+#include "algebra/error.h"
+#include "almanac/observer.h"
+#include "files/whole_file.h"
+#include "texture/resize.h"
+#include "texture/usd_text.h"
+#include "uses/film/make_film.h"
+#include "uses/light/disc_brightness.h"
+#include "uses/light/header.h"
+#include "uses/picture/view.h"
+#include "uses/shader/eclipse_shader.h"
+#include "uses/shader/shader_languages.h"
+
+namespace coppermoon::uses {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Lux = std::array<double, 3>;
+
+constexpr std::size_t rows = 180;  ///< of the textures that are measured
+
+/// Film of the same Moon in sunlight.
+Film in_sunlight(Film film) {
+  film.moon.unshadowed = true;
+  film.light = std::make_shared<const Moonlight>();
+  return film;
+}
+
+/// Film whose textures are small enough to be measured.
+Film in_little(Film film) {
+  film.albedo = std::make_shared<const algebra::Grid<float>>(texture::resized(*film.albedo, rows));
+  film.ground = ground_of(film.moon, *film.albedo);
+  film.moon.texture_width = 2 * rows;
+  film.content.passes = false;
+  film.content.spectral_nm.reset();
+  return film;
+}
+
+/// Moon of a frame, as its observer sees it.
+LitMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& view) {
+  return {film.moon,     sky,
+          film.albedo,   film.ground,
+          film.light,    film.moon.unshadowed ? std::nullopt : range_at(*film.light, sky),
+          view.observer, view.sightline};
+}
+
+Lux lux_of(const Film& little, const almanac::SkyState& sky, const View& view) {
+  const auto moon = moon_of(little, sky, view);
+  const auto baked = uses::baked(moon, little.content, {texture::Extent::seen_from_earth, {}});
+  const auto& part = baked.parts.front();
+  texture::Image image(part.layout.width, part.layout.height, part.layout.channels);
+  part.rows(0, image.values);
+  const auto from =
+      view.observer ? almanac::view_from(*view.observer, sky).position_m : glm::dvec3(0, 0, 0);
+  const auto lux = irradiance_of_disc(image, sky, from);
+  return {lux[0], lux[1], lux[2]};
+}
+
+/// A frame on the stage.
+struct StageFrame {
+  texture::UsdMoment moment;
+  double seconds = 0;  ///< from greatest eclipse
+  Lux sunlit{};        ///< illuminance without the Earth's shadow
+};
+
+std::vector<StageFrame> frames_of(const Film& film, const std::vector<std::size_t>& numbers,
+                                  const almanac::Instant& greatest) {
+  const auto little = in_little(film), sunlit = in_sunlight(little);
+  std::vector<StageFrame> frames(numbers.size());
+  tbb::parallel_for(std::size_t{0}, numbers.size(), [&](std::size_t i) {
+    const auto sky = film.sky(numbers[i]);
+    const auto view = view_of(film, sky);
+    const auto direction = glm::normalize(line_of_sight(view.camera));
+    const auto up = view.camera.up - glm::dot(view.camera.up, direction) * direction;
+    frames[i] = {
+        {static_cast<double>(numbers[i]), view.camera.position, direction, glm::normalize(up),
+         algebra::in_radians(view.camera.horizontal_field), lux_of(little, sky, view)},
+        almanac::seconds_between(greatest, sky.when),
+        lux_of(sunlit, sky, view)};
+  });
+  return frames;
+}
+
+/// Share of the last frame's sunlit Moon in a frame: the rest is the first's.
+double share_of(const std::vector<StageFrame>& frames, std::size_t i) {
+  const double first = frames.front().seconds, last = frames.back().seconds;
+  return (frames[i].seconds - first) / (last - first);
+}
+
+/// Samples of an attribute, one a frame.
+template <class Value>
+std::string samples(const std::vector<StageFrame>& frames, const Value& value) {
+  std::string text = "{\n";
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    text += fmt::format("                    {:g}: {},\n", frames[i].moment.time_code, value(i));
+  return text + "                }";
+}
+
+/// Names of the stage's own images.
+struct Images {
+  std::string first, last, strip;
+
+  explicit Images(const fs::path& stage, const Film& film) {
+    const auto stem = stage.stem().string();
+    const auto space = colour::name(space_of(film.content));
+    first = fmt::format("{}_sunlit_first_{}.exr", stem, space);
+    last = fmt::format("{}_sunlit_last_{}.exr", stem, space);
+    strip = stem + "_shadow.exr";
+  }
+};
+
+constexpr const char* material = R"(    def Scope "Looks"
+    {{
+        def Material "Moonlight"
+        {{
+            token outputs:mtlx:surface.connect = </Moon/Looks/Moonlight/MaterialX.outputs:out>
+            token outputs:surface.connect = </Moon/Looks/Moonlight/Preview.outputs:surface>
+
+            def Shader "Preview"
+            {{
+                uniform token info:id = "UsdPreviewSurface"
+                color3f inputs:diffuseColor = (0, 0, 0)
+                color3f inputs:emissiveColor.connect = </Moon/Looks/Moonlight/Texture.outputs:rgb>
+                float inputs:roughness = 1
+                color3f inputs:specularColor = (0, 0, 0)
+                int inputs:useSpecularWorkflow = 1
+                token outputs:surface
+            }}
+
+            def Shader "Texture"
+            {{
+                uniform token info:id = "UsdUVTexture"
+                asset inputs:file (
+                    colorSpace = "{space}"
+                )
+                asset inputs:file.timeSamples = {textures}
+                token inputs:sourceColorSpace = "raw"
+                float2 inputs:st.connect = </Moon/Looks/Moonlight/Place.outputs:result>
+                token inputs:wrapS = "repeat"
+                token inputs:wrapT = "clamp"
+                float3 outputs:rgb
+            }}
+
+            def Shader "Place"
+            {{
+                uniform token info:id = "UsdPrimvarReader_float2"
+                string inputs:varname = "st"
+                float2 outputs:result
+            }}
+
+            def Shader "MaterialX"
+            {{
+                uniform token info:id = "ND_standard_surface_surfaceshader"
+                float inputs:base = 0
+                float inputs:emission = 1
+                color3f inputs:emission_color.connect = </Moon/Looks/Moonlight/Scaled.outputs:out>
+                float inputs:specular = 0
+                token outputs:out
+            }}
+
+            def Shader "Scaled"
+            {{
+                uniform token info:id = "ND_multiply_color3"
+                color3f inputs:in1.connect = </Moon/Looks/Moonlight/Lit.outputs:out>
+                color3f inputs:in2.timeSamples = {factors}
+                color3f outputs:out
+            }}
+
+            def Shader "Lit"
+            {{
+                uniform token info:id = "ND_multiply_color3"
+                color3f inputs:in1.connect = </Moon/Looks/Moonlight/Sunlit.outputs:out>
+                color3f inputs:in2.connect = </Moon/Looks/Moonlight/Shadow.outputs:light>
+                color3f outputs:out
+            }}
+
+            def Shader "Sunlit"
+            {{
+                uniform token info:id = "ND_mix_color3"
+                color3f inputs:bg.connect = </Moon/Looks/Moonlight/First.outputs:out>
+                color3f inputs:fg.connect = </Moon/Looks/Moonlight/Last.outputs:out>
+                float inputs:mix.timeSamples = {shares}
+                color3f outputs:out
+            }}
+
+{images}            def NodeGraph "Shadow"
+            {{
+                float inputs:time.timeSamples = {times}
+                color3f outputs:light.connect = <{light}>
+
+{nodes}            }}
+        }}
+    }}
+)";
+
+std::string image(const char* name, const std::string& file, std::string_view space) {
+  return fmt::format(
+      "            def Shader \"{}\"\n            {{\n"
+      "                uniform token info:id = \"ND_image_color3\"\n"
+      "                asset inputs:file = {} (\n                    colorSpace = \"{}\"\n"
+      "                )\n                string inputs:uaddressmode = \"periodic\"\n"
+      "                string inputs:vaddressmode = \"clamp\"\n"
+      "                color3f outputs:out\n            }}\n\n",
+      name, texture::usd_asset(file), space);
+}
+
+std::string looks_of(const Film& film, const std::vector<StageFrame>& frames, const Images& images,
+                     const EclipseShader& shader) {
+  const auto space = colour::interop_id(space_of(film.content));
+  const auto nodes =
+      usd_of(shader.formula, "/Moon/Looks/Moonlight/Shadow", texture::usd_asset(images.strip));
+  const auto number = [&](std::size_t i) {
+    return static_cast<std::size_t>(frames[i].moment.time_code);
+  };
+  const auto factor = [&](std::size_t i, std::size_t k) {
+    const double mixed =
+        std::lerp(frames.front().sunlit[k], frames.back().sunlit[k], share_of(frames, i));
+    return mixed > 0 ? frames[i].sunlit[k] / mixed : 1;
+  };
+  return fmt::format(
+      fmt::runtime(material), fmt::arg("space", space),
+      fmt::arg("textures", samples(frames,
+                                   [&](std::size_t i) {
+                                     return texture::usd_asset(
+                                         film.texture(number(i)).filename().string());
+                                   })),
+      fmt::arg("factors", samples(frames,
+                                  [&](std::size_t i) {
+                                    return fmt::format("({:.6g}, {:.6g}, {:.6g})", factor(i, 0),
+                                                       factor(i, 1), factor(i, 2));
+                                  })),
+      fmt::arg("shares",
+               samples(frames,
+                       [&](std::size_t i) { return fmt::format("{:.6g}", share_of(frames, i)); })),
+      fmt::arg(
+          "times",
+          samples(frames, [&](std::size_t i) { return fmt::format("{:.3f}", frames[i].seconds); })),
+      fmt::arg("images", image("First", images.first, space) + image("Last", images.last, space)),
+      fmt::arg("light", nodes.output), fmt::arg("nodes", nodes.prims));
+}
+
+/// Head of the layer, with time codes of the contacts within the film.
+std::string layer_of(const Film& film, const std::vector<StageFrame>& frames) {
+  std::string contacts;
+  const double first = frames.front().seconds, last = frames.back().seconds;
+  for (const auto& [name, when] : eclipse::contacts_of(film.moments.eclipse)) {
+    const double seconds = almanac::seconds_between(film.moments.eclipse.greatest, when);
+    if (seconds < first - 1 || seconds > last + 1) continue;
+    contacts +=
+        fmt::format("                double {} = {:.4f}\n", name,
+                    std::lerp(frames.front().moment.time_code, frames.back().moment.time_code,
+                              (seconds - first) / (last - first)));
+  }
+  return fmt::format(R"(#usda 1.0
+(
+    defaultPrim = "Moon"
+    metersPerUnit = 1
+    upAxis = "Y"
+    startTimeCode = {:g}
+    endTimeCode = {:g}
+    timeCodesPerSecond = {:g}
+    framesPerSecond = {:g}
+    customLayerData = {{
+        dictionary coppermoon = {{
+            float radius_m = {}
+            string greatest = "{}"
+            dictionary contacts = {{
+{}            }}
+        }}
+    }}
+)
+)",
+                     frames.front().moment.time_code, frames.back().moment.time_code, film.fps,
+                     film.fps, algebra::in_metres(almanac::lunar_radius),
+                     almanac::utc_text(film.moments.eclipse.greatest), contacts);
+}
+
+void write_sunlit(const fs::path& path, const Film& sunlit, std::size_t frame) {
+  const auto sky = sunlit.sky(frame);
+  const auto moon = moon_of(sunlit, sky, view_of(sunlit, sky));
+  const auto texture = baked(moon, sunlit.content);
+  texture::write_exr(path, texture.parts, texture.attributes, {type_of(sunlit.content)});
+}
+
+std::array<double, 3> luminance_weights_of(colour::WorkingSpace space) {
+  const auto of = [&](std::array<double, 3> colour) { return colour::luminance(space, colour); };
+  return {of({1, 0, 0}), of({0, 1, 0}), of({0, 0, 1})};
+}
+
+}  // namespace
+
+void require_stage(const fs::path& path, const Film& film) {
+  const auto refuse = [&](const char* why) {
+    throw algebra::Error(fmt::format("{}: a stage is {}", path.string(), why));
+  };
+  if (!film.products.textures) refuse("made of textures, allowed where --make has them");
+  if (fs::weakly_canonical(fs::absolute(path)).parent_path() !=
+      fs::weakly_canonical(fs::absolute(film.folder) / "stage").parent_path())
+    refuse("allowed in the folder of its textures alone");
+  if (film.moments.frames.size() < 2) refuse("allowed with two frames or more");
+  if (space_of(film.content) == colour::WorkingSpace::ciexyz_d65)
+    refuse("allowed in lin_rec709 or acescg, which USD's cameras know");
+}
+
+void write_stage(const fs::path& path, const Film& asked, const std::vector<std::size_t>& numbers) {
+  require_stage(path, asked);
+  const auto film = with_ground(asked);
+  if (numbers.size() < 2)
+    throw algebra::Error(
+        fmt::format("{}: a stage is allowed with two frames or more", path.string()));
+  const auto space = space_of(film.content);
+  const auto half_way = view_of(film, film.sky(numbers[numbers.size() / 2]));
+  const ShaderRequest request{film.moon.light, space, film.moon.response, half_way.sightline};
+  const auto shader = eclipse_shader(film.moments.eclipse, request);
+  const auto frames = frames_of(film, numbers, shader.eclipse.greatest);
+  const Images images(path, film);
+  write_strip(path.parent_path() / images.strip, shader, request, "");
+  auto sunlit = in_sunlight(film);
+  sunlit.content.passes = false;
+  sunlit.content.spectral_nm.reset();
+  write_sunlit(path.parent_path() / images.first, sunlit, numbers.front());
+  write_sunlit(path.parent_path() / images.last, sunlit, numbers.back());
+  std::vector<texture::UsdMoment> moments;
+  for (const auto& frame : frames) moments.push_back(frame.moment);
+  const auto& camera = view_of(film, film.sky(numbers.front())).camera;
+  const double height_over_width =
+      static_cast<double>(camera.height) / static_cast<double>(camera.width);
+  files::write_whole(
+      path,
+      fmt::format("{}\ndef Xform \"Moon\" (\n    kind = \"component\"\n    prepend apiSchemas = "
+                  "[\"ColorSpaceAPI\"]\n)\n{{\n    uniform token colorSpace:name = \"{}\"\n\n"
+                  "{}\n{}\n{}}}\n",
+                  layer_of(film, frames), colour::interop_id(space), texture::usd_mesh(),
+                  looks_of(film, frames, images, shader),
+                  texture::usd_observer(moments, height_over_width, luminance_weights_of(space))));
+}
+
+}  // namespace coppermoon::uses
