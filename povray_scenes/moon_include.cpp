@@ -34,6 +34,7 @@ std::string moon_include(const MoonInSky& moon) {
 //   camera {{ location 0 look_at Coppermoon_Direction(Moon_Altitude, Moon_Azimuth) angle 30 }}
 //   object {{ Eclipsed_Moon(1, 1e6) }}
 //   Eclipsed_Moonlight(1)
+//   Eclipsed_Sky(1)
 //
 // eclipse_stars.inc beside it has the stars.
 //
@@ -51,6 +52,8 @@ std::string moon_include(const MoonInSky& moon) {
 #declare Moon_Axis_Angle = {:.6f};         // [degrees] of the Moon's north pole, from celestial north through east
 #declare Moon_Parallactic_Angle = {:.6f};  // [degrees] of the zenith
 #declare Moon_Illuminance = rgb <{:.6g}, {:.6g}, {:.6g}>;  // [lux] linear Rec.709, on what faces the Moon
+#declare Sun_Altitude = {:.6f};            // [degrees] without refraction; below the horizon less than 0
+#declare Sky_Luminance = {:.6g};           // [cd/m2] of the clear sky in the zenith
 
 // The Moon in the sky of the origin; translate it by your camera's place. It lights nothing, not even by
 // radiosity: its light is Eclipsed_Moonlight.
@@ -74,11 +77,25 @@ std::string moon_include(const MoonInSky& moon) {
     parallel point_at <0, 0, 0>
   }}
 #end
+
+// The clear night sky of that moment: airglow, twilight, and moonlight that the air scatters. It lights the scene where
+// that has radiosity.
+//   Factor  how many times as bright as it was; 1: as it was
+#macro Eclipsed_Sky(Factor)
+  sky_sphere {{
+    pigment {{
+      image_map {{ exr "{}" map_type 1 interpolate 2 }}
+      rotate y*90
+      scale <-1, 1, 1>
+    }}
+    emission Factor
+  }}
+#end
 )",
       moon.title, degrees(moon.place.altitude), degrees(moon.place.azimuth), diameter,
       degrees(moon.view.sub_observer.latitude), degrees(moon.view.sub_observer.longitude),
       degrees(moon.axis_position_angle), degrees(moon.view.parallactic_angle), lux[0], lux[1],
-      lux[2], moon.texture);
+      lux[2], degrees(moon.sun_altitude), moon.sky_cd_m2, moon.texture, sky_file);
 }
 
 std::string star_include(const std::string& title, std::span<const StarInSky> stars) {

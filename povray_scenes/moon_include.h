@@ -11,6 +11,9 @@
 
 namespace coppermoon::povray_scenes {
 
+/// File of the sky beside moon.inc: latitude–longitude, north in the middle, east to the right of it.
+inline constexpr const char* sky_file = "eclipse_sky.exr";
+
 /// Eclipsed Moon in an observer's sky, for a scene written by hand.
 struct MoonInSky {
   std::string texture;  ///< file name of the .exr beside it
@@ -18,6 +21,8 @@ struct MoonInSky {
   almanac::ObserverView view;
   algebra::Angle axis_position_angle;
   HorizonPlace place;                     ///< refraction included
+  algebra::Angle sun_altitude;            ///< airless
+  double sky_cd_m2 = 0;                   ///< luminance of the clear sky in the zenith
   std::array<double, 3> illuminance_lux;  ///< linear Rec.709, on a surface that faces the Moon
 };
 
@@ -35,7 +40,7 @@ struct StarInSky {
 std::string star_include(const std::string& title, std::span<const StarInSky> stars);
 
 /// Text of an include file for POV-Ray: the Moon as an object in the sky, Eclipsed_Moon(Enlarged, Distance), its
-/// light, Eclipsed_Moonlight(Factor), and its numbers by name. It includes coppermoon.inc.
+/// light, Eclipsed_Moonlight(Factor), the sky, Eclipsed_Sky(Factor), and their numbers by name. It includes coppermoon.inc.
 ///
 /// Throws  Error  when the texture's or the title's name cannot stand in POV-Ray's text
 std::string moon_include(const MoonInSky& moon);

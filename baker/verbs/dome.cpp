@@ -9,6 +9,7 @@
 
 #include "algebra/error.h"
 #include "almanac/calendar.h"
+#include "eclipse/contacts.h"
 #include "files/whole_file.h"
 #include "texture/write_image.h"
 #include "uses/picture/picture_parameters.h"
@@ -63,7 +64,11 @@ void run(const Options& options) {
   const auto request = dome_request(options);
   auto moon = moon_request(options.moon);
   moon.texture_width = 720;  // of the Moon's whole light
-  const auto sky = eclipsed_sky(options.moon);
+  const auto sky = almanac::sky_at(instant_of(options.moon.moment));
+  const bool eclipsed =
+      eclipse::eclipse_at(sky.when, eclipse::ShadowConvention::danjon).has_value();
+  if (!eclipsed) moon.unshadowed = true;  // on any other night
+  if (!moon.unshadowed) say_unless_danjon_is_reached(moon.light.air, sky);
   const auto lit = [&] {
     ProgressBar bar("light");
     return uses::lit_moon(moon, sky, bar.progress());

@@ -5,6 +5,7 @@
 
 #include "algebra/error.h"
 #include "files/whole_file.h"
+#include "uses/dome/dome.h"
 #include "uses/picture/picture_parameters.h"
 #include "uses/picture/sky_lights.h"
 #include "verbs/command_line.h"
@@ -36,7 +37,10 @@ void run(const CLI::App& verb, const Options& options) {
   ProgressBar bar("bake");
   const auto scene = lit_scene(verb, options.moon, options.view, {.progress = bar.progress()});
   write_lit_scene(folder, scene, uses::scene_lights(scene.view, scene.moon.sky), options.renderer);
-  if (options.renderer == uses::Renderer::povray) write_moon_include(folder, scene);
+  if (options.renderer == uses::Renderer::povray && scene.view.observer) {
+    write_moon_include(folder, scene, options.view);
+    uses::write_sky(folder / povray_scenes::sky_file, scene.moon, options.view);
+  }
   report(report_of(options.output, scene, seconds_since(start)), options.json);
 }
 
@@ -51,7 +55,7 @@ void add_scene(CLI::App& program) {
   add_described(*verb, options->moon.request.response, uses::describe_response);
   add_flag(*verb, "-o,--output", options->output,
            "folder for texture and scene, which `povray eclipse.ini` in it renders, and for "
-           "moon.inc and eclipse_stars.inc, Moon and stars for scenes of your own")
+           "moon.inc and eclipse_stars.inc, Moon, sky and stars for scenes of your own")
       .writes_folder()
       .required();
   add_choice(*verb, "--for", options->renderer, renderers,

@@ -24,13 +24,8 @@ camera {
 object { Eclipsed_Moon(3, 1e6) translate Eye }
 Eclipsed_Moonlight(1)
 
-// The night sky, in cd/m2: brighter at the horizon.
-sky_sphere {
-  pigment {
-    gradient y
-    color_map { [0 rgb <0.0011, 0.0013, 0.0019>] [0.3 rgb <0.0003, 0.0005, 0.0010>] }
-  }
-}
+// The night sky as it was: moonlight in the air, and the night's own light.
+Eclipsed_Sky(1)
 
 // Water that mirrors both.
 plane {

@@ -42,6 +42,7 @@ TEST_F(SceneFolder, HoldsSceneSettingsAndTexture) {
                                        "here/scene/coppermoon.inc",
                                        "here/scene/eclipse.ini",
                                        "here/scene/eclipse.pov",
+                                       "here/scene/eclipse_sky.exr",
                                        "here/scene/eclipse_stars.inc",
                                        "here/scene/moon.inc",
                                        "here/scene/moon_lin_rec709.exr"};
@@ -88,7 +89,7 @@ TEST_F(SceneFolder, RendersWithPovrayAloneWhereverItIsMoved) {
 TEST_F(SceneFolder, LosesNoFileOfSomebodyElse) {
   std::filesystem::create_directory(here("scene"));
   file("precious.txt", "mine");
-  for (const char* name : {"eclipse.pov", "moon.inc", "moon_lin_rec709.exr"})
+  for (const char* name : {"eclipse.pov", "moon.inc", "moon_lin_rec709.exr", "eclipse_sky.exr"})
     for (const bool link : {false, true}) {
       const auto path = here("scene") / name;
       if (link)
@@ -141,6 +142,32 @@ TEST_F(SceneFolder, MoonIncHasTheMoonAndItsLightForAnotherScene) {
   EXPECT_GT(lux[0], lux[2]) << "an eclipsed Moon's light is red";
 }
 
+TEST_F(SceneFolder, MoonIncHasTheSkyTheRightWayRound) {
+  write_scene();
+  // four pictures of the sky alone, towards the quarters, against texels of the dome
+  const auto dome = texture::read_image(here("scene/eclipse_sky.exr"));
+  const auto include = text_of(here("scene/moon.inc"));
+  const double moon = declared(include, "Moon_Azimuth")[0];
+  for (const double aside : {-60., 0., 60., 180.}) {
+    const double azimuth = moon + aside, altitude = 30;
+    file("scene/look.pov",
+         "#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\n#include \"moon.inc\"\n"
+         "camera { location 0 direction z right x up y angle 1 look_at Coppermoon_Direction(" +
+             std::to_string(altitude) + ", " + std::to_string(azimuth) + ") }\nEclipsed_Sky(2)\n");
+    const auto outcome =
+        run({"povray", "look.pov", "+W3", "+H3", "+FE", "-A", "-D"}, {.folder = here("scene")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto seen = texture::read_image(here("scene/look.exr"));
+    const auto row = static_cast<std::size_t>((90 - altitude) / 180 * 512),
+               column = static_cast<std::size_t>(std::fmod(azimuth + 540, 360) / 360 * 1024);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(seen(1, 1, k) / (2 * dome(row, column, k)), 1, 0.03)
+          << aside << ": a texel beside it, 0.35 degrees";
+  }
+  EXPECT_GT(declared(include, "Sky_Luminance")[0], 1e-4);
+  EXPECT_LT(declared(include, "Sun_Altitude")[0], -18);
+}
+
 TEST_F(SceneFolder, OfTheTutorialsLakeRenders) {
   expect_done(coppermoon({"scene", "2018-07-27T21:39:00Z", "--at", "52.9,-3.9", "--rays", "50",
                           "--albedo-map", "built-in", "--texture-width", "256", "-o", "scene"}));
@@ -151,8 +178,10 @@ TEST_F(SceneFolder, OfTheTutorialsLakeRenders) {
   const auto frame = texture::read_image(here("scene/lake.exr"));
   // the Moon stands 8.5 degrees over the middle of a picture 38 degrees wide: at 0.11 of its height
   const float moon = frame(6, 48, 0), sky = frame(6, 10, 0), wall = frame(53, 10, 0);
-  EXPECT_GT(moon, 100 * sky);
-  EXPECT_GT(sky, 0.F);
+  const double zenith = declared(text_of(here("scene/moon.inc")), "Sky_Luminance")[0];
+  EXPECT_GT(moon, 50 * sky) << "a sky 15 degrees from a low partial Moon, which lights it";
+  EXPECT_GT(sky, zenith) << "brighter towards horizon and Moon";
+  EXPECT_LT(sky, 30 * zenith);
   EXPECT_GT(wall, 0.F) << "water mirrors the sky";
 }
 

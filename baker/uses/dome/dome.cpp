@@ -11,12 +11,11 @@
 #include <utility>
 
 #include "algebra/error.h"
-#include "texture/bake.h"
+#include "texture/write_image.h"
 #include "uses/dome/scattered_colour.h"
 #include "uses/light/header.h"
-#include "uses/light/photometer.h"
 #include "uses/light/photometric_bands.h"
-#include "uses/light/spectral_bands.h"
+#include "uses/picture/brightness.h"
 #include "uses/picture/clear_sky.h"
 #include "uses/picture/picture_parameters.h"
 #include "uses/picture/pixels.h"
@@ -89,23 +88,8 @@ struct MoonOver {
   bool shines() const { return std::isfinite(colour().b_minus_v + colour().v_minus_r); }
 };
 
-/// Magnitudes of the whole Moon above the air, from the Earth's centre, [band].
-std::vector<double> magnitudes_of(const LitMoon& moon) {
-  constexpr std::size_t rows = 180;
-  const auto meter = photometer();
-  const auto weights =
-      moon.ground ? reddest_and_bluest(meter.weights, band_centres_nm()) : meter.weights;
-  const auto light =
-      moon.within
-          ? moon.light->in_sums(at_wavelengths(weights, moon.light->plan.work.bands), *moon.within)
-          : shadow::Lookup(weights);
-  const auto texture = texture::bake({*moon.albedo, moon.sky, light, moon.ground.get()},
-                                     meter.channels, rows, moon.request.photometry);
-  return measured(meter, texture, moon.sky).magnitudes;
-}
-
 MoonOver moon_over(LitMoon moon, const ViewRequest& view) {
-  MoonOver over{magnitudes_of(moon), {}, apparent_place(*view.observer, moon.sky)};
+  MoonOver over{magnitudes_above(moon), {}, apparent_place(*view.observer, moon.sky)};
   if (!moon_is_up(view, moon.sky)) return over;
   const auto seen = view_of(view, moon.sky);
   moon.observer = seen.observer;
@@ -312,6 +296,17 @@ Dome dome_over(const DomeRequest& request, const LitMoon& moon, const ViewReques
   const auto space = space_of(request.content);
   if (space != picture_space) dome.light = in_space(dome.light, picture_space, space);
   return dome;
+}
+
+void write_sky(const std::filesystem::path& file, const LitMoon& moon, ViewRequest view) {
+  constexpr std::size_t width = 1024;
+  view.stars.shown = false;
+  auto dome = dome_over({.width = width}, moon, view);
+  const auto row = [&](std::size_t r) {
+    return dome.light.values.begin() + static_cast<std::ptrdiff_t>(3 * width * r);
+  };
+  std::copy_n(row(width / 4 - 1), 3 * width, row(width / 4));
+  texture::write_exr(file, dome.light, dome.attributes);
 }
 
 }  // namespace coppermoon::uses

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,5 +57,9 @@ struct Dome {
 /// Throws    Error     without an observer; as require_sound, air_over; when a catalogue is damaged
 /// Source    colours of the night: Patat (2003), A&A 400, 1183
 Dome dome_over(const DomeRequest& request, const LitMoon& moon, const ViewRequest& view);
+
+/// Writes a sky without stars for a renderer that has its own, 1024 texels wide: the first row below the horizon is
+/// that above it, so that a smoothed horizon stays bright.
+void write_sky(const std::filesystem::path& file, const LitMoon& moon, ViewRequest view);
 
 }  // namespace coppermoon::uses

@@ -63,6 +63,20 @@ std::optional<double> totality_error_mag(const Air& air, double year) {
   return std::hypot(of_weather, for_optical_depth * atmosphere::stratospheric_depth_error(year));
 }
 
+std::vector<double> magnitudes_above(const LitMoon& moon) {
+  constexpr std::size_t rows = 180;
+  const auto meter = photometer();
+  const auto weights =
+      moon.ground ? reddest_and_bluest(meter.weights, band_centres_nm()) : meter.weights;
+  const auto light =
+      moon.within
+          ? moon.light->in_sums(at_wavelengths(weights, moon.light->plan.work.bands), *moon.within)
+          : shadow::Lookup(weights);
+  const auto texture = texture::bake({*moon.albedo, moon.sky, light, moon.ground.get()},
+                                     meter.channels, rows, moon.request.photometry);
+  return measured(meter, texture, moon.sky).magnitudes;
+}
+
 MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& sky,
                              const ViewRequest& view, const algebra::Progress& progress) {
   const auto from = view_of(view, sky);

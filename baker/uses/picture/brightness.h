@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "uses/light/photometer.h"
+#include "uses/picture/baked_moon.h"
 #include "uses/picture/moon.h"
 #include "uses/picture/view.h"
 
@@ -37,6 +38,11 @@ struct MoonBrightness {
 /// Returned  nothing where the air is not that of its month, as it is known ("standard" or "calibrated" as they stand)
 /// Accuracy  6 of 9 measured and observed eclipses lie within it and the observers' own 0.3 mag; 68 of 100 would
 std::optional<double> totality_error_mag(const Air& air, double year);
+
+/// Magnitudes of the whole Moon above the air, from the Earth's centre, [band].
+///
+/// Accuracy  0.003 mag, of a disc of 180 rows
+std::vector<double> magnitudes_above(const LitMoon& moon);
 
 /// Brightness by a simulation, summed over a texture of 360 rows.
 ///

@@ -14,6 +14,9 @@
 #include "povray_scenes/mitsuba.h"
 #include "povray_scenes/moon_include.h"
 #include "texture/own_image.h"
+#include "uses/light/photometric_bands.h"
+#include "uses/picture/brightness.h"
+#include "uses/picture/clear_sky.h"
 #include "uses/picture/sky_lights.h"
 
 namespace coppermoon::uses {
@@ -67,6 +70,7 @@ LitScene lit_scene(const MoonRequest& request, const ViewRequest& view,
 void require_scene_folder(const std::filesystem::path& folder, const ViewRequest& view,
                           Renderer renderer) {
   texture::require_own_image(folder / texture_file);
+  if (view.observer) texture::require_own_image(folder / povray_scenes::sky_file);
   if (renderer == Renderer::mitsuba) return povray_scenes::require_mitsuba_place(folder);
   povray_scenes::require_scene_place(folder);
   if (!view.observer) return;
@@ -77,16 +81,21 @@ void require_scene_folder(const std::filesystem::path& folder, const ViewRequest
     files::require_stamped(copied);
 }
 
-void write_moon_include(const std::filesystem::path& folder, const LitScene& scene) {
+void write_moon_include(const std::filesystem::path& folder, const LitScene& scene,
+                        const ViewRequest& request) {
   if (!scene.view.observer) return;
   const auto& sky = scene.moon.sky;
   const auto view = almanac::view_from(*scene.view.observer, sky);
+  const ClearSky over(*scene.view.observer, sky, air_over(*scene.view.observer, request),
+                      magnitudes_above(scene.moon)[V_band]);
   const povray_scenes::MoonInSky moon{
       .texture = texture_file,
       .title = almanac::utc_text(sky.when) + " from " + place_text(*scene.view.observer),
       .view = view,
       .axis_position_angle = sky.axis_position_angle,
       .place = apparent_place(*scene.view.observer, sky),
+      .sun_altitude = over.sun_altitude(),
+      .sky_cd_m2 = over.zenith_cd_m2(),
       .illuminance_lux = illuminance_seen(scene.moon)};
   const auto write = [&](const char* file, std::string_view text) {
     files::write_whole(folder / file, files::stamped(text, "//"));

@@ -53,10 +53,12 @@ void require_scene_folder(const std::filesystem::path& folder, const ViewRequest
 
 /// Writes moon.inc, eclipse_stars.inc and coppermoon.inc beside a scene that has an observer: the Moon and the
 /// stars of it, ready for a scene written by hand (povray_scenes::moon_include, star_include). Nothing
-/// without an observer.
+/// without an observer. The sky that moon.inc shows is write_sky's.
 ///
+/// Given     request   of the scene's view, for the air of its sky
 /// Accuracy  illuminance 0.2 %, of a disc of 360 rows
-void write_moon_include(const std::filesystem::path& folder, const LitScene& scene);
+void write_moon_include(const std::filesystem::path& folder, const LitScene& scene,
+                        const ViewRequest& request);
 
 /// Bakes the texture, and writes it, scene and settings into a folder, made when only its last part
 /// is missing; a folder made so is gone again when they cannot be written.
