@@ -136,6 +136,14 @@ Parameters bake_keywords(TextureKeywords& keywords) {
   return without(std::move(all), "type");
 }
 
+Parameters dome_keywords(DomeKeywords& keywords) {
+  Parameters all;
+  describe(all, keywords.dome);
+  uses::describe_stars(all, keywords.moon.view);
+  for (auto& parameter : brightness_keywords(keywords.moon)) all.keep(std::move(parameter));
+  return without(std::move(all), "type");
+}
+
 std::string name_of(const Parameter& parameter) { return python_word(parameter.name); }
 
 bool may_be_none(const Parameter& parameter) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "request/parameter.h"
+#include "uses/dome/dome.h"
 #include "uses/light/moonlight.h"
 #include "uses/picture/baked_moon.h"
 #include "uses/picture/view.h"
@@ -25,9 +26,17 @@ struct TextureKeywords {
                                .type = texture::ExrType::floating};
 };
 
-/// Keywords of `bake`, of `brightness` and of `fit`, without those that Python reads as objects: air, light, place.
+/// Requests behind the keywords of `dome`.
+struct DomeKeywords {
+  TextureKeywords moon{.moon = {}};
+  uses::DomeRequest dome{.content = {.space = colour::WorkingSpace::linear_rec709,
+                                     .type = texture::ExrType::floating}};
+};
+
+/// Keywords of `bake`, of `brightness`, of `dome` and of `fit`, without those that Python reads as objects: air, light, place.
 request::Parameters bake_keywords(TextureKeywords& keywords);
 request::Parameters brightness_keywords(TextureKeywords& keywords);
+request::Parameters dome_keywords(DomeKeywords& keywords);
 request::Parameters fit_keywords(TextureKeywords& keywords);
 
 /// Name in Python: "ozone-du" → "ozone_du".

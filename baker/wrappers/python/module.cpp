@@ -19,5 +19,6 @@ PYBIND11_MODULE(_coppermoon, package) {
   python::add_moonlight(package);
   python::add_bake(package);
   python::add_brightness(package);
+  python::add_dome(package);
   python::add_fit(package);
 }

@@ -13,6 +13,7 @@ void add_shadow(pybind11::module_& package);
 void add_moonlight(pybind11::module_& package);
 void add_bake(pybind11::module_& package);
 void add_brightness(pybind11::module_& package);
+void add_dome(pybind11::module_& package);
 void add_fit(pybind11::module_& package);
 
 }  // namespace coppermoon::python

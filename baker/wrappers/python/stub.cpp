@@ -33,12 +33,14 @@ std::string members() {
 
 std::map<std::string, std::string> all_parts() {
   TextureKeywords texture, brightness, fit;
+  DomeKeywords dome;
   const std::string indent(4, ' ');
   return {{"    @Air@", members<uses::Air>()},
           {"    @Region@", members<uses::AirRegion>()},
           {"    @Light@", members<uses::LightRequest>()},
           {"    @bake@", keywords(bake_keywords(texture), indent)},
           {"    @brightness@", keywords(brightness_keywords(brightness), indent)},
+          {"    @dome@", keywords(dome_keywords(dome), indent)},
           {"    @fit@", keywords(fit_keywords(fit), indent)}};
 }
 

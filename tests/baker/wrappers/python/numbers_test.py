@@ -46,6 +46,19 @@ class Shadow(unittest.TestCase):
         self.assertAlmostEqual(profile.ratio[-1, 0], 1, delta=1e-3)
 
 
+class Domes(unittest.TestCase):
+    def test_are_the_commands(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "sky.exr"
+            said = json.loads(command("dome", when, "--at", "Nairobi", "--width", "32", "--type", "float", "--tolerance",
+                                      "0.05", "--stars", "3", "--json", "-o", str(file)))
+            texels = OpenImageIO.ImageBuf(str(file)).get_pixels(OpenImageIO.FLOAT)
+        dome = coppermoon.dome(when, at="Nairobi", width=32, stars="3", light=coppermoon.Light(tolerance=0.05))
+        numpy.testing.assert_array_equal(dome.pixels, texels)
+        for name, value in dome.figures.items():
+            self.assertEqual(said[name], value)
+
+
 class Eclipses(unittest.TestCase):
     def test_have_moments_by_their_contacts_as_for_the_command(self):
         for text in ("2018-07-27", "2018-07-27 U2+10min", "2018-07-27 greatest", "2018-07-27 P4-0.5h"):
