@@ -4,7 +4,7 @@ import hashlib
 import json
 import os
 
-from . import eclipse_shadow, film, moon, moonlight, observer, preferences, program, sky, values
+from . import eclipse_shadow, film, moon, moonlight, night, observer, preferences, program, sky, values
 from .texture import Texture, second_of_day, textures_of
 
 
@@ -15,10 +15,12 @@ class Baked:
            shaded    shader of the film and textures of the sunlit Moon, where the textures are in little
            measured  illuminance by path, as far as it is known already
            skies     of the textures, where a place sees them
+           domes     files of the night sky, one for each texture, where they are asked for
     """
 
     def __init__(self, textures, contacts=None, measured=None, shaded=None):
-        self.textures, self.contacts, self.skies, self.shaded = textures, contacts or {}, None, shaded
+        self.textures, self.contacts, self.shaded = textures, contacts or {}, shaded
+        self.skies = self.domes = None
         self.lights = [(measured or {}).get(texture.path) or light_of(texture) for texture in textures]
 
 
@@ -117,6 +119,8 @@ def bake(wanted):
     baked = yield from (bake_film if wanted.film else bake_moment)(wanted)
     if wanted.in_sky:
         baked.skies = yield from sky.skies(wanted, baked.textures)
+        if wanted.night:
+            baked.domes = yield from night.domes(wanted, baked.textures)
     return baked
 
 
@@ -135,6 +139,8 @@ def show(of_moon, baked):
         moonlight.keep_dim_light(scene)
     if wanted.stars and baked.skies:
         sky.hang(of_moon, of_moon.users_scene[0], baked.textures, baked.skies)
+    if baked.domes:
+        night.put_world(of_moon, baked.textures, baked.domes)
     if wanted.lamp:
         moonlight.place_lamp(wanted.lamp, baked.textures, baked.lights)
     if wanted.scene:

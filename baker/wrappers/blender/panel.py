@@ -24,6 +24,9 @@ def draw_values(layout, of):
         moment.prop(of, "offset")
     column = layout.column()
     column.prop(of, "place")
+    night = column.column()
+    night.active = values.has_sky(of)
+    night.prop(of, "night")
     column.prop(of, "air")
     column.prop(of, "by_danjon")
     if of.by_danjon:

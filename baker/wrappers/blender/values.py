@@ -98,6 +98,10 @@ class Values:
         description="Place of the observer, whose air dims and reddens the Moon: a city, as Nairobi, or "
                     "latitude, longitude and elevation, as -1.28,36.82,1684 [degrees north and east, "
                     "metres]; empty: the Earth's centre, without air")
+    night: BoolProperty(
+        name="Night Sky",
+        description="The sky of that night as the world of your scene: airglow, twilight and the moonlight that the "
+                    "air scatters, in cd/m²; with a place, and without a scene of its own")
     air: choice("Air", "atmosphere", "Air of the Earth around its limb",
                 first=("standard", "undated", "clear", "molecular", "paper"))
     by_danjon: BoolProperty(
@@ -127,6 +131,7 @@ class MoonValues(Values, bpy.types.PropertyGroup):
     camera: PointerProperty(type=bpy.types.Object, description="The observer; moved when baked again")
     lamp: PointerProperty(type=bpy.types.Object, description="The light; changed when baked again")
     stars: PointerProperty(type=bpy.types.Object, description="The stars of the sky; made anew when baked again")
+    world: PointerProperty(type=bpy.types.World, description="The night sky; changed when baked again")
     scene: PointerProperty(type=bpy.types.Scene, description="The scene of this eclipse alone, if any")
     last_set: StringProperty(
         default="{}", description="What was set in scene and camera, by name, as JSON: a setting that "
@@ -166,10 +171,14 @@ def remember(wanted, name):
     wanted.last_set = json.dumps(json.loads(wanted.last_set) | {name: getattr(wanted, name)})
 
 
+def has_sky(source):
+    """Whether the Moon of these values hangs in the sky of the user's scene."""
+    return bool(source.place.strip() and getattr(source, "stars", not getattr(source, "own_scene", True)))
+
+
 def plain(source):
     """Copy of the values, since Blender's own are gone after an undo."""
-    in_sky = bool(source.place.strip() and getattr(source, "stars", not getattr(source, "own_scene", True)))
-    return SimpleNamespace(in_sky=in_sky, **{name: getattr(source, name) for name in NAMES})
+    return SimpleNamespace(in_sky=has_sky(source), **{name: getattr(source, name) for name in NAMES})
 
 
 def day_of(values):
