@@ -20,6 +20,7 @@
 #include "uses/light/light_parameters.h"
 #include "uses/picture/baked_moon.h"
 #include "uses/picture/picture_parameters.h"
+#include "uses/picture/usd_sight.h"
 #include "uses/picture/view.h"
 #include "verbs/cache.h"
 #include "verbs/command_line.h"
@@ -177,9 +178,15 @@ void write(const Options& options, const std::vector<Output>& outputs, const Out
     const auto preview = texture_for(output, colour::WorkingSpace::linear_rec709, outputs);
     const auto wide = texture_for(output, colour::WorkingSpace::acescg, outputs);
     const auto& texture = wide != outputs.end() ? *wide : *preview;
-    texture::write_usda(output.path, texture.path.filename().string(),
-                        colour::interop_id(space_of(texture.content)),
-                        preview->path.filename().string());
+    const auto space = space_of(texture.content);
+    const auto view = view_of(options.view, moon.sky);
+    const auto sight = usd_moment(moon, view, space);
+    const double height_over_width =
+        static_cast<double>(view.camera.height) / static_cast<double>(view.camera.width);
+    texture::write_usda(
+        output.path, texture.path.filename().string(), colour::interop_id(space),
+        preview->path.filename().string(),
+        texture::usd_observer({&sight, 1}, height_over_width, uses::luminance_of_channels(space)));
   } else if (output.in_cd_m2())
     texture::write_glb(output.path, image_of(made.parts.front()),
                        fmt::format("coppermoon {}", uses::version()),

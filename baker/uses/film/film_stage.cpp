@@ -4,17 +4,12 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include <glm/geometric.hpp>
-
 #include "algebra/error.h"
-#include "almanac/observer.h"
 #include "files/whole_file.h"
 #include "texture/resize.h"
-#include "texture/usd_text.h"
 #include "uses/film/make_film.h"
-#include "uses/light/disc_brightness.h"
 #include "uses/light/header.h"
-#include "uses/picture/view.h"
+#include "uses/picture/usd_sight.h"
 #include "uses/shader/eclipse_shader.h"
 #include "uses/shader/shader_languages.h"
 
@@ -52,18 +47,6 @@ LitMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& view
           view.observer, view.sightline};
 }
 
-Lux lux_of(const Film& little, const almanac::SkyState& sky, const View& view) {
-  const auto moon = moon_of(little, sky, view);
-  const auto baked = uses::baked(moon, little.content, {texture::Extent::seen_from_earth, {}});
-  const auto& part = baked.parts.front();
-  texture::Image image(part.layout.width, part.layout.height, part.layout.channels);
-  part.rows(0, image.values);
-  const auto from =
-      view.observer ? almanac::view_from(*view.observer, sky).position_m : glm::dvec3(0, 0, 0);
-  const auto lux = irradiance_of_disc(image, sky, from);
-  return {lux[0], lux[1], lux[2]};
-}
-
 /// A frame on the stage.
 struct StageFrame {
   texture::UsdMoment moment;
@@ -75,16 +58,14 @@ std::vector<StageFrame> frames_of(const Film& film, const std::vector<std::size_
                                   const almanac::Instant& greatest) {
   const auto little = in_little(film), sunlit = in_sunlight(little);
   std::vector<StageFrame> frames(numbers.size());
+  const auto space = space_of(film.content);
   tbb::parallel_for(std::size_t{0}, numbers.size(), [&](std::size_t i) {
     const auto sky = film.sky(numbers[i]);
     const auto view = view_of(film, sky);
-    const auto direction = glm::normalize(line_of_sight(view.camera));
-    const auto up = view.camera.up - glm::dot(view.camera.up, direction) * direction;
-    frames[i] = {
-        {static_cast<double>(numbers[i]), view.camera.position, direction, glm::normalize(up),
-         algebra::in_radians(view.camera.horizontal_field), lux_of(little, sky, view)},
-        almanac::seconds_between(greatest, sky.when),
-        lux_of(sunlit, sky, view)};
+    frames[i] = {usd_moment(moon_of(little, sky, view), view, space),
+                 almanac::seconds_between(greatest, sky.when),
+                 illuminance_seen(moon_of(sunlit, sky, view), space)};
+    frames[i].moment.time_code = static_cast<double>(numbers[i]);
   });
   return frames;
 }
@@ -290,11 +271,6 @@ void write_sunlit(const fs::path& path, const Film& sunlit, std::size_t frame) {
   texture::write_exr(path, texture.parts, texture.attributes, {type_of(sunlit.content)});
 }
 
-std::array<double, 3> luminance_weights_of(colour::WorkingSpace space) {
-  const auto of = [&](std::array<double, 3> colour) { return colour::luminance(space, colour); };
-  return {of({1, 0, 0}), of({0, 1, 0}), of({0, 0, 1})};
-}
-
 }  // namespace
 
 void require_stage(const fs::path& path, const Film& film) {
@@ -340,7 +316,7 @@ void write_stage(const fs::path& path, const Film& asked, const std::vector<std:
                   "{}\n{}\n{}}}\n",
                   layer_of(film, frames), colour::interop_id(space), texture::usd_mesh(),
                   looks_of(film, frames, images, shader),
-                  texture::usd_observer(moments, height_over_width, luminance_weights_of(space))));
+                  texture::usd_observer(moments, height_over_width, luminance_of_channels(space))));
 }
 
 }  // namespace coppermoon::uses

@@ -330,15 +330,16 @@ BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking
   return made;
 }
 
-std::array<double, 3> illuminance_seen(LitMoon moon) {
+std::array<double, 3> illuminance_seen(LitMoon moon, colour::WorkingSpace space) {
   constexpr std::size_t rows = 360;
-  moon.request.texture_width = 2 * rows;
-  const auto texture = baked(moon, {}, {texture::Extent::seen_from_earth, {}});
+  moon.request.texture_width = std::min(2 * rows, texture_width_of(moon.request));
+  const auto texture = baked(moon, {.space = space}, {texture::Extent::seen_from_earth, {}});
   const auto& part = texture.parts.front();
   texture::Image image(part.layout.width, part.layout.height, part.layout.channels);
   part.rows(0, image.values);
-  const auto lux =
-      irradiance_of_disc(image, moon.sky, almanac::view_from(*moon.observer, moon.sky).position_m);
+  const auto from =
+      moon.observer ? almanac::view_from(*moon.observer, moon.sky).position_m : glm::dvec3(0, 0, 0);
+  const auto lux = irradiance_of_disc(image, moon.sky, from);
   return {lux[0], lux[1], lux[2]};
 }
 

@@ -79,10 +79,11 @@ struct Baking {
 /// recipe that bakes the same texels again (texture_recipe).
 BakedMoon baked(const LitMoon& moon, const TextureContent& content, const Baking& baking = {});
 
-/// Illuminance by the whole Moon on a surface that faces it, at its observer, through the sightline: linear Rec.709 [lux].
+/// Illuminance by the whole Moon on a surface that faces it, at its observer, through the sightline, in the channels of
+/// a space [lux].
 ///
-/// Given     moon  with an observer
-/// Accuracy  0.2 %, of a disc of 360 rows
-std::array<double, 3> illuminance_seen(LitMoon moon);
+/// Accuracy  0.2 %, of a disc of 360 rows, or of as many as its texture has
+std::array<double, 3> illuminance_seen(
+    LitMoon moon, colour::WorkingSpace space = colour::WorkingSpace::linear_rec709);
 
 }  // namespace coppermoon::uses
