@@ -12,8 +12,6 @@
 namespace coppermoon::texture {
 namespace {
 
-using Moments = std::span<const UsdMoment>;
-
 /// Moon-fixed vector on the axes of USD's Moon, whose north is +Y.
 glm::dvec3 y_up(const glm::dvec3& v) { return {v.y, v.z, v.x}; }
 
@@ -22,10 +20,11 @@ std::string tuple(const glm::dvec3& v) {
 }
 
 /// Attribute with a value, or with samples where it changes.
-template <class Value>
-std::string attribute(const std::string& declared, Moments moments, const Value& value) {
+template <class Moment, class Value>
+std::string attribute(const std::string& declared, std::span<const Moment> moments,
+                      const Value& value) {
   const std::string first = value(moments.front());
-  if (std::ranges::all_of(moments, [&](const UsdMoment& m) { return value(m) == first; }))
+  if (std::ranges::all_of(moments, [&](const Moment& m) { return value(m) == first; }))
     return fmt::format("        {} = {}\n", declared, first);
   auto text = fmt::format("        {}.timeSamples = {{\n", declared);
   for (const auto& moment : moments)
@@ -33,22 +32,26 @@ std::string attribute(const std::string& declared, Moments moments, const Value&
   return text + "        }\n";
 }
 
-/// Transform of a camera or a light, both of which look along −Z.
-std::string looking(const glm::dvec3& along, const glm::dvec3& up, const glm::dvec3& position) {
-  const auto forward = y_up(along), upward = y_up(up), at = y_up(position),
-             right = glm::cross(forward, upward);
+/// Transform with axes, Moon-fixed, and an origin.
+std::string transform(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z,
+                      const glm::dvec3& origin) {
   const auto row = [](const glm::dvec3& v, int last) {
     return fmt::format("({:.9g}, {:.9g}, {:.9g}, {})", v.x + 0., v.y + 0., v.z + 0., last);
   };
-  return fmt::format("( {}, {}, {}, {} )", row(right, 0), row(upward, 0), row(-forward, 0),
-                     row(at, 1));
+  return fmt::format("( {}, {}, {}, {} )", row(y_up(x), 0), row(y_up(y), 0), row(y_up(z), 0),
+                     row(y_up(origin), 1));
+}
+
+/// Transform of a camera or a light, both of which look along −Z.
+std::string looking(const glm::dvec3& along, const glm::dvec3& up, const glm::dvec3& position) {
+  return transform(glm::cross(along, up), up, -along, position);
 }
 
 constexpr double aperture = 36;  ///< across the picture, in tenths of a unit as USD counts
 
 }  // namespace
 
-std::string usd_observer(Moments moments, double height_over_width,
+std::string usd_observer(std::span<const UsdMoment> moments, double height_over_width,
                          const std::array<double, 3>& luminance) {
   const auto bright = [&](const UsdMoment& m) {
     return luminance[0] * m.lux[0] + luminance[1] * m.lux[1] + luminance[2] * m.lux[2];
@@ -81,6 +84,19 @@ std::string usd_observer(Moments moments, double height_over_width,
     const auto to_observer = glm::normalize(m.position);
     const auto aside = m.up - glm::dot(m.up, to_observer) * to_observer;
     return looking(to_observer, glm::normalize(aside), {0, 0, 0});
+  });
+  return text + "        uniform token[] xformOpOrder = [\"xformOp:transform\"]\n    }\n";
+}
+
+std::string usd_sky(std::span<const UsdSky> skies) {
+  std::string text =
+      "    def DomeLight \"Sky\"\n    {\n        float inputs:intensity = 1\n"
+      "        token inputs:texture:format = \"latlong\"\n";
+  text += attribute("asset inputs:texture:file", skies,
+                    [](const UsdSky& sky) { return usd_asset(sky.file); });
+  // in the middle of the texture is +Z, at three quarters of its width -X
+  text += attribute("matrix4d xformOp:transform", skies, [](const UsdSky& sky) {
+    return transform(-glm::cross(sky.north, sky.zenith), sky.zenith, sky.north, {0, 0, 0});
   });
   return text + "        uniform token[] xformOpOrder = [\"xformOp:transform\"]\n    }\n";
 }

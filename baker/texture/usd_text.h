@@ -29,6 +29,15 @@ struct UsdMoment {
 std::string usd_observer(std::span<const UsdMoment> moments, double height_over_width,
                          const std::array<double, 3>& luminance);
 
+/// Prim `Sky`, a dome light, within Moon: at each time code its file, zenith on top and north in the middle, and the
+/// directions of zenith and north, Moon-fixed, unit, at right angles.
+struct UsdSky {
+  double time_code = 0;
+  std::string file;
+  glm::dvec3 zenith, north;
+};
+std::string usd_sky(std::span<const UsdSky> skies);
+
 /// Path of a file beside the layer, as a value of type asset.
 ///
 /// Throws  Error  unless it is a plain name without control characters

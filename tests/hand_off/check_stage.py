@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""check_stage.py FILM.usda: OpenUSD reads a film's stage. Its material, node by node, is the Moon of the film's textures; its
+"""check_stage.py FILM.usda COPPERMOON: OpenUSD reads a film's stage. Its material, node by node, is the Moon of the film's textures; its
 moonlight is their illuminance; its camera looks at the Moon."""
+import json
 import math
 import os
+import subprocess
 import sys
 
 import numpy as np
 import OpenImageIO as oiio
 from pxr import Gf, Usd, UsdGeom, UsdLux, UsdShade
 
-path = sys.argv[1]
+path, program = sys.argv[1:]
 stage = Usd.Stage.Open(path)
 
 
@@ -130,4 +132,34 @@ for time in (first, (first + contacts["U1"]) // 2, contacts["U2"] // 1, (first +
     assert abs(seen[0]) < 1e-3 and abs(seen[1]) < 1e-3 and seen[2] < -200, seen
     field = 2 * math.atan(camera.GetHorizontalApertureAttr().Get(time) / 2 / camera.GetFocalLengthAttr().Get(time))
     assert abs(math.degrees(field) - 0.9) < 1e-3, math.degrees(field)
+
+# the sky: its zenith is the observer's, and the Moon stands where its altitude is
+dome = UsdLux.DomeLight(stage.GetPrimAtPath("/Moon/Sky"))
+assert dome.GetTextureFormatAttr().Get() == "latlong"
+
+
+def moon_at(time):
+    """True altitude and azimuth [degrees] of the Moon at a frame's moment."""
+    name = os.path.join(os.path.dirname(path), f"moon_lin_rec709.{int(time):04d}.exr")
+    said = subprocess.run([program, "sky", name, "--at", "Nairobi", "--json"], check=True, capture_output=True)
+    sky = json.loads(said.stdout)
+    return sky["altitude_deg"], sky["azimuth_deg"]
+
+
+for time in (first, last):
+    axes = dome.ComputeLocalToWorldTransform(time)
+    zenith = np.array(axes.TransformDir(Gf.Vec3d(0, 1, 0)))
+    eye = np.array(camera.ComputeLocalToWorldTransform(time).ExtractTranslation())
+    altitude = math.degrees(math.asin(-zenith @ eye / np.linalg.norm(eye)))
+    east = np.array(axes.TransformDir(Gf.Vec3d(-1, 0, 0)))
+    north = np.array(axes.TransformDir(Gf.Vec3d(0, 0, 1)))
+    azimuth = math.degrees(math.atan2(-east @ eye, -north @ eye)) % 360
+    given = moon_at(time)
+    assert abs(altitude - given[0]) < 0.01 and abs(azimuth - given[1]) < 0.01, (altitude, azimuth, given)
+    image = texels(dome.GetTextureFileAttr().Get(time).path)
+    assert image.shape[1] == 256 and image.max() > 0
+bright = texels(dome.GetTextureFileAttr().Get(first).path).sum(axis=-1)
+row, column = np.unravel_index(bright.argmax(), bright.shape)
+beside = (column + 0.5) / 256 * 360 - 180 - moon_at(first)[1]
+assert abs((beside + 180) % 360 - 180) < 20, "moonlight is brightest beside the Moon"
 print("alike")

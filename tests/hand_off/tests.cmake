@@ -46,7 +46,7 @@ add_test(NAME hand_off/stage/is_made
          COMMAND coppermoon_program animate 2018-07-27 --at Nairobi --tolerance 0.3% --frames 13 --make textures --texture-width 512
                  --replace -o ${staged} --stage ${staged}/film.usda)
 set_tests_properties(hand_off/stage/is_made PROPERTIES FIXTURES_SETUP stage LABELS hand_off TIMEOUT 300)
-add_test(NAME hand_off/stage/is_read COMMAND ${python}/bin/python ${CMAKE_CURRENT_LIST_DIR}/check_stage.py ${staged}/film.usda)
+add_test(NAME hand_off/stage/is_read COMMAND ${python}/bin/python ${CMAKE_CURRENT_LIST_DIR}/check_stage.py ${staged}/film.usda $<TARGET_FILE:coppermoon_program>)
 add_test(NAME hand_off/stage/validators_find_nothing
          COMMAND ${python}/bin/python ${CMAKE_CURRENT_LIST_DIR}/validate.py ${staged}/film.usda)
 set_tests_properties(hand_off/stage/is_read hand_off/stage/validators_find_nothing

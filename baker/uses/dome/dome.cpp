@@ -298,10 +298,11 @@ Dome dome_over(const DomeRequest& request, const LitMoon& moon, const ViewReques
   return dome;
 }
 
-void write_sky(const std::filesystem::path& file, const LitMoon& moon, ViewRequest view) {
-  constexpr std::size_t width = 1024;
+void write_sky(const std::filesystem::path& file, const LitMoon& moon, ViewRequest view,
+               const DomeRequest& request) {
+  const std::size_t width = request.width;
   view.stars.shown = false;
-  auto dome = dome_over({.width = width}, moon, view);
+  auto dome = dome_over(request, moon, view);
   const auto row = [&](std::size_t r) {
     return dome.light.values.begin() + static_cast<std::ptrdiff_t>(3 * width * r);
   };

@@ -58,8 +58,9 @@ struct Dome {
 /// Source    colours of the night: Patat (2003), A&A 400, 1183
 Dome dome_over(const DomeRequest& request, const LitMoon& moon, const ViewRequest& view);
 
-/// Writes a sky without stars for a renderer that has its own, 1024 texels wide: the first row below the horizon is
-/// that above it, so that a smoothed horizon stays bright.
-void write_sky(const std::filesystem::path& file, const LitMoon& moon, ViewRequest view);
+/// Writes a sky without stars for a renderer that has its own: the first row below the horizon is that above it, so that
+/// a smoothed horizon stays bright.
+void write_sky(const std::filesystem::path& file, const LitMoon& moon, ViewRequest view,
+               const DomeRequest& dome = {.width = 1024});
 
 }  // namespace coppermoon::uses

@@ -4,9 +4,14 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <glm/geometric.hpp>
+
 #include "algebra/error.h"
+#include "almanac/observer.h"
 #include "files/whole_file.h"
+#include "povray_scenes/sequence.h"
 #include "texture/resize.h"
+#include "uses/dome/dome.h"
 #include "uses/film/make_film.h"
 #include "uses/light/header.h"
 #include "uses/picture/usd_sight.h"
@@ -264,6 +269,29 @@ std::string layer_of(const Film& film, const std::vector<StageFrame>& frames) {
                      almanac::utc_text(film.moments.eclipse.greatest), contacts);
 }
 
+/// Writes the sky of each frame beside the stage.
+std::vector<texture::UsdSky> write_skies(const fs::path& stage, const Film& film,
+                                         const std::vector<std::size_t>& numbers) {
+  std::vector<texture::UsdSky> skies(film.view.observer ? numbers.size() : 0);
+  const auto little = in_little(film);
+  const auto stem =
+      fmt::format("{}_sky_{}", stage.stem().string(), colour::name(space_of(film.content)));
+  tbb::parallel_for(std::size_t{0}, skies.size(), [&](std::size_t i) {
+    const auto sky = film.sky(numbers[i]);
+    const auto view = view_of(film, sky);
+    const auto path = stage.parent_path() /
+                      povray_scenes::numbered_file(stem, numbers[i], film.moments.frames.size());
+    write_sky(path, moon_of(little, sky, view), film.view,
+              {.width = 256, .content = {.space = space_of(film.content)}});
+    const auto seen = almanac::view_from(*film.view.observer, sky);
+    const auto level = seen.north - glm::dot(seen.north, seen.zenith) * seen.zenith;
+    skies[i] = {static_cast<double>(numbers[i]), path.filename().string(),
+                sky.selenographic_from_gcrs * seen.zenith,
+                sky.selenographic_from_gcrs * glm::normalize(level)};
+  });
+  return skies;
+}
+
 void write_sunlit(const fs::path& path, const Film& sunlit, std::size_t frame) {
   const auto sky = sunlit.sky(frame);
   const auto moon = moon_of(sunlit, sky, view_of(sunlit, sky));
@@ -306,17 +334,19 @@ void write_stage(const fs::path& path, const Film& asked, const std::vector<std:
   write_sunlit(path.parent_path() / images.last, sunlit, numbers.back());
   std::vector<texture::UsdMoment> moments;
   for (const auto& frame : frames) moments.push_back(frame.moment);
-  const auto& camera = view_of(film, film.sky(numbers.front())).camera;
+  const auto skies = write_skies(path, film, numbers);
+  const auto camera = view_of(film, film.sky(numbers.front())).camera;
   const double height_over_width =
       static_cast<double>(camera.height) / static_cast<double>(camera.width);
   files::write_whole(
       path,
       fmt::format("{}\ndef Xform \"Moon\" (\n    kind = \"component\"\n    prepend apiSchemas = "
                   "[\"ColorSpaceAPI\"]\n)\n{{\n    uniform token colorSpace:name = \"{}\"\n\n"
-                  "{}\n{}\n{}}}\n",
+                  "{}\n{}\n{}{}{}}}\n",
                   layer_of(film, frames), colour::interop_id(space), texture::usd_mesh(),
                   looks_of(film, frames, images, shader),
-                  texture::usd_observer(moments, height_over_width, luminance_of_channels(space))));
+                  texture::usd_observer(moments, height_over_width, luminance_of_channels(space)),
+                  skies.empty() ? "" : "\n", skies.empty() ? "" : texture::usd_sky(skies)));
 }
 
 }  // namespace coppermoon::uses
