@@ -214,10 +214,10 @@ TEST_F(Shader, OfPovRayIsAFilm) {
   const auto frame = texture::read_image(here("eclipse/frame.exr"));
   const auto sky = almanac::sky_at(almanac::instant_from_utc(moment(of, seconds)));
   const auto& from_gcrs = sky.selenographic_from_gcrs;
-  const auto eye = -200. * glm::normalize(from_gcrs * sky.moon_m);
+  const auto eye = -from_gcrs * sky.moon_m / 1737400.;
   const auto forward = -glm::normalize(eye);
-  const auto axes = glm::transpose(eclipse::shadow_axis(sky).shadow_from_gcrs);
-  const auto right = glm::normalize(glm::cross(forward, from_gcrs * axes[1])),
+  const auto pole = from_gcrs * glm::transpose(sky.equator_from_gcrs)[2];
+  const auto right = glm::normalize(glm::cross(forward, pole)),
              up = glm::cross(right, forward);  // celestial north; east is to the left
   const double half = std::tan(0.4 * pi / 180);
   int seen = 0;

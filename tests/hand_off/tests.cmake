@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 # Other programs, given what coppermoon makes: tests/hand_off.sh installs and runs them.
-coppermoon_test_program(hand_off hand_off "blender;blender_add_on;job;mitsuba;moon_and_stars;raw;shader;side_by_side;stellarium;tools" "coppermoon::verbs;PkgConfig::OpenImageIO")
+coppermoon_test_program(hand_off hand_off "blender;blender_add_on;job;mitsuba;moon_and_stars;raw;shader;side_by_side;stellarium;three_films;tools" "coppermoon::verbs;PkgConfig::OpenImageIO")
 target_compile_definitions(${program} PRIVATE COPPERMOON_ADD_ON="${PROJECT_BINARY_DIR}/coppermoon_blender.zip"
                            COPPERMOON_HAND_OFF_PYTHON="${PROJECT_BINARY_DIR}/hand_off/python"
                            COPPERMOON_HAND_OFF_BLENDER="${PROJECT_BINARY_DIR}/hand_off/blender_newest"
                            COPPERMOON_READERS="$<TARGET_FILE_DIR:coppermoon_imageio>"
                            COPPERMOON_HAND_OFF_READERS="${PROJECT_BINARY_DIR}/hand_off/gltf")
 add_dependencies(${program} coppermoon_blender coppermoon_imageio)
-foreach(noun blender blender_add_on job mitsuba moon_and_stars raw shader side_by_side stellarium tools)
+foreach(noun blender blender_add_on job mitsuba moon_and_stars raw shader side_by_side stellarium three_films tools)
   add_test(NAME hand_off/${noun} COMMAND ${program} ${noun})
   set_tests_properties(hand_off/${noun} PROPERTIES LABELS hand_off TIMEOUT 900)
 endforeach()

@@ -5,6 +5,7 @@
 
 #include "algebra/error.h"
 #include "almanac/calendar.h"
+#include "eclipse/shadow_axis.h"
 #include "files/own_file.h"
 #include "files/whole_file.h"
 #include "texture/write_image.h"
@@ -38,7 +39,9 @@ nlohmann::ordered_json facts_of(const EclipseShader& shader, const ShaderHead& h
 ShaderHead head_of(const EclipseShader& shader, const ShaderRequest& request,
                    const std::string& strip) {
   return {title(shader.eclipse), almanac::utc_text(shader.eclipse.greatest),
-          std::string(colour::name(request.space)), strip};
+          std::string(colour::name(request.space)), strip,
+          -algebra::in_radians(
+              eclipse::shadow_axis(almanac::sky_at(shader.eclipse.greatest)).sun_declination)};
 }
 
 texture::Attributes header_of(const ShaderHead& head, const std::string& recipe) {
@@ -75,7 +78,7 @@ global_settings {{ assumed_gamma 1.0 }}
 
 Eclipse_At(clock)
 camera {{
-  location 200*Eclipse_Earth
+  location Eclipse_Distance*Eclipse_Earth
   direction z
   right x*image_width/image_height
   up y

@@ -204,7 +204,7 @@ std::string povray_of(const Formula& formula, const ShaderHead& head) {
 //   #include "{2}.inc"
 //   Eclipse_At(clock)
 //   camera {{
-//     location 200*Eclipse_Earth direction z right x*image_width/image_height up y
+//     location Eclipse_Distance*Eclipse_Earth direction z right x*image_width/image_height up y
 //     sky Eclipse_North angle 0.8 look_at 0
 //   }}
 //   Eclipse_Moon(pigment {{ rgb 900 }})
@@ -218,18 +218,24 @@ std::string povray_of(const Formula& formula, const ShaderHead& head) {
 // The shadow at a time: seconds from greatest eclipse, {1} UTC. Declares
 //   Eclipse_Red, Eclipse_Green, Eclipse_Blue   functions of x, y, z: factors on the sunlit Moon, 1 in full sunlight;
 //                                              red, green and blue of {3}
-//   Eclipse_Earth, Eclipse_North, Eclipse_Sun  directions from the Moon's centre: the Earth's centre, celestial north
-//                                              and the Sun, unit
+//   Eclipse_Earth, Eclipse_North, Eclipse_Sun  directions from the Moon's centre: the Earth's centre, the celestial
+//                                              pole and the Sun, unit
+//   Eclipse_Distance                           of the Earth's centre, in lunar radii
 #macro Eclipse_At(Time)
 )",
       head.title, head.greatest, head.strip.substr(0, head.strip.rfind('.')), head.colour_space);
   text += write.constants();
   for (std::size_t c = 0; c < 3; ++c) text += write.channel(c);
+  text += fmt::format("  #local Declination = {:.7g};  // of the point opposite to the Sun\n",
+                      head.declination_rad);
   return text + R"(  #local East = <Eclipse_East_x, Eclipse_East_z, Eclipse_East_y>;
-  #declare Eclipse_North = <Eclipse_North_x, Eclipse_North_z, Eclipse_North_y>;
+  #local North = <Eclipse_North_x, Eclipse_North_z, Eclipse_North_y>;
   #declare Eclipse_Sun = -<Eclipse_Away_x, Eclipse_Away_z, Eclipse_Away_y>;
-  #declare Eclipse_Earth = vnormalize(Eclipse_Centre_depth*Eclipse_Sun - Eclipse_Centre_east*East
-                                      - Eclipse_Centre_north*Eclipse_North);
+  #declare Eclipse_North = cos(Declination)*North - sin(Declination)*Eclipse_Sun;
+  #local To_Earth = Eclipse_Centre_depth*Eclipse_Sun - Eclipse_Centre_east*East
+                    - Eclipse_Centre_north*North;
+  #declare Eclipse_Earth = vnormalize(To_Earth);
+  #declare Eclipse_Distance = vlength(To_Earth);
 #end
 
 // The Moon, luminous: a pigment of the sunlit Moon, in cd/m2 up to 20000, times the light of Eclipse_At.

@@ -10,10 +10,11 @@ namespace coppermoon::uses {
 
 /// Facts that a shader's head tells.
 struct ShaderHead {
-  std::string title;         ///< "Total eclipse of the Moon, 2018-07-27"
-  std::string greatest;      ///< UTC
-  std::string colour_space;  ///< of the light
-  std::string strip;         ///< file name of the strip
+  std::string title;           ///< "Total eclipse of the Moon, 2018-07-27"
+  std::string greatest;        ///< UTC
+  std::string colour_space;    ///< of the light
+  std::string strip;           ///< file name of the strip
+  double declination_rad = 0;  ///< of the point opposite to the Sun, at greatest eclipse
 };
 
 /// Function of GLSL: `vec3 eclipse_light(vec3 place, float time)`. For OpenGL ES 3, WebGL 2, and OpenGL from 1.3 on.
