@@ -32,9 +32,9 @@ std::string moon_include(const MoonInSky& moon) {
 //   global_settings {{ assumed_gamma 1.0 }}
 //   #include "moon.inc"
 //   camera {{ location 0 look_at Coppermoon_Direction(Moon_Altitude, Moon_Azimuth) angle 30 }}
+//   Eclipsed_Sky(1)
 //   object {{ Eclipsed_Moon(1, 1e6) }}
 //   Eclipsed_Moonlight(1)
-//   Eclipsed_Sky(1)
 //
 // eclipse_stars.inc beside it has the stars.
 //
@@ -55,13 +55,38 @@ std::string moon_include(const MoonInSky& moon) {
 #declare Sun_Altitude = {:.6f};            // [degrees] without refraction; below the horizon less than 0
 #declare Sky_Luminance = {:.6g};           // [cd/m2] of the clear sky in the zenith
 
+// The clear night sky of that moment: airglow, twilight, and moonlight that the air scatters. It lights the scene where
+// that has radiosity. Call it before Eclipsed_Moon, which then shines through that air.
+//   Factor  how many times as bright as it was; 1: as it was
+#macro Eclipsed_Sky(Factor)
+  #declare Coppermoon_Air = Factor;
+  #declare Coppermoon_Sky_Pigment = pigment {{
+    image_map {{ exr "{}" map_type 1 interpolate 2 }}
+    rotate y*90
+    scale <-1, 1, 1>
+  }}
+  sky_sphere {{
+    pigment {{ Coppermoon_Sky_Pigment }}
+    emission Factor
+  }}
+#end
+
 // The Moon in the sky of the origin; translate it by your camera's place. It lights nothing, not even by
 // radiosity: its light is Eclipsed_Moonlight.
 //   Enlarged  how many times as large as it was; 1: as it was
 //   Distance  of its centre, in your scene's units; larger than the scene
 #macro Eclipsed_Moon(Enlarged, Distance)
+  #ifndef (Coppermoon_Air)
+    #local Air = <0, 0, 0>;
+  #else
+    // of 3 degrees beside it, clear of its aureole, which moves with what is lit of it
+    #local Sky = function {{ pigment {{ Coppermoon_Sky_Pigment }} }};
+    #local To = Coppermoon_Direction(Moon_Altitude, Moon_Azimuth + 3/cos(radians(min(Moon_Altitude, 80))));
+    #local Seen = Sky(To.x, To.y, To.z);
+    #local Air = Coppermoon_Air*<Seen.red, Seen.green, Seen.blue>;
+  #end
   object {{
-    Coppermoon_Moon("{}", 1)
+    Coppermoon_Moon_In_Air("{}", Air)
     Coppermoon_In_Sky(Moon_Latitude, Moon_Longitude, Moon_Axis_Angle, Moon_Parallactic_Angle,
                       Moon_Altitude, Moon_Azimuth, Enlarged*Moon_Diameter, Distance)
     no_radiosity
@@ -77,25 +102,11 @@ std::string moon_include(const MoonInSky& moon) {
     parallel point_at <0, 0, 0>
   }}
 #end
-
-// The clear night sky of that moment: airglow, twilight, and moonlight that the air scatters. It lights the scene where
-// that has radiosity.
-//   Factor  how many times as bright as it was; 1: as it was
-#macro Eclipsed_Sky(Factor)
-  sky_sphere {{
-    pigment {{
-      image_map {{ exr "{}" map_type 1 interpolate 2 }}
-      rotate y*90
-      scale <-1, 1, 1>
-    }}
-    emission Factor
-  }}
-#end
 )",
       moon.title, degrees(moon.place.altitude), degrees(moon.place.azimuth), diameter,
       degrees(moon.view.sub_observer.latitude), degrees(moon.view.sub_observer.longitude),
       degrees(moon.axis_position_angle), degrees(moon.view.parallactic_angle), lux[0], lux[1],
-      lux[2], degrees(moon.sun_altitude), moon.sky_cd_m2, moon.texture, sky_file);
+      lux[2], degrees(moon.sun_altitude), moon.sky_cd_m2, sky_file, moon.texture);
 }
 
 std::string star_include(const std::string& title, std::span<const StarInSky> stars) {

@@ -40,7 +40,7 @@ heavy_under_sanitizers() {
   released coppermoon_program
   cmake --preset sanitizers
   cmake --build build/sanitizers --target coppermoon_program baker_shadow_heavy_tests baker_uses_light_heavy_tests \
-    baker_uses_plot_heavy_tests baker_uses_picture_heavy_tests baker_uses_film_heavy_tests baker_uses_night_heavy_tests \
+    baker_uses_plot_heavy_tests baker_uses_picture_heavy_tests baker_uses_dome_heavy_tests baker_uses_film_heavy_tests baker_uses_night_heavy_tests \
     baker_uses_explore_heavy_tests baker_uses_compare_heavy_tests baker_uses_fit_heavy_tests \
     baker_uses_tradeoff_heavy_tests baker_verbs_flags_heavy_tests \
     baker_verbs_manuals_heavy_tests baker_verbs_recipes_heavy_tests baker_verbs_reports_heavy_tests colour_heavy_tests extremes_heavy_tests

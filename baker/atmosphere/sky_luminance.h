@@ -70,7 +70,7 @@ struct SkyDirection {
 ///
 ///     molecules 10^5.36 (1.06 + cos²ρ)        aerosol max(10^(6.15 − ρ/40°), 6.2e7 (ρ/1°)^−2)
 ///
-/// Given   from_lamp  ρ, 0 to 180 degrees; held at 0.25 degrees, within the Moon's disc
+/// Given   from_lamp  ρ, 0 to 180 degrees; held at 1 degree, within which optics and dust make most of an aureole
 /// Source  Krisciunas & Schaefer (1991), eqs. 17 to 21. They take the second term of aerosol below 10 degrees, with a
 ///         step of a fifth there
 struct ScatteringTerms {

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Scenes written by hand, each with the Moon by coppermoon.inc: bakes its textures, renders it, develops it, and leaves
+# Scenes written by hand, each with the Moon by moon.inc or coppermoon.inc: bakes its textures, renders it, develops it, and leaves
 # gallery_landscape.png, gallery_sequence.png and gallery_ring.png in the current folder.
 #
 # Given  --width W, --height H  of the pictures, else 960 x 540
@@ -40,9 +40,9 @@ picture() {
   "$coppermoon" develop "$scratch/$name.exr" -o "gallery_$name.png" "$@"
 }
 
-turned=$(moon landscape 2018-07-27T21:08:00Z 53.07,-4.08)
-echo "#declare Moon = array[6] $turned;" >"$scratch/landscape.inc"
-picture landscape --view "ACES 1.0 SDR Video" --f-number 2 --iso 3200 --time 1.6
+"$coppermoon" scene 2018-07-27T21:24:00Z --at 53.07,-4.08 --texture-width 360 -o "$scratch/night" >&2
+mv "$scratch/night/moon.inc" "$scratch/night/eclipse_stars.inc" "$scratch"/night/*.exr "$scratch"
+picture landscape --view "ACES 1.0 SDR Video" --f-number 2 --iso 800 --time 1
 
 {
   echo "#declare Moons = array[13][6] {"

@@ -20,12 +20,12 @@ camera {
   look_at Eye + Coppermoon_Direction(0.5, Moon_Azimuth)
 }
 
+// The night sky as it was: moonlight in the air, and the night's own light.
+Eclipsed_Sky(1)
+
 // The Moon, three times as large as it was, and its light as it was.
 object { Eclipsed_Moon(3, 1e6) translate Eye }
 Eclipsed_Moonlight(1)
-
-// The night sky as it was: moonlight in the air, and the night's own light.
-Eclipsed_Sky(1)
 
 // Water that mirrors both.
 plane {

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
-// A lake in the hills of Wales, 27 July 2018, 21:08 UTC: the Moon has risen eclipsed, and in five minutes the
-// Sun will be back at its left limb. Luminances are in cd/m2, as of a clear night with the Sun 10 degrees under the
-// horizon; lengths in metres; y is up, z north, x east. The Moon is three times as large as it was, nothing else is.
+// A lake in the hills of Wales, 27 July 2018, 21:24 UTC: the Moon has risen eclipsed, and for ten minutes the
+// Sun has been back at its left limb. Luminances are in cd/m2; sky and stars are those of that night, with the Sun 8
+// degrees under the horizon, and light the hills. Lengths in metres; y is up, z north, x east. The Moon is three times as
+// large as it was, nothing else is.
 //
-// gallery.sh makes moon_landscape.exr, its texture, and landscape.inc, how the Moon stands.
+// gallery.sh has `coppermoon scene` make moon.inc, eclipse_sky.exr and eclipse_stars.inc of that moment.
 #version 3.7;
 #include "functions.inc"
-#include "coppermoon.inc"
-#include "landscape.inc"
+#include "moon.inc"
+#include "eclipse_stars.inc"
 
-global_settings { assumed_gamma 1.0 max_trace_level 8 }
+global_settings {
+  assumed_gamma 1.0
+  max_trace_level 8
+  radiosity { count 120 nearest_count 8 error_bound 0.6 recursion_limit 1 pretrace_start 0.08 pretrace_end 0.02 }
+}
 #default { finish { ambient 0 diffuse 1 } }
 
-#declare Looking = Moon[5] + 3.5;  // azimuth [degrees]
+#declare Looking = Moon_Azimuth + 3.5;  // azimuth [degrees]
 #declare Eye = <0, 3, 0>;
 camera {
   location Eye
@@ -23,67 +28,19 @@ camera {
   look_at Eye + vrotate(z, <-0.7, Looking, 0>)
 }
 
-object {
-  Coppermoon_Moon("moon_landscape.exr", 1)
-  Coppermoon_In_Sky(Moon[0], Moon[1], Moon[2], Moon[3], Moon[4], Moon[5], 3*0.51, 1e6)
-  translate Eye
-}
+Eclipsed_Sky(1)
+object { Eclipsed_Moon(3, 1e5) translate Eye }
+Eclipsed_Moonlight(1)
+Eclipsed_Stars(Eye, 0.06, 2e5)
 
-// The last of the dusk: darker upwards, as blue as the ozone makes it.
-#declare Dusk = rgb <0.0040, 0.0075, 0.0155>;
-#declare Gradient = function {
-  pigment {
-    gradient y
-    color_map {
-      [0.00 rgb <0.0135, 0.0125, 0.0150>]
-      [0.06 rgb <0.0085, 0.0108, 0.0165>]
-      [0.16 Dusk]
-      [0.60 0.4*Dusk]
-    }
-  }
-}
-// A grain of a pixel, since 8 bits would show the gradient in steps.
-#declare Grain = function { 0.97 + 0.06*f_noise3d(1800*x, 1800*y, 1800*z) }
-sky_sphere {
-  pigment {
-    average
-    pigment_map {
-      [1 function { Gradient(x, y, z).red*Grain(x, y, z) } color_map { [0 rgb 0] [1 red 3] }]
-      [1 function { Gradient(x, y, z).green*Grain(x, y, z) } color_map { [0 rgb 0] [1 green 3] }]
-      [1 function { Gradient(x, y, z).blue*Grain(x, y, z) } color_map { [0 rgb 0] [1 blue 3] }]
-    }
-  }
-}
-
-// What dusk sends down, mostly from behind us, where the Sun is.
-#macro Skylight(Azimuth, Altitude, Light)
-  light_source { 1e5*Coppermoon_Direction(Altitude, Azimuth) Light parallel point_at 0 shadowless }
-#end
-Skylight(320, 25, 0.012*<0.75, 0.95, 1.3>)
-Skylight(250, 35, 0.005*<0.55, 0.85, 1.5>)
-Skylight(40, 60, 0.004*<0.5, 0.8, 1.5>)
-
-// Stars at random: for each magnitude fainter three times as many. A magnitude of 0 gives 2.5e-6 lx; each is drawn as a
-// disc of 0.02 degrees before the sky, dimmed by the air.
 #declare Lot = seed(27);
-#declare Star_Radius = radians(0.021);
-#for (I, 1, 90)
-  #local Magnitude = 4.6 + log(rand(Lot))/log(10)*2.1;
-  #local Altitude = degrees(asin(0.03 + 0.27*rand(Lot)));
-  #local Azimuth = Looking + 44*(rand(Lot) - 0.5);
-  #local Illuminance = 2.54e-6*pow(10, -0.4*(Magnitude + 0.25/sin(radians(Altitude + 1))));
-  #local Warmth = rand(Lot);
-  sphere {
-    1.2e6*Coppermoon_Direction(Altitude, Azimuth), 1.2e6*Star_Radius
-    pigment { rgb Dusk + Illuminance/(pi*pow(Star_Radius, 2))*<0.8 + 0.4*Warmth, 1, 1.3 - 0.5*Warmth> }
-    finish { diffuse 0 emission 1 }
-    no_reflection
-  }
-#end
 
 // Hills: a ridge at a distance, across the view, with air before it. Haze is the share of light that the air takes and
 // replaces by its own.
-#declare Air = <0.0085, 0.0108, 0.0165>;
+#declare Sky = function { pigment { Coppermoon_Sky_Pigment } };
+#declare Low = Coppermoon_Direction(1, Looking);
+#declare Seen = Sky(Low.x, Low.y, Low.z);
+#declare Air = <Seen.red, Seen.green, Seen.blue>;
 #macro Hills(Distance, Left, Right, Height, Roughness, Haze, Shape)
   #local Ground = function {
     pow(max(0, Shape(x, y, z)), 1.2)

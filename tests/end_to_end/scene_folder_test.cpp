@@ -164,6 +164,24 @@ TEST_F(SceneFolder, MoonIncHasTheSkyTheRightWayRound) {
       EXPECT_NEAR(seen(1, 1, k) / (2 * dome(row, column, k)), 1, 0.03)
           << aside << ": a texel beside it, 0.35 degrees";
   }
+  const auto moon_at = [&](const std::string& more) {
+    file("scene/moon.pov",
+         "#version 3.7;\nglobal_settings { assumed_gamma 1.0 }\n#include \"moon.inc\"\n" + more +
+             "camera { location 0 direction z right x up y angle 0.1 look_at "
+             "Coppermoon_Direction(Moon_Altitude, Moon_Azimuth) }\nobject { Eclipsed_Moon(1, 1e5) "
+             "}\n");
+    const auto outcome =
+        run({"povray", "moon.pov", "+W3", "+H3", "+FE", "-A", "-D"}, {.folder = here("scene")});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return texture::read_image(here("scene/moon.exr"))(1, 1, 2);
+  };
+  const double bare = moon_at(""), through_air = moon_at("Eclipsed_Sky(1e3)\n");
+  const double altitude = declared(include, "Moon_Altitude")[0],
+               aside = 3 / std::cos(altitude * std::numbers::pi / 180);
+  const auto row = static_cast<std::size_t>((90 - altitude) / 180 * 512),
+             column = static_cast<std::size_t>(std::fmod(moon + aside + 540, 360) / 360 * 1024);
+  EXPECT_NEAR((through_air - bare) / (1e3 * dome(row, column, 2)), 1, 0.05)
+      << "air before the Moon adds its light; a texel of 0.35 degrees";
   EXPECT_GT(declared(include, "Sky_Luminance")[0], 1e-4);
   EXPECT_LT(declared(include, "Sun_Altitude")[0], -18);
 }

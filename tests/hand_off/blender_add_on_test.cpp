@@ -591,6 +591,46 @@ TEST_F(BlenderAddOn, WorksInAWindow) {
   EXPECT_EQ(line(outcome, "finished"), "yes");
 }
 
+TEST_F(BlenderAddOn, PutsTheNightSkyAroundALandscapeNorthToItsY) {
+  const auto outcome = python(
+      "import math, mathutils\n"
+      "scene = bpy.context.scene\n"
+      "bpy.ops.coppermoon.add_eclipse(date='2018-07-27', contact='U1', offset=600, "
+      "place='-1.28,36.82', own_scene=False, night=True, " +
+      quick +
+      ")\n"
+      "node = next(n for n in scene.world.node_tree.nodes if n.type == 'TEX_ENVIRONMENT')\n"
+      "print('dome', node.image.filepath)\n"
+      "for thing in scene.objects:\n"
+      "    thing.hide_render = True\n"
+      "eye = bpy.data.objects.new('Eye', bpy.data.cameras.new('Eye'))\n"
+      "scene.collection.objects.link(eye)\n"
+      "scene.camera, eye.data.angle, eye.rotation_mode = eye, math.radians(0.3), 'QUATERNION'\n"
+      "scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = 'CYCLES', 4, False\n"
+      "scene.render.resolution_x = scene.render.resolution_y = 8\n"
+      "scene.render.image_settings.file_format = 'OPEN_EXR'\n"
+      "scene.render.image_settings.color_depth = '32'\n"
+      "for azimuth in (45, 135, 225, 315):\n"
+      "    a, e = math.radians(azimuth), math.radians(30)\n"
+      "    to = mathutils.Vector((math.cos(e) * math.sin(a), math.cos(e) * math.cos(a), "
+      "math.sin(e)))\n"
+      "    eye.rotation_quaternion = to.to_track_quat('-Z', 'Y')\n"
+      "    scene.render.filepath = bpy.path.abspath(f'" +
+      here().string() +
+      "/{azimuth}.exr')\n"
+      "    bpy.ops.render.render(write_still=True)\n");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto dome = texture::read_image(line(outcome, "dome"));
+  for (const int azimuth : {45, 135, 225, 315}) {
+    const auto seen = texture::read_image(here(fmt::format("{}.exr", azimuth)));
+    const auto row = dome.height / 3,
+               column = static_cast<std::size_t>(azimuth + 180) % 360 * dome.width / 360;
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_WITHIN_RELATIVE(seen(4, 4, k), dome(row, column, k), 0.02, "a texel beside it")
+          << azimuth;
+  }
+}
+
 /// Cycles reads the recipe itself, by OpenImageIO; nothing is baked before it does.
 TEST_F(BlenderAddOn, CyclesRendersARecipe) {
   file("moon.eclipse", fmt::format("instant = \"{}\"\nat = \"{}\"\ntexture-width = 1024\n",

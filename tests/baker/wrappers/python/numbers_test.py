@@ -51,7 +51,7 @@ class Domes(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "sky.exr"
             said = json.loads(command("dome", when, "--at", "Nairobi", "--width", "32", "--type", "float", "--tolerance",
-                                      "0.05", "--stars", "3", "--json", "-o", str(file)))
+                                      "5%", "--stars", "3", "--json", "-o", str(file)))
             texels = OpenImageIO.ImageBuf(str(file)).get_pixels(OpenImageIO.FLOAT)
         dome = coppermoon.dome(when, at="Nairobi", width=32, stars="3", light=coppermoon.Light(tolerance=0.05))
         numpy.testing.assert_array_equal(dome.pixels, texels)
