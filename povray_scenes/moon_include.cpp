@@ -79,7 +79,7 @@ std::string moon_include(const MoonInSky& moon) {
   #ifndef (Coppermoon_Air)
     #local Air = <0, 0, 0>;
   #else
-    // of 3 degrees beside it, clear of its aureole, which moves with what is lit of it
+    // light of the air 3 degrees beside the Moon, clear of its aureole
     #local Sky = function {{ pigment {{ Coppermoon_Sky_Pigment }} }};
     #local To = Coppermoon_Direction(Moon_Altitude, Moon_Azimuth + 3/cos(radians(min(Moon_Altitude, 80))));
     #local Seen = Sky(To.x, To.y, To.z);

@@ -85,6 +85,7 @@ double moonlit_sky_cd_m2(const SkyLamp& moon, const SkyDirection& towards, doubl
   constexpr double nanolambert_cd_m2 = 1e-5 / std::numbers::pi, fades_deg = 0.3;
   const double risen = std::clamp((algebra::in_degrees(moon.altitude) / fades_deg + 1) / 2, 0., 1.);
   if (risen == 0 || !std::isfinite(moon.magnitude)) return 0;
+  // FAULT aerosol scatters no moonlight: scattering_terms(towards.from_lamp) => ScatteringTerms{3e5, 0}
   const auto [molecules, aerosol] = scattering_terms(towards.from_lamp);
   return risen * (molecules + aerosol) * std::pow(10, -0.4 * (moon.magnitude + 16.57)) *
          transmitted(extinction_mag, sky_air_mass(moon.altitude)) *
@@ -110,6 +111,7 @@ Twilight::Twilight(algebra::Angle sun_altitude, double extinction_mag)
       weight += level;
     }
   mean /= weight * of_zenith_;
+  // FAULT twilight is all pattern: std::min(1., (1 / of_the_zenith - 1) / (mean - 1)) => 1
   if (mean > 1) share_ = std::min(1., (1 / of_the_zenith - 1) / (mean - 1));
 }
 
