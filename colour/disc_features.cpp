@@ -119,31 +119,37 @@ Centred centred(const Values& picture, const Disc& disc, const Similarity& to_gr
           cap - sky};
 }
 
-/// Local mean of the disc's light.
-Values light_nearby(const Centred& picture) {
+/// 1 at clipped pixels and beside them.
+Values clipped_in(const Centred& picture) {
+  return blurred(where(picture.light,
+                       [&](std::size_t r, std::size_t c) {
+                         return picture.light(r, c) > 0.99F * picture.too_bright;
+                       }),
+                 1);
+}
+
+/// Weight 0 beyond the picture; at a clipped limb, which blur moves outward; and where deeply clipped.
+Values weights_of(const Centred& picture, bool deeply) {
+  constexpr double inner = 0.92;  // of the radius
+  const auto& disc = picture.disc;
+  const auto clipped = clipped_in(picture);
+  return where(picture.light, [&](std::size_t r, std::size_t c) {
+    const bool tells_nothing =
+        deeply || away_from(disc.x_px, disc.y_px, r, c) > inner * disc.radius_px;
+    return picture.usable(r, c) > 0 && !(tells_nothing && clipped(r, c) > 0);
+  });
+}
+
+/// Local mean of the disc's light; where deeply clipped, of what has weight.
+Values light_nearby(const Centred& picture, const Values& weights, bool deeply) {
   constexpr double edge = 0.97, reach = 0.25;  // of the radius
   const auto& disc = picture.disc;
+  const auto& counts = deeply ? weights : picture.usable;
   const auto on_disc = where(picture.light, [&](std::size_t r, std::size_t c) {
-    return picture.usable(r, c) > 0 &&
-           away_from(disc.x_px, disc.y_px, r, c) < edge * disc.radius_px;
+    return counts(r, c) > 0 && away_from(disc.x_px, disc.y_px, r, c) < edge * disc.radius_px;
   });
   return mean_nearby(picture.light, on_disc,
                      static_cast<std::size_t>(std::max(2., std::round(reach * disc.radius_px))));
-}
-
-/// Weight 0 beyond the picture, and at a clipped limb, which blur moves outward.
-Values weights_of(const Centred& picture) {
-  constexpr double inner = 0.92;  // of the radius
-  const auto& disc = picture.disc;
-  const auto clipped = blurred(where(picture.light,
-                                     [&](std::size_t r, std::size_t c) {
-                                       return picture.light(r, c) > 0.99F * picture.too_bright;
-                                     }),
-                               1);
-  return where(picture.light, [&](std::size_t r, std::size_t c) {
-    const bool at_limb = away_from(disc.x_px, disc.y_px, r, c) > inner * disc.radius_px;
-    return picture.usable(r, c) > 0 && !(at_limb && clipped(r, c) > 0);
-  });
 }
 
 }  // namespace
@@ -156,6 +162,11 @@ double clipped_share(const Values& picture, const Disc& disc) {
          static_cast<double>(values.size());
 }
 
+bool is_deep(const Values& picture, const Disc& disc, double clipped) {
+  constexpr float deep = 4;
+  return brightest_of(picture, disc, 0.01) > deep * brightest_of(picture, disc, clipped);
+}
+
 DiscFeatures features_of(const Values& picture, const Disc& disc, double radius_px,
                          const TonalRange& range) {
   constexpr double sigmas = 3, least = 1e-6;
@@ -165,8 +176,9 @@ DiscFeatures features_of(const Values& picture, const Disc& disc, double radius_
   const double bright = std::max(double{brightest_of(here.light, here.disc, 0.01)}, 1e-30);
   const double floor =
       std::max({sigmas * noise_of(here.light, here.disc) / bright, least, range.floor});
-  DiscFeatures made{mean_nearby(here.light, here.usable, 1), weights_of(here), to_grid, floor};
-  const auto nearby = light_nearby(here);
+  DiscFeatures made{mean_nearby(here.light, here.usable, 1), weights_of(here, range.deeply),
+                    to_grid, floor};
+  const auto nearby = light_nearby(here, made.weight, range.deeply);
   for (std::size_t i = 0; i < nearby.values().size(); ++i) {
     const double level = std::max(double{nearby.values()[i]}, 0.);
     const double share = level / (level + floor * bright);

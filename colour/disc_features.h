@@ -17,12 +17,20 @@ struct DiscFeatures {
 
 /// Range of light that a picture resolves.
 struct TonalRange {
-  double clipped = 0;  ///< saturated share of the disc
-  double floor = 0;    ///< as DiscFeatures has it
+  double clipped = 0;   ///< saturated share of the disc
+  double floor = 0;     ///< as DiscFeatures has it
+  bool deeply = false;  ///< whether the saturated share ends at the edge of a shadow: is_deep
 };
 
 /// Saturated share of a disc: pixels within a hundredth of the picture's largest value.
 double clipped_share(const algebra::Grid<float>& picture, const Disc& disc);
+
+/// Whether the brightest of a picture is four times as bright as what saturates or more: then exposure and air make the
+/// edge of what is clipped, not markings.
+///
+/// Given  picture  not clipped
+///        clipped  saturated share of the disc
+bool is_deep(const algebra::Grid<float>& picture, const Disc& disc, double clipped);
 
 /// Features of a disc scaled to a radius.
 ///

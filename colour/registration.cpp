@@ -321,7 +321,7 @@ struct Discs {
 
   Pair at_radius(double most_px) const {
     const double radius_px = std::min({most_px, photo.disc.radius_px, render.disc.radius_px});
-    TonalRange range{clipped};
+    TonalRange range{.clipped = clipped, .deeply = is_deep(render.picture, render.disc, clipped)};
     auto seen = features_of(photo.picture, photo.disc, radius_px, range);
     range.floor = seen.floor;
     auto rendered = features_of(render.picture, render.disc, radius_px, range);

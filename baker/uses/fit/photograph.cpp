@@ -252,6 +252,9 @@ colour::Registration registration_of(const FitScene& scene, const MoonPart& moon
                                         extent(luminance.columns())),
           scene.usual, known);
       found.render_to_photo = colour::composed(found.render_to_photo, colour::inverse(smaller));
+      for (double* of_disc :
+           {&found.in_photo.x_px, &found.in_photo.y_px, &found.in_photo.radius_px})
+        *of_disc /= size;
       return found;
     } catch (const algebra::Error&) {
       if (!first) first = std::current_exception();
@@ -269,7 +272,12 @@ double place_error_km(const FitScene& scene, const colour::Registration& registr
                                    : lies_in_umbra(scene.sky) ? in_umbra
                                                               : with_crescent,
                                    by_noise * (1 - registration.correlation));
-  return pixels * pixel_km / std::min(1., registration.render_to_photo.scale);
+  const auto& limb = registration.in_photo;
+  const auto middle =
+      colour::moved(registration.render_to_photo, {scene.disc.x_px, scene.disc.y_px});
+  const double scale = registration.render_to_photo.scale,
+               apart_px = std::hypot(middle.x - limb.x_px, middle.y - limb.y_px) / scale;
+  return std::hypot(pixels / std::min(1., scale), apart_px) * pixel_km;
 }
 
 BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,
