@@ -13,6 +13,7 @@
 #include "algebra/error.h"
 #include "texture/write_image.h"
 #include "uses/dome/scattered_colour.h"
+#include "uses/dome/twilight_colour.h"
 #include "uses/light/header.h"
 #include "uses/light/photometric_bands.h"
 #include "uses/picture/brightness.h"
@@ -111,32 +112,26 @@ View view_around(const ViewRequest& request, const atmosphere::ObserverAir& air)
 class AirLight {
  public:
   AirLight(const ClearSky& sky, const atmosphere::ObserverAir& air, const MoonOver& moon)
-      : sky_(sky),
-        night_(colour_of(spectrum_of(night_colour))),
-        of_sun_(air, sun_colour(), algebra::degrees(90)) {
+      : sky_(sky), night_(colour_of(spectrum_of(night_colour))), of_sun_(air, sky.sun_altitude()) {
     if (moon.shines()) of_moon_.emplace(air, moon.colour(), moon.place.altitude);
   }
 
   void fill(const Directions& all, std::size_t row, texture::Image& image) const {
     const auto altitude = algebra::radians(all.altitude(row));
-    const auto sunlight = of_sun_.along(altitude);
-    const auto moonlight = of_moon_ ? of_moon_->along(altitude) : sunlight;
+    const auto moonlight = of_moon_ ? of_moon_->along(altitude) : ScatteredColour::Pair{};
     for (std::size_t column = 0; column < all.columns(); ++column) {
       const auto direction = all.direction(row, column);
       const auto terms = sky_.towards(direction);
       add(image, row, column, night_, terms.airglow);
-      add_scattered(image, row, column, sunlight, sky_.from_sun(direction), terms.twilight);
+      if (terms.twilight > 0)
+        add(image, row, column,
+            of_sun_.towards(altitude, algebra::radians(all.azimuth(column)) - sky_.sun_azimuth()),
+            terms.twilight);
       add_scattered(image, row, column, moonlight, sky_.from_moon(direction), terms.moonlight);
     }
   }
 
  private:
-  static ColourIndices sun_colour() {
-    const auto sun = photometric_bands();
-    return {sun[0].solar_magnitude - sun[1].solar_magnitude,
-            sun[1].solar_magnitude - sun[2].solar_magnitude};
-  }
-
   /// Adds light of a luminance in the colour that molecules and aerosol give it together.
   static void add_scattered(texture::Image& image, std::size_t row, std::size_t column,
                             const ScatteredColour::Pair& pair, algebra::Angle from_lamp,
@@ -151,7 +146,7 @@ class AirLight {
 
   const ClearSky& sky_;
   Rgb night_;
-  ScatteredColour of_sun_;
+  TwilightColour of_sun_;
   std::optional<ScatteredColour> of_moon_;
 };
 

@@ -46,14 +46,14 @@ struct Dome {
 /// for, is an even disc of the illuminance that brightness_of has; whoever has a Moon of geometry leaves it out.
 /// The ground is diffuse and lit by sky, stars and Moon.
 ///
-/// Colours: moonlight and twilight as air scatters them (ScatteredColour), of a Moon with the B − V and V − R of the eclipse; airglow
-/// with B − V = 1.03 and V − R = 0.74 (Patat 2003); stars as StarLights.
+/// Colours: moonlight as air scatters it (ScatteredColour), of a Moon with the B − V and V − R of the eclipse; twilight as
+/// TwilightColour; airglow with B − V = 1.03 and V − R = 0.74 (Patat 2003); stars as StarLights.
 ///
 /// Given     moon      of any moment; below the horizon it lights nothing
 ///           view      its observer, air and stars (to V = 6.5 unless it says how faint)
 /// Returned  [cd/m²]   finite and not below 0 in every direction
 /// Accuracy  that of ClearSky; the stars' illuminance 1e-5
-/// Omits     towns, Milky Way and zodiacal light, clouds, the afterglow's red, stars below the horizon of a high place
+/// Omits     towns, Milky Way and zodiacal light, clouds, stars below the horizon of a high place
 /// Throws    Error     without an observer; as require_sound, air_over; when a catalogue is damaged
 /// Source    colours of the night: Patat (2003), A&A 400, 1183
 Dome dome_over(const DomeRequest& request, const LitMoon& moon, const ViewRequest& view);

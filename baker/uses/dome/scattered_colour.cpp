@@ -59,28 +59,40 @@ std::vector<double> spectrum_of(const ColourIndices& colour) {
   return spectrum;
 }
 
-Rgb colour_of(const std::vector<double>& spectrum) {
-  auto light = channels_of(spectrum);
+ColourIndices sunlight_colour() {
+  const auto sun = photometric_bands();
+  return {sun[0].solar_magnitude - sun[1].solar_magnitude,
+          sun[1].solar_magnitude - sun[2].solar_magnitude};
+}
+
+Rgb normalised(Rgb light) {
   if (const double y = colour::luminance(picture_space, light); y > 0)
     for (double& channel : light) channel /= y;
   return light;
 }
 
+Rgb colour_of(const std::vector<double>& spectrum) { return normalised(channels_of(spectrum)); }
+
+std::vector<atmosphere::VerticalDepths> band_depths(const atmosphere::ObserverAir& air) {
+  std::vector<atmosphere::VerticalDepths> all;
+  for (const double nm : bands().centres_nm)
+    all.push_back(atmosphere::vertical_depths(air, algebra::nanometres(nm)));
+  return all;
+}
+
 ScatteredColour::ScatteredColour(const atmosphere::ObserverAir& air, const ColourIndices& body,
                                  algebra::Angle altitude) {
   const auto spectrum = spectrum_of(body);
-  const auto depths_at = [&](double wavelength_nm) {
-    return atmosphere::vertical_depths(air, algebra::nanometres(wavelength_nm));
-  };
   const auto extinction_mag = [](const atmosphere::VerticalDepths& depths) {
     return 2.5 * std::numbers::log10e * (depths.rayleigh + depths.ozone + depths.aerosol);
   };
   constexpr double v_nm = 550;
-  const auto in_v = depths_at(v_nm);
+  const auto in_v = atmosphere::vertical_depths(air, algebra::nanometres(v_nm));
+  const auto all_depths = band_depths(air);
   const double of_body = atmosphere::sky_air_mass(altitude);
   for (std::size_t b = 0; b < spectrum.size(); ++b) {
     const double wavelength_nm = bands().centres_nm[b];
-    const auto depths = depths_at(wavelength_nm);
+    const auto& depths = all_depths[b];
     const double k = extinction_mag(depths);
     const double light = spectrum[b] * extinction_mag(in_v) / k * std::pow(10, -0.4 * k * of_body);
     extinction_mag_.push_back(k);

@@ -16,6 +16,9 @@ struct ColourIndices {
   double b_minus_v, v_minus_r;
 };
 
+/// Indices of sunlight.
+ColourIndices sunlight_colour();
+
 /// Light in bands of 10 nm from 380 to 780 nm: sunlight, times what makes up the difference of the indices.
 ///
 ///     E(λ) = E_sun(λ) 10^(−0.4 Δm(λ))
@@ -25,6 +28,12 @@ std::vector<double> spectrum_of(const ColourIndices& colour);
 
 /// Colour of a spectrum in those bands, of luminance 1; black stays black.
 Rgb colour_of(const std::vector<double>& spectrum);
+
+/// A colour with luminance 1; black stays black.
+Rgb normalised(Rgb light);
+
+/// Vertical optical depths in those bands.
+std::vector<atmosphere::VerticalDepths> band_depths(const atmosphere::ObserverAir& air);
 
 /// Colour of a body's light that air scatters into a line of sight.
 ///

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <glm/vec3.hpp>
 
 #include "almanac/observer.h"
@@ -35,7 +36,8 @@ class ClearSky {
 
   double zenith_cd_m2() const { return towards({0, 0, 1}).sum(); }
   algebra::Angle sun_altitude() const { return sun_altitude_; }  ///< airless
-  double extinction_mag() const { return extinction_mag_; }      ///< in V, at the zenith
+  algebra::Angle sun_azimuth() const { return algebra::radians(std::atan2(to_sun_.x, to_sun_.y)); }
+  double extinction_mag() const { return extinction_mag_; }  ///< in V, at the zenith
 
  private:
   double extinction_mag_;
