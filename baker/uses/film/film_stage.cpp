@@ -305,7 +305,7 @@ void require_stage(const fs::path& path, const Film& film) {
   const auto refuse = [&](const char* why) {
     throw algebra::Error(fmt::format("{}: a stage is {}", path.string(), why));
   };
-  if (!film.products.textures) refuse("made of textures, allowed where --make has them");
+  if (!film.products.textures) refuse("made of textures, allowed where those are made");
   if (fs::weakly_canonical(fs::absolute(path)).parent_path() !=
       fs::weakly_canonical(fs::absolute(film.folder) / "stage").parent_path())
     refuse("allowed in the folder of its textures alone");
