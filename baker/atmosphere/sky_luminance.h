@@ -103,7 +103,7 @@ double moonlit_sky_cd_m2(const SkyLamp& moon, const SkyDirection& towards, doubl
 ///
 /// Given     sun_altitude    -90 to 5 degrees, airless
 ///           extinction_mag  k, of visual_extinction_mag; held at 0.05
-/// Accuracy  a factor of two; the illuminance of level ground 1 %, of air with k from 0.1 to 0.5
+/// Accuracy  a factor of two; the illuminance of level ground 4 %, in air with k from 0.1 to 0.5
 /// Omits     the Earth's shadow and the belt above it
 /// Throws    Error           when the Sun's altitude is outside its range
 /// Source    pattern: Schaefer (1993), Vistas in Astronomy 36, 311, as in "To the visual limits", Sky & Telescope (May

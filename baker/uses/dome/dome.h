@@ -52,7 +52,7 @@ struct Dome {
 /// Given     moon      of any moment; below the horizon it lights nothing
 ///           view      its observer, air and stars (to V = 6.5 unless it says how faint)
 /// Returned  [cd/m²]   finite and not below 0 in every direction
-/// Accuracy  that of ClearSky; the stars' illuminance 1e-5
+/// Accuracy  that of ClearSky; the illuminance of stars 1e-3, of the Moon 1e-2
 /// Omits     towns, Milky Way and zodiacal light, clouds, stars below the horizon of a high place
 /// Throws    Error     without an observer; as require_sound, air_over; when a catalogue is damaged
 /// Source    colours of the night: Patat (2003), A&A 400, 1183
