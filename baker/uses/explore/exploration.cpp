@@ -28,6 +28,7 @@
 #include "uses/light/photometer.h"
 #include "uses/light/photometric_bands.h"
 #include "uses/light/spectral_bands.h"
+#include "uses/picture/view.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -159,6 +160,21 @@ ordered_json add_sunlight(PageArrays& arrays, bool limb_darkening,
           {"VAt1au", meter.sunlight[V_band]}};
 }
 
+/// Adds vertical optical depths of the air above an observer at sea level, as `still` has it: molecules, ozone, aerosol.
+void add_observer_air(PageArrays& arrays, const std::vector<double>& wavelengths) {
+  const ViewRequest usual;
+  const atmosphere::ObserverAir air{.ozone_du = usual.observer_ozone_du,
+                                    .aerosol_optical_depth = usual.observer_aerosol};
+  algebra::Grid<double> depths(3, wavelengths.size());
+  for (std::size_t w = 0; w < wavelengths.size(); ++w) {
+    const auto at = atmosphere::vertical_depths(air, algebra::nanometres(wavelengths[w]));
+    depths(0, w) = at.rayleigh;
+    depths(1, w) = at.ozone;
+    depths(2, w) = at.aerosol;
+  }
+  arrays.add("observer.depths", {depths.rows(), depths.columns()}, numbers_of(depths));
+}
+
 /// Axis of a view's table: even steps of log2(1 + gain x) / stops, from 0 to 1.
 constexpr int table_size = 33;
 constexpr double table_gain = 1024, table_stops = 17;
@@ -271,6 +287,7 @@ Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest
   arrays.append(map);
   arrays.append(scattered);
   const auto sun = add_sunlight(arrays, arrangement.limb_darkening, wavelengths);
+  add_observer_air(arrays, wavelengths);
   const auto views = views_shown();
   for (const auto& view : views)
     if (view != "Un-tone-mapped") add_view(arrays, view);
@@ -302,6 +319,7 @@ Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest
                 {"views", views},
                 {"viewTable", {{"size", table_size}, {"gain", table_gain}, {"stops", table_stops}}},
                 {"place", place_of(request)},
+                {"reddening", ViewRequest{}.reddening},
                 {"options", request.options}};
   if (progress) progress(1);
   return made;

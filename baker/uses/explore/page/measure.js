@@ -10,7 +10,7 @@ const whole = {middle: [0, 0], pixel: 2.04 / samples, width: samples, height: sa
 /** V magnitude and mean luminance [cd/m²] above the air, from the Earth's centre. */
 export function brightness(picture, facts, sky, shadowed = true) {
   const view = viewFrom(sky, null, 'north');
-  const pixels = picture.read(sky, view, whole, {shadowed});
+  const pixels = picture.read(sky, view, whole, {shadowed, light: 'above'});
   let radiance = 0, light = 0, count = 0;
   for (let i = 0; i < pixels.length; i += 4) {
     if (pixels[i + 1] > 0) ++count;
@@ -30,7 +30,7 @@ export const scaleOfOneSecond = (facts, {iso, fNumber}) => facts.exposureScale *
  * comes to a quarter of saturation, as by uses::ExposureTime::Rule::follow. Another air so looks brighter or dimmer.
  */
 export function followedTime(picture, facts, sky, view, exposure) {
-  const pixels = picture.read(sky, view, whole, {light: 'asItWas'});
+  const pixels = picture.read(sky, view, whole, {light: 'followed'});
   let roots = 0, count = 0;
   for (let i = 0; i < pixels.length; i += 4) {
     const y = luminance(pixels, i);

@@ -65,13 +65,13 @@ export function refraction(altitude) {
   return fades * (1.02 / Math.tan((lowest + 10.3 / (lowest + 5.11)) * degree) + 0.0019279) / 60;
 }
 
-/** Altitude, refraction included, and azimuth from north through east [degrees]. */
+/** Altitude, refraction included and without it, and azimuth from north through east [degrees]. */
 function horizonPlace(sky, zenith, sight) {
   const pole = times(sky.equatorFrame, [0, 0, 1]);
   const east = unit(cross(pole, zenith)), north = cross(zenith, east);
   const altitude = Math.asin(dot(sight, zenith)) / degree;
   const azimuth = Math.atan2(dot(sight, east), dot(sight, north)) / degree;
-  return {altitude: altitude + refraction(altitude), azimuth: (azimuth + 360) % 360};
+  return {altitude: altitude + refraction(altitude), trueAltitude: altitude, azimuth: (azimuth + 360) % 360};
 }
 
 /**
@@ -79,7 +79,7 @@ function horizonPlace(sky, zenith, sight) {
  *
  * Given    place  on the Earth; none: the Earth's centre
  *          up     direction in the picture: 'north', 'zenith' or 'moon'
- * Returned distance [km]; forward, right and up: the picture's axes; altitude and azimuth [degrees]
+ * Returned distance [km]; forward, right and up: the picture's axes; of a place altitude, trueAltitude and azimuth [degrees]
  */
 export function viewFrom(sky, place, up) {
   const pole = times(sky.equatorFrame, [0, 0, 1]);

@@ -10,6 +10,7 @@ import {drawOver} from './over.js';
 import {Panel, Places} from './panel.js';
 import {Picture} from './picture.js';
 import {Shadow} from './shadow.js';
+import {Sightline} from './sightline.js';
 import {commandOf, linkOf, stateOf} from './state.js';
 import {direction, degree, luminance, unit} from './vectors.js';
 import {exposureTime, localTime, meanings, number, placeText, signed, utc} from './words.js';
@@ -32,7 +33,9 @@ export class Page {
     this.panel = new Panel(root, facts, new Places(arrays.cities.data), this.state, (what) => this.changed(what));
     this.find('eclipse').querySelector('h1').textContent = facts.title;
     this.setAir(airAsItWas);
-    this.picture.setLight('asItWas', this.picture.tables.now, this.shadow);
+    const {air, landed} = this.shadow;
+    this.sightline = new Sightline(arrays, (through) => this.shadow.inAir({air, landed}, () => this.shadow.table(through)));
+    this.asItWas = {above: this.above, sightline: this.sightline};
     this.airIsOld = JSON.stringify(this.state.air) !== JSON.stringify(airAsItWas);
     const unshadowed = brightness(this.picture, facts, greatest, false);
     this.fullMoon = unshadowed.luminance;
@@ -56,9 +59,27 @@ export class Page {
 
   setAir(air) {
     this.shadow.setAir(air);
-    this.picture.setLight('now', this.shadow.table(), this.shadow);
+    this.above = this.shadow.table();
+    this.picture.setLight('above', this.above, this.shadow);
+    const asItWas = JSON.stringify(air) === JSON.stringify(airAsItWas) && this.asItWas;
+    this.sightline = asItWas ? asItWas.sightline : new Sightline(this.arrays, (through) => this.shadow.table(through));
+    this.sightline.shown = null;
     this.airIsOld = false;
     this.curve = null;
+  }
+
+  /** Sets the light that the observer sees, and that which the exposure follows: in the air as it was. */
+  setSeen({trueAltitude}) {
+    const {place, reddening, exposure} = this.state, key = [trueAltitude, place?.elevationKm, exposure.rule].join();
+    const through = (sightline) => sightline.table(trueAltitude, place.elevationKm ?? 0);
+    if (!place || !reddening) {
+      this.picture.setLight('seen', this.above, this.shadow);
+      this.picture.setLight('followed', this.asItWas.above, this.shadow);
+    } else if (this.sightline.shown !== key) {
+      this.picture.setLight('seen', through(this.sightline), this.shadow);
+      if (exposure.rule === 'follow') this.picture.setLight('followed', through(this.asItWas.sightline), this.shadow);
+    }
+    this.sightline.shown = place && reddening ? key : null;
   }
 
   /** Frame of the picture: at zoom 1 the whole Moon with a margin. */
@@ -84,6 +105,7 @@ export class Page {
     if (this.airIsOld) this.setAir(this.state.air);
     this.placeMarks();
     const {state, facts, picture} = this, scene = this.scene(), {sky, view, frame} = scene;
+    this.setSeen(view);
     this.seconds = state.exposure.rule === 'fixed' ? state.exposure.time
       : followedTime(picture, facts, sky, view, state.exposure);
     const exposure = this.seconds * scaleOfOneSecond(facts, state.exposure);

@@ -113,6 +113,8 @@ export class Panel {
     return [
       element('label', {}, 'Place: a city, or latitude, longitude', problem, input), list,
       this.select('Up is', ups, state.up, (up) => { state.up = up; this.changed('view'); }),
+      ...(place ? [this.check('The air above the place', meanings.observerAir, state.reddening,
+        (on) => { state.reddening = on; this.changed('view'); })] : []),
       this.check('Mark the shadow', 'Edges of umbra and penumbra at the Moon’s distance, as geometry has them.', state.circle,
         (on) => { state.circle = on; this.changed('view'); }),
     ];

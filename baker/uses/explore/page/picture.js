@@ -69,7 +69,7 @@ export class Picture {
     }
     this.noView = this.texture(gl.TEXTURE_3D, gl.NEAREST);
     gl.texImage3D(gl.TEXTURE_3D, 0, gl.RGB8, 1, 1, 1, 0, gl.RGB, gl.UNSIGNED_BYTE, new Uint8Array(3));
-    this.lights = {now: this.texture(gl.TEXTURE_2D, gl.NEAREST), asItWas: this.texture(gl.TEXTURE_2D, gl.NEAREST)};
+    this.lights = {};
     this.places = this.texture(gl.TEXTURE_2D, gl.NEAREST);
     this.frame = gl.createFramebuffer();
     for (const [name, table] of Object.entries(this.tables)) this.setLight(name, table, this.shadow);
@@ -85,17 +85,20 @@ export class Picture {
     return texture;
   }
 
-  /** Sets the light on the Moon (Shadow.table): 'now', or 'asItWas' for the air as it was. */
+  /** Sets the light on the Moon (Shadow.table): 'seen' by the observer, 'above' the observer's air, or 'followed' by the
+   * exposure. */
   setLight(name, table, shadow) {
     const {gl} = this;
+    if (this.tables[name] === table && this.lights[name]) return;
     this.tables[name] = table;
     this.shadow = shadow;
+    this.lights[name] ??= this.texture(gl.TEXTURE_2D, gl.NEAREST);
     gl.bindTexture(gl.TEXTURE_2D, this.lights[name]);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 2 * table.nodes, table.rows, 0, gl.RGBA, gl.FLOAT, table.values);
   }
 
   /** Sets the uniforms of a program that both programs have. */
-  setUniforms({program, at}, sky, view, frame, {shadowed = true, light = 'now'} = {}) {
+  setUniforms({program, at}, sky, view, frame, {shadowed = true, light = 'seen'} = {}) {
     const {gl, facts, shadow} = this, {map, photometry} = facts, table = this.tables[light];
     gl.useProgram(program);
     gl.uniform3fv(at('centre'), sky.centre);
@@ -158,7 +161,7 @@ export class Picture {
   }
 
   /** Radiance in a picture, or at `places`: [pixel × 4], red, green and blue [cd/m²], and V. */
-  read(sky, view, frame, {shadowed = true, light = 'now', places = null} = {}) {
+  read(sky, view, frame, {shadowed = true, light = 'seen', places = null} = {}) {
     const {gl} = this, {at} = this.raw, {width, height} = frame;
     this.setUniforms(this.raw, sky, view, frame, {shadowed, light});
     gl.activeTexture(gl.TEXTURE3);

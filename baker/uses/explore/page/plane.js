@@ -48,7 +48,7 @@ export class Plane {
     const top = landing(shadow.facts.earth.equatorialKm + shadow.facts.limb.topKm, 0, shadow.sunDistance, depth);
     this.wide = Math.floor((straight - highRaysKm) / wideKm);  // number of wide bins
     this.bins = this.wide + Math.ceil((top + narrowKm - this.wide * wideKm) / narrowKm);
-    this.clear = null;  // direct light, once asked for
+    this.clear = null;  // parts of the Sun's disc that nodes see, once asked for
   }
 
   /** Begin of a bin [km]. */
@@ -154,19 +154,16 @@ export class Plane {
       Math.max(0, layer * layer - lensArea(gamma, sun * layer, earth) / (Math.PI * sun * sun)));
   }
 
-  /** Direct light: [sector][node][channel]. */
-  direct() {
-    if (this.clear) return this.clear;
-    const {layerWeights} = this.shadow;
-    this.clear = new Float64Array(sectors * nodes * channels);
-    for (let s = 0; s < sectors; ++s)
-      for (let i = 0; i < nodes; ++i) {
-        const parts = this.clearParts(this.at(i), 2 * Math.PI * s / sectors);
-        if (parts[0] < 1e-12) continue;
-        for (let c = 0; c < channels; ++c)
-          for (let l = 0; l < parts.length; ++l)
-            this.clear[(s * nodes + i) * channels + c] += layerWeights[c][l] * parts[l];
-      }
-    return this.clear;
+  /** Direct light by weights of the Sun's layers: [sector][node][channel]. */
+  direct(layerWeights) {
+    this.clear ??= Array.from({length: sectors * nodes}, (_, i) =>
+      this.clearParts(this.at(i % nodes), 2 * Math.PI * Math.floor(i / nodes) / sectors));
+    const light = new Float64Array(sectors * nodes * channels);
+    this.clear.forEach((parts, i) => {
+      if (parts[0] < 1e-12) return;
+      for (let c = 0; c < channels; ++c)
+        for (let l = 0; l < parts.length; ++l) light[i * channels + c] += layerWeights[c][l] * parts[l];
+    });
+    return light;
   }
 }

@@ -24,9 +24,7 @@ export class Shadow {
     this.meanWeights = this.weights.slice(0, colours).map((row, c) =>
       row.map((weight, w) => (weight + this.weights[c + colours][w]) / 2));
     this.meanGreen = this.meanWeights[1].reduce((a, b) => a + b, 0);
-    this.sunlight = this.weights.map((row) => row.reduce((a, b) => a + b, 0));
-    this.layerWeights = this.weights.map((row) =>
-      this.layerBrightness.map((layer) => row.reduce((total, w, i) => total + w * layer[i], 0)));
+    this.least = this.weights.map((row) => 1e-12 * row.reduce((a, b) => a + b, 0));
     const {shape, data} = arrays['limb.series'];
     this.scattered = arrays.scattered;
     this.harmonics = shape[2];
@@ -139,19 +137,22 @@ export class Shadow {
   /**
    * Table that lights the picture: log2 of the radiance of white ground that faces the Sun at 1 au.
    *
+   * Given    through  transmittance of the observer's air by wavelength; without: above it
    * Returned {values: [plane][sector, the first again at the end][node][channel], nodes, rows}
    */
-  table() {
+  table(through = null) {
+    const weights = through ? this.weights.map((row) => row.map((weight, w) => weight * through[w])) : this.weights;
+    const layerWeights = weights.map((row) => this.layerBrightness.map((layer) => summedUp(row, layer)));
     const values = new Float32Array(this.planes.length * (sectors + 1) * nodes * channels);
     this.planes.forEach((plane, k) => {
-      const shed = this.shed(k, this.weights), direct = plane.direct();
+      const shed = this.shed(k, weights), direct = plane.direct(layerWeights);
       plane.allArcs().forEach((arcs, i) => {
-        const scattered = this.inChannels(this.scatteredAt(this.distanceOf(i)));
+        const ratios = this.scatteredAt(this.distanceOf(i)), scattered = weights.map((row) => summedUp(row, ratios));
         const series = this.gathered(k, arcs, shed, channels);
         for (let s = 0; s < sectors; ++s) {
           const light = this.summed(series, 2 * Math.PI * s / sectors, channels);
           for (let c = 0; c < channels; ++c) light[c] += scattered[c] + direct[(s * nodes + i) * channels + c];
-          this.store(light, values, ((k * (sectors + 1) + s) * nodes + i) * channels);
+          store(light, values, ((k * (sectors + 1) + s) * nodes + i) * channels, this.least);
         }
       });
       const row = nodes * channels, start = k * (sectors + 1) * row;
@@ -160,14 +161,13 @@ export class Shadow {
     return {values, nodes, stretches, rows: this.planes.length * (sectors + 1), sectors};
   }
 
-  inChannels(light) {
-    return this.weights.map((row) => row.reduce((total, weight, w) => total + weight * light[w], 0));
-  }
-
-  store(light, values, at) {
-    for (let ground = 0; ground < channels; ground += colours) intoGamut(light.subarray(ground, ground + colours));
-    for (let c = 0; c < channels; ++c)
-      values[at + c] = Math.log2(Math.max(light[c], 1e-12 * this.sunlight[c]));
+  /** Calls a function while the air is another (`air` and `landed` of a Shadow). */
+  inAir(other, act) {
+    const {air, landed} = this;
+    Object.assign(this, other);
+    const made = act();
+    Object.assign(this, {air, landed});
+    return made;
   }
 
   /**
@@ -267,6 +267,13 @@ export class Shadow {
     return this.summed(Float64Array.from(
       [...this.series[2 * part], ...(this.turning ? this.series[2 * part + 1] : [])]), psi, 1)[0];
   }
+}
+
+const summedUp = (weights, light) => weights.reduce((total, weight, w) => total + weight * light[w], 0);
+
+function store(light, values, at, least) {
+  for (let ground = 0; ground < channels; ground += colours) intoGamut(light.subarray(ground, ground + colours));
+  for (let c = 0; c < channels; ++c) values[at + c] = Math.log2(Math.max(light[c], least[c]));
 }
 
 /** Moves a colour of linear Rec.709 with a negative channel towards the grey of its luminance, as colour::into_gamut; to

@@ -9,6 +9,7 @@ export function firstState(facts) {
     ms: facts.contacts.find(({name}) => name === 'greatest').ms,
     place: Object.keys(facts.place ?? {}).length ? facts.place : null,
     up: 'north',
+    reddening: facts.reddening,  // by the observer's air
     exposure: {rule: 'follow', time: 1, iso: 800, fNumber: 12.1},
     look: facts.views[0],
     air: {...airAsItWas},
@@ -34,6 +35,7 @@ export function linkOf(state, facts) {
   if (place !== first.place) words.set('at', place
     ? [place.latitude, place.longitude, place.name ?? '', place.timeZone ?? '', place.elevationKm ?? 0].join('|') : '');
   if (state.up !== first.up) words.set('up', state.up);
+  if (state.reddening !== first.reddening) words.set('reddening', state.reddening ? 'on' : 'off');
   if (state.exposure.rule === 'fixed') words.set('time', state.exposure.time);
   if (state.exposure.iso !== first.exposure.iso) words.set('iso', state.exposure.iso);
   if (state.exposure.fNumber !== first.exposure.fNumber) words.set('f', state.exposure.fNumber);
@@ -60,6 +62,7 @@ export function stateOf(link, facts) {
       : {...at, name: name ?? '', timeZone: zoneNamed(timeZone), elevationKm: numberIn(elevationKm ?? null, -0.5, 100) ?? 0};
   }
   if (['north', 'zenith', 'moon'].includes(words.get('up'))) state.up = words.get('up');
+  if (['on', 'off'].includes(words.get('reddening'))) state.reddening = words.get('reddening') === 'on';
   const time = numberIn(words.get('time'), 1e-6, 1e6);
   if (time) Object.assign(state.exposure, {rule: 'fixed', time});
   state.exposure.iso = numberIn(words.get('iso'), 1, 1e7) ?? state.exposure.iso;
@@ -119,7 +122,8 @@ export function commandOf(state, facts, seconds) {
   if (place) {
     const metres = Math.round(1000 * (place.elevationKm ?? 0));
     words.push('--at', [place.latitude.toFixed(4), place.longitude.toFixed(4), ...(metres ? [metres] : [])].join(','));
-    words.push('--reddening', 'off', '--flattening', 'off');  // the page leaves the observer's air out
+    if (!state.reddening) words.push('--reddening', 'off');
+    words.push('--flattening', 'off');  // the page's Moon is round
   }
   if (state.up !== 'north') words.push('--up', {zenith: 'zenith', moon: 'moon-north'}[state.up]);
   words.push('--time', exposure.rule === 'follow' ? short(seconds) : short(exposure.time));

@@ -18,6 +18,7 @@ export const meanings = {
   ozone: 'Ozone over each place, in Dobson units. It takes out orange light: the rim of the umbra turns turquoise.',
   refraction: 'The air bends light into the shadow. Without it the umbra is black.',
   scattering: 'The molecules of the air scatter blue light out of the rays: what is left is red.',
+  observerAir: 'The air between the Moon and the place dims and reddens it: the more, the lower it stands.',
   gases: 'Oxygen, water vapour and nitrogen dioxide take some light, most of it deep red.',
 };
 
