@@ -124,6 +124,25 @@ std::filesystem::path sheet_font() {
       fmt::format("{}: no such font, nor others; install the package fonts-dejavu-core", known[0]));
 }
 
+void write_captions(Image& picture, const std::string& left, const std::string& right, float grey,
+                    const std::filesystem::path& font) {
+  const auto least = static_cast<std::size_t>(least_title_size);
+  auto size = std::max(least, picture.height / 36);
+  const auto width = [&](const std::string& text) {
+    const auto box =
+        text.empty() ? OIIO::ROI()
+                     : OIIO::ImageBufAlgo::text_size(text, static_cast<int>(size), font.string());
+    return box.defined() ? static_cast<std::size_t>(box.width()) : 0;
+  };
+  while (size > least && width(left) + width(right) + 3 * size > picture.width) --size;
+  const std::size_t y = std::max(size, picture.height) - size, x = std::min(size, picture.width);
+  const Colour colour{grey, grey, grey};
+  const auto letters = static_cast<int>(size);
+  write_line(picture, font, {left, x, y, TextAlignX::Left, letters, colour});
+  write_line(picture, font, {right, picture.width - x, y, TextAlignX::Right, letters, colour});
+  for (float& value : picture.values) value = std::clamp(value, 0.F, 1.F);
+}
+
 Image drawn(const ContactSheet& of) {
   if (of.pictures.empty()) throw Error("contact sheet of 0 pictures, allowed 1 or more");
   Image sheet;

@@ -58,4 +58,14 @@ std::filesystem::path sheet_font();
 ///                  the font is none
 Image drawn(const ContactSheet& sheet);
 
+/// Writes captions into a developed picture, at its lower left and right corner: a 36th of its height, 9 pixels at
+/// least; smaller where the two would meet.
+///
+/// Given   picture  three channels
+///         grey     of the letters, as the picture is coded
+///         font     a TrueType file
+/// Throws  Error    when the font is none
+void write_captions(Image& picture, const std::string& left, const std::string& right, float grey,
+                    const std::filesystem::path& font);
+
 }  // namespace coppermoon::texture

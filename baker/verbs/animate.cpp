@@ -167,6 +167,7 @@ void add_animate(CLI::App& program) {
   add_described(*verb, options->view);
   add_described(*verb, options->time, uses::describe_time);
   add_described(*verb, options->development, uses::describe_but_time);
+  add_described(*verb, options->development.caption, uses::describe_caption);
   add_described(*verb, options->development.camera);
   add_flag(*verb, "-o,--output", options->output, "folder for what is made")
       .writes_folder()

@@ -182,6 +182,7 @@ void add_develop(CLI::App& program) {
       "colour space of the frame: lin_rec709, acescg or lin_ciexyzd65_scene; default: what the "
       "header or the name says");
   add_described(*verb, options->develop);
+  add_described(*verb, options->develop.caption, uses::describe_caption);
   add_described(*verb, options->develop.camera);
   add_camera_file_options(*verb, options->develop.camera);
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");

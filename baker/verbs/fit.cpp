@@ -14,7 +14,7 @@
 #include "uses/fit/fit.h"
 #include "uses/fit/measured_light.h"
 #include "uses/fit/misfit.h"
-#include "uses/night/local_time.h"
+#include "uses/picture/local_time.h"
 #include "uses/picture/photo_file.h"
 #include "uses/picture/picture_parameters.h"
 #include "verbs/command_line.h"

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <memory>
 
-#include "algebra/error.h"
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
 #include "uses/light/header.h"
@@ -33,7 +32,6 @@ struct Options {
 
 void require_sound(const Options& options) {
   require_sound(options.develop, options.output);
-  if (options.passes && options.frame.empty()) throw algebra::Error("passes need --frame");
   files::require_temporary_folder();
   const auto& camera = options.develop.camera;
   for (const std::filesystem::path& file :
@@ -54,7 +52,7 @@ void run(const CLI::App& verb, Options options) {
   const auto made = report_of(options.output, scene, seconds_since(start));
   const auto frame = [&] {
     ProgressBar bar("render");
-    return uses::rendered(scene, options.passes, bar.progress());
+    return uses::rendered(scene, options.passes && !options.frame.empty(), bar.progress());
   }();
   const auto seen = uses::seen_by(scene.view, scene.moon.sky);
   const auto exposures = exposures_for(options.develop, frame.whole, uses::picture_space, seen);
@@ -85,6 +83,7 @@ void add_still(CLI::App& program) {
   add_moon_options(*verb, options->moon);
   add_described(*verb, options->view);
   add_described(*verb, options->develop);
+  add_described(*verb, options->develop.caption, uses::describe_caption);
   add_described(*verb, options->develop.camera);
   add_camera_file_options(*verb, options->develop.camera);
   add_flag(*verb, "-o,--output", options->output, "picture: .png, or .avif of high dynamic range")

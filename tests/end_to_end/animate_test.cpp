@@ -369,9 +369,10 @@ TEST_F(Animate, TellsEventsAsJson) {
 }
 
 TEST_F(Animate, RefusesWhatItCannotMake) {
-  expect_refused(film({"--make", "films"}),
-                 "make = films, allowed light, textures, scenes, frames and pictures, with commas "
-                 "between");
+  expect_refused(
+      film({"--make", "films"}),
+      "make = films, allowed light, textures, tx, scenes, frames and pictures, with commas "
+      "between");
   expect_refused(film({"--range", "1-500"}),
                  "range = 1-500, allowed frames of 1-240, as 1-240, 1-240x2 or 7,9,20-30");
   expect_refused(film({"--time", "U1:0.01,U1:2"}),

@@ -195,6 +195,7 @@ TEST_F(Ranges, AreThoseThatTheLibraryKeeps) {
   static const std::map<std::string, const char*> elsewhere{
       {"frames", "uses/film/film_times"},
       {"fps", "uses/film/film_times"},
+      {"duration", "uses/film/film_times"},
       {"time-scale", "uses/film/film_times"},
       {"bracket", "end_to_end/film_files"},
       {"aperture", "colour/exposure: with the focal length it makes the f-number"},

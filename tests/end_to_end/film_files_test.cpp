@@ -6,6 +6,7 @@
 
 #include "end_to_end/program.h"
 #include "support/within.h"
+#include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -142,6 +143,30 @@ TEST_F(FilmFiles, InFoldersThatAreNotThereAreRefused) {
 TEST_F(FilmFiles, OfFfmpegAreRefusedWhereItIsNot) {
   expect_refused({"--make", "pictures", "--movie", "a.mp4"},
                  "ffmpeg: not found; install the package ffmpeg", {.path = "/nowhere"});
+}
+
+TEST_F(FilmFiles, MayBeMipmappedTexturesOfAFewMoments) {
+  const Words words{"animate",         "2018-07-27", "--moments",    "U1,U2+5min,greatest",
+                    "--make",          "tx",         "--atmosphere", "undated",
+                    "--texture-width", "64",         "-o",           "film"};
+  expect_done(coppermoon(words));
+  EXPECT_EQ(listing(),
+            (std::set<std::string>{
+                "here/film", "here/film/eclipse.light", "here/film/moon_lin_rec709.0001.tx",
+                "here/film/moon_lin_rec709.0002.tx", "here/film/moon_lin_rec709.0003.tx"}));
+  const auto last = here("film/moon_lin_rec709.0003.tx");
+  EXPECT_EQ(texture::read_attribute(last, "coppermoon:instant").value_or("").substr(0, 18),
+            "2018-07-27T20:21:4")
+      << "greatest by NASA's catalogue: 20:21:45";
+  EXPECT_EQ(texture::read_attribute(last, "textureformat"), "Plain Texture");
+  const auto again = coppermoon(words);
+  EXPECT_NE(again.out.find("0 frames made, 3 kept"), std::string::npos) << again.out;
+  EXPECT_EQ(
+      coppermoon({"animate", "2018-07-27", "--moments", "U1", "--from", "U1", "-o", "film"}).err,
+      "coppermoon: moments = U1, allowed without --from and --to\n");
+  EXPECT_EQ(
+      coppermoon({"animate", "2018-07-27", "--make", "tx,frames", "-o", "other"}).err,
+      "coppermoon: tx are textures without parts and frames, allowed in a film of their own\n");
 }
 
 }  // namespace

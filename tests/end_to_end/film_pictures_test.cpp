@@ -166,6 +166,25 @@ TEST_F(FilmPictures, AsACompositeAreTheSumOfTheirExposures) {
         "12.92, up to 0.66 steps");
 }
 
+TEST_F(FilmPictures, HaveTheirMomentInTheHeaderAndACaptionWhereAskedFor) {
+  const Words frames{"--width", "300", "--height", "240", "--range", "5"};
+  expect_done(coppermoon(film(frames)));
+  const auto plain = picture(5);
+  EXPECT_EQ(
+      texture::read_attribute(here("film/frame.0005.png"), "capDate").value_or("").substr(0, 16),
+      "2018:07:27 19:40")
+      << "ten minutes after U2, 19:30:15 by NASA's catalogue";
+  expect_done(coppermoon(film(frames + Words{"--caption", "on", "--replace"})));
+  const auto captioned = picture(5);
+  std::size_t above = 0, left = 0, right = 0;
+  for (std::size_t r = 0; r < plain.height; ++r)
+    for (std::size_t c = 0; c < plain.width; ++c)
+      if (plain(r, c, 1) != captioned(r, c, 1)) ++(r < 216 ? above : c < 200 ? left : right);
+  EXPECT_EQ(above, 0U) << "the caption is in the lowest tenth";
+  EXPECT_GT(left, 200U) << "local time and place";
+  EXPECT_GT(right, 30U) << "U2+10min";
+}
+
 TEST_F(FilmPictures, LeaveNoMovieThatFailed) {
   file("film.mp4", "an earlier film");
   const auto outcome =

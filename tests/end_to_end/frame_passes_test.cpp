@@ -184,10 +184,10 @@ TEST_F(FramePasses, OfAFilmAddUpInItsSpaceAndAreKept) {
   EXPECT_EQ(texture::read_attribute(here("film/frame_acescg.0002.exr"), "isoSpeed"), "100");
 }
 
-TEST_F(FramePasses, NeedAFrame) {
-  const auto none = coppermoon(still({"--passes"}));
-  EXPECT_EQ(none.status, 1);
-  EXPECT_EQ(none.err, "coppermoon: passes need --frame\n");
+TEST_F(FramePasses, AreOfFramesAlone) {
+  expect_done(coppermoon(still({"--passes"})));
+  expect_done(coppermoon({"still", "moon.png", "-o", "again.png"}));  // a picture is its own recipe
+  EXPECT_EQ(text_of(here("again.png")), text_of(here("moon.png")));
   const auto both = coppermoon(film({"--make", "textures,frames", "--passes"}));
   EXPECT_EQ(both.status, 1);
   EXPECT_EQ(both.err, "coppermoon: passes need a film of textures alone, or of frames\n");

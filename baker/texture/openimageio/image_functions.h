@@ -42,6 +42,7 @@ struct ImageFunctions {
   decltype(texture::sheet_grid)* sheet_grid;
   decltype(texture::sheet_font)* sheet_font;
   decltype(texture::drawn)* drawn;
+  decltype(texture::write_captions)* write_captions;
 };
 
 /// Only exported name of the module.

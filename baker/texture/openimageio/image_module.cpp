@@ -27,6 +27,7 @@ coppermoon_image_functions() {
       .write_usdz = texture::write_usdz,
       .sheet_grid = texture::sheet_grid,
       .sheet_font = texture::sheet_font,
-      .drawn = texture::drawn};
+      .drawn = texture::drawn,
+      .write_captions = texture::write_captions};
   return &functions;
 }

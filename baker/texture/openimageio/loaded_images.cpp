@@ -163,4 +163,9 @@ fs::path sheet_font() { return images().sheet_font(); }
 
 Image drawn(const ContactSheet& sheet) { return images().drawn(sheet); }
 
+void write_captions(Image& picture, const std::string& left, const std::string& right, float grey,
+                    const fs::path& font) {
+  images().write_captions(picture, left, right, grey, font);
+}
+
 }  // namespace coppermoon::texture

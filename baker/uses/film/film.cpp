@@ -25,7 +25,7 @@ std::filesystem::path linear_file(const Film& film, const char* kind, std::size_
 }  // namespace
 
 std::filesystem::path Film::texture(std::size_t frame) const {
-  return linear_file(*this, "moon", frame);
+  return linear_file(*this, "moon", frame).replace_extension(products.mipmapped ? ".tx" : ".exr");
 }
 
 std::filesystem::path Film::linear_frame(std::size_t frame) const {

@@ -23,6 +23,7 @@ inline constexpr const char* texture_stem = "moon_lin_rec709";
 /// Kinds of files that are made of each frame; without any, the film's light alone.
 struct Products {
   bool light = false, textures = false, scenes = false, frames = false, pictures = false;
+  bool mipmapped = false;   ///< textures are tiled and mip-mapped: .tx
   bool high_range = false;  ///< a second picture, of high dynamic range, beside each
 
   bool light_alone() const { return !textures && !scenes && !frames && !pictures; }

@@ -86,8 +86,8 @@ std::vector<Foreign> foreign_files(const Film& film) {
 
 /// By its seal, or by PNG's own checksums.
 bool is_whole(const fs::path& file) {
-  return file.extension() == ".exr" ? texture::is_sealed(file)
-                                    : texture::read_image(file).width > 0;
+  return file.extension() == ".png" ? texture::read_image(file).width > 0
+                                    : texture::is_sealed(file);
 }
 
 /// Whether a file is of that frame, whole, and of this film as `alike` finds.

@@ -59,7 +59,12 @@ BakedMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& vi
 }
 
 void write_texture(const Film& film, std::size_t frame, const BakedMoon& moon) {
-  texture::write_exr(film.texture(frame), moon.parts, moon.attributes, {type_of(film.content)});
+  if (!film.products.mipmapped)
+    return texture::write_exr(film.texture(frame), moon.parts, moon.attributes,
+                              {type_of(film.content)});
+  const auto& part = moon.parts.front();
+  texture::write_mipmapped(film.texture(frame), part.layout, part.rows, moon.attributes,
+                           type_of(film.content));
 }
 
 /// Exposure time at a moment [s]: logarithms are interpolated between keys; the outermost keys hold beyond them.
@@ -95,7 +100,7 @@ void write_pictures(const Film& film, const Rendered& rendered, const texture::I
                     const Exposures& exposures) {
   const auto frame = rendered.frame;
   const auto attributes = header_of(film, frame);
-  const Frame whole{image, space_of(film.content), rendered.seen, frame};
+  const Frame whole{image, space_of(film.content), rendered.seen, frame, rendered.attributes};
   const auto write = [&](const std::filesystem::path& path, double stops) {
     auto exposed = exposures;
     exposed.shorter.time_s *= std::exp2(stops);

@@ -19,6 +19,10 @@ namespace {
 /// rendering.
 void require_content(const Film& film) {
   require_sound(film.content);
+  if (film.products.mipmapped &&
+      (film.products.framed() || film.content.passes || film.content.spectral_nm))
+    throw algebra::Error(
+        "tx are textures without parts and frames, allowed in a film of their own");
   if (!film.products.framed()) return;
   const auto& products = film.products;
   if (const auto space = space_of(film.content);

@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "almanac/calendar.h"
 #include "texture/contact_sheet.h"
 #include "texture/write_image.h"
+#include "uses/picture/caption.h"
+#include "uses/picture/local_time.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -41,17 +44,6 @@ std::map<std::size_t, std::string> frames_at_contacts(const Moments& moments,
   return names;
 }
 
-std::string from_nearest_contact(const Moments& moments, std::size_t frame) {
-  const auto contacts = contacts_of(moments.eclipse);
-  const auto& [name, when] = *std::ranges::min_element(contacts, {}, [&](const auto& contact) {
-    return std::abs(seconds_from(moments, contact.second, frame));
-  });
-  const double seconds = seconds_from(moments, when, frame), away = std::abs(seconds);
-  return fmt::format(
-      "{}{}{}", name, seconds < 0 ? '-' : '+',
-      away < 59.5 ? fmt::format("{:.0f}s", away) : fmt::format("{:.0f}min", away / 60));
-}
-
 std::vector<std::size_t> some_of(const std::vector<std::size_t>& frames) {
   if (frames.size() <= pictures_evenly) return frames;
   std::vector<std::size_t> some;
@@ -61,9 +53,22 @@ std::vector<std::size_t> some_of(const std::vector<std::size_t>& frames) {
   return some;
 }
 
+/// Zone of the sheet's times; none: UTC.
+std::optional<std::string> zone_of(const Film& film) {
+  return film.view.observer ? std::optional(time_zone_of(*film.view.observer)) : std::nullopt;
+}
+
 std::string title_of(const Film& film) {
-  return fmt::format("{}, seen from {}; times in UTC", title(film.moments.eclipse),
-                     film.view.observer ? place_text(*film.view.observer) : "the Earth's centre");
+  const auto& observer = film.view.observer;
+  if (!observer)
+    return title(film.moments.eclipse) + ", seen from the Earth's centre; times in UTC";
+  const auto from = local_time(film.moments.frames.front(), *zone_of(film));
+  return fmt::format("{}, seen from {}; times in {}", title(film.moments.eclipse),
+                     place_in_words(*observer), from.abbreviation);
+}
+
+std::string time_of_day(const almanac::Instant& when, const std::optional<std::string>& zone) {
+  return zone ? local_time(when, *zone).time : almanac::time_of_day_text(when);
 }
 
 }  // namespace
@@ -81,7 +86,8 @@ std::vector<SheetFrame> frames_of_sheet(const Moments& moments,
     if (known != at_contacts.end() && !known->second.empty())
       sheet.push_back({frame, known->second, true});
     else
-      sheet.push_back({frame, from_nearest_contact(moments, frame), false});
+      sheet.push_back(
+          {frame, from_nearest_contact(moments.eclipse, moments.frames[frame - 1]), false});
   }
   return sheet;
 }
@@ -94,9 +100,10 @@ void write_contact_sheet(const std::filesystem::path& path, const Film& film,
                               {},
                               std::min(most_columns, static_cast<std::size_t>(side)),
                               texture::sheet_font()};
+  const auto zone = zone_of(film);
   for (const auto& [frame, moment, at_contact] : shown)
     sheet.pictures.push_back({film.picture(frame),
-                              almanac::time_of_day_text(film.moments.frames[frame - 1]), moment,
+                              time_of_day(film.moments.frames[frame - 1], zone), moment,
                               at_contact});
   texture::write_png(path, texture::drawn(sheet), 8, film.record.film_header());
 }

@@ -2,10 +2,12 @@
 #include "uses/film/film_times.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "algebra/error.h"
 
@@ -17,10 +19,24 @@ using almanac::Instant;
 constexpr double most_frames = 1e6;
 constexpr std::size_t usual_frames = 240;
 
+void require_one_rule(const FilmTimes& times) {
+  std::vector<std::string> given;
+  if (!times.moments.empty()) given.push_back(fmt::format("{} moments", times.moments.size()));
+  if (times.frames) given.push_back(fmt::format("frames = {}", *times.frames));
+  if (times.time_scale) given.push_back(fmt::format("time-scale = {:g}", *times.time_scale));
+  if (times.duration_s) given.push_back(fmt::format("duration = {:g}", *times.duration_s));
+  if (given.size() > 1)
+    throw algebra::Error(fmt::format("{}, allowed one of the {}", fmt::join(given, " and "),
+                                     given.size() == 2 ? "two" : "rules"));
+}
+
 std::size_t count_of(const FilmTimes& times, double seconds) {
-  if (times.frames && times.time_scale)
-    throw algebra::Error(fmt::format("frames = {} and time-scale = {:g}, allowed one of the two",
-                                     *times.frames, *times.time_scale));
+  if (times.duration_s) {
+    algebra::require_within("duration [s]", *times.duration_s, 1e-3, 1e6);
+    const double count = std::max(1., std::round(*times.duration_s * times.fps));
+    algebra::require_within("frames", count, 1, most_frames);
+    return static_cast<std::size_t>(count);
+  }
   if (times.time_scale) {
     algebra::require_within("time scale", *times.time_scale, 1e-3, 1e6);
     const double count = std::floor(seconds * times.fps / *times.time_scale + 1e-6) + 1;
@@ -66,12 +82,22 @@ std::pair<Instant, Instant> while_up(const ViewRequest& view, const Instant& fro
 
 Moments moments_of(const FilmTimes& times) {
   algebra::require_within("fps", times.fps, 1, 1000);
-  const double seconds = almanac::seconds_between(times.from, times.to);
+  require_one_rule(times);
+  const auto& moments_given = times.moments;
+  for (std::size_t i = 1; i < moments_given.size(); ++i)
+    if (almanac::seconds_between(moments_given[i - 1], moments_given[i]) <= 0)
+      throw algebra::Error(fmt::format("moments = {} after {}, allowed in order of time",
+                                       almanac::utc_text(moments_given[i]),
+                                       almanac::utc_text(moments_given[i - 1])));
+  const auto from = moments_given.empty() ? times.from : moments_given.front(),
+             to = moments_given.empty() ? times.to : moments_given.back();
+  const double seconds = almanac::seconds_between(from, to);
   constexpr double longest = 86400;
   if (!(seconds >= 0 && seconds <= longest))
     throw algebra::Error(fmt::format("from {} to {} are {:.0f} s, allowed 0 to {:.0f}",
-                                     almanac::utc_text(times.from), almanac::utc_text(times.to),
-                                     seconds, longest));
+                                     almanac::utc_text(from), almanac::utc_text(to), seconds,
+                                     longest));
+  if (!moments_given.empty()) return {moments_given, times.eclipse};
   const auto count = count_of(times, seconds);
   double step = count > 1 ? seconds / static_cast<double>(count - 1) : 0;
   if (times.time_scale) step = *times.time_scale / times.fps;

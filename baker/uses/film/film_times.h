@@ -20,6 +20,10 @@ struct FilmTimes {
   double fps = 24;                      ///< frames in a second of the film, 1 to 1000
   /// seconds of the eclipse in a second of the film, 1e-3 to 1e6, in place of the number of frames
   std::optional<double> time_scale = {};
+  std::optional<double> duration_s =
+      {};  ///< of the film, 1e-3 to 1e6, in place of the number of frames
+  /// moments of the frames, in order of time, in place of all that; empty: even steps
+  std::vector<almanac::Instant> moments = {};
 };
 
 /// Times of a film's frames, and its eclipse.
@@ -28,10 +32,11 @@ struct Moments {
   eclipse::Eclipse eclipse;
 };
 
-/// Times of a film's frames, at even steps.
+/// Times of a film's frames: at even steps, or the moments given.
 ///
 /// Throws  Error  when a number is outside its range, the last moment is before the first or more than
-///                a day after it, or the number of frames and the time scale are both given
+///                a day after it, moments are not in order, or two of moments, number of frames, time scale and
+///                duration are given
 Moments moments_of(const FilmTimes& times);
 
 /// Interval between two moments in which the Moon is up, to a second. Of a Moon that sets and rises again: until it

@@ -13,8 +13,10 @@
 
 #include "algebra/error.h"
 #include "colour/display.h"
+#include "texture/contact_sheet.h"
 #include "texture/write_image.h"
 #include "uses/picture/avif_file.h"
+#include "uses/picture/caption.h"
 #include "uses/picture/limb_pixels.h"
 #include "uses/picture/pixels.h"
 #include "uses/picture/raw_file.h"
@@ -331,6 +333,7 @@ void require_sound(const Development& asked, const std::filesystem::path& pictur
   if (is_high_range(picture) && development.display != high_range_display)
     throw algebra::Error(fmt::format("display = {}, allowed for a picture that ends in .avif {}",
                                      development.display, high_range_display));
+  if (development.caption) texture::sheet_font();
   require_ending(development.camera.photograph, "a photograph", ".exr");
   if (development.time.rule == ExposureTime::Rule::composite &&
       !(development.camera.raw.empty() && development.camera.photograph.empty()))
@@ -371,7 +374,14 @@ texture::Image developed(const Development& development, const Exposures& exposu
 void write_picture(const Development& asked, const Exposures& exposures, const Frame& frame,
                    texture::Attributes attributes, const std::filesystem::path& picture) {
   const auto development = for_file(asked, picture);
-  const auto image = developed(development, exposures, frame);
+  auto image = developed(development, exposures, frame);
+  if (development.caption) {
+    const auto [left, right] = caption_of(frame.attributes);
+    const float grey = development.display == high_range_display ? 0.5F : 0.8F;  // of PQ 100 cd/m²
+    texture::write_captions(image, left, right, grey, texture::sheet_font());
+  }
+  if (const auto date = frame.attributes.find("capDate"); date != frame.attributes.end())
+    attributes["capDate"] = date->second;
   attributes["coppermoon:view"] = development.display + ", " + development.view;
   add_exposure(attributes, exposures);
   if (is_high_range(picture)) return write_avif(picture, image);

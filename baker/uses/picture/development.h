@@ -31,9 +31,10 @@ struct Development {
   std::optional<double> f_number{};  ///< without: 12.1, or the camera's
   double iso = 800;
   std::string view = "Un-tone-mapped", display = "sRGB",
-              config;                       ///< of OpenColorIO; config: a file
-  int bits = 8;                             ///< of a picture's number, 8 or 16
-  CameraRequest camera{};                   ///< of a frame that is seen; no texture has one
+              config;      ///< of OpenColorIO; config: a file
+  int bits = 8;            ///< of a picture's number, 8 or 16
+  bool caption = false;    ///< local time, place and contact are written into pictures
+  CameraRequest camera{};  ///< of a frame that is seen; no texture has one
   std::optional<double> focal_length_mm{};  ///< given for the view; without: the camera's
 };
 

@@ -232,6 +232,10 @@ texture::Attributes scene_attributes(const std::string& file) {
   for (const char* name : {"coppermoon:recipe", "coppermoon:version", "coppermoon:colour_space",
                            "coppermoon:unit", "capDate", "colorInteropID"})
     if (const auto text = texture::read_attribute(file, name)) attributes[name] = *text;
+  for (const char* name : {"latitude", "longitude"})
+    if (const auto text = texture::read_attribute(file, name))
+      if (const auto number = algebra::number_in(*text))
+        attributes[name] = static_cast<float>(*number);
   return attributes;
 }
 

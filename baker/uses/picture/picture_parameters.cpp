@@ -280,6 +280,13 @@ void describe_but_time(Parameters& is, Development& development) {
       .as(request::Kind::whole);
 }
 
+void describe_caption(Parameters& is, bool& caption) {
+  is.begin(camera_heading, "camera", Affects::picture);
+  is.add(on_off(
+      "caption", caption,
+      "writes local time, place and contact into the picture, as the frame's header has them"));
+}
+
 void describe_time(Parameters& is, std::string& time) {
   is.begin(camera_heading, "camera", Affects::picture);
   is.add(parameter("time", time, time_meaning));

@@ -41,6 +41,9 @@ void describe(request::Parameters& is, CameraRequest& camera);
 void describe_but_time(request::Parameters& is, Development& development);
 void describe(request::Parameters& is, Development& development);
 
+/// Whether a picture has a caption.
+void describe_caption(request::Parameters& is, bool& caption);
+
 /// Exposure time as text, for whoever reads more than one time in it.
 void describe_time(request::Parameters& is, std::string& time);
 

@@ -51,12 +51,37 @@ void add_times(CLI::App& verb, FilmOptions& options) {
            "seconds of the eclipse per second of the film, 0.001 to 1e6, in place of --frames")
       .in(film_group)
       .within(0.001, 1e6);
+  add_flag(
+      verb, "--duration", options.duration_s,
+      "length of the film [s], 0.001 to 1e6, in place of --frames: as many frames as --fps has "
+      "in it")
+      .in(film_group)
+      .within(0.001, 1e6);
+  add_flag(
+      verb, "--moments", options.moments,
+      "moments of the frames, with commas between, in order of time, as U1,U2+5min,greatest, in "
+      "place of --from, --to and --frames")
+      .in(film_group);
+}
+
+/// Moments of a list.
+///
+/// Throws  Error  when one of them is none
+std::vector<Instant> moments_in(const std::string& text, const eclipse::Eclipse& eclipse,
+                                almanac::Calendar calendar) {
+  std::vector<Instant> moments;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');)
+    moments.push_back(eclipse::moment_from(part, eclipse, calendar));
+  return moments;
 }
 
 void add_making(CLI::App& verb, FilmOptions& options) {
-  add_flag(verb, "--make", options.make,
-           "what to make, with commas between: textures, scenes (with their textures), frames "
-           "(scene-linear), pictures; or light alone, which they all need")
+  add_flag(
+      verb, "--make", options.make,
+      "what to make, with commas between: textures, scenes (with their textures), frames "
+      "(scene-linear), pictures; tx (textures tiled and mip-mapped, .tx) alone; or light alone, "
+      "which they all need")
       .in(film_group)
       .of(request::Affects::share);
   add_flag(verb, "--range", options.range, "frames to make, as 1-240, 1-240x2 or 7,9,20-30")
@@ -136,7 +161,8 @@ eclipse::Eclipse eclipse_near(const std::string& text, almanac::Calendar calenda
 
 /// Eclipse that is named, or nearest to the first moment that has a date.
 eclipse::Eclipse eclipse_of(const FilmOptions& options) {
-  for (const auto& text : {options.eclipse, options.from, options.to})
+  for (const auto& text : {options.eclipse, options.from, options.to,
+                           options.moments.substr(0, options.moments.find(','))})
     if (eclipse::begins_with_digit(text)) return eclipse_near(text, options.calendar);
   if (!options.eclipse.empty()) almanac::instant_from_utc(options.eclipse);  // says what is allowed
   throw algebra::Error(
@@ -164,6 +190,9 @@ void add_film_options(CLI::App& verb, FilmOptions& options) {
 
 uses::FilmTimes times_of(const FilmOptions& options) {
   const auto eclipse = eclipse_of(options);
+  if (!options.moments.empty() && (options.from != "P1" || options.to != "P4"))
+    throw algebra::Error(
+        fmt::format("moments = {}, allowed without --from and --to", options.moments));
   const auto from = eclipse::moment_from(options.from, eclipse, options.calendar),
              to = eclipse::moment_from(options.to, eclipse, options.calendar);
   if (almanac::seconds_between(from, to) < 0)
@@ -173,7 +202,9 @@ uses::FilmTimes times_of(const FilmOptions& options) {
           .to = to,
           .frames = options.frames,
           .fps = options.fps,
-          .time_scale = options.time_scale};
+          .time_scale = options.time_scale,
+          .duration_s = options.duration_s,
+          .moments = moments_in(options.moments, eclipse, options.calendar)};
 }
 
 uses::FilmTimes times_of(const FilmOptions& options, const uses::ViewRequest& view) {
@@ -195,15 +226,17 @@ uses::Products products_of(const FilmOptions& options) {
   std::istringstream names(options.make);
   for (std::string name; std::getline(names, name, ',');) {
     products.light |= name == "light";
-    products.textures |= name == "textures" || name == "scenes";
+    products.textures |= name == "textures" || name == "scenes" || name == "tx";
+    products.mipmapped |= name == "tx";
     products.scenes |= name == "scenes";
     products.frames |= name == "frames";
     products.pictures |= name == "pictures";
     if (name != "light" && name != "textures" && name != "scenes" && name != "frames" &&
-        name != "pictures")
-      throw algebra::Error(fmt::format(
-          "make = {}, allowed light, textures, scenes, frames and pictures, with commas between",
-          options.make));
+        name != "pictures" && name != "tx")
+      throw algebra::Error(
+          fmt::format("make = {}, allowed light, textures, tx, scenes, frames and pictures, with "
+                      "commas between",
+                      options.make));
   }
   if (options.hdr && !products.pictures)
     throw algebra::Error("--hdr is of pictures, allowed with pictures among --make");

@@ -20,7 +20,8 @@ struct FilmOptions {
   almanac::Calendar calendar = almanac::Calendar::gregorian;
   std::optional<std::size_t> frames = {};
   double fps = 24;
-  std::optional<double> time_scale = {};
+  std::optional<double> time_scale = {}, duration_s = {};
+  std::string moments = {};
   std::string make = "pictures", range = {}, shard = "1/1";
   uses::Mount mount = uses::Mount::tracking;
   std::string aim = {};

@@ -107,4 +107,30 @@ TEST_F(ContactSheetOf, AMissingFontIsRefused) {
                coppermoon::algebra::Error);
 }
 
+TEST(Captions, StandInTheLowerCorners) {
+  Image picture(300, 200, {"R", "G", "B"});
+  write_captions(picture, "left", "right", 0.8F, sheet_font());
+  double left = 0, right = 0, elsewhere = 0;
+  for (std::size_t r = 0; r < picture.height; ++r)
+    for (std::size_t c = 0; c < picture.width; ++c) {
+      const float value = picture(r, c, 0);
+      EXPECT_LE(value, 0.8F);
+      auto& sum = r < 180 || (c >= 50 && c < 250) ? elsewhere : c < 50 ? left : right;
+      sum += value;
+    }
+  EXPECT_GT(left, 10);
+  EXPECT_GT(right, 10);
+  EXPECT_EQ(elsewhere, 0);
+}
+
+TEST(Captions, ShrinkUntilBothFit) {
+  Image picture(250, 2000, {"R", "G", "B"});
+  write_captions(picture, "2018-07-27 23:21:45 EAT", "U2+12min", 1, sheet_font());
+  double above = 0, lowest = 0;
+  for (std::size_t r = 0; r < picture.height; ++r)
+    for (std::size_t c = 0; c < picture.width; ++c) (r < 1970 ? above : lowest) += picture(r, c, 1);
+  EXPECT_EQ(above, 0) << "letters of 55 pixels would be wider than the picture";
+  EXPECT_GT(lowest, 10);
+}
+
 }  // namespace

@@ -67,6 +67,25 @@ TEST(FilmTimes, OneFrameIsTheFirst) {
   EXPECT_EQ(almanac::utc_text(moments.frames[0]), "2018-07-27T19:00:00Z");
 }
 
+TEST(FilmTimes, OfADurationAreAsManyFramesAsItHas) {
+  auto all = an_hour();
+  all.duration_s = 10, all.fps = 25;
+  const auto moments = moments_of(all);
+  ASSERT_EQ(moments.frames.size(), 250U);
+  EXPECT_EQ(almanac::utc_text(moments.frames.back()), "2018-07-27T20:00:00Z");
+  all.duration_s = 0.001;
+  EXPECT_EQ(moments_of(all).frames.size(), 1U);
+}
+
+TEST(FilmTimes, MayBeAHandfulOfMoments) {
+  auto some = an_hour();
+  some.moments = {almanac::later(some.from, 60), almanac::later(some.from, 9000)};
+  const auto moments = moments_of(some);
+  ASSERT_EQ(moments.frames.size(), 2U);
+  EXPECT_EQ(almanac::utc_text(moments.frames[0]), "2018-07-27T19:01:00Z");
+  EXPECT_EQ(almanac::utc_text(moments.frames[1]), "2018-07-27T21:30:00Z");
+}
+
 TEST(FilmTimes, ThatCannotBeAreSaid) {
   const auto refused = [](auto change) {
     auto times = an_hour();
@@ -79,6 +98,15 @@ TEST(FilmTimes, ThatCannotBeAreSaid) {
   EXPECT_EQ(refused([](auto& t) { t.frames = 0; }), "frames = 0, allowed 1 to 1e+06");
   EXPECT_EQ(refused([](auto& t) { t.frames = 9, t.time_scale = 60; }),
             "frames = 9 and time-scale = 60, allowed one of the two");
+  EXPECT_EQ(refused([](auto& t) { t.duration_s = 9, t.time_scale = 60; }),
+            "time-scale = 60 and duration = 9, allowed one of the two");
+  EXPECT_EQ(refused([](auto& t) { t.moments = {t.from}, t.frames = 1; }),
+            "1 moments and frames = 1, allowed one of the two");
+  EXPECT_EQ(refused([](auto& t) {
+              t.moments = {t.to, t.from};
+            }),
+            "moments = 2018-07-27T19:00:00Z after 2018-07-27T20:00:00Z, allowed in order of time");
+  EXPECT_EQ(refused([](auto& t) { t.duration_s = 0; }), "duration [s] = 0, allowed 0.001 to 1e+06");
   EXPECT_EQ(refused([](auto& t) { t.time_scale = 0; }), "time scale = 0, allowed 0.001 to 1e+06");
   EXPECT_EQ(refused([](auto& t) { t.fps = 0; }), "fps = 0, allowed 1 to 1000");
 }

@@ -11,7 +11,7 @@
 #include "almanac/gazetteer.h"
 #include "support/within.h"
 #include "uses/night/calendar_file.h"
-#include "uses/night/local_time.h"
+#include "uses/picture/local_time.h"
 
 namespace coppermoon::uses {
 namespace {

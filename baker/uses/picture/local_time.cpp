@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uses/night/local_time.h"
+#include "uses/picture/local_time.h"
 
 #include <absl/time/civil_time.h>
 #include <absl/time/time.h>

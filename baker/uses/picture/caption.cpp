@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "uses/picture/caption.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "algebra/error.h"
+#include "almanac/calendar.h"
+#include "almanac/gazetteer.h"
+#include "uses/picture/local_time.h"
+
+namespace coppermoon::uses {
+namespace {
+
+/// Distance along the ground, for places near each other.
+double kilometres_between(const almanac::Observer& a, const almanac::Observer& b) {
+  constexpr double radius_km = 6371;
+  const double north = algebra::in_radians(a.latitude - b.latitude),
+               east = std::remainder(algebra::in_radians(a.longitude - b.longitude),
+                                     2 * std::numbers::pi) *
+                      std::cos(algebra::in_radians(a.latitude));
+  return radius_km * std::hypot(north, east);
+}
+
+std::string degrees_text(double degrees, const char* positive, const char* negative) {
+  return fmt::format("{:.2f}° {}", std::abs(degrees), degrees < 0 ? negative : positive);
+}
+
+/// Moment of a capDate, as "2018:07:27 20:21:45".
+almanac::Instant moment_of(const texture::Attributes& header) {
+  const auto date = header.find("capDate");
+  if (date == header.end()) throw algebra::Error("caption: the frame's header has no capDate");
+  auto text = std::get<std::string>(date->second);
+  const auto space = text.find(' ');
+  std::replace(text.begin(),
+               text.begin() + static_cast<std::ptrdiff_t>(std::min(space, text.size())), ':', '-');
+  if (space != std::string::npos) text[space] = 'T';
+  return almanac::instant_from_utc(text + "Z");
+}
+
+std::optional<almanac::Observer> observer_of(const texture::Attributes& header) {
+  const auto latitude = header.find("latitude"), longitude = header.find("longitude");
+  if (latitude == header.end() || longitude == header.end()) return std::nullopt;
+  return almanac::Observer{algebra::degrees(double{std::get<float>(latitude->second)}),
+                           algebra::degrees(double{std::get<float>(longitude->second)}),
+                           {}};
+}
+
+}  // namespace
+
+std::string place_in_words(const almanac::Observer& observer) {
+  constexpr double near_km = 10;
+  const auto city = almanac::nearest_city(observer);
+  if (kilometres_between(observer, city.place) < near_km) return city.name;
+  return degrees_text(algebra::in_degrees(observer.latitude), "N", "S") + ", " +
+         degrees_text(algebra::in_degrees(observer.longitude), "E", "W");
+}
+
+std::string time_zone_of(const almanac::Observer& observer) {
+  return almanac::nearest_city(observer).time_zone;
+}
+
+std::string from_nearest_contact(const eclipse::Eclipse& eclipse, const almanac::Instant& when) {
+  const auto contacts = eclipse::contacts_of(eclipse);
+  const auto& [name, contact] = *std::ranges::min_element(contacts, {}, [&](const auto& one) {
+    return std::abs(almanac::seconds_between(one.second, when));
+  });
+  const double seconds = almanac::seconds_between(contact, when), away = std::abs(seconds);
+  if (away < 0.5) return name;
+  return fmt::format(
+      "{}{}{}", name, seconds < 0 ? '-' : '+',
+      away < 59.5 ? fmt::format("{:.0f}s", away) : fmt::format("{:.0f}min", away / 60));
+}
+
+Caption caption_of(const texture::Attributes& header) {
+  const auto when = moment_of(header);
+  const auto observer = observer_of(header);
+  const auto local = local_time(when, observer ? time_zone_of(*observer) : "+00:00");
+  Caption caption{
+      fmt::format("{} {} {}", local.date, local.time,
+                  observer ? local.abbreviation + ", " + place_in_words(*observer) : "UTC"),
+      ""};
+  if (const auto eclipse = eclipse::eclipse_at(when, eclipse::ShadowConvention::danjon))
+    caption.right = from_nearest_contact(*eclipse, when);
+  return caption;
+}
+
+}  // namespace coppermoon::uses
