@@ -174,7 +174,7 @@ TEST_F(FilmPictures, HaveTheirMomentInTheHeaderAndACaptionWhereAskedFor) {
       texture::read_attribute(here("film/frame.0005.png"), "capDate").value_or("").substr(0, 16),
       "2018:07:27 19:40")
       << "ten minutes after U2, 19:30:15 by NASA's catalogue";
-  expect_done(coppermoon(film(frames + Words{"--caption", "on", "--replace"})));
+  expect_done(coppermoon(film(frames + Words{"--caption", "--replace"})));
   const auto captioned = picture(5);
   std::size_t above = 0, left = 0, right = 0;
   for (std::size_t r = 0; r < plain.height; ++r)

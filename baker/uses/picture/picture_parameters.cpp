@@ -282,7 +282,7 @@ void describe_but_time(Parameters& is, Development& development) {
 
 void describe_caption(Parameters& is, bool& caption) {
   is.begin(camera_heading, "camera", Affects::picture);
-  is.add(on_off(
+  is.add(request::presence(
       "caption", caption,
       "writes local time, place and contact into the picture, as the frame's header has them"));
 }
