@@ -275,7 +275,10 @@ algebra::Grid<double> ComparedNight::design(std::span<const NightPhotograph> pho
       photographs, [](const auto& one) { return one.errors.weather_error > 0; });
   const std::size_t of_photographs = of_night::count + of_photograph::count * photographs.size(),
                     of_weather = weather ? weather_sectors * weathers * knots.count : 0;
-  algebra::Grid<double> a(measurements_.size(), of_photographs + of_weather);
+  std::size_t cameras = 0;
+  for (const auto& photograph : photographs)
+    cameras = std::max(cameras, photograph.scene.by_filters.size());
+  algebra::Grid<double> a(measurements_.size(), of_photographs + of_weather + cameras);
   const auto dimming = dimming_by_cloud();
   std::vector<algebra::Grid<double>> limbs;
   if (weather)
@@ -300,6 +303,10 @@ algebra::Grid<double> ComparedNight::design(std::span<const NightPhotograph> pho
     own[of_photograph::glow] = light.glow_errors(b, k) / value;
     if (curved) std::ranges::copy(light.slopes(b, k), &night[of_night::curve]);
     if (errors.mixing_error > 0) add_mixing(photographs[p], measurements_[i], night);
+    // the covariance of these columns is that of the cameras about the one assumed
+    for (std::size_t c = 0; c < scene.by_filters.size(); ++c)
+      night[of_photographs + of_weather + c] =
+          scene.by_filters[c](b, k) / std::sqrt(static_cast<double>(cameras));
     if (errors.weather_error > 0) {
       const auto [knot, part] = knots.at(seconds_of(photographs, p));
       for (std::size_t s = 0; s < weather_sectors; ++s)

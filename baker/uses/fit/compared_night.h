@@ -83,9 +83,9 @@ struct Misfit {
 /// Noise of a measurement is that of its pixels; 1.2 % of the Moon's map in each place of 200 km, about 0.3 % of a
 /// bin; and of the computation 0.1 % common to channels and bins close by, 0.1 % of its value and 0.03 % of the
 /// bin's brightest channel. Nuisance parameters are, of the night, the exposure, a fixed white balance, the tone
-/// curve where one is in question, the clock, the camera's matrix and saturation, and the weather of twelve parts of
-/// the limb in each hour; of each photograph its exposure beside the others', as shutters and irises have it, the
-/// white balance, the registration, the sky and the glow.
+/// curve where one is in question, the clock, the camera's matrix and saturation, its filters where they are not known,
+/// and the weather of twelve parts of the limb in each hour; of each photograph its exposure beside the others', as
+/// shutters and irises have it, the white balance, the registration, the sky and the glow.
 class ComparedNight {
  public:
   /// Throws  Error  when fewer than six bins and channels are neither clipped nor lost in noise

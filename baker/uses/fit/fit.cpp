@@ -106,7 +106,12 @@ void add_nights(const FitRequest& request, const ByNight& nights, Steps& steps, 
       for (const auto i : indices) photographs.push_back(&request.photographs[i]);
       auto of_night = std::make_unique<FitRequest>(request);
       auto& response = of_night->moon.response;
-      if (!response) response = usual_response(*photographs.front());
+      if (!response) {
+        response = usual_response(*photographs.front());
+        of_night->response_assumed =
+            response &&
+            !colour::spectral_camera_of(camera_of(photographs.front()->file).value_or(""));
+      }
       evidence.nights.push_back(
           std::make_unique<Night>(*of_night, std::move(photographs), steps.next()));
       evidence.requests.push_back(std::move(of_night));

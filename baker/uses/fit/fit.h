@@ -48,8 +48,9 @@ struct FitRequest {
   /// standard error of the light of 30 degrees of the limb by weather, 0 to 1; without: 0.1 for a camera's own
   /// JPEGs and raw files, else 0
   std::optional<double> weather_error = {};
-  double clock_error_s = 0;      ///< standard error of each camera's clock, 0 to 3600; 0: exact
-  bool half_hours_free = false;  ///< any whole number of half hours may be added to instants
+  double clock_error_s = 0;       ///< standard error of each camera's clock, 0 to 3600; 0: exact
+  bool response_assumed = false;  ///< the Moon's response stands for that of an unknown camera
+  bool half_hours_free = false;   ///< any whole number of half hours may be added to instants
   /// how far a clock may be wrong beyond that error, where partial phases tell it [s]; 0: no farther
   double clock_search_s = 0;
 };
@@ -96,8 +97,9 @@ Unknowns unknowns_of(const FitRequest& request);
 ///
 /// Without a response, light is seen through the filters of the camera that a header names, where these are known; by
 /// JPEGs of others through those of a Canon EOS 600D, for cameras differ less among each other than from the CIE
-/// observer. Photographs of one camera and eclipse share a clock, a tone curve, and an error of exposure. A photograph that
-/// cannot be used is left out while there are other data.
+/// observer; that others and the observer differ from it is an error of the light then. Photographs of one camera and
+/// eclipse share a clock, a tone curve, and an error of exposure. A photograph that cannot be used is left out while
+/// there are other data.
 ///
 /// Given   progress  called with the part that is done; an exception of it ends the fit
 /// Throws  Error  when there are no data, or an error is outside its range; when no eclipse

@@ -92,7 +92,8 @@ Night::Night(const FitRequest& request, std::vector<const EclipsePhotograph*> ph
       kept_(photographs_.size()),
       left_out_(photographs_.size()),
       clock_error_s_(request.clock_error_s) {
-  groundwork_ = std::make_unique<const FitGroundwork>(groundwork_of(request.moon, way()));
+  groundwork_ = std::make_unique<const FitGroundwork>(
+      groundwork_of(request.moon, way(), request.response_assumed));
   if (clock_is_free()) scan_clock();
   const auto all = some(photographs_.size());
   const auto look = [&] {
@@ -408,7 +409,7 @@ bool Night::curved() const {
 void Night::register_again(const AirFit& fit) {
   auto moon = request_.moon;
   moon.light.air = with_unknowns(moon.light.air, fit.unknowns, fit.best);
-  const auto groundwork = groundwork_of(moon, way());
+  const auto groundwork = groundwork_of(moon, way(), request_.response_assumed);
   for (std::size_t place = 0; place < taken_.size(); ++place) {
     auto& [index, registration, px_per_rad] = taken_[place];
     auto& scene = binned_[place].scene;

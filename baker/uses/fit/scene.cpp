@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "colour/camera_spectra.h"
 #include "colour/display.h"
 #include "colour/glow.h"
 #include "colour/working_space.h"
@@ -171,6 +172,48 @@ algebra::Grid<double> over_sunlit(const FitScene& scene, const colour::Image& pi
   return values;
 }
 
+/// Weights of moonlight through a response, then as each other camera and the CIE 1931 observer see it: (X Y Z of each,
+/// band).
+algebra::Grid<double> through_all_filters(const std::optional<std::string>& response) {
+  std::vector<algebra::Grid<double>> all{xyz_of_moonlight(response)};
+  auto names = colour::camera_spectra_names();
+  names.push_back("colorimetric");
+  for (const auto& name : names)
+    if (name != response) all.push_back(xyz_of_moonlight(name));
+  algebra::Grid<double> weights(3 * all.size(), all.front().columns());
+  for (std::size_t i = 0; i < weights.rows(); ++i)
+    std::ranges::copy(all[i / 3].row(i % 3), weights.row(i).begin());
+  return weights;
+}
+
+/// As FitScene has them.
+std::vector<algebra::Grid<double>> differences_by_filters(const FitScene& scene,
+                                                          const shadow::Lookup& by_filters) {
+  constexpr double least_of_brightest = 0.003;  // cameras do not write less
+  algebra::Grid<double> sums(scene.bins, by_filters.channels());
+  std::vector<double> xyz(by_filters.channels());
+  for (const auto& lit : lit_bins(scene, scene.sky).places) {
+    by_filters.read(lit.place, xyz);
+    for (std::size_t i = 0; i < xyz.size(); ++i) sums(lit.bin, i) += lit.sunlit * xyz[i];
+  }
+  const auto logarithms = [&](std::size_t bin, std::size_t camera) {
+    auto rgb = rec709_of(sums.row(bin).subspan(3 * camera, 3));
+    const double least = least_of_brightest * *std::ranges::max_element(rgb);
+    for (double& value : rgb) value = std::log(std::max(value, least));
+    return rgb;
+  };
+  std::vector<algebra::Grid<double>> all(by_filters.channels() / 3 - 1,
+                                         algebra::Grid<double>(scene.bins, 3));
+  for (std::size_t b = 0; b < scene.bins; ++b) {
+    const auto own = logarithms(b, 0);
+    for (std::size_t camera = 0; camera < all.size(); ++camera) {
+      const auto other = logarithms(b, camera + 1);
+      for (std::size_t k = 0; k < 3; ++k) all[camera](b, k) = other[k] - own[k];
+    }
+  }
+  return all;
+}
+
 /// Adds a few places that stand for all of a bin: the means of groups by distance, and within these by position
 /// angle. Evenly spread groups are 10 degrees wide at most: across belts of the air light varies unevenly along wider
 /// ones.
@@ -244,13 +287,18 @@ std::array<double, 3> sunlight_of(const algebra::Grid<double>& weights) {
   return rec709_of(xyz);
 }
 
-FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::SkyState> skies) {
+FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::SkyState> skies,
+                            bool response_assumed) {
   const auto light = to_register(moon.light);
   const auto usual = skies.size() == 1 ? light_on_the_moon(light, skies.front())
                                        : light_on_the_way(light, moon_on_its_way(light, skies));
   auto albedo = normal_albedo(moon);
   auto ground = ground_of(moon, albedo);
-  return {std::move(albedo), std::move(ground), usual.in_channels(xyz_of_moonlight(moon.response))};
+  FitGroundwork groundwork{std::move(albedo), std::move(ground),
+                           usual.in_channels(xyz_of_moonlight(moon.response))};
+  if (response_assumed)
+    groundwork.by_filters = usual.in_channels(through_all_filters(moon.response));
+  return groundwork;
 }
 
 FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
@@ -273,6 +321,8 @@ FitScene fit_scene(const MoonRequest& moon, const FitGroundwork& groundwork,
     scene.usual.values()[grounds[i].pixel] = static_cast<float>(light[i][1]);
   scene.moon = moon_in_rgb(scene, moon.response, grounds, light);
   scene.usual_values = over_sunlit(scene, scene.moon);
+  if (groundwork.by_filters)
+    scene.by_filters = differences_by_filters(scene, *groundwork.by_filters);
   return scene;
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,6 +44,9 @@ struct FitScene {
   colour::Image moon;                  ///< under the usual air; linear Rec.709
   colour::Image glow = {};             ///< as glow_of; empty: not computed yet
   algebra::Grid<double> usual_values;  ///< (bin, channel): light of that Moon over sunlit light
+  /// (bin, channel): logarithm of that light through each other camera's filters, over that through the response; empty:
+  /// the response is known
+  std::vector<algebra::Grid<double>> by_filters = {};
 };
 
 /// Map and light that all scenes of one eclipse share.
@@ -50,6 +54,9 @@ struct FitGroundwork {
   algebra::Grid<float> albedo;                    ///< normal albedo
   std::shared_ptr<const surface::Ground> ground;  ///< colour and surge by place; none: uniform
   shadow::Lookup usual;  ///< X, Y, Z of moonlight under the usual air, seen from space
+  /// X, Y, Z of that light through the response, then through each other camera's filters; nothing: the response is
+  /// known
+  std::optional<shadow::Lookup> by_filters = {};
 };
 
 /// Moonlight in linear Rec.709, brought into the gamut, as renders have it; 1e-12 or more.
@@ -66,8 +73,10 @@ std::array<double, 3> sunlight_of(const algebra::Grid<double>& weights);
 ///
 /// Given   moon   light as FittedLight takes it, map
 ///         skies  in order of time, at most a few minutes apart
+///         response_assumed  whether the response stands for that of an unknown camera
 /// Throws  Error  when no eclipse is under way at any of them
-FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::SkyState> skies);
+FitGroundwork groundwork_of(const MoonRequest& moon, std::span<const almanac::SkyState> skies,
+                            bool response_assumed = false);
 
 /// Scene of one moment.
 ///

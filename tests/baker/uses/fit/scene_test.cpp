@@ -81,5 +81,24 @@ TEST(FitScene, IsSeenThroughTheResponseOfItsMoon) {
   std::filesystem::remove(path);
 }
 
+/// Filters of a camera that is not known are an error of the light: as far as those of others differ.
+TEST(FitScene, KnowsHowOtherCamerasSeeIt) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:40:00Z"));
+  const auto scene_by = [&](const char* response, bool assumed) {
+    MoonRequest moon;
+    moon.response = response;
+    moon.texture_width = 256;
+    return fit_scene(moon, groundwork_of(moon, std::span(&sky, 1), assumed), {}, sky);
+  };
+  const auto assumed = scene_by("canon-eos-600d", true), observer = scene_by("colorimetric", false);
+  EXPECT_TRUE(observer.by_filters.empty());
+  ASSERT_EQ(assumed.by_filters.size(), 12);  // eleven other cameras and the observer
+  for (std::size_t b = 0; b < assumed.bins; ++b)
+    for (std::size_t k = 0; k < 2; ++k)  // blue is beyond the gamut in the umbra
+      EXPECT_WITHIN(assumed.by_filters.back()(b, k),
+                    std::log(observer.usual_values(b, k) / assumed.usual_values(b, k)), 0.03,
+                    "pixels are brought into the gamut one by one, bins as a whole; air above");
+}
+
 }  // namespace
 }  // namespace coppermoon::uses
