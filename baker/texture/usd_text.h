@@ -12,6 +12,21 @@ namespace coppermoon::texture {
 /// Head of a USD layer: its default prim Moon, metres, Y up, and the Moon's true radius.
 std::string usd_layer();
 
+/// Scope `Looks` within Moon, with the material Moonlight: ground that shines by a texture and reflects nothing, as
+/// UsdPreviewSurface and, with an emission, as MaterialX's standard surface.
+///
+/// Given  file      lines of the preview's attributes inputs:file and inputs:sourceColorSpace
+///        emission  path of the output that MaterialX's ground shines by; empty: no MaterialX
+///        nodes     prims of MaterialX's nodes
+std::string usd_looks(const std::string& file, const std::string& emission = {},
+                      const std::string& nodes = {});
+
+/// Prim of MaterialX's node of an image on the Moon, within the material.
+///
+/// Given  file  as a value of type asset
+std::string usd_image(const std::string& name, const std::string& file,
+                      std::string_view colour_space);
+
 /// A moment of the Moon's observer, for USD.
 struct UsdMoment {
   double time_code = 0;

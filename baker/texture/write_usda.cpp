@@ -102,13 +102,7 @@ std::string usd_mesh() {
 
 namespace {
 
-constexpr const char* looks = R"(    def Scope "Looks"
-    {{
-        def Material "Moonlight"
-        {{
-            token outputs:mtlx:surface.connect = </Moon/Looks/Moonlight/MaterialX.outputs:out>
-            token outputs:surface.connect = </Moon/Looks/Moonlight/Preview.outputs:surface>
-
+constexpr const char* preview_prims = R"(
             def Shader "Preview"
             {{
                 uniform token info:id = "UsdPreviewSurface"
@@ -123,11 +117,7 @@ constexpr const char* looks = R"(    def Scope "Looks"
             def Shader "Texture"
             {{
                 uniform token info:id = "UsdUVTexture"
-                asset inputs:file = {2} (
-                    colorSpace = "lin_rec709_scene"
-                )
-                token inputs:sourceColorSpace = "raw"
-                float2 inputs:st.connect = </Moon/Looks/Moonlight/Place.outputs:result>
+{}                float2 inputs:st.connect = </Moon/Looks/Moonlight/Place.outputs:result>
                 token inputs:wrapS = "repeat"
                 token inputs:wrapT = "clamp"
                 float3 outputs:rgb
@@ -139,32 +129,53 @@ constexpr const char* looks = R"(    def Scope "Looks"
                 string inputs:varname = "st"
                 float2 outputs:result
             }}
+)";
 
+constexpr const char* materialx_prims = R"(
             def Shader "MaterialX"
             {{
                 uniform token info:id = "ND_standard_surface_surfaceshader"
                 float inputs:base = 0
                 float inputs:emission = 1
-                color3f inputs:emission_color.connect = </Moon/Looks/Moonlight/Image.outputs:out>
+                color3f inputs:emission_color.connect = <{}>
                 float inputs:specular = 0
                 token outputs:out
             }}
 
-            def Shader "Image"
+{})";
+
+}  // namespace
+
+std::string usd_looks(const std::string& file, const std::string& emission,
+                      const std::string& nodes) {
+  const bool both = !emission.empty();
+  return fmt::format(
+      "    def Scope \"Looks\"\n    {{\n        def Material \"Moonlight\"\n        {{\n{}"
+      "            token outputs:surface.connect = "
+      "</Moon/Looks/Moonlight/Preview.outputs:surface>\n{}{}"
+      "        }}\n    }}\n",
+      both ? "            token outputs:mtlx:surface.connect = "
+             "</Moon/Looks/Moonlight/MaterialX.outputs:out>\n"
+           : "",
+      fmt::format(fmt::runtime(preview_prims), file),
+      both ? fmt::format(fmt::runtime(materialx_prims), emission, nodes) : "");
+}
+
+std::string usd_image(const std::string& name, const std::string& file,
+                      std::string_view colour_space) {
+  return fmt::format(R"(            def Shader "{}"
             {{
                 uniform token info:id = "ND_image_color3"
-                asset inputs:file = {0} (
-                    colorSpace = "{1}"
+                asset inputs:file = {} (
+                    colorSpace = "{}"
                 )
                 string inputs:uaddressmode = "periodic"
                 string inputs:vaddressmode = "clamp"
                 color3f outputs:out
             }}
-        }}
-    }}
-)";
-
-}  // namespace
+)",
+                     name, file, colour_space);
+}
 
 void write_usda(const fs::path& path, const std::string& texture_file_name,
                 std::string_view colour_space, const std::string& preview_file_name,
@@ -175,8 +186,13 @@ void write_usda(const fs::path& path, const std::string& texture_file_name,
         fmt::format("colour space of a texture for USD = {}, allowed lin_rec709_scene or "
                     "lin_ap1_scene",
                     colour_space));
-  const auto look = fmt::format(fmt::runtime(looks), usd_asset(texture_file_name), colour_space,
-                                usd_asset(preview));
+  const auto look = usd_looks(
+      fmt::format("                asset inputs:file = {} (\n"
+                  "                    colorSpace = \"lin_rec709_scene\"\n                )\n"
+                  "                token inputs:sourceColorSpace = \"raw\"\n",
+                  usd_asset(preview)),
+      "/Moon/Looks/Moonlight/Image.outputs:out",
+      usd_image("Image", usd_asset(texture_file_name), colour_space));
   files::write_whole(
       path, fmt::format("{}\ndef Xform \"Moon\" (\n    kind = \"component\"\n    prepend "
                         "apiSchemas = [\"ColorSpaceAPI\"]\n)\n{{\n"

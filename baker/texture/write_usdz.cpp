@@ -13,43 +13,9 @@
 namespace coppermoon::texture {
 namespace {
 
-constexpr const char* looks = R"(    def Scope "Looks"
-    {
-        def Material "Moonlight"
-        {
-            token outputs:surface.connect = </Moon/Looks/Moonlight/Preview.outputs:surface>
-
-            def Shader "Preview"
-            {
-                uniform token info:id = "UsdPreviewSurface"
-                color3f inputs:diffuseColor = (0, 0, 0)
-                color3f inputs:emissiveColor.connect = </Moon/Looks/Moonlight/Texture.outputs:rgb>
-                float inputs:roughness = 1
-                color3f inputs:specularColor = (0, 0, 0)
-                int inputs:useSpecularWorkflow = 1
-                token outputs:surface
-            }
-
-            def Shader "Texture"
-            {
-                uniform token info:id = "UsdUVTexture"
-                asset inputs:file = @moon.png@
-                token inputs:sourceColorSpace = "sRGB"
-                float2 inputs:st.connect = </Moon/Looks/Moonlight/Place.outputs:result>
-                token inputs:wrapS = "repeat"
-                token inputs:wrapT = "clamp"
-                float3 outputs:rgb
-            }
-
-            def Shader "Place"
-            {
-                uniform token info:id = "UsdPrimvarReader_float2"
-                string inputs:varname = "st"
-                float2 outputs:result
-            }
-        }
-    }
-)";
+constexpr const char* texture_lines =
+    "                asset inputs:file = @moon.png@\n"
+    "                token inputs:sourceColorSpace = \"sRGB\"\n";
 
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they stand");
 
@@ -131,7 +97,7 @@ void write_usdz(const std::filesystem::path& path, const Image& developed) {
   const auto picture = picture_on_globe(path, developed);
   archive.add("moon.usda", usd_layer() +
                                "\ndef Xform \"Moon\" (\n    kind = \"component\"\n)\n{\n" +
-                               usd_mesh() + "\n" + looks + "}\n");
+                               usd_mesh() + "\n" + usd_looks(texture_lines) + "}\n");
   archive.add("moon.png", picture);
   files::write_whole(path, archive.whole());
 }

@@ -26,18 +26,6 @@ struct Misses {
   double bright = 0;
 };
 
-Vector place_of(std::size_t row, std::size_t column, std::size_t rows) {
-  const double texel = pi / static_cast<double>(rows);
-  const double latitude = pi / 2 - (static_cast<double>(row) + 0.5) * texel,
-               longitude = (static_cast<double>(column) + 0.5) * texel - pi;
-  return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
-          std::sin(latitude)};
-}
-
-double brightest(const texture::Image& image, std::size_t row, std::size_t column) {
-  return std::max({image(row, column, 0), image(row, column, 1), image(row, column, 2)});
-}
-
 /// An eclipse whose light takes little time.
 const Words quick{"2018-07-27", "--atmosphere", "undated", "--bands", "20"};
 

@@ -74,6 +74,19 @@ inline std::vector<Vector> places_on_moon() {
   return all;
 }
 
+/// Place of a texel of a texture of so many rows.
+inline Vector place_of(std::size_t row, std::size_t column, std::size_t rows) {
+  const double texel = std::numbers::pi / static_cast<double>(rows);
+  const double latitude = std::numbers::pi / 2 - (static_cast<double>(row) + 0.5) * texel,
+               longitude = (static_cast<double>(column) + 0.5) * texel - std::numbers::pi;
+  return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+          std::sin(latitude)};
+}
+
+inline double brightest(const texture::Image& image, std::size_t row, std::size_t column) {
+  return std::max({image(row, column, 0), image(row, column, 1), image(row, column, 2)});
+}
+
 /// Light at places on the Moon (unit vectors, Moon-fixed), as a fragment shader of OpenGL ES 3 finds it.
 class ShaderTest : public ProgramTest {
  protected:

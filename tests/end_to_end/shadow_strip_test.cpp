@@ -22,18 +22,6 @@ struct Misses {
   double dim = 0, bright = 0;  ///< with less and more than 1 % of sunlight
 };
 
-Vector place_of(std::size_t row, std::size_t column, std::size_t rows) {
-  const double texel = pi / static_cast<double>(rows);
-  const double latitude = pi / 2 - (static_cast<double>(row) + 0.5) * texel,
-               longitude = (static_cast<double>(column) + 0.5) * texel - pi;
-  return {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
-          std::sin(latitude)};
-}
-
-double brightest(const texture::Image& image, std::size_t row, std::size_t column) {
-  return std::max({image(row, column, 0), image(row, column, 1), image(row, column, 2)});
-}
-
 class ShadowStrip : public ShaderTest {
  protected:
   Strip strip(std::vector<std::string> flags, const char* name = "strip.exr") const {

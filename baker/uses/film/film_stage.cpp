@@ -103,56 +103,7 @@ struct Images {
   }
 };
 
-constexpr const char* material = R"(    def Scope "Looks"
-    {{
-        def Material "Moonlight"
-        {{
-            token outputs:mtlx:surface.connect = </Moon/Looks/Moonlight/MaterialX.outputs:out>
-            token outputs:surface.connect = </Moon/Looks/Moonlight/Preview.outputs:surface>
-
-            def Shader "Preview"
-            {{
-                uniform token info:id = "UsdPreviewSurface"
-                color3f inputs:diffuseColor = (0, 0, 0)
-                color3f inputs:emissiveColor.connect = </Moon/Looks/Moonlight/Texture.outputs:rgb>
-                float inputs:roughness = 1
-                color3f inputs:specularColor = (0, 0, 0)
-                int inputs:useSpecularWorkflow = 1
-                token outputs:surface
-            }}
-
-            def Shader "Texture"
-            {{
-                uniform token info:id = "UsdUVTexture"
-                asset inputs:file (
-                    colorSpace = "{space}"
-                )
-                asset inputs:file.timeSamples = {textures}
-                token inputs:sourceColorSpace = "raw"
-                float2 inputs:st.connect = </Moon/Looks/Moonlight/Place.outputs:result>
-                token inputs:wrapS = "repeat"
-                token inputs:wrapT = "clamp"
-                float3 outputs:rgb
-            }}
-
-            def Shader "Place"
-            {{
-                uniform token info:id = "UsdPrimvarReader_float2"
-                string inputs:varname = "st"
-                float2 outputs:result
-            }}
-
-            def Shader "MaterialX"
-            {{
-                uniform token info:id = "ND_standard_surface_surfaceshader"
-                float inputs:base = 0
-                float inputs:emission = 1
-                color3f inputs:emission_color.connect = </Moon/Looks/Moonlight/Scaled.outputs:out>
-                float inputs:specular = 0
-                token outputs:out
-            }}
-
-            def Shader "Scaled"
+constexpr const char* nodes_of_film = R"(            def Shader "Scaled"
             {{
                 uniform token info:id = "ND_multiply_color3"
                 color3f inputs:in1.connect = </Moon/Looks/Moonlight/Lit.outputs:out>
@@ -183,20 +134,7 @@ constexpr const char* material = R"(    def Scope "Looks"
                 color3f outputs:light.connect = <{light}>
 
 {nodes}            }}
-        }}
-    }}
 )";
-
-std::string image(const char* name, const std::string& file, std::string_view space) {
-  return fmt::format(
-      "            def Shader \"{}\"\n            {{\n"
-      "                uniform token info:id = \"ND_image_color3\"\n"
-      "                asset inputs:file = {} (\n                    colorSpace = \"{}\"\n"
-      "                )\n                string inputs:uaddressmode = \"periodic\"\n"
-      "                string inputs:vaddressmode = \"clamp\"\n"
-      "                color3f outputs:out\n            }}\n\n",
-      name, texture::usd_asset(file), space);
-}
 
 std::string looks_of(const Film& film, const std::vector<StageFrame>& frames, const Images& images,
                      const EclipseShader& shader) {
@@ -211,13 +149,14 @@ std::string looks_of(const Film& film, const std::vector<StageFrame>& frames, co
         std::lerp(frames.front().sunlit[k], frames.back().sunlit[k], share_of(frames, i));
     return mixed > 0 ? frames[i].sunlit[k] / mixed : 1;
   };
-  return fmt::format(
-      fmt::runtime(material), fmt::arg("space", space),
-      fmt::arg("textures", samples(frames,
-                                   [&](std::size_t i) {
-                                     return texture::usd_asset(
-                                         film.texture(number(i)).filename().string());
-                                   })),
+  const auto image = [&](const char* name, const std::string& file) {
+    return texture::usd_image(name, texture::usd_asset(file), space) + "\n";
+  };
+  const auto textures = samples(frames, [&](std::size_t i) {
+    return texture::usd_asset(film.texture(number(i)).filename().string());
+  });
+  const auto film_nodes = fmt::format(
+      fmt::runtime(nodes_of_film),
       fmt::arg("factors", samples(frames,
                                   [&](std::size_t i) {
                                     return fmt::format("({:.6g}, {:.6g}, {:.6g})", factor(i, 0),
@@ -229,8 +168,14 @@ std::string looks_of(const Film& film, const std::vector<StageFrame>& frames, co
       fmt::arg(
           "times",
           samples(frames, [&](std::size_t i) { return fmt::format("{:.3f}", frames[i].seconds); })),
-      fmt::arg("images", image("First", images.first, space) + image("Last", images.last, space)),
+      fmt::arg("images", image("First", images.first) + image("Last", images.last)),
       fmt::arg("light", nodes.output), fmt::arg("nodes", nodes.prims));
+  return texture::usd_looks(
+      fmt::format("                asset inputs:file (\n                    colorSpace = \"{}\"\n"
+                  "                )\n                asset inputs:file.timeSamples = {}\n"
+                  "                token inputs:sourceColorSpace = \"raw\"\n",
+                  space, textures),
+      "/Moon/Looks/Moonlight/Scaled.outputs:out", film_nodes);
 }
 
 /// Head of the layer, with time codes of the contacts within the film.

@@ -89,7 +89,7 @@ TEST_F(Manuals, ShellsReadTheirCompletions) {
 
 TEST_F(Manuals, BashCompletesCommandsOptionsWordsAndFiles) {
   EXPECT_EQ(offered("coppermoon sti", 2), "still\n");
-  EXPECT_EQ(offered("coppermoon s", 2), "sky shadow scene still\n");
+  EXPECT_EQ(offered("coppermoon s", 2), "sky shadow shader scene still\n");
   EXPECT_EQ(offered("coppermoon still --qual", 3), "--quality\n");
   EXPECT_EQ(offered("coppermoon still --quality dr", 4), "draft\n");
   EXPECT_EQ(offered("coppermoon still --quality = dr", 5), "draft\n");
