@@ -1,13 +1,25 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# One eclipse as a film three ways: a texture for each frame, Blender's node group, POV-Ray's clock: three_films.md on stdout.
-# A minute.
+# One eclipse as a film three ways: a texture for each frame, Blender's node group, POV-Ray's clock: three_films.md on stdout,
+# their frames in ./three_films.png. A minute.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 "$here/build.sh" "coppermoon_program hand_off_tests" packages.tests.debian packages.hand_off.debian >&2
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-"$here/../build/release/tests/hand_off_hand_off_tests" three_films > "$scratch/said" || { cat "$scratch/said" >&2; exit 1; }
+build=$here/../build/release
+COPPERMOON_FRAMES=$scratch "$build/tests/hand_off_hand_off_tests" three_films > "$scratch/said" || { cat "$scratch/said" >&2; exit 1; }
+pictures=""
+for film in textures blender povray; do
+  for frame in 1:1/250 2:1/30 3:1/4 4:2 5:4; do
+    name=$film${frame%:*}
+    "$build/coppermoon" develop "$scratch/$name.exr" --time "${frame#*:}" --space lin_rec709 -o "$scratch/$name.png" >&2
+    oiiotool "$scratch/$name.png" --resize 160x160 -o "$scratch/$name.png"
+    pictures="$pictures $scratch/$name.png"
+  done
+done
+# shellcheck disable=SC2086
+oiiotool $pictures --mosaic:pad=2 5x3 -o three_films.png
 
 cat <<'EOF'
 # Three films of one eclipse
@@ -15,6 +27,8 @@ cat <<'EOF'
 Made by `examples/three_films.sh`: the partial phase and half the totality of 27 July 2018 in five frames of 300 × 300 pixels, from
 the Earth's centre, textures of 1024 texels. First with a texture for each frame; then by the shader of `coppermoon shader`: in
 Blender, where the add-on has put it into a node group, and in POV-Ray, where `clock` is the time.
+
+![Rows: textures, Blender, POV-Ray](pictures/three_films.png)
 
 | film | seconds | MB | difference, rms | largest |
 | --- | ---: | ---: | ---: | ---: |

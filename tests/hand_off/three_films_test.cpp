@@ -152,12 +152,24 @@ Eclipse_Moon(pigment {
   }
 };
 
+/// Keeps frames of a film in the folder that COPPERMOON_FRAMES names.
+void keep(const char* name, const std::vector<texture::Image>& film) {
+  const char* folder = std::getenv("COPPERMOON_FRAMES");
+  for (std::size_t f = 0; folder != nullptr && f < film.size(); ++f)
+    texture::write_exr(std::filesystem::path(folder) / fmt::format("{}{}.exr", name, f + 1),
+                       film[f], {{"coppermoon:colour_space", std::string("lin_rec709")}});
+}
+
 TEST_F(ThreeFilms, AreAlike) {
   const auto textures = by_textures();
   std::printf("| a texture for each frame, POV-Ray | %.1f | %.1f | | |\n", textures.seconds,
               textures.megabytes);
-  compare("Blender, node group *Eclipse shadow*", in_blender(), textures);
-  compare("POV-Ray, `clock`", in_povray(), textures);
+  keep("textures", textures.frames);
+  const auto blender = in_blender(), povray = in_povray();
+  keep("blender", blender.frames);
+  keep("povray", povray.frames);
+  compare("Blender, node group *Eclipse shadow*", blender, textures);
+  compare("POV-Ray, `clock`", povray, textures);
 }
 
 }  // namespace
