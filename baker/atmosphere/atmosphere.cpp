@@ -187,10 +187,13 @@ Amounts profiles_of_rows(const Column& column, double altitude_m, std::index_seq
 }
 
 bool holds(const Region& region, double position_angle_rad) {
-  const auto width = region.to - region.from,
-             after = algebra::radians(position_angle_rad) - region.from;
-  return width >= algebra::radians(2 * std::numbers::pi) ||
-         algebra::within_circle(after) < algebra::within_circle(width);
+  const auto width = region.to - region.from;
+  if (width >= algebra::radians(2 * std::numbers::pi)) return true;
+  const auto within = [&](double angle_rad) {
+    return algebra::within_circle(algebra::radians(angle_rad) - region.from) <
+           algebra::within_circle(width);
+  };
+  return within(position_angle_rad) || (region.mirrored && within(-position_angle_rad));
 }
 
 constexpr std::array amounts_that_may_differ{&Column::dust_extinction_per_m, &Column::ozone_du,
@@ -229,8 +232,8 @@ double top_m(const Column& column) {
   return column.density == Density::yapo_cutler ? taper_top_m : top_of_us_1976_m;
 }
 
-std::vector<Region> between_latitudes(algebra::Angle south, algebra::Angle north,
-                                      algebra::Angle sun_declination, const Column& column) {
+std::optional<Region> between_latitudes(algebra::Angle south, algebra::Angle north,
+                                        algebra::Angle sun_declination, const Column& column) {
   algebra::require_within("latitude [degrees]", algebra::in_degrees(south), -90, 90);
   algebra::require_within("latitude [degrees]", algebra::in_degrees(north),
                           algebra::in_degrees(south), 90);
@@ -242,14 +245,14 @@ std::vector<Region> between_latitudes(algebra::Angle south, algebra::Angle north
   const double from = angle(north), to = angle(south), pi = std::numbers::pi;
   if (from >= to) return {};
   const bool over_north = from <= 0, over_south = to >= pi;
-  const auto region = [&](double a, double b) {
-    return Region{algebra::radians(a), algebra::radians(b), column};
-  };
-  if (over_north && over_south) return {region(0, 2 * pi)};
-  if (over_north) return {region(-to, to)};
-  if (over_south) return {region(from, 2 * pi - from)};
-  return {region(from, to), region(2 * pi - to, 2 * pi - from)};
+  // FAULT a region of latitudes on one side alone: column, {}, true => column, {}, false
+  Region region{algebra::radians(from), algebra::radians(to), column, {}, true};
+  if (over_south) region.to = algebra::radians(2 * pi - from);
+  if (over_north && !over_south) region.from = algebra::radians(-to);
+  return region;
 }
+
+bool Atmosphere::mirrored() const { return std::ranges::all_of(regions, &Region::mirrored); }
 
 double Atmosphere::top_m() const {
   double top = 0;
@@ -290,6 +293,40 @@ std::array<Atmosphere::Share, 2> Atmosphere::shares_at(double position_angle_rad
   const double low = (*here)[i - 1].from_north_rad, high = (*here)[i].from_north_rad,
                along = (from_north - low) / (high - low);
   return {{{first + i - 1, 1 - along}, {first + i, along}}};
+}
+
+std::vector<double> Atmosphere::seams_rad() const {
+  constexpr double circle = 2 * std::numbers::pi;
+  std::vector<double> all{0, circle};
+  const auto add = [&](double angle_rad) {
+    all.push_back(angle_rad - circle * std::floor(angle_rad / circle));
+  };
+  const auto add_belts = [&](const Belts& some) {
+    for (const auto& belt : some) {
+      add(belt.from_north_rad);
+      add(-belt.from_north_rad);
+    }
+  };
+  add_belts(belts);
+  for (const auto& region : regions) {
+    for (const double border : {algebra::in_radians(region.from), algebra::in_radians(region.to)}) {
+      add(border);
+      if (region.mirrored) add(-border);
+    }
+    add_belts(region.belts);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+std::vector<bool> Atmosphere::columns_in_use() const {
+  std::vector<bool> used(columns().size());
+  const auto seams = seams_rad();
+  for (std::size_t i = 0; i + 1 < seams.size(); ++i)
+    if (seams[i + 1] > seams[i])
+      for (const auto& share : shares_at(std::midpoint(seams[i], seams[i + 1])))
+        if (share.share > 0) used[share.column] = true;
+  return used;
 }
 
 Atmosphere with_fewer_belts(Atmosphere atmosphere) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -79,18 +80,19 @@ using Belts = std::vector<Belt>;
 struct Region {
   algebra::Angle from, to;
   Column column{};
-  Belts belts{};  ///< replace the column, unless empty
+  Belts belts{};          ///< replace the column, unless empty
+  bool mirrored = false;  ///< whether it holds the negative position angles too
 
   bool operator==(const Region&) const = default;
 };
 
-/// Parts of the limb between two latitudes (south to north): two regions, east and west; one where the two
-/// meet over a pole; none where no part of the limb lies between these latitudes.
+/// Part of the limb between two latitudes (south to north), east and west; none where no part of the limb lies between
+/// these latitudes.
 ///
 /// Given   sun_declination  how far the north pole is tipped towards the Sun
 /// Throws  Error            when a latitude is outside ±90°, or south is north of north
-std::vector<Region> between_latitudes(algebra::Angle south, algebra::Angle north,
-                                      algebra::Angle sun_declination, const Column& column);
+std::optional<Region> between_latitudes(algebra::Angle south, algebra::Angle north,
+                                        algebra::Angle sun_declination, const Column& column);
 
 enum class Dispersion { crc, ciddor_1996 };
 enum class KingFactor { fixed, bates_1984 };  ///< fixed: 1.050
@@ -127,6 +129,8 @@ struct Atmosphere {
   bool belted() const { return columns().size() > 1 + regions.size(); }
   /// Whether light does not depend on the position angle: a sphere with one column.
   bool symmetric() const { return one_column() && earth.sphere(); }
+  /// Whether the limb's western half has the air of its eastern half, mirrored.
+  bool mirrored() const;
   /// Altitude where the air of the highest column ends [m].
   double top_m() const;
   double top_radius_m() const { return earth.equatorial_radius_m + top_m(); }
@@ -138,6 +142,11 @@ struct Atmosphere {
   /// Weights of two columns' light at a position angle. They add up to 1; the second is 0 where there are no
   /// belts.
   std::array<Share, 2> shares_at(double position_angle_rad) const;
+  /// Position angles, increasing from 0 to 2π, between which the weights of all columns are smooth: borders of regions
+  /// and middles of belts.
+  std::vector<double> seams_rad() const;
+  /// Whether a column has a weight anywhere on the limb, by column.
+  std::vector<bool> columns_in_use() const;
 };
 
 /// Air with every third of its belts, including the first and the last: cheap, for a coarse result.

@@ -17,8 +17,6 @@ namespace {
 using atmosphere::Column;
 using atmosphere::Optics;
 
-constexpr int nodes_a_piece = 16;
-
 /// Column of air at one wavelength, as a function of altitude.
 struct Air {
   double earth_radius_m;
@@ -55,11 +53,16 @@ std::vector<double> with_short_pieces_first(std::vector<double> breaks) {
   return breaks;
 }
 
-/// Altitudes from `bottom_m` up between which the air is smooth, at most 8 km apart.
-std::vector<double> pieces_above(double bottom_m, const Column& column, double top_m) {
+/// Altitudes from `bottom_m` up between which the air is smooth, at most 8 km apart; in tabulated air, whose profiles
+/// have knees at whole kilometres, these too.
+std::vector<double> pieces_above(double bottom_m, const Column& column, double top_m,
+                                 bool tabulated) {
+  constexpr double knees_up_to_m = 32e3, knees_apart_m = 1e3;
   std::vector<double> breaks = atmosphere::breaks_m(column);
   breaks.insert(breaks.end(), {bottom_m, top_m});
   for (double h = 8e3; h < top_m; h += 8e3) breaks.push_back(h);
+  if (tabulated)
+    for (double h = knees_apart_m; h < knees_up_to_m; h += knees_apart_m) breaks.push_back(h);
   std::sort(breaks.begin(), breaks.end());
   constexpr double rounding_m = 1e-11;  // of altitudes; closer breaks are dropped
   std::erase_if(breaks, [&](double h) {
@@ -93,10 +96,18 @@ struct HalfRay {
     return piece.over_b + (above_m - (piece.from_m - path.tangent_height_m)) * slope;
   }
 
+  /// Number of nodes of the quadrature over a piece.
+  int nodes_of(const Piece& piece) const {
+    constexpr int a_piece = 16, a_kilometre = 3, tabulated = 6;
+    constexpr double kilometre_m = 1e3;
+    if (!table) return a_piece;
+    return piece.to_m - piece.from_m <= kilometre_m ? a_kilometre : tabulated;
+  }
+
   void add(const Piece& piece) {
     const double tangent_m = path.tangent_height_m, b = air.earth_radius_m + path.impact_height_m;
     const double u0 = std::sqrt(piece.from_m - tangent_m), u1 = std::sqrt(piece.to_m - tangent_m);
-    for (const auto& [x, weight] : algebra::gauss_legendre(nodes_a_piece)) {
+    for (const auto& [x, weight] : algebra::gauss_legendre(nodes_of(piece))) {
       const double u = (u0 + u1) / 2 + (u1 - u0) / 2 * x, h = tangent_m + u * u;
       const auto density = atmosphere::density_ratio(air.column, h);
       const double r = air.earth_radius_m + h, n = 1 + air.refractivity * density.value;
@@ -150,7 +161,7 @@ LimbPath limb_path(double tangent_height_m, double earth_radius_m, const Column&
   HalfRay ray{air, {tangent_height_m, air.optical_height(tangent_height_m), 0, {}}, table};
   const double top_m = atmosphere::top_m(column);
   if (tangent_height_m >= top_m) return ray.path;
-  const auto breaks = pieces_above(tangent_height_m, column, top_m);
+  const auto breaks = pieces_above(tangent_height_m, column, top_m, table != nullptr);
   double over_b = 0;
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     const Piece piece{breaks[i], breaks[i + 1], over_b};

@@ -15,8 +15,6 @@
 namespace coppermoon::photons {
 namespace {
 
-constexpr double circle = 2 * std::numbers::pi;
-
 /// Column of air and a position angle of the limb where it is found.
 struct Seat {
   std::size_t column;
@@ -24,40 +22,19 @@ struct Seat {
 };
 
 std::vector<Seat> seats_of(const atmosphere::Atmosphere& atmosphere) {
-  std::vector<Seat> seats;
+  std::vector<Seat> all;
   std::size_t column = 0;
   const auto add = [&](const atmosphere::Belts& belts) {
-    for (const auto& belt : belts) seats.push_back({column++, belt.from_north_rad});
+    for (const auto& belt : belts) all.push_back({column++, belt.from_north_rad});
     if (!belts.empty()) return;
-    seats.push_back({column, std::numbers::pi / 2});
-    if (!atmosphere.earth.sphere()) seats.push_back({column, 0});
+    all.push_back({column, std::numbers::pi / 2});
+    if (!atmosphere.earth.sphere()) all.push_back({column, 0});
     ++column;
   };
   add(atmosphere.belts);
   for (const auto& region : atmosphere.regions) add(region.belts);
-  return seats;
-}
-
-/// Position angles, increasing from 0 to 2π, between which the weights of all parts are smooth: borders of
-/// regions and middles of belts.
-std::vector<double> kinks(const atmosphere::Atmosphere& atmosphere) {
-  std::vector<double> all{0, circle};
-  const auto add = [&](double angle_rad) {
-    all.push_back(angle_rad - circle * std::floor(angle_rad / circle));
-  };
-  const auto add_belts = [&](const atmosphere::Belts& belts) {
-    for (const auto& belt : belts) {
-      add(belt.from_north_rad);
-      add(-belt.from_north_rad);
-    }
-  };
-  add_belts(atmosphere.belts);
-  for (const auto& region : atmosphere.regions) {
-    add(algebra::in_radians(region.from));
-    add(algebra::in_radians(region.to));
-    add_belts(region.belts);
-  }
-  std::sort(all.begin(), all.end());
+  const auto used = atmosphere.columns_in_use();
+  std::erase_if(all, [&](const Seat& seat) { return !used[seat.column]; });
   return all;
 }
 
@@ -104,8 +81,8 @@ WholeLimb::WholeLimb(const atmosphere::Atmosphere& atmosphere,
     : atmosphere_(atmosphere) {
   const auto seats = seats_of(atmosphere);
   parts_.resize(seats.size());
-  for (std::size_t i = 0; i < seats.size(); ++i)
-    if (seats[i].column == first_part_.size()) first_part_.push_back(i);
+  part_of_column_.resize(atmosphere.columns().size());
+  for (std::size_t i = seats.size(); i-- > 0;) part_of_column_[seats[i].column] = i;
   std::vector<std::optional<LimbTable>> tables(parts_.size());
   tbb::parallel_for(std::size_t{0}, parts_.size(), [&](std::size_t i) {
     const auto limb = atmosphere::limb_at(atmosphere.earth, seats[i].position_angle_rad);
@@ -121,11 +98,10 @@ WholeLimb::WholeLimb(const atmosphere::Atmosphere& atmosphere,
 
 std::array<WholeLimb::Share, 2> WholeLimb::at(double position_angle_rad) const {
   const auto [one, other] = atmosphere_.shares_at(position_angle_rad);
-  const std::size_t part = first_part_[one.column];
+  const std::size_t part = part_of_column_[one.column];
   const bool two_seats =
-      (one.column + 1 < first_part_.size() ? first_part_[one.column + 1] : parts_.size()) - part ==
-      2;
-  if (!two_seats) return {{{part, one.share}, {first_part_[other.column], other.share}}};
+      part + 1 < parts_.size() && parts_[part + 1].column_index == parts_[part].column_index;
+  if (!two_seats) return {{{part, one.share}, {part_of_column_[other.column], other.share}}};
   const double cosine = std::cos(position_angle_rad), pole = cosine * cosine;
   // FAULT pole and equator exchanged: 1 - pole}, {part + 1, pole} => pole}, {part + 1, 1 - pole}
   return {{{part, 1 - pole}, {part + 1, pole}}};
@@ -135,7 +111,7 @@ std::vector<WholeLimb::Series> WholeLimb::series(int highest) const {
   const auto count = static_cast<std::size_t>(highest) + 1;
   const std::vector<double> none(count);
   std::vector<Series> all(parts_.size(), {none, none});
-  const auto ends = kinks(atmosphere_);
+  const auto ends = atmosphere_.seams_rad();
   for (std::size_t i = 0; i + 1 < ends.size(); ++i)
     for (const auto& node : nodes_between(ends[i], ends[i + 1], highest)) {
       const auto turn = std::polar(1., node.x);

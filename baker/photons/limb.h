@@ -10,11 +10,12 @@
 
 namespace coppermoon::photons {
 
-/// Number of parts of an atmosphere's limb (WholeLimb): one for each belt, one or two for other columns.
+/// Number of parts of an atmosphere's limb (WholeLimb): one for each belt, one or two for other columns in use.
 std::size_t parts_of_limb(const atmosphere::Atmosphere& atmosphere);
 
 /// Limb of the Earth in parts, each with a table of rays. A belt is one part, with the ground's radius at the belt;
-/// any other column is one part on a sphere, and two on an ellipsoid, at the equator and at the pole. Between these,
+/// any other column is one part on a sphere, and two on an ellipsoid, at the equator and at the pole. Columns that have a
+/// weight nowhere on the limb have no part. Between equator and pole,
 /// light is the mean of both parts, the pole's weight being cos² of the position angle.
 class WholeLimb {
  public:
@@ -71,8 +72,9 @@ class WholeLimb {
  private:
   atmosphere::Atmosphere atmosphere_;
   std::vector<Part> parts_;
-  std::vector<LimbTable> tables_;        ///< of each part, with Fans::when_asked
-  std::vector<std::size_t> first_part_;  ///< of each column
+  std::vector<LimbTable> tables_;  ///< of each part, with Fans::when_asked
+  std::vector<std::size_t>
+      part_of_column_;  ///< the first, by column; any where a column is not in use
 };
 
 }  // namespace coppermoon::photons

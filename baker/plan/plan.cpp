@@ -228,9 +228,11 @@ std::string_view name(Method method) {
 }
 
 Work finer(const Work& work) {
-  constexpr int fine_bands = 80, most_bands = 400, fine_rays = 600, most_rays = 10'000'000;
+  constexpr int fine_bands = 60, most_bands = 400, fine_rays = 600, most_rays = 10'000'000,
+                fine_terms = 4, most_terms = 6;
   Work finer;
   finer.bands = std::clamp(2 * work.bands, fine_bands, most_bands);
+  finer.sun_terms = std::clamp(work.sun_terms + 1, fine_terms, most_terms);
   finer.rays = std::clamp(work.rays, fine_rays / 2, most_rays / 2) * 2;
   finer.planes = 1;
   finer.place_error = 0.01;  // at these places light is exact; they stand closer where it bends

@@ -36,8 +36,8 @@ struct Work {
   double place_error = 1e-3;     ///< between the axis distances where light is computed
 };
 
-/// Reference settings from which the error of some work is estimated: one plane, all terms, and every knob twice as
-/// fine. None is coarse, as two coarse settings may share an error.
+/// Reference settings from which the error of some work is estimated: one plane, all terms, one more of the Sun's
+/// terms, and every other knob twice as fine. None is coarse, as two coarse settings may share an error.
 Work finer(const Work& work);
 
 /// Knobs set by hand; empty ones are chosen by the plan.

@@ -21,7 +21,7 @@ struct QuadratureSettings {
   int sun_terms = 6;  ///< of a limb-darkened disc (photons::disc_terms), 1 to 6
   /// sectors to compute, 4 to 360 around; the others stay dark. Where the air has one column, all are computed
   Sectors sectors{sectors_around};
-  /// highest harmonic of the position angle, 2 to 160; fewer are taken where the air needs fewer
+  /// highest harmonic of the position angle, 2 to 160; fewer are taken where the air or the rays need fewer
   int harmonics = 160;
   /// tolerance of interpolation between axis distances: where a cubic through four of them errs by more, another
   /// is inserted between the middle two. Relative to refracted and direct light over all wavelengths, direct
@@ -53,8 +53,8 @@ struct QuadratureSettings {
 ///
 /// with cos mψ in the integral for E_m, ψ counted from the position angle θ of the place: the arcs of one axis
 /// distance serve all θ. Farther from the axis than the projected Sun's radius, only parts of the limb that
-/// the disc covers contribute. An ellipsoid needs m = 0 and 2; belts need m up to 48, regions up to 160, and
-/// fewer near the axis.
+/// the disc covers contribute. An ellipsoid needs m = 0 and 2; belts need m up to 24 with 300 rays and 37 with 600,
+/// regions up to 75 and 150, and fewer near the axis.
 ///
 /// Given     wavelengths_nm    380 to 780
 ///           axis_distances_m  increasing, 0 or more

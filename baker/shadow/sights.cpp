@@ -75,10 +75,12 @@ Amounts Slants::beyond(double lowest_m, double along_m) const {
   const auto i = static_cast<std::size_t>(row), j = static_cast<std::size_t>(place);
   if (i + 1 >= outwards_.rows() || j + 1 >= outwards_.columns()) return {};
   const double v = row - static_cast<double>(i), u = place - static_cast<double>(j);
+  const auto &here = outwards_(i, j), &further = outwards_(i, j + 1), &higher = outwards_(i + 1, j),
+             &both = outwards_(i + 1, j + 1);
   Amounts amounts{};
   for (std::size_t k = 0; k < amounts.size(); ++k)
-    amounts[k] = (1 - v) * std::lerp(outwards_(i, j)[k], outwards_(i, j + 1)[k], u) +
-                 v * std::lerp(outwards_(i + 1, j)[k], outwards_(i + 1, j + 1)[k], u);
+    amounts[k] =
+        (1 - v) * ((1 - u) * here[k] + u * further[k]) + v * ((1 - u) * higher[k] + u * both[k]);
   return amounts;
 }
 

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "algebra/interpolation.h"
@@ -171,19 +172,22 @@ AroundTheRing around(const Ring& ring, double axis_distance_m, double depth_m,
   return light;
 }
 
-std::vector<Ring> rings_of(std::span<const Atmosphere> airs,
-                           std::span<const double> wavelengths_nm) {
+/// Rings by column; none for columns that have no part of the limb.
+std::vector<std::optional<Ring>> rings_of(std::span<const Atmosphere> airs,
+                                          std::span<const double> wavelengths_nm) {
   const auto rich = atmosphere::richest(airs);
   const double radius = (atmosphere::limb_at(rich.earth, 0).radius_m +
                          atmosphere::limb_at(rich.earth, pi / 2).radius_m) /
                         2;
   const auto optics = optics_of(rich, wavelengths_nm);
   const auto richest = rich.columns();
-  std::vector<Ring> rings;
+  const auto used = rich.columns_in_use();
+  std::vector<std::optional<Ring>> rings(richest.size());
   for (std::size_t c = 0; c < richest.size(); ++c) {
+    if (!used[c]) continue;
     std::vector<const Column*> columns;
     for (const auto& air : airs) columns.push_back(air.columns()[c]);
-    rings.emplace_back(*richest[c], columns, radius, optics);
+    rings[c].emplace(*richest[c], columns, radius, optics);
   }
   return rings;
 }
@@ -197,6 +201,7 @@ void gather(const Atmosphere& atmosphere, const std::vector<AroundTheRing>& ring
   for (std::size_t a = 0; a < angles; ++a) {
     const double phi = 2 * pi * static_cast<double>(a + sector) / static_cast<double>(angles);
     for (const auto& [column, share] : atmosphere.shares_at(phi)) {
+      if (share == 0) continue;
       const auto& light = rings[column][std::min(a, angles - a)];
       for (std::size_t w = 0; w < ratio.size(); ++w)
         ratio[w] += share * factor * light[first_wave + w];
@@ -278,9 +283,10 @@ std::vector<RefractedLight> twilight_in(std::span<const Atmosphere> airs,
     const std::size_t k = i / distances, d = i % distances;
     const double depth = arrangement.depths_m[k];
     std::vector<AroundTheRing> around_rings;
-    for (const auto& ring : rings)
-      around_rings.push_back(
-          around(ring, axis_distances_m[d], depth, shares, all.size() * waves_apart));
+    for (const auto& ring : rings) {
+      auto& light = around_rings.emplace_back();
+      if (ring) light = around(*ring, axis_distances_m[d], depth, shares, all.size() * waves_apart);
+    }
     const double factor =
         squared(1 + depth / arrangement.sun_distance_m) * 2 * pi / static_cast<double>(angles);
     for (std::size_t air = 0; air < all.size(); ++air)

@@ -9,6 +9,7 @@
 #include "files/fingerprint.h"
 #include "files/whole_file.h"
 #include "request/recipe.h"
+#include "texture/images_ahead.h"
 #include "texture/own_image.h"
 #include "texture/seal.h"
 #include "texture/write_glb.h"
@@ -202,6 +203,7 @@ void write(const Options& options, const std::vector<Output>& outputs, const Out
 
 /// Lit Moon of the options, seen by their observer.
 uses::LitMoon lit_moon(const Options& options, const uses::MoonRequest& request) {
+  const texture::ImagesAhead images;
   const auto sky = eclipsed_sky(options.moon);
   const auto seen = view_of(options.view, sky);
   auto moon = [&] {

@@ -4,6 +4,8 @@
 #include <dlfcn.h>
 #include <link.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
+#include <tbb/parallel_for.h>
 
 #include <cstddef>
 #include <new>
@@ -11,6 +13,7 @@
 #include <system_error>
 
 #include "algebra/error.h"
+#include "texture/images_ahead.h"
 #include "texture/openimageio/image_functions.h"
 
 namespace coppermoon::texture {
@@ -81,6 +84,26 @@ const ImageFunctions& images() {
 }
 
 }  // namespace
+
+ImagesAhead::ImagesAhead() {
+  rlimit addresses{};
+  if (::getrlimit(RLIMIT_AS, &addresses) != 0 || addresses.rlim_cur != RLIM_INFINITY) return;
+  // oneTBB loads libraries of its own when it begins, and would wait for these
+  tbb::parallel_for(0, 2, [](int) {});
+  try {
+    loading_ = std::thread([] {
+      try {
+        images();
+      } catch (...) {  // whoever first needs an image tries again, and says it
+      }
+    });
+  } catch (const std::system_error&) {  // no thread: loaded later
+  }
+}
+
+ImagesAhead::~ImagesAhead() {
+  if (loading_.joinable()) loading_.join();
+}
 
 Image read_image(const fs::path& path) { return images().read_image(path); }
 

@@ -102,24 +102,24 @@ atmosphere::Belts belts_in(const AirRegion& region, atmosphere::Belts belts,
   return belts;
 }
 
-std::vector<atmosphere::Region> regions_from(const AirRegion& region,
-                                             const atmosphere::Atmosphere& air,
-                                             const AirMoment& moment) {
+/// Region of the limb that a request names; none where the limb does not reach its latitudes.
+std::optional<atmosphere::Region> region_on_limb(const AirRegion& region,
+                                                 const atmosphere::Atmosphere& air,
+                                                 const AirMoment& moment) {
   require_place(region);
   const auto column = changed(air.column, region.column, {{}, moment.year});
-  std::vector<atmosphere::Region> regions;
+  std::optional<atmosphere::Region> made;
   if (region.from_latitude) {
-    regions =
-        between_latitudes(algebra::degrees(*region.from_latitude),
-                          algebra::degrees(*region.to_latitude), moment.sun_declination, column);
+    made = between_latitudes(algebra::degrees(*region.from_latitude),
+                             algebra::degrees(*region.to_latitude), moment.sun_declination, column);
   } else {
     for (const double angle : {*region.from_position_angle, *region.to_position_angle})
       algebra::require_within("position angle [degrees]", angle, -360, 720);
-    regions = {{algebra::degrees(*region.from_position_angle),
-                algebra::degrees(*region.to_position_angle), column}};
+    made = {algebra::degrees(*region.from_position_angle),
+            algebra::degrees(*region.to_position_angle), column};
   }
-  for (auto& one : regions) one.belts = belts_in(region, air.belts, moment);
-  return regions;
+  if (made) made->belts = belts_in(region, air.belts, moment);
+  return made;
 }
 
 void change_profiles(const Air& asked, const Standing& standing, Column& column) {
@@ -200,7 +200,7 @@ atmosphere::Atmosphere atmosphere_of(const Air& air_asked, algebra::Angle sun_de
         fmt::format("regions = {}, allowed up to {}: each has air of its own to compute",
                     asked.regions.size(), most_regions));
   for (const auto& one : asked.regions)
-    for (const auto& region : regions_from(one, air, moment)) air.regions.push_back(region);
+    if (auto region = region_on_limb(one, air, moment)) air.regions.push_back(std::move(*region));
   require_valid(air);
   return air;
 }
@@ -290,8 +290,9 @@ atmosphere::Atmosphere atmosphere_of(const Air& asked, const almanac::SkyState& 
   auto next = air.regions.begin();
   for (const auto& region : asked.regions) {
     const auto step = region.column.danjon ? region.column.danjon : asked.column.danjon;
-    for (auto parts = regions_from(region, air, moment).size(); parts > 0; --parts, ++next)
-      if (step) next->belts = cleared_belts({asked, &region, *step}, sky, next->belts);
+    if (!region_on_limb(region, air, moment)) continue;
+    if (step) next->belts = cleared_belts({asked, &region, *step}, sky, next->belts);
+    ++next;
   }
   if (asked.column.danjon)
     air.belts = cleared_belts({asked, nullptr, *asked.column.danjon}, sky, air.belts);

@@ -13,6 +13,7 @@
 #include "files/whole_file.h"
 #include "povray_scenes/mitsuba.h"
 #include "povray_scenes/moon_include.h"
+#include "texture/images_ahead.h"
 #include "texture/own_image.h"
 #include "uses/light/photometric_bands.h"
 #include "uses/picture/brightness.h"
@@ -58,6 +59,7 @@ MoonRequest fitted(MoonRequest moon, const povray_scenes::SceneCamera& camera) {
 
 LitScene lit_scene(const MoonRequest& request, const ViewRequest& view,
                    const almanac::SkyState& sky, const SceneBaking& baking) {
+  const texture::ImagesAhead images;
   auto seen = view_for_frame(view, sky).view;
   seen.response = request.response.value_or("");
   auto moon = lit_moon(fitted(request, seen.camera), sky, baking.light);

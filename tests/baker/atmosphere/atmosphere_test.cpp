@@ -230,32 +230,50 @@ double width_deg(const Region& region) { return in_degrees(region.to) - in_degre
 
 TEST(BetweenLatitudes, AreTheLimbsEastAndWest) {
   const auto tropics = between_latitudes(degrees(-20), degrees(30), degrees(0), {.ozone_du = 250});
-  ASSERT_EQ(tropics.size(), 2U);
-  EXPECT_WITHIN(in_degrees(tropics[0].from), 60., 1e-12, "90 − 30, by definition at the equinox");
-  EXPECT_WITHIN(in_degrees(tropics[0].to), 110., 1e-12, "90 + 20");
-  EXPECT_WITHIN(in_degrees(tropics[1].from), 250., 1e-12, "360 − 110");
-  EXPECT_EQ(tropics[1].column.ozone_du, 250);
+  ASSERT_TRUE(tropics);
+  EXPECT_WITHIN(in_degrees(tropics->from), 60., 1e-12, "90 − 30, by definition at the equinox");
+  EXPECT_WITHIN(in_degrees(tropics->to), 110., 1e-12, "90 + 20");
+  EXPECT_EQ(tropics->column.ozone_du, 250);
+  const Atmosphere atmosphere{.regions = {*tropics}};
+  for (const double angle : {61., 109., 251., 299.}) EXPECT_EQ(ozone_at(atmosphere, angle), 250);
+  for (const double angle : {0., 59., 111., 180., 249., 301.})
+    EXPECT_NE(ozone_at(atmosphere, angle), 250) << angle;
+  EXPECT_TRUE(atmosphere.mirrored());
 }
 
 TEST(BetweenLatitudes, GoOverThePole) {
   const auto south = between_latitudes(degrees(-90), degrees(0), degrees(10), {});
-  ASSERT_EQ(south.size(), 1U);
-  EXPECT_WITHIN(in_degrees(south[0].from), 90., 1e-12, "the equator, wherever the Sun");
-  EXPECT_WITHIN(in_degrees(south[0].to), 270., 1e-12, "as above");
+  ASSERT_TRUE(south);
+  EXPECT_WITHIN(in_degrees(south->from), 90., 1e-12, "the equator, wherever the Sun");
+  EXPECT_WITHIN(in_degrees(south->to), 270., 1e-12, "as above");
   const auto north = between_latitudes(degrees(60), degrees(90), degrees(0), {});
-  ASSERT_EQ(north.size(), 1U);
-  EXPECT_WITHIN(width_deg(north[0]), 60., 1e-12, "30 on either side");
+  ASSERT_TRUE(north);
+  EXPECT_WITHIN(width_deg(*north), 60., 1e-12, "30 on either side");
   const auto all = between_latitudes(degrees(-90), degrees(90), degrees(-23), {});
-  ASSERT_EQ(all.size(), 1U);
-  EXPECT_WITHIN(width_deg(all[0]), 360., 1e-12, "all of it");
+  ASSERT_TRUE(all);
+  EXPECT_WITHIN(width_deg(*all), 360., 1e-12, "all of it");
 }
 
 // The limb of a Sun at 23° reaches 67° of latitude: the ring of the terminator.
 TEST(BetweenLatitudes, AreEmptyWhereTheLimbDoesNotReach) {
-  EXPECT_TRUE(between_latitudes(degrees(70), degrees(80), degrees(23), {}).empty());
-  EXPECT_EQ(between_latitudes(degrees(65), degrees(80), degrees(23), {}).size(), 1U);
+  EXPECT_FALSE(between_latitudes(degrees(70), degrees(80), degrees(23), {}));
+  EXPECT_TRUE(between_latitudes(degrees(65), degrees(80), degrees(23), {}));
   EXPECT_THROW(between_latitudes(degrees(20), degrees(10), degrees(0), {}), algebra::Error);
   EXPECT_THROW(between_latitudes(degrees(-91), degrees(10), degrees(0), {}), algebra::Error);
+}
+
+TEST(ColumnsInUse, HaveAPartOfTheLimb) {
+  const Belts belts{{0, {}}, {0.5, {}}, {1, {}}, {2, {}}, {3, {}}};
+  Atmosphere atmosphere{.belts = belts};
+  EXPECT_EQ(atmosphere.columns_in_use(), std::vector<bool>(5, true));
+  atmosphere.regions = {{algebra::radians(0.6), algebra::radians(1.9), {}, belts, true}};
+  const std::vector<bool> two_seams_inside{true,  true, true, true, true,
+                                           false, true, true, true, false};
+  EXPECT_EQ(atmosphere.columns_in_use(), two_seams_inside);
+  atmosphere.regions[0].from = algebra::radians(-4), atmosphere.regions[0].to = degrees(180);
+  const std::vector<bool> nothing_outside{false, false, false, false, false,
+                                          true,  true,  true,  true,  true};
+  EXPECT_EQ(atmosphere.columns_in_use(), nothing_outside);
 }
 
 /// ∫ cosᵖ χ f(χ) dΩ of what an absorber scatters.

@@ -241,9 +241,9 @@ TEST(LimbRay, CrossesTheOzoneOnItsOwnPath) {
   EXPECT_WITHIN(amount(0), 24.1, 4, "a thin layer at 22 km: the filter's air mass");
 }
 
-// limb_path's integrals by 400 000 midpoints, which knees in the profiles do not disturb.
-atmosphere::Amounts amounts_by_midpoints(const Column& column, double tangent_m) {
-  constexpr int points = 400'000;
+// limb_path's integrals by midpoints, which knees in the profiles do not disturb.
+atmosphere::Amounts amounts_by_midpoints(const Column& column, double tangent_m,
+                                         int points = 400'000) {
   const auto excess = [&](double h) { return refractivity(column, green, h) * (radius_m + h); };
   const double at_tangent = excess(tangent_m);
   const double width = std::sqrt(atmosphere::top_m(column) - tangent_m) / points;
@@ -285,6 +285,23 @@ TEST(LimbRay, HasAirOzoneAndAerosolToWhatIsStated) {
   expect_stated_amounts(column, 2e-4);
   column.stratosphere = atmosphere::StratosphericAerosol::extreme;
   expect_stated_amounts(column, 1e-3);
+}
+
+TEST(LimbRay, KnowsTheKneesOfAMonthsAir) {
+  constexpr int points = 50'000;  // err by 1e-6 here
+  const auto belts = atmosphere::preset("standard", algebra::degrees(20), 2018.57).belts;
+  for (const auto& belt : {belts.front(), belts[belts.size() / 2], belts.back()}) {
+    const auto& column = belt.column;
+    const ProfileTable table(column);
+    const auto spectra = atmosphere::spectra(column, green);
+    for (const double h : {37., 7319., 12e3, 16256., 22e3, 29e3}) {
+      const double exact = atmosphere::product(amounts_by_midpoints(column, h, points), spectra);
+      const auto path = limb_path(h, radius_m, column, green.refractivity, &table);
+      EXPECT_WITHIN_RELATIVE(atmosphere::product(path.amounts, spectra), exact, 2e-4,
+                             "as the header says")
+          << h << " m, " << belt.from_north_rad;
+    }
+  }
 }
 
 TEST(LimbRay, RefusesImpactHeightsOutsideItsRange) {

@@ -246,8 +246,8 @@ atmosphere::Atmosphere dusty_south() {
   auto air = atmosphere::preset("undated", december);
   auto column = air.column;
   column.dust_extinction_per_m = 4e-6;
-  air.regions =
-      atmosphere::between_latitudes(algebra::degrees(-90), algebra::degrees(0), december, column);
+  air.regions = {
+      *atmosphere::between_latitudes(algebra::degrees(-90), algebra::degrees(0), december, column)};
   return air;
 }
 

@@ -132,8 +132,8 @@ atmosphere::Atmosphere everything(bool regions) {
   plume.stratosphere = atmosphere::StratosphericAerosol::moderate;
   plume.dust_extinction_per_m = 2e-6;
   if (regions)
-    air.regions = between_latitudes(algebra::degrees(-90), algebra::degrees(-10),
-                                    algebra::degrees(-20), plume);
+    air.regions = {*between_latitudes(algebra::degrees(-90), algebra::degrees(-10),
+                                      algebra::degrees(-20), plume)};
   return air;
 }
 

@@ -213,7 +213,7 @@ TEST(LimbRing, IsDarkerOverADustyHemisphereAlone) {
   auto dust = air.column;
   dust.dust_extinction_per_m = 1e-5;
   const LimbRing clean(air, darkened, place(0), waves);
-  air.regions = between_latitudes(degrees(-90), degrees(0), degrees(0), dust);
+  air.regions = {*between_latitudes(degrees(-90), degrees(0), degrees(0), dust)};
   const LimbRing half(air, darkened, place(0), waves);
   std::vector<double> with(waves.size()), without(waves.size());
   for (const double angle : {0.5, 2.6}) {

@@ -198,7 +198,7 @@ atmosphere::Atmosphere dusty_south() {
   auto air = atmosphere::preset("undated", degrees(10));
   auto dust = air.column;
   dust.dust_extinction_per_m = 1e-5;
-  air.regions = between_latitudes(degrees(-90), degrees(0), degrees(10), dust);
+  air.regions = {*between_latitudes(degrees(-90), degrees(0), degrees(10), dust)};
   return air;
 }
 
@@ -224,7 +224,7 @@ TEST(Regions, ThatCoverEverythingAreNoRegion) {
   const std::vector<double> distances{0, 1000e3, 3000e3, 4500e3, 6000e3};
   auto air = atmosphere::preset("undated", degrees(10));
   const auto without = by_quadrature(air, mean_distances, waves, distances);
-  air.regions = between_latitudes(degrees(-90), degrees(90), degrees(10), air.column);
+  air.regions = {*between_latitudes(degrees(-90), degrees(90), degrees(10), air.column)};
   air.column = {};  // of no consequence: the region is everywhere
   air.column.density = atmosphere::Density::us_1976;
   const auto with = by_quadrature(air, mean_distances, waves, distances);

@@ -34,8 +34,9 @@ ShadowedMoon february_2008() { return moon_at("2008-02-21T03:26:05Z"); }
 ShadowedMoon with_dusty_south(ShadowedMoon moon) {
   auto dusty = moon.air.column;
   dusty.dust_extinction_per_m = 1e-5;
-  moon.air.regions = between_latitudes(algebra::degrees(-90), algebra::degrees(0),
-                                       algebra::radians(moon.air.earth.sun_declination_rad), dusty);
+  moon.air.regions = {*between_latitudes(algebra::degrees(-90), algebra::degrees(0),
+                                         algebra::radians(moon.air.earth.sun_declination_rad),
+                                         dusty)};
   return moon;
 }
 

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "texture/images_ahead.h"
+
+namespace coppermoon::texture {
+
+// a program that is linked with OpenImageIO has loaded it already
+ImagesAhead::ImagesAhead() = default;
+ImagesAhead::~ImagesAhead() = default;
+
+}  // namespace coppermoon::texture
