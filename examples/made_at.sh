@@ -1,8 +1,21 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Ends a page of figures: the commit and the machine that they were made at, on stdout.
+# Ends a page of figures: the commit, the machine and the command that they were made by, on stdout. Pages and pictures that were
+# made anew meanwhile make a tree no other; whatever else differs from the commit makes it "-dirty".
+#
+# Given  COMMAND …  or --commit: the commit alone
 set -eu
-cd "$(dirname "$0")"
-commit=$(git describe --always --dirty --exclude '*' 2>/dev/null) || commit="version $(../build/release/coppermoon --version | awk '{ print $NF; exit }')"
+cd "$(dirname "$0")/.."
+if commit=$(git rev-parse --short HEAD 2>/dev/null); then
+  git diff --quiet HEAD -- ':!*.md' ':!docs/pictures' ':!examples/pictures' ':!examples/*.csv' \
+    ':!tests/measurements/*.svg' ':!tests/benchmarks/history.csv' || commit=$commit-dirty
+else
+  commit="version $(build/release/coppermoon --version | awk '{ print $NF; exit }')"
+fi
+if [ "${1:-}" = --commit ]; then
+  echo "$commit"
+  exit
+fi
 processor=$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1)
-printf '\nMade at %s, on %s processors (%s).\n' "$commit" "$(nproc)" "${processor:-unknown}"
+command=$(echo "$*" | sed 's/ *$//')
+printf '\nMade at %s, on %s processors (%s)%s.\n' "$commit" "$(nproc)" "${processor:-unknown}" "${command:+, by \`$command\`}"

@@ -132,12 +132,16 @@ void register_kernels(const char* preset) {
   }
   registered("march_tables", preset, march_tables, preset);
   registered("limb_path", preset, limb_path, preset);
-  registered("by_quadrature", preset, by_quadrature, preset)->UseRealTime();
+  registered("by_quadrature", preset, by_quadrature, preset)
+      ->UseRealTime()
+      ->MeasureProcessCPUTime();
   using shadow::Trace;
   shadow::PhotonSettings settings;
   settings.photons = 100 * shadow::photons_a_block;
   settings.trace = Trace::table;
-  registered("photons_table", preset, by_photons, preset, settings)->UseRealTime();
+  registered("photons_table", preset, by_photons, preset, settings)
+      ->UseRealTime()
+      ->MeasureProcessCPUTime();
   settings.trace = Trace::marched;
   for (const double step_m : {1000., 10e3})
     for (const auto precision : {Precision::full, Precision::single}) {
@@ -145,7 +149,8 @@ void register_kernels(const char* preset) {
       const std::string digits = precision == Precision::full ? "full_" : "single_";
       registered("photons_" + digits + std::to_string(static_cast<int>(step_m)) + "m", preset,
                  by_photons, preset, settings)
-          ->UseRealTime();
+          ->UseRealTime()
+          ->MeasureProcessCPUTime();
     }
 }
 
