@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Eclipses at the moments, places and exposures of well-known photographs: a sheet, ./beside_photographs.jpg, and on stdout the
-# figures of docs/beside_photographs.md. Two minutes.
+# Eclipses at the moments, places and exposures of well-known photographs: a sheet, ./beside_photographs.jpg, and on stdout
+# beside_photographs.md, from which docs/beside_photographs.md has its figures. Two minutes.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 "$here/build.sh" coppermoon_program packages.tests.debian >&2
@@ -12,6 +12,10 @@ still() { coppermoon still "$@" --width 300 --height 300 --up zenith >&2 </dev/n
 numbers() { oiiotool --dumpdata "$1" | sed -n 's/.*Pixel (\(.*\), \(.*\)): \(.*\)/\1 \2 \3/p'; }
 V() { coppermoon brightness "$@" --json | awk '/"V"/ { printf "%.2f", $2 }'; }
 
+cat <<'END'
+Made by `examples/beside_photographs.sh`: the figures of [`docs/beside_photographs.md`](../docs/beside_photographs.md).
+
+END
 echo "| command | brightest hundredth of the disc, over saturation |"
 echo "| --- | ---: |"
 while read -r name seconds flags; do
@@ -36,13 +40,14 @@ by_hand 1/100 2019-01-21T04:58:33Z --at 38.9,-77.04 --f-number 5.6 --iso 12800
 END
 still 2022-05-16 U3-2min --at 42.4,-72.7 -o "$scratch/2022.png"
 
+echo
 for planet in "Uranus 2014 1.3" "Mars 2018 15"; do  # the brightest point beside the Moon, in a field of so many degrees
   set -- $planet
   numbers "$scratch/$2.exr" | awk -v what="$1, $2" -v field="$3" '
     { x = $1 - 149.5; y = 149.5 - $2; from = sqrt(x^2 + y^2) }
     from < 70 && $4 > 0.01 { disc++ }
     from > 70 && $4 > most { most = $4; far = from; turn = atan2(x, y) / atan2(0, -1) * 6 }
-    END { printf "%s: %.2f° from the Moon, %.2f° from its limb, at %.1f o\047clock\n", what, far * field / 300,
+    END { printf "* %s: %.2f° from the Moon, %.2f° from its limb, at %.1f o\047clock\n", what, far * field / 300,
                  (far - sqrt(disc / atan2(0, -1))) * field / 300, (turn + 12) % 12 }'
 done
 
@@ -52,16 +57,18 @@ white=$(oiiotool --stats "$scratch/full.exr" | awk '/Stats Avg/ { print $4 / $3 
 oiiotool "$scratch/2008_5.exr" --mulc "$white" -o "$scratch/white.exr"
 coppermoon develop "$scratch/white.exr" --f-number 9 --iso 200 --time 2 -o "$scratch/white.png" >&2
 numbers "$scratch/white.exr" | awk '$3 > 0.01 && $5 / $3 > most { most = $5 / $3 }
-  END { printf "2008-02-21T03:51Z: blue over red at the bluest place, over that of the full Moon: %.2f\n", most }'
+  END { printf "* 2008-02-21T03:51Z: blue over red at the bluest place, over that of the full Moon: %.2f\n", most }'
 
 dimming="$(V 2015-09-28) - ($(V 2015-09-28 --unshadowed))"
-echo "2015-09-28: fainter than the full Moon by $(awk "BEGIN { d = $dimming; printf \"%.2f mag, %.0f times\", d, 10^(0.4 * d) }")"
+echo "* 2015-09-28: fainter than the full Moon by $(awk "BEGIN { d = $dimming; printf \"%.2f mag, %.0f times\", d, 10^(0.4 * d) }")"
 for aerosol in dated background; do
-  echo "2022-11-08: V $(V 2022-11-08 --stratospheric-aerosol "$aerosol"), stratospheric aerosol $aerosol"
+  echo "* 2022-11-08: V $(V 2022-11-08 --stratospheric-aerosol "$aerosol"), stratospheric aerosol $aerosol"
 done
-coppermoon almanac --from 2025-03-14 --to 2025-03-15 --feature 18.56,61.81 --json | grep mersion
+coppermoon almanac --from 2025-03-14 --to 2025-03-15 --feature 18.56,61.81 --json |
+  sed -n 's/.*"\([a-z]*mersion\)": "\(.*\)".*/* 2025-03-14 at 18.56° N, 61.81° E: \1 \2/p'
+"$here/made_at.sh" examples/beside_photographs.sh
 
 cd "$scratch"
-oiiotool 2008_1.png 2008_4.png 2008_5.png white.png 2014.png 2015.png 2018.png 2019.png 2022.png \
+oiiotool --nosoftwareattrib 2008_1.png 2008_4.png 2008_5.png white.png 2014.png 2015.png 2018.png 2019.png 2022.png \
   --mosaic:pad=4 3x3 --compression jpeg:88 -o beside_photographs.jpg
 cp beside_photographs.jpg "$OLDPWD"

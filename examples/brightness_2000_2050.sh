@@ -41,5 +41,5 @@ four magnitudes.
 | --- | ---: | ---: | ---: | ---: |
 END
   awk -F, 'NR > 1 { printf "| %s | %s | %s | %s | %.1f |\n", $1, $2, $3, $4, $5 }' brightness_2000_2050.csv | sed 's/| -/| −/g'
-  "$here/made_at.sh"
+  "$here/made_at.sh" "examples/brightness_2000_2050.sh $*"
 } >brightness_2000_2050.md

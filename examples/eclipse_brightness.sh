@@ -175,4 +175,4 @@ All but one come out dark, by 2.3 to 3.6 magnitudes against their neighbours: an
 1229 does not: there is none in the ice, and what darkened it (weather along the limb, or an eruption too small for the
 poles' snow) the air of a month does not know.
 END
-"$here/made_at.sh"
+"$here/made_at.sh" "examples/eclipse_brightness.sh $*"

@@ -46,4 +46,4 @@ awk -v n="$frames" -v whole="$whole" -v povray="$povray" -v textures="$textures"
   print "rendered; POV-Ray sleeps for a third of a second at each frame, and several processes with one thread each are quicker"
   print "than one with several."
 }'
-"$here/made_at.sh"
+"$here/made_at.sh" "examples/film.sh $*"

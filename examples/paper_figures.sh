@@ -11,7 +11,8 @@ results=$PWD
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
-flags="--solver quadrature --width 450 --height 300 $*"
+given=$*
+flags="--solver quadrature --width 450 --height 300 $given"
 
 coppermoon() { "$here/../build/release/coppermoon" "$@"; }
 
@@ -44,7 +45,7 @@ strip() {
     set -- "$@" "$picture.png" --cut "{TOP.height}x{TOP.height}+{(TOP.width-TOP.height)/2}+0"
     shift
   done
-  oiiotool "$@" --mosaic:pad=4 "$shape" -o "$results/$figure.png"
+  oiiotool --nosoftwareattrib "$@" --mosaic:pad=4 "$shape" -o "$results/$figure.png"
 }
 
 # said NAME KEY: what `brightness --json` said of a frame.
@@ -250,4 +251,4 @@ cat <<'EOF'
 `tests/end_to_end/paper_figures_test.cpp` asserts, in small, the order of brightness, the copper, and which parts
 saturate: those of which so much of the Sun is in view.
 EOF
-"$here/made_at.sh"
+"$here/made_at.sh" "examples/paper_figures.sh $given"

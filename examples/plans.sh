@@ -32,4 +32,4 @@ scene "A preview of 256 pixels" "Drafts may be wrong by 5 %, which fewer rays ke
 texture is no larger than so small a frame can show." 2008-02-21T03:26:05Z --quality draft --width 256 --height 256
 scene "A map of 16384 texels" "Light is computed as for any other map: the time goes into texels." \
   2008-02-21T03:26:05Z --texture-width 16384
-"$here/made_at.sh"
+"$here/made_at.sh" "examples/plans.sh $*"

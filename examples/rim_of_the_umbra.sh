@@ -1,13 +1,18 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Rim of the umbra as the CIE observer and cameras see it: red over blue by distance from the shadow's axis, over full
-# moonlight, and a picture, rim_of_the_umbra.jpg. Further flags go to `coppermoon shadow` and `still`.
+# Rim of the umbra as the CIE observer and cameras see it: rim_of_the_umbra.md on stdout, and a picture,
+# ./rim_of_the_umbra.jpg. Further flags go to `coppermoon shadow` and `still`.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-"$here/build.sh" coppermoon_program packages.tests.debian
+"$here/build.sh" coppermoon_program packages.tests.debian >&2
 coppermoon="$here/../build/release/coppermoon"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+cat <<'END'
+Made by `examples/rim_of_the_umbra.sh`: red over blue, linear Rec.709, by distance from the shadow's axis, over full moonlight,
+mean of all position angles.
+
+END
 echo '| eclipse | response | least red over blue | at [km] | red below blue, width [arcmin] |'
 echo '| --- | --- | ---: | ---: | ---: |'
 for day in 2008-02-21 2018-07-27; do
@@ -30,5 +35,6 @@ for response in colorimetric canon-eos-600d sony-ilce-7m3; do
     -o "$work/$response.png" "$@" > "$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
   oiiotool "$work/$response.png" --cut 400x460+430+220 -o "$work/$response.rim.png"
 done
-oiiotool "$work/colorimetric.rim.png" "$work/canon-eos-600d.rim.png" "$work/sony-ilce-7m3.rim.png" --mosaic 3x1 \
+oiiotool --nosoftwareattrib "$work/colorimetric.rim.png" "$work/canon-eos-600d.rim.png" "$work/sony-ilce-7m3.rim.png" --mosaic 3x1 \
   --compression jpeg:92 -o rim_of_the_umbra.jpg
+"$here/made_at.sh" "examples/rim_of_the_umbra.sh $*"

@@ -15,7 +15,7 @@ for name in povray blender; do oiiotool $name.exr reference.exr --absdiff --mulc
 for name in povray blender reference off_povray off_blender; do
   "$build/coppermoon" develop $name.exr --time 4 -o $name.png >&2
 done
-oiiotool povray.png blender.png reference.png off_povray.png off_blender.png --mosaic:pad=4 5x1 -o side_by_side.png
+oiiotool --nosoftwareattrib povray.png blender.png reference.png off_povray.png off_blender.png --mosaic:pad=4 5x1 -o side_by_side.png
 cp side_by_side.png "$OLDPWD"
 
 cat <<'EOF'
@@ -37,4 +37,4 @@ Luminance: of the pixels more than 2 px inside the limb. Centroid: of all light.
 3 × 3 rays are what `coppermoon scene` asks for: to a pixel's middle, edges and corners, which are another's too, so that each
 pixel reaches a little into the next; with more rays (`povray eclipse.ini +R5`) that is gone.
 EOF
-"$here/made_at.sh"
+"$here/made_at.sh" "examples/side_by_side.sh $*"

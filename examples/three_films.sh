@@ -19,7 +19,7 @@ for film in textures blender povray; do
   done
 done
 # shellcheck disable=SC2086
-oiiotool $pictures --mosaic:pad=2 5x3 -o three_films.png
+oiiotool --nosoftwareattrib $pictures --mosaic:pad=2 5x3 -o three_films.png
 
 cat <<'EOF'
 # Three films of one eclipse
@@ -40,4 +40,4 @@ Seconds: of everything, baking and rendering. MB: textures, strip and shaders; t
 the others do not, but for the add-on's small textures, by which it knows light and camera of each frame. Difference: of luminance,
 pixel by pixel, 4 pixels and more inside the limb; rays meet the ground's relief elsewhere in each renderer.
 EOF
-"$here/made_at.sh"
+"$here/made_at.sh" "examples/three_films.sh $*"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Speed against accuracy, measured for every method and setting: makes tradeoff.md and pictures/tradeoff.svg again, in
+# Speed against accuracy, measured for every method and setting: makes tradeoff.md and docs/pictures/tradeoff.svg again, in
 # about five minutes on two processors. With flags, as --quick or --longest 60: what they make, into the folder tradeoff.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -13,5 +13,5 @@ fi
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 measure -o "$scratch"
-{ cat "$scratch/tradeoff.md"; "$here/made_at.sh"; } >"$here/tradeoff.md"
-mv "$scratch/tradeoff.svg" "$here/pictures/tradeoff.svg"
+{ cat "$scratch/tradeoff.md"; "$here/made_at.sh" examples/tradeoff.sh; } >"$here/tradeoff.md"
+mv "$scratch/tradeoff.svg" "$here/../docs/pictures/tradeoff.svg"

@@ -3,11 +3,12 @@
 # What was pushed how far and what held: extremes.md on stdout, from what the tests of tests/extremes print. Ten
 # minutes on two processors, then hours of ten thousand random recipes, and of fuzzers (package clang).
 #
-# Given  SHARDS=100         of 100 recipes each
+# Given  SHARDS=100         of 100 recipes each; 0: recipes and fuzzers stand as on the page beside this script
 #        SECONDS_EACH=3600  of each fuzzer
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 shards=${1:-100} seconds_each=${2:-3600}
+made_at() { "$here/../../examples/made_at.sh" "tests/measurements/extremes.sh $*"; }
 "$here/../../examples/build.sh" "coppermoon_program quick_tests heavy_tests slow_tests sweep_tests" packages.tests.debian >&2
 tests=$here/../../build/release/tests
 
@@ -46,6 +47,13 @@ heading "Faults"
 rows faults film_faults
 heading "Untrusted words"
 rows words
+if [ "$shards" -eq 0 ]; then
+  made_at "$shards"
+  echo
+  sed -n '/^## Random recipes/,$p' "$here/extremes.md"
+  exit
+fi
+made_at "$shards" "$seconds_each"
 heading "Random recipes"
 printf '| tried | valid files | refused in one line | most memory of one [MB] |\n| --- | ---: | ---: | ---: |\n'
 filter=$(seq -s : -f '*/%g' 0 $((shards - 1)))
@@ -55,4 +63,4 @@ sed -n 's/^| random recipes [0-9]* to \([0-9]*\) | \([0-9]*\) valid files, \([0-
        END { printf "| the first %d | %d | %d | %d |\n", last, files, lines, most }'
 heading "Fuzzers"
 "$here/../fuzz.sh" "$seconds_each" | sed -n '/^|/p'
-"$here/../../examples/made_at.sh"
+made_at "$shards" "$seconds_each"

@@ -16,4 +16,4 @@ for noun in planned_runs planned_regions; do
 done |
   sed -n '/^|/p; /^| random/i\
 ' | sed '/^| random/a | --- | ---: |'
-"$here/../../examples/made_at.sh"
+"$here/../../examples/made_at.sh" tests/measurements/planned_runs.sh

@@ -5,6 +5,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 build=$here/../../build/release
+given=$*
 [ $# -gt 0 ] || set -- --texture-width 1024 --width 600 --height 400
 size=$*
 "$here/../../examples/build.sh" term_sizes packages.tests.debian >&2
@@ -88,4 +89,4 @@ and 99th percentile, of two stills developed at the exposure that suits the stan
 | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |
 EOF
 sort -t '|' -k 9,9gr "$scratch/rows"
-"$here/../../examples/made_at.sh"
+"$here/../../examples/made_at.sh" "tests/measurements/term_sizes.sh $given"
