@@ -1,0 +1,93 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Pictures of README.md and docs/ that no other script makes: docs/pictures/*.jpg and examples/pictures/telescope.png. Three
+# minutes.
+#
+# Given  NAME …  of pictures, as start_greatest dome; without: all
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+pages=$here/../docs/pictures
+. "$here/parts.sh"
+"$here/build.sh" "coppermoon_program coppermoon_python coppermoon_blender" packages.tests.debian packages.hand_off.debian
+PATH=$(cd "$here/../build/release" && pwd):$PATH
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"; end_parts' EXIT
+cd "$scratch"
+
+# picture NAME SIZE FILE OPTIONS…: of oiiotool, into docs/pictures.
+picture() {
+  name=$1 size=$2 file=$3
+  shift 3
+  oiiotool --nosoftwareattrib "$file" "$@" --resize:filter=box "$size" -d uint8 --compression jpeg:88 -o "$pages/$name.jpg"
+}
+
+telescope() { coppermoon still --recipe "$here/telescope.toml" -o "$here/pictures/telescope.png"; }
+
+start_greatest() {
+  coppermoon still 2018-07-27 --at Nairobi -o moon.png
+  picture start_greatest 600x400 moon.png
+}
+
+start_partial() {
+  coppermoon still 2018-07-27 U1+26min --at Nairobi -o partial.png
+  picture start_partial 600x400 partial.png
+}
+
+animate_try() {
+  coppermoon still 2018-07-27 U2+10min --at Nairobi --width 960 --height 540 -o try.png
+  picture animate_try 600x338 try.png
+}
+
+chase_map() {
+  coppermoon night 2026-03-03 --at Honolulu --danjon-spread off -o map.png
+  picture chase_map 800x0 map.png --cut 1190x560+10+60
+}
+
+chase_camera() {
+  coppermoon still 2026-03-03 U2+10min --at Honolulu --camera 400mm --field 0.9 --iso 800 -o auto.png
+  picture chase_camera 600x400 auto.png
+}
+
+glow() {
+  for share in "--glow 0" ""; do
+    coppermoon still "2018-07-27 U2-20min" --at Nairobi --camera schmidt-cassegrain --field 0.9 --time 1/4 $share -o "glow$share.png"
+  done
+  picture glow 904x300 "glow--glow 0.png" --resize:filter=box 450x300 glow.png --resize:filter=box 450x300 --mosaic:pad=4 2x1
+}
+
+composite() {
+  coppermoon animate 2018-07-27 --at Nairobi --from U1+14min --to U2+12min --frames 6 --time composite --width 240 --height 240 \
+    --contact-sheet sheet.png -o composite
+  picture composite 816x0 sheet.png
+}
+
+# Before the eclipse and in totality, one exposure.
+dome() {
+  for moment in P1 greatest; do
+    coppermoon dome "2018-07-27 $moment" --at Nairobi -o "dome_$moment.exr"
+    oiiotool "dome_$moment.exr" --cut 2048x512+0+0 -o "half_$moment.exr"
+    coppermoon develop "half_$moment.exr" --time 30 --f-number 2 --iso 800 -o "$moment.png"
+  done
+  picture dome 1024x516 P1.png greatest.png --mosaic:pad=8 1x2
+}
+
+povray_lake() {
+  coppermoon scene 2018-07-27 U4-40min --at 52.9,-3.9 -o lake
+  cp "$here/gallery/lake.pov" lake
+  (cd lake && povray lake.pov +W960 +H540 +FE +A0.0 +AM2 +R2 -J -D -V 2>log) || { cat lake/log >&2; exit 1; }
+  coppermoon develop lake/lake.exr --time 2 --f-number 4 --iso 1600 --view Filmic -o lake.png
+  picture povray_lake 960x540 lake.png
+}
+
+umbra() {
+  PYTHONPATH=$here/../build/release/python /usr/bin/python3 "$here/python/umbra.py" umbra.png
+  picture umbra 990x935 umbra.png --ch R,G,B
+}
+
+names="telescope start_greatest start_partial animate_try chase_map chase_camera glow composite dome povray_lake umbra"
+[ $# -gt 0 ] || set -- $names
+for name; do
+  case " $(echo $names) " in *" $name "*) ;; *) echo "examples/pictures.sh $name: no picture, allowed are" $names >&2; exit 2 ;; esac
+  part "$name"
+  "$name"
+done
