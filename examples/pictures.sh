@@ -84,7 +84,27 @@ umbra() {
   picture umbra 990x935 umbra.png --ch R,G,B
 }
 
-names="telescope start_greatest start_partial animate_try chase_map chase_camera glow composite dome povray_lake umbra"
+# The page in a browser, with the air and the light at a place shown.
+explore() {
+  coppermoon explore 2018-07-27 --at Nairobi -o page.html
+  cat >>page.html <<'END'
+<script>
+addEventListener('load', () => setTimeout(() => {
+  const page = [...document.querySelectorAll('*')].find((part) => part.shadowRoot).shadowRoot;
+  for (const part of page.querySelectorAll('details'))
+    part.open = ['The Earth’s air', 'Light at a place'].includes(part.querySelector('summary').textContent);
+  const moon = page.querySelector('canvas'), {left, top} = moon.getBoundingClientRect();
+  moon.dispatchEvent(new PointerEvent('pointermove', {clientX: left + 376, clientY: top + 357, bubbles: true}));
+}, 500));
+</script>
+END
+  chromium-headless-shell --no-sandbox --disable-gpu-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader \
+    --disable-background-networking --no-first-run --hide-scrollbars --user-data-dir="$scratch/browser" --window-size=1280,800 \
+    --virtual-time-budget=20000 --screenshot=page.png "file://$scratch/page.html#t=2018-07-27T19:40:00Z&up=zenith" 2>browser.log
+  picture explore 1280x800 page.png --ch R,G,B
+}
+
+names="telescope start_greatest start_partial animate_try chase_map chase_camera glow composite dome povray_lake umbra explore"
 [ $# -gt 0 ] || set -- $names
 for name; do
   case " $(echo $names) " in *" $name "*) ;; *) echo "examples/pictures.sh $name: no picture, allowed are" $names >&2; exit 2 ;; esac
