@@ -104,7 +104,99 @@ END
   picture explore 1280x800 page.png --ch R,G,B
 }
 
-names="telescope start_greatest start_partial animate_try chase_map chase_camera glow composite dome povray_lake umbra explore"
+# in_blender WORDS…: Blender with the add-on, and with nothing of the user's.
+in_blender() {
+  mkdir -p scripts/addons
+  (cd scripts/addons && cmake -E tar xf "$here/../build/release/coppermoon_blender.zip")
+  env -u OCIO TMPDIR=/tmp LIBGL_ALWAYS_SOFTWARE=1 BLENDER_USER_SCRIPTS="$scratch/scripts" BLENDER_USER_CONFIG="$scratch/config" \
+    XDG_CACHE_HOME="$scratch/cache" "$@" >blender.log 2>&1 || { cat blender.log >&2; exit 1; }
+}
+
+# A window of a screen that nobody sees; the wheel over the sidebar turns its tabs to the add-on's.
+blender() {
+  cat >window.py <<'END'
+import bpy
+from coppermoon.operators import Running
+
+bpy.context.preferences.view.show_splash = False
+
+
+def steps():
+    window = bpy.context.window_manager.windows[0]
+    bpy.ops.coppermoon.add_eclipse('EXEC_DEFAULT', date='2018-07-27', place='Nairobi', up='zenith')
+    while Running.now:
+        yield
+    area = next(area for area in window.screen.areas if area.type == 'VIEW_3D')
+    space = area.spaces[0]
+    space.show_region_ui, space.overlay.show_overlays, space.shading.type = True, False, 'RENDERED'
+    space.region_3d.view_perspective, window.scene.cycles.preview_samples = 'CAMERA', 16
+    for _ in range(10):
+        yield
+    bar = next(region for region in area.regions if region.type == 'UI')
+    tabs = {'x': bar.x + bar.width - 12, 'y': bar.y + bar.height - 100}
+    for event in [('MOUSEMOVE', 'NOTHING')] * 2 + [('WHEELDOWNMOUSE', 'PRESS')] * 3:
+        window.event_simulate(*event, **tabs, ctrl=event[1] == 'PRESS')
+        for _ in range(3):
+            yield
+    window.event_simulate('MOUSEMOVE', 'NOTHING', x=400, y=300)
+    for _ in range(40):
+        yield
+    bpy.ops.screen.screenshot(filepath='window.png')
+
+
+work = steps()
+
+
+def tick():
+    with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
+        if next(work, 'done') == 'done':
+            bpy.ops.wm.quit_blender()
+    return 0.2
+
+
+bpy.app.timers.register(tick, first_interval=1)
+END
+  in_blender xvfb-run -a -s "-screen 0 1600x1000x24" timeout 300 blender --factory-startup --enable-event-simulate \
+    --window-geometry 0 0 1600 1000 --addons coppermoon -P window.py
+  picture blender 1156x0 window.png --ch R,G,B --cut 1321x824+0+82
+}
+
+blender_sky() {
+  cat >sky.py <<'END'
+import math
+
+import bpy
+
+for thing in list(bpy.data.objects):
+    bpy.data.objects.remove(thing)
+bpy.ops.coppermoon.add_eclipse(date='2018-07-27', contact='U2', offset=-600, place='Budapest', own_scene=False, night=True)
+scene = bpy.context.scene
+plain = bpy.data.meshes.new('Plain')
+plain.from_pydata([(-1e5, -1e5, 0), (1e5, -1e5, 0), (1e5, 1e5, 0), (-1e5, 1e5, 0)], [], [(0, 1, 2, 3)])
+earth = bpy.data.materials.new('Earth')
+earth.use_nodes = True
+earth.node_tree.nodes['Principled BSDF'].inputs['Base Color'].default_value = (0.06, 0.05, 0.04, 1)
+earth.node_tree.nodes['Principled BSDF'].inputs['Specular'].default_value = 0
+plain.materials.append(earth)
+scene.collection.objects.link(bpy.data.objects.new('Plain', plain))
+towards = bpy.data.objects['Moon'].matrix_world.translation.normalized()
+towards.z = math.sin(math.radians(4))
+eye = bpy.data.objects.new('Eye', bpy.data.cameras.new('Eye'))
+scene.collection.objects.link(eye)
+scene.camera, eye.location.z, eye.rotation_mode = eye, 2, 'QUATERNION'
+eye.rotation_quaternion = towards.to_track_quat('-Z', 'Y')
+eye.data.angle, eye.data.clip_end = math.radians(15), 1e6
+scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = 'CYCLES', 128, False
+scene.render.resolution_x, scene.render.resolution_y = 600, 400
+scene.render.image_settings.file_format, scene.render.image_settings.color_depth = 'OPEN_EXR', '32'
+END
+  in_blender blender -b --factory-startup --python-exit-code 3 --addons coppermoon -P sky.py -o "$scratch/sky.####" -f 1
+  coppermoon develop sky.0001.exr --time 1.5 --f-number 4 --iso 800 -o sky.png
+  picture blender_sky 600x400 sky.png
+}
+
+names="telescope start_greatest start_partial animate_try chase_map chase_camera glow composite dome povray_lake umbra explore
+blender blender_sky"
 [ $# -gt 0 ] || set -- $names
 for name; do
   case " $(echo $names) " in *" $name "*) ;; *) echo "examples/pictures.sh $name: no picture, allowed are" $names >&2; exit 2 ;; esac
