@@ -60,23 +60,23 @@ TEST_F(TradeoffThoroughly, MeasuresEverySolverAndEveryErrorFallsAsItIsPaidFor) {
   const auto errors = [&](const char* solver, const char* varied, const char* of) {
     return column(rows, solver, varied, of);
   };
-  constexpr auto hundred =
-                     "each value has a hundred times the photons of the one before, so a "
-                     "tenth of its noise; some hundred cells know that to a tenth",
-                 ten = "ten times the photons, a third of the noise",
+  constexpr auto ten =
+                     "each value has ten times the photons of the one before or more, so a third "
+                     "of its noise; some hundred cells know that to a tenth",
+                 heavy = "a third of the noise, which few bright cells dominate",
                  noiseless =
                      "the quadrature has no noise, and its error falls as the square of "
                      "its spacing";
-  expect_falling(errors("photons by table", "photons", "umbra_rms"), 0.3, hundred);
-  expect_falling(errors("photons by table", "photons", "delta_e_mean"), 1, hundred);
-  expect_falling(errors("photons literal", "photons", "umbra_rms"), 0.7, ten);
+  expect_falling(errors("photons by table", "photons", "umbra_rms"), 0.4, ten);
+  expect_falling(errors("photons by table", "photons", "delta_e_mean"), 1, ten);
+  expect_falling(errors("photons literal", "photons", "umbra_rms"), 0.7, heavy);
   for (const char* of : {"umbra_rms", "penumbra_rms", "delta_e_mean"}) {
     expect_falling(errors("quadrature", "rays", of), 0.5, noiseless);
     expect_falling(errors("quadrature", "wavelengths", of), 0.5, noiseless);
   }
   expect_falling(errors("quadrature", "texture width", "delta_e_mean"), 1,
                  "against the widest, whose own is 0");
-  EXPECT_LT(errors("quadrature", "rays", "umbra_worst").back(), 0.01) << "1000 rays";
+  EXPECT_LT(errors("quadrature", "rays", "umbra_worst").back(), 0.01) << "300 rays";
 }
 
 /// In the air of a date, whose tables take seconds: they stand out from what timing errs by.

@@ -110,10 +110,10 @@ class Run {
     return {trial, {}, 0, seconds, yardstick_.errors_of(light, trial.photons > 0), false};
   }
 
-  /// Least seconds of some runs; of three or more where one takes less than a second.
+  /// Least seconds of some runs; of three or more where one is short.
   double least_seconds(const Trial& trial, const std::function<void()>& run) const {
     double least = limits_.stopwatch(trial, run);
-    const int repeat = least < 1 ? std::max(limits_.repeat, 3) : limits_.repeat;
+    const int repeat = least < limits_.short_s ? std::max(limits_.repeat, 3) : limits_.repeat;
     for (int i = 1; i < repeat; ++i) least = std::min(least, limits_.stopwatch(trial, run));
     return least;
   }

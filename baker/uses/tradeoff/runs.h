@@ -31,10 +31,13 @@ double seconds_of(const Trial& trial, const std::function<void()>& run);
 /// Limits on the time of runs.
 struct RunLimits {
   double longest_s = 20;  ///< longest run
-  int repeat =
-      1;  ///< runs, of which the shortest counts; three or more where one is under a second
+  int repeat = 1;         ///< runs, of which the shortest counts; three or more where one is short
+  double short_s = 1;     ///< time below which a run is short
   Stopwatch stopwatch = seconds_of;
 };
+
+/// Limits for trials that take seconds together.
+inline const RunLimits quick_limits{.longest_s = 3, .short_s = 0.1};
 
 /// Makes every trial of the sweeps, in their order.
 ///

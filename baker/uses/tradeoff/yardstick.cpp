@@ -13,6 +13,7 @@
 #include "colour/cie_observer.h"
 #include "colour/difference.h"
 #include "colour/working_space.h"
+#include "eclipse/shadow_axis.h"
 #include "photons/solar_disc.h"
 #include "shadow/by_quadrature.h"
 #include "shadow/lookup.h"
@@ -131,6 +132,14 @@ texture::Image seen_from_earth(const texture::Image& texture, const almanac::Sky
   return seen;
 }
 
+/// Axis distances that the Moon's disc takes in.
+shadow::LookupRange over_the_disc(const almanac::SkyState& sky) {
+  const double centre = algebra::in_metres(
+      eclipse::place_in_shadow(eclipse::shadow_axis(sky), sky.moon_m).axis_distance);
+  const double reach = algebra::in_metres(almanac::lunar_radius) + 50e3;
+  return {.from_m = std::max(0., centre - reach), .to_m = centre + reach};
+}
+
 bool on_disc(std::size_t row, std::size_t column, std::size_t pixels) {
   const auto centred = [&](std::size_t i) {
     return (2 * static_cast<double>(i) + 1) / static_cast<double>(pixels) - 1;
@@ -227,7 +236,8 @@ texture::Image Yardstick::baked(const shadow::RefractedLight& light, std::size_t
   shadow::Lookup lookup(
       light, direct,
       at_wavelengths(moonlight_weights(colour::channel_weights(picture_space, band_edges_nm())),
-                     static_cast<int>(bands)));
+                     static_cast<int>(bands)),
+      over_the_disc(scene_.sky));
   lookup.transform([](std::span<double> colour) { into_gamut_or_black(picture_space, colour); });
   return texture::bake({scene_.normal_albedo, scene_.sky, lookup}, {"R", "G", "B"}, width / 2,
                        scene_.photometry);
