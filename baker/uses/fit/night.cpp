@@ -397,9 +397,10 @@ void Night::find_clock() {
 }
 
 DataSet Night::data() const {
-  return {light_.get(),
-          [this](const algebra::Grid<double>& light) { return compared_->goodness(light); },
-          compared_->count()};
+  return {
+      light_.get(),
+      [this](std::span<const algebra::Grid<double>> lights) { return compared_->goodness(lights); },
+      compared_->count()};
 }
 
 bool Night::curved() const {
