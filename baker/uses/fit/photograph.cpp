@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/photograph.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -21,6 +23,9 @@ namespace coppermoon::uses {
 namespace {
 
 using Channel = algebra::Grid<float>;
+
+/// Light above which a channel may be clipped: below all limits of binned.
+constexpr float nearly_clipped = 0.84F;
 
 Channel plane_of(const colour::Image& image, std::size_t k) {
   Channel channel(image.rows(), image.columns());
@@ -174,7 +179,6 @@ Uncertain usual_glow(const FitScene& scene, std::size_t k, std::span<const Sum> 
 /// Value of a square of pixels that become one.
 float shrunk_pixel(const texture::Image& photo, std::size_t top, std::size_t left, std::size_t k,
                    std::size_t side) {
-  constexpr float clipped = 0.84F;  // below all limits of binned
   float sum = 0, most = 0;
   std::size_t black = 0;
   for (std::size_t r = top; r < top + side; ++r)
@@ -185,7 +189,7 @@ float shrunk_pixel(const texture::Image& photo, std::size_t top, std::size_t lef
       black += value <= 0;
     }
   const auto all = side * side;
-  return most > clipped ? most : 2 * black > all ? 0 : sum / static_cast<float>(all);
+  return most > nearly_clipped ? most : 2 * black > all ? 0 : sum / static_cast<float>(all);
 }
 
 /// Disc in a photograph, or where noise hides its limb in one of half or a quarter of the size.
@@ -222,6 +226,11 @@ MoonPart moon_part(const texture::Image& photo) {
       for (std::size_t k = 0; k < photo.channels.size(); ++k)
         part.photo(r, c, k) = shrunk_pixel(photo, window.top + r * by, window.left + c * by, k, by);
   part.luminance = luminance_of(part.photo);
+  // a render's luminance is clipped as a whole, not by channels
+  const auto clipped = clipped_in(part.photo, nearly_clipped);
+  const float most = *std::ranges::max_element(part.luminance.values());
+  for (std::size_t i = 0; i < clipped.values().size(); ++i)
+    if (clipped.values()[i] > 0) part.luminance.values()[i] = most;
   const auto within = [&](double at, std::size_t from) {
     return (at - static_cast<double>(from)) / part.shrunk;
   };
@@ -229,6 +238,26 @@ MoonPart moon_part(const texture::Image& photo) {
                disc.radius_px / part.shrunk};
   for (std::size_t k = 0; k < part.steps.size(); ++k) part.steps[k] = step_of(photo, k);
   return part;
+}
+
+std::string reason_with_shares(const MoonPart& moon, const std::string& reason) {
+  constexpr double half = 0.5;
+  const auto clipped = clipped_in(moon.photo, nearly_clipped);
+  double all = 0, bright = 0, dark = 0;
+  for (std::size_t r = 0; r < moon.photo.height; ++r)
+    for (std::size_t c = 0; c < moon.photo.width; ++c) {
+      const double away = std::hypot(static_cast<double>(c) + 0.5 - moon.disc.x_px,
+                                     static_cast<double>(r) + 0.5 - moon.disc.y_px);
+      if (away > moon.disc.radius_px) continue;
+      ++all;
+      bright += clipped(r, c);
+      dark += moon.luminance(r, c) < colour::least_displayed;
+    }
+  if (bright + dark < half * all) return reason;
+  return fmt::format(
+      "{}; {:.0f} % of the Moon is clipped and {:.0f} % dark, half of it or more should be neither "
+      "clipped nor lost in noise",
+      reason, 100 * bright / all, 100 * dark / all);
 }
 
 colour::Registration registration_of(const FitScene& scene, const MoonPart& moon,

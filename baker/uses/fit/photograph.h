@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "algebra/grid.h"
@@ -29,7 +30,7 @@ struct BinnedPhotograph {
 /// scene's. Where any pixel of those that become one is clipped the brightest stands for them, where most are black 0.
 struct MoonPart {
   texture::Image photo;
-  algebra::Grid<float> luminance = {};  ///< of the photo
+  algebra::Grid<float> luminance = {};  ///< of the photo; the greatest where a channel is clipped
   colour::Disc disc = {};               ///< in the photo
   double shrunk = 1;                    ///< the factor
   std::array<double, 3> steps =
@@ -39,6 +40,10 @@ struct MoonPart {
 /// Given   photo  linear by its coding, 1 saturates
 /// Throws  Error  when there is no disc, also in the photograph halved in size once or twice; as colour::limb_of
 MoonPart moon_part(const texture::Image& photo);
+
+/// Reason why a photograph is not registered; where most of its Moon is clipped or dark, that too, and what it should
+/// have.
+std::string reason_with_shares(const MoonPart& moon, const std::string& reason);
 
 /// Registers a scene in a photograph. Where noise hides the limb the photograph is halved in size, twice at most.
 ///
