@@ -12,7 +12,7 @@ namespace {
 
 /// Seconds on one core of the machine that the model was measured on: AVX-512 at 3 GHz, busy.
 struct Costs {
-  double ray_followed = 28e-6;      ///< of 250 and more, for each part of the limb
+  double ray_followed = 20e-6;      ///< of 250 and more, for each part of the limb
   double fan_ray = 58e-9;           ///< of one wavelength
   double landed_ray = 160e-9;       ///< of one wavelength on one plane
   double place = 33e-6;             ///< cutting the disc into stretches
@@ -27,6 +27,7 @@ struct Costs {
   double sectors_dearer = 8;          ///< gathered in sectors too
   double photon_marched = 14e-6, photon_step_by_step = 163e-6;
   double together = 2.2;  ///< time of light over the sum of its estimated parts
+  double start = 0.2;     ///< of the program and of the libraries behind images
   double texel = 48e-9;   ///< lit and written
   double map_file = 0.2;
 };
@@ -60,8 +61,8 @@ double seconds_of_places(const Work& work, const Scene& scene, double places) {
   const bool ellipsoid = work.ellipsoid && scene.ellipsoid;
   const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // of a region one, not two
   const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
-  // Regions take ninety harmonics in the mean, each at half the cost: they share their bins.
-  const double harmonics = regions ? (scene.borders ? 45 : 15) : ellipsoid ? 2 : 1;
+  // Regions take fifty harmonics in the mean, each at half the cost: they share their bins.
+  const double harmonics = regions ? (scene.borders ? 25 : 11) : ellipsoid ? 2 : 1;
   const double series =
       cost.place + terms * harmonics * (cost.place_term + cost.place_wavelength * parts * waves);
   if (!regions || !scene.borders) return places * series;
@@ -148,7 +149,7 @@ double predicted_seconds(const Work& work, const Scene& scene, const Machine& ma
     light += 0.05 + work.photons * a_photon;
   }
   const double map = scene.map_file ? cost.map_file : 0;  // read by one core
-  const double all = cost.together * light + cost.texel * scene.texels + map;
+  const double all = cost.start + cost.together * light + cost.texel * scene.texels + map;
   return std::max(map, all / cores(machine)) / machine.speed;
 }
 
