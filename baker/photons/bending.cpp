@@ -53,16 +53,17 @@ std::vector<double> with_short_pieces_first(std::vector<double> breaks) {
   return breaks;
 }
 
-/// Altitudes from `bottom_m` up between which the air is smooth, at most 8 km apart; in tabulated air, whose profiles
-/// have knees at whole kilometres, these too.
-std::vector<double> pieces_above(double bottom_m, const Column& column, double top_m,
-                                 bool tabulated) {
-  constexpr double knees_up_to_m = 32e3, knees_apart_m = 1e3;
+/// Altitude below which the profiles of a month's air have knees at whole kilometres.
+constexpr double knees_below_m = 32e3;
+
+/// Altitudes from `bottom_m` up between which the air is smooth, at most 8 km apart.
+std::vector<double> pieces_above(double bottom_m, const Column& column, double top_m) {
+  constexpr double knees_apart_m = 1e3, longest_m = 8e3;
   std::vector<double> breaks = atmosphere::breaks_m(column);
   breaks.insert(breaks.end(), {bottom_m, top_m});
-  for (double h = 8e3; h < top_m; h += 8e3) breaks.push_back(h);
-  if (tabulated)
-    for (double h = knees_apart_m; h < knees_up_to_m; h += knees_apart_m) breaks.push_back(h);
+  for (double h = longest_m; h < top_m; h += longest_m) breaks.push_back(h);
+  if (column.seasonal_air)
+    for (double h = knees_apart_m; h < knees_below_m; h += knees_apart_m) breaks.push_back(h);
   std::sort(breaks.begin(), breaks.end());
   constexpr double rounding_m = 1e-11;  // of altitudes; closer breaks are dropped
   std::erase_if(breaks, [&](double h) {
@@ -98,10 +99,9 @@ struct HalfRay {
 
   /// Number of nodes of the quadrature over a piece.
   int nodes_of(const Piece& piece) const {
-    constexpr int a_piece = 16, a_kilometre = 3, tabulated = 6;
-    constexpr double kilometre_m = 1e3;
-    if (!table) return a_piece;
-    return piece.to_m - piece.from_m <= kilometre_m ? a_kilometre : tabulated;
+    constexpr int a_piece = 16, above_knees = 10, between_knees = 3;
+    if (!air.column.seasonal_air) return a_piece;
+    return piece.to_m <= knees_below_m ? between_knees : above_knees;
   }
 
   void add(const Piece& piece) {
@@ -161,7 +161,7 @@ LimbPath limb_path(double tangent_height_m, double earth_radius_m, const Column&
   HalfRay ray{air, {tangent_height_m, air.optical_height(tangent_height_m), 0, {}}, table};
   const double top_m = atmosphere::top_m(column);
   if (tangent_height_m >= top_m) return ray.path;
-  const auto breaks = pieces_above(tangent_height_m, column, top_m, table != nullptr);
+  const auto breaks = pieces_above(tangent_height_m, column, top_m);
   double over_b = 0;
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     const Piece piece{breaks[i], breaks[i + 1], over_b};

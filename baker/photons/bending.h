@@ -44,8 +44,9 @@ class ProfileTable {
 ///           table                 of the column; null: the profiles themselves are evaluated
 /// Accuracy  relative, 1e-8 for bending, air, dust and tropospheric aerosol; 5e-5 for ozone, 2e-4 (extreme
 ///           1e-3) for stratospheric aerosol, whose profiles have knees; 5e-5 for the optical depth of undated
-///           air, 2e-4 for that of a month's air with a table. Less in the last micrometre under a break or the
-///           top of the air, by rounding of altitudes; 6 % in the last metre under 86 km, as US 1976 ends 5 cm lower
+///           air. In a month's air 2e-5 for bending (above 25 km 2e-4), 2e-4 for the optical depth. Less in the last
+///           micrometre under a break or the top of the air, by rounding of altitudes; 6 % in the last metre under
+///           86 km, as US 1976 ends 5 cm lower
 /// Throws    Error  when the tangent height is below 0, or the air traps light
 ///                  (atmosphere::critical_refractivity)
 /// Source    Auer & Standish (2000), AJ 119, 2472, for the integrals

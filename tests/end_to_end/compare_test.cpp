@@ -227,7 +227,7 @@ TEST_F(Compare, FitsTheExposureWhereTheHeaderIsSilent) {
 
 TEST_F(Compare, FindsTheToneCurveOfACamera) {
   const auto curve = measured_tone_curves().at("Canon EOS 6D").smooth();
-  auto shown = photographed(frame_, truth_, 0.7 * scale_);
+  auto shown = photographed(frame_, truth_, scale_);
   for (float& value : shown.values) {
     const double v = value, light = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
     value = coded(curve(light));
