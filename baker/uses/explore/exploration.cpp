@@ -246,7 +246,9 @@ ordered_json contacts_in_ms(const eclipse::Eclipse& eclipse) {
 /// Clearness for each step of Danjon's scale; empty for air without belts.
 ordered_json danjon_steps(const atmosphere::Atmosphere& air, const almanac::SkyState& sky) {
   ordered_json steps = ordered_json::array();
-  for (int l = 0; l <= 4 && !air.belts.empty(); ++l) steps.push_back(danjon_clearness(l, air, sky));
+  if (air.belts.empty()) return steps;
+  DanjonScale scale(air, sky);
+  for (int l = 0; l <= 4; ++l) steps.push_back(scale.clearness(l));
   return steps;
 }
 

@@ -217,7 +217,7 @@ struct Danjon {
   const AirRegion* region;
   int step;
 
-  double clearness(const almanac::SkyState& night) const {
+  DanjonScale scale(const almanac::SkyState& night) const {
     const auto greatest =
         eclipse::nearest_eclipse(night.when, eclipse::ShadowConvention::danjon).greatest;
     const auto sky = almanac::sky_at(greatest);
@@ -229,34 +229,35 @@ struct Danjon {
       alone.column.danjon.reset();
       air.belts = belts_in(alone, air.belts, moment);
     }
-    return danjon_clearness(step, air, sky);
+    return {air, sky};
   }
 };
 
-/// Cache of clearnesses: all frames of a film ask for the same.
+/// Cache of scales: all frames of a film ask for the same.
 class Found {
  public:
   double clearness(const Danjon& danjon, const almanac::SkyState& sky) {
     const std::lock_guard guard(lock_);
     constexpr double a_night_s = 86400;
-    const auto region = danjon.region ? std::optional(*danjon.region) : std::nullopt;
-    for (const auto& one : all_)
-      if (one.step == danjon.step && one.region == region && one.asked == danjon.asked &&
+    const auto asked = without_danjon(danjon.asked);
+    auto region = danjon.region ? std::optional(*danjon.region) : std::nullopt;
+    if (region) region->column.danjon.reset();
+    for (auto& one : all_)
+      if (one.region == region && one.asked == asked &&
           std::abs(almanac::seconds_between(one.when, sky.when)) < a_night_s)
-        return one.clearness;
+        return one.scale.clearness(danjon.step);
     constexpr std::size_t most = 64;
     if (all_.size() == most) all_.erase(all_.begin());
-    all_.push_back({danjon.asked, region, danjon.step, sky.when, danjon.clearness(sky)});
-    return all_.back().clearness;
+    all_.push_back({asked, region, sky.when, danjon.scale(sky)});
+    return all_.back().scale.clearness(danjon.step);
   }
 
  private:
   struct One {
     Air asked;
     std::optional<AirRegion> region;
-    int step;
     almanac::Instant when;
-    double clearness;
+    DanjonScale scale;
   };
   std::mutex lock_;
   std::vector<One> all_;

@@ -24,7 +24,7 @@ enum class OzoneProfile { us_1976, climatology };
 /// Changes of a column of air, which may differ along the limb. Without a value: as the atmosphere has it.
 struct ColumnChange {
   /// Step of Danjon's scale, 0 to 4: cloud and aerosol of it; in the air of a month, scaled until the eclipse of that
-  /// night has it (danjon_clearness).
+  /// night has it (DanjonScale).
   std::optional<int> danjon{};
   std::optional<double> ozone_du{}, dust_extinction_per_m{}, dust_bottom_km{}, dust_top_km{},
       tropospheric_optical_depth{}, cloud_top_km{}, cloud_cover{};

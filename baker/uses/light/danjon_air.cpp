@@ -6,8 +6,11 @@
 #include <glm/geometric.hpp>
 #include <memory>
 #include <numbers>
+#include <numeric>
+#include <span>
 
 #include "algebra/error.h"
+#include "algebra/interpolation.h"
 #include "algebra/quadrature.h"
 #include "almanac/ephemeris.h"
 #include "almanac/lunar_orientation.h"
@@ -123,21 +126,56 @@ atmosphere::Atmosphere cleared(atmosphere::Atmosphere air, double clearness) {
   return air;
 }
 
-double danjon_clearness(int l, const atmosphere::Atmosphere& air, const almanac::SkyState& sky) {
+DanjonScale::DanjonScale(const atmosphere::Atmosphere& air, const almanac::SkyState& sky)
+    : magnitude_([air, totality = Totality(sky)](double clearness) {
+        return totality.magnitude(cleared(air, clearness));
+      }) {
+  compute(0);
+}
+
+void DanjonScale::compute(double clearness) {
+  const auto after = std::ranges::upper_bound(known_, clearness, {}, &Known::clearness);
+  known_.insert(after, {clearness, magnitude_(clearness)});
+}
+
+double DanjonScale::between(std::size_t bright, double magnitude) const {
+  const std::size_t first = bright > 1 ? bright - 2 : 0,
+                    count = std::min(bright + 2, known_.size()) - first;
+  std::vector<double> nodes;
+  for (const auto& known : std::span(known_).subspan(first, count))
+    nodes.push_back(known.magnitude);
+  const auto shares = algebra::on_polynomial(nodes, magnitude);
+  double at = 0;
+  for (std::size_t i = 0; i < count; ++i) at += shares[i] * known_[first + i].clearness;
+  const double dark = known_[bright - 1].clearness, light = known_[bright].clearness;
+  return at > dark && at < light ? at : std::midpoint(dark, light);
+}
+
+double DanjonScale::clearness(int l) {
   algebra::require_within("Danjon", l, 0, 4);
-  constexpr int halvings = 10;
+  constexpr double first_step = 1. / 16, factor = 4, near_mag = 0.02, least_part = 0.05;
   const double asked = 4.2 - 3. * l + l * l / 4.;
-  const Totality totality(sky);
-  double dark = darkest_clearness, bright = brightest_clearness;
-  if (totality.magnitude(air) > asked)
-    dark = 0;
-  else
-    bright = 0;
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = (dark + bright) / 2;
-    (totality.magnitude(cleared(air, middle)) > asked ? dark : bright) = middle;
+  for (;;) {
+    const auto is_bright = [&](const Known& known) { return known.magnitude <= asked; };
+    const auto bright =
+        static_cast<std::size_t>(std::ranges::find_if(known_, is_bright) - known_.begin());
+    if (bright == known_.size()) {
+      if (known_.back().clearness == brightest_clearness) return brightest_clearness;
+      compute(brightest_clearness);
+    } else if (bright == 0) {
+      const double darkest = known_.front().clearness;
+      if (darkest == darkest_clearness) return darkest_clearness;
+      compute(std::max(darkest_clearness, factor * std::min(darkest, -first_step / factor)));
+    } else {
+      const auto &dark = known_[bright - 1], &light = known_[bright];
+      const double found = between(bright, asked);
+      const double off = std::min(dark.magnitude - asked, asked - light.magnitude);
+      const double width = light.clearness - dark.clearness;
+      if (off < near_mag || width < clearness_error / 2) return found;
+      compute(std::clamp(found, dark.clearness + least_part * width,
+                         light.clearness - least_part * width));
+    }
   }
-  return (dark + bright) / 2;
 }
 
 }  // namespace coppermoon::uses

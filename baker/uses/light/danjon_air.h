@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <vector>
+
 #include "almanac/sky.h"
 #include "atmosphere/atmosphere.h"
 
@@ -13,24 +17,43 @@ namespace coppermoon::uses {
 /// Returned  air of belts, with all its columns changed
 atmosphere::Atmosphere cleared(atmosphere::Atmosphere air, double clearness);
 
-/// Interval in which clearness is searched for, and distance from its ends at which the search has failed.
+/// Interval in which clearness is searched for, and distance from its ends within which the search has failed.
 inline constexpr double darkest_clearness = -2, brightest_clearness = 1,
                         clearness_error = 2. / 1024;
 
-/// Clearness for which the eclipse nearest to a moment has the step L of Danjon's scale: at its greatest phase the Moon
-/// has the visual magnitude that goes with L.
+/// Clearness for each step L of Danjon's scale, of the eclipse nearest to a moment: at its greatest phase the Moon has
+/// the visual magnitude that goes with L.
 ///
 ///     m = 4.2 − 3 L + (L/2)²
 ///
 /// In an eclipse that is not total, the Moon is placed just inside the umbra.
 ///
-/// Given     l    0 to 4
-///           air  of belts, of that night
-/// Returned  −2 to 1; at these ends the magnitude may be another
 /// Accuracy  0.15 mag: the Moon is taken as even, its light by ten bands at a few places
-/// Throws    Error  when l is outside its range
 /// Source    H. C. Vital's correlation of observers' estimates (REA Brazil, 2004 to 2015); what the
 ///           air is cleared of is ours
-double danjon_clearness(int l, const atmosphere::Atmosphere& air, const almanac::SkyState& sky);
+class DanjonScale {
+ public:
+  /// Given  air  of belts, of that night
+  DanjonScale(const atmosphere::Atmosphere& air, const almanac::SkyState& sky);
+
+  /// Clearness for a step; magnitudes that are found on the way serve the steps asked for later.
+  ///
+  /// Given     l  0 to 4
+  /// Returned  −2 to 1; at these ends the magnitude may be another
+  /// Throws    Error  when l is outside its range
+  double clearness(int l);
+
+ private:
+  struct Known {
+    double clearness, magnitude;
+  };
+
+  void compute(double clearness);
+  /// Clearness of a magnitude between the known ones before and at an index, by the cubic through four of them.
+  double between(std::size_t bright, double magnitude) const;
+
+  std::function<double(double clearness)> magnitude_;
+  std::vector<Known> known_;  ///< in order of clearness; magnitudes fall
+};
 
 }  // namespace coppermoon::uses

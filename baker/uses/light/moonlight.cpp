@@ -331,7 +331,7 @@ Moonlight light_on_the_way(const LightRequest& request, const ShadowedMoon& moon
                            const Purpose& purpose, const algebra::Progress& progress) {
   auto light = refracted_light_of(request, moon, purpose, progress);
   add_direct_light(request, moon, light);
-  light.error_found = found_error(moon, light);
+  if (purpose.error_told) light.error_found = found_error(moon, light);
   if (light.refracted->photons > 0) light.plan.work.rays = photon_settings(request).rays;
   return light;
 }

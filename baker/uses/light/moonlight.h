@@ -93,7 +93,8 @@ struct Moonlight {
   std::optional<shadow::DirectLight> direct;
   shadow::LookupRange range;
   plan::Plan plan;
-  double error_found = 0;  ///< largest relative error of luminance at some places of the disc
+  double error_found =
+      0;  ///< largest relative error of luminance at some places of the disc; 0: not told
 
   /// Given  weights  (channel, band)
   shadow::Lookup in_channels(const shadow::ChannelWeights& weights) const;

@@ -24,8 +24,9 @@ struct ShadowedMoon {
 
 /// Purpose of the light, for its cost.
 struct Purpose {
-  double texels = 0;      ///< that are baked; 0: no texture
-  bool map_file = false;  ///< an albedo map is read from a file
+  double texels = 0;       ///< that are baked; 0: no texture
+  bool map_file = false;   ///< an albedo map is read from a file
+  bool error_told = true;  ///< the error that the light has is found
 };
 
 /// Refuses knobs set by hand that are outside their ranges.

@@ -2,11 +2,14 @@
 #include "uses/night/night_light.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <utility>
 
 #include "eclipse/shadow_axis.h"
 #include "texture/resize.h"
@@ -194,6 +197,34 @@ algebra::Progress part_of(const algebra::Progress& whole, double from, double to
   return [whole, from, to](double fraction) { whole(std::lerp(from, to, fraction)); };
 }
 
+/// Exposures of the middle of totality at L = 4 to 0.
+std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonRequest& moon,
+                                            const algebra::Grid<float>& albedo,
+                                            const Exposer& exposer,
+                                            const algebra::Progress& progress) {
+  constexpr std::size_t steps = 5;
+  const auto sky = almanac::sky_at(greatest);
+  std::vector<MoonRequest> requests(steps, moon);
+  std::vector<ShadowedMoon> moons;
+  for (std::size_t i = 0; i < steps; ++i) {
+    requests[i].light.air.column.danjon = static_cast<int>(steps - 1 - i);
+    moons.push_back(shadowed_moon(requests[i].light, sky));
+  }
+  std::vector<PhaseExposure> exposures(steps);
+  std::atomic<int> done = 0;
+  tbb::parallel_for(
+      std::size_t{0}, steps,
+      [&](std::size_t i) {
+        const auto light = light_on_the_way(requests[i].light, moons[i], {.error_told = false});
+        exposures[i] =
+            exposure_of(MoonSurvey(requests[i], albedo, light), exposer,
+                        fmt::format("middle of totality, L = {}", steps - 1 - i), greatest);
+        if (progress) progress(static_cast<double>(++done) / steps);
+      },
+      tbb::simple_partitioner());
+  return exposures;
+}
+
 }  // namespace
 
 NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
@@ -204,9 +235,9 @@ NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
   const auto albedo = texture::resized(normal_albedo(small), rows);
   const auto skies = skies_from(night.eclipse);
   const bool steps = danjon && night.eclipse.contacts.U2;
-  double done = steps ? 0.25 : 1;
-  const auto light = light_on_the_way(moon.light, moon_on_its_way(moon.light, skies), {},
-                                      part_of(progress, 0, done));
+  const double done = steps ? 0.25 : 1;
+  const auto light = light_on_the_way(moon.light, moon_on_its_way(moon.light, skies),
+                                      {.error_told = false}, part_of(progress, 0, done));
   const MoonSurvey survey(moon, albedo, light);
   const Exposer exposer(view, development);
   NightLights lights{.f_number = exposer.f_number(), .iso = development.iso};
@@ -219,18 +250,9 @@ NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
   for (const auto& [phase, when] : phases_of(night.eclipse))
     lights.exposures.push_back(exposure_of(survey, exposer, phase, when));
   if (!steps) return lights;
-  const auto sky = almanac::sky_at(night.eclipse.greatest);
-  for (const int l : {4, 3, 2, 1, 0}) {
-    auto other = moon;
-    other.light.air.column.danjon = l;
-    const auto its_light =
-        light_on_the_moon(other.light, sky, {}, part_of(progress, done, done + 0.15));
-    done += 0.15;
-    if (progress) progress(done);
-    lights.exposures.push_back(exposure_of(MoonSurvey(other, albedo, its_light), exposer,
-                                           fmt::format("middle of totality, L = {}", l),
-                                           night.eclipse.greatest));
-  }
+  for (auto& exposure :
+       danjon_exposures(night.eclipse.greatest, moon, albedo, exposer, part_of(progress, done, 1)))
+    lights.exposures.push_back(std::move(exposure));
   return lights;
 }
 

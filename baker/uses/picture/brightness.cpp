@@ -80,10 +80,11 @@ std::vector<double> magnitudes_above(const LitMoon& moon) {
 MoonBrightness brightness_of(const MoonRequest& moon, const almanac::SkyState& sky,
                              const ViewRequest& view, const algebra::Progress& progress) {
   const auto from = view_of(view, sky);
-  const Measurable measurable{moon, sky,
-                              moon.unshadowed ? unshadowed_light(moon.light, sky)
-                                              : light_on_the_moon(moon.light, sky, {}, progress),
-                              texture::resized(normal_albedo(moon), texture_rows)};
+  const Measurable measurable{
+      moon, sky,
+      moon.unshadowed ? unshadowed_light(moon.light, sky)
+                      : light_on_the_moon(moon.light, sky, {.error_told = false}, progress),
+      texture::resized(normal_albedo(moon), texture_rows)};
   const auto meter = photometer();
   const auto texture = measurable.in(meter);
   MoonBrightness brightness{measured(meter, texture, sky), {}};

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "algebra/error.h"
 #include "almanac/instant.h"
 #include "almanac/sky.h"
@@ -97,7 +100,7 @@ TEST(AtmosphereOf, RegionsChangeTheirBelts) {
 }
 
 // A great eruption adds to the stratosphere, and a bright eclipse has neither cloud nor aerosol.
-TEST(DanjonClearness, DarkensByTheStratosphereAndClearsAllThatDims) {
+TEST(DanjonScale, DarkensByTheStratosphereAndClearsAllThatDims) {
   const auto air = atmosphere_of({}, equinox, july);
   const auto dark = middle(cleared(air, -0.1)), bright = middle(cleared(air, 1));
   EXPECT_WITHIN(dark.stratospheric_layer->optical_depth(),
@@ -108,7 +111,7 @@ TEST(DanjonClearness, DarkensByTheStratosphereAndClearsAllThatDims) {
             0);
 }
 
-TEST(DanjonClearness, IsTheSameForAllMomentsOfANightAndRefusesOtherDegrees) {
+TEST(DanjonScale, IsTheSameForAllMomentsOfANightAndRefusesOtherDegrees) {
   const auto at = [](const char* utc) { return almanac::sky_at(almanac::instant_from_utc(utc)); };
   const Air asked{.column = {.danjon = 2}};
   const auto early = atmosphere_of(asked, at("2018-07-27T19:00:00Z")),
@@ -118,6 +121,18 @@ TEST(DanjonClearness, IsTheSameForAllMomentsOfANightAndRefusesOtherDegrees) {
                          "the air of two hours later");
   const Air five{.column = {.danjon = 5}};
   EXPECT_THROW(atmosphere_of(five, at("2018-07-27T19:00:00Z")), algebra::Error);
+}
+
+TEST(DanjonScale, FindsEachStepAlikeInAnyOrder) {
+  const auto sky = almanac::sky_at(almanac::instant_from_utc("2022-05-16T04:11:00Z"));
+  const auto air = atmosphere_of({}, sky);
+  DanjonScale rising(air, sky), falling(air, sky);
+  std::array<double, 5> found;
+  for (int l = 0; l <= 4; ++l) found.at(static_cast<std::size_t>(l)) = rising.clearness(l);
+  EXPECT_TRUE(std::ranges::is_sorted(found));
+  for (int l = 4; l >= 0; --l)
+    EXPECT_WITHIN(falling.clearness(l), found.at(static_cast<std::size_t>(l)), clearness_error,
+                  "the search is as near as that");
 }
 
 TEST(ReachesDanjon, UnlessNoAirIsClearEnough) {
