@@ -65,7 +65,7 @@ double logarithmic_mean(double a, double b) {
 }
 
 /// Strengths of a night's weather over what is believed, one as probable as the other.
-constexpr std::array weather_strengths{1., 0.25, 0.5, 2., 4.};
+constexpr std::array<double, ComparedNight::weather_strengths> strengths{1, 0.25, 0.5, 2, 4};
 
 /// Moments, an hour apart, between which weather changes linearly.
 struct WeatherKnots {
@@ -226,7 +226,7 @@ ComparedNight::ComparedNight(std::span<const NightPhotograph> photographs,
         measurements_.size(), least));
   const auto noises = noise(photographs);
   const auto [matrix, from, to] = design(photographs);
-  for (const double strength : weather_strengths) {
+  for (const double strength : strengths) {
     auto of_strength = matrix;
     for (std::size_t i = 0; i < matrix.rows(); ++i)
       for (double& value : of_strength.row(i).subspan(from, to - from)) value *= strength;
@@ -235,6 +235,17 @@ ComparedNight::ComparedNight(std::span<const NightPhotograph> photographs,
   }
   for (auto& [nuisances, handicap] : in_weather_)
     handicap = nuisances.log_determinant() - in_weather_.front().nuisances.log_determinant();
+}
+
+ComparedNight ComparedNight::witness(const algebra::Grid<double>& light, double clock_s,
+                                     std::size_t weather, std::span<const double> normal) const {
+  auto night = *this;
+  const auto off = residuals(std::span(&light, 1));
+  const auto errors = in_weather_.at(weather).nuisances.drawn(normal);
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    night.measurements_[i].logarithm +=
+        errors[i] - off(i, 0) + (off.columns() > 1 ? clock_s * off(i, 1) : 0);
+  return night;
 }
 
 std::vector<algebra::Grid<double>> ComparedNight::noise(

@@ -94,6 +94,15 @@ class ComparedNight {
   /// Throws  Error  when fewer than six bins and channels are neither clipped nor lost in noise
   ComparedNight(std::span<const NightPhotograph> photographs, const NightErrors& errors);
 
+  /// Night of the same photographs that shows an air's light with errors as they are believed: for tests of intervals.
+  ///
+  /// Given  weather  0 to weather_strengths − 1
+  ///        normal   count() independent numbers of mean 0 and variance 1
+  ComparedNight witness(const algebra::Grid<double>& light, double clock_s, std::size_t weather,
+                        std::span<const double> normal) const;
+  /// Strengths that a night's weather may have.
+  static constexpr std::size_t weather_strengths = 5;
+
   /// Measurements of all photographs.
   std::size_t count() const { return measurements_.size(); }
   /// Measurements of one photograph.

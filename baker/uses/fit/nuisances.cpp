@@ -47,6 +47,11 @@ void Nuisances::whiten(Grid<double>& columns) const {
   lower(factor_).solveInPlace(changeable(columns));
 }
 
+std::vector<double> Nuisances::drawn(std::span<const double> normal) const {
+  const Eigen::VectorXd result = lower(factor_) * vector(normal);
+  return {result.begin(), result.end()};
+}
+
 double Nuisances::log_determinant() const {
   return 2 * matrix(factor_).diagonal().array().log().sum();
 }

@@ -26,6 +26,11 @@ class Nuisances {
   /// Given  columns  (residual, column)
   void whiten(algebra::Grid<double>& columns) const;
 
+  /// Residuals of covariance C: G z.
+  ///
+  /// Given  normal  z, independent, of mean 0 and variance 1
+  std::vector<double> drawn(std::span<const double> normal) const;
+
   /// ln |C|.
   double log_determinant() const;
 

@@ -210,6 +210,39 @@ colour::Disc disc_in(const Channel& luminance) {
       "lost in noise");
 }
 
+/// Registration by a luminance, at full size or less.
+colour::Registration registered_by(const Channel& luminance, const FitScene& scene,
+                                   const MoonPart& moon, const std::optional<double>& scale,
+                                   bool roughly) {
+  std::exception_ptr first;
+  for (double size = 1;; size /= 2) {
+    const colour::Similarity smaller{.scale = size};
+    const auto extent = [&](std::size_t pixels) {
+      return static_cast<std::size_t>(static_cast<double>(pixels) * size);
+    };
+    try {
+      colour::KnownBefore known{.scale = scale, .roughly = roughly};
+      // finely both discs are by their limbs, whose errors are alike
+      if (roughly) known.in_render = scene.disc;
+      if (size == 1) known.in_photo = moon.disc;
+      if (scale) *known.scale *= size;
+      auto found = colour::registered(
+          size == 1 ? luminance
+                    : colour::resampled(luminance, smaller, extent(luminance.rows()),
+                                        extent(luminance.columns())),
+          scene.usual, known);
+      found.render_to_photo = colour::composed(found.render_to_photo, colour::inverse(smaller));
+      for (double* of_disc :
+           {&found.in_photo.x_px, &found.in_photo.y_px, &found.in_photo.radius_px})
+        *of_disc /= size;
+      return found;
+    } catch (const algebra::Error&) {
+      if (!first) first = std::current_exception();
+      if (roughly || size <= 0.25) std::rethrow_exception(first);
+    }
+  }
+}
+
 }  // namespace
 
 MoonPart moon_part(const texture::Image& photo) {
@@ -226,11 +259,11 @@ MoonPart moon_part(const texture::Image& photo) {
       for (std::size_t k = 0; k < photo.channels.size(); ++k)
         part.photo(r, c, k) = shrunk_pixel(photo, window.top + r * by, window.left + c * by, k, by);
   part.luminance = luminance_of(part.photo);
-  // a render's luminance is clipped as a whole, not by channels
+  part.clipped = part.luminance;
   const auto clipped = clipped_in(part.photo, nearly_clipped);
   const float most = *std::ranges::max_element(part.luminance.values());
   for (std::size_t i = 0; i < clipped.values().size(); ++i)
-    if (clipped.values()[i] > 0) part.luminance.values()[i] = most;
+    if (clipped.values()[i] > 0) part.clipped.values()[i] = most;
   const auto within = [&](double at, std::size_t from) {
     return (at - static_cast<double>(from)) / part.shrunk;
   };
@@ -262,34 +295,20 @@ std::string reason_with_shares(const MoonPart& moon, const std::string& reason) 
 
 colour::Registration registration_of(const FitScene& scene, const MoonPart& moon,
                                      const std::optional<double>& scale, bool roughly) {
-  const auto& luminance = moon.luminance;
+  constexpr double well = 0.8;
+  std::optional<colour::Registration> best;
   std::exception_ptr first;
-  for (double size = 1;; size /= 2) {
-    const colour::Similarity smaller{.scale = size};
-    const auto extent = [&](std::size_t pixels) {
-      return static_cast<std::size_t>(static_cast<double>(pixels) * size);
-    };
+  for (const auto* luminance : {&moon.luminance, &moon.clipped}) {
     try {
-      colour::KnownBefore known{.scale = scale, .roughly = roughly};
-      // finely both discs are by their limbs, whose errors are alike
-      if (roughly) known.in_render = scene.disc;
-      if (size == 1) known.in_photo = moon.disc;
-      if (scale) *known.scale *= size;
-      auto found = colour::registered(
-          size == 1 ? luminance
-                    : colour::resampled(luminance, smaller, extent(luminance.rows()),
-                                        extent(luminance.columns())),
-          scene.usual, known);
-      found.render_to_photo = colour::composed(found.render_to_photo, colour::inverse(smaller));
-      for (double* of_disc :
-           {&found.in_photo.x_px, &found.in_photo.y_px, &found.in_photo.radius_px})
-        *of_disc /= size;
-      return found;
+      const auto found = registered_by(*luminance, scene, moon, scale, roughly);
+      if (!best || found.correlation > best->correlation) best = found;
     } catch (const algebra::Error&) {
       if (!first) first = std::current_exception();
-      if (roughly || size <= 0.25) std::rethrow_exception(first);
     }
+    if (roughly || (best && best->correlation >= well)) break;
   }
+  if (!best) std::rethrow_exception(first);
+  return *best;
 }
 
 double place_error_km(const FitScene& scene, const colour::Registration& registration,

@@ -30,7 +30,8 @@ struct BinnedPhotograph {
 /// scene's. Where any pixel of those that become one is clipped the brightest stands for them, where most are black 0.
 struct MoonPart {
   texture::Image photo;
-  algebra::Grid<float> luminance = {};  ///< of the photo; the greatest where a channel is clipped
+  algebra::Grid<float> luminance = {};  ///< of the photo
+  algebra::Grid<float> clipped = {};    ///< luminance, the greatest where any channel is clipped
   colour::Disc disc = {};               ///< in the photo
   double shrunk = 1;                    ///< the factor
   std::array<double, 3> steps =
@@ -45,7 +46,8 @@ MoonPart moon_part(const texture::Image& photo);
 /// have.
 std::string reason_with_shares(const MoonPart& moon, const std::string& reason);
 
-/// Registers a scene in a photograph. Where noise hides the limb the photograph is halved in size, twice at most.
+/// Registers a scene in a photograph. Where noise hides the limb the photograph is halved in size, twice at most. Where
+/// little is found so, what is clipped in one channel is taken for clipped: the better registration counts.
 ///
 /// Given   scale    of the similarity, where it is known
 ///         roughly  as colour::KnownBefore has it
