@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# All figures and pictures of the project anew, as a release does on a quiet machine, in place: `git diff --stat` shows what has
-# moved. On Debian 12, as root or with sudo; prints the seconds of each part. A part that failed is begun again by its name.
+# All figures and pictures of the project anew, as a release does on a quiet machine, in place: `git diff --stat` shows
+# what has moved. On Debian 12, as root or with sudo; prints the seconds of each part. A part that failed is begun again by
+# its name.
 #
 #   examples/figures.sh              all parts: 14 hours
 #   examples/figures.sh PART …       those named
@@ -11,7 +12,7 @@ set -eu
 cd "$(dirname "$0")/.."
 root=$PWD
 
-# Long ones last, each with its name in capitals beside its minutes.
+# Parts in the order of what readers look at first: those of --short up to three_films take 40 minutes.
 list() {
   cat <<'END'
 benchmarks             4       tests/benchmarks/history.csv
@@ -66,7 +67,8 @@ qualities() {
 
 film() {
   page examples/film.md "$root/examples/film.sh"
-  oiiotool --nosoftwareattrib film/sheet.png --resize 800x0 --compression jpeg:85 -o "$root/docs/pictures/animate_sheet.jpg"
+  oiiotool --nosoftwareattrib film/sheet.png --resize 800x0 --compression jpeg:85 \
+    -o "$root/docs/pictures/animate_sheet.jpg"
   mv film/sheet.png "$root/examples/pictures/film_sheet.png"
 }
 
@@ -150,7 +152,8 @@ case ${1:-} in
 *) chosen=$(echo "$names" | grep -vx extremes) ;;
 esac
 for name in $chosen; do
-  echo "$names" | grep -qx -e "$name" || { echo "examples/figures.sh $name: is no part, allowed are" $names >&2; exit 2; }
+  echo "$names" | grep -qx -e "$name" ||
+    { echo "examples/figures.sh $name: is no part, allowed are" $names >&2; exit 2; }
 done
 
 . examples/parts.sh
@@ -164,3 +167,4 @@ done
 part ''
 cd "$root"
 git --no-pager diff --stat
+echo "Prose quotes these figures: README.md, docs/exactness.md, speed.md, air.md, films.md, beside_photographs.md, explore.md"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Ends a page of figures: the commit, the machine and the command that they were made by, on stdout. Pages and pictures that were
-# made anew meanwhile make a tree no other; whatever else differs from the commit makes it "-dirty".
+# Ends a page of figures: the commit, the machine and the command that they were made by, on stdout. Pages and pictures
+# that were made anew leave the commit as it is; any other change makes it "-dirty".
 #
 # Given  COMMAND …  or --commit: the commit alone
 set -eu

@@ -1,14 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Pictures of README.md and docs/ that no other script makes: docs/pictures/*.jpg and examples/pictures/telescope.png. Three
-# minutes.
+# Pictures of README.md and docs/ that no other script makes, in place: docs/pictures/*.jpg and
+# examples/pictures/telescope.png. Three minutes.
 #
 # Given  NAME …  of pictures, as start_greatest dome; without: all
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 pages=$here/../docs/pictures
 . "$here/parts.sh"
-"$here/build.sh" "coppermoon_program coppermoon_python coppermoon_blender" packages.tests.debian packages.hand_off.debian
+"$here/build.sh" "coppermoon_program coppermoon_python coppermoon_blender" packages.tests.debian \
+  packages.hand_off.debian
 PATH=$(cd "$here/../build/release" && pwd):$PATH
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"; end_parts' EXIT
@@ -18,7 +19,8 @@ cd "$scratch"
 picture() {
   name=$1 size=$2 file=$3
   shift 3
-  oiiotool --nosoftwareattrib "$file" "$@" --resize:filter=box "$size" -d uint8 --compression jpeg:88 -o "$pages/$name.jpg"
+  oiiotool --nosoftwareattrib "$file" "$@" --resize:filter=box "$size" -d uint8 --compression jpeg:88 \
+    -o "$pages/$name.jpg"
 }
 
 telescope() { coppermoon still --recipe "$here/telescope.toml" -o "$here/pictures/telescope.png"; }
@@ -50,14 +52,16 @@ chase_camera() {
 
 glow() {
   for share in "--glow 0" ""; do
-    coppermoon still "2018-07-27 U2-20min" --at Nairobi --camera schmidt-cassegrain --field 0.9 --time 1/4 $share -o "glow$share.png"
+    coppermoon still "2018-07-27 U2-20min" --at Nairobi --camera schmidt-cassegrain --field 0.9 --time 1/4 $share \
+      -o "glow$share.png"
   done
-  picture glow 904x300 "glow--glow 0.png" --resize:filter=box 450x300 glow.png --resize:filter=box 450x300 --mosaic:pad=4 2x1
+  picture glow 904x300 "glow--glow 0.png" --resize:filter=box 450x300 glow.png --resize:filter=box 450x300 \
+    --mosaic:pad=4 2x1
 }
 
 composite() {
-  coppermoon animate 2018-07-27 --at Nairobi --from U1+14min --to U2+12min --frames 6 --time composite --width 240 --height 240 \
-    --contact-sheet sheet.png -o composite
+  coppermoon animate 2018-07-27 --at Nairobi --from U1+14min --to U2+12min --frames 6 --time composite --width 240 \
+    --height 240 --contact-sheet sheet.png -o composite
   picture composite 816x0 sheet.png
 }
 
@@ -199,7 +203,8 @@ names="telescope start_greatest start_partial animate_try chase_map chase_camera
 blender blender_sky"
 [ $# -gt 0 ] || set -- $names
 for name; do
-  case " $(echo $names) " in *" $name "*) ;; *) echo "examples/pictures.sh $name: no picture, allowed are" $names >&2; exit 2 ;; esac
+  echo $names | tr ' ' '\n' | grep -qx -e "$name" ||
+    { echo "examples/pictures.sh $name: is no picture, allowed are" $names >&2; exit 2; }
   part "$name"
   "$name"
 done

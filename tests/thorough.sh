@@ -149,6 +149,7 @@ small_examples() {
   "$root/examples/tradeoff.sh" --quick
   "$root/examples/plans.sh"
   "$root/examples/rim_of_the_umbra.sh"
+  "$root/examples/qualities.sh" 256
   "$root/examples/film.sh" --frames 4
   "$root/examples/gallery/gallery.sh" --width 150 --height 100
   cd "$root"

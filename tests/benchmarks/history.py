@@ -93,7 +93,8 @@ def ratios(rounds):
         for command in commands.values():
             if command[0] == "coppermoon":
                 command[0] = str(RELEASE / "coppermoon")
-        subprocess.run(commands["bake"][:1] + f"scene {STILL} -o scene".split(), cwd=scratch, check=True, capture_output=True)
+        subprocess.run(commands["bake"][:1] + f"scene {STILL} -o scene".split(), cwd=scratch, check=True,
+                       capture_output=True)
         commands["povray"] += window_of_still(scratch, commands["still"])
         taken = {name: [] for name in commands}
         for _ in range(rounds):
@@ -108,9 +109,9 @@ def ratios(rounds):
 
 def google_benchmarks(program, rounds):
     """Lists of times by name, in milliseconds of all processors."""
-    text = subprocess.run([RELEASE / "tests" / "benchmarks" / program, "--benchmark_format=json", "--benchmark_min_time=0.05",
-                           f"--benchmark_repetitions={rounds}", "--benchmark_enable_random_interleaving=true"],
-                          check=True, capture_output=True).stdout
+    text = subprocess.run([RELEASE / "tests" / "benchmarks" / program, "--benchmark_format=json",
+                           "--benchmark_min_time=0.05", f"--benchmark_repetitions={rounds}",
+                           "--benchmark_enable_random_interleaving=true"], check=True, capture_output=True).stdout
     found = {}
     for run in json.loads(text)["benchmarks"]:
         if run["run_type"] == "iteration":
@@ -159,7 +160,8 @@ def main():
     subprocess.run([ROOT / "examples" / "build.sh", "coppermoon_program coppermoon_benchmarks coppermoon_bake_benchmark",
                     "packages.tests.debian"], check=True, stdout=sys.stderr)
     begun = time.monotonic()
-    commit = subprocess.run([ROOT / "examples" / "made_at.sh", "--commit"], check=True, capture_output=True, text=True).stdout.strip()
+    commit = subprocess.run([ROOT / "examples" / "made_at.sh", "--commit"], check=True, capture_output=True,
+                            text=True).stdout.strip()
     kept = []
     if options.into.exists():
         with options.into.open(newline="") as file:
