@@ -234,7 +234,22 @@ ComparedNight::ComparedNight(std::span<const NightPhotograph> photographs,
     if (from == to) break;
   }
   for (auto& [nuisances, handicap] : in_weather_)
-    handicap = nuisances.log_determinant() - in_weather_.front().nuisances.log_determinant();
+    handicap = nuisances.log_determinant() - in_weather_.front().nuisances.log_determinant() +
+               2 * std::log(static_cast<double>(in_weather_.size()));
+  if (errors_.expected.rows() > 0) leave_out_improbable_weather();
+}
+
+void ComparedNight::leave_out_improbable_weather() {
+  constexpr double improbable = 30;  // in χ²: another air makes up for less
+  const auto columns = residuals(std::span(&errors_.expected, 1));
+  std::vector<double> expenses;
+  for (std::size_t w = 0; w < in_weather_.size(); ++w)
+    expenses.push_back(goodness_in(w, columns).front().chi_squared + in_weather_[w].handicap);
+  const double most = *std::ranges::min_element(expenses) + improbable;
+  std::vector<InWeather> probable;
+  for (std::size_t w = 0; w < expenses.size(); ++w)
+    if (expenses[w] <= most) probable.push_back(std::move(in_weather_[w]));
+  in_weather_ = std::move(probable);
 }
 
 ComparedNight ComparedNight::witness(const algebra::Grid<double>& light, double clock_s,
@@ -486,8 +501,7 @@ std::vector<GoodnessOfFit> ComparedNight::goodness(
       squares += mass * (variance_s2 + clock_s * clock_s);
     }
     mean_s /= sum;
-    all[l] = {least - 2 * std::log(sum / static_cast<double>(all_weathers.size())), mean_s,
-              squares / sum - mean_s * mean_s};
+    all[l] = {least - 2 * std::log(sum), mean_s, squares / sum - mean_s * mean_s};
   }
   return all;
 }

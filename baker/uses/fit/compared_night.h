@@ -96,7 +96,7 @@ class ComparedNight {
 
   /// Night of the same photographs that shows an air's light with errors as they are believed: for tests of intervals.
   ///
-  /// Given  weather  0 to weather_strengths − 1
+  /// Given  weather  0 to weather_strengths − 1, of a night whose light is not expected to be that of some air
   ///        normal   count() independent numbers of mean 0 and variance 1
   ComparedNight witness(const algebra::Grid<double>& light, double clock_s, std::size_t weather,
                         std::span<const double> normal) const;
@@ -149,6 +149,8 @@ class ComparedNight {
   /// Goodness of fit in some airs, given their residuals, in weather of one strength.
   std::vector<GoodnessOfFit> goodness_in(std::size_t weather,
                                          algebra::Grid<double> residuals) const;
+  /// Leaves out strengths of weather that the expected light makes improbable: they only take time.
+  void leave_out_improbable_weather();
   void add_measurements(const NightPhotograph& photograph, std::size_t index);
   /// Noise covariance of each photograph's measurements.
   std::vector<algebra::Grid<double>> noise(std::span<const NightPhotograph> photographs) const;
@@ -181,10 +183,11 @@ class ComparedNight {
   /// Nuisance parameters in weather of one strength.
   struct InWeather {
     Nuisances nuisances;
-    double
-        handicap;  ///< logarithm of the covariance's determinant, over that in weather as believed
+    /// logarithm of the covariance's determinant, over that in weather as believed, less that of the prior probability's
+    /// square
+    double handicap;
   };
-  std::vector<InWeather> in_weather_;  // as believed first
+  std::vector<InWeather> in_weather_;  // by strength
 };
 
 }  // namespace coppermoon::uses

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <numbers>
 #include <numeric>
 #include <span>
 #include <unordered_set>
@@ -259,11 +260,15 @@ MoonPart moon_part(const texture::Image& photo) {
       for (std::size_t k = 0; k < photo.channels.size(); ++k)
         part.photo(r, c, k) = shrunk_pixel(photo, window.top + r * by, window.left + c * by, k, by);
   part.luminance = luminance_of(part.photo);
-  part.clipped = part.luminance;
+  constexpr double few = 0.02;  // of the disc
   const auto clipped = clipped_in(part.photo, nearly_clipped);
-  const float most = *std::ranges::max_element(part.luminance.values());
-  for (std::size_t i = 0; i < clipped.values().size(); ++i)
-    if (clipped.values()[i] > 0) part.clipped.values()[i] = most;
+  const double disc_px = std::numbers::pi * std::pow(disc.radius_px / part.shrunk, 2);
+  if (std::reduce(clipped.values().begin(), clipped.values().end(), 0.) > few * disc_px) {
+    part.clipped = part.luminance;
+    const float most = *std::ranges::max_element(part.luminance.values());
+    for (std::size_t i = 0; i < clipped.values().size(); ++i)
+      if (clipped.values()[i] > 0) part.clipped.values()[i] = most;
+  }
   const auto within = [&](double at, std::size_t from) {
     return (at - static_cast<double>(from)) / part.shrunk;
   };
@@ -305,7 +310,7 @@ colour::Registration registration_of(const FitScene& scene, const MoonPart& moon
     } catch (const algebra::Error&) {
       if (!first) first = std::current_exception();
     }
-    if (roughly || (best && best->correlation >= well)) break;
+    if (roughly || moon.clipped.empty() || (best && best->correlation >= well)) break;
   }
   if (!best) std::rethrow_exception(first);
   return *best;

@@ -31,9 +31,10 @@ struct BinnedPhotograph {
 struct MoonPart {
   texture::Image photo;
   algebra::Grid<float> luminance = {};  ///< of the photo
-  algebra::Grid<float> clipped = {};    ///< luminance, the greatest where any channel is clipped
-  colour::Disc disc = {};               ///< in the photo
-  double shrunk = 1;                    ///< the factor
+  algebra::Grid<float> clipped =
+      {};                  ///< luminance, the greatest where any channel is clipped; empty: few are
+  colour::Disc disc = {};  ///< in the photo
+  double shrunk = 1;       ///< the factor
   std::array<double, 3> steps =
       {};  ///< of the photograph's numbers near black, in linear light; 0: fine ones
 };
