@@ -108,6 +108,20 @@ class Totality {
   double dimmer_ = 1;  ///< factor for the distances of Sun and Moon
 };
 
+/// Clearness of a magnitude between the known ones before and at an index, by the cubic through four of them.
+template <typename Known>
+double between(std::span<const Known> known, std::size_t bright, double magnitude) {
+  const std::size_t first = bright > 1 ? bright - 2 : 0,
+                    count = std::min(bright + 2, known.size()) - first;
+  std::vector<double> nodes;
+  for (const auto& one : known.subspan(first, count)) nodes.push_back(one.magnitude);
+  const auto shares = algebra::on_polynomial(nodes, magnitude);
+  double at = 0;
+  for (std::size_t i = 0; i < count; ++i) at += shares[i] * known[first + i].clearness;
+  const double dark = known[bright - 1].clearness, light = known[bright].clearness;
+  return at > dark && at < light ? at : std::midpoint(dark, light);
+}
+
 void clear(atmosphere::Column& column, double clearness) {
   const double left = 1 - std::max(0., clearness);
   for (double* term : {&column.cloud_per_m, &column.cirrus, &column.tropospheric_optical_depth,
@@ -129,51 +143,42 @@ atmosphere::Atmosphere cleared(atmosphere::Atmosphere air, double clearness) {
 DanjonScale::DanjonScale(const atmosphere::Atmosphere& air, const almanac::SkyState& sky)
     : magnitude_([air, totality = Totality(sky)](double clearness) {
         return totality.magnitude(cleared(air, clearness));
-      }) {
-  compute(0);
-}
+      }) {}
 
-void DanjonScale::compute(double clearness) {
-  const auto after = std::ranges::upper_bound(known_, clearness, {}, &Known::clearness);
-  known_.insert(after, {clearness, magnitude_(clearness)});
-}
-
-double DanjonScale::between(std::size_t bright, double magnitude) const {
-  const std::size_t first = bright > 1 ? bright - 2 : 0,
-                    count = std::min(bright + 2, known_.size()) - first;
-  std::vector<double> nodes;
-  for (const auto& known : std::span(known_).subspan(first, count))
-    nodes.push_back(known.magnitude);
-  const auto shares = algebra::on_polynomial(nodes, magnitude);
-  double at = 0;
-  for (std::size_t i = 0; i < count; ++i) at += shares[i] * known_[first + i].clearness;
-  const double dark = known_[bright - 1].clearness, light = known_[bright].clearness;
-  return at > dark && at < light ? at : std::midpoint(dark, light);
+void DanjonScale::add(double clearness, std::vector<Known>& known) {
+  const auto kept = magnitudes_.find(clearness);
+  const double magnitude = kept != magnitudes_.end() ? kept->second : magnitude_(clearness);
+  magnitudes_.emplace(clearness, magnitude);
+  const auto after = std::ranges::upper_bound(known, clearness, {}, &Known::clearness);
+  known.insert(after, {clearness, magnitude});
 }
 
 double DanjonScale::clearness(int l) {
   algebra::require_within("Danjon", l, 0, 4);
   constexpr double first_step = 1. / 16, factor = 4, near_mag = 0.02, least_part = 0.05;
   const double asked = 4.2 - 3. * l + l * l / 4.;
+  std::vector<Known> known;
+  add(0, known);
   for (;;) {
-    const auto is_bright = [&](const Known& known) { return known.magnitude <= asked; };
+    const auto is_bright = [&](const Known& one) { return one.magnitude <= asked; };
     const auto bright =
-        static_cast<std::size_t>(std::ranges::find_if(known_, is_bright) - known_.begin());
-    if (bright == known_.size()) {
-      if (known_.back().clearness == brightest_clearness) return brightest_clearness;
-      compute(brightest_clearness);
+        static_cast<std::size_t>(std::ranges::find_if(known, is_bright) - known.begin());
+    if (bright == known.size()) {
+      if (known.back().clearness == brightest_clearness) return brightest_clearness;
+      add(brightest_clearness, known);
     } else if (bright == 0) {
-      const double darkest = known_.front().clearness;
+      const double darkest = known.front().clearness;
       if (darkest == darkest_clearness) return darkest_clearness;
-      compute(std::max(darkest_clearness, factor * std::min(darkest, -first_step / factor)));
+      add(std::max(darkest_clearness, factor * std::min(darkest, -first_step / factor)), known);
     } else {
-      const auto &dark = known_[bright - 1], &light = known_[bright];
-      const double found = between(bright, asked);
+      const auto &dark = known[bright - 1], &light = known[bright];
+      const double found = between(std::span<const Known>(known), bright, asked);
       const double off = std::min(dark.magnitude - asked, asked - light.magnitude);
       const double width = light.clearness - dark.clearness;
       if (off < near_mag || width < clearness_error / 2) return found;
-      compute(std::clamp(found, dark.clearness + least_part * width,
-                         light.clearness - least_part * width));
+      add(std::clamp(found, dark.clearness + least_part * width,
+                     light.clearness - least_part * width),
+          known);
     }
   }
 }

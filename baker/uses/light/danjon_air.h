@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <vector>
 
 #include "almanac/sky.h"
@@ -36,7 +37,8 @@ class DanjonScale {
   /// Given  air  of belts, of that night
   DanjonScale(const atmosphere::Atmosphere& air, const almanac::SkyState& sky);
 
-  /// Clearness for a step; magnitudes that are found on the way serve the steps asked for later.
+  /// Clearness for a step. Magnitudes that are found on the way are kept for other steps, which do not change the
+  /// result.
   ///
   /// Given     l  0 to 4
   /// Returned  −2 to 1; at these ends the magnitude may be another
@@ -48,12 +50,11 @@ class DanjonScale {
     double clearness, magnitude;
   };
 
-  void compute(double clearness);
-  /// Clearness of a magnitude between the known ones before and at an index, by the cubic through four of them.
-  double between(std::size_t bright, double magnitude) const;
+  /// Adds a clearness and its magnitude to those known, in order of clearness; magnitudes fall.
+  void add(double clearness, std::vector<Known>& known);
 
   std::function<double(double clearness)> magnitude_;
-  std::vector<Known> known_;  ///< in order of clearness; magnitudes fall
+  std::map<double, double> magnitudes_;  ///< by clearness
 };
 
 }  // namespace coppermoon::uses
