@@ -133,7 +133,7 @@ def steps():
     area = next(area for area in window.screen.areas if area.type == 'VIEW_3D')
     space = area.spaces[0]
     space.show_region_ui, space.overlay.show_overlays, space.shading.type = True, False, 'RENDERED'
-    space.region_3d.view_perspective, window.scene.cycles.preview_samples = 'CAMERA', 16
+    space.region_3d.view_perspective, window.scene.cycles.preview_samples = 'CAMERA', 64
     for _ in range(10):
         yield
     bar = next(region for region in area.regions if region.type == 'UI')
@@ -143,7 +143,7 @@ def steps():
         for _ in range(3):
             yield
     window.event_simulate('MOUSEMOVE', 'NOTHING', x=400, y=300)
-    for _ in range(40):
+    for _ in range(120):
         yield
     bpy.ops.screen.screenshot(filepath='window.png')
 
