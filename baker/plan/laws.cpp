@@ -21,14 +21,14 @@ struct Costs {
   double angle_harmonic = 30e-9;    ///< of one term and one part, at a position angle
   double angle_wavelength = 30e-9;  ///< likewise
   double lookup = 6e-3;
-  double trial = 10e-3;  ///< finding the effect of each term
+  double trial = 45e-3;  ///< finding the effect of each term
   double twilight = 40e-3, twilight_wavelength = 1e-3;
   double photon_wavelength = 2.2e-9;  ///< by the table, on one plane, gathered in rings alone
   double sectors_dearer = 8;          ///< gathered in sectors too
   double photon_marched = 14e-6, photon_step_by_step = 163e-6;
-  double together = 2.2;  ///< time of light over the sum of its estimated parts
-  double start = 0.2;     ///< of the program and of the libraries behind images
-  double texel = 48e-9;   ///< lit and written
+  double together = 1.75;  ///< time of light over the sum of its estimated parts
+  double start = 0.22;   ///< of the program, its map and images' libraries, where a texture is made
+  double texel = 48e-9;  ///< lit and written
   double map_file = 0.2;
 };
 
@@ -149,7 +149,8 @@ double predicted_seconds(const Work& work, const Scene& scene, const Machine& ma
     light += 0.05 + work.photons * a_photon;
   }
   const double map = scene.map_file ? cost.map_file : 0;  // read by one core
-  const double all = cost.start + cost.together * light + cost.texel * scene.texels + map;
+  const double start = scene.texels > 0 ? cost.start : 0;
+  const double all = start + cost.together * light + cost.texel * scene.texels + map;
   return std::max(map, all / cores(machine)) / machine.speed;
 }
 
