@@ -56,12 +56,10 @@ struct Evaluation {
 void add_over_cloud(const DataSet& data, const FittedLight::OverCloud& light,
                     const std::vector<double>& clouds, std::span<double> chi_squared,
                     std::span<ClockError> clocks) {
-  std::vector<algebra::Grid<double>> lights;
-  for (const double cloud : clouds) lights.push_back(light.under(cloud));
-  const auto found = data.goodness(lights);
   for (std::size_t j = 0; j < clouds.size(); ++j) {
-    chi_squared[j] += found[j].chi_squared;
-    clocks[j] = {found[j].clock_s, std::sqrt(found[j].clock_variance_s2)};
+    const auto found = data.goodness(light.under(clouds[j]));
+    chi_squared[j] += found.chi_squared;
+    clocks[j] = {found.clock_s, std::sqrt(found.clock_variance_s2)};
   }
 }
 

@@ -21,9 +21,8 @@ struct GoodnessOfFit {
 /// Measurements of one night, or of one moment's magnitudes.
 struct DataSet {
   const FittedLight* light;
-  /// of light in bins, in some airs
-  std::function<std::vector<GoodnessOfFit>(std::span<const algebra::Grid<double>> lights)> goodness;
-  std::size_t count;  ///< of measurements
+  std::function<GoodnessOfFit(const algebra::Grid<double>& light)> goodness;  ///< of light in bins
+  std::size_t count;                                                          ///< of measurements
 };
 
 /// Correction of a clock, to be added to its instants.

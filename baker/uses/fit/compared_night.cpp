@@ -8,7 +8,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -64,34 +63,17 @@ double logarithmic_mean(double a, double b) {
   return std::abs(ratio) < 1e-4 ? std::sqrt(a * b) : b * ratio / std::log1p(ratio);
 }
 
-/// Strengths of a night's weather over what is believed, one as probable as the other.
-constexpr std::array<double, ComparedNight::weather_strengths> strengths{1, 0.25, 0.5, 2, 4};
-
 /// Moments, an hour apart, between which weather changes linearly.
 struct WeatherKnots {
   double first_s = 0;
   std::size_t count = 1;
   static constexpr double step_s = 3600;
 
-  /// Weights of independent changes, one at each knot, in the weather of a moment.
-  ///
-  /// A part of it stays from knot to knot: systems of 1500 km pass the limb in an hour near the equator, in many near the
-  /// poles; land and sea, cloudier or clearer than their belt, stay for a night.
-  std::vector<double> weights(double seconds) const {
-    constexpr double stays = 0.8;
+  /// Lower knot, and the part of the upper.
+  std::pair<std::size_t, double> at(double seconds) const {
     const double place = count > 1 ? (seconds - first_s) / step_s : 0;
     const auto knot = std::min(static_cast<std::size_t>(std::max(0., place)), count - 1);
-    const double part = place - static_cast<double>(knot);
-    const auto left_at = [&](std::size_t at, std::size_t change) {
-      if (change > at) return 0.;
-      const double first = change == 0 ? 1 : std::sqrt(1 - stays * stays);
-      return first * std::pow(stays, static_cast<double>(at - change));
-    };
-    std::vector<double> all;
-    for (std::size_t change = 0; change < count; ++change)
-      all.push_back((1 - part) * left_at(knot, change) +
-                    (part > 0 ? part * left_at(knot + 1, change) : 0));
-    return all;
+    return {knot, place - static_cast<double>(knot)};
   }
 };
 
@@ -224,43 +206,7 @@ ComparedNight::ComparedNight(std::span<const NightPhotograph> photographs,
     throw algebra::Error(fmt::format(
         "{} parts of the disc are neither clipped nor lost in noise, allowed {} or more",
         measurements_.size(), least));
-  const auto noises = noise(photographs);
-  const auto [matrix, from, to] = design(photographs);
-  for (const double strength : strengths) {
-    auto of_strength = matrix;
-    for (std::size_t i = 0; i < matrix.rows(); ++i)
-      for (double& value : of_strength.row(i).subspan(from, to - from)) value *= strength;
-    in_weather_.push_back({{noises, std::move(of_strength)}, 0});
-    if (from == to) break;
-  }
-  for (auto& [nuisances, handicap] : in_weather_)
-    handicap = nuisances.log_determinant() - in_weather_.front().nuisances.log_determinant() +
-               2 * std::log(static_cast<double>(in_weather_.size()));
-  if (errors_.expected.rows() > 0) leave_out_improbable_weather();
-}
-
-void ComparedNight::leave_out_improbable_weather() {
-  constexpr double improbable = 30;  // in χ²: another air makes up for less
-  const auto columns = residuals(std::span(&errors_.expected, 1));
-  std::vector<double> expenses;
-  for (std::size_t w = 0; w < in_weather_.size(); ++w)
-    expenses.push_back(goodness_in(w, columns).front().chi_squared + in_weather_[w].handicap);
-  const double most = *std::ranges::min_element(expenses) + improbable;
-  std::vector<InWeather> probable;
-  for (std::size_t w = 0; w < expenses.size(); ++w)
-    if (expenses[w] <= most) probable.push_back(std::move(in_weather_[w]));
-  in_weather_ = std::move(probable);
-}
-
-ComparedNight ComparedNight::witness(const algebra::Grid<double>& light, double clock_s,
-                                     std::size_t weather, std::span<const double> normal) const {
-  auto night = *this;
-  const auto off = residuals(std::span(&light, 1));
-  const auto errors = in_weather_.at(weather).nuisances.drawn(normal);
-  for (std::size_t i = 0; i < errors.size(); ++i)
-    night.measurements_[i].logarithm +=
-        errors[i] - off(i, 0) + (off.columns() > 1 ? clock_s * off(i, 1) : 0);
-  return night;
+  nuisances_ = {noise(photographs), design(photographs)};
 }
 
 std::vector<algebra::Grid<double>> ComparedNight::noise(
@@ -322,7 +268,7 @@ std::array<double, 3> ComparedNight::expected_of(const NightPhotograph& photogra
   return {row[0], row[1], row[2]};
 }
 
-ComparedNight::Design ComparedNight::design(std::span<const NightPhotograph> photographs) const {
+algebra::Grid<double> ComparedNight::design(std::span<const NightPhotograph> photographs) const {
   constexpr double white_balance_drift = 0.003;
   const auto knots = weather_knots(photographs);
   const bool weather = std::ranges::any_of(
@@ -362,21 +308,23 @@ ComparedNight::Design ComparedNight::design(std::span<const NightPhotograph> pho
       night[of_photographs + of_weather + c] =
           scene.by_filters[c](b, k) / std::sqrt(static_cast<double>(cameras));
     if (errors.weather_error > 0) {
-      const auto changes = knots.weights(seconds_of(photographs, p));
+      const auto [knot, part] = knots.at(seconds_of(photographs, p));
       for (std::size_t s = 0; s < weather_sectors; ++s)
         for (std::size_t w = 0; w < weathers; ++w) {
+          const auto column = [&](std::size_t of_knot) -> double& {
+            return night[of_photographs + (of_knot * weathers + w) * weather_sectors + s];
+          };
           const double light_of_part =
               errors.weather_error * limbs[p](b, s) *
               (dimming.rows() == 0 || w == of_blue ? weather_of(w, k, scene.distances_km[b])
                : w == of_light                     ? dimming(p * bins_ + b, k)
                                                    : 0);
-          for (std::size_t change = 0; change < changes.size(); ++change)
-            night[of_photographs + (change * weathers + w) * weather_sectors + s] =
-                changes[change] * light_of_part;
+          column(knot) += (1 - part) * light_of_part;
+          if (part > 0) column(knot + 1) += part * light_of_part;
         }
     }
   }
-  return {std::move(a), of_photographs, of_photographs + of_weather};
+  return a;
 }
 
 algebra::Grid<double> ComparedNight::dimming_by_cloud() const {
@@ -431,106 +379,52 @@ std::size_t ComparedNight::count_of(std::size_t photograph) const {
       std::ranges::count(measurements_, photograph, &Measurement::photograph));
 }
 
-algebra::Grid<double> ComparedNight::residuals(
-    std::span<const algebra::Grid<double>> lights) const {
+ComparedNight::Residuals ComparedNight::residuals(const algebra::Grid<double>& light) const {
   const auto steps_s = clock_steps_s(errors_.clock_error_s);
   const auto middle = steps_s.size() / 2;
-  algebra::Grid<double> result(measurements_.size(),
-                               steps_s.size() > 1 ? 2 * lights.size() : lights.size());
+  Residuals result;
   std::vector<std::array<double, 3>> logarithms(steps_s.size());
-  for (std::size_t l = 0; l < lights.size(); ++l)
-    for (std::size_t i = 0; i < measurements_.size(); ++i) {
-      const auto& [p, b, k, logarithm, error] = measurements_[i];
-      if (i == 0 || p != measurements_[i - 1].photograph || b != measurements_[i - 1].bin)
-        for (std::size_t s = 0; s < steps_s.size(); ++s) {
-          logarithms[s] = as_written(lights[l].row((p * steps_s.size() + s) * bins_ + b));
-          for (double& value : logarithms[s]) value = std::log(value);
-        }
-      result(i, l) = logarithm - logarithms[middle][k];
-      if (steps_s.size() > 1)
-        result(i, lights.size() + l) =
-            (logarithms.back()[k] - logarithms.front()[k]) / (steps_s.back() - steps_s.front());
-    }
+  for (std::size_t i = 0; i < measurements_.size(); ++i) {
+    const auto& [p, b, k, logarithm, error] = measurements_[i];
+    if (i == 0 || p != measurements_[i - 1].photograph || b != measurements_[i - 1].bin)
+      for (std::size_t s = 0; s < steps_s.size(); ++s) {
+        logarithms[s] = as_written(light.row((p * steps_s.size() + s) * bins_ + b));
+        for (double& value : logarithms[s]) value = std::log(value);
+      }
+    result.differences.push_back(logarithm - logarithms[middle][k]);
+    if (steps_s.size() > 1)
+      result.per_second.push_back((logarithms.back()[k] - logarithms.front()[k]) /
+                                  (steps_s.back() - steps_s.front()));
+  }
   return result;
-}
-
-std::vector<GoodnessOfFit> ComparedNight::goodness_in(std::size_t weather,
-                                                      algebra::Grid<double> columns) const {
-  in_weather_[weather].nuisances.whiten(columns);
-  const auto product = [&](std::size_t a, std::size_t b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < columns.rows(); ++i) sum += columns(i, a) * columns(i, b);
-    return sum;
-  };
-  const bool clocked = errors_.clock_error_s > 0;
-  const auto lights = clocked ? columns.columns() / 2 : columns.columns();
-  std::vector<GoodnessOfFit> all;
-  for (std::size_t l = 0; l < lights; ++l) {
-    auto& result = all.emplace_back(product(l, l));
-    if (!clocked) continue;
-    const auto clock = lights + l;
-    const double believed = 1 / (errors_.clock_error_s * errors_.clock_error_s),
-                 mean_s = errors_.clock_mean_s, information = product(clock, clock) + believed;
-    result.clock_s = (product(clock, l) + believed * mean_s) / information;
-    result.clock_variance_s2 = 1 / information;
-    result.chi_squared +=
-        believed * mean_s * mean_s - result.clock_s * result.clock_s * information;
-  }
-  return all;
-}
-
-std::vector<GoodnessOfFit> ComparedNight::goodness(
-    std::span<const algebra::Grid<double>> lights) const {
-  const auto columns = residuals(lights);
-  std::vector<std::vector<GoodnessOfFit>> all_weathers;
-  for (std::size_t w = 0; w < in_weather_.size(); ++w)
-    all_weathers.push_back(goodness_in(w, columns));
-  std::vector<GoodnessOfFit> all(lights.size());
-  for (std::size_t l = 0; l < lights.size(); ++l) {
-    const auto expense = [&](std::size_t w) {
-      return all_weathers[w][l].chi_squared + in_weather_[w].handicap;
-    };
-    double least = expense(0);
-    for (std::size_t w = 1; w < all_weathers.size(); ++w) least = std::min(least, expense(w));
-    double sum = 0, mean_s = 0, squares = 0;
-    for (std::size_t w = 0; w < all_weathers.size(); ++w) {
-      const auto& [chi_squared, clock_s, variance_s2] = all_weathers[w][l];
-      const double mass = std::exp((least - expense(w)) / 2);
-      sum += mass;
-      mean_s += mass * clock_s;
-      squares += mass * (variance_s2 + clock_s * clock_s);
-    }
-    mean_s /= sum;
-    all[l] = {least - 2 * std::log(sum), mean_s, squares / sum - mean_s * mean_s};
-  }
-  return all;
 }
 
 GoodnessOfFit ComparedNight::goodness(const algebra::Grid<double>& light) const {
-  return goodness(std::span(&light, 1)).front();
+  const auto [differences, per_second] = residuals(light);
+  const auto whitened = nuisances_.whitened(differences);
+  GoodnessOfFit result{product(whitened, whitened)};
+  if (per_second.empty()) return result;
+  const auto clock = nuisances_.whitened(per_second);
+  const double believed = 1 / (errors_.clock_error_s * errors_.clock_error_s),
+               mean_s = errors_.clock_mean_s, information = product(clock, clock) + believed;
+  result.clock_s = (product(clock, whitened) + believed * mean_s) / information;
+  result.clock_variance_s2 = 1 / information;
+  result.chi_squared += believed * mean_s * mean_s - result.clock_s * result.clock_s * information;
+  return result;
 }
 
-ComparedNight::AtTheClock ComparedNight::at_the_clock(const algebra::Grid<double>& light) const {
-  const auto columns = residuals(std::span(&light, 1));
-  std::size_t probable = 0;
-  double least = std::numeric_limits<double>::infinity(), clock_s = 0;
-  for (std::size_t w = 0; w < in_weather_.size(); ++w) {
-    const auto found = goodness_in(w, columns).front();
-    const double expense = found.chi_squared + in_weather_[w].handicap;
-    if (expense < least) least = expense, probable = w, clock_s = found.clock_s;
-  }
-  AtTheClock result{{}, in_weather_[probable].nuisances};
-  for (std::size_t i = 0; i < columns.rows(); ++i)
-    result.differences.push_back(columns(i, 0) -
-                                 (columns.columns() > 1 ? clock_s * columns(i, 1) : 0));
-  return result;
+std::vector<double> ComparedNight::residuals_by_the_clock(
+    const algebra::Grid<double>& light) const {
+  auto [differences, per_second] = residuals(light);
+  const double clock_s = goodness(light).clock_s;
+  for (std::size_t i = 0; i < per_second.size(); ++i) differences[i] -= clock_s * per_second[i];
+  return differences;
 }
 
 colour::ToneCurve ComparedNight::curve(const algebra::Grid<double>& light) const {
   colour::ToneCurve found;
   if (!curved_) return found;
-  const auto [differences, nuisances] = at_the_clock(light);
-  const auto parameters = nuisances.expected(differences);
+  const auto parameters = nuisances_.expected(residuals_by_the_clock(light));
   for (std::size_t n = 0; n < colour::tone_numbers; ++n)
     found.numbers[n] = -parameters[of_night::curve + n];  // excess light is taken off by the curve
   return found;
@@ -539,8 +433,7 @@ colour::ToneCurve ComparedNight::curve(const algebra::Grid<double>& light) const
 Mixing ComparedNight::mixing(const algebra::Grid<double>& light) const {
   auto found = errors_.mixing;
   if (!mixed_) return found;
-  const auto [differences, nuisances] = at_the_clock(light);
-  const auto parameters = nuisances.expected(differences);
+  const auto parameters = nuisances_.expected(residuals_by_the_clock(light));
   std::size_t element = of_night::mixing;
   for (std::size_t to = 0; to < 3; ++to)
     for (std::size_t from = 0; from < 3; ++from) {
@@ -553,8 +446,8 @@ Mixing ComparedNight::mixing(const algebra::Grid<double>& light) const {
 
 std::vector<MeasuredLight> ComparedNight::measured(const algebra::Grid<double>& light) const {
   constexpr double step_km = 100;
-  const auto [differences, nuisances] = at_the_clock(light);
-  const auto explained = nuisances.explained(differences);
+  const auto differences = residuals_by_the_clock(light);
+  const auto explained = nuisances_.explained(differences);
   std::map<std::pair<long, std::size_t>, std::vector<std::size_t>> steps;  // [step, channel]
   for (std::size_t i = 0; i < measurements_.size(); ++i) {
     const auto& [p, b, k, logarithm, error] = measurements_[i];
@@ -574,17 +467,17 @@ std::vector<MeasuredLight> ComparedNight::measured(const algebra::Grid<double>& 
       model += weight * (logarithm - differences[i] - sunlight);
     }
     all.push_back({distance_km / sum, step.second, std::exp(measured / sum), std::exp(model / sum),
-                   nuisances.error_of_mean(weights)});
+                   nuisances_.error_of_mean(weights)});
   }
   return all;
 }
 
 std::vector<Misfit> ComparedNight::misfits(const algebra::Grid<double>& light) const {
   constexpr double step_km = 300;
-  auto [differences, nuisances] = at_the_clock(light);
-  const auto weighed = nuisances.weighed(differences), known = nuisances.explained(differences),
-             own = nuisances.explained(differences, of_night::count,
-                                       of_photograph::count * distances_km_.size());
+  auto differences = residuals_by_the_clock(light);
+  const auto weighed = nuisances_.weighed(differences), known = nuisances_.explained(differences),
+             own = nuisances_.explained(differences, of_night::count,
+                                        of_photograph::count * distances_km_.size());
   for (std::size_t i = 0; i < differences.size(); ++i) differences[i] -= known[i] - own[i];
   struct Sum {
     std::size_t count = 0;

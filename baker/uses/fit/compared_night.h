@@ -21,8 +21,7 @@ struct PhotometricErrors {
   double white_balance_error = 0.03;  ///< of the logarithms of red and blue over green
   bool white_balance_fixed = false;   ///< common to a night; else each photograph has its own
   double place_error_km = 0;          ///< of the registration, towards the shadow's axis
-  /// of a part of the limb 30 degrees wide by its weather, in red; a fifth more in green, half more in blue; the night's
-  /// own may be from a quarter of it to four times that
+  /// of a part of the limb 30 degrees wide by its weather, in red; a fifth more in green, half more in blue
   double weather_error = 0;
   double mixing_error = 0;      ///< of each element of the camera's matrix off its diagonal
   double saturation_error = 0;  ///< of the saturation of its colours, as styles of JPEG have it
@@ -85,23 +84,12 @@ struct Misfit {
 /// bin; and of the computation 0.1 % common to channels and bins close by, 0.1 % of its value and 0.03 % of the
 /// bin's brightest channel. Nuisance parameters are, of the night, the exposure, a fixed white balance, the tone
 /// curve where one is in question, the clock, the camera's matrix and saturation, its filters where they are not known,
-/// and the weather of twelve parts of the limb, of which four fifths stay for an hour; of each photograph its exposure
-/// beside the others', as shutters and irises have it, the white balance, the registration, the sky and the glow. How
-/// strong a night's weather is, from a quarter of what is believed to four times that, the night's light tells: all
-/// strengths are marginalised.
+/// and the weather of twelve parts of the limb in each hour; of each photograph its exposure beside the others', as
+/// shutters and irises have it, the white balance, the registration, the sky and the glow.
 class ComparedNight {
  public:
   /// Throws  Error  when fewer than six bins and channels are neither clipped nor lost in noise
   ComparedNight(std::span<const NightPhotograph> photographs, const NightErrors& errors);
-
-  /// Night of the same photographs that shows an air's light with errors as they are believed: for tests of intervals.
-  ///
-  /// Given  weather  0 to weather_strengths − 1, of a night whose light is not expected to be that of some air
-  ///        normal   count() independent numbers of mean 0 and variance 1
-  ComparedNight witness(const algebra::Grid<double>& light, double clock_s, std::size_t weather,
-                        std::span<const double> normal) const;
-  /// Strengths that a night's weather may have.
-  static constexpr std::size_t weather_strengths = 5;
 
   /// Measurements of all photographs.
   std::size_t count() const { return measurements_.size(); }
@@ -112,8 +100,6 @@ class ComparedNight {
   ///
   /// Given  light  night_light's X, Y, Z of all bins in some air
   GoodnessOfFit goodness(const algebra::Grid<double>& light) const;
-  /// Goodness of fit in each of some airs.
-  std::vector<GoodnessOfFit> goodness(std::span<const algebra::Grid<double>> lights) const;
 
   /// Posterior mean of the tone curve, given the light of an air; the mean of cameras where no curve is in
   /// question.
@@ -136,30 +122,18 @@ class ComparedNight {
     double logarithm;
     double error;  ///< of this measurement alone
   };
-  /// Differences from an air's light, and their growth with a second of the clock where it may be wrong: (measurement,
-  /// light), then (measurement, lights + light).
-  algebra::Grid<double> residuals(std::span<const algebra::Grid<double>> lights) const;
-  /// Differences with the clock at its posterior mean, and the nuisance parameters, in weather of the most probable
-  /// strength.
-  struct AtTheClock {
-    std::vector<double> differences;
-    const Nuisances& nuisances;
+  /// Differences from an air's light, and their growth with a second of the clock.
+  struct Residuals {
+    std::vector<double> differences, per_second;
   };
-  AtTheClock at_the_clock(const algebra::Grid<double>& light) const;
-  /// Goodness of fit in some airs, given their residuals, in weather of one strength.
-  std::vector<GoodnessOfFit> goodness_in(std::size_t weather,
-                                         algebra::Grid<double> residuals) const;
-  /// Leaves out strengths of weather that the expected light makes improbable: they only take time.
-  void leave_out_improbable_weather();
+  Residuals residuals(const algebra::Grid<double>& light) const;
+  /// Differences with the clock at its posterior mean.
+  std::vector<double> residuals_by_the_clock(const algebra::Grid<double>& light) const;
   void add_measurements(const NightPhotograph& photograph, std::size_t index);
   /// Noise covariance of each photograph's measurements.
   std::vector<algebra::Grid<double>> noise(std::span<const NightPhotograph> photographs) const;
-  /// Design matrix of the nuisance parameters, (measurement, parameter), and those of the weather.
-  struct Design {
-    algebra::Grid<double> matrix;
-    std::size_t weather_from, weather_to;
-  };
-  Design design(std::span<const NightPhotograph> photographs) const;
+  /// Design matrix of the nuisance parameters: (measurement, parameter).
+  algebra::Grid<double> design(std::span<const NightPhotograph> photographs) const;
   /// Light of a bin in linear Rec.709 as the camera writes it, by the mixing expected.
   std::array<double, 3> as_written(std::span<const double> xyz) const;
   /// Light that a bin of a photograph is expected to have, in linear Rec.709 without mixing.
@@ -180,14 +154,7 @@ class ComparedNight {
   std::vector<Measurement> measurements_;
   std::vector<std::vector<double>> distances_km_;  // [photograph][bin]
   std::vector<std::array<double, 3>> sunlight_;    // [photograph][channel]
-  /// Nuisance parameters in weather of one strength.
-  struct InWeather {
-    Nuisances nuisances;
-    /// logarithm of the covariance's determinant, over that in weather as believed, less that of the prior probability's
-    /// square
-    double handicap;
-  };
-  std::vector<InWeather> in_weather_;  // by strength
+  Nuisances nuisances_;
 };
 
 }  // namespace coppermoon::uses

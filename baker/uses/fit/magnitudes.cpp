@@ -175,7 +175,7 @@ MagnitudeData data_of(const MoonRequest& moon, Unknowns unknowns, const almanac:
     const auto row = meter.weights.row(k);
     whole.push_back(std::reduce(row.begin(), row.end()));
   }
-  const auto of_air = [=](const algebra::Grid<double>& found) {
+  const auto goodness = [=](const algebra::Grid<double>& found) {
     constexpr double computed = 0.02;
     double sum = 0;
     for (const auto& seen : of_one_instant) {
@@ -186,11 +186,6 @@ MagnitudeData data_of(const MoonRequest& moon, Unknowns unknowns, const almanac:
           std::pow(magnitude - seen.magnitude, 2) / (seen.error * seen.error + computed * computed);
     }
     return GoodnessOfFit{sum};
-  };
-  const auto goodness = [=](std::span<const algebra::Grid<double>> lights) {
-    std::vector<GoodnessOfFit> all;
-    for (const auto& found : lights) all.push_back(of_air(found));
-    return all;
   };
   const auto* fitted = light.get();
   return {std::move(light), {fitted, goodness, of_one_instant.size()}};

@@ -181,7 +181,7 @@ void Night::take_one(double clock_s, std::size_t index, std::optional<double> px
     binned_.push_back(std::move(known));
     taken_.push_back({index, registration, registration.render_to_photo.scale * px_per_scale});
   } catch (const algebra::Error& error) {
-    left_out_[index] = reason_with_shares(moon, reason_without_name(photograph.file, error));
+    left_out_[index] = reason_without_name(photograph.file, error);
   }
 }
 
@@ -231,14 +231,11 @@ void Night::take_in_scale(double clock_s, std::size_t index, double px_per_rad) 
   if (in_scale >= std::max(well, as_well * alike)) return;
   erase();
   if (alike >= well)
-    left_out_[index] = reason_with_shares(
-        kept(index).moon, "a Moon of another size than on the night's other photographs");
+    left_out_[index] = "a Moon of another size than on the night's other photographs";
   else if (in_scale > 0)
-    left_out_[index] = reason_with_shares(
-        kept(index).moon,
-        fmt::format(
-            "correlation of photograph and Moon in the others' scale = {:.2f}, allowed {} to 1",
-            in_scale, well));
+    left_out_[index] = fmt::format(
+        "correlation of photograph and Moon in the others' scale = {:.2f}, allowed {} to 1",
+        in_scale, well);
   else if (!why.empty())
     left_out_[index] = why;
 }
@@ -400,10 +397,9 @@ void Night::find_clock() {
 }
 
 DataSet Night::data() const {
-  return {
-      light_.get(),
-      [this](std::span<const algebra::Grid<double>> lights) { return compared_->goodness(lights); },
-      compared_->count()};
+  return {light_.get(),
+          [this](const algebra::Grid<double>& light) { return compared_->goodness(light); },
+          compared_->count()};
 }
 
 bool Night::curved() const {

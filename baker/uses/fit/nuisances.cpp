@@ -22,44 +22,55 @@ Eigen::Map<const Matrix> matrix(const Grid<double>& grid) {
 
 auto lower(const Grid<double>& grid) { return matrix(grid).triangularView<Eigen::Lower>(); }
 
-Eigen::Map<Matrix> changeable(Grid<double>& grid) {
-  return {grid.values().data(), matrix(grid).rows(), matrix(grid).cols()};
+/// Factor L of L Lᵀ, in the lower triangle; what is above it means nothing.
+Grid<double> cholesky(Grid<double> grid) {
+  Eigen::Map<Matrix> whole(grid.values().data(), matrix(grid).rows(), matrix(grid).cols());
+  const Eigen::LLT<Eigen::Ref<Matrix>> in_place(whole);
+  return grid;
+}
+
+/// Multiplies each column by K⁻¹.
+template <class Columns>
+void whiten(std::span<const Grid<double>> noise, Columns columns) {
+  Eigen::Index from = 0;
+  for (const auto& block : noise) {
+    const auto size = matrix(block).rows();
+    lower(block).solveInPlace(columns.middleRows(from, size));
+    from += size;
+  }
 }
 
 }  // namespace
 
 Nuisances::Nuisances(std::span<const Grid<double>> noise, Grid<double> design)
-    : noise_(noise.begin(), noise.end()),
-      design_(std::move(design)),
-      factor_(design_.rows(), design_.rows()) {
-  auto covariance = changeable(factor_);
-  covariance.triangularView<Eigen::Lower>() = matrix(design_) * matrix(design_).transpose();
-  Eigen::Index from = 0;
-  for (const auto& block : noise_) {
-    const auto size = matrix(block).rows();
-    covariance.block(from, from, size, size) += matrix(block);
-    from += size;
-  }
-  const Eigen::LLT<Eigen::Ref<Matrix>> in_place(covariance);
+    : design_(design.columns() > 0 ? std::move(design) : Grid<double>(design.rows(), 1)),
+      whitened_design_(design_) {
+  for (const auto& block : noise)
+    if (!block.empty()) noise_.push_back(cholesky(block));
+  const auto a = matrix(design_);
+  Eigen::Map<Matrix> whitened(whitened_design_.values().data(), a.rows(), a.cols());
+  whiten(noise_, whitened);
+  factor_ = Grid<double>(design_.columns(), design_.columns());
+  Eigen::Map<Matrix>(factor_.values().data(), a.cols(), a.cols()) =
+      Matrix::Identity(a.cols(), a.cols()) + whitened.transpose() * whitened;
+  factor_ = cholesky(std::move(factor_));
 }
 
-void Nuisances::whiten(Grid<double>& columns) const {
-  lower(factor_).solveInPlace(changeable(columns));
-}
-
-std::vector<double> Nuisances::drawn(std::span<const double> normal) const {
-  const Eigen::VectorXd result = lower(factor_) * vector(normal);
-  return {result.begin(), result.end()};
-}
-
-double Nuisances::log_determinant() const {
-  return 2 * matrix(factor_).diagonal().array().log().sum();
+Nuisances::Whitened Nuisances::whitened(std::span<const double> residuals) const {
+  Whitened result{{residuals.begin(), residuals.end()}, std::vector<double>(factor_.rows())};
+  Eigen::Map<Eigen::VectorXd> noise(result.noise.data(), std::ssize(result.noise)),
+      parameters(result.parameters.data(), std::ssize(result.parameters));
+  whiten(noise_, noise);
+  parameters = matrix(whitened_design_).transpose() * noise;
+  lower(factor_).solveInPlace(parameters);
+  return result;
 }
 
 std::vector<double> Nuisances::expected(std::span<const double> residuals) const {
-  const auto by_weight = weighed(residuals);
-  const Eigen::VectorXd result = matrix(design_).transpose() * vector(by_weight);
-  return {result.begin(), result.end()};
+  auto result = whitened(residuals).parameters;
+  lower(factor_).adjoint().solveInPlace(
+      Eigen::Map<Eigen::VectorXd>(result.data(), std::ssize(result)));
+  return result;
 }
 
 std::vector<double> Nuisances::explained(std::span<const double> residuals) const {
@@ -76,25 +87,33 @@ std::vector<double> Nuisances::explained(std::span<const double> residuals, std:
 }
 
 std::vector<double> Nuisances::weighed(std::span<const double> residuals) const {
-  Eigen::VectorXd result = vector(residuals);
-  lower(factor_).solveInPlace(result);
-  lower(factor_).adjoint().solveInPlace(result);
+  const auto known = explained(residuals);
+  Eigen::VectorXd result = vector(residuals) - vector(known);
+  whiten(noise_, Eigen::Ref<Eigen::VectorXd>(result));
+  Eigen::Index from = 0;
+  for (const auto& block : noise_) {
+    const auto size = matrix(block).rows();
+    lower(block).adjoint().solveInPlace(result.segment(from, size));
+    from += size;
+  }
   return {result.begin(), result.end()};
 }
 
 double Nuisances::error_of_mean(std::span<const double> weights) const {
-  // D + A M⁻¹ Aᵀ = 2 D − D C⁻¹ D, with M = 1 + Aᵀ D⁻¹ A
-  Eigen::VectorXd by_noise(std::ssize(weights));
+  const auto w = vector(weights);
+  const Eigen::VectorXd parameters = matrix(design_).transpose() * w;
+  double squares = lower(factor_).solve(parameters).squaredNorm();
   Eigen::Index from = 0;
   for (const auto& block : noise_) {
     const auto size = matrix(block).rows();
-    by_noise.segment(from, size) = matrix(block) * vector(weights).segment(from, size);
+    squares += (lower(block).adjoint() * w.segment(from, size)).squaredNorm();
     from += size;
   }
-  const auto w = vector(weights);
-  const double squares = 2 * w.dot(by_noise);
-  lower(factor_).solveInPlace(by_noise);
-  return std::sqrt(squares - by_noise.squaredNorm()) / w.sum();
+  return std::sqrt(squares) / w.sum();
+}
+
+double product(const Nuisances::Whitened& a, const Nuisances::Whitened& b) {
+  return vector(a.noise).dot(vector(b.noise)) - vector(a.parameters).dot(vector(b.parameters));
 }
 
 }  // namespace coppermoon::uses

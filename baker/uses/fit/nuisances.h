@@ -11,30 +11,26 @@ namespace coppermoon::uses {
 /// Nuisance parameters of a linear model, marginalised. Residuals r depend on parameters u (an exposure, a
 /// colour, a number of a tone curve) by a design matrix A, beside noise e of covariance D:
 ///
-///     r = A u + e        u ~ N(0, 1), e ~ N(0, D)        C = D + A Aᵀ = G Gᵀ
+///     r = A u + e        u ~ N(0, 1), e ~ N(0, D)        C = D + A Aᵀ
 ///
-/// D is block-diagonal: noise is correlated within a block.
+/// D is block-diagonal: noise is correlated within a block. By the Woodbury identity C is never formed:
+///
+///     C⁻¹ = D⁻¹ − D⁻¹ A M⁻¹ Aᵀ D⁻¹        M = 1 + Aᵀ D⁻¹ A
 class Nuisances {
  public:
   Nuisances() = default;
   /// Given  noise   blocks of D, in the order of the residuals, each positive definite or empty
-  ///        design  A: (residual, parameter)
+  ///        design  A: (residual, parameter); without columns: one parameter of no effect
   Nuisances(std::span<const algebra::Grid<double>> noise, algebra::Grid<double> design);
 
-  /// Replaces columns of residuals r by G⁻¹ r: rᵀ C⁻¹ s is the product of two whitened columns.
-  ///
-  /// Given  columns  (residual, column)
-  void whiten(algebra::Grid<double>& columns) const;
+  /// Residuals and parameters whitened: with D = K Kᵀ and M = L Lᵀ, `noise` is K⁻¹ r and `parameters`
+  /// L⁻¹ Aᵀ D⁻¹ r.
+  struct Whitened {
+    std::vector<double> noise, parameters;
+  };
+  Whitened whitened(std::span<const double> residuals) const;
 
-  /// Residuals of covariance C: G z.
-  ///
-  /// Given  normal  z, independent, of mean 0 and variance 1
-  std::vector<double> drawn(std::span<const double> normal) const;
-
-  /// ln |C|.
-  double log_determinant() const;
-
-  /// Posterior mean of the parameters: Aᵀ C⁻¹ r.
+  /// Posterior mean of the parameters: M⁻¹ Aᵀ D⁻¹ r.
   std::vector<double> expected(std::span<const double> residuals) const;
 
   /// Part of the residuals that the posterior mean u of the parameters explains: A u.
@@ -51,9 +47,13 @@ class Nuisances {
   double error_of_mean(std::span<const double> weights) const;
 
  private:
-  std::vector<algebra::Grid<double>> noise_;  // blocks of D
+  std::vector<algebra::Grid<double>> noise_;  // blocks of K, lower triangles
   algebra::Grid<double> design_;              // A
-  algebra::Grid<double> factor_;              // G, lower triangle
+  algebra::Grid<double> whitened_design_;     // K⁻¹ A
+  algebra::Grid<double> factor_;              // L, lower triangle
 };
+
+/// aᵀ C⁻¹ b.
+double product(const Nuisances::Whitened& a, const Nuisances::Whitened& b);
 
 }  // namespace coppermoon::uses

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "algebra/grid.h"
@@ -31,10 +30,8 @@ struct BinnedPhotograph {
 struct MoonPart {
   texture::Image photo;
   algebra::Grid<float> luminance = {};  ///< of the photo
-  algebra::Grid<float> clipped =
-      {};                  ///< luminance, the greatest where any channel is clipped; empty: few are
-  colour::Disc disc = {};  ///< in the photo
-  double shrunk = 1;       ///< the factor
+  colour::Disc disc = {};               ///< in the photo
+  double shrunk = 1;                    ///< the factor
   std::array<double, 3> steps =
       {};  ///< of the photograph's numbers near black, in linear light; 0: fine ones
 };
@@ -43,12 +40,7 @@ struct MoonPart {
 /// Throws  Error  when there is no disc, also in the photograph halved in size once or twice; as colour::limb_of
 MoonPart moon_part(const texture::Image& photo);
 
-/// Reason why a photograph is not registered; where most of its Moon is clipped or dark, that too, and what it should
-/// have.
-std::string reason_with_shares(const MoonPart& moon, const std::string& reason);
-
-/// Registers a scene in a photograph. Where noise hides the limb the photograph is halved in size, twice at most. Where
-/// little is found so, what is clipped in one channel is taken for clipped: the better registration counts.
+/// Registers a scene in a photograph. Where noise hides the limb the photograph is halved in size, twice at most.
 ///
 /// Given   scale    of the similarity, where it is known
 ///         roughly  as colour::KnownBefore has it
