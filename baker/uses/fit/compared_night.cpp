@@ -69,11 +69,25 @@ struct WeatherKnots {
   std::size_t count = 1;
   static constexpr double step_s = 3600;
 
-  /// Lower knot, and the part of the upper.
-  std::pair<std::size_t, double> at(double seconds) const {
+  /// Weights of independent changes, one at each knot, in the weather of a moment.
+  ///
+  /// A part of the weather stays from knot to knot: systems of 1500 km pass the limb in an hour near the equator, in many
+  /// near the poles; land and sea, cloudier or clearer than their belt, stay for a night.
+  std::vector<double> weights(double seconds) const {
+    constexpr double stays = 0.8;
     const double place = count > 1 ? (seconds - first_s) / step_s : 0;
     const auto knot = std::min(static_cast<std::size_t>(std::max(0., place)), count - 1);
-    return {knot, place - static_cast<double>(knot)};
+    const double part = place - static_cast<double>(knot);
+    const auto left_at = [&](std::size_t at, std::size_t change) {
+      if (change > at) return 0.;
+      const double first = change == 0 ? 1 : std::sqrt(1 - stays * stays);
+      return first * std::pow(stays, static_cast<double>(at - change));
+    };
+    std::vector<double> all;
+    for (std::size_t change = 0; change < count; ++change)
+      all.push_back((1 - part) * left_at(knot, change) +
+                    (part > 0 ? part * left_at(knot + 1, change) : 0));
+    return all;
   }
 };
 
@@ -308,19 +322,17 @@ algebra::Grid<double> ComparedNight::design(std::span<const NightPhotograph> pho
       night[of_photographs + of_weather + c] =
           scene.by_filters[c](b, k) / std::sqrt(static_cast<double>(cameras));
     if (errors.weather_error > 0) {
-      const auto [knot, part] = knots.at(seconds_of(photographs, p));
+      const auto changes = knots.weights(seconds_of(photographs, p));
       for (std::size_t s = 0; s < weather_sectors; ++s)
         for (std::size_t w = 0; w < weathers; ++w) {
-          const auto column = [&](std::size_t of_knot) -> double& {
-            return night[of_photographs + (of_knot * weathers + w) * weather_sectors + s];
-          };
           const double light_of_part =
               errors.weather_error * limbs[p](b, s) *
               (dimming.rows() == 0 || w == of_blue ? weather_of(w, k, scene.distances_km[b])
                : w == of_light                     ? dimming(p * bins_ + b, k)
                                                    : 0);
-          column(knot) += (1 - part) * light_of_part;
-          if (part > 0) column(knot + 1) += part * light_of_part;
+          for (std::size_t change = 0; change < changes.size(); ++change)
+            night[of_photographs + (change * weathers + w) * weather_sectors + s] =
+                changes[change] * light_of_part;
         }
     }
   }
