@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/photograph.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -21,6 +23,9 @@ namespace coppermoon::uses {
 namespace {
 
 using Channel = algebra::Grid<float>;
+
+/// Light above which a channel may be clipped: below all limits of binned.
+constexpr float nearly_clipped = 0.84F;
 
 Channel plane_of(const colour::Image& image, std::size_t k) {
   Channel channel(image.rows(), image.columns());
@@ -174,7 +179,6 @@ Uncertain usual_glow(const FitScene& scene, std::size_t k, std::span<const Sum> 
 /// Value of a square of pixels that become one.
 float shrunk_pixel(const texture::Image& photo, std::size_t top, std::size_t left, std::size_t k,
                    std::size_t side) {
-  constexpr float clipped = 0.84F;  // below all limits of binned
   float sum = 0, most = 0;
   std::size_t black = 0;
   for (std::size_t r = top; r < top + side; ++r)
@@ -185,7 +189,7 @@ float shrunk_pixel(const texture::Image& photo, std::size_t top, std::size_t lef
       black += value <= 0;
     }
   const auto all = side * side;
-  return most > clipped ? most : 2 * black > all ? 0 : sum / static_cast<float>(all);
+  return most > nearly_clipped ? most : 2 * black > all ? 0 : sum / static_cast<float>(all);
 }
 
 /// Disc in a photograph, or where noise hides its limb in one of half or a quarter of the size.
@@ -206,34 +210,10 @@ colour::Disc disc_in(const Channel& luminance) {
       "lost in noise");
 }
 
-}  // namespace
-
-MoonPart moon_part(const texture::Image& photo) {
-  constexpr double margin = 1.8, least_radius_px = 0.75 * fit_disc_share * fit_side_px;
-  const auto disc = disc_in(luminance_of(photo));
-  const auto window = colour::window_about({disc.x_px, disc.y_px, margin * disc.radius_px},
-                                           photo.height, photo.width);
-  const auto by =
-      static_cast<std::size_t>(std::max(1., std::floor(disc.radius_px / least_radius_px)));
-  MoonPart part{.photo = {window.columns / by, window.rows / by, photo.channels},
-                .shrunk = static_cast<double>(by)};
-  for (std::size_t r = 0; r < part.photo.height; ++r)
-    for (std::size_t c = 0; c < part.photo.width; ++c)
-      for (std::size_t k = 0; k < photo.channels.size(); ++k)
-        part.photo(r, c, k) = shrunk_pixel(photo, window.top + r * by, window.left + c * by, k, by);
-  part.luminance = luminance_of(part.photo);
-  const auto within = [&](double at, std::size_t from) {
-    return (at - static_cast<double>(from)) / part.shrunk;
-  };
-  part.disc = {within(disc.x_px, window.left), within(disc.y_px, window.top),
-               disc.radius_px / part.shrunk};
-  for (std::size_t k = 0; k < part.steps.size(); ++k) part.steps[k] = step_of(photo, k);
-  return part;
-}
-
-colour::Registration registration_of(const FitScene& scene, const MoonPart& moon,
-                                     const std::optional<double>& scale, bool roughly) {
-  const auto& luminance = moon.luminance;
+/// Registration by a luminance, at full size or less.
+colour::Registration registered_by(const Channel& luminance, const FitScene& scene,
+                                   const MoonPart& moon, const std::optional<double>& scale,
+                                   bool roughly) {
   std::exception_ptr first;
   for (double size = 1;; size /= 2) {
     const colour::Similarity smaller{.scale = size};
@@ -261,6 +241,73 @@ colour::Registration registration_of(const FitScene& scene, const MoonPart& moon
       if (roughly || size <= 0.25) std::rethrow_exception(first);
     }
   }
+}
+
+}  // namespace
+
+MoonPart moon_part(const texture::Image& photo) {
+  constexpr double margin = 1.8, least_radius_px = 0.75 * fit_disc_share * fit_side_px;
+  const auto disc = disc_in(luminance_of(photo));
+  const auto window = colour::window_about({disc.x_px, disc.y_px, margin * disc.radius_px},
+                                           photo.height, photo.width);
+  const auto by =
+      static_cast<std::size_t>(std::max(1., std::floor(disc.radius_px / least_radius_px)));
+  MoonPart part{.photo = {window.columns / by, window.rows / by, photo.channels},
+                .shrunk = static_cast<double>(by)};
+  for (std::size_t r = 0; r < part.photo.height; ++r)
+    for (std::size_t c = 0; c < part.photo.width; ++c)
+      for (std::size_t k = 0; k < photo.channels.size(); ++k)
+        part.photo(r, c, k) = shrunk_pixel(photo, window.top + r * by, window.left + c * by, k, by);
+  part.luminance = part.clipped = luminance_of(part.photo);
+  const auto clipped = clipped_in(part.photo, nearly_clipped);
+  const float most = *std::ranges::max_element(part.luminance.values());
+  for (std::size_t i = 0; i < clipped.values().size(); ++i)
+    if (clipped.values()[i] > 0) part.clipped.values()[i] = most;
+  const auto within = [&](double at, std::size_t from) {
+    return (at - static_cast<double>(from)) / part.shrunk;
+  };
+  part.disc = {within(disc.x_px, window.left), within(disc.y_px, window.top),
+               disc.radius_px / part.shrunk};
+  for (std::size_t k = 0; k < part.steps.size(); ++k) part.steps[k] = step_of(photo, k);
+  return part;
+}
+
+std::string reason_with_shares(const MoonPart& moon, const std::string& reason) {
+  constexpr double half = 0.5;
+  const auto clipped = clipped_in(moon.photo, nearly_clipped);
+  double all = 0, bright = 0, dark = 0;
+  for (std::size_t r = 0; r < moon.photo.height; ++r)
+    for (std::size_t c = 0; c < moon.photo.width; ++c) {
+      const double away = std::hypot(static_cast<double>(c) + 0.5 - moon.disc.x_px,
+                                     static_cast<double>(r) + 0.5 - moon.disc.y_px);
+      if (away > moon.disc.radius_px) continue;
+      ++all;
+      bright += clipped(r, c);
+      dark += moon.luminance(r, c) < colour::least_displayed;
+    }
+  if (bright + dark < half * all) return reason;
+  return fmt::format(
+      "{}; {:.0f} % of the Moon is clipped and {:.0f} % dark, half of it or more should be neither "
+      "clipped nor lost in noise",
+      reason, 100 * bright / all, 100 * dark / all);
+}
+
+colour::Registration registration_of(const FitScene& scene, const MoonPart& moon,
+                                     const std::optional<double>& scale, Registering how) {
+  constexpr double well = 0.8;
+  std::optional<colour::Registration> best;
+  std::exception_ptr first;
+  for (const auto* luminance : {&moon.luminance, &moon.clipped}) {
+    try {
+      const auto found = registered_by(*luminance, scene, moon, scale, how == Registering::rough);
+      if (!best || found.correlation > best->correlation) best = found;
+    } catch (const algebra::Error&) {
+      if (!first) first = std::current_exception();
+    }
+    if (how != Registering::of_clipped || (best && best->correlation >= well)) break;
+  }
+  if (!best) std::rethrow_exception(first);
+  return *best;
 }
 
 double place_error_km(const FitScene& scene, const colour::Registration& registration,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "algebra/grid.h"
@@ -30,6 +31,7 @@ struct BinnedPhotograph {
 struct MoonPart {
   texture::Image photo;
   algebra::Grid<float> luminance = {};  ///< of the photo
+  algebra::Grid<float> clipped = {};    ///< the same, but the greatest where any channel is clipped
   colour::Disc disc = {};               ///< in the photo
   double shrunk = 1;                    ///< the factor
   std::array<double, 3> steps =
@@ -40,13 +42,25 @@ struct MoonPart {
 /// Throws  Error  when there is no disc, also in the photograph halved in size once or twice; as colour::limb_of
 MoonPart moon_part(const texture::Image& photo);
 
-/// Registers a scene in a photograph. Where noise hides the limb the photograph is halved in size, twice at most.
+/// Reason why a photograph is not registered. Where half of its Moon or more is clipped or dark, the shares are added, and
+/// what is needed.
+std::string reason_with_shares(const MoonPart& moon, const std::string& reason);
+
+/// How finely a photograph is registered.
+enum class Registering {
+  rough,  ///< as colour::KnownBefore::roughly
+  fine,   ///< where noise hides the limb, the photograph is halved in size, twice at most
+  of_clipped,  ///< finely; where little is recognised, again with what any channel clips taken for clipped
+};
+
+/// Registers a scene in a photograph.
 ///
-/// Given   scale    of the similarity, where it is known
-///         roughly  as colour::KnownBefore has it
-/// Throws  Error    as colour::registered
+/// Given   scale   of the similarity, where it is known
+///         how     of_clipped only at a moment that is known: at another, more is recognised that lies elsewhere
+/// Throws  Error   as colour::registered
 colour::Registration registration_of(const FitScene& scene, const MoonPart& moon,
-                                     const std::optional<double>& scale = {}, bool roughly = false);
+                                     const std::optional<double>& scale = {},
+                                     Registering how = Registering::of_clipped);
 
 /// Standard error of a registration, in any direction [km].
 ///
