@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
+#include <numbers>
 #include <numeric>
 
 #include "algebra/error.h"
@@ -66,6 +67,13 @@ bool is_alike(double one, double other) {
   return std::abs(one / other - 1) < alike;
 }
 
+/// Whether two pictures are turned by angles less than 30 degrees apart, and mirrored alike.
+bool are_turned_alike(const colour::Similarity& one, const colour::Similarity& other) {
+  const double least_cosine = std::sqrt(0.75);
+  return one.mirrored == other.mirrored &&
+         std::cos(one.rotation_rad - other.rotation_rad) > least_cosine;
+}
+
 /// Light in the air of the least χ².
 algebra::Grid<double> light_at(const FittedLight& light, const AirFit& fit) {
   return light.at(fit.best);
@@ -95,11 +103,13 @@ Night::Night(const FitRequest& request, std::vector<const EclipsePhotograph*> ph
   groundwork_ = std::make_unique<const FitGroundwork>(
       groundwork_of(request.moon, way(), request.response_assumed));
   if (clock_is_free()) scan_clock();
+  clock_scanned_ = true;
   const auto all = some(photographs_.size());
   const auto look = [&] {
     take(clock_s_, all);
     require_any();
     read_light();
+    leave_out_misplaced();
   };
   look();
   // a shadow at a wrong place shifts a registration by a tenth of that, so registrations are repeated
@@ -176,12 +186,15 @@ void Night::take_one(double clock_s, std::size_t index, std::optional<double> px
                             almanac::sky_at(almanac::later(photograph.instant, clock_s)));
     const double px_per_scale = moon.shrunk / known.scene.pixel_rad;
     if (px_per_rad) *px_per_rad /= px_per_scale;
-    const auto registration = registration_of(known.scene, moon, px_per_rad, roughly);
+    const auto how = roughly          ? Registering::rough
+                     : clock_scanned_ ? Registering::of_clipped
+                                      : Registering::fine;
+    const auto registration = registration_of(known.scene, moon, px_per_rad, how);
     known.errors = errors_of(request_, photograph);
     binned_.push_back(std::move(known));
     taken_.push_back({index, registration, registration.render_to_photo.scale * px_per_scale});
   } catch (const algebra::Error& error) {
-    left_out_[index] = reason_without_name(photograph.file, error);
+    left_out_[index] = reason_with_shares(moon, reason_without_name(photograph.file, error));
   }
 }
 
@@ -231,11 +244,16 @@ void Night::take_in_scale(double clock_s, std::size_t index, double px_per_rad) 
   if (in_scale >= std::max(well, as_well * alike)) return;
   erase();
   if (alike >= well)
-    left_out_[index] = "a Moon of another size than on the night's other photographs";
+    left_out_[index] = reason_with_shares(
+        kept(index).moon,
+        "a Moon that looks of another size than on the night's other photographs: by a zoom, or by "
+        "the glow of a clipped limb");
   else if (in_scale > 0)
-    left_out_[index] = fmt::format(
-        "correlation of photograph and Moon in the others' scale = {:.2f}, allowed {} to 1",
-        in_scale, well);
+    left_out_[index] = reason_with_shares(
+        kept(index).moon,
+        fmt::format(
+            "correlation of photograph and Moon in the others' scale = {:.2f}, allowed {} to 1",
+            in_scale, well));
   else if (!why.empty())
     left_out_[index] = why;
 }
@@ -270,26 +288,69 @@ std::vector<almanac::Instant> Night::instants(double clock_s) const {
   return all;
 }
 
-GoodnessOfFit Night::coarse_fit(double clock_s) const {
+Night::CoarseFit Night::coarse_fit(double clock_s) const {
   constexpr int aerosols = 16, clouds = 8;
   const auto& [aerosol, cloud, ozone] = unknowns_of(unknowns_of(request_));
-  const auto light = night_light(request_.moon.light, unknowns_of(request_), binned_,
-                                 instants(clock_s), clock_error_s_, FittedAirs::coarse, heartbeat_);
-  const ComparedNight compared(binned_, {clock_error_s_, believed_s_ - clock_s, curve_});
+  CoarseFit fit{night_light(request_.moon.light, unknowns_of(request_), binned_, instants(clock_s),
+                            clock_error_s_, FittedAirs::coarse, heartbeat_),
+                ComparedNight(binned_, {clock_error_s_, believed_s_ - clock_s, curve_})};
   const auto part = [](const Unknown& unknown, double share) {
     return unknown.from_axis(
         std::lerp(unknown.on_axis(unknown.least), unknown.on_axis(unknown.most), share));
   };
-  GoodnessOfFit best{std::numeric_limits<double>::infinity()};
+  const double mean_ozone = (ozone.least + ozone.most) / 2;
   for (int i = 0; i <= aerosols; ++i) {
-    const auto at = light.over_cloud(part(aerosol, static_cast<double>(i) / aerosols),
-                                     (ozone.least + ozone.most) / 2);
+    const double some_aerosol = part(aerosol, static_cast<double>(i) / aerosols);
+    const auto at = fit.light.over_cloud(some_aerosol, mean_ozone);
     for (int j = 0; j <= clouds; ++j) {
-      const auto found = compared.goodness(at.under(part(cloud, static_cast<double>(j) / clouds)));
-      if (found.chi_squared < best.chi_squared) best = found;
+      const double some_cloud = part(cloud, static_cast<double>(j) / clouds);
+      const auto found = fit.compared.goodness(at.under(some_cloud));
+      if (found.chi_squared >= fit.goodness.chi_squared) continue;
+      fit.goodness = found;
+      fit.best = {some_aerosol, some_cloud, mean_ozone};
     }
   }
-  return best;
+  return fit;
+}
+
+bool Night::leave_out_worst() {
+  constexpr std::size_t least = 3;
+  constexpr double well = 0.8, stop = std::numbers::ln2, doubtful_stops = 1, any_stops = 3;
+  if (taken_.size() < least) return false;
+  const auto fit = coarse_fit(clock_s_);
+  // by the channel that misfits least: what is misplaced misfits in all
+  std::map<std::size_t, double> off;
+  for (const auto& misfit : fit.compared.misfits(fit.light.at(fit.best))) {
+    const auto [known, first] = off.try_emplace(misfit.photograph, misfit.mean);
+    if (std::abs(misfit.mean) < std::abs(known->second)) known->second = misfit.mean;
+  }
+  const auto worst =
+      std::ranges::max_element(off, {}, [](const auto& one) { return std::abs(one.second); });
+  if (worst == off.end()) return false;
+  const auto place = static_cast<std::ptrdiff_t>(worst->first);
+  const auto taken = taken_[worst->first];
+  const auto& pose = taken.registration.render_to_photo;
+  const auto unlike = std::ranges::count_if(taken_, [&](const Taken& other) {
+    return !are_turned_alike(pose, other.registration.render_to_photo);
+  });
+  const bool doubtful = taken.registration.correlation < well || 2 * unlike > std::ssize(taken_);
+  const double stops = worst->second / stop;
+  if (std::abs(stops) < (doubtful ? doubtful_stops : any_stops)) return false;
+  left_out_[taken.index] = reason_with_shares(
+      kept(taken.index).moon,
+      fmt::format(
+          "light {:+.1f} stops from that of the night's other photographs: a misplaced Moon "
+          "(correlation {:.2f}, turned by {:.0f} degrees), or another exposure than the "
+          "header's",
+          stops, taken.registration.correlation, pose.rotation_rad * 180 / std::numbers::pi));
+  taken_.erase(taken_.begin() + place);
+  binned_.erase(binned_.begin() + place);
+  return true;
+}
+
+void Night::leave_out_misplaced() {
+  while (leave_out_worst()) {
+  }
 }
 
 std::vector<std::size_t> Night::some(std::size_t most) const {
@@ -337,20 +398,15 @@ std::array<double, 2> Night::possible_s() const {
 
 double Night::take_anywhere(std::span<const std::size_t> indices,
                             const std::array<double, 2>& range_s) {
-  constexpr double enough = 0.75;
-  const bool free = request_.half_hours_free;
-  const double step_s = free ? half_hour_s : 2 * half_hour_s;
   std::vector<double> clocks_s;
-  for (double s = range_s[0]; s <= range_s[1]; s += step_s) clocks_s.push_back(s);
+  for (double s = range_s[0]; s <= range_s[1]; s += half_hour_s) clocks_s.push_back(s);
   std::ranges::sort(clocks_s, {}, [](double s) { return std::abs(s); });
   double most = 0, best_s = clocks_s.front();
   for (const double clock_s : clocks_s) {
-    take(clock_s, indices, free);
+    take(clock_s, indices, true);
     double alike = 0;  // the better, the nearer the shadow is to its place on the photographs
     for (const auto& taken : taken_) alike += taken.registration.correlation;
     if (alike > most) most = alike, best_s = clock_s;
-    if (!free && static_cast<double>(taken_.size()) >= enough * static_cast<double>(indices.size()))
-      return clock_s;
   }
   take(best_s, indices);
   return best_s;
@@ -390,7 +446,7 @@ void Night::find_clock() {
   constexpr int most_looks = 8;
   constexpr double linear_s = 60;  // of light beside a moment
   for (int look = 0; look < most_looks; ++look) {
-    const double further_s = std::clamp(coarse_fit(clock_s_).clock_s, -300., 300.);
+    const double further_s = std::clamp(coarse_fit(clock_s_).goodness.clock_s, -300., 300.);
     clock_s_ += further_s;
     if (std::abs(further_s) < linear_s) return;
   }
@@ -407,6 +463,7 @@ bool Night::curved() const {
 }
 
 void Night::register_again(const AirFit& fit) {
+  constexpr double less_alike = 0.1;
   auto moon = request_.moon;
   moon.light.air = with_unknowns(moon.light.air, fit.unknowns, fit.best);
   const auto groundwork = groundwork_of(moon, way(), request_.response_assumed);
@@ -416,8 +473,10 @@ void Night::register_again(const AirFit& fit) {
     const auto in_air = fit_scene(moon, groundwork, request_.view, scene.sky);
     const auto& part = kept(index).moon;
     try {
-      registration =
+      const auto again =
           registration_of(in_air, part, agreed_px_per_rad(index) * scene.pixel_rad / part.shrunk);
+      if (again.correlation < registration.correlation - less_alike) continue;  // misplaced
+      registration = again;
       scene = in_air;
     } catch (const algebra::Error&) {  // it stays as it was registered in the usual air
     }

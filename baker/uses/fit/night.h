@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -81,13 +82,24 @@ class Night {
   double agreed_px_per_rad(std::size_t index);
   void require_any() const;
   std::vector<almanac::Instant> instants(double clock_s) const;
-  /// Least χ² over a coarse grid of air.
-  GoodnessOfFit coarse_fit(double clock_s) const;
+  /// Air of the least χ² on a coarse grid.
+  struct CoarseFit {
+    FittedLight light;
+    ComparedNight compared;
+    AirNumbers best{};
+    GoodnessOfFit goodness{std::numeric_limits<double>::infinity()};
+  };
+  CoarseFit coarse_fit(double clock_s) const;
+  /// Leaves out, one by one, photographs whose light no air explains beside the others': three stops off in all channels, or
+  /// one where the Moon is poorly recognised or turned unlike most others. One of them misleads a whole night.
+  void leave_out_misplaced();
+  /// Whether a photograph was left out so.
+  bool leave_out_worst();
   std::vector<std::size_t> some(std::size_t most) const;
   std::vector<ClockView> views();
   /// First and last correction of the clock that is possible.
   std::array<double, 2> possible_s() const;
-  /// Takes photographs at the correction at which the shadow is where it is on them, in steps of hours or half hours.
+  /// Takes photographs at the correction at which the shadow is where it is on them, in steps of half an hour.
   ///
   /// Returned  that correction
   double take_anywhere(std::span<const std::size_t> indices, const std::array<double, 2>& range_s);
@@ -108,6 +120,7 @@ class Night {
   double clock_s_ = 0;                   ///< correction that the scenes have
   double believed_s_ = 0;                ///< mean of the correction, as it is believed
   double clock_error_s_;                 ///< standard error of that
+  bool clock_scanned_ = false;           ///< the scenes' moments are right to a minute or so
   bool registered_in_best_air_ = false;
   colour::ToneCurve curve_{};
   Mixing mixing_ = no_mixing;
