@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -40,7 +42,7 @@ struct Evidence {
   }
 };
 
-/// Progress over steps of equal length.
+/// Progress over steps of equal length, which never goes back.
 class Steps {
  public:
   Steps(algebra::Progress whole, std::size_t count)
@@ -48,13 +50,19 @@ class Steps {
 
   algebra::Progress next() {
     return [this, from = done_++](double part) {
-      if (whole_) whole_((from + part) / count_);
+      if (!whole_) return;
+      const double now = (from + part) / count_;
+      double most = most_;
+      while (now > most && !most_.compare_exchange_weak(most, now)) {
+      }
+      whole_(std::max(now, most));
     };
   }
 
  private:
   algebra::Progress whole_;
   double count_, done_ = 0;
+  std::atomic<double> most_ = 0;
 };
 
 using ByNight = std::map<std::pair<std::string, double>, std::vector<std::size_t>>;
