@@ -15,6 +15,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,8 +51,6 @@ struct MonthTruth {
 struct StrangersCamera {
   std::string name = "Canon EOS 600D";      ///< in the header
   std::string response = "canon-eos-600d";  ///< filters, of colour::camera_spectra_names
-  double matrix_error = 0.03;               ///< standard, of each mixture of two channels
-  double saturation = 1;                    ///< of the JPEG's style
   bool says_shutter = false;  ///< the header has the exact time too (ShutterSpeedValue)
 };
 
@@ -64,7 +63,11 @@ struct NightTruth {
   double clock_s = 0;                   ///< to be added to what the camera's clock says
   double exposed = 1;                   ///< factor on all exposures
   double white_balance_drift =
-      0.15;  ///< of each photograph, standard, as cameras set it by themselves
+      0.15;                 ///< of each photograph, standard, as cameras set it by themselves
+  double matrix_error = 0;  ///< standard, of each mixture of two channels
+  double saturation = 1;    ///< of the JPEG's style
+  /// of the ground's albedo in each place of 200 km and each channel, standard, from the map that a fit is told
+  double map_error = 0.012;
   std::uint64_t seed = 1;
 };
 
@@ -100,7 +103,9 @@ class MadeNight {
     view_.field_deg = field_deg;
     view_.width = view_.height = side;
     angle_rad_ = 2 * std::numbers::pi * random_.uniform();
-    if (truth.stranger) mixture_ = mixture_of(*truth.stranger);
+    mixture_ = mixture();
+    algebra::Random ground(truth.seed, 8);
+    for (double& factor : ground_factors_) factor = std::exp(truth.map_error * normal_of(ground));
   }
 
   /// The request of a fit that knows what a photographer knows.
@@ -170,9 +175,21 @@ class MadeNight {
     return almanac::later(almanac::instant_from_utc(occasion_.greatest), 60 * min);
   }
 
-  double normal() {
-    return std::sqrt(-2 * std::log(1 - random_.uniform())) *
-           std::cos(2 * std::numbers::pi * random_.uniform());
+  static double normal_of(algebra::Random& random) {
+    return std::sqrt(-2 * std::log(1 - random.uniform())) *
+           std::cos(2 * std::numbers::pi * random.uniform());
+  }
+
+  double normal() { return normal_of(random_); }
+
+  /// Ground's albedo over the map's, by channel, in cells of 200 km.
+  std::span<const double, 3> ground_factors(const glm::dvec3& ground) const {
+    const auto cell = [](double x) {
+      return static_cast<std::size_t>(std::clamp((x + 1) / 2, 0., 1. - 1e-9) * cells_across);
+    };
+    const auto place =
+        (cell(ground.x) * cells_across + cell(ground.y)) * cells_across + cell(ground.z);
+    return std::span<const double, 3>(&ground_factors_[3 * place], 3);
   }
 
   void change_month(uses::Air& air, const MonthTruth& month) {
@@ -192,12 +209,12 @@ class MadeNight {
   }
 
   /// Mixture of channels by a matrix that is wrong, and by a JPEG's saturation; white stays white.
-  glm::dmat3 mixture_of(const StrangersCamera& camera) {
+  glm::dmat3 mixture() {
     glm::dmat3 matrix(1), saturated(0);
     for (int from = 0; from < 3; ++from)
       for (int to = 0; to < 3; ++to) {
         if (from == to) continue;
-        const double error = camera.matrix_error * normal();
+        const double error = truth_.matrix_error * normal();
         matrix[from][to] += error;
         matrix[to][to] -= error;
       }
@@ -205,7 +222,7 @@ class MadeNight {
     for (int from = 0; from < 3; ++from)
       for (int to = 0; to < 3; ++to)
         saturated[from][to] =
-            (1 - camera.saturation) * luma[from] + (from == to ? camera.saturation : 0);
+            (1 - truth_.saturation) * luma[from] + (from == to ? truth_.saturation : 0);
     return saturated * matrix;
   }
 
@@ -232,8 +249,9 @@ class MadeNight {
           if (std::max({values[0], values[1], values[2]}) < 1e-20) continue;
           colour::into_gamut(rec709, values);
           const double bright = surface::sampled(map, almanac::selenographic_point(*ground)) / 4;
+          const auto factors = ground_factors(glm::normalize(*ground));
           for (std::size_t k = 0; k < 3; ++k)
-            image(r, c)[k] += static_cast<float>(bright * values[k]);
+            image(r, c)[k] += static_cast<float>(bright * factors[k] * values[k]);
         }
     return image;
   }
@@ -268,11 +286,15 @@ class MadeNight {
                   const shadow::Lookup& lookup, bool deep, const almanac::Instant& told) {
     auto camera = colour::camera_named("400mm");
     camera.seeing_arcsec = 2;
-    const auto image = scene(sky, lookup);
+    auto image = scene(sky, lookup);
     const auto setting = setting_for(image, camera, deep);
     const auto [time_s, speed] = setting;
     const double shutter = truth_.stranger ? 0.01 : 0.03;
     const double pixel_rad = 2 * std::tan(field_deg / 2 * std::numbers::pi / 180) / side;
+    // a sensor holds more than white, so that white is white in all channels
+    constexpr double headroom = 1.6;
+    for (auto& pixel : image.values())
+      for (float& value : pixel) value *= static_cast<float>(truth_.exposed / headroom);
     const auto taken =
         colour::photographed(image, colour::WorkingSpace::linear_rec709, camera,
                              {{time_s * std::exp(shutter * normal()), f_number, speed},
@@ -280,9 +302,9 @@ class MadeNight {
                               2e-4,
                               truth_.seed,
                               frame_++});
-    const std::array<double, 3> gains{
-        truth_.exposed * std::exp(truth_.white_balance_drift * normal()), truth_.exposed,
-        truth_.exposed * std::exp(truth_.white_balance_drift * normal())};
+    const std::array<double, 3> gains{headroom * std::exp(truth_.white_balance_drift * normal()),
+                                      headroom,
+                                      headroom * std::exp(truth_.white_balance_drift * normal())};
     auto shown = uses::image_of(taken.scene_linear);
     for (std::size_t i = 0; i < shown.values.size(); ++i)
       shown.values[i] *= static_cast<float>(
@@ -292,7 +314,6 @@ class MadeNight {
   }
 
   void mix(texture::Image& image) const {
-    if (!truth_.stranger) return;
     for (std::size_t i = 0; i < image.values.size(); i += 3) {
       auto* pixel = &image.values[i];
       const auto mixed = mixture_ * glm::dvec3(pixel[0], pixel[1], pixel[2]);
@@ -368,6 +389,9 @@ class MadeNight {
   uses::ViewRequest view_;
   double angle_rad_ = 0;
   glm::dmat3 mixture_{1};
+  static constexpr std::size_t cells_across = 17;  ///< of the Moon's diameter
+  std::vector<double> ground_factors_ =
+      std::vector<double>(3 * cells_across * cells_across * cells_across);
   std::uint64_t frame_ = 0;
 };
 
@@ -465,7 +489,8 @@ inline StrangersNight strangers_night(std::uint64_t night) {
   StrangersCamera camera;
   camera.response = one_of(colour::camera_spectra_names());
   camera.name = random.uniform() < 0.5 ? named_by_its_maker(camera.response) : "Pentax K-5";
-  camera.saturation = one_of(std::array{0.9, 1., 1.2});
+  truth.matrix_error = 0.03;
+  truth.saturation = one_of(std::array{0.9, 1., 1.2});
   camera.says_shutter = random.uniform() < 0.5;
   truth.stranger = camera;
   const double error_s = between(-farthest_s, farthest_s);
