@@ -105,7 +105,9 @@ TEST_F(Fit, ExplainsAStillInTheAirOfItsMonth) {
   }
 }
 
-TEST_F(Fit, SeesThroughTheFiltersOfThePhotographsCamera) {
+using FitThoroughly = Fit;
+
+TEST_F(FitThoroughly, SeesThroughTheFiltersOfThePhotographsCamera) {
   photograph("300", {"--bits", "16", "--response", "canon-eos-600d"});
   const Words of_photograph{"a.png", "--instants",   deep,     "--at",   syria, "--camera",
                             "400mm", "--times",      "2",      "--isos", "800", "--f-number",
@@ -136,8 +138,6 @@ TEST_F(Fit, RefusesErrorsOutsideTheirRanges) {
     EXPECT_NE(outcome.err.find("allowed " + allowed), std::string::npos) << outcome.err;
   }
 }
-
-using FitThoroughly = Fit;
 
 TEST_F(FitThoroughly, NamesThePhotographAndTheChannelThatMisfit) {
   const std::vector<std::string> minutes{"20:05", "20:20", "20:35", "20:50"};
