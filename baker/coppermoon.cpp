@@ -33,8 +33,8 @@ void say(std::string_view error) {
   std::fputs(fmt::format("coppermoon: {}\n", verbs::one_line(error)).c_str(), stderr);
 }
 
-/// Opens what stands closed among the three standard descriptors, the wrong way round: else the first
-/// file opened would have its number, and what is printed would go there.
+/// Opens closed standard descriptors on /dev/null, so that no file opened later takes their numbers and is written into.
+/// The direction is the wrong one, so that reading or printing fails as it does on a closed one.
 void hold_standard_descriptors() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(descriptor, F_GETFD) < 0)

@@ -57,7 +57,7 @@ class TiffTags {
     return file_ && TIFFGetField(file_.get(), tag, values...) == 1;
   }
 
-  /// A text by a tag that libtiff does not know.
+  /// Text of a tag that libtiff does not know.
   std::optional<std::string> text(std::uint32_t tag) const {
     std::uint32_t count = 0;
     const char* found = nullptr;
