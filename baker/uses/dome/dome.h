@@ -58,8 +58,8 @@ struct Dome {
 /// Source    colours of the night: Patat (2003), A&A 400, 1183
 Dome dome_over(const DomeRequest& request, const LitMoon& moon, const ViewRequest& view);
 
-/// Writes a sky without stars for a renderer that has its own: the first row below the horizon is that above it, so that
-/// a smoothed horizon stays bright.
+/// Writes a sky without stars, for a renderer that draws its own. The first row below the horizon repeats the one above
+/// it: a renderer that interpolates rows keeps the horizon bright.
 void write_sky(const std::filesystem::path& file, const LitMoon& moon, ViewRequest view,
                const DomeRequest& dome = {.width = 1024});
 
