@@ -63,7 +63,7 @@ void refuse_key(const Film& film, const std::string& there, const std::string& a
       film.folder.string(), differences_in_words(there, asked), light_file, film.record.way_out));
 }
 
-/// Light of the folder, where it is the film's and complete.
+/// Light kept in the folder; nothing where it is another film's or not complete.
 std::optional<Moonlight> kept_on_the_way(const Film& film, const ShadowedMoon& moon, bool replace) {
   auto known = read_light(film.folder / light_file);
   if (!known) return std::nullopt;
