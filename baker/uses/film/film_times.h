@@ -22,7 +22,7 @@ struct FilmTimes {
   std::optional<double> time_scale = {};
   std::optional<double> duration_s =
       {};  ///< of the film, 1e-3 to 1e6, in place of the number of frames
-  /// moments of the frames, in order of time, in place of all that; empty: even steps
+  /// moments of the frames, increasing, in place of the five numbers above; empty: even steps
   std::vector<almanac::Instant> moments = {};
 };
 
