@@ -33,10 +33,11 @@ struct HeaderClock {
   bool operator==(const HeaderClock&) const = default;
 };
 
-/// The clock by a header's texts, as EXIF has them and as cameras write them: "2019:01:21 05:12:16", also
-/// with - or / in the date, a T before the time, without seconds, with a zone behind it; "24:12:16" of
-/// clocks that count hours from 1 to 24, which is the first hour of that day. An offset is "+03:00", "-5:00",
-/// "+0300", "Z"; blanks and colons mean that the zone is unknown.
+/// Reads a header's date and zone, as EXIF has them or as cameras write them.
+///
+/// A date is "2019:01:21 05:12:16". It may have - or / between its numbers, a T before the time, no seconds, a zone behind
+/// it. "24:12:16" of a clock that counts hours from 1 to 24 is the first hour of that day. A zone is "+03:00", "-5:00",
+/// "+0300" or "Z"; blanks and colons mean that it is unknown.
 ///
 /// Returned  nothing for the date of a camera whose clock was not set: blanks or zeros
 /// Throws    Error  when either is anything else
