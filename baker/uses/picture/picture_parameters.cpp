@@ -46,7 +46,7 @@ std::string text_of(const StarRequest& stars) {
   return stars.faintest ? fmt::format("{}", *stars.faintest) : "on";
 }
 
-/// Nothing for "auto".
+/// Luminance of the sky that a text names; nothing for "auto".
 std::optional<double> sky_luminance_from(const std::string& text) {
   if (text == "auto") return std::nullopt;
   if (text == "off") return 0;
@@ -63,7 +63,7 @@ std::string sky_text(const std::optional<double>& luminance_cd_m2) {
       "{}", -2.5 * std::log10(*luminance_cd_m2 / atmosphere::luminance_of_magnitude_cd_m2(0)));
 }
 
-/// Nothing for "auto".
+/// Luminance of the sky that a text names; nothing for "auto".
 std::optional<double> glow_from(const std::string& text) {
   if (text == "auto") return std::nullopt;
   const auto share = algebra::number_in(text);
