@@ -25,7 +25,7 @@
 namespace coppermoon::uses {
 namespace {
 
-/// A part of the sky: directions within an angle of one.
+/// Cone of directions about a middle one.
 struct Cone {
   glm::dvec3 middle;  ///< unit, GCRS axes
   double cosine;
@@ -151,7 +151,7 @@ Cone cone_of(const povray_scenes::SceneCamera& camera, const almanac::SkyState& 
   return {glm::transpose(sky.selenographic_from_gcrs) * line_of_sight(camera), std::cos(reach)};
 }
 
-/// Observer of a view's lights.
+/// Observer of the stars, planets and sky of a view.
 class Eye {
  public:
   Eye(const View& view, const almanac::SkyState& sky)
