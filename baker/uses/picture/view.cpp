@@ -101,7 +101,8 @@ bool moon_is_up(const ViewRequest& request, const almanac::SkyState& sky) {
 void hide_below_horizon(texture::Image& frame, const View& view, const almanac::SkyState& sky) {
   if (!view.observer) return;
   const auto seen = almanac::view_from(*view.observer, sky);
-  // The frame has the Moon where it stands without air: all that is seen is turned down by its refraction.
+  // The frame holds the Moon at its place without air. Its refraction is added to the altitude of every direction, by a
+  // zenith that is turned towards the Moon.
   const auto moon = glm::normalize(sky.moon_m - seen.position_m);
   const double sine = glm::dot(moon, seen.zenith),
                refraction = algebra::in_radians(atmosphere::apparent_altitude(seen.altitude) -
