@@ -7,6 +7,7 @@
 
 #include "algebra/error.h"
 #include "colour/photographed_moon.h"
+#include "support/thorough.h"
 #include "support/within.h"
 
 namespace coppermoon::colour {
@@ -37,7 +38,7 @@ void expect_limb(const Luminance& photo, const Disc& truth, double tolerance_px,
 
 void expect_limbs(const Moon& moon, const Camera& camera, double tolerance_px, const char* reason) {
   algebra::Random random(8, 6);
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < (support::thorough() ? 6 : 3); ++i) {
     const auto trial = random_trial(moon, camera, random);
     SCOPED_TRACE(trial.truth.radius_px);
     expect_limb(trial.photo, trial.truth, tolerance_px, reason);
@@ -81,7 +82,7 @@ TEST(Limb, IsNotFoundWhereThereIsNone) {
   algebra::Random random(8, 7);
   EXPECT_FALSE(limb_of(Luminance(50, 60)));
   EXPECT_FALSE(limb_of(Luminance(50, 60, 3)));
-  for (int i = 0; i < 10; ++i)
+  for (int i = 0; i < (support::thorough() ? 10 : 4); ++i)
     EXPECT_FALSE(limb_of(photographed(Luminance(120, 150, 1), {0, 0.1, 2}, random)));
   Luminance ramp(100, 100), stars(200, 200);
   for (std::size_t r = 0; r < 100; ++r)
