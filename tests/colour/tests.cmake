@@ -3,7 +3,7 @@ coppermoon_tests(colour LINKS coppermoon::colour coppermoon::surface PkgConfig::
   QUICK bracket camera_spectra cie_observer difference display exposure glow limb photograph picture_part point_spread similarity tone_curve
         working_space
   HEAVY limb_in_jpeg registration)
-coppermoon_computing_tests(colour limb)
+coppermoon_computing_tests(colour limb limb_in_jpeg registration)
 target_compile_definitions(colour_quick_tests PRIVATE COPPERMOON_BUILT="${PROJECT_BINARY_DIR}")
 
 find_program(OCIOCHECK ociocheck)
