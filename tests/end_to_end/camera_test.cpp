@@ -359,7 +359,9 @@ TEST_F(CameraTest, OfAFilmIsNoOtherFileOfFilters) {
             "and 1 more), allowed another folder, or --replace\n");
 }
 
-TEST_F(CameraTest, GivesEachFrameOfAFilmNoiseOfItsOwn) {
+using CameraTestThoroughly = CameraTest;
+
+TEST_F(CameraTestThoroughly, GivesEachFrameOfAFilmNoiseOfItsOwn) {
   const auto film = [&](const char* folder, const Words& more = {}) {
     make(Words{"animate",
                "2018-07-27",
