@@ -148,7 +148,7 @@ class Ranges : public Describe {
         "aperture",  "obstruction",        "transmission", "seeing",      "pixel",
         "full-well", "quantum-efficiency", "read-noise",   "sensor-bits", "f-number",
         "iso",       "converter-noise"},
-        of_photons{"step-km", "ring-km", "smoothing-km"},
+        of_photons{"ring-km", "smoothing-km"},
         of_still{"albedo-exponent", "focal-length", "sensor-width"},
         of_shadow{"moon-distance-km", "sun-distance-km", "position-angle"};
     if (name == "sensor-bits")
@@ -156,6 +156,10 @@ class Ranges : public Describe {
               "--black-level", "0",         "-o",       "picture.png"};
     if (of_camera.contains(name))
       return {"develop", "frame.exr", "--camera", "refractor", "-o", "picture.png"};
+    if (name == "step-km")  // without air no step is taken, which would be ten million at the least
+      return Words{"shadow",       eclipsed, "--axis-distances", "0",       "--wavelengths", "550",
+                   "--atmosphere", "none",   "--solver",         "photons", "--photons",     "1",
+                   "--trace",      "marched"};
     if (of_photons.contains(name))
       return shadow() + Words{"--solver", "photons", "--photons", "1", "--trace", "marched"};
     if (of_still.contains(name)) return still();
