@@ -300,7 +300,7 @@ TEST_F(ExploreLight, IsThatOfABakedTextureAfterAnEruption) {
   expect_light_of_bakes(light_after_an_eruption.answer(), after_an_eruption);
 }
 
-TEST_F(ExploreLight, IsThatOfABakedTextureInAPartialEclipseAndUndatedAir) {
+TEST_F(ExploreLightThoroughly, IsThatOfABakedTextureInAPartialEclipseAndUndatedAir) {
   const Words undated{"--atmosphere", "undated"}, times{"2008-08-16T21:10:07Z"};
   make("2008-08-16", undated);
   expect_light_of_bakes(in_browser(light_at(times)), times, undated);
@@ -741,7 +741,9 @@ TEST_F(Explore, PagesAreOneFileNeedNoNetworkAndFitAPhone) {
   EXPECT_EQ(said["options"], "");
 }
 
-TEST_F(Explore, FragmentsStandBesideEachOther) {
+using ExploreThoroughly = Explore;
+
+TEST_F(ExploreThoroughly, FragmentsStandBesideEachOther) {
   make("2018-07-27", {"--embed", "--atmosphere", "clear"}, "one.html");
   make("2025-03-14", {"--embed", "--atmosphere", "undated"}, "other.html");
   EXPECT_EQ(text_of(here("one.html")).find("<html"), std::string::npos);
