@@ -88,7 +88,9 @@ TEST_F(FilmFolder, OfAnotherExposureIsRefusedOrDevelopedAgain) {
   EXPECT_TRUE(files() == files("fresh")) << "what a film made at once is";
 }
 
-TEST_F(FilmFolder, OfAnotherSceneIsRefusedOrMadeAnew) {
+using FilmFolderThoroughly = FilmFolder;
+
+TEST_F(FilmFolderThoroughly, OfAnotherSceneIsRefusedOrMadeAnew) {
   expect_done(coppermoon(film({"--frames", "3"})));
   expect_refused(film({"--frames", "2"}),
                  "a film made with frames = 3, asked 2 (frame.0001.png and 5 more)");
@@ -118,7 +120,7 @@ TEST_F(FilmFolder, MayHaveMoreMadeOfItsFilm) {
   EXPECT_EQ(files().size(), 7U);
 }
 
-TEST_F(FilmFolder, OfAMapThatChangedIsRefused) {
+TEST_F(FilmFolderThoroughly, OfAMapThatChangedIsRefused) {
   expect_done(coppermoon(film({"--frames", "2"})));
   write_map(0.6F);
   fs::remove(here("film/frame.0002.png"));
@@ -126,7 +128,7 @@ TEST_F(FilmFolder, OfAMapThatChangedIsRefused) {
                  "a film made with other contents of albedo-map (frame.0001.png and 2 more)");
 }
 
-TEST_F(FilmFolder, OfAConfigurationThatChangedIsRefused) {
+TEST_F(FilmFolderThoroughly, OfAConfigurationThatChangedIsRefused) {
   const auto config = text_of(COPPERMOON_TEST_DATA "/../colour/config.ocio");
   file("config.ocio", config);
   const auto words = film({"--frames", "2", "--config", "config.ocio", "--display", "Display P3"});
@@ -211,7 +213,7 @@ TEST_F(FilmFolder, HasTheCurveOfItsLightAlone) {
 }
 
 /// Standard descriptors that are closed are no file's numbers.
-TEST_F(FilmFolder, IsMadeWithStandardDescriptorsClosed) {
+TEST_F(FilmFolderThoroughly, IsMadeWithStandardDescriptorsClosed) {
   for (const char* closed : {"<&- >&- 2>&-", ">&-", ">/dev/full"}) {
     std::string line = COPPERMOON_PROGRAM;
     for (const auto& word : film({"--frames", "2", "--movie", "film.mp4", "--json"}))
