@@ -90,7 +90,9 @@ TEST_F(FilmStage, ItsMoonlightIsThatOfBrightness) {
   EXPECT_LT(light[2][0], 1e-3 * light[0][0]) << "totality, or all were alike";
 }
 
-TEST_F(FilmStage, ItsCameraLooksAtTheMoonFromWhereTheObserverIs) {
+using FilmStageThoroughly = FilmStage;
+
+TEST_F(FilmStageThoroughly, ItsCameraLooksAtTheMoonFromWhereTheObserverIs) {
   const auto text =
       stage({"--at", "Nairobi", "--field", "0.8", "--width", "300", "--height", "200"});
   EXPECT_WITHIN(number(text, "float horizontalAperture") / number(text, "float focalLength") / 2,
