@@ -51,7 +51,9 @@ class Ring : public ProgramTest {
   }
 };
 
-TEST_F(Ring, SaysInItsHeaderHowItStandsOnTheSky) {
+using RingThoroughly = Ring;
+
+TEST_F(RingThoroughly, SaysInItsHeaderHowItStandsOnTheSky) {
   const auto image = ring(middle_of_2018);
   EXPECT_EQ(image.channels, (Words{"R", "G", "B"}));
   EXPECT_EQ(said("capDate"), "2018:07:27 20:22:00");
@@ -66,7 +68,7 @@ TEST_F(Ring, SaysInItsHeaderHowItStandsOnTheSky) {
   EXPECT_LT(header("outer_angle"), angle(6378.14 + 86));
 }
 
-TEST_F(Ring, IsMadeAgainFromItsHeader) {
+TEST_F(RingThoroughly, IsMadeAgainFromItsHeader) {
   ring(late_in_2018, {"--on", "20,30", "--atmosphere", "clear", "--ozone-du", "300"});
   expect_done(coppermoon({"ring", "ring.exr", "-o", "again.exr"}));
   EXPECT_TRUE(text_of(here("ring.exr")) == text_of(here("again.exr")));
