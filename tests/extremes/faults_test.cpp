@@ -52,7 +52,7 @@ TEST_F(Faults, SceneKilledLeavesWholeFiles) {
         "each file whole; the next run's bytes");
 }
 
-TEST_F(Faults, PhotonsKilledLeaveWholeSums) {
+TEST_F(FaultsThoroughly, PhotonsKilledLeaveWholeSums) {
   const int times = moments(15);
   auto photons = bake;
   photons.insert(photons.end(), {"--solver", "photons", "--photons", "3e4", "--smoothing-km", "300",
@@ -65,7 +65,7 @@ TEST_F(Faults, PhotonsKilledLeaveWholeSums) {
         "texture and sums each whole or absent");
 }
 
-TEST_F(Faults, StillKilledTakesPovrayAndItsFolderAlong) {
+TEST_F(FaultsThoroughly, StillKilledTakesPovrayAndItsFolderAlong) {
   const int times = moments(15);
   expect_whole_wherever_killed(still, times, [&] { fs::remove(here("moon.png")); });
   tried(fmt::format("`still`, kill -9 at {} random moments", times),

@@ -238,7 +238,7 @@ TEST_F(ScenesThoroughly, RenderInFoldersOfAnyName) {
 }
 
 /// The caption is all that a scene takes from elsewhere: a comment, whatever it says.
-TEST_F(Scenes, TakeACaptionForNoOrder) {
+TEST_F(ScenesThoroughly, TakeACaptionForNoOrder) {
   inside(tiny("scene", {"-o", "scene"}));
   povray_scenes::MoonScene described{.camera = {{221, 0, 0}, {0, 0, 1}, algebra::degrees(1), 8, 8},
                                      .texture = "moon_lin_rec709.exr",
@@ -265,7 +265,9 @@ TEST_F(Scenes, TakeACaptionForNoOrder) {
 
 class Stills : public Names {};
 
-TEST_F(Stills, AreUsedToTheLetter) {
+using StillsThoroughly = Stills;
+
+TEST_F(StillsThoroughly, AreUsedToTheLetter) {
   for (const auto& name : names) {
     const auto before = listing();
     const auto outcome =
@@ -276,7 +278,7 @@ TEST_F(Stills, AreUsedToTheLetter) {
 }
 
 /// POV-Ray runs in a temporary folder, whose name is the environment's word.
-TEST_F(Stills, AreRenderedWhereverTemporaryFilesGo) {
+TEST_F(StillsThoroughly, AreRenderedWhereverTemporaryFilesGo) {
   for (const auto& name : {all_names[0], all_names[1], all_names[4]}) {
     const auto folder = named(name);
     std::filesystem::create_directory(folder);
