@@ -71,6 +71,7 @@ libraries_thoroughly() {
 program_thoroughly() {
   released heavy_tests
   COPPERMOON_THOROUGH=1 test_release -L '^heavy$' -R '^end_to_end/'
+  test_release -L '^slow_package$'
 }
 
 extremes_thoroughly() {

@@ -75,6 +75,8 @@ outside_program(consumer consumer PRINTS
   "its own texture/image.h\ngreatest 2008-02-21T03:2[56]:..Z\ndeveloped 0.537[01]\ntexel 0.25\npixel 32.00 32.00\n\
 channels 1, albedo 0.0\n")
 outside_project(each_alone)
+# twenty programs, of which tests/thorough.sh alone builds each
+set_tests_properties(package/each_alone_is_configured package/each_alone_is_built PROPERTIES LABELS slow_package)
 
 # A machine without OpenImageIO and OpenColorIO, as far as pkg-config sees.
 pkg_get_variable(erfa_folder erfa pcfiledir)
