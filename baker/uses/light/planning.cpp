@@ -202,19 +202,25 @@ std::vector<double> scattered_at(std::span<const double> places_m,
   return most;
 }
 
-/// Axis distances where direct light begins, from the umbra of the pole to that of the equator and one node of the
-/// look-up more: light is least smooth there.
-void add_edge_of_the_umbra(const ShadowedMoon& moon, const shadow::Arrangement& arrangement,
-                           Range disc, std::vector<double>& places_m) {
-  constexpr double a_node_m = 10e3;
-  constexpr int intervals = 7;
-  const double depth = arrangement.depths_m[0], spread = 1 + depth / moon.sun_distance_m;
-  const auto edge = [&](double position_angle_rad) {
+/// Adds axis distances where light is least smooth. Direct light begins between the umbra of the pole and that of the
+/// equator, one node of the look-up beyond. Light becomes whole at the penumbra's edge; its slope is steepest just within.
+void add_edges_of_the_shadow(const ShadowedMoon& moon, const shadow::Arrangement& arrangement,
+                             Range disc, std::vector<double>& places_m) {
+  constexpr double a_node_m = 10e3, within_penumbra_m = 150e3;
+  constexpr int umbral_intervals = 7, penumbral_intervals = 3;
+  const double depth = arrangement.depths_m[0], spread = 1 + depth / moon.sun_distance_m,
+               solar_m = projected_solar_radius_m(arrangement, depth);
+  const auto shadow_m = [&](double position_angle_rad) {
     const double limb = atmosphere::limb_at(moon.air.earth, position_angle_rad).radius_m;
-    return (limb + moon.air.top_m()) * spread - projected_solar_radius_m(arrangement, depth);
+    return (limb + moon.air.top_m()) * spread;
   };
-  for (const double place : evenly({edge(0), edge(pi / 2) + a_node_m}, intervals))
-    if (place > disc.from_m && place < disc.to_m) places_m.push_back(place);
+  const double pole_m = shadow_m(0), equator_m = shadow_m(pi / 2);
+  const auto add = [&](Range edge, int intervals) {
+    for (const double place : evenly(edge, intervals))
+      if (place > disc.from_m && place < disc.to_m) places_m.push_back(place);
+  };
+  add({pole_m - solar_m, equator_m - solar_m + a_node_m}, umbral_intervals);
+  add({pole_m + solar_m - within_penumbra_m, equator_m + solar_m}, penumbral_intervals);
   std::ranges::sort(places_m);
   places_m.erase(std::unique(places_m.begin(), places_m.end()), places_m.end());
 }
@@ -367,7 +373,7 @@ class ExactLight {
     auto places =
         evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, places_over(disc, 15));
     const shadow::Arrangement arrangement{moon.sun_distance_m, {depth_m}, moon.limb_darkening};
-    add_edge_of_the_umbra(moon, arrangement, disc, places);
+    add_edges_of_the_shadow(moon, arrangement, disc, places);
     const auto waves = wavelengths_nm(finer(work).bands);
     light_ = shadow::by_quadrature(moon.air, arrangement, waves, places, settings_);
     left_out_.resize(light_.axis_distances_m.size());
