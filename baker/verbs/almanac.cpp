@@ -22,6 +22,7 @@
 #include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
+namespace of_almanac {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -189,8 +190,10 @@ void run(const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_almanac
 
 void add_almanac(CLI::App& program) {
+  using namespace of_almanac;
   auto* verb = add_verb(program, "almanac", "lists eclipses: type, gamma, magnitudes, contacts");
   const auto options = std::make_shared<Options>();
   add_flag(*verb, "--from", options->from, "first day, as 2026-01-01; default: today");

@@ -31,6 +31,7 @@
 #include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
+namespace of_animate {
 namespace {
 
 struct Options {
@@ -155,8 +156,10 @@ void run(const CLI::App& verb, const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_animate
 
 void add_animate(CLI::App& program) {
+  using namespace of_animate;
   auto* verb = add_verb(program, "animate",
                         "makes a film of an eclipse: textures, scenes, frames, pictures; goes on "
                         "where it was stopped");

@@ -32,6 +32,7 @@
 #include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
+namespace of_bake {
 namespace {
 
 struct Options {
@@ -297,8 +298,10 @@ void run(const CLI::App& verb, const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_bake
 
 void add_bake(CLI::App& program) {
+  using namespace of_bake;
   auto* verb = add_verb(program, "bake",
                         "bakes the lit texture of the Moon: plate carrée, scene-linear, cd/m²");
   const auto options = std::make_shared<Options>();

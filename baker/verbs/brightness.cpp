@@ -16,6 +16,7 @@
 #include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
+namespace of_brightness {
 namespace {
 
 struct Options {
@@ -99,8 +100,10 @@ void run(const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_brightness
 
 void add_brightness(CLI::App& program) {
+  using namespace of_brightness;
   auto* verb = add_verb(program, "brightness",
                         "computes magnitudes, mean luminance and illuminance of the whole Moon, "
                         "above the air and seen from a place");

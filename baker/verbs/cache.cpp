@@ -18,6 +18,7 @@
 #include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
+namespace of_cache {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -114,6 +115,7 @@ void run(const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_cache
 
 double cache_limit_gb() {
   const char* const text = std::getenv("COPPERMOON_CACHE_LIMIT");
@@ -130,6 +132,7 @@ std::filesystem::file_time_type a_day_ago() {
 }
 
 void add_cache(CLI::App& program) {
+  using namespace of_cache;
   auto* verb = add_verb(program, "cache",
                         "lists or removes the textures that programs and Blender have kept");
   const auto options = std::make_shared<Options>();

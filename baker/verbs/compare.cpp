@@ -36,6 +36,7 @@
 #include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
+namespace of_compare {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -293,8 +294,10 @@ void run(const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_compare
 
 void add_compare(CLI::App& program) {
+  using namespace of_compare;
   auto* verb = add_verb(program, "compare",
                         "lays a photograph beside a rendered frame and measures how they differ");
   const auto options = std::make_shared<Options>();

@@ -13,6 +13,7 @@
 #include "verbs/flags/guide.h"
 
 namespace coppermoon::verbs {
+namespace of_describe {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -127,8 +128,10 @@ void run(const CLI::App& program, const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_describe
 
 void add_describe(CLI::App& program) {
+  using namespace of_describe;
   auto* verb = add_verb(program, "describe",
                         "lists the parameters of commands: kind, unit, range, words, default");
   const auto options = std::make_shared<Options>();

@@ -20,6 +20,7 @@
 #include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
+namespace of_develop {
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,8 +163,10 @@ void run(const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_develop
 
 void add_develop(CLI::App& program) {
+  using namespace of_develop;
   auto* verb =
       add_verb(program, "develop",
                "develops a scene-linear frame: exposure, camera and view make a picture of it");

@@ -19,6 +19,7 @@
 #include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
+namespace of_dome {
 namespace {
 
 struct Options {
@@ -80,8 +81,10 @@ void run(const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_dome
 
 void add_dome(CLI::App& program) {
+  using namespace of_dome;
   auto* verb = add_verb(program, "dome",
                         "makes the night sky around the Moon: latitude-longitude, cd/m², the "
                         "zenith on top, north in the middle");

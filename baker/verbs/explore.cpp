@@ -24,6 +24,7 @@
 #include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
+namespace of_explore {
 namespace {
 
 namespace fs = std::filesystem;
@@ -135,8 +136,10 @@ void run(const CLI::App& verb, Options options) {
 }
 
 }  // namespace
+}  // namespace of_explore
 
 void add_explore(CLI::App& program) {
+  using namespace of_explore;
   auto* verb = add_verb(program, "explore",
                         "makes an eclipse a page for any browser, in which time, place, exposure "
                         "and air are changed by hand");

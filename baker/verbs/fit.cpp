@@ -27,6 +27,7 @@
 #include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
+namespace of_fit {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -435,7 +436,8 @@ void add_photograph_options(CLI::App& verb, Options& options) {
       "tone curve 0.3")
       .within(1e-3, 10);
   add("--weather-error", options.request.weather_error,
-      "standard error of the light of 30 degrees of the Earth's limb by weather, in red, 0 to 1; "
+      "standard error of the light of 30 degrees of the Earth's limb by weather, in red in usual "
+      "air, 0 to 1; "
       "default: 0.1 for a camera's own JPEGs and raw files, else 0")
       .within(0, 1);
   add("--clock-error", options.clock_error_min,
@@ -450,8 +452,10 @@ void add_photograph_options(CLI::App& verb, Options& options) {
 }
 
 }  // namespace
+}  // namespace of_fit
 
 void add_fit(CLI::App& program) {
+  using namespace of_fit;
   auto* verb = add_verb(
       program, "fit",
       "finds the aerosol, cloud and ozone that explain photographs or magnitudes of an eclipse");

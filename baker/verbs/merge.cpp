@@ -15,6 +15,7 @@
 #include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
+namespace of_merge {
 namespace {
 
 struct Options {
@@ -52,8 +53,10 @@ void run(const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_merge
 
 void add_merge(CLI::App& program) {
+  using namespace of_merge;
   auto* verb =
       add_verb(program, "merge", "merges bracketed photographs into one of the scene's luminance");
   const auto options = std::make_shared<Options>();

@@ -32,6 +32,7 @@
 #include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
+namespace of_night {
 namespace {
 
 namespace fs = std::filesystem;
@@ -249,8 +250,10 @@ void run(const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_night
 
 void add_night(CLI::App& program) {
+  using namespace of_night;
   auto* verb = add_verb(program, "night",
                         "plans a night under an eclipse for one place: when and where the Moon "
                         "stands, how bright it is, how to expose it");

@@ -14,6 +14,7 @@
 #include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
+namespace of_plan {
 namespace {
 
 struct Options {
@@ -98,8 +99,10 @@ void run(const CLI::App& verb, const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_plan
 
 void add_plan(CLI::App& program) {
+  using namespace of_plan;
   auto* verb =
       add_verb(program, "plan",
                "says what a texture or a picture requires, and what it will cost, before any work");

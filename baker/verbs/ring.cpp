@@ -19,6 +19,7 @@
 #include "verbs/recipes/recipe.h"
 
 namespace coppermoon::verbs {
+namespace of_ring {
 namespace {
 
 struct Options {
@@ -59,8 +60,10 @@ void run(const CLI::App& verb, const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_ring
 
 void add_ring(CLI::App& program) {
+  using namespace of_ring;
   auto* verb =
       add_verb(program, "ring",
                "makes the Earth's ring of sunsets as the eclipsed Moon sees it: a strip, cd/m²");

@@ -14,6 +14,7 @@
 #include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
+namespace of_scene {
 namespace {
 
 const request::Words<uses::Renderer> renderers{{"povray", uses::Renderer::povray},
@@ -45,8 +46,10 @@ void run(const CLI::App& verb, const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_scene
 
 void add_scene(CLI::App& program) {
+  using namespace of_scene;
   auto* verb =
       add_verb(program, "scene", "writes a scene with its texture into a folder, ready to render");
   const auto options = std::make_shared<Options>();

@@ -19,6 +19,7 @@
 #include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
+namespace of_shader {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,8 +60,10 @@ void run(const CLI::App& verb, Options options) {
 }
 
 }  // namespace
+}  // namespace of_shader
 
 void add_shader(CLI::App& program) {
+  using namespace of_shader;
   auto* verb = add_verb(program, "shader",
                         "writes an eclipse as one small image and a shader that knows the time, "
                         "for OSL, GLSL, MaterialX, POV-Ray and Blender");

@@ -27,6 +27,7 @@
 #include "verbs/reports/report.h"
 
 namespace coppermoon::verbs {
+namespace of_shadow {
 namespace {
 
 struct Options {
@@ -210,8 +211,10 @@ void run(const CLI::App& verb, const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_shadow
 
 void add_shadow(CLI::App& program) {
+  using namespace of_shadow;
   auto* verb = add_verb(program, "shadow",
                         "computes irradiance across the shadow, over unobstructed sunlight");
   const auto options = std::make_shared<Options>();

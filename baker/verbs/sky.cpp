@@ -16,6 +16,7 @@
 #include "verbs/recipes/recipe.h"
 
 namespace coppermoon::verbs {
+namespace of_sky {
 namespace {
 
 struct Options {
@@ -74,8 +75,10 @@ void run(const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_sky
 
 void add_sky(CLI::App& program) {
+  using namespace of_sky;
   auto* verb =
       add_verb(program, "sky", "says where Sun, Moon and shadow are, and how the Moon is turned");
   const auto options = std::make_shared<Options>();

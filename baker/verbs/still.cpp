@@ -19,6 +19,7 @@
 #include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
+namespace of_still {
 namespace {
 
 struct Options {
@@ -74,8 +75,10 @@ void run(const CLI::App& verb, Options options) {
 }
 
 }  // namespace
+}  // namespace of_still
 
 void add_still(CLI::App& program) {
+  using namespace of_still;
   auto* verb =
       add_verb(program, "still",
                "makes a picture: bakes, builds the scene, renders it with POV-Ray, develops it");

@@ -24,6 +24,7 @@
 #include "verbs/reports/tradeoff_files.h"
 
 namespace coppermoon::verbs {
+namespace of_tradeoff {
 namespace {
 
 using uses::Measured, uses::ReferenceSettings;
@@ -143,8 +144,10 @@ void run(const Options& options) {
 }
 
 }  // namespace
+}  // namespace of_tradeoff
 
 void add_tradeoff(CLI::App& program) {
+  using namespace of_tradeoff;
   auto* verb =
       add_verb(program, "tradeoff", "measures speed against accuracy for every method and setting");
   const auto options = std::make_shared<Options>();
