@@ -83,6 +83,8 @@ class StratosphericLayer {
   StratosphericLayer with_optical_depth(double optical_depth) const;
 
   double optical_depth() const { return optical_depth_; }
+  /// Whether the profile is a month's own, which another optical depth scales.
+  bool recorded() const { return recorded_ != nullptr; }
   /// Extinction at 550 nm [m⁻¹].
   double extinction_per_m(double altitude_m) const;
   /// Ratio of extinction at a wavelength to extinction at 550 nm.

@@ -123,6 +123,8 @@ ordered_json facts_of(const photons::WholeLimb::Part& part) {
   return {{"radiusKm", part.radius_m / 1e3},
           {"ozoneDu", column.ozone_du},
           {"aerosolDepth", stratospheric_depth(column)},
+          {"aerosolRecorded",
+           column.stratospheric_layer != nullptr && column.stratospheric_layer->recorded()},
           {"cloudTopKm", column.cloud_top_m / 1e3},
           {"cloudCover", column.cloud_cover}};
 }
@@ -150,6 +152,23 @@ void add_spectra_of_aerosol(PageArrays& arrays, std::span<const double> waveleng
       numbers.push_back(layer.spectrum(algebra::nanometres(nm)));
   }
   arrays.add("limb.aerosolSpectra", {std::size(aerosol_steps), wavelengths_nm.size()}, numbers);
+}
+
+/// Spectra of a month's own aerosol at other optical depths, where there is some.
+void add_recorded_spectra(PageArrays& arrays, const photons::WholeLimb& limb,
+                          std::span<const double> wavelengths_nm) {
+  std::vector<double> numbers;
+  for (const auto& part : limb.parts()) {
+    const auto& layer = part.column.stratospheric_layer;
+    const bool recorded = layer && layer->recorded() && layer->optical_depth() > 0;
+    for (const double depth : aerosol_steps)
+      for (const double nm : wavelengths_nm)
+        numbers.push_back(
+            recorded ? layer->spectrum(algebra::nanometres(nm), depth / layer->optical_depth())
+                     : 0);
+  }
+  arrays.add("limb.recordedSpectra",
+             {limb.parts().size(), std::size(aerosol_steps), wavelengths_nm.size()}, numbers);
 }
 
 /// Air with an optical depth of the stratosphere's aerosol everywhere.
@@ -209,6 +228,7 @@ ordered_json add_limb_rays(PageArrays& arrays, const atmosphere::Atmosphere& atm
   arrays.add("limb.blend", {waves, bent}, blends);
   add_series(arrays, limb);
   add_spectra_of_aerosol(arrays, wavelengths_nm);
+  add_recorded_spectra(arrays, limb, wavelengths_nm);
   return facts;
 }
 

@@ -28,6 +28,7 @@ inline constexpr double aerosol_steps[] = {0.004, 0.008, 0.028, 0.086, 0.12, 0.1
 ///     limb.spectra   [part][wavelength][absorber]     optical depth of a unit of each amount
 ///     limb.aerosol   [part][step][ray]                optical depth at 550 nm of the stratosphere's aerosol
 ///     limb.aerosolSpectra [step][wavelength]          optical depth over that at 550 nm
+///     limb.recordedSpectra [part][step][wavelength]   the same of the month's own aerosol; 0: it has none
 ///     limb.blend     [wavelength][refractivity but the last]
 ///     limb.series    [part][cosine, sine][harmonic]   share of the part in the limb, by position angle
 ///

@@ -65,7 +65,7 @@ export class LimbRays {
     this.heights = arrays['limb.heights'].data;
     this.rays = this.heights.length;
     this.refractivities = arrays['limb.bending'].shape[1];  // the last is that of straight rays
-    for (const name of ['bending', 'excess', 'amounts', 'spectra', 'aerosol', 'aerosolSpectra', 'blend'])
+    for (const name of ['bending', 'excess', 'amounts', 'spectra', 'aerosol', 'aerosolSpectra', 'recordedSpectra', 'blend'])
       this[name] = arrays[`limb.${name}`].data;
     this.absorbers = facts.limb.absorbers.length;
   }
@@ -103,17 +103,29 @@ export class LimbRays {
     return amounts;
   }
 
-  /** Optical depth of the stratosphere's aerosol along a ray, interpolated in logarithms between steps. */
+  /** Value at an optical depth of aerosol, interpolated in logarithms between steps. */
+  betweenSteps(depth, at) {
+    const steps = this.limb.aerosolSteps;
+    const s = Math.max(0, Math.min(steps.findLastIndex((step) => step <= depth), steps.length - 2));
+    const between = Math.log(depth / steps[s]) / Math.log(steps[s + 1] / steps[s]);
+    const low = at(s), high = at(s + 1);
+    return low > 0 && high > 0 ? low * (high / low) ** between : 0;
+  }
+
+  /** Optical depth of the stratosphere's aerosol along a ray. */
   aerosolAlong(part, wave, ray, depth) {
     if (depth <= 0) return 0;
     const steps = this.limb.aerosolSteps;
     const along = (s) => this.aerosol[(part * steps.length + s) * this.rays + ray] *
       this.aerosolSpectra[s * this.waves + wave];
-    if (depth <= steps[0]) return along(0) * depth / steps[0];
-    const s = Math.min(steps.findLastIndex((step) => step <= depth), steps.length - 2);
-    const between = Math.log(depth / steps[s]) / Math.log(steps[s + 1] / steps[s]);
-    const low = along(s), high = along(s + 1);
-    return low > 0 && high > 0 ? low * (high / low) ** between : 0;
+    return depth <= steps[0] ? along(0) * depth / steps[0] : this.betweenSteps(depth, along);
+  }
+
+  /** Spectrum of the month's own aerosol at another optical depth. */
+  recordedSpectrum(part, wave, depth) {
+    const steps = this.limb.aerosolSteps;
+    return this.betweenSteps(Math.max(depth, steps[0]),
+      (s) => this.recordedSpectra[(part * steps.length + s) * this.waves + wave]);
   }
 
   /** Transmittance of each ray. */
@@ -121,13 +133,16 @@ export class LimbRays {
     const kind = this.parts[part];
     const depth = aerosolDepth(air, kind);
     const asItWas = depth > 0 && depth === kind.aerosolDepth;
-    const weights = factors(air, kind, this.limb.absorbers);
-    if (asItWas) weights[this.limb.absorbers.indexOf('stratosphere')] = 1;
+    // clearness scales the month's own profile, as it does in the program; the slider's depth has a usual one
+    const scaled = !asItWas && depth > 0 && air.dust === null && kind.aerosolRecorded && kind.aerosolDepth > 0;
+    const weights = factors(air, kind, this.limb.absorbers), stratosphere = this.limb.absorbers.indexOf('stratosphere');
+    if (asItWas) weights[stratosphere] = 1;
     const from = (part * this.waves + wave) * this.absorbers;
     for (let a = 0; a < this.absorbers; ++a) weights[a] *= this.spectra[from + a];
+    if (scaled) weights[stratosphere] = depth / kind.aerosolDepth * this.recordedSpectrum(part, wave, depth);
     const through = new Float64Array(this.rays);
     for (let j = 0; j < this.rays; ++j) {
-      let optical = asItWas ? 0 : this.aerosolAlong(part, wave, j, depth);
+      let optical = asItWas || scaled ? 0 : this.aerosolAlong(part, wave, j, depth);
       for (let a = 0; a < this.absorbers; ++a) optical += weights[a] * amounts[j * this.absorbers + a];
       through[j] = Math.exp(-optical);
     }
