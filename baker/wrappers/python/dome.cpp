@@ -23,7 +23,7 @@ DomeArrays dome_at(const Moment& when, const Place& at, const std::optional<uses
                    const std::optional<uses::LightRequest>& light, const Callback& callback,
                    const py::kwargs& more) {
   DomeKeywords asked;
-  auto& [moon, view, content] = asked.moon;
+  auto& moon = asked.moon.moon;
   take_objects(asked.moon, air, light, at);
   take(dome_keywords(asked), "dome", more);
   uses::require_sound(asked.dome);
@@ -32,7 +32,7 @@ DomeArrays dome_at(const Moment& when, const Place& at, const std::optional<uses
   auto dome = computed(callback, [&](const algebra::Progress& progress) {
     const auto sky = almanac::sky_at(when.instant);
     if (!eclipse::eclipse_at(sky.when, eclipse::ShadowConvention::danjon)) moon.unshadowed = true;
-    return uses::dome_over(asked.dome, uses::lit_moon(moon, sky, progress), view);
+    return uses::dome_over(asked.dome, uses::lit_moon(moon, sky, progress), asked.moon.view);
   });
   const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(dome.light.height),
                                        static_cast<py::ssize_t>(dome.light.width), 3};
