@@ -241,11 +241,12 @@ TEST_F(FitThoroughly, OfANightOfJpegsFindsAirCurveAndAClockThatIsHoursWrong) {
   // one photograph without a date ends no night
   texture::write_png(here("undated.png"), texture::Image(8, 8, {"R", "G", "B"}), 8);
   words.push_back("undated.png");
-  // as the clocks of the place, three hours before UTC, say
+  // as the clocks of the place, three hours before UTC, say; made cameras see as the CIE observer does, in even air
   const auto found =
       fit(words + Words{"--instants", "from-header", "--at",
                         fmt::format("{},{}", occasion.latitude_deg, occasion.longitude_deg),
-                        "--reddening", "off", "--atmosphere", "undated", "-o", "light.csv"});
+                        "--reddening", "off", "--atmosphere", "undated", "--response",
+                        "colorimetric", "--weather-error", "0", "-o", "light.csv"});
   EXPECT_WITHIN_RELATIVE(found["dust_extinction_per_m"]["median"].get<double>(), truth.dust_per_m,
                          0.25, "what was asked for, of 95 nights in a hundred");
   EXPECT_WITHIN(found["cloud_cover"]["median"].get<double>(), truth.cloud_cover, 0.15, "the same");
@@ -255,6 +256,17 @@ TEST_F(FitThoroughly, OfANightOfJpegsFindsAirCurveAndAClockThatIsHoursWrong) {
   const auto light = text_of(here("light.csv"));
   EXPECT_TRUE(light.starts_with("night,distance_km,channel,light,error,model\n1,"));
   EXPECT_GT(std::ranges::count(light, '\n'), 50);
+}
+
+// Light is not linear over so many minutes: the clock is looked for.
+TEST_F(FitThoroughly, FindsAClockThatIsSevenMinutesFromTheMomentsTold) {
+  const auto truth = night_truth(4);
+  auto request = MadeNight(night_occasions()[4], truth).request(here());
+  request.moon.response = "colorimetric";
+  request.weather_error = 0;
+  const auto answer = uses::fitted_air(request);
+  EXPECT_WITHIN(answer.nights.front().clock->seconds, truth.clock_s, 30,
+                "what is asked for, of 90 nights in a hundred");
 }
 
 TEST_F(FitThoroughly, OfAStrangersNightFindsTheClock) {

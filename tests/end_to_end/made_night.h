@@ -12,6 +12,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -403,6 +404,32 @@ inline std::vector<NightOccasion> night_occasions() {
           {"2015-09-28T02:47:07Z", 30, -40, sunlit, umbra},
           {"2010-12-21T08:16:57Z", 40, -100, sunlit, umbra},
           {"2000-07-16T13:55:35Z", -20, 150, {-100, -80, 75, 100}, {-85, -40, 0, 40, 85}}};
+}
+
+/// Air, camera and clock of a night of nine photographs, at random.
+inline NightTruth night_truth(std::uint64_t night) {
+  algebra::Random random(1504, night);
+  const auto between = [&](double from, double to) {
+    return from + (to - from) * random.uniform();
+  };
+  const auto normal = [&] {
+    return std::sqrt(-2 * std::log(1 - random.uniform())) *
+           std::cos(2 * std::numbers::pi * random.uniform());
+  };
+  NightTruth truth;
+  truth.dust_per_m = 1.5e-6 * std::pow(1e-5 / 1.5e-6, random.uniform());
+  truth.cloud_cover = between(0, 0.9);
+  truth.ozone_du = between(200, 450);
+  static const auto cameras = measured_tone_curves();
+  auto camera = cameras.begin();
+  std::advance(camera, night / 5 % 5);
+  truth.camera = camera->first;
+  truth.clock_s = 240 * normal();
+  truth.exposed = std::exp(0.3 * normal());
+  truth.matrix_error = 0.03;
+  truth.saturation = 1 + 0.2 * std::clamp(normal(), -2., 2.);
+  truth.seed = night;
+  return truth;
 }
 
 /// Eclipses with eighteen photographs from the first bite to totality.

@@ -6,9 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "algebra/error.h"
 #include "end_to_end/made_night.h"
@@ -17,36 +15,8 @@
 namespace coppermoon::end_to_end {
 namespace {
 
-constexpr std::uint64_t seed = 1504;
 /// Each of five eclipses with each of five cameras.
 constexpr std::size_t nights = 25;
-
-double between(algebra::Random& random, double from, double to) {
-  return from + (to - from) * random.uniform();
-}
-
-double normal(algebra::Random& random) {
-  return std::sqrt(-2 * std::log(1 - random.uniform())) *
-         std::cos(2 * std::numbers::pi * random.uniform());
-}
-
-NightTruth truth_of(std::size_t night) {
-  algebra::Random random(seed, night);
-  NightTruth truth;
-  truth.dust_per_m = 1.5e-6 * std::pow(1e-5 / 1.5e-6, random.uniform());
-  truth.cloud_cover = between(random, 0, 0.9);
-  truth.ozone_du = between(random, 200, 450);
-  static const auto cameras = measured_tone_curves();
-  auto camera = cameras.begin();
-  std::advance(camera, night / 5 % 5);
-  truth.camera = camera->first;
-  truth.clock_s = 240 * normal(random);
-  truth.exposed = std::exp(0.3 * normal(random));
-  truth.matrix_error = 0.03;
-  truth.saturation = 1 + 0.2 * std::clamp(normal(random), -2., 2.);
-  truth.seed = night;
-  return truth;
-}
 
 /// How often something was so, of all.
 struct Tally {
@@ -85,7 +55,7 @@ TEST_F(Nights, AreFoundWithTheirCurvesAndClocks) {
   Tally tally;
   const auto occasions = night_occasions();
   for (std::size_t night = 0; night < nights; ++night) {
-    const auto truth = truth_of(night);
+    const auto truth = night_truth(night);
     try {
       auto request = MadeNight(occasions[night % occasions.size()], truth).request(here());
       // these cameras see as the CIE observer does, and their nights have no weather along the limb; strangers' nights

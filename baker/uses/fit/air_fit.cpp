@@ -16,11 +16,20 @@ std::vector<double> evenly(double from, double to, int steps) {
   return all;
 }
 
-/// Steps of the three axes in each look: the first finds where it is probable, the last has steps of half a standard
-/// deviation.
-constexpr std::size_t looks = 3;
+/// Steps of the three axes in each look: the first finds where it is probable, later ones have steps of half a standard
+/// deviation once the interval is known. Intervals that are narrower than the last look's steps are looked at again.
+constexpr std::size_t looks = 3, most_looks = 6;
 constexpr std::array<std::array<int, 3>, looks> axis_steps{
     {{20, 14, 8}, {20, 16, 10}, {24, 20, 12}}};
+
+/// Whether all steps are smaller than a standard deviation.
+bool are_fine(const Axes& axes, const Posterior& posterior) {
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const auto& estimate = posterior.estimates[a];
+    if (axes[a][1] - axes[a][0] > (estimate.high - estimate.low) / 2) return false;
+  }
+  return true;
+}
 
 /// Axes over all that a fit allows.
 Axes whole_axes(Unknowns unknowns) {
@@ -41,7 +50,8 @@ Axes axes_about(const Posterior& known, const Axes& coarser, std::size_t look) {
     const auto& [median, low, high, information] = known.estimates[a];
     const double step = coarser[a][1] - coarser[a][0], width = std::max(high - low, step);
     axes[a] = evenly(std::max(coarser[a].front(), low - beyond * width),
-                     std::min(coarser[a].back(), high + beyond * width), axis_steps[look][a]);
+                     std::min(coarser[a].back(), high + beyond * width),
+                     axis_steps[std::min(look, looks - 1)][a]);
   }
   return axes;
 }
@@ -144,13 +154,14 @@ AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progre
   auto axes = whole;
   for (std::size_t look = 1;; ++look) {
     const auto [chi_squared, clocks] = evaluated(axes, data, [&](double part) {
-      if (progress) progress((static_cast<double>(look - 1) + part) / static_cast<double>(looks));
+      const auto all = static_cast<double>(std::max(look, looks));
+      if (progress) progress((static_cast<double>(look - 1) + part) / all);
     });
     const double least = *std::ranges::min_element(chi_squared.values()),
                  scale = std::max(1., least / freedom);
     result.posterior = posterior_over(axes, chi_squared, scale);
     result.posterior.least_chi_squared = least;
-    if (look == looks) {
+    if (look == most_looks || (look >= looks && are_fine(axes, result.posterior))) {
       result.best = best_of(axes, unknowns_of(result.unknowns), chi_squared);
       for (const auto& clock : clocks)
         result.clocks.push_back(over_all_air(chi_squared, least, scale, clock));

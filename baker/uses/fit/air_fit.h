@@ -39,9 +39,9 @@ struct AirFit {
   std::vector<ClockError> clocks{};  ///< by data set
 };
 
-/// Posterior of the air, given all data sets: a grid over the whole search range, made finer twice about what is
-/// probable. All data sets have light of the same unknowns. Where the least χ² exceeds the degrees of freedom all
-/// errors are scaled up to match.
+/// Posterior of the air, given all data sets: a grid over the whole search range, made finer about what is probable, twice
+/// to five times, until its steps are within a standard deviation. All data sets have light of the same unknowns. Where
+/// the least χ² exceeds the degrees of freedom all errors are scaled up to match.
 AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progress = {});
 
 /// Largest χ² of an acceptable fit: ten times the degrees of freedom, as if all errors were three times as large

@@ -357,7 +357,9 @@ algebra::Grid<double> ComparedNight::dimming_by_cloud() const {
       ++count;
     }
   if (count == 0 || red <= 0) return {};
-  for (double& value : all.values()) value *= count / red;
+  const double mean = red / count,
+               weather = errors_.clouded_by > 0 ? weather_over_usual(mean / errors_.clouded_by) : 1;
+  for (double& value : all.values()) value *= weather / mean;
   return all;
 }
 

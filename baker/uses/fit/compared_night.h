@@ -48,6 +48,8 @@ struct NightErrors {
   algebra::Grid<double> expected{};
   /// Light of the same air under more cloud, for its derivative by weather; empty: that of a rough formula.
   algebra::Grid<double> clouded{};
+  /// Logarithm of that cloud's chance over the first's; 0: cloud is not a chance.
+  double clouded_by = 0;
 };
 
 /// Model light of a night's photographs, and of moments a minute beside them where the clock may be wrong.
@@ -141,7 +143,7 @@ class ComparedNight {
                                     std::size_t bin) const;
 
   /// Decrease of the logarithm of light by cloud, (photograph × bins + bin, channel), over its mean of red in the umbra;
-  /// empty where it is not known.
+  /// where cloud is a chance, times weather_over_usual; empty where it is not known.
   algebra::Grid<double> dimming_by_cloud() const;
   /// Writes a measurement's growth with the camera's saturation and the elements of its matrix.
   void add_mixing(const NightPhotograph& photograph, const Measurement& measurement,

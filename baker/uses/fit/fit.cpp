@@ -103,7 +103,7 @@ std::optional<std::string> usual_response(const EclipsePhotograph& photograph) {
   const auto coding = coding_of(photograph.file, photograph.coding);
   const bool own_curve = coding == texture::Coding::camera;
   if (!camera || !(own_curve || texture::is_raw_file(photograph.file))) return std::nullopt;
-  if (const auto known = colour::spectral_camera_of(*camera)) return known;
+  if (auto known = colour::spectral_camera_of(*camera)) return known;
   return own_curve ? std::optional<std::string>("canon-eos-600d") : std::nullopt;
 }
 

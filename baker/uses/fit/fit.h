@@ -45,10 +45,11 @@ struct FitRequest {
   /// standard error of the logarithms of red and blue over green, 0.001 to 10; without: 0.03, with a camera's
   /// own tone curve 0.3
   std::optional<double> white_balance_error = {};
-  /// standard error of the light of 30 degrees of the limb by weather, 0 to 1; without: 0.1 for a camera's own
-  /// JPEGs and raw files, else 0
+  /// standard error of the light of 30 degrees of the limb by weather in usual air, 0 to 1; without: 0.1 for a
+  /// camera's own JPEGs and raw files, else 0
   std::optional<double> weather_error = {};
-  double clock_error_s = 0;       ///< standard error of each camera's clock, 0 to 3600; 0: exact
+  /// standard error of each camera's clock, 0 to 3600; 0: exact; above 300 the clock is looked for over three errors
+  double clock_error_s = 0;
   bool response_assumed = false;  ///< the Moon's response stands for that of an unknown camera
   bool half_hours_free = false;   ///< any whole number of half hours may be added to instants
   /// how far a clock may be wrong beyond that error, where partial phases tell it [s]; 0: no farther

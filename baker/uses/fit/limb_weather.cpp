@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/limb_weather.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -41,6 +42,11 @@ std::array<double, weather_sectors> shares_of_limb(const eclipse::ShadowPlace& p
                refracted = refracted_at_the_edge / (refracted_at_the_edge + direct);
   for (double& share : shares) share *= sum > 0 ? refracted / sum : 0;
   return shares;
+}
+
+double weather_over_usual(double dimming) {
+  constexpr double usual = 0.3, least = 0.5;
+  return std::max(least, dimming / usual);
 }
 
 }  // namespace coppermoon::uses

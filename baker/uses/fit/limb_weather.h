@@ -22,4 +22,12 @@ inline constexpr std::size_t weather_sectors = 12;
 std::array<double, weather_sectors> shares_of_limb(const eclipse::ShadowPlace& place,
                                                    double sun_distance_m);
 
+/// Error of light by weather over that in usual air. Weather changes the chance of cloud, and the more light that cloud
+/// takes, the more weather changes light. Other weather leaves half of what is usual.
+///
+/// Given     dimming  decrease of the logarithm of red light in the umbra by that of the chance of cloud: 0.3 in usual
+///                    air, 0.6 in air without aerosol
+/// Returned  0.5 or more
+double weather_over_usual(double dimming);
+
 }  // namespace coppermoon::uses

@@ -79,12 +79,17 @@ algebra::Grid<double> light_at(const FittedLight& light, const AirFit& fit) {
   return light.at(fit.best);
 }
 
+/// Relative change of cloud for the derivative of light.
+constexpr double more_cloud = 0.1;
+
+/// Whether cloud is a chance, of which a fit knows the logarithm.
+bool cloud_is_a_chance(const AirFit& fit) { return unknowns_of(fit.unknowns)[1].logarithmic; }
+
 /// Numbers of an air with more cloud than the best.
 AirNumbers clouded_numbers(const AirFit& fit) {
-  constexpr double more = 0.1;
   auto numbers = fit.best;
-  const auto& cloud = unknowns_of(fit.unknowns)[1];
-  numbers[1] = cloud.logarithmic ? numbers[1] * (1 + more) : numbers[1] + more * (1 - numbers[1]);
+  numbers[1] = cloud_is_a_chance(fit) ? numbers[1] * (1 + more_cloud)
+                                      : numbers[1] + more_cloud * (1 - numbers[1]);
   return numbers;
 }
 
@@ -149,12 +154,17 @@ std::vector<almanac::SkyState> Night::way() const {
   return skies;
 }
 
-bool Night::clock_is_free() const {
-  return request_.half_hours_free || request_.clock_search_s > 0;
+double Night::farthest_clock_s() const {
+  constexpr double linear_s = 300, errors = 3;  // of light beside a moment
+  const double error_s = request_.clock_error_s;
+  return std::max(request_.clock_search_s, error_s > linear_s ? errors * error_s : 0);
 }
 
+bool Night::clock_is_free() const { return request_.half_hours_free || farthest_clock_s() > 0; }
+
 NightErrors Night::errors() const {
-  return {clock_error_s_, believed_s_ - clock_s_, curve_, mixing_, expected_, clouded_};
+  return {clock_error_s_, believed_s_ - clock_s_, curve_, mixing_, expected_, clouded_,
+          clouded_by_};
 }
 
 void Night::compare() { compared_ = std::make_unique<const ComparedNight>(binned_, errors()); }
@@ -348,7 +358,30 @@ bool Night::leave_out_worst() {
   return true;
 }
 
+void Night::leave_out_far() {
+  constexpr std::ptrdiff_t least = 3;
+  constexpr double far_km = 50;
+  std::vector<double> off_km;
+  for (std::size_t place = 0; place < taken_.size(); ++place)
+    off_km.push_back(off_limb_km(binned_[place].scene, taken_[place].registration));
+  const auto is_near = [](double km) { return km <= far_km; };
+  if (std::ranges::count_if(off_km, is_near) < least) return;
+  for (auto place = std::ssize(taken_); place-- > 0;) {
+    const double km = off_km[static_cast<std::size_t>(place)];
+    if (is_near(km)) continue;
+    const auto index = taken_[static_cast<std::size_t>(place)].index;
+    left_out_[index] = reason_with_shares(
+        kept(index).moon,
+        fmt::format("a misplaced Moon: its limb is {:.0f} km from where its markings say, allowed "
+                    "0 to {}",
+                    km, far_km));
+    taken_.erase(taken_.begin() + place);
+    binned_.erase(binned_.begin() + place);
+  }
+}
+
 void Night::leave_out_misplaced() {
+  leave_out_far();
   while (leave_out_worst()) {
   }
 }
@@ -373,7 +406,7 @@ std::vector<ClockView> Night::views() {
 }
 
 std::array<double, 2> Night::possible_s() const {
-  if (!request_.half_hours_free) return {-request_.clock_search_s, request_.clock_search_s};
+  if (!request_.half_hours_free) return {-farthest_clock_s(), farthest_clock_s()};
   constexpr int farthest = 52;  // half hours: zones are 26 hours apart
   const auto contacts =
       eclipse::nearest_eclipse(photographs_.front()->instant, eclipse::ShadowConvention::danjon)
@@ -399,7 +432,9 @@ std::array<double, 2> Night::possible_s() const {
 double Night::take_anywhere(std::span<const std::size_t> indices,
                             const std::array<double, 2>& range_s) {
   std::vector<double> clocks_s;
-  for (double s = range_s[0]; s <= range_s[1]; s += half_hour_s) clocks_s.push_back(s);
+  for (double s = std::ceil(range_s[0] / half_hour_s) * half_hour_s; s <= range_s[1];
+       s += half_hour_s)
+    clocks_s.push_back(s);
   std::ranges::sort(clocks_s, {}, [](double s) { return std::abs(s); });
   double most = 0, best_s = clocks_s.front();
   for (const double clock_s : clocks_s) {
@@ -488,6 +523,7 @@ bool Night::refine(const AirFit& fit) {
   heartbeat_(0);
   expected_ = light_at(*light_, fit);
   clouded_ = light_->at(clouded_numbers(fit));
+  clouded_by_ = cloud_is_a_chance(fit) ? std::log1p(more_cloud) : 0;
   const auto curve = compared_->curve(expected_);
   mixing_ = compared_->mixing(expected_);
   curve_ = curve;

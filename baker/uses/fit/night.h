@@ -67,6 +67,8 @@ class Night {
 
   /// Skies over the photographs' moments, or over the whole eclipse where these are uncertain.
   std::vector<almanac::SkyState> way() const;
+  /// Largest correction of the clock besides half hours, if light is not linear over it [s]; else 0.
+  double farthest_clock_s() const;
   bool clock_is_free() const;
   const Kept& kept(std::size_t index);
   /// Registers photographs. Pictures of one size have one scale: a photograph that is not registered, or in
@@ -90,9 +92,11 @@ class Night {
     GoodnessOfFit goodness{std::numeric_limits<double>::infinity()};
   };
   CoarseFit coarse_fit(double clock_s) const;
-  /// Leaves out, one by one, photographs whose light no air explains beside the others': three stops off in all channels, or
-  /// one where the Moon is poorly recognised or turned unlike most others. One of them misleads a whole night.
+  /// Leaves out photographs whose limb and markings are more than 50 km apart, where three others remain; then, one by one,
+  /// those whose light no air explains beside the others': three stops off in all channels, or one where the Moon is poorly
+  /// recognised or turned unlike most others. One of them misleads a whole night.
   void leave_out_misplaced();
+  void leave_out_far();
   /// Whether a photograph was left out so.
   bool leave_out_worst();
   std::vector<std::size_t> some(std::size_t most) const;
@@ -126,6 +130,7 @@ class Night {
   Mixing mixing_ = no_mixing;
   /// light of the best air, and under more cloud, about which errors are linear; empty: the usual air's
   algebra::Grid<double> expected_{}, clouded_{};
+  double clouded_by_ = 0;
   std::unique_ptr<const FittedLight> light_;
   std::unique_ptr<const ComparedNight> compared_;
 };

@@ -310,21 +310,37 @@ colour::Registration registration_of(const FitScene& scene, const MoonPart& moon
   return *best;
 }
 
+namespace {
+
+const double scene_pixel_km =
+    2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
+
+/// Larger pixels of photograph and scene, over the scene's.
+double larger_pixel(const colour::Registration& registration) {
+  return 1 / std::min(1., registration.render_to_photo.scale);
+}
+
+}  // namespace
+
+double off_limb_km(const FitScene& scene, const colour::Registration& registration) {
+  constexpr double of_limb = 0.3;
+  const auto& limb = registration.in_photo;
+  const auto middle =
+      colour::moved(registration.render_to_photo, {scene.disc.x_px, scene.disc.y_px});
+  const double apart_px =
+      std::hypot(middle.x - limb.x_px, middle.y - limb.y_px) / registration.render_to_photo.scale;
+  return std::max(0., apart_px - of_limb * larger_pixel(registration)) * scene_pixel_km;
+}
+
 double place_error_km(const FitScene& scene, const colour::Registration& registration,
                       bool in_its_air) {
   constexpr double in_umbra = 0.3, with_crescent = 0.8, of_known_air = 0.2, by_noise = 2;
-  const double pixel_km =
-      2 * algebra::in_kilometres(almanac::lunar_radius) / (fit_disc_share * fit_side_px);
   const double pixels = std::hypot(in_its_air                 ? of_known_air
                                    : lies_in_umbra(scene.sky) ? in_umbra
                                                               : with_crescent,
                                    by_noise * (1 - registration.correlation));
-  const auto& limb = registration.in_photo;
-  const auto middle =
-      colour::moved(registration.render_to_photo, {scene.disc.x_px, scene.disc.y_px});
-  const double scale = registration.render_to_photo.scale,
-               apart_px = std::hypot(middle.x - limb.x_px, middle.y - limb.y_px) / scale;
-  return std::hypot(pixels / std::min(1., scale), apart_px) * pixel_km;
+  return std::hypot(pixels * larger_pixel(registration) * scene_pixel_km,
+                    off_limb_km(scene, registration));
 }
 
 BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,

@@ -219,7 +219,7 @@ std::vector<algebra::Grid<double>> differences_by_filters(const FitScene& scene,
 /// ones.
 ///
 /// Given  middle_rad  position angle of the disc's centre, from which angles are counted
-void add_groups(std::vector<LitPlace> places, double middle_rad, std::vector<LitPlace>& few) {
+void add_groups(std::span<const LitPlace> places, double middle_rad, std::vector<LitPlace>& few) {
   constexpr std::size_t by_distance = 8;
   constexpr double widest_rad = pi / 18;
   struct Sorted {
@@ -350,7 +350,7 @@ LitBins lit_bins(const FitScene& scene, const almanac::SkyState& sky) {
   for (const auto& [pixel, ground, sunlit, colour, bin] : scene.grounds)
     all[bin].push_back({eclipse::place_of_ground(axis, sky, ground), sunlit, bin, colour});
   const auto middle = eclipse::place_in_shadow(axis, sky.moon_m).position_angle;
-  for (auto& of_bin : all) add_groups(std::move(of_bin), algebra::in_radians(middle), lit.places);
+  for (const auto& of_bin : all) add_groups(of_bin, algebra::in_radians(middle), lit.places);
   return lit;
 }
 

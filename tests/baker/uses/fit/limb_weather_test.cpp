@@ -56,5 +56,11 @@ TEST(LimbWeather, IsAllOfTheLightInTheUmbraAndNoneOutside) {
     EXPECT_WITHIN(share, 1. / weather_sectors, 1e-12, "on the axis all parts are alike");
 }
 
+TEST(LimbWeather, ChangesLightAsMuchAsCloudDoes) {
+  EXPECT_DOUBLE_EQ(weather_over_usual(0.3), 1);
+  EXPECT_DOUBLE_EQ(weather_over_usual(0.6), 2);
+  EXPECT_DOUBLE_EQ(weather_over_usual(0), 0.5);
+}
+
 }  // namespace
 }  // namespace coppermoon::uses
