@@ -114,11 +114,18 @@ ClockError over_all_air(const algebra::Grid<double>& chi_squared, double least, 
   return {mean, std::sqrt(std::max(0., squares / sum - mean * mean))};
 }
 
-/// Posterior with all variances larger by a factor.
+/// Posterior with all variances larger by a factor; where the grid's steps are fine, between its points too.
 Posterior posterior_over(const Axes& axes, const algebra::Grid<double>& chi_squared, double scale) {
-  return posterior(axes, [&](const std::array<std::size_t, 3>& at) {
-    return chi_squared(at[0] * axes[2].size() + at[2], at[1]) / scale;
-  });
+  std::vector<double> scaled;
+  for (std::size_t i = 0; i < axes[0].size(); ++i)
+    for (std::size_t j = 0; j < axes[1].size(); ++j)
+      for (std::size_t k = 0; k < axes[2].size(); ++k)
+        scaled.push_back(chi_squared(i * axes[2].size() + k, j) / scale);
+  const auto on_grid = posterior(axes, scaled);
+  if (!are_fine(axes, on_grid)) return on_grid;
+  auto finer_axes = axes;
+  make_finer(finer_axes, scaled);
+  return posterior(finer_axes, scaled);
 }
 
 /// Numbers of the unknowns where χ² is least.

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <span>
+
+#include "algebra/interpolation.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -11,6 +13,42 @@ namespace {
 using Indices = std::array<std::size_t, 3>;
 
 Indices sizes_of(const Axes& axes) { return {axes[0].size(), axes[1].size(), axes[2].size()}; }
+
+/// Number of steps into which each step of a grid is divided.
+constexpr std::size_t refinement = 4;
+
+/// An axis, each step divided by `refinement`.
+std::vector<double> finer(const std::vector<double>& axis) {
+  std::vector<double> all;
+  for (std::size_t i = 0; i + 1 < axis.size(); ++i)
+    for (std::size_t part = 0; part < refinement; ++part)
+      all.push_back(axis[i] +
+                    (axis[i + 1] - axis[i]) * static_cast<double>(part) / double{refinement});
+  all.push_back(axis.back());
+  return all;
+}
+
+/// Values on an axis made finer, by the cubic polynomial through the four nearest points.
+///
+/// Given  before  product of the numbers of points on the axes that run slower
+std::vector<double> finer_along(const std::vector<double>& axis, std::size_t before,
+                                const std::vector<double>& values) {
+  const auto places = finer(axis);
+  const std::size_t count = axis.size(), nodes = std::min<std::size_t>(4, count),
+                    after = values.size() / before / count;
+  std::vector<double> all(before * places.size() * after);
+  std::vector<double> weights(nodes);
+  for (std::size_t place = 0; place < places.size(); ++place) {
+    const auto first = std::min(std::max<std::size_t>(place / refinement, 1) - 1, count - nodes);
+    algebra::on_polynomial(std::span(axis).subspan(first, nodes), places[place], weights);
+    for (std::size_t b = 0; b < before; ++b)
+      for (std::size_t n = 0; n < nodes; ++n)
+        for (std::size_t a = 0; a < after; ++a)
+          all[(b * places.size() + place) * after + a] +=
+              weights[n] * values[(b * count + first + n) * after + a];
+  }
+  return all;
+}
 
 /// Calls `act` with the indices of each grid point and its place among all, the last axis running fastest.
 template <class Act>
@@ -52,21 +90,17 @@ double prior_variance(const std::vector<double>& axis) {
 
 }  // namespace
 
-Posterior posterior(const Axes& axes, const std::function<double(const Indices&)>& chi_squared) {
+Posterior posterior(const Axes& axes, const std::vector<double>& chi_squared) {
   Posterior result;
-  std::vector<double> all(axes[0].size() * axes[1].size() * axes[2].size());
-  result.least_chi_squared = std::numeric_limits<double>::infinity();
-  for_each_point(axes, [&](const Indices& at, std::size_t place) {
-    all[place] = chi_squared(at);
-    result.least_chi_squared = std::min(result.least_chi_squared, all[place]);
-  });
+  const double least = *std::ranges::min_element(chi_squared);
+  result.least_chi_squared = least;
   std::array<std::vector<double>, 3> density;
   for (std::size_t a = 0; a < 3; ++a) density[a].resize(axes[a].size());
   std::array<double, 3> mean{};
   std::array<std::array<double, 3>, 3> moments{};
   double sum = 0;
   for_each_point(axes, [&](const Indices& at, std::size_t place) {
-    double mass = std::exp((result.least_chi_squared - all[place]) / 2);
+    double mass = std::exp((least - chi_squared[place]) / 2);
     for (std::size_t a = 0; a < 3; ++a) mass *= width_at(axes[a], at[a]);
     sum += mass;
     for (std::size_t a = 0; a < 3; ++a) {
@@ -89,6 +123,15 @@ Posterior posterior(const Axes& axes, const std::function<double(const Indices&)
           covariance(a, b) / std::sqrt(std::max(1e-300, covariance(a, a) * covariance(b, b)));
   }
   return result;
+}
+
+void make_finer(Axes& axes, std::vector<double>& chi_squared) {
+  std::size_t before = 1;
+  for (auto& axis : axes) {
+    chi_squared = finer_along(axis, before, chi_squared);
+    axis = finer(axis);
+    before *= axis.size();
+  }
 }
 
 }  // namespace coppermoon::uses

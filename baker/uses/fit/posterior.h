@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <vector>
 
 namespace coppermoon::uses {
@@ -28,9 +27,14 @@ struct Posterior {
 ///     p ∝ exp(−χ²/2)
 ///
 /// Given     axes         two points or more on each
-///           chi_squared  χ² at a point, by its indices on the three axes
+///           chi_squared  χ² at each point, the last axis running fastest
 /// Accuracy  medians and limits: a tenth of a grid step where steps are below half a standard deviation
-Posterior posterior(const Axes& axes,
-                    const std::function<double(const std::array<std::size_t, 3>&)>& chi_squared);
+Posterior posterior(const Axes& axes, const std::vector<double>& chi_squared);
+
+/// Divides each step of a grid by four. Between its points χ² is interpolated by the cubic polynomial through the four
+/// nearest on an axis: exact for a normal distribution, also along a ridge that is narrower than a step.
+///
+/// Given  steps within a standard deviation: elsewhere χ² is no cubic polynomial
+void make_finer(Axes& axes, std::vector<double>& chi_squared);
 
 }  // namespace coppermoon::uses
