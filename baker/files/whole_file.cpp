@@ -12,7 +12,6 @@
 #include <optional>
 #include <string>
 #include <system_error>
-#include <utility>
 
 #include "algebra/error.h"
 #include "files/temporary_folder.h"
@@ -35,8 +34,8 @@ class TemporaryFile {
     if (fs::exists("/proc/self/fd"))
       descriptor_ = ::open(final_.parent_path().c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
-      descriptor_ = with_a_name([](const char* name) {
-        return ::open(name, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      descriptor_ = with_a_name([](const fs::path& name) {
+        return ::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       });
       removal_.emplace(path_);
     }
@@ -53,8 +52,10 @@ class TemporaryFile {
 
   void rename_to_final() {
     if (::fsync(descriptor_) != 0) throw cannot_write(final_, errno);
-    if (path_.empty()) name_it();
-    if (::close(std::exchange(descriptor_, -1)) != 0) throw cannot_write(final_, errno);
+    if (path_.empty()) {
+      if (named(final_)) return;  // at once: a program killed now leaves no other name
+      with_a_name([this](const fs::path& name) { return named(name) ? 0 : -1; });
+    }
     if (::rename(path_.c_str(), final_.c_str()) != 0) throw cannot_write(final_, errno);
     path_.clear();
   }
@@ -66,7 +67,7 @@ class TemporaryFile {
     static std::atomic<unsigned> names = 0;
     for (;;) {
       path_ = final_.parent_path() / fmt::format(".coppermoon.{}-{}.tmp", ::getpid(), names++);
-      const int made = make(path_.c_str());
+      const int made = make(path_);
       if (made >= 0) return made;
       path_.clear();
       if (errno != EEXIST) throw cannot_write(final_, errno);
@@ -81,11 +82,10 @@ class TemporaryFile {
       ::fchmod(descriptor_, replaced.st_mode & permissions);
   }
 
-  void name_it() {
+  /// Whether the file, nameless until then, has this name now; false where another has it.
+  bool named(const fs::path& name) const {
     const auto open_file = fmt::format("/proc/self/fd/{}", descriptor_);
-    with_a_name([&](const char* name) {
-      return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW);
-    });
+    return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
   }
 
   fs::path final_, path_;

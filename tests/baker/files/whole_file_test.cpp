@@ -2,15 +2,21 @@
 #include "files/whole_file.h"
 
 #include <fcntl.h>
+#include <sys/inotify.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdarg>
+#include <cstddef>
+#include <filesystem>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "baker/texture/scratch_folder.h"
 
@@ -59,6 +65,33 @@ class SmallDisk {
  private:
   rlimit before_;
 };
+
+/// Names that appear in a folder while something is done there.
+template <class Act>
+std::vector<std::string> names_made_in(const std::string& folder, const Act& act) {
+  const int watch = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+  ::inotify_add_watch(watch, folder.c_str(), IN_CREATE | IN_MOVED_TO);
+  act();
+  alignas(inotify_event) std::array<char, 4096> bytes;
+  const auto count = ::read(watch, bytes.data(), bytes.size());
+  ::close(watch);
+  std::vector<std::string> names;
+  for (std::ptrdiff_t at = 0; at < count;) {
+    const auto* event = reinterpret_cast<const inotify_event*>(bytes.data() + at);
+    names.emplace_back(event->name);
+    at += static_cast<std::ptrdiff_t>(sizeof(inotify_event) + event->len);
+  }
+  return names;
+}
+
+TEST_F(WholeFile, ThatIsNewHasNoOtherNameBefore) {
+  const std::filesystem::path path = in_folder("new.txt");
+  const auto folder = path.parent_path().string();
+  EXPECT_EQ(names_made_in(folder, [&] { write_whole(path, "one"); }),
+            std::vector<std::string>{"new.txt"});
+  // one that replaces another is renamed
+  EXPECT_EQ(names_made_in(folder, [&] { write_whole(path, "two"); }).size(), 2);
+}
 
 TEST_F(WholeFile, HoldsWhatWasWritten) {
   const auto path = in_folder("a.txt");

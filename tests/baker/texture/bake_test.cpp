@@ -52,20 +52,29 @@ TEST(Bake, LightsTheSubSolarPointByTheInverseSquareOfItsDistance) {
                          "float texels; mu is 1 − 1e-4 within a texel, f 1 − 1e-5");
 }
 
-TEST(Bake, IrradianceIsThatOfTheSunAtItsDistanceWhateverTheGround) {
+/// Value of the texel below the Sun, on even ground of albedo 0.3 twice as far from the Sun as the Earth is.
+float below_a_far_sun(TexelQuantity quantity) {
   auto sky = almanac::sky_at(february_2008);
   const auto to_sun = glm::normalize(sky.sun_m - sky.moon_m);
   sky.sun_m = sky.moon_m + 2 * almanac::astronomical_unit_m * to_sun;  // as on an asteroid
   const std::size_t rows = 16;
   const auto light = sunlight(1000);
   const auto ground = uniform(rows, 0.3F);
-  const auto lit =
-      lit_rows({ground, sky, light}, rows, {yapo_cutler, Extent::whole, TexelQuantity::irradiance});
+  const auto lit = lit_rows({ground, sky, light}, rows, {yapo_cutler, Extent::whole, quantity});
   std::vector<float> values(2 * rows * rows);
   lit(0, values);
-  const float sunlit = values[row_of(algebra::in_degrees(sky.sub_solar.latitude), rows) * 2 * rows +
-                              column_of(algebra::in_degrees(sky.sub_solar.longitude), rows)];
-  EXPECT_WITHIN_RELATIVE(sunlit, 1000. / 4, 1e-4, "the inverse square; the lunar radius is 1e-5");
+  return values[row_of(algebra::in_degrees(sky.sub_solar.latitude), rows) * 2 * rows +
+                column_of(algebra::in_degrees(sky.sub_solar.longitude), rows)];
+}
+
+TEST(Bake, IrradianceIsThatOfTheSunAtItsDistanceWhateverTheGround) {
+  EXPECT_WITHIN_RELATIVE(below_a_far_sun(TexelQuantity::irradiance), 1000. / 4, 1e-4,
+                         "the inverse square; the lunar radius is 1e-5");
+}
+
+TEST(Bake, ReflectanceIsTheGroundsWhateverTheSunsDistance) {
+  EXPECT_WITHIN_RELATIVE(below_a_far_sun(TexelQuantity::reflectance), 0.3 * 1000, 0.02,
+                         "a texel of 11 degrees looks up to 8 away from the Sun");
 }
 
 TEST(Bake, FollowsThePhotometricFunctionAwayFromIt) {
