@@ -4,8 +4,9 @@
 #
 # Builds by Clang (package clang), runs each target of tests/fuzz that long from its corpus, two at a time, and prints
 # executions and coverage. An input of 16 kB (an image: 4 kB) may take 10 s and 2048 MB of memory, one piece of it 512 MB
-# (of an image 2048 MB: OpenEXR asks for room for 256 rows at once, and touches what it uses). Exits 1 on any crash,
-# hang, leak or excess; the input is then in build/fuzz/found. New inputs gather in build/fuzz/corpus.
+# (of an image 8192 MB: OpenImageIO asks for room for 256 rows at once, of a million texels each, and touches what it
+# uses). Exits 1 on any crash, hang, leak or excess; the input is then in build/fuzz/found. New inputs gather in
+# build/fuzz/corpus.
 set -eu
 cd "$(dirname "$0")/.."
 seconds=${1:-120}
@@ -18,7 +19,7 @@ cmake --preset fuzzers >/dev/null
 cmake --build build/fuzzers --target fuzzers
 run_one='
 seconds=$0 target=$1 status=0 log=build/fuzz/$1.log length=16384 piece=512
-case $target in albedo_map | frames) length=4096 piece=2048 ;; esac
+case $target in albedo_map | frames) length=4096 piece=8192 ;; esac
 mkdir -p "build/fuzz/corpus/$target" build/fuzz/found
 dictionary=build/fuzzers/tests/fuzz/$target.dict  # with the words of all parameters
 [ -f "$dictionary" ] || dictionary=tests/fuzz/dictionaries/$target.dict
