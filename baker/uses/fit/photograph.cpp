@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <numbers>
 #include <numeric>
 #include <span>
 #include <unordered_set>
@@ -61,7 +62,8 @@ double step_of(const texture::Image& photo, std::size_t k) {
 /// Sums over a bin's pixels.
 struct Sum {
   double light = 0, displayed = 0, sunlit = 0, glow = 0, black = 0;
-  double squares = 0;  ///< of differences between pixels two apart
+  double squares = 0;        ///< of differences between pixels two apart
+  double light_squares = 0;  ///< of the pixels' light
   std::size_t pixels = 0, clipped = 0, pairs = 0;
   ToneSlopes slopes{};  ///< derivatives of the light
 
@@ -76,6 +78,22 @@ struct Sum {
     return displayed >= colour::least_displayed * static_cast<double>(pixels);
   }
   double ratio() const { return light / sunlit; }
+  double mean() const { return light / static_cast<double>(std::max<std::size_t>(1, pixels)); }
+  /// Standard error of the ratio by rounding to steps of light. Where light differs by more than half a step between
+  /// pixels, a pixel's error is its own: a mean's is that of a step, times the characteristic function of a normal
+  /// distribution. Those of a JPEG's colours are common to a block of it. A camera's own curve is not known to a step
+  /// near black: all pixels' errors are then alike.
+  double error_of_steps(double step, bool curved) const {
+    constexpr double of_a_step = 0.3, two_pi_squared = 2 * std::numbers::pi * std::numbers::pi,
+                     block = 256;
+    if (step <= 0) return 0;
+    const double of_pixel = of_a_step * step / mean() * ratio();
+    if (curved) return of_pixel;
+    const auto all = static_cast<double>(std::max<std::size_t>(1, pixels));
+    const double variance = std::max(0., light_squares / all - mean() * mean());
+    return of_pixel * std::hypot(std::exp(-two_pi_squared * variance / (step * step)),
+                                 std::sqrt(std::min(1., block / all)));
+  }
   /// Standard error of the ratio, from pixels two apart: light varies across a bin, and the noise of neighbours is
   /// correlated.
   double error() const {
@@ -141,7 +159,9 @@ std::vector<Sum> sums_of(const FitScene& scene, const Brought& channel, const Ch
       ++sum.clipped;
       continue;
     }
-    sum.light += lit(pixel);
+    const double of_pixel = lit(pixel);
+    sum.light += of_pixel;
+    sum.light_squares += of_pixel * of_pixel;
     sum.displayed += channel.displayed.values()[pixel];
     sum.sunlit += sunlit;
     sum.glow += channel.glow.values()[pixel];
@@ -346,7 +366,7 @@ double place_error_km(const FitScene& scene, const colour::Registration& registr
 BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,
                         const colour::Similarity& render_to_photo,
                         const std::optional<colour::ToneCurve>& curve) {
-  constexpr double least_steps = 6, of_a_step = 0.3, least_skies = 5;
+  constexpr double least_steps = 6, least_skies = 5;
   const algebra::Grid<double> none(scene.bins, 3);
   BinnedPhotograph result{none, none, none, none, {}};
   if (curve) result.slopes = algebra::Grid<ToneSlopes>(scene.bins, 3);
@@ -379,12 +399,12 @@ BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,
     const auto sums = sums_of(scene, there, clipped, off, curve.has_value());
     for (std::size_t b = 0; b < scene.bins; ++b) {
       const auto& sum = sums[b];
-      const double mean = sum.light / static_cast<double>(std::max<std::size_t>(1, sum.pixels));
+      const double mean = sum.mean();
       if (!sum.sound() || (curve && !sum.bright_enough()) || mean <= least_steps * step ||
           mean <= least_skies * sky.error)
         continue;
       result.values(b, k) = sum.ratio();
-      result.errors(b, k) = std::hypot(sum.error(), of_a_step * step / mean * sum.ratio());
+      result.errors(b, k) = std::hypot(sum.error(), sum.error_of_steps(step, curve.has_value()));
       result.sky_errors(b, k) = sky.error / mean * sum.ratio();
       result.glow_errors(b, k) = of_glow.error * sum.glow / sum.sunlit;
       if (!curve) continue;
