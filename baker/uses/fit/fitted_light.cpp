@@ -21,9 +21,9 @@ namespace {
 double smooth(double number, double scale) { return std::log1p(number / scale); }
 
 /// Numbers from the least to the most, even on that scale.
-std::vector<double> even_on_scale(const Unknown& number, double scale, int count) {
+std::vector<double> even_on_scale(const std::array<double, 2>& range, double scale, int count) {
   std::vector<double> all;
-  const double from = smooth(number.least, scale), to = smooth(number.most, scale);
+  const double from = smooth(range[0], scale), to = smooth(range[1], scale);
   for (int i = 0; i < count; ++i)
     all.push_back(scale * std::expm1(from + (to - from) * i / (count - 1)));
   return all;
@@ -276,6 +276,18 @@ void add(double times, const algebra::Grid<double>& light, algebra::Grid<double>
   for (std::size_t i = 0; i < values.size(); ++i) sums.values()[i] += times * values[i];
 }
 
+/// Some of the numbers.
+std::vector<double> some(const std::vector<double>& all, std::initializer_list<std::size_t> which) {
+  std::vector<double> fewer;
+  for (const auto i : which) fewer.push_back(all[i]);
+  return fewer;
+}
+
+/// First, middle and last number.
+std::vector<double> three_of(const std::vector<double>& all) {
+  return some(all, {0, all.size() / 2, all.size() - 1});
+}
+
 /// Scale of aerosol's nodes: of factors, by the mean optical depth of the stratosphere over the limb.
 double aerosol_scale_of(Unknowns unknowns, const atmosphere::Atmosphere& air) {
   if (unknowns == Unknowns::amounts) return scale_of_dust_per_m;
@@ -299,19 +311,15 @@ ShadowedMoon moon_at(const LightRequest& request, std::span<const almanac::SkySt
 
 }  // namespace
 
+FittedLight::InOzone FittedLight::node(double ozone, std::vector<double> aerosols,
+                                       std::vector<double> clouds) {
+  const auto count = aerosols.size() * clouds.size();
+  return {ozone, std::move(aerosols), std::move(clouds), std::vector<algebra::Grid<double>>(count)};
+}
+
 std::vector<FittedLight::InOzone> FittedLight::nodes_of(Unknowns unknowns, FittedAirs airs,
                                                         double aerosol_scale) {
-  const auto& [aerosol, cloud, ozone] = unknowns_of(unknowns);
-  const auto node = [](double of_ozone, std::vector<double> aerosols, std::vector<double> clouds) {
-    const auto count = aerosols.size() * clouds.size();
-    return InOzone{of_ozone, std::move(aerosols), std::move(clouds),
-                   std::vector<algebra::Grid<double>>(count)};
-  };
-  const auto some = [](const std::vector<double>& all, std::initializer_list<std::size_t> which) {
-    std::vector<double> fewer;
-    for (const auto i : which) fewer.push_back(all[i]);
-    return fewer;
-  };
+  const auto [aerosol, cloud, ozone] = whole_range(unknowns);
   const bool fine = airs == FittedAirs::fine;
   if (unknowns == Unknowns::amounts) {
     // one ozone at all nodes of dust, two more at five: the ratio of light in two ozones is smoother in dust than light
@@ -321,7 +329,7 @@ std::vector<FittedLight::InOzone> FittedLight::nodes_of(Unknowns unknowns, Fitte
     const std::vector<double> deck{0, 1};
     if (!fine) return {node(300, {coarse_dusts_per_m.begin(), coarse_dusts_per_m.end()}, deck)};
     std::vector<InOzone> nodes{node(280, dusts, deck)};
-    for (const double other : {ozone.least, ozone.most})
+    for (const double other : ozone)
       nodes.push_back(node(other, some(dusts, {0, 2, 5, 6, 9}), deck));
     return nodes;
   }
@@ -329,20 +337,43 @@ std::vector<FittedLight::InOzone> FittedLight::nodes_of(Unknowns unknowns, Fitte
              chances = even_on_scale(cloud, scale_of_cloud_chance, fine ? 5 : 3);
   std::vector<InOzone> nodes{node(1, factors, chances)};
   if (fine)
-    for (const double other : {ozone.least, ozone.most})
+    for (const double other : ozone)
       nodes.push_back(node(other, some(factors, {0, 2, 5, 7, 10}), some(chances, {0, 2, 4})));
+  return nodes;
+}
+
+std::vector<FittedLight::InOzone> FittedLight::nodes_within(const AirRange& range,
+                                                            Unknowns unknowns,
+                                                            double aerosol_scale) {
+  // steps of aerosol and cloud a third as long as over the whole range: errors of cubics are a hundredth
+  constexpr double aerosol_step = 0.12, cloud_step = 0.2;
+  const auto& [aerosol, cloud, ozone] = range;
+  const auto even = [](const std::array<double, 2>& numbers, double scale, double step, int most) {
+    const double length = smooth(numbers[1], scale) - smooth(numbers[0], scale);
+    return even_on_scale(numbers, scale,
+                         std::clamp(static_cast<int>(std::ceil(length / step)) + 1, 4, most));
+  };
+  const auto aerosols = even(aerosol, aerosol_scale, aerosol_step, 11);
+  const bool deck = unknowns == Unknowns::amounts;
+  const auto clouds =
+      deck ? std::vector<double>{0, 1} : even(cloud, scale_of_cloud_chance, cloud_step, 7);
+  std::vector<InOzone> nodes{node((ozone[0] + ozone[1]) / 2, aerosols, clouds)};
+  for (const double other : ozone)
+    nodes.push_back(node(other, three_of(aerosols), deck ? clouds : three_of(clouds)));
   return nodes;
 }
 
 FittedLight::FittedLight(const LightRequest& request, Unknowns unknowns,
                          std::span<const almanac::SkyState> skies, std::span<const LitBins> parts,
-                         FittedAirs airs, const algebra::Progress& progress)
-    : unknowns_(unknowns) {
+                         FittedAirs airs, const algebra::Progress& progress,
+                         const std::optional<AirRange>& range)
+    : unknowns_(unknowns), range_(range.value_or(whole_range(unknowns))) {
   auto unit = request;
   if (unknowns == Unknowns::factors) unit.air = with_unit_factors(unit.air);
   const auto moon = moon_at(unit, skies);
   aerosol_scale_ = aerosol_scale_of(unknowns, moon.air);
-  nodes_ = nodes_of(unknowns, airs, aerosol_scale_);
+  nodes_ = range ? nodes_within(*range, unknowns, aerosol_scale_)
+                 : nodes_of(unknowns, airs, aerosol_scale_);
   const AirAbove above(parts);
   Setting setting{unit,
                   moon,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,23 +41,28 @@ enum class FittedAirs { fine, coarse };
 /// Light in the shadow is computed once for all moments. Between different air above the observer its logarithm is
 /// interpolated by a polynomial through up to four of them.
 ///
-/// Nodes are some numbers of each unknown. Between nodes the logarithm of light is interpolated by cubics in aerosol and
-/// parabolas in ozone. Under a part of a deck of cloud, light is the mean of clear and cloudy light; between factors on
-/// the chance of cloud, its logarithm is interpolated by a polynomial.
+/// Nodes are some numbers of each unknown, over all its range or a part of it. Between nodes the logarithm of light is
+/// interpolated by cubics in aerosol and parabolas in ozone. Under a part of a deck of cloud, light is the mean of clear
+/// and cloudy light; between factors on the chance of cloud, its logarithm is interpolated by a polynomial.
 ///
 /// Accuracy  of X and Y 0.4 %, of Z 0.8 %, against light_on_the_moon of a tolerance of 0.1 %; between factors 1 % of
-///           each; more where dust is above 8e-6 per metre: 2 % of the darkest places beyond 1.5e-5
+///           each; more where dust is above 8e-6 per metre: 2 % of the darkest places beyond 1.5e-5. In a range of
+///           a third of the numbers or less 0.3 % of X, Y and Z
 class FittedLight {
  public:
   /// Given  request  air but for the unknowns, limb darkening, scattered light; the rest is ignored
   ///        skies    of one eclipse, in order of time: those of all parts, one or more
   ///        parts    of equal numbers of channels
+  ///        range    of the unknowns; without: all
   FittedLight(const LightRequest& request, Unknowns unknowns,
               std::span<const almanac::SkyState> skies, std::span<const LitBins> parts,
-              FittedAirs airs = FittedAirs::fine, const algebra::Progress& progress = {});
+              FittedAirs airs = FittedAirs::fine, const algebra::Progress& progress = {},
+              const std::optional<AirRange>& range = {});
 
   /// Which unknowns its air has.
   Unknowns unknowns() const { return unknowns_; }
+  /// Range of the unknowns in which its light is known.
+  const AirRange& range() const { return range_; }
 
   /// Light of each bin over its sunlit light.
   ///
@@ -85,9 +91,13 @@ class FittedLight {
     std::vector<algebra::Grid<double>> logarithms;
   };
 
+  static InOzone node(double ozone, std::vector<double> aerosols, std::vector<double> clouds);
   static std::vector<InOzone> nodes_of(Unknowns unknowns, FittedAirs airs, double aerosol_scale);
+  static std::vector<InOzone> nodes_within(const AirRange& range, Unknowns unknowns,
+                                           double aerosol_scale);
 
   Unknowns unknowns_;
+  AirRange range_;
   double aerosol_scale_ = 1;
   std::vector<InOzone> nodes_;  // after the first: light over that of the first
 };

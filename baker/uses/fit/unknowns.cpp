@@ -29,6 +29,13 @@ const std::array<Unknown, 3>& unknowns_of(Unknowns unknowns) {
   return unknowns == Unknowns::factors ? of_factors : of_amounts;
 }
 
+AirRange whole_range(Unknowns unknowns) {
+  AirRange range;
+  for (std::size_t a = 0; a < range.size(); ++a)
+    range[a] = {unknowns_of(unknowns)[a].least, unknowns_of(unknowns)[a].most};
+  return range;
+}
+
 Unknowns usual_unknowns(const Air& air) {
   const bool deck = air.column.cloud_cover || air.column.cloud_top_km,
              of_a_month = !atmosphere::preset(air.atmosphere, {}).belts.empty();

@@ -37,6 +37,12 @@ using AirNumbers = std::array<double, 3>;
 ///     amounts   dust-extinction 2e-7 to 3e-5 1/m (logarithmic), cloud-cover 0 to 1, ozone-du 100 to 500
 const std::array<Unknown, 3>& unknowns_of(Unknowns unknowns);
 
+/// Limits of the unknowns' numbers: least and most of aerosol, of cloud and of ozone.
+using AirRange = std::array<std::array<double, 2>, 3>;
+
+/// Limits of the unknowns' priors.
+AirRange whole_range(Unknowns unknowns);
+
 /// Unknowns that suit an air: factors where it has cloud by chance and aerosol of a month, else amounts.
 Unknowns usual_unknowns(const Air& air);
 
