@@ -31,15 +31,25 @@ bool are_fine(const Axes& axes, const Posterior& posterior) {
   return true;
 }
 
-/// Axes over all that a fit allows.
-Axes whole_axes(Unknowns unknowns) {
+/// Axes over a range.
+Axes axes_over(Unknowns unknowns, const AirRange& range) {
   Axes axes;
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const auto& unknown = unknowns_of(unknowns)[a];
-    axes[a] =
-        evenly(unknown.on_axis(unknown.least), unknown.on_axis(unknown.most), axis_steps[0][a]);
+    axes[a] = evenly(unknown.on_axis(range[a][0]), unknown.on_axis(range[a][1]), axis_steps[0][a]);
   }
   return axes;
+}
+
+/// Range in which the light of all data sets is known.
+AirRange range_of(std::span<const DataSet> data) {
+  auto range = data.front().light->range();
+  for (const auto& set : data)
+    for (std::size_t a = 0; a < range.size(); ++a) {
+      range[a][0] = std::max(range[a][0], set.light->range()[a][0]);
+      range[a][1] = std::min(range[a][1], set.light->range()[a][1]);
+    }
+  return range;
 }
 
 /// Axes of a look over the range that is probable by a coarser grid.
@@ -146,6 +156,34 @@ double freedom_of(std::size_t measurements) {
 
 }  // namespace
 
+AirRange range_about(const AirFit& fit) {
+  constexpr double beyond = 3, least_share = 0.25, least_of_ozone = 0.1;
+  auto range = whole_range(fit.unknowns);
+  for (std::size_t a = 0; a < range.size(); ++a) {
+    const auto& unknown = unknowns_of(fit.unknowns)[a];
+    const auto& [median, low, high, information] = fit.posterior.estimates[a];
+    const double share = a == 2 ? least_of_ozone : least_share,
+                 least = unknown.logarithmic ? share : share * std::abs(median),
+                 length = std::max(beyond * (high - low), least);
+    range[a] = {std::max(range[a][0], unknown.from_axis(low - length)),
+                std::min(range[a][1], unknown.from_axis(high + length))};
+  }
+  return range;
+}
+
+bool is_well_within(const AirFit& fit, const AirRange& range) {
+  const auto whole = whole_range(fit.unknowns);
+  for (std::size_t a = 0; a < range.size(); ++a) {
+    const auto& unknown = unknowns_of(fit.unknowns)[a];
+    const auto& [median, low, high, information] = fit.posterior.estimates[a];
+    const double width = high - low;
+    if ((range[a][0] > whole[a][0] && low - width < unknown.on_axis(range[a][0])) ||
+        (range[a][1] < whole[a][1] && high + width > unknown.on_axis(range[a][1])))
+      return false;
+  }
+  return true;
+}
+
 double most_chi_squared(const AirFit& fit) { return 10 * freedom_of(fit.measurements); }
 
 bool explains(const AirFit& fit) {
@@ -157,8 +195,7 @@ AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progre
   for (const auto& set : data) result.measurements += set.count;
   const double freedom = freedom_of(result.measurements);
   result.unknowns = data.front().light->unknowns();
-  const auto whole = whole_axes(result.unknowns);
-  auto axes = whole;
+  auto axes = axes_over(result.unknowns, range_of(data));
   for (std::size_t look = 1;; ++look) {
     const auto [chi_squared, clocks] = evaluated(axes, data, [&](double part) {
       const auto all = static_cast<double>(std::max(look, looks));
@@ -177,6 +214,7 @@ AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progre
     axes = axes_about(result.posterior, axes, look);
   }
   // information is relative to the whole range, not to the last grid's
+  const auto whole = axes_over(result.unknowns, whole_range(result.unknowns));
   for (std::size_t a = 0; a < whole.size(); ++a) {
     auto& information = result.posterior.estimates[a].information;
     const double share = (axes[a].back() - axes[a].front()) / (whole[a].back() - whole[a].front());

@@ -39,10 +39,17 @@ struct AirFit {
   std::vector<ClockError> clocks{};  ///< by data set
 };
 
-/// Posterior of the air, given all data sets: a grid over the whole search range, made finer about what is probable, twice
-/// to five times, until its steps are within a standard deviation. All data sets have light of the same unknowns. Where
-/// the least χ² exceeds the degrees of freedom all errors are scaled up to match.
+/// Posterior of the air, given all data sets: a grid over the range in which their light is known, made finer about
+/// what is probable, twice to five times, until its steps are within a standard deviation. All data sets have light of
+/// the same unknowns. Where the least χ² exceeds the degrees of freedom all errors are scaled up to match.
 AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progress = {});
+
+/// Range of the unknowns about what is probable: three widths of the interval beyond it, at least a quarter of the
+/// amount of aerosol and cloud, a tenth of that of ozone.
+AirRange range_about(const AirFit& fit);
+
+/// Whether the interval of each unknown is inside a range, by its own width at least, where that ends before the prior.
+bool is_well_within(const AirFit& fit, const AirRange& range);
 
 /// Largest χ² of an acceptable fit: ten times the degrees of freedom, as if all errors were three times as large
 /// as believed.

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "almanac/instant.h"
 #include "colour/working_space.h"
@@ -18,7 +19,7 @@ namespace {
 constexpr std::size_t bins = 4;
 
 /// Light of places of the shadow in air without a month, from near the axis to the umbra's edge.
-FittedLight light_of_the_shadow() {
+FittedLight light_of_the_shadow(const std::optional<AirRange>& range = {}) {
   const auto sky = almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:40:00Z"));
   LitBins all{
       moonlight_weights(colour::channel_weights(colour::WorkingSpace::ciexyz_d65, band_edges_nm())),
@@ -31,12 +32,12 @@ FittedLight light_of_the_shadow() {
   }
   LightRequest request;
   request.air.atmosphere = "undated";
-  return {request, Unknowns::amounts, std::span(&sky, 1), std::span(&all, 1)};
+  return {request, Unknowns::amounts, std::span(&sky, 1), std::span(&all, 1), FittedAirs::fine, {},
+          range};
 }
 
-/// Widths of the intervals found where X, Y and Z of all places have a relative error.
-std::array<double, 3> widths(const FittedLight& light, double error) {
-  const auto truth = light.at({4e-6, 0.4, 300});
+/// Air found where X, Y and Z of all places are those of some light, with a relative error.
+AirFit fitted_to(const FittedLight& light, const algebra::Grid<double>& truth, double error) {
   const DataSet data{&light,
                      [&](const algebra::Grid<double>& found) {
                        double sum = 0;
@@ -46,7 +47,12 @@ std::array<double, 3> widths(const FittedLight& light, double error) {
                        return GoodnessOfFit{sum};
                      },
                      3 * bins};
-  const auto fit = fitted_air(std::span(&data, 1));
+  return fitted_air(std::span(&data, 1));
+}
+
+/// Widths of the intervals found where X, Y and Z of all places have a relative error.
+std::array<double, 3> widths(const FittedLight& light, double error) {
+  const auto fit = fitted_to(light, light.at({4e-6, 0.4, 300}), error);
   std::array<double, 3> all{};
   for (std::size_t a = 0; a < 3; ++a)
     all[a] = fit.posterior.estimates[a].high - fit.posterior.estimates[a].low;
@@ -62,6 +68,46 @@ TEST(AirFit, IntervalsAreNoWiderThanTheErrors) {
         "steps of one deviation, between which the density is linear, widen by a "
         "tenth; light is not linear over the wide interval")
         << a;
+}
+
+/// A fit whose intervals are as wide as said, of logarithms of aerosol and cloud.
+AirFit fit_of(double aerosol, double cloud, double ozone, double width) {
+  AirFit fit;
+  fit.unknowns = Unknowns::factors;
+  const std::array<double, 3> places{std::log(aerosol), std::log(cloud), ozone};
+  for (std::size_t a = 0; a < places.size(); ++a)
+    fit.posterior.estimates[a] = {places[a], places[a] - width / 2, places[a] + width / 2};
+  return fit;
+}
+
+TEST(AirFit, IsLookedAtAgainAboutWhatIsProbable) {
+  const auto whole = whole_range(Unknowns::factors);
+  const auto narrow = range_about(fit_of(2, 1, 1, 0.01));  // by the least lengths
+  EXPECT_WITHIN_RELATIVE(narrow[0][1], 2 * std::exp(0.005 + 0.25), 1e-9, "rounding");
+  EXPECT_WITHIN_RELATIVE(narrow[1][0], std::exp(-0.005 - 0.25), 1e-9, "rounding");
+  EXPECT_WITHIN_RELATIVE(narrow[2][0], 1 - 0.005 - 0.1, 1e-9, "rounding");
+  const auto wide = range_about(fit_of(2, 4, 1, 0.4));
+  EXPECT_WITHIN_RELATIVE(wide[0][0], 2 * std::exp(-0.2 - 1.2), 1e-9, "rounding");
+  EXPECT_EQ(wide[1][1], whole[1][1]);  // the prior's end
+
+  EXPECT_TRUE(is_well_within(fit_of(2, 1, 1, 0.01), narrow));
+  EXPECT_TRUE(is_well_within(fit_of(19, 4.9, 1, 0.2), whole));
+  EXPECT_FALSE(is_well_within(fit_of(2.5, 1, 1, 0.1), narrow));
+  EXPECT_FALSE(is_well_within(fit_of(2, 1, 0.9, 0.01), narrow));
+}
+
+TEST(AirFit, OfLightInARangeStaysInIt) {
+  const auto light = light_of_the_shadow(AirRange{{{3e-6, 5e-6}, {0, 1}, {250, 350}}});
+  const auto truth = light.at({4e-6, 0.4, 300});
+  const auto fit = fitted_to(light, truth, 0.002);
+  const auto& [aerosol, cloud, ozone] = fit.posterior.estimates;
+  EXPECT_WITHIN_RELATIVE(std::exp(aerosol.median), 4e-6, 0.01, "a tenth of an interval");
+  EXPECT_WITHIN(cloud.median, 0.4, 0.01, "a tenth of an interval");
+  EXPECT_WITHIN_RELATIVE(ozone.median, 300, 0.01, "a tenth of an interval");
+  EXPECT_GT(aerosol.information, 0.99);  // beside the whole prior, not the range
+  const auto none = fitted_to(light, truth, 1e3);
+  EXPECT_GE(none.posterior.estimates[0].low, std::log(3e-6));
+  EXPECT_LE(none.posterior.estimates[0].high, std::log(5e-6));
 }
 
 }  // namespace
