@@ -131,17 +131,16 @@ algebra::Grid<double> limb_of_bins(const FitScene& scene) {
 /// Prior standard deviation (log units) of a nuisance parameter about which nothing is known.
 constexpr double unknown_deviation = 10;
 
-/// Relative error of the computation, independent in each channel: of FittedLight, and of the number of
-/// wavelengths.
+/// Relative error of the computation in one channel: of FittedLight, and of the number of wavelengths.
 double error_of_computation(double value, double brightest) {
-  constexpr double of_colour = 0.001, of_brightest = 0.0003;
-  return std::hypot(of_colour, of_brightest * brightest / value);
+  constexpr double of_value = 0.0005, of_brightest = 0.0002;
+  return std::hypot(of_value, of_brightest * brightest / value);
 }
 
-/// Covariance of the computation between bins so far apart, common to all channels: FittedLight's.
-double common_variance_of_computation(double distance_km) {
-  constexpr double of_light = 0.001, alike_km = 500;
-  return of_light * of_light * std::exp(-distance_km / alike_km);
+/// Correlation of the computation's errors between bins of one channel so far apart.
+double correlation_of_computation(double distance_km) {
+  constexpr double alike_km = 500;
+  return std::exp(-distance_km / alike_km);
 }
 
 /// Covariance of the map's errors, (bin, bin), independent in each channel: 1.2 % in each place of 200 km, over
@@ -193,7 +192,8 @@ std::vector<double> clock_steps_s(double clock_error_s) {
 FittedLight night_light(const LightRequest& request, Unknowns unknowns,
                         std::span<const NightPhotograph> photographs,
                         std::span<const almanac::Instant> instants, double clock_error_s,
-                        FittedAirs airs, const algebra::Progress& progress) {
+                        FittedAirs airs, const algebra::Progress& progress,
+                        const std::optional<AirRange>& range) {
   std::vector<LitBins> parts;
   std::vector<almanac::SkyState> skies;
   for (std::size_t p = 0; p < photographs.size(); ++p)
@@ -204,7 +204,7 @@ FittedLight night_light(const LightRequest& request, Unknowns unknowns,
   std::ranges::sort(skies, [](const auto& one, const auto& other) {
     return almanac::seconds_between(one.when, other.when) > 0;
   });
-  return {request, unknowns, skies, parts, airs, progress};
+  return {request, unknowns, skies, parts, airs, progress, range};
 }
 
 ComparedNight::ComparedNight(std::span<const NightPhotograph> photographs,
@@ -238,9 +238,11 @@ std::vector<algebra::Grid<double>> ComparedNight::noise(
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = 0; j < count; ++j) {
         const auto &one = measurements_[first + i], &other = measurements_[first + j];
-        block(i, j) = common_variance_of_computation(
-            std::abs(distances_km_[p][one.bin] - distances_km_[p][other.bin]));
-        if (one.channel == other.channel) block(i, j) += of_map(one.bin, other.bin);
+        if (one.channel == other.channel)
+          block(i, j) = of_map(one.bin, other.bin) +
+                        one.of_computation * other.of_computation *
+                            correlation_of_computation(
+                                std::abs(distances_km_[p][one.bin] - distances_km_[p][other.bin]));
         if (i == j) block(i, j) += one.error * one.error;
       }
     first += count;
@@ -249,7 +251,7 @@ std::vector<algebra::Grid<double>> ComparedNight::noise(
 }
 
 void ComparedNight::add_measurements(const NightPhotograph& photograph, std::size_t index) {
-  constexpr double too_noisy = 0.3, too_dark = 0.01;
+  constexpr double too_noisy = 0.3, too_dark = 0.01, least_error = 0.0003;
   const auto& [values, errors, sky_errors, glow_errors, slopes] = photograph.light;
   for (std::size_t b = 0; b < bins_; ++b) {
     const double brightest = *std::ranges::max_element(values.row(b));
@@ -261,10 +263,10 @@ void ComparedNight::add_measurements(const NightPhotograph& photograph, std::siz
         for (std::size_t n = 0; n < colour::tone_numbers; ++n)
           logarithm -= slopes(b, k)[n] * errors_.curve.numbers[n];
       const double of_tents = slopes.empty() ? 0 : between_tents;
-      measurements_.push_back(
-          {index, b, k, logarithm,
-           std::hypot(std::hypot(noise, error_of_computation(value, brightest)), of_tents,
-                      second_order_of_weather(photograph.errors.weather_error))});
+      measurements_.push_back({index, b, k, logarithm,
+                               std::hypot(std::hypot(noise, least_error), of_tents,
+                                          second_order_of_weather(photograph.errors.weather_error)),
+                               error_of_computation(value, brightest)});
     }
   }
 }
@@ -304,7 +306,7 @@ algebra::Grid<double> ComparedNight::design(std::span<const NightPhotograph> pho
   if (weather)
     for (const auto& photograph : photographs) limbs.push_back(limb_of_bins(photograph.scene));
   for (std::size_t i = 0; i < measurements_.size(); ++i) {
-    const auto& [p, b, k, logarithm, error] = measurements_[i];
+    const auto& [p, b, k, logarithm, error, of_computation] = measurements_[i];
     const auto& [scene, light, errors] = photographs[p];
     const double value = light.values(b, k);
     const bool scaled = errors.value_per_cd_m2.has_value(), curved = !light.slopes.empty();
@@ -371,7 +373,7 @@ algebra::Grid<double> ComparedNight::dimming_by_cloud() const {
 
 void ComparedNight::add_mixing(const NightPhotograph& photograph, const Measurement& measurement,
                                std::span<double> night) const {
-  const auto& [p, b, k, logarithm, error] = measurement;
+  const auto& [p, b, k, logarithm, error, of_computation] = measurement;
   const auto light = expected_of(photograph, p, b);
   std::array<double, 3> written;
   for (std::size_t c = 0; c < 3; ++c)
@@ -405,7 +407,7 @@ ComparedNight::Residuals ComparedNight::residuals(const algebra::Grid<double>& l
   Residuals result;
   std::vector<std::array<double, 3>> logarithms(steps_s.size());
   for (std::size_t i = 0; i < measurements_.size(); ++i) {
-    const auto& [p, b, k, logarithm, error] = measurements_[i];
+    const auto& [p, b, k, logarithm, error, of_computation] = measurements_[i];
     if (i == 0 || p != measurements_[i - 1].photograph || b != measurements_[i - 1].bin)
       for (std::size_t s = 0; s < steps_s.size(); ++s) {
         logarithms[s] = as_written(light.row((p * steps_s.size() + s) * bins_ + b));
@@ -470,7 +472,7 @@ std::vector<MeasuredLight> ComparedNight::measured(const algebra::Grid<double>& 
   const auto explained = nuisances_.explained(differences);
   std::map<std::pair<long, std::size_t>, std::vector<std::size_t>> steps;  // [step, channel]
   for (std::size_t i = 0; i < measurements_.size(); ++i) {
-    const auto& [p, b, k, logarithm, error] = measurements_[i];
+    const auto& [p, b, k, logarithm, error, of_computation] = measurements_[i];
     steps[{std::lround(distances_km_[p][b] / step_km), k}].push_back(i);
   }
   std::vector<MeasuredLight> all;
@@ -478,7 +480,7 @@ std::vector<MeasuredLight> ComparedNight::measured(const algebra::Grid<double>& 
     std::vector<double> weights(measurements_.size());
     double sum = 0, distance_km = 0, measured = 0, model = 0;
     for (const auto i : members) {
-      const auto& [p, b, k, logarithm, error] = measurements_[i];
+      const auto& [p, b, k, logarithm, error, of_computation] = measurements_[i];
       const double weight = 1 / (error * error), sunlight = std::log(sunlight_[p][k]);
       weights[i] = weight;
       sum += weight;
@@ -516,7 +518,7 @@ std::vector<Misfit> ComparedNight::misfits(const algebra::Grid<double>& light) c
   std::map<std::pair<std::size_t, std::size_t>, std::map<long, Sum>> sums;
   std::map<std::pair<std::size_t, std::size_t>, Sum> wholes;
   for (std::size_t i = 0; i < measurements_.size(); ++i) {
-    const auto& [p, b, k, logarithm, error] = measurements_[i];
+    const auto& [p, b, k, logarithm, error, of_computation] = measurements_[i];
     const double km = distances_km_[p][b], part = differences[i] * weighed[i];
     for (auto* sum : {&wholes[{p, k}], &sums[{p, k}][std::lround(km / step_km)]})
       sum->add(error, km, differences[i], part);

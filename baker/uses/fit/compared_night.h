@@ -59,7 +59,8 @@ struct NightErrors {
 FittedLight night_light(const LightRequest& request, Unknowns unknowns,
                         std::span<const NightPhotograph> photographs,
                         std::span<const almanac::Instant> instants, double clock_error_s,
-                        FittedAirs airs = FittedAirs::fine, const algebra::Progress& progress = {});
+                        FittedAirs airs = FittedAirs::fine, const algebra::Progress& progress = {},
+                        const std::optional<AirRange>& range = {});
 
 /// Measured light at a distance from the shadow's axis, beside that of the air of the least χ².
 struct MeasuredLight {
@@ -82,12 +83,12 @@ struct Misfit {
 
 /// Photographs of one camera and night as one data set: logarithms of light by bin and channel.
 ///
-/// Noise of a measurement is that of its pixels; 1.2 % of the Moon's map in each place of 200 km, about 0.3 % of a
-/// bin; and of the computation 0.1 % common to channels and bins close by, 0.1 % of its value and 0.03 % of the
-/// bin's brightest channel. Nuisance parameters are, of the night, the exposure, a fixed white balance, the tone
-/// curve where one is in question, the clock, the camera's matrix and saturation, its filters where they are not known,
-/// and the weather of twelve parts of the limb in each hour; of each photograph its exposure beside the others', as
-/// shutters and irises have it, the white balance, the registration, the sky and the glow.
+/// Noise of a measurement is that of its pixels; 1.2 % of the Moon's map in each place of 200 km, about 0.3 % of a bin;
+/// and of the computation, alike in bins close by, 0.05 % of its value and 0.02 % of the bin's brightest channel.
+/// Nuisance parameters are, of the night, the exposure, a fixed white balance, the tone curve where one is in question,
+/// the clock, the camera's matrix and saturation, its filters where they are not known, and the weather of twelve parts
+/// of the limb in each hour; of each photograph its exposure beside the others', as shutters and irises have it, the
+/// white balance, the registration, the sky and the glow.
 class ComparedNight {
  public:
   /// Throws  Error  when fewer than six bins and channels are neither clipped nor lost in noise
@@ -122,7 +123,8 @@ class ComparedNight {
   struct Measurement {
     std::size_t photograph, bin, channel;
     double logarithm;
-    double error;  ///< of this measurement alone
+    double error;           ///< of this measurement alone
+    double of_computation;  ///< error that is like those of its channel's other bins
   };
   /// Differences from an air's light, and their growth with a second of the clock.
   struct Residuals {

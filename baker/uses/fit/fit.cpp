@@ -143,9 +143,9 @@ void add_magnitudes(const FitRequest& request, const ByInstant& by_instant, Step
                                           almanac::sky_at(instant), magnitudes, steps.next()));
 }
 
-constexpr int most_readings = 2;
+constexpr int most_readings = 4;
 
-/// Air fitted, and again to photographs read by the tone curves found, where curves are in question.
+/// Air fitted, and again to photographs read, and to light computed, by what was found.
 AirFit fitted(const Evidence& evidence, Steps& steps) {
   auto fit = fitted_air(evidence.data(), steps.next());
   for (int reading = 0; reading < most_readings; ++reading) {

@@ -82,6 +82,8 @@ algebra::Grid<double> light_at(const FittedLight& light, const AirFit& fit) {
 /// Relative change of cloud for the derivative of light.
 constexpr double more_cloud = 0.1;
 
+constexpr int most_curves_read = 2;
+
 /// Whether cloud is a chance, of which a fit knows the logarithm.
 bool cloud_is_a_chance(const AirFit& fit) { return unknowns_of(fit.unknowns)[1].logarithmic; }
 
@@ -126,10 +128,14 @@ Night::Night(const FitRequest& request, std::vector<const EclipsePhotograph*> ph
     if (std::abs(clock_s_ - before_s) < near_s) break;
     look();
   }
-  light_ = std::make_unique<const FittedLight>(
-      night_light(request.moon.light, unknowns_of(request), binned_, instants(clock_s_),
-                  clock_error_s_, FittedAirs::fine, progress));
+  compute_light(progress);
   compare();
+}
+
+void Night::compute_light(const algebra::Progress& progress, const std::optional<AirRange>& range) {
+  light_ = std::make_unique<const FittedLight>(
+      night_light(request_.moon.light, unknowns_of(request_), binned_, instants(clock_s_),
+                  clock_error_s_, FittedAirs::fine, progress, range));
 }
 
 std::vector<almanac::SkyState> Night::way() const {
@@ -519,7 +525,10 @@ void Night::register_again(const AirFit& fit) {
 }
 
 bool Night::refine(const AirFit& fit) {
-  if (registered_in_best_air_ && !curved()) return false;
+  const bool again = registered_in_best_air_;
+  const bool focused = curved() || (again && is_well_within(fit, light_->range()));
+  const bool is_read = again && (!curved() || curves_read_ == most_curves_read);
+  if (is_read && focused) return false;
   heartbeat_(0);
   expected_ = light_at(*light_, fit);
   clouded_ = light_->at(clouded_numbers(fit));
@@ -527,8 +536,10 @@ bool Night::refine(const AirFit& fit) {
   const auto curve = compared_->curve(expected_);
   mixing_ = compared_->mixing(expected_);
   curve_ = curve;
-  if (!registered_in_best_air_) register_again(fit);
+  if (!again) register_again(fit);
+  if (!focused) compute_light(heartbeat_, range_about(fit));
   registered_in_best_air_ = true;
+  ++curves_read_;
   read_light();
   compare();
   return true;

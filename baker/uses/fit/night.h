@@ -33,9 +33,11 @@ class Night {
   /// Measurements of all photographs; refers to this.
   DataSet data() const;
 
-  /// Reads the photographs again by what was found: once more registered, in the best air; by the tone curve.
+  /// Reads the photographs again by what was found: once more registered, in the best air; by the tone curve. Computes
+  /// light again in range_about(fit), until the fit is well within that; not for photographs by a tone curve, which errs
+  /// by more than light between nodes of the whole range.
   ///
-  /// Returned  whether anything is read anew
+  /// Returned  whether anything is read or computed anew
   bool refine(const AirFit& fit);
 
   /// Correction of the clock that the scenes already have [s].
@@ -78,6 +80,8 @@ class Night {
   void take(double clock_s, std::span<const std::size_t> indices, bool roughly = false);
   void take_one(double clock_s, std::size_t index, std::optional<double> px_per_rad, bool roughly);
   void take_in_scale(double clock_s, std::size_t index, double px_per_rad);
+  /// Computes the light of what is taken, in a range of air; without: in all.
+  void compute_light(const algebra::Progress& progress, const std::optional<AirRange>& range = {});
   /// Bins the light of what is taken.
   void read_light();
   /// Scale with the most agreement among pictures of that photograph's size, by the sum of correlations; 0: none.
@@ -126,6 +130,7 @@ class Night {
   double clock_error_s_;                 ///< standard error of that
   bool clock_scanned_ = false;           ///< the scenes' moments are right to a minute or so
   bool registered_in_best_air_ = false;
+  int curves_read_ = 0;  ///< readings by the tone curve found
   colour::ToneCurve curve_{};
   Mixing mixing_ = no_mixing;
   /// light of the best air, and under more cloud, about which errors are linear; empty: the usual air's
