@@ -76,15 +76,22 @@ std::vector<double> pieces_above(double bottom_m, const Column& column, double t
 /// Interval of altitude in which the air is smooth.
 struct Piece {
   double from_m, to_m;
-  double over_b;  ///< n r − b at the lower end, if that is close to the tangent height
+};
+
+/// Node of the quadrature over altitude, and the air there.
+struct Node {
+  double above_m, r_m, dh_m;  ///< height over the tangent height, distance from the centre, weight
+  atmosphere::ValueAndSlope density;
+  atmosphere::Amounts profiles;
 };
 
 /// Half of a ray, from its tangent height up.
 struct HalfRay {
-  const Air& air;
+  Air air;
   LimbPath path;
-  const ProfileTable* table;
   double at_tangent = air.optical_excess(path.tangent_height_m);
+  double over_b_m =
+      0;  ///< n r − b at the lower end of a piece, if that is close to the tangent height
 
   /// Height above the tangent height below which the difference of two excesses is lost in rounding.
   static constexpr double close_m = 1e-4;
@@ -94,41 +101,35 @@ struct HalfRay {
                 double r) const {
     if (above_m > close_m) return above_m + (air.refractivity * density.value * r - at_tangent);
     const double slope = 1 + air.refractivity * (density.value + density.slope_per_m * r);
-    return piece.over_b + (above_m - (piece.from_m - path.tangent_height_m)) * slope;
+    return over_b_m + (above_m - (piece.from_m - path.tangent_height_m)) * slope;
   }
 
-  /// Number of nodes of the quadrature over a piece.
-  int nodes_of(const Piece& piece) const {
-    constexpr int a_piece = 16, above_knees = 10, between_knees = 3;
-    if (!air.column.seasonal_air) return a_piece;
-    return piece.to_m <= knees_below_m ? between_knees : above_knees;
+  void add(const Piece& piece, const Node& node) {
+    const double b = air.earth_radius_m + path.impact_height_m, r = node.r_m, dh = node.dh_m;
+    const double n = 1 + air.refractivity * node.density.value;
+    const double root = std::sqrt(over_b(piece, node.above_m, node.density, r) * (n * r + b));
+    // FAULT bending 1 % too large: path.bending_rad -= 2 * b => path.bending_rad -= 2.02 * b
+    path.bending_rad -= 2 * b * air.refractivity * node.density.slope_per_m / (n * root) * dh;
+    for (std::size_t k = 0; k < node.profiles.size(); ++k)
+      // FAULT an amount along the path without the refractive index: * n * r => * r
+      path.amounts[k] += 2 * node.profiles[k] * n * r / root * dh;
   }
 
-  void add(const Piece& piece) {
-    const double tangent_m = path.tangent_height_m, b = air.earth_radius_m + path.impact_height_m;
-    const double u0 = std::sqrt(piece.from_m - tangent_m), u1 = std::sqrt(piece.to_m - tangent_m);
-    for (const auto& [x, weight] : algebra::gauss_legendre(nodes_of(piece))) {
-      const double u = (u0 + u1) / 2 + (u1 - u0) / 2 * x, h = tangent_m + u * u;
-      const auto density = atmosphere::density_ratio(air.column, h);
-      const double r = air.earth_radius_m + h, n = 1 + air.refractivity * density.value;
-      const double dh = weight * (u1 - u0) / 2 * 2 * u;
-      const double root = std::sqrt(over_b(piece, u * u, density, r) * (n * r + b));
-      // FAULT bending 1 % too large: path.bending_rad -= 2 * b => path.bending_rad -= 2.02 * b
-      path.bending_rad -= 2 * b * air.refractivity * density.slope_per_m / (n * root) * dh;
-      const auto profiles = table ? (*table)(h) : atmosphere::profiles(air.column, h);
-      for (std::size_t k = 0; k < profiles.size(); ++k)
-        // FAULT an amount along the path without the refractive index: * n * r => * r
-        path.amounts[k] += 2 * profiles[k] * n * r / root * dh;
-    }
-  }
-
-  double over_b_at_end(const Piece& piece) const {
+  void end(const Piece& piece) {
     const double above_m = piece.to_m - path.tangent_height_m;
-    if (above_m > close_m) return 0;
+    if (above_m > close_m) return;
     const double h = std::midpoint(piece.from_m, piece.to_m);  // on this side of the break
-    return over_b(piece, above_m, atmosphere::density_ratio(air.column, h), air.earth_radius_m + h);
+    over_b_m =
+        over_b(piece, above_m, atmosphere::density_ratio(air.column, h), air.earth_radius_m + h);
   }
 };
+
+/// Number of nodes of the quadrature over a piece.
+int nodes_of(const Piece& piece, const Column& column) {
+  constexpr int a_piece = 16, above_knees = 10, between_knees = 3;
+  if (!column.seasonal_air) return a_piece;
+  return piece.to_m <= knees_below_m ? between_knees : above_knees;
+}
 
 constexpr double row_m = 25;
 
@@ -152,23 +153,43 @@ atmosphere::Amounts ProfileTable::operator()(double altitude_m) const {
   return amounts;
 }
 
-LimbPath limb_path(double tangent_height_m, double earth_radius_m, const Column& column,
-                   double refractivity, const ProfileTable* table) {
+std::vector<LimbPath> limb_paths(double tangent_height_m, double earth_radius_m,
+                                 const Column& column, std::span<const double> refractivities,
+                                 const ProfileTable* table) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   algebra::require_within("tangent height [m]", tangent_height_m, 0, infinity);
-  atmosphere::require_no_trap(column, earth_radius_m, refractivity);
-  const Air air{earth_radius_m, column, column.refraction ? refractivity : 0};
-  HalfRay ray{air, {tangent_height_m, air.optical_height(tangent_height_m), 0, {}}, table};
-  const double top_m = atmosphere::top_m(column);
-  if (tangent_height_m >= top_m) return ray.path;
-  const auto breaks = pieces_above(tangent_height_m, column, top_m);
-  double over_b = 0;
-  for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    const Piece piece{breaks[i], breaks[i + 1], over_b};
-    ray.add(piece);
-    over_b = ray.over_b_at_end(piece);
+  std::vector<HalfRay> rays;
+  for (const double refractivity : refractivities) {
+    atmosphere::require_no_trap(column, earth_radius_m, refractivity);
+    const Air air{earth_radius_m, column, column.refraction ? refractivity : 0};
+    rays.push_back({air, {tangent_height_m, air.optical_height(tangent_height_m), 0, {}}});
   }
-  return ray.path;
+  const double top_m = atmosphere::top_m(column);
+  if (tangent_height_m < top_m) {
+    const auto breaks = pieces_above(tangent_height_m, column, top_m);
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+      const Piece piece{breaks[i], breaks[i + 1]};
+      const double u0 = std::sqrt(piece.from_m - tangent_height_m),
+                   u1 = std::sqrt(piece.to_m - tangent_height_m);
+      for (const auto& [x, weight] : algebra::gauss_legendre(nodes_of(piece, column))) {
+        const double u = (u0 + u1) / 2 + (u1 - u0) / 2 * x, h = tangent_height_m + u * u;
+        const Node node{u * u, earth_radius_m + h, weight * (u1 - u0) / 2 * 2 * u,
+                        atmosphere::density_ratio(column, h),
+                        table ? (*table)(h) : atmosphere::profiles(column, h)};
+        for (auto& ray : rays) ray.add(piece, node);
+      }
+      for (auto& ray : rays) ray.end(piece);
+    }
+  }
+  std::vector<LimbPath> paths;
+  for (auto& ray : rays) paths.push_back(std::move(ray.path));
+  return paths;
+}
+
+LimbPath limb_path(double tangent_height_m, double earth_radius_m, const Column& column,
+                   double refractivity, const ProfileTable* table) {
+  return limb_paths(tangent_height_m, earth_radius_m, column, std::span(&refractivity, 1), table)
+      .front();
 }
 
 std::optional<LimbRay> limb_ray(double impact_height_m, double earth_radius_m, const Column& column,

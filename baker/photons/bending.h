@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "atmosphere/atmosphere.h"
@@ -52,6 +53,13 @@ class ProfileTable {
 /// Source    Auer & Standish (2000), AJ 119, 2472, for the integrals
 LimbPath limb_path(double tangent_height_m, double earth_radius_m, const atmosphere::Column& column,
                    double refractivity, const ProfileTable* table = nullptr);
+
+/// Paths of rays of several refractivities with one tangent height; as limb_path of each, but the air, which takes most
+/// of the time, is evaluated once.
+std::vector<LimbPath> limb_paths(double tangent_height_m, double earth_radius_m,
+                                 const atmosphere::Column& column,
+                                 std::span<const double> refractivities,
+                                 const ProfileTable* table = nullptr);
 
 /// Refraction and extinction of a ray of one wavelength that passes the limb.
 struct LimbRay {

@@ -68,7 +68,6 @@ class Polynomial {
   explicit Polynomial(std::vector<Path> values) : values_(std::move(values)) {}
 
   int degree() const { return static_cast<int>(values_.size()) - 1; }
-  std::span<const Path> values() const { return values_; }
   const Path& at_point(int j) const { return values_[static_cast<std::size_t>(j)]; }
 
   /// Value by the barycentric formula, Berrut & Trefethen (2004), SIAM Review 46, 501.
@@ -124,10 +123,14 @@ class Significance {
   atmosphere::Amounts spectra_;
 };
 
+/// Paths at the Chebyshev points of a piece, [refractivity][point].
+using Points = std::vector<std::vector<Path>>;
+
 /// Tracing of the rays of one column.
 struct Follower {
   const Column& column;
   double earth_radius_m;
+  std::span<const double> refractivities;
   /// Table of profiles, for seasonal air, whose many smooth terms are slow to evaluate.
   std::optional<ProfileTable> table =
       column.seasonal_air ? std::optional<ProfileTable>(column) : std::nullopt;
@@ -135,35 +138,38 @@ struct Follower {
   /// Paths at the Chebyshev points of a degree.
   ///
   /// Given  known  paths at every other point, from half the degree; or none
-  std::vector<Path> at(const HeightRange& piece, int degree, double refractivity,
-                       std::span<const Path> known = {}) const {
-    std::vector<Path> values(static_cast<std::size_t>(degree) + 1);
-    tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t j) {
+  Points at(const HeightRange& piece, int degree, const Points& known = {}) const {
+    const auto count = static_cast<std::size_t>(degree) + 1;
+    Points values(refractivities.size(), std::vector<Path>(count));
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t j) {
       if (!known.empty() && j % 2 == 0) {
-        values[j] = known[j / 2];
+        for (std::size_t k = 0; k < values.size(); ++k) values[k][j] = known[k][j / 2];
         return;
       }
       const double place = chebyshev_place(static_cast<int>(j), degree);
-      values[j] = parts(limb_path(piece.height_m(place), earth_radius_m, column, refractivity,
-                                  table ? &*table : nullptr));
+      const auto paths = limb_paths(piece.height_m(place), earth_radius_m, column, refractivities,
+                                    table ? &*table : nullptr);
+      for (std::size_t k = 0; k < values.size(); ++k) values[k][j] = parts(paths[k]);
     });
     return values;
   }
 
-  /// Polynomial whose degree has been doubled until half the degree predicts it to the tolerance.
-  Polynomial sufficient(const HeightRange& piece, double refractivity,
-                        const Significance& significance, double error) const {
+  /// Paths at the points of a degree that has been doubled until half the degree predicts those of the greatest
+  /// refractivity to the tolerance.
+  Points sufficient(const HeightRange& piece, const Significance& significance,
+                    double error) const {
     constexpr int lowest = 6, highest = 48;
     // least reduction of the error by doubling the degree, for profiles with kinks
     constexpr double gain = 16;
-    Polynomial coarse(at(piece, lowest, refractivity));
+    auto coarse = at(piece, lowest);
     for (int degree = 2 * lowest; degree <= highest; degree *= 2) {
-      Polynomial fine(at(piece, degree, refractivity, coarse.values()));
+      auto fine = at(piece, degree, coarse);
       if (degree == highest) return fine;
+      const Polynomial half(coarse.back());
       double worst = 0;
       for (int j = 1; j < degree; j += 2)
-        worst =
-            std::max(worst, significance.of(fine.at_point(j), coarse(chebyshev_place(j, degree))));
+        worst = std::max(worst, significance.of(fine.back()[static_cast<std::size_t>(j)],
+                                                half(chebyshev_place(j, degree))));
       if (worst <= error) return coarse;
       if (worst <= gain * error) return fine;
       coarse = std::move(fine);
@@ -240,18 +246,16 @@ LimbTable::LimbTable(const Column& column, double earth_radius_m, std::span<cons
   const auto greatest = std::ranges::max(optics, {}, &Optics::refractivity);
   const int nodes = error < 3e-5 ? 4 : 3;
   refractivities_ = refractivity_nodes(column, optics, nodes);
-  const Follower follower{column, earth_radius_m};
+  const Follower follower{column, earth_radius_m, refractivities_};
   const Significance significance(column, greatest);
   const auto pieces = pieces_of(column, top_m);
   std::vector<std::vector<Polynomial>> polynomials(refractivities_.size());
   std::vector<double> uneven;
   for (const auto& piece : pieces) {
-    auto last = follower.sufficient(piece, refractivities_.back(), significance, error);
-    const int degree = last.degree();
-    for (std::size_t k = 0; k + 1 < refractivities_.size(); ++k)
-      polynomials[k].emplace_back(follower.at(piece, degree, refractivities_[k]));
-    polynomials.back().push_back(std::move(last));
-    followed_ += refractivities_.size() * (static_cast<std::size_t>(degree) + 1);
+    auto points = follower.sufficient(piece, significance, error);
+    followed_ += points.size() * points.back().size();
+    for (std::size_t k = 0; k < points.size(); ++k)
+      polynomials[k].emplace_back(std::move(points[k]));
     uneven.push_back(unevenness(polynomials.back().back(), significance));
   }
   const auto shares = shares_of_rays(uneven, rays);

@@ -12,7 +12,7 @@ namespace {
 
 /// Seconds on one core of the machine that the model was measured on: AVX-512 at 3 GHz, busy.
 struct Costs {
-  double ray_followed = 20e-6;      ///< of 250 and more, for each part of the limb
+  double ray_followed = 8e-6;       ///< of 250 and more, for each part of the limb
   double fan_ray = 58e-9;           ///< of one wavelength
   double landed_ray = 160e-9;       ///< of one wavelength on one plane
   double place = 33e-6;             ///< cutting the disc into stretches

@@ -183,12 +183,12 @@ std::vector<std::optional<Ring>> rings_of(std::span<const Atmosphere> airs,
   const auto richest = rich.columns();
   const auto used = rich.columns_in_use();
   std::vector<std::optional<Ring>> rings(richest.size());
-  for (std::size_t c = 0; c < richest.size(); ++c) {
-    if (!used[c]) continue;
+  tbb::parallel_for(std::size_t{0}, richest.size(), [&](std::size_t c) {
+    if (!used[c]) return;
     std::vector<const Column*> columns;
     for (const auto& air : airs) columns.push_back(air.columns()[c]);
     rings[c].emplace(*richest[c], columns, radius, optics);
-  }
+  });
   return rings;
 }
 
@@ -282,11 +282,12 @@ std::vector<RefractedLight> twilight_in(std::span<const Atmosphere> airs,
   tbb::parallel_for(std::size_t{0}, planes * distances, [&](std::size_t i) {
     const std::size_t k = i / distances, d = i % distances;
     const double depth = arrangement.depths_m[k];
-    std::vector<AroundTheRing> around_rings;
-    for (const auto& ring : rings) {
-      auto& light = around_rings.emplace_back();
-      if (ring) light = around(*ring, axis_distances_m[d], depth, shares, all.size() * waves_apart);
-    }
+    std::vector<AroundTheRing> around_rings(rings.size());
+    tbb::parallel_for(std::size_t{0}, rings.size(), [&](std::size_t r) {
+      if (rings[r])
+        around_rings[r] =
+            around(*rings[r], axis_distances_m[d], depth, shares, all.size() * waves_apart);
+    });
     const double factor =
         squared(1 + depth / arrangement.sun_distance_m) * 2 * pi / static_cast<double>(angles);
     for (std::size_t air = 0; air < all.size(); ++air)

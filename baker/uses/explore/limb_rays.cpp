@@ -72,12 +72,15 @@ struct Follower {
     PartRays rays;
     const auto& column = part.column;
     const photons::ProfileTable table(column);
-    for (const double node : nodes)
-      for (const double height : heights_m) {
-        auto path = photons::limb_path(height, part.curvature_radius_m, column, node, &table);
-        if (ozone_filters(column)) path.amounts[atmosphere::ozone] = 1;
-        rays.bending.push_back(path.bending_rad);
-        rays.amounts.insert(rays.amounts.end(), path.amounts.begin(), path.amounts.end());
+    std::vector<std::vector<photons::LimbPath>> paths;  // [height][node]
+    for (const double height : heights_m)
+      paths.push_back(photons::limb_paths(height, part.curvature_radius_m, column, nodes, &table));
+    for (std::size_t node = 0; node < nodes.size(); ++node)
+      for (auto& of_height : paths) {
+        auto& [h, impact, bending, amounts] = of_height[node];
+        if (ozone_filters(column)) amounts[atmosphere::ozone] = 1;
+        rays.bending.push_back(bending);
+        rays.amounts.insert(rays.amounts.end(), amounts.begin(), amounts.end());
       }
     for (const double height : heights_m)
       rays.excess_km.push_back(

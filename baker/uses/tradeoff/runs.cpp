@@ -92,22 +92,26 @@ class Run {
   void make(const Sweep& sweep) {
     if (sweep.varied == texture_sweep) return make_textures(sweep);
     for (const auto& trial : sweep.trials()) {
-      auto one = measured(trial);
+      auto one = measured(trial, trial == sweep.middle);
       one.varied = sweep.varied;
       one.value = trial.*sweep.setting;
       made_.push_back(one);
     }
   }
 
-  Measured measured(const Trial& trial) {
+  /// Given  is_middle  whether the light is that of a sweep's middle, which a sweep of textures needs again
+  Measured measured(const Trial& trial, bool is_middle) {
     if (const auto* smaller = nearest_smaller(trial, made_)) {
       if (smaller->trial == trial) return *smaller;
-      const double foretold_s = foretold_seconds(trial);
+      const double at_most_s = smaller->seconds * work_of(trial) / work_of(smaller->trial);
+      const double foretold_s = at_most_s > limits_.longest_s ? foretold_seconds(trial) : at_most_s;
       if (foretold_s > limits_.longest_s) return extrapolated(*smaller, trial, foretold_s);
     }
     shadow::RefractedLight light;
     const double seconds = timed(trial, light);
-    return {trial, {}, 0, seconds, yardstick_.errors_of(light, trial.photons > 0), false};
+    const auto errors = yardstick_.errors_of(light, trial.photons > 0);
+    if (is_middle && trial.method == plan::Method::quadrature) middle_ = {trial, std::move(light)};
+    return {trial, {}, 0, seconds, errors, false};
   }
 
   /// Least seconds of some runs; of three or more where one is short.
@@ -147,6 +151,10 @@ class Run {
     Trial trial;
     double seconds;
   };
+  struct Lit {
+    Trial trial;
+    shadow::RefractedLight light;
+  };
 
   /// Timed trials of the least and the most work among those that differ from a trial in work alone, one or more.
   std::pair<Timed, Timed> least_and_most(const Trial& trial) const {
@@ -162,7 +170,9 @@ class Run {
   /// Times the bake, and compares the picture with that of the widest texture.
   void make_textures(const Sweep& sweep) {
     constexpr std::size_t most_pixels = 1024;
-    const auto light = light_by(sweep.middle, yardstick_, {});
+    if (middle_.trial != sweep.middle)
+      middle_ = {sweep.middle, light_by(sweep.middle, yardstick_, {})};
+    const auto& light = middle_.light;
     const auto errors = yardstick_.errors_of(light, false);
     const auto widest = static_cast<std::size_t>(sweep.values.back());
     const auto reference = yardstick_.baked(light, widest);
@@ -183,6 +193,7 @@ class Run {
   std::size_t trials_ = 0;
   std::vector<Measured> made_;
   std::vector<Timed> timed_;
+  Lit middle_{};  ///< of the quadrature, made last
 };
 
 }  // namespace

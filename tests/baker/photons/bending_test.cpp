@@ -302,6 +302,26 @@ double bending_by_midpoints(const Column& column, double tangent_m, int points) 
   return sum;
 }
 
+TEST(LimbPaths, AreThoseOfEachRefractivityAlone) {
+  const auto belts = atmosphere::preset("standard", algebra::degrees(20), 2018.57).belts;
+  const std::vector<double> refractivities{0, 2.7e-4, 2.78e-4, 2.9e-4};
+  for (const auto& column : {air.column, belts[3].column}) {
+    const ProfileTable table(column);
+    const double edge_m = atmosphere::breaks_m(column).front();
+    for (const double h : {0., 7319., edge_m - 1e-5, edge_m, 30e3, 90e3}) {
+      const auto paths = limb_paths(h, radius_m, column, refractivities, &table);
+      ASSERT_EQ(paths.size(), refractivities.size());
+      for (std::size_t k = 0; k < paths.size(); ++k) {
+        const auto one = limb_path(h, radius_m, column, refractivities[k], &table);
+        EXPECT_EQ(paths[k].tangent_height_m, h);
+        EXPECT_EQ(paths[k].impact_height_m, one.impact_height_m) << "the same sums, bit by bit";
+        EXPECT_EQ(paths[k].bending_rad, one.bending_rad) << h << " m, " << k;
+        EXPECT_EQ(paths[k].amounts, one.amounts) << h << " m, " << k;
+      }
+    }
+  }
+}
+
 TEST(LimbRay, KnowsTheKneesOfAMonthsAir) {
   constexpr int points = 50'000;  // err by 1e-6 here
   const auto belts = atmosphere::preset("standard", algebra::degrees(20), 2018.57).belts;
