@@ -68,7 +68,8 @@ std::vector<double> doubled(double from, double to) {
 std::vector<Knob> knobs(double tolerance, const Scene& scene, const ByHand& by_hand,
                         Method method) {
   auto all = switches(tolerance, scene, by_hand);
-  all.push_back(knob({10, 20, 40, 60, 80, 200, 400}, by_hand.bands, &Work::bands));
+  // from 24 up multiples of eight, which are computed together
+  all.push_back(knob({10, 24, 32, 48, 80, 200, 400}, by_hand.bands, &Work::bands));
   all.push_back(knob({1, 2, 3, 5, 9}, by_hand.planes, &Work::planes));
   if (method != Method::quadrature) {
     all.push_back(knob({1000}, by_hand.rays, &Work::rays));
@@ -228,7 +229,7 @@ std::string_view name(Method method) {
 }
 
 Work finer(const Work& work) {
-  constexpr int fine_bands = 60, most_bands = 400, fine_rays = 600, most_rays = 10'000'000,
+  constexpr int fine_bands = 64, most_bands = 400, fine_rays = 600, most_rays = 10'000'000,
                 fine_terms = 4, most_terms = 6;
   Work finer;
   finer.bands = std::clamp(2 * work.bands, fine_bands, most_bands);

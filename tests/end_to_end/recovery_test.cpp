@@ -167,13 +167,10 @@ class Recovery : public ProgramTest {
  protected:
   /// A scene-linear frame by POV-Ray, of the true air.
   texture::Image frame_of(const Occasion& occasion, const Words& air) const {
-    const auto outcome = coppermoon(
-        Words{"still", occasion.instant, "--at", occasion.at(), "--albedo-map", "built-in",
-              "--width", "440", "--height", "440", "--field", "0.75", "--texture-width", "1024",
-              // of 20, which 1 % of luminance asks for, green is 3 % off
-              "--bands", "40", "--stars", "off", "--time", "1", "--frame", "frame.exr", "-o",
-              "a.png"} +
-        air);
+    const Words still{"still", occasion.instant, "--at", occasion.at(), "-o", "a.png"},
+        view{"--width", "440", "--height", "440", "--field", "0.75", "--time", "1"},
+        moon{"--albedo-map", "built-in", "--texture-width", "1024", "--stars", "off"};
+    const auto outcome = coppermoon(still + view + moon + Words{"--frame", "frame.exr"} + air);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return texture::read_image(here("frame.exr"));
   }

@@ -309,7 +309,7 @@ TEST(WorkOfRays, GrowsWithWhatIsAskedFor) {
 TEST(Finer, IsFinerInEveryKnobAndNeverCoarse) {
   const Work coarse{.ellipsoid = false, .regions = false, .bands = 2, .rays = 2, .sun_terms = 1};
   const auto fine = finer(coarse);
-  EXPECT_GE(fine.bands, 60) << "4e-4: law_of_bands";
+  EXPECT_GE(fine.bands, 64) << "4e-4: law_of_bands";
   EXPECT_GE(fine.rays, 600) << "3e-4: law_of_rays";
   EXPECT_GE(fine.sun_terms, 4) << "1.2e-4: law_of_sun_terms";
   EXPECT_TRUE(fine.refracted && fine.ellipsoid && fine.regions);

@@ -13,8 +13,10 @@
 #include "algebra/error.h"
 #include "almanac/instant.h"
 #include "baker/uses/light/dusty_air.h"
+#include "colour/working_space.h"
 #include "end_to_end/true_luminance.h"
 #include "support/within.h"
+#include "uses/light/spectral_bands.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -72,6 +74,34 @@ TEST(LightOnTheMoonThoroughly, ThroughThePapersDustyAirIsAsExactAsPlanned) {
         request.air.column.dust_extinction_per_m = dust;
         expect_kept(utc, request);
       }
+}
+
+TEST(LightOnTheMoon, OfUsualQualityHasTheRedAndGreenOfFourHundredBands) {
+  LightRequest usual, fine;
+  fine.by_hand.bands = 400;
+  const auto rec709 = moonlight_weights(
+      colour::channel_weights(colour::WorkingSpace::linear_rec709, band_edges_nm()));
+  for (const char* utc : {"2018-07-27T19:40:17Z", "2018-07-27T20:21:45Z", "2015-09-28T03:40:00Z"}) {
+    const auto sky = almanac::sky_at(almanac::instant_from_utc(utc));
+    const auto moon = shadowed_moon(usual, sky);
+    const auto found = light_on_the_moon(usual, sky, {.error_told = false}).in_channels(rec709),
+               exact = light_on_the_moon(fine, sky, {.error_told = false}).in_channels(rec709);
+    const double middle = algebra::in_metres(moon.centre.axis_distance);
+    for (double m = std::max(0., middle - 0.9 * radius_m); m < middle + 0.9 * radius_m;
+         m += 200e3) {
+      const eclipse::ShadowPlace place{.axis_distance = algebra::metres(m),
+                                       .position_angle = moon.centre.position_angle,
+                                       .depth = moon.centre.depth - algebra::metres(radius_m / 2)};
+      std::array<double, 3> here, there;
+      found.read(place, here);
+      exact.read(place, there);
+      for (const std::size_t channel : {0U, 1U})
+        EXPECT_WITHIN_RELATIVE(here[channel], there[channel], 0.01,
+                               "twice the error of luminance by 32 bands, and other settings")
+            << utc << ", " << m / 1e3 << " km, "
+            << "RG"[channel];
+    }
+  }
 }
 
 TEST(LightOnTheMoon, OfPhotonsKeepsToItsBudget) {
