@@ -53,8 +53,8 @@ std::vector<Sweep> sweeps(bool quick, double replicas) {
   auto stepped = marched;
   stepped.method = plan::Method::step_by_step;
   stepped.photons = 1e4 / fewer;
-  const Values all_rays{30, 60, 100, 300, 1000, 3000}, all_bands{3, 5, 10, 20, 40, 100, 200, 400},
-      all_steps_km{30, 10, 3, 1, 0.3, 0.1};
+  const Values all_rays{30, 60, 100, 300, 1000, 3000},
+      all_bands{3, 5, 10, 24, 32, 48, 80, 200, 400}, all_steps_km{30, 10, 3, 1, 0.3, 0.1};
   const auto decades = [&](const Values& few) {
     return values(few, {1e3, 1e4, 1e5, 1e6, 1e7, 1e8});
   };
