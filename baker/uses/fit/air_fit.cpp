@@ -154,6 +154,9 @@ double freedom_of(std::size_t measurements) {
   return std::max(1., static_cast<double>(measurements) - 3);
 }
 
+/// χ² that chance exceeds in a sixth of all fits whose errors are as believed: one standard deviation above the mean.
+double chi_squared_by_chance(double freedom) { return freedom + std::sqrt(2 * freedom); }
+
 }  // namespace
 
 AirRange range_about(const AirFit& fit) {
@@ -202,7 +205,7 @@ AirFit fitted_air(std::span<const DataSet> data, const algebra::Progress& progre
       if (progress) progress((static_cast<double>(look - 1) + part) / all);
     });
     const double least = *std::ranges::min_element(chi_squared.values()),
-                 scale = std::max(1., least / freedom);
+                 scale = std::max(1., least / chi_squared_by_chance(freedom));
     result.posterior = posterior_over(axes, chi_squared, scale);
     result.posterior.least_chi_squared = least;
     if (look == most_looks || (look >= looks && are_fine(axes, result.posterior))) {
