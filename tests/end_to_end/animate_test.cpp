@@ -262,6 +262,17 @@ TEST_F(Animate, MakesFramesInTheSpaceAskedFor) {
   EXPECT_EQ(texture::read_image(file).values, acescg.values) << "developed again from what is kept";
 }
 
+TEST_F(Animate, RefusesABracketBeyondAllExposureTimesAtOnce) {
+  for (const char* time : {"1e6", "U1:1e6,U2:1", "1e-6"}) {
+    const auto refused =
+        coppermoon(film({"--frames", "1", "--from", "U1", "--bracket", "1", "--time", time}));
+    EXPECT_EQ(refused.status, 1) << time;
+    EXPECT_NE(refused.err.find("exposure time of the bracket [s]"), std::string::npos)
+        << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(here("film"))) << "before any work";
+  }
+}
+
 TEST_F(Animate, BracketsByStops) {
   expect_done(coppermoon(film({"--frames", "1", "--from", "U1", "--bracket", "2"})));
   const auto time = [&](const char* name) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "algebra/error.h"
 #include "almanac/calendar.h"
@@ -39,7 +40,16 @@ void require_exposure(const Film& film) {
   if (film.products.high_range)
     require_sound(of_high_range(film.development), film.high_range_picture(1));
   if (film.products.rendered()) files::require_temporary_folder();
-  if (film.bracket_ev) algebra::require_within("bracket [EV]", *film.bracket_ev, 0.01, 10);
+  if (!film.bracket_ev) return;
+  algebra::require_within("bracket [EV]", *film.bracket_ev, 0.01, 10);
+  const auto require_times = [&](double seconds) {
+    for (const double stops : {-*film.bracket_ev, *film.bracket_ev})
+      algebra::require_within("exposure time of the bracket [s]", seconds * std::exp2(stops), 1e-6,
+                              1e6);
+  };
+  if (film.development.time.rule == ExposureTime::Rule::fixed)
+    require_times(film.development.time.seconds);
+  for (const auto& [when, seconds] : film.time_keys) require_times(seconds);
 }
 
 void require_folder(const Film& film) {
