@@ -44,6 +44,12 @@ inline double light_at(const algebra::Grid<float>& image, const glm::dvec2& pixe
                  value(row + 1, column + 1));
 }
 
+/// Overlap of two unit triangles, ∫ Λ(x) Λ(x + apart) dx.
+double overlap(double apart) {
+  const double x = std::abs(apart), rest = std::max(0., 2 - x);
+  return x < 1 ? 2. / 3 - x * x + x * x * x / 2 : rest * rest * rest / 6;
+}
+
 }  // namespace
 
 glm::dvec2 moved(const Similarity& similarity, const glm::dvec2& pixel) {
@@ -89,6 +95,16 @@ float Resampled::at(std::size_t row, std::size_t column) const {
           light_at(*image_, corner_ + (static_cast<double>(column) + (i + 0.5) / side_) * across_ +
                                 (static_cast<double>(row) + (j + 0.5) / side_) * down_);
   return static_cast<float>(sum / (side_ * side_));
+}
+
+double correlation_of_neighbours(double scale) {
+  algebra::require_within("scale of a picture", scale, 1e-4, 1e4);
+  const double points = std::ceil(scale - 1e-9), step = scale / points;
+  double squares = 0;  // ∫h² of the weights h along one side
+  for (double i = 0; i < points; ++i)
+    for (double j = 0; j < points; ++j) squares += overlap((i - j) * step) / points / points;
+  const double along = 1 / (scale * squares);
+  return along * along;
 }
 
 algebra::Grid<float> resampled(const algebra::Grid<float>& image, const Similarity& similarity,

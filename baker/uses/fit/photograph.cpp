@@ -94,10 +94,10 @@ struct Sum {
     return of_pixel * std::hypot(std::exp(-two_pi_squared * variance / (step * step)),
                                  std::sqrt(std::min(1., block / all)));
   }
-  /// Standard error of the ratio, from pixels two apart: light varies across a bin, and the noise of neighbours is
-  /// correlated.
-  double error() const {
-    constexpr double correlated = 1.5;
+  /// Standard error of the ratio, from pixels two apart, as light varies across a bin.
+  ///
+  /// Given  correlated  variance of a mean over that of a mean of as many independent pixels
+  double error(double correlated) const {
     const double variance = squares / 2 / static_cast<double>(std::max<std::size_t>(1, pairs));
     return std::sqrt(correlated * variance * static_cast<double>(pixels)) / sunlit;
   }
@@ -381,6 +381,9 @@ BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,
   const colour::ToneTable table(curve.value_or(colour::ToneCurve{}));
   const auto clipped =
       brought(clipped_in(photo, curve ? static_cast<float>(colour::most_displayed) : 0.97F));
+  constexpr double least_correlated = 1.5;  // of a JPEG, or between a sensor's filters
+  const double correlated =
+      std::max(least_correlated, colour::correlation_of_neighbours(render_to_photo.scale));
   const double stretched = curve ? std::exp(colour::tone_logarithm(*curve, 0)) : 1;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto channel = channel_of(photo, k);
@@ -404,7 +407,8 @@ BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,
           mean <= least_skies * sky.error)
         continue;
       result.values(b, k) = sum.ratio();
-      result.errors(b, k) = std::hypot(sum.error(), sum.error_of_steps(step, curve.has_value()));
+      result.errors(b, k) =
+          std::hypot(sum.error(correlated), sum.error_of_steps(step, curve.has_value()));
       result.sky_errors(b, k) = sky.error / mean * sum.ratio();
       result.glow_errors(b, k) = of_glow.error * sum.glow / sum.sunlit;
       if (!curve) continue;
