@@ -182,7 +182,7 @@ std::vector<LimbPath> limb_paths(double tangent_height_m, double earth_radius_m,
     }
   }
   std::vector<LimbPath> paths;
-  for (auto& ray : rays) paths.push_back(std::move(ray.path));
+  for (const auto& ray : rays) paths.push_back(ray.path);
   return paths;
 }
 
