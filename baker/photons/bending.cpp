@@ -90,8 +90,8 @@ struct HalfRay {
   Air air;
   LimbPath path;
   double at_tangent = air.optical_excess(path.tangent_height_m);
-  double over_b_m =
-      0;  ///< n r − b at the lower end of a piece, if that is close to the tangent height
+  /// n r − b at the lower end of a piece, if that is close to the tangent height.
+  double over_b_m = 0;
 
   /// Height above the tangent height below which the difference of two excesses is lost in rounding.
   static constexpr double close_m = 1e-4;
