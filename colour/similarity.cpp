@@ -3,6 +3,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "algebra/error.h"
@@ -44,10 +46,14 @@ inline double light_at(const algebra::Grid<float>& image, const glm::dvec2& pixe
                  value(row + 1, column + 1));
 }
 
-/// Overlap of two unit triangles, ∫ Λ(x) Λ(x + apart) dx.
+/// Overlap of two unit triangles, each smoothed by another, ∫ (Λ∗Λ)(x) (Λ∗Λ)(x + apart) dx: the B-spline of order 8.
 double overlap(double apart) {
-  const double x = std::abs(apart), rest = std::max(0., 2 - x);
-  return x < 1 ? 2. / 3 - x * x + x * x * x / 2 : rest * rest * rest / 6;
+  constexpr std::array binomials{1., -8., 28., -56., 70., -56., 28., -8., 1.};
+  constexpr double factorial = 5040;
+  double sum = 0;
+  for (std::size_t k = 0; k < binomials.size(); ++k)
+    sum += binomials[k] * std::pow(std::max(0., 4 - std::abs(apart) - static_cast<double>(k)), 7);
+  return sum / factorial;
 }
 
 }  // namespace
@@ -97,14 +103,19 @@ float Resampled::at(std::size_t row, std::size_t column) const {
   return static_cast<float>(sum / (side_ * side_));
 }
 
-double correlation_of_neighbours(double scale) {
+double noise_of_means(double scale) {
   algebra::require_within("scale of a picture", scale, 1e-4, 1e4);
+  constexpr double pair = 2;
   const double points = std::ceil(scale - 1e-9), step = scale / points;
-  double squares = 0;  // ∫h² of the weights h along one side
-  for (double i = 0; i < points; ++i)
-    for (double j = 0; j < points; ++j) squares += overlap((i - j) * step) / points / points;
-  const double along = 1 / (scale * squares);
-  return along * along;
+  // ∫ h(x) h(x + apart) dx of the weights h along one side
+  const auto overlap_of_pixels = [&](double apart) {
+    double sum = 0;
+    for (double i = 0; i < points; ++i)
+      for (double j = 0; j < points; ++j) sum += overlap((i - j) * step + apart);
+    return sum / points / points;
+  };
+  const double squares = overlap_of_pixels(0), along = 1 / (scale * squares);
+  return along * along / (1 - overlap_of_pixels(pair * scale) / squares);
 }
 
 algebra::Grid<float> resampled(const algebra::Grid<float>& image, const Similarity& similarity,

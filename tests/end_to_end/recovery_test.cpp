@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Photographs of eclipses under air that the fit is not told: a hundred under dust and decks of cloud, a hundred in any
-// air, these by the program alone.
+// Photographs of eclipses under air that the fit is not told: a hundred under dust and decks of cloud, two hundred in
+// any air, these by the program alone.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace {
 using algebra::Random;
 
 constexpr auto rec709 = colour::WorkingSpace::linear_rec709;
-constexpr std::size_t photographs_an_instant = 20;
+constexpr std::size_t photographs_an_instant = 20, stills_an_instant = 40;
 constexpr std::uint64_t seed = 2018;
 
 double between(Random& random, double from, double to) {
@@ -354,11 +354,11 @@ void expose(Taken& taken, const texture::Image& frame, double share) {
 
 using Stills = Recovery;
 
-TEST_F(Stills, OfAHundredInAnyAirFindsItsAerosolCloudAndOzone) {
+TEST_F(Stills, OfTwoHundredInAnyAirFindsItsAerosolCloudAndOzone) {
   std::array<int, 3> inside{};
   int stills = 0, refused = 0;
   for (const auto& occasion : occasions)
-    for (std::size_t i = 0; i < photographs_an_instant; ++i) {
+    for (std::size_t i = 0; i < stills_an_instant; ++i) {
       Random random(seed + 1, static_cast<std::uint64_t>(stills++));
       const auto air = random_air(random);
       auto taken = random_photograph(random);
@@ -396,11 +396,15 @@ TEST_F(Stills, OfAHundredInAnyAirFindsItsAerosolCloudAndOzone) {
       std::fflush(stdout);
     }
   RecordProperty("refused", refused);
+  RecordProperty("aerosol_inside", inside[0]);
+  RecordProperty("cloud_inside", inside[1]);
+  RecordProperty("ozone_inside", inside[2]);
   EXPECT_EQ(refused, 0);
-  // as above
+  // 60 to 76 of a hundred were asked for: of 200 fair intervals so many hold the truth in 99 of 100 such tests. Of one
+  // hundred alone a fifth of all tests would find one of the three numbers outside
   for (std::size_t a = 0; a < inside.size(); ++a) {
-    EXPECT_GE(inside[a], 60) << a;
-    EXPECT_LE(inside[a], 76) << a;
+    EXPECT_GE(inside[a], 120) << a;
+    EXPECT_LE(inside[a], 152) << a;
   }
 }
 

@@ -96,10 +96,10 @@ struct Sum {
   }
   /// Standard error of the ratio, from pixels two apart, as light varies across a bin.
   ///
-  /// Given  correlated  variance of a mean over that of a mean of as many independent pixels
-  double error(double correlated) const {
+  /// Given  noise_of_means  as colour::noise_of_means
+  double error(double noise_of_means) const {
     const double variance = squares / 2 / static_cast<double>(std::max<std::size_t>(1, pairs));
-    return std::sqrt(correlated * variance * static_cast<double>(pixels)) / sunlit;
+    return std::sqrt(noise_of_means * variance * static_cast<double>(pixels)) / sunlit;
   }
 };
 
@@ -381,9 +381,7 @@ BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,
   const colour::ToneTable table(curve.value_or(colour::ToneCurve{}));
   const auto clipped =
       brought(clipped_in(photo, curve ? static_cast<float>(colour::most_displayed) : 0.97F));
-  constexpr double least_correlated = 1.5;  // of a JPEG, or between a sensor's filters
-  const double correlated =
-      std::max(least_correlated, colour::correlation_of_neighbours(render_to_photo.scale));
+  const double noise_of_means = colour::noise_of_means(render_to_photo.scale);
   const double stretched = curve ? std::exp(colour::tone_logarithm(*curve, 0)) : 1;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto channel = channel_of(photo, k);
@@ -408,7 +406,7 @@ BinnedPhotograph binned(const FitScene& scene, const MoonPart& moon,
         continue;
       result.values(b, k) = sum.ratio();
       result.errors(b, k) =
-          std::hypot(sum.error(correlated), sum.error_of_steps(step, curve.has_value()));
+          std::hypot(sum.error(noise_of_means), sum.error_of_steps(step, curve.has_value()));
       result.sky_errors(b, k) = sky.error / mean * sum.ratio();
       result.glow_errors(b, k) = of_glow.error * sum.glow / sum.sunlit;
       if (!curve) continue;
