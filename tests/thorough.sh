@@ -16,9 +16,9 @@ export ASAN_OPTIONS=intercept_tls_get_addr=0
 export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppressions=0" UBSAN_OPTIONS=print_stacktrace=1
 
 steps="compiled_alone quick_in_release heavy_under_sanitizers races tidy fuzzers libraries_thoroughly program_thoroughly
-extremes_thoroughly films_and_convergence plans_kept plans_kept_with_regions air_recovered nights_recovered planted_faults planted_parameter other_programs packages measurements
-small_examples full_examples full_film sweep_1 sweep_2 sweep_3 sweep_4 sweep_5
-packages_debian_13 portable"
+extremes_thoroughly films_and_convergence plans_kept plans_kept_with_regions air_recovered stills_recovered
+nights_recovered planted_faults planted_parameter other_programs packages measurements small_examples full_examples
+full_film sweep_1 sweep_2 sweep_3 sweep_4 sweep_5 packages_debian_13 portable"
 
 released() { sh examples/build.sh "$1" packages.tests.debian; }
 test_release() { ctest --test-dir build/release --output-on-failure --no-tests=error --parallel "$processors" "$@"; }
@@ -97,6 +97,11 @@ plans_kept_with_regions() {
 air_recovered() {
   released slow_tests
   test_release -L '^slow$' -R '^end_to_end/recovery$'
+}
+
+stills_recovered() {
+  released slow_tests
+  test_release -L '^slow$' -R '^end_to_end/stills$'
 }
 
 nights_recovered() {

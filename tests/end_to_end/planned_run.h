@@ -8,35 +8,20 @@
 #include <chrono>
 #include <functional>
 
-#include "algebra/random.h"
 #include "almanac/instant.h"
 #include "eclipse/contacts.h"
 #include "eclipse/shadow_axis.h"
+#include "end_to_end/random_numbers.h"
 #include "end_to_end/true_luminance.h"
 #include "support/within.h"
 #include "uses/light/moonlight.h"
 
 namespace coppermoon::end_to_end {
 
-using algebra::Random;
-
 struct Run {
   almanac::Instant when;
   uses::LightRequest request;
 };
-
-inline double between(Random& random, double least, double most) {
-  return least + (most - least) * random.uniform();
-}
-
-inline double log_between(Random& random, double least, double most) {
-  return least * std::pow(most / least, random.uniform());
-}
-
-template <typename Value, std::size_t count>
-Value one_of(Random& random, const std::array<Value, count>& values) {
-  return values[static_cast<std::size_t>(random.uniform() * count)];
-}
 
 inline const std::vector<eclipse::Eclipse>& eclipses() {
   static const auto all = eclipses_between(
