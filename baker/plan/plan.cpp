@@ -234,7 +234,9 @@ Work finer(const Work& work) {
   Work finer;
   finer.bands = std::clamp(2 * work.bands, fine_bands, most_bands);
   finer.sun_terms = std::clamp(work.sun_terms + 1, fine_terms, most_terms);
-  finer.rays = std::clamp(work.rays, fine_rays / 2, most_rays / 2) * 2;
+  finer.rays = work.method == Method::quadrature
+                   ? std::clamp(work.rays, fine_rays / 2, most_rays / 2) * 2
+                   : fine_rays;  // 3e-4: the noise of ten billion photons
   finer.planes = 1;
   finer.place_error = 0.01;  // at these places light is exact; they stand closer where it bends
   return finer;

@@ -37,7 +37,8 @@ struct Work {
 };
 
 /// Reference settings from which the error of some work is estimated: one plane, all terms, one more of the Sun's
-/// terms, and every other knob twice as fine. None is coarse, as two coarse settings may share an error.
+/// terms, and every other knob twice as fine. None is coarse, as two coarse settings may share an error. Photons are
+/// held against a quadrature whose rays err less than their noise.
 Work finer(const Work& work);
 
 /// Knobs set by hand; empty ones are chosen by the plan.

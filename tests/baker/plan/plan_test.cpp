@@ -315,6 +315,8 @@ TEST(Finer, IsFinerInEveryKnobAndNeverCoarse) {
   EXPECT_TRUE(fine.refracted && fine.ellipsoid && fine.regions);
   EXPECT_EQ(finer({.bands = 100, .rays = 500}).bands, 200);
   EXPECT_EQ(finer({.bands = 100, .rays = 500}).rays, 1000);
+  EXPECT_EQ(finer({.method = Method::table, .photons = 2000, .rays = 1000}).rays, 600)
+      << "the noise of photons is larger";
   EXPECT_EQ(finer({.sun_terms = 4}).sun_terms, 5);
   EXPECT_EQ(finer({.sun_terms = 6}).sun_terms, 6) << "all";
   EXPECT_LE(finer({.bands = 400, .rays = 10'000'000}).rays, 10'000'000) << "what is allowed";
