@@ -64,14 +64,17 @@ struct Seen {
 struct Pair {
   DiscFeatures photo, render;
   double radius_px;
-  std::vector<Seen> seen = {};                               ///< with weight, within beyond_limb
-  algebra::Grid<std::array<float, 2>> weight_contrast = {};  ///< of the render
+  std::vector<Seen> seen = {};                                ///< with weight, within beyond_limb
+  algebra::Grid<std::array<double, 2>> weight_contrast = {};  ///< of the render
+  double last_column, last_row;                               ///< of the render
 
   Pair(DiscFeatures of_photo, DiscFeatures of_render, double radius)
       : photo(std::move(of_photo)),
         render(std::move(of_render)),
         radius_px(radius),
-        weight_contrast(render.weight.rows(), render.weight.columns()) {
+        weight_contrast(render.weight.rows(), render.weight.columns()),
+        last_column(static_cast<double>(render.weight.columns()) - 1),
+        last_row(static_cast<double>(render.weight.rows()) - 1) {
     const double middle = middle_of(photo), reach = beyond_limb * radius_px;
     for (std::size_t r = 0; r < photo.contrast.rows(); ++r)
       for (std::size_t c = 0; c < photo.contrast.columns(); ++c) {
@@ -88,19 +91,18 @@ struct Pair {
   /// Weight and contrast of the render at a place, as between_pixels.
   std::array<double, 2> rendered(const glm::dvec2& pixel) const {
     const double x = pixel.x - 0.5, y = pixel.y - 0.5;
-    const std::size_t rows = weight_contrast.rows(), columns = weight_contrast.columns();
-    if (!(x >= 0 && y >= 0 && x < static_cast<double>(columns - 1) &&
-          y < static_cast<double>(rows - 1)))
+    if (!(x >= 0 && y >= 0 && x < last_column && y < last_row))
       return {between_pixels(render.weight, pixel), between_pixels(render.contrast, pixel)};
-    const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
-    const double across = x - static_cast<double>(column), down = y - static_cast<double>(row);
-    const auto* at = &weight_contrast(row, column);
-    std::array<double, 2> values{};
-    for (std::size_t k = 0; k < 2; ++k) {
-      const double a = at[0][k], b = at[1][k], c = at[columns][k], d = at[columns + 1][k];
-      const double upper = a + across * (b - a), lower = c + across * (d - c);
-      values[k] = upper + down * (lower - upper);
-    }
+    const auto column = static_cast<int>(x), row = static_cast<int>(y);
+    const double across = x - column, down = y - row;
+    const std::size_t columns = weight_contrast.columns();
+    const auto* at =
+        &weight_contrast(static_cast<std::size_t>(row), static_cast<std::size_t>(column));
+    const auto &a = at[0], &b = at[1], &c = at[columns], &d = at[columns + 1];
+    std::array<double, 2> upper, lower, values;
+    for (std::size_t k = 0; k < 2; ++k) upper[k] = a[k] + across * (b[k] - a[k]);
+    for (std::size_t k = 0; k < 2; ++k) lower[k] = c[k] + across * (d[k] - c[k]);
+    for (std::size_t k = 0; k < 2; ++k) values[k] = upper[k] + down * (lower[k] - upper[k]);
     return values;
   }
 };

@@ -110,9 +110,10 @@ struct HalfRay {
     const double root = std::sqrt(over_b(piece, node.above_m, node.density, r) * (n * r + b));
     // FAULT bending 1 % too large: path.bending_rad -= 2 * b => path.bending_rad -= 2.02 * b
     path.bending_rad -= 2 * b * air.refractivity * node.density.slope_per_m / (n * root) * dh;
+    // FAULT an amount along the path without the refractive index: 2 * n * r => 2 * r
+    const double along_m = 2 * n * r / root * dh;
     for (std::size_t k = 0; k < node.profiles.size(); ++k)
-      // FAULT an amount along the path without the refractive index: * n * r => * r
-      path.amounts[k] += 2 * node.profiles[k] * n * r / root * dh;
+      path.amounts[k] += node.profiles[k] * along_m;
   }
 
   void end(const Piece& piece) {

@@ -65,22 +65,26 @@ double chebyshev_place(int j, int degree) {
 /// Polynomial through values at Chebyshev points.
 class Polynomial {
  public:
-  explicit Polynomial(std::vector<Path> values) : values_(std::move(values)) {}
-
-  int degree() const { return static_cast<int>(values_.size()) - 1; }
-  const Path& at_point(int j) const { return values_[static_cast<std::size_t>(j)]; }
+  explicit Polynomial(std::vector<Path> values) : values_(std::move(values)) {
+    const int degree = static_cast<int>(values_.size()) - 1;
+    for (int j = 0; j <= degree; ++j) {
+      places_.push_back(chebyshev_place(j, degree));
+      // FAULT one end of Chebyshev's points counts whole: j == 0 || j == degree => j == 0
+      const bool end = j == 0 || j == degree;
+      weights_.push_back((j % 2 == 0 ? 1 : -1) * (end ? 0.5 : 1));
+    }
+  }
 
   /// Value by the barycentric formula, Berrut & Trefethen (2004), SIAM Review 46, 501.
   Path operator()(double place) const {
     Path sum{};
     double total = 0;
-    for (int j = 0; j <= degree(); ++j) {
-      const double away = place - chebyshev_place(j, degree());
-      if (std::abs(away) < 1e-14) return at_point(j);
-      // FAULT one end of Chebyshev's points counts whole: j == 0 || j == degree() => j == 0
-      const double share = (j % 2 == 0 ? 1 : -1) * (j == 0 || j == degree() ? 0.5 : 1) / away;
+    for (std::size_t j = 0; j < values_.size(); ++j) {
+      const double away = place - places_[j];
+      if (std::abs(away) < 1e-14) return values_[j];
+      const double share = weights_[j] / away;
       total += share;
-      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += share * at_point(j)[k];
+      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += share * values_[j][k];
     }
     for (double& value : sum) value /= total;
     return sum;
@@ -88,6 +92,7 @@ class Polynomial {
 
  private:
   std::vector<Path> values_;
+  std::vector<double> places_, weights_;
 };
 
 /// Chebyshev nodes between two refractivities; one where the two are equal.

@@ -230,7 +230,7 @@ std::string_view name(Method method) {
 
 Work finer(const Work& work) {
   constexpr int fine_bands = 64, most_bands = 400, fine_rays = 600, most_rays = 10'000'000,
-                fine_terms = 4, most_terms = 6;
+                fine_terms = 3, most_terms = 6;
   Work finer;
   finer.bands = std::clamp(2 * work.bands, fine_bands, most_bands);
   finer.sun_terms = std::clamp(work.sun_terms + 1, fine_terms, most_terms);

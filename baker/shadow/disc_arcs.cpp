@@ -134,8 +134,9 @@ void DiscArcs::add_arc(double r, double weight, Grid<double>& light) const {
   const std::size_t whole = padded(nodes.size(), nodes_together);
   std::vector<double> cosines(whole);
   Grid<double> shed(sun_.functions.size(), whole);
+  for (std::size_t j = 0; j < nodes.size(); ++j) cosines[j] = half * nodes[j].sine;
+  turn_into_cosines(cosines);
   for (std::size_t j = 0; j < nodes.size(); ++j) {
-    cosines[j] = std::cos(half * nodes[j].sine);
     const double out = (r * r + gamma_ * gamma_ - 2 * r * gamma_ * cosines[j]) / (a_ * a_);
     const double mu = std::sqrt(std::max(0., 1 - out));
     for (std::size_t k = 0; k < sun_.functions.size(); ++k)

@@ -18,7 +18,8 @@ constexpr double small = 0.3;
 /// Integral ∫ exp(k t) dt from 0 to `part`, k small.
 double exponential_integral(double k, double part) {
   const double x = k * part;
-  return part * (1 + x * (1. / 2 + x * (1. / 6 + x * (1. / 24 + x * (1. / 120 + x / 720)))));
+  constexpr double sixth = 1. / 720;
+  return part * (1 + x * (1. / 2 + x * (1. / 6 + x * (1. / 24 + x * (1. / 120 + x * sixth)))));
 }
 
 /// Mean over an interval of a quantity that varies exponentially from `first` to `last`; k = ln(last/first).
@@ -29,17 +30,26 @@ double exponential_mean(double first, double last, double k) {
 /// Share of ∫ exp(k t) dt from 0 to 1 that lies below some t.
 class ExponentialShare {
  public:
+  /// Factor by which exp(k t) changes from one t to another.
+  double change(double by) const {
+    return is_small_ ? 1 + k_ * exponential_integral(k_, by) : std::exp(k_ * by);
+  }
+
   explicit ExponentialShare(double k)
-      : k_(k), over_whole_(std::abs(k) > small ? 0 : 1 / exponential_integral(k, 1)) {}
+      : k_(k),
+        is_small_(std::abs(k) <= small),
+        over_whole_(1 / (is_small_ ? exponential_integral(k, 1) : std::expm1(-std::abs(k)))) {}
 
   double operator()(double part) const {
-    if (over_whole_ != 0) return exponential_integral(k_, part) * over_whole_;
-    if (k_ < 0) return std::expm1(k_ * part) / std::expm1(k_);
-    return std::exp(k_ * (part - 1)) * std::expm1(-k_ * part) / std::expm1(-k_);
+    if (is_small_) return exponential_integral(k_, part) * over_whole_;
+    if (k_ < 0) return std::expm1(k_ * part) * over_whole_;
+    return std::exp(k_ * (part - 1)) * std::expm1(-k_ * part) * over_whole_;
   }
 
  private:
-  double k_, over_whole_;
+  double k_;
+  bool is_small_;
+  double over_whole_;
 };
 
 /// Rays at one wavelength: landing place in bins, and the light they carry. From the ground up to two rays beyond
@@ -94,25 +104,30 @@ class Gatherer {
       spread(rays.place[j], rays.place[i], light, -k);
   }
 
-  /// Adds light that lands between two places, with a density that varies exponentially from one to the other.
+  /// Adds light that lands between two places, with a density that varies exponentially from one to the other. From
+  /// one whole bin to the next it changes by the same factor; from the brighter end on, lest it begin with 0.
   void spread(double from, double to, double light, double steepness) const {
-    auto bin = static_cast<int>(std::floor(from));
-    if (to <= bin + 1) return put(bin, from, to, light);
+    const auto bin = static_cast<int>(std::floor(from));
+    if (to <= bin + 1) return put(bin, (from + to) / 2, to - from, light);
     const ExponentialShare share(steepness);
-    const double width = 1 / (to - from);
-    double before = 0, low = from;
-    for (; bin + 1 < to && bin < last_; ++bin) {
-      const double up_to = light * share((bin + 1 - from) * width);
-      put(bin, low, bin + 1, up_to - before);
-      before = up_to;
-      low = bin + 1;
+    const double a_bin = 1 / (to - from);
+    const auto up_to = [&](int end) { return light * share((end - from) * a_bin); };
+    const int first = bin + 1, last = std::min(static_cast<int>(std::ceil(to)) - 1, last_);
+    put(bin, (from + first) / 2, first - from, up_to(first));
+    if (first < last && steepness <= 0) {
+      double in_bin = up_to(first + 1) - up_to(first);
+      const double change = share.change(a_bin);
+      for (int i = first; i < last; ++i, in_bin *= change) put(i, i + 0.5, 1, in_bin);
+    } else if (first < last) {
+      double in_bin = up_to(last) - up_to(last - 1);
+      const double change = share.change(-a_bin);
+      for (int i = last - 1; i >= first; --i, in_bin *= change) put(i, i + 0.5, 1, in_bin);
     }
-    if (bin < last_) put(bin, low, to, light - before);
+    if (last < last_) put(last, (last + to) / 2, to - last, light - up_to(last));
   }
 
-  /// Adds light that is spread evenly over part of a bin, to the node at the bin's end.
-  void put(int bin, double low, double high, double light) const {
-    const double middle = (low + high) / 2, width = high - low;
+  /// Adds light that is spread evenly over a bin or part of it, to the node at the bin's end.
+  void put(int bin, double middle, double width, double light) const {
     double* row = sums_ + static_cast<std::size_t>(bin + 1 - first_) * row_size;
     row[0] += light;
     row[lanes] += light * middle;

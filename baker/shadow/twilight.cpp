@@ -226,38 +226,6 @@ std::vector<algebra::OnLine> all_on_line(std::span<const double> x,
   return all;
 }
 
-/// Adds twilight that was computed on one plane, interpolated from its sectors, axis distances and wavelengths.
-void add_between(const RefractedLight& more, RefractedLight& light) {
-  const double sun_m = light.arrangement.sun_distance_m, from_m = more.arrangement.depths_m.front();
-  const auto waves = all_on_line(more.wavelengths_nm, light.wavelengths_nm);
-  std::vector<double> there(more.wavelengths_nm.size());
-  for (std::size_t plane = 0; plane < light.arrangement.depths_m.size(); ++plane) {
-    const double depth_m = light.arrangement.depths_m[plane], nearer = from_m / depth_m,
-                 brighter = squared(nearer * (1 + depth_m / sun_m) / (1 + from_m / sun_m));
-    std::vector<double> distances_m;
-    for (const double distance_m : light.axis_distances_m)
-      distances_m.push_back(nearer * distance_m);
-    const auto distances = all_on_line(more.axis_distances_m, distances_m);
-    for (std::size_t sector = 0; sector < light.sectors; ++sector) {
-      const std::size_t before = sector * more.sectors / light.sectors;
-      const double further = static_cast<double>(sector * more.sectors % light.sectors) /
-                             static_cast<double>(light.sectors);
-      const auto &coarse = more.ratio[before], &next = more.ratio[(before + 1) % more.sectors];
-      auto& ratio = light.ratio[plane * light.sectors + sector];
-      for (std::size_t d = 0; d < distances.size(); ++d) {
-        const auto& [below, above, farther] = distances[d];
-        for (std::size_t w = 0; w < there.size(); ++w)
-          there[w] =
-              brighter * std::lerp(std::lerp(coarse(below, w), next(below, w), further),
-                                   std::lerp(coarse(above, w), next(above, w), further), farther);
-        for (std::size_t w = 0; w < waves.size(); ++w)
-          // FAULT scattered light in the place of refracted: += std::lerp => = std::lerp
-          ratio(d, w) += std::lerp(there[waves[w].below], there[waves[w].above], waves[w].further);
-      }
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<RefractedLight> twilight_in(std::span<const Atmosphere> airs,
@@ -306,16 +274,52 @@ RefractedLight twilight(const Atmosphere& atmosphere, const Arrangement& arrange
           .front());
 }
 
-void add_twilight_in(std::span<RefractedLight> lights, std::span<const Atmosphere> airs) {
+std::vector<RefractedLight> twilight_about(const RefractedLight& light,
+                                           std::span<const Atmosphere> airs) {
   constexpr double step_nm = 5;  // of the ozone's cross-sections
   constexpr double step_m = 1000e3;
+  const auto& depths_m = light.arrangement.depths_m;
+  auto on_one_plane = light.arrangement;
+  on_one_plane.depths_m = {std::midpoint(depths_m.front(), depths_m.back())};
+  return twilight_in(airs, on_one_plane, coarser(light.wavelengths_nm, step_nm),
+                     coarser(light.axis_distances_m, step_m));
+}
+
+void add_between(const RefractedLight& more, RefractedLight& light) {
+  const double sun_m = light.arrangement.sun_distance_m, from_m = more.arrangement.depths_m.front();
+  const auto waves = all_on_line(more.wavelengths_nm, light.wavelengths_nm);
+  std::vector<double> there(more.wavelengths_nm.size());
+  for (std::size_t plane = 0; plane < light.arrangement.depths_m.size(); ++plane) {
+    const double depth_m = light.arrangement.depths_m[plane], nearer = from_m / depth_m,
+                 brighter = squared(nearer * (1 + depth_m / sun_m) / (1 + from_m / sun_m));
+    std::vector<double> distances_m;
+    for (const double distance_m : light.axis_distances_m)
+      distances_m.push_back(nearer * distance_m);
+    const auto distances = all_on_line(more.axis_distances_m, distances_m);
+    for (std::size_t sector = 0; sector < light.sectors; ++sector) {
+      const std::size_t before = sector * more.sectors / light.sectors;
+      const double further = static_cast<double>(sector * more.sectors % light.sectors) /
+                             static_cast<double>(light.sectors);
+      const auto &coarse = more.ratio[before], &next = more.ratio[(before + 1) % more.sectors];
+      auto& ratio = light.ratio[plane * light.sectors + sector];
+      for (std::size_t d = 0; d < distances.size(); ++d) {
+        const auto& [below, above, farther] = distances[d];
+        for (std::size_t w = 0; w < there.size(); ++w)
+          there[w] =
+              brighter * std::lerp(std::lerp(coarse(below, w), next(below, w), further),
+                                   std::lerp(coarse(above, w), next(above, w), further), farther);
+        for (std::size_t w = 0; w < waves.size(); ++w)
+          // FAULT scattered light in the place of refracted: += std::lerp => = std::lerp
+          ratio(d, w) += std::lerp(there[waves[w].below], there[waves[w].above], waves[w].further);
+      }
+    }
+  }
+}
+
+void add_twilight_in(std::span<RefractedLight> lights, std::span<const Atmosphere> airs) {
   const auto& first = lights.front();
   if (first.wavelengths_nm.empty() || first.axis_distances_m.empty()) return;
-  const auto& depths_m = first.arrangement.depths_m;
-  auto on_one_plane = first.arrangement;
-  on_one_plane.depths_m = {std::midpoint(depths_m.front(), depths_m.back())};
-  const auto more = twilight_in(airs, on_one_plane, coarser(first.wavelengths_nm, step_nm),
-                                coarser(first.axis_distances_m, step_m));
+  const auto more = twilight_about(first, airs);
   tbb::parallel_for(std::size_t{0}, lights.size(),
                     [&](std::size_t i) { add_between(more[i], lights[i]); });
 }

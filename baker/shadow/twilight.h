@@ -44,9 +44,21 @@ std::vector<RefractedLight> twilight_in(std::span<const atmosphere::Atmosphere> 
                                         std::span<const double> wavelengths_nm,
                                         std::span<const double> axis_distances_m);
 
-/// Adds the twilight to light in the shadow. Where the light has more places and wavelengths, twilight is
-/// computed on one middle plane, every 1000 km of axis distance and every 5 nm, and interpolated linearly. On
+/// Twilight from which `add_between` interpolates that of places in the shadow: on one middle plane, at the places'
+/// wavelengths and axis distances, or every 5 nm and every 1000 km where that is fewer.
+///
+/// Given   lights  light at the places, in one or more atmospheres, with increasing wavelengths; the first counts
+///         airs    as for twilight_in
+std::vector<RefractedLight> twilight_about(const RefractedLight& light,
+                                           std::span<const atmosphere::Atmosphere> airs);
+
+/// Adds twilight of one plane to light in the shadow, linearly in axis distance, position angle and wavelength. On
 /// other planes it follows by the inverse square of the distance from the Earth.
+///
+/// Given  more  by twilight_about
+void add_between(const RefractedLight& more, RefractedLight& light);
+
+/// Adds the twilight to light in the shadow, interpolated: `twilight_about`, then `add_between`.
 ///
 /// Given     light  with increasing wavelengths
 /// Accuracy  0.5 % of the twilight

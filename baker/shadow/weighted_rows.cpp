@@ -10,6 +10,8 @@
 #include <hwy/foreach_target.h>  // compiles this file once for each instruction set
 #include <hwy/highway.h>
 
+#include <hwy/contrib/math/math-inl.h>
+
 HWY_BEFORE_NAMESPACE();
 namespace coppermoon::shadow::HWY_NAMESPACE {
 
@@ -131,6 +133,12 @@ void add_turned(const PartRows& part, std::span<const int> nodes, const double* 
     }
 }
 
+void cosines_of(std::span<double> angles) {
+  const hn::CappedTag<double, nodes_together> d;
+  for (std::size_t j = 0; j < angles.size(); j += hn::Lanes(d))
+    hn::StoreU(hn::Cos(d, hn::LoadU(d, &angles[j])), d, &angles[j]);
+}
+
 /// Adds to sums[k][m][lane]; each lane takes its share of the nodes.
 void add_lanes(std::span<const double> cosines, const algebra::Grid<double>& weights,
                std::size_t harmonics, double* sums) {
@@ -178,6 +186,10 @@ void add_turned_rows(const PartRows& part, std::span<const int> nodes, const dou
                      std::size_t terms, double* sums) {
   HWY_DYNAMIC_DISPATCH(add_turned)(part, nodes, factors, terms, sums);
 }
+
+HWY_EXPORT(cosines_of);
+
+void turn_into_cosines(std::span<double> angles) { HWY_DYNAMIC_DISPATCH(cosines_of)(angles); }
 
 HWY_EXPORT(add_lanes);
 

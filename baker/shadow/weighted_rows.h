@@ -42,6 +42,9 @@ void add_turned_rows(const PartRows& part, std::span<const int> nodes, const dou
 /// Number of nodes in a group; the last group is filled up with nodes of weight 0.
 inline constexpr std::size_t nodes_together = 4;
 
+/// Replaces angles [rad] by their cosines, vectorised; their number is a multiple of nodes_together.
+void turn_into_cosines(std::span<double> angles);
+
 /// Adds harmonics(k, m) += Σ weights(k, j) cos mψ_j over nodes j, by recurrence, vectorised.
 ///
 /// Given  cosines  cos ψ_j; their number is a multiple of nodes_together

@@ -164,11 +164,14 @@ bool leaves_scattered_light(const plan::Plan& plan) {
 }
 
 /// Relative error of luminance found on the disc; with photons at least two standard errors.
-double found_error(const ShadowedMoon& moon, const Moonlight& light) {
+///
+/// Given  twilight  what the light has; none where it was left out
+double found_error(const ShadowedMoon& moon, const Moonlight& light,
+                   const std::optional<shadow::RefractedLight>& twilight) {
   const auto weights = at_wavelengths(luminance_weights(), light.plan.work.bands);
   const auto luminance = light.in_sums(weights, light.range);
   const double found =
-      error_found(moon, light.plan.work, luminance, leaves_scattered_light(light.plan));
+      error_found(moon, light.plan.work, luminance, {twilight, leaves_scattered_light(light.plan)});
   const auto distances = distances_over_the_disc(moon);
   return std::max(found, 2 * luminance.worst_relative_error(*light.refracted, weights,
                                                             distances.front(), distances.back()));
@@ -249,22 +252,33 @@ shadow::Arrangement arrangement_of(const LightRequest& request, const ShadowedMo
   return arrangement_of(request, moon.sun_distance_m, depths_of(moon, work.planes));
 }
 
-Moonlight refracted_light_of(const LightRequest& request, const ShadowedMoon& moon,
-                             const Purpose& purpose, const algebra::Progress& progress) {
-  Moonlight light;
+/// Light without the direct, and the twilight in it; none where it was left out.
+struct ShadowLight {
+  Moonlight light{};
+  std::optional<shadow::RefractedLight> twilight{};
+};
+
+ShadowLight shadow_light_of(const LightRequest& request, const ShadowedMoon& moon,
+                            const Purpose& purpose, const algebra::Progress& progress) {
+  ShadowLight all;
+  auto& light = all.light;
   light.plan = plan_of(request, moon, purpose);
   const auto& work = light.plan.work;
   light.refracted =
       light_of_work(request, moon, light.plan, arrangement_of(request, moon, work), progress);
   if (light.refracted->photons > 0)
     light.plan.work.photons = static_cast<double>(light.refracted->photons);
-  if (work.scattered_light) shadow::add_twilight(*light.refracted, moon.air);
+  if (work.scattered_light) {
+    all.twilight =
+        std::move(shadow::twilight_about(*light.refracted, std::span(&moon.air, 1)).front());
+    shadow::add_between(*all.twilight, *light.refracted);
+  }
   if (request.starlight) shadow::add_starlight(*light.refracted);
   light.range = {light.refracted->axis_distances_m.front(),
                  light.refracted->axis_distances_m.back(),
                  std::clamp(light.plan.tolerance / 10, 1e-5, 1e-3),
                  quadrature_for(work, moon).sectors.in(light.refracted->sectors)};
-  return light;
+  return all;
 }
 
 void add_direct_light(const LightRequest& request, const ShadowedMoon& moon, Moonlight& light) {
@@ -329,9 +343,9 @@ ShadowedMoon moon_on_its_way(const LightRequest& request,
 
 Moonlight light_on_the_way(const LightRequest& request, const ShadowedMoon& moon,
                            const Purpose& purpose, const algebra::Progress& progress) {
-  auto light = refracted_light_of(request, moon, purpose, progress);
+  auto [light, twilight] = shadow_light_of(request, moon, purpose, progress);
   add_direct_light(request, moon, light);
-  if (purpose.error_told) light.error_found = found_error(moon, light);
+  if (purpose.error_told) light.error_found = found_error(moon, light, twilight);
   if (light.refracted->photons > 0) light.plan.work.rays = photon_settings(request).rays;
   return light;
 }

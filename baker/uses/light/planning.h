@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -62,14 +63,20 @@ plan::Machine this_machine();
 /// Weights of wavelengths that give luminance.
 shadow::ChannelWeights luminance_weights();
 
+/// Scattered light in a check of the error.
+struct ScatteredInCheck {
+  std::optional<shadow::RefractedLight>
+      computed{};       ///< what the light has (shadow::twilight_about): taken as true
+  bool counts = false;  ///< where none was computed, it is part of the error
+};
+
 /// Largest relative error of luminance at sample places, against light with all terms and finer settings
 /// (plan::finer). Places lie evenly over the disc, where direct light begins, and where light is least smooth, at the
 /// depth farthest from all planes. Within one node of the look-up (1 km) of the beginning of all light, the error is
 /// no measure.
 ///
-/// Given  luminance         one channel, luminance_weights
-///        scattered_counts  where it was left out, scattered light is part of the error
+/// Given  luminance  one channel, luminance_weights
 double error_found(const ShadowedMoon& moon, const plan::Work& work,
-                   const shadow::Lookup& luminance, bool scattered_counts);
+                   const shadow::Lookup& luminance, const ScatteredInCheck& scattered);
 
 }  // namespace coppermoon::uses

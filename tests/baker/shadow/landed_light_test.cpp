@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/landed_light.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -69,6 +70,30 @@ TEST(LandedLight, LeavesOutWhatLandsBeyondItsReach) {
   for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(near.sums()[i], whole.sums()[i]) << i;
   EXPECT_EQ(none.last(), none.first());
   EXPECT_EQ(none.sums()[0], 0);
+}
+
+/// Share of ∫ exp(−depth t) dt from 0 to 1 that lies below some t.
+double share_below(double t, double depth) { return std::expm1(-depth * t) / std::expm1(-depth); }
+
+TEST(LandedLight, FallsAndRisesAsTheOpticalDepthOfItsRays) {
+  const double bin_m = 0.7, low = landing_bin(0, bin_m), high = landing_bin(100, bin_m);
+  for (const double depth : {0.1, 0.9, 8., 50., 4000.})
+    for (const bool rising : {false, true}) {
+      auto fan = five_rays();
+      for (std::size_t i = 0; i < 5; ++i)
+        fan.optical_depth[i] = depth / 4 * static_cast<double>(rising ? 4 - i : i);
+      const LandedLight landed(std::array{fan}, {sun_m, moon_m, bin_m, 1e8}, radius_m);
+      const double light = -100 * (radius_m + 50) * std::expm1(-depth) / depth;
+      for (int node = landed.first(); node <= landed.last(); ++node) {
+        const double t = std::clamp((node - low) / (high - low), 0., 1.),
+                     share = rising ? 1 - share_below(1 - t, depth) : share_below(t, depth);
+        const auto row = static_cast<std::size_t>(node - landed.first()) * moments * lanes;
+        EXPECT_WITHIN(
+            landed.sums()[row] / light, share, 2e-5,
+            "closed form; the limb's length grows by 16e-6 from the first ray to the last")
+            << depth << (rising ? " rising, bin " : " falling, bin ") << node;
+      }
+    }
 }
 
 }  // namespace

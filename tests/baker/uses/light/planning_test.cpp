@@ -337,9 +337,9 @@ TEST(ErrorFound, SeesALookUpTooCoarseWhereDirectLightBegins) {
   auto wide = light.range;
   wide.tolerance = 0.1;
   const auto weights = at_wavelengths(luminance_weights(), light.plan.work.bands);
-  EXPECT_GT(error_found(shadowed_moon(request, sky), light.plan.work, light.in_sums(weights, wide),
-                        false),
-            2e-3)
+  EXPECT_GT(
+      error_found(shadowed_moon(request, sky), light.plan.work, light.in_sums(weights, wide), {}),
+      2e-3)
       << "nodes 10 km apart: 3e-3 to 8e-3 of the light, by where they fall";
 }
 
@@ -351,7 +351,7 @@ TEST(ErrorFound, SeesScatteredLightThatThePlanLeftOut) {
   const auto moon = shadowed_moon(request, sky);
   const auto found = [&](bool scattered_counts) {
     return error_found(moon, light.plan.work, light.in_sums(weights, light.range),
-                       scattered_counts);
+                       {.counts = scattered_counts});
   };
   ASSERT_FALSE(light.plan.work.scattered_light);
   EXPECT_EQ(light.error_found, found(true));
