@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -43,6 +44,9 @@ double processor_seconds() {
 }  // namespace
 
 int main(int count, char** words) {
+  std::signal(
+      SIGINT,
+      SIG_DFL);  // ignored, also by what tests start, where a shell began them in the background
   testing::InitGoogleTest(&count, words);
   if (count > 1) {
     const auto filter = tests_of(std::string(words[1]) + "_test.cpp");

@@ -23,6 +23,9 @@ import numpy
 
 from support import clear, command, draft, small, thorough, when
 
+# ignored, also by what tests start, where a shell began them in the background
+signal.signal(signal.SIGINT, signal.default_int_handler)
+
 public = [name for name in coppermoon.__all__ if not name.startswith("_")]
 endless = coppermoon.Light(solver="photons", trace="each", photons=1e9)
 
