@@ -88,7 +88,10 @@ double seconds_of_quadrature(const Work& work, const Scene& scene, double distan
   const double fewer = scene.borders && !ellipsoid ? 0.5 : 1;  // of a region one, not two
   const double parts = regions ? fewer * static_cast<double>(scene.parts) : ellipsoid ? 2 : 1;
   const double rays = work.rays;
-  const double places = distances * work.planes * (1 + rays / 1000);  // finer, more cuts
+  // finer, more cuts; at sharp borders more harmonics too
+  const double cuts =
+      regions && scene.borders && rays > 300 ? 1.3 * std::pow(rays / 300, 1.2) : 1 + rays / 1000;
+  const double places = distances * work.planes * cuts;
   return cost.ray_followed * parts * (250 + 0.45 * rays) +
          parts * work.bands * rays * (cost.fan_ray + cost.landed_ray * work.planes) +
          seconds_of_places(work, scene, places);

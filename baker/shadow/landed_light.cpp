@@ -18,8 +18,8 @@ constexpr double small = 0.3;
 /// Integral ∫ exp(k t) dt from 0 to `part`, k small.
 double exponential_integral(double k, double part) {
   const double x = k * part;
-  constexpr double sixth = 1. / 720;
-  return part * (1 + x * (1. / 2 + x * (1. / 6 + x * (1. / 24 + x * (1. / 120 + x * sixth)))));
+  constexpr double of_x5 = 1. / 720;
+  return part * (1 + x * (1. / 2 + x * (1. / 6 + x * (1. / 24 + x * (1. / 120 + x * of_x5)))));
 }
 
 /// Mean over an interval of a quantity that varies exponentially from `first` to `last`; k = ln(last/first).
@@ -30,11 +30,6 @@ double exponential_mean(double first, double last, double k) {
 /// Share of ∫ exp(k t) dt from 0 to 1 that lies below some t.
 class ExponentialShare {
  public:
-  /// Factor by which exp(k t) changes from one t to another.
-  double change(double by) const {
-    return is_small_ ? 1 + k_ * exponential_integral(k_, by) : std::exp(k_ * by);
-  }
-
   explicit ExponentialShare(double k)
       : k_(k),
         is_small_(std::abs(k) <= small),
@@ -44,6 +39,11 @@ class ExponentialShare {
     if (is_small_) return exponential_integral(k_, part) * over_whole_;
     if (k_ < 0) return std::expm1(k_ * part) * over_whole_;
     return std::exp(k_ * (part - 1)) * std::expm1(-k_ * part) * over_whole_;
+  }
+
+  /// Factor by which exp(k t) changes where t grows by some amount.
+  double change(double by) const {
+    return is_small_ ? 1 + k_ * exponential_integral(k_, by) : std::exp(k_ * by);
   }
 
  private:

@@ -113,10 +113,10 @@ LandedPlane::LandedPlane(const Sunlit& sunlit, double depth_m) : sunlit_(sunlit)
 }
 
 /// Number of blocks held in memory at once: all, if those of all planes take 1.25 gigabytes or less (half a
-/// gigabyte with many wavelengths, where a few decide on inserted places); else as many of one plane as fill
-/// 150 megabytes.
+/// gigabyte with many wavelengths, where a few decide on inserted places); else as many of one plane as fill half
+/// a gigabyte, for each time the disc is cut into stretches anew.
 std::size_t LandedPlane::blocks_at_once() const {
-  constexpr std::size_t many = 128, most_bytes = 150'000'000;
+  constexpr std::size_t many = 128, most_bytes = 500'000'000;
   const std::size_t most_kept = sunlit_.waves.size() > many ? 500'000'000 : 1'250'000'000;
   const std::size_t a_block = sunlit_.limb.parts().size() *
                               static_cast<std::size_t>(last_ - first_) * moments * lanes *

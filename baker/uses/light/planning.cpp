@@ -316,7 +316,7 @@ plan::Scene scene_of(const ShadowedMoon& moon, const Purpose& purpose) {
 }
 
 plan::Machine this_machine() {
-  constexpr double seconds_elsewhere = 1.05e-3;
+  constexpr double seconds_elsewhere = 0.95e-3;
   const std::vector<double> waves{400, 450, 500, 550, 600, 650, 700, 750};
   std::vector<double> places;
   for (double d = 1e6; d < 5e6; d += 2e5) places.push_back(d);
