@@ -6,9 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <utility>
 
+#include "algebra/error.h"
 #include "algebra/number.h"
 #include "algebra/table.h"
 #include "almanac/tables.h"
@@ -46,6 +51,53 @@ City city_in(const std::vector<std::string>& row) {
           row[5]};
 }
 
+/// File of the user's own cities; empty: the user has no home.
+std::filesystem::path own_cities_file() {
+  const auto variable = [](const char* name) -> std::filesystem::path {
+    const char* const value = std::getenv(name);
+    return value == nullptr ? "" : value;
+  };
+  if (const auto xdg = variable("XDG_CONFIG_HOME"); xdg.is_absolute())
+    return xdg / "coppermoon" / "cities.csv";
+  const auto home = variable("HOME");
+  return home.empty() ? home : home / ".config" / "coppermoon" / "cities.csv";
+}
+
+/// Rows of the user's own file, checked; a heading may be left out.
+Rows own_rows() {
+  const auto path = own_cities_file();
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  auto rows = algebra::parse_text_table(text.str());
+  std::erase_if(rows, [](const auto& row) { return row[0] == "name"; });
+  for (auto& row : rows) {
+    const bool sound = row.size() == 6 && !row[0].empty() && algebra::number_in(row[2]) &&
+                       algebra::number_in(row[3]) && algebra::number_in(row[4]) && !row[5].empty();
+    if (!sound)
+      throw algebra::Error(fmt::format(
+          "{}: \"{}\" is no city, allowed name,region,latitude,longitude,elevation,zone in degrees "
+          "and metres, as My garden,Berlin,52.52,13.41,43,Europe/Berlin",
+          path.string(), fmt::join(row, ",")));
+    try {
+      require_on_earth(city_in(row).place);
+    } catch (const algebra::Error& error) {
+      throw algebra::Error(fmt::format("{}: {}: {}", path.string(), row[0], error.what()));
+    }
+  }
+  return rows;
+}
+
+const Rows& own_cities() {
+  static const Rows rows = own_rows();
+  return rows;
+}
+
+City own_city_in(const std::vector<std::string>& row) {
+  auto city = city_in(row);
+  city.own = true;
+  return city;
+}
+
 LunarFeature feature_in(const std::vector<std::string>& row) {
   return {row[0],
           {algebra::degrees(number(row[1])), algebra::degrees(number(row[2]))},
@@ -68,16 +120,58 @@ bool is_name(const std::string& known, std::string_view name) {
   return plain == plain_name(name) || plain == plain_name(without_umlauts(name));
 }
 
+std::string_view without_spaces(std::string_view text) {
+  const auto first = std::min(text.find_first_not_of(' '), text.size());
+  return text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
+/// Region, state or country.
+struct Area {
+  std::vector<std::string> regions;  ///< plain names that a city's region may have
+  std::string time_zones = " ";      ///< that a city may have, with spaces around them
+};
+
+/// Area of any name: a region, or what areas.csv knows by it. Dots are ignored: "D.C.".
+Area area_named(std::string_view name) {
+  static const Rows rows = rows_of(tables::areas());
+  const auto plain = plain_name(name);
+  auto undotted = plain;
+  std::erase(undotted, '.');
+  Area area{{plain}};
+  for (const auto& row : rows) {
+    if (("/" + row.back() + "/").find("/" + undotted + "/") == std::string::npos) continue;
+    if (!row[1].empty()) area.regions.push_back(plain_name(row[1]));
+    if (!row[2].empty()) area.time_zones += row[2] + " ";
+  }
+  return area;
+}
+
+/// Areas of a text behind a city's name: one, or several with commas between, as "Illinois, USA".
+std::vector<Area> areas_in(std::string_view text) {
+  std::vector<Area> areas;
+  std::istringstream parts{std::string(text)};
+  for (std::string part; std::getline(parts, part, ',');)
+    areas.push_back(area_named(without_spaces(part)));
+  return areas;
+}
+
+bool is_in(const std::vector<Area>& areas, const std::vector<std::string>& city) {
+  return std::ranges::all_of(areas, [&](const Area& area) {
+    return std::ranges::find(area.regions, plain_name(city[1])) != area.regions.end() ||
+           area.time_zones.find(" " + city[5] + " ") != std::string::npos;
+  });
+}
+
 /// Rows of a name; if none, rows whose names contain it as whole words.
 ///
-/// Given  region  the second cell that a row must have; empty: any
-Rows rows_named(const Rows& rows, std::string_view name, std::string_view region = {}) {
+/// Given  areas  that a city must be in
+Rows rows_named(const Rows& rows, std::string_view name, const std::vector<Area>& areas = {}) {
   const auto wanted = plain_name(name), spelt = plain_name(without_umlauts(name)),
-             in = plain_name(region), whole_words = " " + wanted + " ";
+             whole_words = " " + wanted + " ";
   if (wanted.empty()) return {};
   Rows all, parts;
   for (const auto& row : rows) {
-    if (!in.empty() && plain_name(row[1]) != in) continue;
+    if (!is_in(areas, row)) continue;
     const auto& plain = row.back();
     if (plain == wanted || plain == spelt) all.push_back(row);
     if ((" " + plain + " ").find(whole_words) != std::string::npos) parts.push_back(row);
@@ -94,12 +188,7 @@ std::string known_name(std::string_view name) {
   return std::string(name);
 }
 
-std::string_view without_spaces(std::string_view text) {
-  const auto first = std::min(text.find_first_not_of(' '), text.size());
-  return text.substr(first, text.find_last_not_of(' ') + 1 - first);
-}
-
-/// A city's name, and the region behind a slash or comma; empty: any.
+/// A city's name, and the areas behind a slash or comma; empty: any.
 std::pair<std::string_view, std::string_view> name_and_region(std::string_view text) {
   const auto end = text.find_first_of("/,");
   if (end == std::string_view::npos) return {without_spaces(text), {}};
@@ -159,9 +248,11 @@ std::string plain_name(std::string_view name) {
 
 std::vector<City> cities_named(std::string_view name) {
   const auto [city, region] = name_and_region(name);
+  const auto areas = areas_in(region);
   std::vector<City> all;
-  for (const auto& row : rows_named(cities(), known_name(city), region))
-    all.push_back(city_in(row));
+  for (const auto& row : own_cities())
+    if (is_name(row[0], city) && is_in(areas, row)) all.push_back(own_city_in(row));
+  for (const auto& row : rows_named(cities(), known_name(city), areas)) all.push_back(city_in(row));
   return all;
 }
 
@@ -180,7 +271,7 @@ static std::ptrdiff_t rank_of(const City& city) {
 std::string city_taken(std::string_view name) {
   constexpr int far_smaller = 10;  // ranks: population falls as one over the rank
   auto all = cities_named(name);
-  if (all.empty()) return {};
+  if (all.empty() || all.front().own) return {};
   const auto known = known_name(name_and_region(name).first);
   if (is_name(all.front().name, known)) {
     const auto least = far_smaller * rank_of(all.front());
@@ -202,8 +293,15 @@ std::string no_such_city(std::string_view name) {
 }
 
 City nearest_city(const Observer& place) {
-  return city_in(*std::ranges::max_element(
-      cities(), {}, [&](const auto& row) { return nearness(place, city_in(row).place); }));
+  const auto near = [&](const auto& row) { return nearness(place, city_in(row).place); };
+  const auto& nearest = *std::ranges::max_element(cities(), {}, near);
+  const auto own = std::ranges::max_element(own_cities(), {}, near);
+  return own != own_cities().end() && near(*own) > near(nearest) ? own_city_in(*own)
+                                                                 : city_in(nearest);
+}
+
+algebra::Length distance_between(const Observer& a, const Observer& b) {
+  return algebra::kilometres(6371 * std::acos(std::clamp(nearness(a, b), -1., 1.)));
 }
 
 std::optional<LunarFeature> lunar_feature_named(std::string_view name) {
@@ -224,7 +322,12 @@ std::vector<LunarFeature> lunar_features() {
   return all;
 }
 
-std::vector<std::string> city_names() { return names_in(cities()); }
+std::vector<std::string> city_names() {
+  auto names = names_in(own_cities());
+  const auto others = names_in(cities());
+  names.insert(names.end(), others.begin(), others.end());
+  return names;
+}
 
 std::vector<std::string> lunar_feature_names() { return names_in(features()); }
 

@@ -17,6 +17,7 @@ struct City {
   std::string name, region;  ///< region: its state or province
   Observer place;
   std::string time_zone;  ///< a name of the IANA's data, as "America/Chicago"
+  bool own = false;       ///< of the user's own file
 };
 
 /// A crater, mare, mountain or valley of the Moon.
@@ -31,7 +32,12 @@ struct LunarFeature {
 /// cities have alternative names: "Wien" is Vienna. Where no city has exactly this name, cities are returned whose
 /// names contain it as whole words: "New York" finds New York City.
 ///
-/// Given   name  "Chicago", or with the region after a slash or comma: "Springfield/Illinois"
+/// Before all others come cities of the user's own file: $XDG_CONFIG_HOME/coppermoon/cities.csv, else
+/// ~/.config/coppermoon/cities.csv, with the columns of data/cities.csv. It is read once.
+///
+/// Given   name  "Chicago", or with region or country (data/areas.csv) after a slash or comma:
+///               "Springfield/Illinois", "Springfield, IL, USA", "Berlin, Germany"
+/// Throws  Error  for a line of the own file that is no city
 /// Source  GeoNames, CC BY 4.0 (data/cities.csv), places to 0.01°
 std::vector<City> cities_named(std::string_view name);
 
@@ -47,21 +53,24 @@ std::string city_taken(std::string_view name);
 /// the region is wrong, "no such city" otherwise.
 std::string no_such_city(std::string_view name);
 
-/// City at the least distance from a place.
+/// City at the least distance from a place; the user's own count too.
 City nearest_city(const Observer& place);
+
+/// Distance of two places along a globe of 6371 km radius.
+algebra::Length distance_between(const Observer& a, const Observer& b);
 
 /// Lunar feature of a name, by the same rules as for cities: "Crisium" is Mare Crisium.
 ///
 /// Source  Gazetteer of Planetary Nomenclature, IAU and USGS (data/lunar_features.csv), to 0.01°
 std::optional<LunarFeature> lunar_feature_named(std::string_view name);
 
-/// Most populous cities, largest first; at most `count`.
+/// Most populous cities, largest first, without the user's own; at most `count`.
 std::vector<City> largest_cities(std::size_t count);
 
 /// All features of the Moon, by name.
 std::vector<LunarFeature> lunar_features();
 
-/// Names of all cities, to search for similar ones.
+/// Names of all cities, the user's own first, to search for similar ones.
 std::vector<std::string> city_names();
 std::vector<std::string> lunar_feature_names();
 

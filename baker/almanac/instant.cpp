@@ -42,13 +42,15 @@ bool take_number(std::string_view& text, int count, int& value) {
   return number.has_value();
 }
 
+/// Takes a date off the front of the text: "2018-07-27" or "20180727".
 bool take_date(std::string_view& text, CivilTime& c) {
   const bool before_christ = take(text, '-');
   if (!before_christ) take(text, '+');
-  const bool read = take_number(text, 4, c.year) && take(text, '-') &&
-                    take_number(text, 2, c.month) && take(text, '-') && take_number(text, 2, c.day);
+  if (!take_number(text, 4, c.year)) return false;
   if (before_christ) c.year = -c.year;
-  return read;
+  const bool extended = take(text, '-');
+  return take_number(text, 2, c.month) && (!extended || take(text, '-')) &&
+         take_number(text, 2, c.day);
 }
 
 bool take_second(std::string_view& text, CivilTime& c) {
@@ -63,10 +65,19 @@ bool take_second(std::string_view& text, CivilTime& c) {
   return true;
 }
 
+/// Takes a time of day off the front of the text: "20:21", "20:21:45.5", "2021" or "202145".
 bool take_time(std::string_view& text, CivilTime& c) {
-  if (!take_number(text, 2, c.hour) || !take(text, ':') || !take_number(text, 2, c.minute))
-    return false;
-  return !take(text, ':') || take_second(text, c);
+  if (!take_number(text, 2, c.hour)) return false;
+  const bool extended = take(text, ':');
+  if (!take_number(text, 2, c.minute)) return false;
+  const bool more = !text.empty() && text.front() >= '0' && text.front() <= '9';
+  return (extended ? !take(text, ':') : !more) || take_second(text, c);
+}
+
+/// Whether there is such a time of day in some zone; 24:00 is the midnight that ends a day.
+bool is_time_of_day(const CivilTime& c) {
+  const bool ends_day = c.hour == 24 && c.minute == 0 && c.second == 0;
+  return (c.hour < 24 || ends_day) && c.minute < 60 && c.second < 61;
 }
 
 /// Takes an offset off the front of the text: "+04:00", "-0330" or "+04".
@@ -83,10 +94,25 @@ bool take_offset(std::string_view& text, CivilTime& c) {
 std::optional<CivilTime> civil_time(std::string_view text) {
   CivilTime c;
   if (!take_date(text, c) || c.year < -1999 || c.year > 3000) return std::nullopt;
-  const bool timed = take(text, 'T') || take(text, ' ');
-  if (timed && !take_time(text, c)) return std::nullopt;
-  if (!take(text, 'Z') && timed && !text.empty() && !take_offset(text, c)) return std::nullopt;
+  const bool timed = take(text, 'T') || take(text, 't') || take(text, ' ');
+  if (timed && (!take_time(text, c) || !is_time_of_day(c))) return std::nullopt;
+  const bool utc = take(text, 'Z') || take(text, 'z');
+  if (!utc && timed && !text.empty() && !take_offset(text, c)) return std::nullopt;
   if (!text.empty()) return std::nullopt;
+  return c;
+}
+
+/// The same moment by the clocks of UTC, where a leap second may end the day; none where there is no such day.
+std::optional<CivilTime> in_utc(CivilTime c) {
+  constexpr int day_min = 24 * 60;
+  const int minutes = 60 * c.hour + c.minute - c.minutes_east;
+  const int days = (minutes + 2 * day_min) / day_min - 2;  // a floor: an offset is under two days
+  double day = 0, midnight = 0, fraction = 0;
+  if (eraCal2jd(c.year, c.month, c.day, &day, &midnight) != 0) return std::nullopt;
+  eraJd2cal(day, midnight + days, &c.year, &c.month, &c.day, &fraction);
+  c.hour = (minutes - days * day_min) / 60;
+  c.minute = (minutes - days * day_min) % 60;
+  c.minutes_east = 0;
   return c;
 }
 
@@ -144,6 +170,7 @@ Instant from_ut1(double day, double fraction) {
 Instant instant_from_utc(std::string_view text, Calendar calendar) {
   auto c = civil_time(text);
   if (c && calendar == Calendar::julian) c = in_gregorian(*c);
+  if (c) c = in_utc(*c);
   double day = 0, fraction = 0;
   const int status = !c ? -1
                         : eraDtf2d(name(scale_in(c->year)), c->year, c->month, c->day, c->hour,
@@ -153,9 +180,7 @@ Instant instant_from_utc(std::string_view text, Calendar calendar) {
         fmt::format("date \"{}\": allowed is an ISO 8601 date of the years -1999 to 3000, such as "
                     "2026-03-03, 2026-03-03T11:33:43Z or 2026-03-03T13:33:43+02:00",
                     text));
-  const auto there =
-      scale_in(c->year) == Scale::utc ? from_utc(day, fraction) : from_ut1(day, fraction);
-  return c->minutes_east == 0 ? there : later(there, -60. * c->minutes_east);
+  return scale_in(c->year) == Scale::utc ? from_utc(day, fraction) : from_ut1(day, fraction);
 }
 
 std::string utc_text(const Instant& instant, int decimals) {

@@ -19,7 +19,6 @@ namespace {
 using almanac::Instant;
 
 constexpr double half_a_month_s = 15 * 86400.;
-constexpr auto usual = ShadowConvention::danjon;
 
 /// Contact and seconds after it, of a text as "P1-10min".
 struct FromContact {
@@ -46,20 +45,32 @@ bool is_like(std::string_view text, std::string_view pattern) {
          });
 }
 
-Instant to_the_second(const Instant& when) {
-  return almanac::instant_from_utc(almanac::utc_text(when));
+/// A text in small letters, without spaces.
+std::string plain(std::string_view text) {
+  std::string letters;
+  for (const char letter : text)
+    if (letter != ' ')
+      letters += letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  return letters;
 }
 
 }  // namespace
 
 bool is_day(std::string_view text) {
   return is_like(text, "0000-00-00") || is_like(text, "-0000-00-00") ||
-         is_like(text, "+0000-00-00");
+         is_like(text, "+0000-00-00") || is_like(text, "00000000");
+}
+
+bool is_clock_time(std::string_view text) {
+  const auto day_ends = text.find_first_of("Tt ");
+  return day_ends != std::string_view::npos && is_day(text.substr(0, day_ends)) &&
+         text.find_first_not_of("0123456789:.", day_ends + 1) == std::string_view::npos;
 }
 
 bool is_contact_or_time(std::string_view text) {
-  return is_like(text.substr(0, 5), "00:00") || is_like(text.substr(0, 2), "P0") ||
-         is_like(text.substr(0, 2), "U0") || text.starts_with("greatest");
+  const auto word = plain(text);
+  return is_like(word.substr(0, 5), "00:00") || is_like(word.substr(0, 2), "p0") ||
+         is_like(word.substr(0, 2), "u0") || word.starts_with("greatest") || is_from_horizon(word);
 }
 
 bool begins_with_digit(const std::string& text) {
@@ -71,38 +82,25 @@ bool is_from_contact(const std::string& text) {
   return space != std::string::npos && !begins_with_digit(text.substr(space + 1));
 }
 
-Instant moment_in(const std::string& text, almanac::Calendar calendar) {
-  if (is_day(text)) return to_the_second(eclipse_on(text, calendar).greatest);
-  if (!is_from_contact(text)) return almanac::instant_from_utc(text, calendar);
-  const auto space = text.find(' ');
-  return to_the_second(
-      moment_from(text.substr(space + 1), eclipse_on(text.substr(0, space), calendar)));
+bool is_from_horizon(const std::string& text) {
+  const auto word = plain(text.substr(0, text.find_first_of("+-")));
+  return word == "moonrise" || word == "moonset";
 }
 
-Instant moment_from(const std::string& text, const Eclipse& eclipse, almanac::Calendar calendar) {
-  if (begins_with_digit(text)) return almanac::instant_from_utc(text, calendar);
-  const auto [name, seconds] = from_contact(text);
+Instant moment_from(const std::string& text, const Eclipse& eclipse,
+                    const std::vector<std::pair<std::string, Instant>>& others) {
+  const auto [name, seconds] = from_contact(plain(text));
+  auto known = contacts_of(eclipse);
+  known.insert(known.end(), others.begin(), others.end());
   std::vector<std::string> names;
-  for (const auto& [contact, when] : contacts_of(eclipse)) {
-    if (contact == name && seconds) return almanac::later(when, *seconds);
+  for (const auto& [contact, when] : known) {
+    if (plain(contact) == name && seconds) return almanac::later(when, *seconds);
     names.push_back(contact);
   }
-  throw algebra::Error(fmt::format(
-      "moment = {}, allowed an instant or one of {} of the eclipse of {}, as {}-10min", text,
-      fmt::join(names, ", "), almanac::date_text(eclipse.greatest, calendar), names.front()));
-}
-
-Eclipse eclipse_on(const std::string& day, almanac::Calendar calendar) {
-  const auto midnight = almanac::instant_from_utc(day, calendar);
-  if (auto eclipse = eclipse_of_day(midnight, usual)) {
-    eclipse->calendar = calendar;
-    return *eclipse;
-  }
-  const auto nearest = nearest_eclipse(almanac::later(midnight, 43200), usual);
   throw algebra::Error(
-      fmt::format("{}: no lunar eclipse is greatest on that day (UTC); the nearest is at {}. Any "
-                  "other moment needs a time of day, as {}T21:30Z",
-                  day, almanac::utc_text(nearest.greatest, calendar), day));
+      fmt::format("moment = {}, allowed an instant or one of {} of the eclipse of {}, as {}-10min",
+                  text, fmt::join(names, ", "),
+                  almanac::date_text(eclipse.greatest, eclipse.calendar), names.front()));
 }
 
 }  // namespace coppermoon::eclipse

@@ -55,7 +55,8 @@ uses::Film film_of(const Options& options) {
   film.view = options.view;
   film.development = options.development;
   film.moon.response = spectral_response(film.development.camera);
-  film.time_keys = time_keys_from(options.time, film.moments.eclipse);
+  film.time_keys = time_keys_from(options.time, film.moments.eclipse,
+                                  {options.view.observer, options.film.zone});
   if (film.time_keys.empty()) film.development.time = uses::exposure_time_from(options.time);
   film.bracket_ev = options.film.bracket_ev;
   return film;

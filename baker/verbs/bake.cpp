@@ -205,7 +205,7 @@ void write(const Options& options, const std::vector<Output>& outputs, const Out
 /// Lit Moon of the options, seen by their observer.
 uses::LitMoon lit_moon(const Options& options, const uses::MoonRequest& request) {
   const texture::ImagesAhead images;
-  const auto sky = eclipsed_sky(options.moon);
+  const auto sky = eclipsed_sky(options.moon, options.view.observer);
   const auto seen = view_of(options.view, sky);
   auto moon = [&] {
     ProgressBar bar("light");

@@ -47,7 +47,7 @@ nlohmann::ordered_json as_json(const uses::BrightnessSeen& seen, const Options& 
 
 nlohmann::ordered_json described(const Options& options) {
   const auto request = moon_request(options.moon);
-  const auto sky = eclipsed_sky(options.moon);
+  const auto sky = eclipsed_sky(options.moon, options.view.observer);
   ProgressBar bar("light");
   const auto brightness = uses::brightness_of(request, sky, options.view, bar.progress());
   const auto calendar = options.moon.moment.calendar;

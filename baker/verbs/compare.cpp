@@ -86,7 +86,7 @@ FrameGeometry geometry_of(const std::string& file) {
     throw algebra::Error(
         fmt::format("{}: has no recipe, allowed are .exr files made by coppermoon", file));
   const auto flags = still_flags_of(file);
-  const auto sky = almanac::sky_at(instant_of(flags.moon.moment));
+  const auto sky = almanac::sky_at(instant_of(flags.moon.moment, flags.view.observer));
   const auto view = uses::seen_through(flags.camera, flags.view);
   const auto camera = uses::camera_of(flags.camera);
   return {uses::frame_places(sky, uses::view_for_frame(view, sky).view.camera),

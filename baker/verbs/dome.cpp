@@ -65,7 +65,7 @@ void run(const Options& options) {
   const auto request = dome_request(options);
   auto moon = moon_request(options.moon);
   moon.texture_width = 720;  // of the Moon's whole light
-  const auto sky = almanac::sky_at(instant_of(options.moon.moment));
+  const auto sky = almanac::sky_at(instant_of(options.moon.moment, options.view.observer));
   const bool eclipsed =
       eclipse::eclipse_at(sky.when, eclipse::ShadowConvention::danjon).has_value();
   if (!eclipsed) moon.unshadowed = true;  // on any other night

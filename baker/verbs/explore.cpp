@@ -13,6 +13,7 @@
 #include "files/whole_file.h"
 #include "uses/explore/exploration.h"
 #include "uses/light/light_parameters.h"
+#include "uses/picture/local_time.h"
 #include "uses/picture/place_text.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/film_options.h"
@@ -126,12 +127,13 @@ void run(const CLI::App& verb, Options options) {
   request.options = options_shown(verb);
   if (request.observer) {
     const auto named = almanac::city_named(request.place);
-    request.time_zone = (named ? *named : almanac::nearest_city(*request.observer)).time_zone;
+    request.time_zone = named ? named->time_zone : uses::time_zone_of(*request.observer);
+    if (!named) say_whose_clocks(*request.observer);
     request.place = named ? named->name : "";
   }
-  const auto written = options.from.empty()
-                           ? write_page(times_of(options.film).eclipse, options, options.output)
-                           : write_calendar(options);
+  const auto written = options.from.empty() ? write_page(eclipse_of(options.film, request.observer),
+                                                         options, options.output)
+                                            : write_calendar(options);
   if (options.json) fmt::print("{}\n", written.dump(2));
 }
 

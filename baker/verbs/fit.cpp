@@ -101,7 +101,7 @@ std::string instant_by(const uses::HeaderClock& clock, const Options& options) {
   const auto zone = zone_of(clock, options);
   if (zone.starts_with('+') || zone.starts_with('-')) return clock.local + zone;
   const auto& observer = options.request.view.observer;
-  const auto named = zone.empty() && observer ? almanac::nearest_city(*observer).time_zone : zone;
+  const auto named = zone.empty() && observer ? uses::time_zone_of(*observer) : zone;
   return named.empty() ? clock.local + "Z"
                        : almanac::utc_text(uses::instant_of_local(clock.local, named));
 }

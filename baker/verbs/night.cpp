@@ -115,9 +115,8 @@ void print(const NightReport& night) {
   fmt::print("{}\n{}: {}\n", title(night.circumstances.eclipse),
              night.own_clocks ? night.city.name : uses::place_text(place),
              what_is_seen(night.circumstances));
-  if (!night.own_clocks && night.zone == night.city.time_zone)
-    fmt::print("Local times are those of {} ({}), the nearest city that is known.\n",
-               night.city.name, night.city.time_zone);
+  if (!night.own_clocks && night.zone == uses::time_zone_of(place))
+    fmt::print("{} --zone shows others.\n", uses::whose_clocks(place));
   fmt::print("\n");
   print_moments(night);
   if (night.lights.V_error)
@@ -215,14 +214,17 @@ void write(const NightReport& night, const fs::path& file) {
 }
 
 NightReport night_of(const Options& options) {
-  const auto eclipse = times_of(options.film).eclipse;
+  auto film = options.film;
+  film.zone = options.zone;
+  const auto eclipse = eclipse_of(film, options.view.observer);
   const auto named = almanac::city_named(options.place);
   NightReport night{uses::circumstances(eclipse, *options.view.observer),
                     {},
                     named ? *named : almanac::nearest_city(*options.view.observer),
                     named.has_value(),
                     options.zone};
-  if (night.zone.empty()) night.zone = night.city.time_zone;
+  if (night.zone.empty() || night.zone == "local")
+    night.zone = named ? named->time_zone : uses::time_zone_of(*options.view.observer);
   uses::local_time(eclipse.greatest, night.zone);  // refuses what is no zone
   ProgressBar bar("light");
   auto development = options.develop;

@@ -39,7 +39,7 @@ struct Planned {
 
 Planned planned(const Options& options, bool picture) {
   auto moon = moon_request(options.moon);
-  const auto sky = eclipsed_sky(options.moon);
+  const auto sky = eclipsed_sky(options.moon, options.view.observer);
   Planned result;
   if (picture) {
     const auto seen = uses::view_for_frame(options.view, sky);

@@ -43,7 +43,7 @@ void run(const CLI::App& verb, Options options) {
     throw algebra::Error(fmt::format("{}: is no directory", one_line(options.output)));
   const auto start = std::chrono::steady_clock::now();
   options.request.light = light_request(options.light);
-  const auto eclipse = times_of(options.film).eclipse;
+  const auto eclipse = eclipse_of(options.film);
   say_unless_danjon_is_reached(options.request.light.air, almanac::sky_at(eclipse.greatest));
   const auto shader = [&] {
     ProgressBar bar("light");

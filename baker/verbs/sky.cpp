@@ -48,15 +48,16 @@ void add_stars(nlohmann::ordered_json& all, const almanac::Observer& observer, d
 }
 
 nlohmann::ordered_json described(const Options& options) {
-  const auto sky = almanac::sky_at(instant_of(options.moment));
+  std::optional<almanac::Observer> observer;
+  if (!options.at.empty()) observer = uses::observer_from(options.at);
+  const auto sky = almanac::sky_at(instant_of(options.moment, observer));
   const auto calendar = options.moment.calendar;
   nlohmann::ordered_json all{{"instant", almanac::utc_text(sky.when, calendar, 3)}};
   add(all, eclipse::sky_columns(), sky);
   say_calendar(all, calendar);
-  if (options.at.empty()) return all;
-  const auto observer = uses::observer_from(options.at);
-  add(all, eclipse::view_columns(), almanac::view_from(observer, sky));
-  if (options.faintest_star) add_stars(all, observer, *options.faintest_star, sky);
+  if (!observer) return all;
+  add(all, eclipse::view_columns(), almanac::view_from(*observer, sky));
+  if (options.faintest_star) add_stars(all, *observer, *options.faintest_star, sky);
   return all;
 }
 

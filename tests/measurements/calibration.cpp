@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "algebra/interpolation.h"
-#include "eclipse/moment.h"
 #include "tests/measurements/umbral_light.h"
 #include "uses/light/photometric_bands.h"
 #include "uses/picture/brightness.h"
+#include "uses/picture/moment_text.h"
 
 using namespace coppermoon;
 using namespace coppermoon::measurements;
@@ -62,7 +62,7 @@ struct Measured {
 /// Magnitude by which an observer's value exceeds the computed one.
 double apart(const std::string& date, const std::string& quantity, double value,
              const uses::Air& air) {
-  const auto sky = almanac::sky_at(eclipse::moment_in(date));
+  const auto sky = almanac::sky_at(uses::moment_in(date));
   uses::MoonRequest moon;
   moon.light.air = air;
   const auto V = [&] { return uses::brightness_of(moon, sky).disc.magnitudes[uses::V_band]; };

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "uses/picture/horizon_crossings.h"
 #include "uses/picture/view.h"
 
 namespace coppermoon::uses {
@@ -16,59 +17,10 @@ namespace {
 
 using almanac::Instant;
 
-constexpr double longest_night_s = 13 * 3600., step_s = 1800;
+constexpr double longest_night_s = 13 * 3600.;
 
 double height(const almanac::Observer& place, const Instant& when) {
   return algebra::in_radians(above_horizon(place, almanac::sky_at(when)));
-}
-
-/// Moonrise or moonset.
-struct Crossing {
-  Instant when;
-  bool rises;
-};
-
-/// Zero of the height between two moments, by bisection to 0.02 s.
-Crossing crossing(const almanac::Observer& place, Instant from, double seconds) {
-  const bool up = height(place, from) > 0;
-  while (seconds > 0.02) {
-    seconds /= 2;
-    const auto middle = almanac::later(from, seconds);
-    if ((height(place, middle) > 0) == up) from = middle;
-  }
-  return {from, !up};
-}
-
-/// Times [s from the first moment] and heights [rad]: every half hour, and at extremes so near the horizon that a rise
-/// and a set may lie within a step.
-std::vector<std::pair<double, double>> heights(const almanac::Observer& place, const Instant& from,
-                                               double seconds) {
-  constexpr double grazing = 3e-3;  // largest rise within a step: (2π / a day · half a step)² / 2
-  const auto steps = static_cast<int>(std::ceil(seconds / step_s));
-  const double step = seconds / steps;
-  const auto at = [&](double s) { return std::pair{s, height(place, almanac::later(from, s))}; };
-  std::vector<std::pair<double, double>> all;
-  for (int i = 0; i <= steps; ++i) all.push_back(at(i * step));
-  for (int i = 1; i < steps; ++i) {
-    const auto n = static_cast<std::size_t>(i);
-    const double before = all[n - 1].second, here = all[n].second, after = all[n + 1].second;
-    const double bend = before - 2 * here + after;
-    if (std::abs(here) < grazing && (here - before) * (here - after) > 0)
-      all.push_back(at(i * step + step * (before - after) / (2 * bend)));
-  }
-  std::ranges::sort(all);
-  return all;
-}
-
-std::vector<Crossing> crossings(const almanac::Observer& place, const Instant& from,
-                                const Instant& to) {
-  std::vector<Crossing> found;
-  const auto all = heights(place, from, almanac::seconds_between(from, to));
-  for (std::size_t i = 1; i < all.size(); ++i)
-    if ((all[i - 1].second > 0) != (all[i].second > 0))
-      found.push_back(
-          crossing(place, almanac::later(from, all[i - 1].first), all[i].first - all[i - 1].first));
-  return found;
 }
 
 NightMoment moment_at(const almanac::Observer& place, std::string name, const Instant& when) {
@@ -77,12 +29,12 @@ NightMoment moment_at(const almanac::Observer& place, std::string name, const In
 }
 
 /// Moonrise and moonset within the night.
-std::vector<NightMoment> horizon_crossings(const Circumstances& night) {
+std::vector<NightMoment> rises_and_sets(const Circumstances& night) {
   std::vector<NightMoment> all;
   const auto& greatest = night.eclipse.greatest;
   for (const auto& [when, rises] :
-       crossings(night.place, almanac::later(greatest, -longest_night_s),
-                 almanac::later(greatest, longest_night_s))) {
+       horizon_crossings(night.place, almanac::later(greatest, -longest_night_s),
+                         almanac::later(greatest, longest_night_s))) {
     all.push_back(moment_at(night.place, rises ? "moonrise" : "moonset", when));
     all.back().up = true;
   }
@@ -126,7 +78,7 @@ Circumstances circumstances(const eclipse::Eclipse& eclipse, const almanac::Obse
   Circumstances night{eclipse, place, {}};
   for (const auto& [name, when] : contacts_of(eclipse))
     night.moments.push_back(moment_at(place, name, when));
-  for (auto& moment : horizon_crossings(night)) night.moments.push_back(std::move(moment));
+  for (auto& moment : rises_and_sets(night)) night.moments.push_back(std::move(moment));
   std::ranges::stable_sort(night.moments, [](const auto& a, const auto& b) {
     return almanac::seconds_between(a.when, b.when) > 0;
   });
@@ -151,7 +103,7 @@ std::string what_is_seen(const Circumstances& night) {
 
 std::string contacts_seen(const eclipse::Eclipse& eclipse, const almanac::Observer& place) {
   const auto contacts = contacts_of(eclipse);
-  const auto changes = crossings(place, contacts.front().second, contacts.back().second);
+  const auto changes = horizon_crossings(place, contacts.front().second, contacts.back().second);
   auto change = changes.begin();
   bool up = height(place, contacts.front().second) > 0;
   if (changes.empty()) return up ? "all" : "none";

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "algebra/error.h"
@@ -15,16 +14,6 @@
 
 namespace coppermoon::uses {
 namespace {
-
-/// Distance along the ground, for places near each other.
-double kilometres_between(const almanac::Observer& a, const almanac::Observer& b) {
-  constexpr double radius_km = 6371;
-  const double north = algebra::in_radians(a.latitude - b.latitude),
-               east = std::remainder(algebra::in_radians(a.longitude - b.longitude),
-                                     2 * std::numbers::pi) *
-                      std::cos(algebra::in_radians(a.latitude));
-  return radius_km * std::hypot(north, east);
-}
 
 std::string degrees_text(double degrees, const char* positive, const char* negative) {
   return fmt::format("{:.2f}° {}", std::abs(degrees), degrees < 0 ? negative : positive);
@@ -55,13 +44,10 @@ std::optional<almanac::Observer> observer_of(const texture::Attributes& header) 
 std::string place_in_words(const almanac::Observer& observer) {
   constexpr double near_km = 10;
   const auto city = almanac::nearest_city(observer);
-  if (kilometres_between(observer, city.place) < near_km) return city.name;
+  if (algebra::in_kilometres(almanac::distance_between(observer, city.place)) < near_km)
+    return city.name;
   return degrees_text(algebra::in_degrees(observer.latitude), "N", "S") + ", " +
          degrees_text(algebra::in_degrees(observer.longitude), "E", "W");
-}
-
-std::string time_zone_of(const almanac::Observer& observer) {
-  return almanac::nearest_city(observer).time_zone;
 }
 
 std::string from_nearest_contact(const eclipse::Eclipse& eclipse, const almanac::Instant& when) {

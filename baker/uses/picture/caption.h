@@ -13,9 +13,6 @@ namespace coppermoon::uses {
 /// Name of the nearest city where it is less than 10 km away, else degrees: "34.05° N, 118.24° W".
 std::string place_in_words(const almanac::Observer& observer);
 
-/// Time zone of the city nearest to a place.
-std::string time_zone_of(const almanac::Observer& observer);
-
 /// Contact nearest to a moment, and the time from it: "U2", "U2+12min", "U2-40s".
 std::string from_nearest_contact(const eclipse::Eclipse& eclipse, const almanac::Instant& when);
 

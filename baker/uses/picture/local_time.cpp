@@ -11,10 +11,13 @@
 #include <cstdlib>
 
 #include "algebra/error.h"
+#include "almanac/gazetteer.h"
 
 namespace coppermoon::uses {
 
 namespace {
+
+constexpr double city_clocks_km = 300;  ///< clocks of a city hold so far
 
 /// UTC to the second, without leap seconds.
 absl::CivilSecond civil_time(const almanac::Instant& when) {
@@ -67,12 +70,38 @@ LocalTime local_time(const almanac::Instant& when, const std::string& zone) {
   return {date_text(local.cs), clock_text(local.cs), local.zone_abbr};
 }
 
-almanac::Instant instant_of_local(const std::string& local, const std::string& zone) {
-  const auto time = civil_time(almanac::instant_from_utc(local));
-  const auto found = zone_named(zone).At(time);
+almanac::Instant instant_of_local(const std::string& local, const std::string& zone,
+                                  almanac::Calendar calendar) {
+  const auto read = almanac::instant_from_utc(local, calendar);
+  const auto decimals_s =
+      almanac::seconds_between(almanac::instant_from_utc(almanac::utc_text(read)), read);
+  const auto found = zone_named(zone).At(civil_time(read));
   const bool skipped = found.kind == absl::TimeZone::TimeInfo::SKIPPED;
   const auto utc = absl::ToCivilSecond(skipped ? found.trans : found.pre, absl::UTCTimeZone());
-  return almanac::instant_from_utc(date_text(utc) + "T" + clock_text(utc) + "Z");
+  return almanac::later(almanac::instant_from_utc(date_text(utc) + "T" + clock_text(utc) + "Z"),
+                        decimals_s);
+}
+
+std::string time_zone_of(const almanac::Observer& observer) {
+  const auto city = almanac::nearest_city(observer);
+  if (algebra::in_kilometres(almanac::distance_between(observer, city.place)) <= city_clocks_km)
+    return city.time_zone;
+  const auto behind_h = std::lround(-algebra::in_degrees(observer.longitude) / 15);
+  return fmt::format("Etc/GMT{:+}", std::remainder(static_cast<double>(behind_h), 24));
+}
+
+std::string whose_clocks(const almanac::Observer& observer) {
+  const auto city = almanac::nearest_city(observer);
+  const double km = algebra::in_kilometres(almanac::distance_between(observer, city.place));
+  if (km <= city_clocks_km)
+    return fmt::format(
+        "Local times are those of {} ({}), the nearest city that is known, {:.0f} km away.",
+        city.name, city.time_zone, km);
+  const auto zone = time_zone_of(observer);
+  return fmt::format(
+      "Local times are by the longitude ({}): the nearest city that is known, {}, is {:.0f} km "
+      "away.",
+      zone, city.name, km);
 }
 
 }  // namespace coppermoon::uses

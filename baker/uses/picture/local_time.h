@@ -4,6 +4,7 @@
 #include <string>
 
 #include "almanac/instant.h"
+#include "almanac/observer.h"
 
 namespace coppermoon::uses {
 
@@ -23,9 +24,18 @@ LocalTime local_time(const almanac::Instant& when, const std::string& zone);
 
 /// Moment of a local time: the earlier one where a time comes twice, the transition where a time is skipped.
 ///
-/// Given   local  "2018-07-27T23:21:45"
+/// Given   local  "2018-07-27T23:21:45", in any spelling of almanac::instant_from_utc without an offset
 ///         zone   as above
 /// Throws  Error  for another text; as local_time
-almanac::Instant instant_of_local(const std::string& local, const std::string& zone);
+almanac::Instant instant_of_local(const std::string& local, const std::string& zone,
+                                  almanac::Calendar calendar = almanac::Calendar::gregorian);
+
+/// Time zone of a place: that of the nearest city, or, where none is within 300 km, that of the longitude, as
+/// "Etc/GMT+11": 11 hours behind UTC.
+std::string time_zone_of(const almanac::Observer& observer);
+
+/// Sentence about the origin of time_zone_of: "Local times are those of Hilo (Pacific/Honolulu), the nearest city that
+/// is known, 120 km away."
+std::string whose_clocks(const almanac::Observer& observer);
 
 }  // namespace coppermoon::uses

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -19,21 +20,67 @@
 namespace coppermoon::uses {
 namespace {
 
-/// "42.86,-73.77,120" or "42.86N,73.77W": numbers north and east; none for any other text.
-std::vector<double> place_numbers(const std::string& text) {
-  std::string signed_text;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');) {
-    const char sense = part.empty() ? ' ' : part.back();
-    const bool north_south = signed_text.empty();
-    if (north_south ? sense == 'N' || sense == 'S' : sense == 'E' || sense == 'W') {
-      part.pop_back();
-      if (sense == 'S' || sense == 'W') part.insert(part.begin(), '-');
-    }
-    signed_text += (signed_text.empty() ? "" : ",") + part;
+std::string_view without_spaces(std::string_view text) {
+  const auto first = std::min(text.find_first_not_of(' '), text.size());
+  return text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
+/// Takes a number and one of some marks behind it off the front of a text.
+std::optional<double> take_marked(std::string_view& text,
+                                  std::initializer_list<std::string_view> marks) {
+  for (const auto mark : marks) {
+    const auto end = text.find(mark);
+    if (end == std::string_view::npos) continue;
+    const auto number = algebra::number_in(without_spaces(text.substr(0, end)));
+    text = without_spaces(text.substr(end + mark.size()));
+    return number;
   }
-  if (text.ends_with(',')) return {};
-  return algebra::numbers_in(signed_text).value_or(std::vector<double>{});
+  return std::nullopt;
+}
+
+/// Degrees of "42.86", "-73.77", "73.77W" or "157°52′12″W"; none for any other text.
+///
+/// Given  senses  letters of the positive and of the negative sense, as "EW"
+std::optional<double> degrees_in(std::string_view text, std::string_view senses) {
+  text = without_spaces(text);
+  const bool sensed = !text.empty() && senses.find(text.back()) != std::string_view::npos;
+  const bool negative = text.starts_with('-') || (sensed && text.back() == senses[1]);
+  if (sensed && text.find_first_of("+-") == 0) return std::nullopt;
+  if (sensed) text = without_spaces(text.substr(0, text.size() - 1));
+  if (text.find("°") == std::string_view::npos) {
+    const auto number = algebra::number_in(text);
+    return number && sensed && negative ? -*number : number;
+  }
+  if (text.find_first_of("+-") == 0) text.remove_prefix(1);
+  const auto degrees = take_marked(text, {"°"});
+  const auto minutes = text.empty() ? 0 : take_marked(text, {"′", "’", "'"});
+  const auto seconds = text.empty() ? 0 : take_marked(text, {"″", "”", "\"", "''"});
+  const auto fits = [](const std::optional<double>& part) {
+    return part && *part >= 0 && *part < 60;
+  };
+  if (!degrees || !(*degrees >= 0) || !fits(minutes) || !fits(seconds) || !text.empty())
+    return std::nullopt;
+  return (negative ? -1 : 1) * (*degrees + *minutes / 60 + *seconds / 3600);
+}
+
+/// "42.86,-73.77,120", "42.86N, 73.77W" or "21°18′N 157°52′W": numbers north and east, and what else there is; none
+/// for any other text.
+std::vector<double> place_numbers(const std::string& text) {
+  auto separated = text;
+  if (const auto north_ends = text.find_first_of("NS");
+      text.find(',') == std::string::npos && north_ends != std::string::npos)
+    separated.insert(north_ends + 1, ",");
+  if (separated.ends_with(',')) return {};
+  std::vector<double> numbers;
+  std::istringstream parts(separated);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const auto number = numbers.empty()       ? degrees_in(part, "NS")
+                        : numbers.size() == 1 ? degrees_in(part, "EW")
+                                              : algebra::number_in(without_spaces(part));
+    if (!number) return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
 }
 
 /// Name spelt most alike, whatever case and accents. A first letter is seldom mistaken: it counts as three.
@@ -65,16 +112,15 @@ std::string name_like(std::string_view text, const std::vector<std::string>& nam
 }  // namespace
 
 almanac::Observer observer_from(const std::string& text) {
-  if (!text.empty() && text.find_first_of("0123456789") == std::string::npos) {
-    const auto city = almanac::city_named(text);
-    if (!city) throw_no_city(text);
-    return city->place;
-  }
+  const bool lettered = text.find_first_not_of("0123456789+-., ") != std::string::npos;
+  if (lettered)
+    if (const auto city = almanac::city_named(text)) return city->place;
+  if (!text.empty() && text.find_first_of("0123456789") == std::string::npos) throw_no_city(text);
   const auto numbers = place_numbers(text);
   if (numbers.size() < 2 || numbers.size() > 3)
     throw algebra::Error(
         fmt::format("place = {}, allowed LATITUDE,LONGITUDE[,ELEVATION] in degrees (north, east) "
-                    "and metres, as 42.86,-73.77 or 42.86N,73.77W, or the name of a city",
+                    "and metres, as 42.86,-73.77 or 42°52'N,73°46'W, or the name of a city",
                     text));
   const almanac::Observer observer{algebra::degrees(numbers[0]), algebra::degrees(numbers[1]),
                                    algebra::metres(numbers.size() == 3 ? numbers[2] : 0)};

@@ -9,7 +9,7 @@
 namespace coppermoon::uses {
 
 /// A place on the Earth: a city's name (almanac::city_named), or "LAT,LON" or "LAT,LON,ELEVATION" in degrees and
-/// metres, as "42.86,-73.77" or "42.86N,73.77W".
+/// metres, as "42.86,-73.77", "42.86N, 73.77W" or "42°51′36″N 73°46′12″W" (' and " may stand for ′ and ″).
 ///
 /// Throws Error when the text is no such place: names the regions that have such a city, or the city whose
 ///              name is nearest

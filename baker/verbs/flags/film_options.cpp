@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include "algebra/error.h"
@@ -32,6 +33,7 @@ void add_times(CLI::App& verb, FilmOptions& options) {
            "day of the eclipse, as 2018-07-27; or a file of a film, to go on with it")
       .in(film_group);
   add_calendar_option(verb, options.calendar);
+  add_zone_option(verb, options.zone);
   const std::string moments =
       "moment in UTC, or a contact: P1, U1, U2, greatest, U3, U4, P4, as P1-10min or U2+90s; or ";
   add_flag(verb, "--from", options.from,
@@ -68,11 +70,11 @@ void add_times(CLI::App& verb, FilmOptions& options) {
 ///
 /// Throws  Error  when one of them is none
 std::vector<Instant> moments_in(const std::string& text, const eclipse::Eclipse& eclipse,
-                                almanac::Calendar calendar) {
+                                const uses::MomentContext& context) {
   std::vector<Instant> moments;
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');)
-    moments.push_back(eclipse::moment_from(part, eclipse, calendar));
+    moments.push_back(uses::moment_from(part, eclipse, context));
   return moments;
 }
 
@@ -159,17 +161,6 @@ eclipse::Eclipse eclipse_near(const std::string& text, almanac::Calendar calenda
   return nearest;
 }
 
-/// Eclipse that is named, or nearest to the first moment that has a date.
-eclipse::Eclipse eclipse_of(const FilmOptions& options) {
-  for (const auto& text : {options.eclipse, options.from, options.to,
-                           options.moments.substr(0, options.moments.find(','))})
-    if (eclipse::begins_with_digit(text)) return eclipse_near(text, options.calendar);
-  if (!options.eclipse.empty()) almanac::instant_from_utc(options.eclipse);  // says what is allowed
-  throw algebra::Error(
-      fmt::format("from {} to {} of which eclipse? Name a day near it, as 2018-07-27", options.from,
-                  options.to));
-}
-
 std::string word_for(uses::Mount mount) {
   return std::ranges::find(mounts, mount, &std::pair<std::string, uses::Mount>::second)->first;
 }
@@ -188,15 +179,43 @@ void add_film_options(CLI::App& verb, FilmOptions& options) {
   add_files_of_all(verb, options);
 }
 
-uses::FilmTimes times_of(const FilmOptions& options) {
-  const auto eclipse = eclipse_of(options);
+eclipse::Eclipse eclipse_of(const FilmOptions& options,
+                            const std::optional<almanac::Observer>& observer) {
+  if (eclipse::is_day(options.eclipse)) {
+    const auto found =
+        uses::eclipse_of_day(options.eclipse, {observer, options.zone, options.calendar});
+    if (found) return *found;
+    const auto nearest = eclipse_near(options.eclipse, options.calendar);
+    fmt::print(stderr, "coppermoon: no eclipse is greatest on {}; the nearest, at {}, is taken\n",
+               options.eclipse, almanac::utc_text(nearest.greatest, options.calendar));
+    return nearest;
+  }
+  for (const auto& text : {options.eclipse, options.from, options.to,
+                           options.moments.substr(0, options.moments.find(','))})
+    if (eclipse::begins_with_digit(text)) return eclipse_near(text, options.calendar);
+  if (!options.eclipse.empty()) almanac::instant_from_utc(options.eclipse);  // says what is allowed
+  throw algebra::Error(
+      fmt::format("from {} to {} of which eclipse? Name a day near it, as 2018-07-27", options.from,
+                  options.to));
+}
+
+uses::FilmTimes times_of(const FilmOptions& options, const uses::ViewRequest& view) {
   if (!options.moments.empty() && (options.from != "P1" || options.to != "P4"))
     throw algebra::Error(
         fmt::format("moments = {}, allowed without --from and --to", options.moments));
-  const auto from = eclipse::moment_from(options.from, eclipse, options.calendar),
-             to = eclipse::moment_from(options.to, eclipse, options.calendar);
+  const auto eclipse = eclipse_of(options, view.observer);
+  const uses::MomentContext context{view.observer, options.zone, options.calendar};
+  const bool rise = view.observer && options.from == "moonrise",
+             set = view.observer && options.to == "moonset";
+  auto from = uses::moment_from(rise ? "P1" : options.from, eclipse, context),
+       to = uses::moment_from(set ? "P4" : options.to, eclipse, context);
   if (almanac::seconds_between(from, to) < 0)
     throw algebra::Error(fmt::format("--from {} is later than --to {}", options.from, options.to));
+  if (rise || set) {
+    const auto [first, last] = uses::while_up(view, from, to);
+    if (rise) from = first;
+    if (set) to = last;
+  }
   return {.eclipse = eclipse,
           .from = from,
           .to = to,
@@ -204,21 +223,7 @@ uses::FilmTimes times_of(const FilmOptions& options) {
           .fps = options.fps,
           .time_scale = options.time_scale,
           .duration_s = options.duration_s,
-          .moments = moments_in(options.moments, eclipse, options.calendar)};
-}
-
-uses::FilmTimes times_of(const FilmOptions& options, const uses::ViewRequest& view) {
-  const bool rise = options.from == "moonrise", set = options.to == "moonset";
-  if (!rise && !set) return times_of(options);
-  if (!view.observer) throw algebra::Error("moonrise and moonset are those of a place: needs --at");
-  auto whole = options;
-  if (rise) whole.from = "P1";
-  if (set) whole.to = "P4";
-  auto times = times_of(whole);
-  const auto [first, last] = uses::while_up(view, times.from, times.to);
-  if (rise) times.from = first;
-  if (set) times.to = last;
-  return times;
+          .moments = moments_in(options.moments, eclipse, context)};
 }
 
 uses::Products products_of(const FilmOptions& options) {
@@ -244,7 +249,8 @@ uses::Products products_of(const FilmOptions& options) {
 }
 
 std::vector<std::pair<Instant, double>> time_keys_from(const std::string& text,
-                                                       const eclipse::Eclipse& eclipse) {
+                                                       const eclipse::Eclipse& eclipse,
+                                                       const uses::MomentContext& context) {
   std::vector<std::pair<Instant, double>> keys;
   if (text.find(':') == std::string::npos) return keys;
   std::istringstream parts(text);
@@ -256,7 +262,7 @@ std::vector<std::pair<Instant, double>> time_keys_from(const std::string& text,
       throw algebra::Error(fmt::format(
           "exposure time = {}, allowed keys as P1:1/1000,U2:4: a moment and seconds", text));
     algebra::require_within("exposure time [s]", *seconds, 1e-6, 1e6);
-    keys.emplace_back(eclipse::moment_from(part.substr(0, colon), eclipse), *seconds);
+    keys.emplace_back(uses::moment_from(part.substr(0, colon), eclipse, context), *seconds);
   }
   for (std::size_t i = 1; i < keys.size(); ++i)
     if (almanac::seconds_between(keys[i - 1].first, keys[i].first) <= 0)

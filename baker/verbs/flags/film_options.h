@@ -10,6 +10,7 @@
 #include "uses/film/film_files.h"
 #include "uses/film/film_setup.h"
 #include "uses/film/film_times.h"
+#include "uses/picture/moment_text.h"
 #include "verbs/flags/flags.h"
 
 namespace coppermoon::verbs {
@@ -18,6 +19,7 @@ namespace coppermoon::verbs {
 struct FilmOptions {
   std::string eclipse = {}, from = "P1", to = "P4";
   almanac::Calendar calendar = almanac::Calendar::gregorian;
+  std::string zone = {};  ///< of times of day without an offset; empty: UTC
   std::optional<std::size_t> frames = {};
   double fps = 24;
   std::optional<double> time_scale = {}, duration_s = {};
@@ -34,16 +36,18 @@ struct FilmOptions {
 /// When its frames are, what is made of them, which of them, the mount; files of the whole film.
 void add_film_options(CLI::App& verb, FilmOptions& options);
 
-/// The eclipse is the one named, or else the one nearest to a moment that is.
+/// The eclipse of the day that is named (uses::eclipse_of_day); without one on that day the nearest within 15 days, which is
+/// said on stderr; where none is named, the eclipse nearest to the first moment that has a date.
 ///
-/// Throws  Error  when a moment is none, or no eclipse is meant
-uses::FilmTimes times_of(const FilmOptions& options);
+/// Throws  Error  when there is none, or no day is named
+eclipse::Eclipse eclipse_of(const FilmOptions& options,
+                            const std::optional<almanac::Observer>& observer = {});
 
-/// With "moonrise" and "moonset" too: of the part from P1 to P4, or to the other moment, in which the
-/// observer's Moon is up (uses::while_up).
+/// Times of the eclipse that is meant. "moonrise" and "moonset" alone begin and end the part from P1 to P4, or to the other
+/// moment, in which the observer's Moon is up (uses::while_up).
 ///
-/// Throws  Error  as above; for those two without an observer, or where the Moon is never up
-uses::FilmTimes times_of(const FilmOptions& options, const uses::ViewRequest& view);
+/// Throws  Error  as eclipse_of; when a moment is none; for those two without an observer, or where the Moon is never up
+uses::FilmTimes times_of(const FilmOptions& options, const uses::ViewRequest& view = {});
 
 /// "light" alone, or "textures", "scenes" (with their textures), "frames", "pictures", with commas
 /// between; pictures of high dynamic range too.
@@ -54,8 +58,9 @@ uses::Products products_of(const FilmOptions& options);
 /// Exposure times [s] at moments, as "P1:0.001,U2:4": none where the text is no such list.
 ///
 /// Throws  Error  when a moment or a time is none, or the moments are not in order
-std::vector<std::pair<almanac::Instant, double>> time_keys_from(const std::string& text,
-                                                                const eclipse::Eclipse& eclipse);
+std::vector<std::pair<almanac::Instant, double>> time_keys_from(
+    const std::string& text, const eclipse::Eclipse& eclipse,
+    const uses::MomentContext& context = {});
 
 /// How the camera is held.
 ///

@@ -6,13 +6,14 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <string_view>
 
 #include "algebra/error.h"
-#include "algebra/number.h"
 #include "almanac/calendar.h"
 #include "almanac/gazetteer.h"
 #include "eclipse/moment.h"
+#include "uses/picture/local_time.h"
+#include "uses/picture/moment_text.h"
+#include "uses/picture/place_text.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -25,23 +26,16 @@ void say(const std::string& asked, const Instant& when, almanac::Calendar calend
              almanac::time_of_day_text(when));
 }
 
-/// Whether a text has a time of day without an offset.
-bool is_silently_utc(std::string_view text) {
-  const auto colon = text.find(':');
-  if (colon == std::string_view::npos || !eclipse::begins_with_digit(std::string(text)))
-    return false;
-  return text.find_first_not_of("0123456789:.", colon) == std::string_view::npos;
-}
-
 }  // namespace
 
 Flag add_moment_options(CLI::App& verb, MomentOptions& options, const std::string& more) {
   const auto flag = add_flag(
       verb, "instant,--instant", options.text,
       "moment in UTC: 2018-07-27T20:21:45Z; a day alone is its greatest eclipse; a day and a "
-      "contact, as 2018-07-27 U2+10min" +
+      "contact, as 2018-07-27 U2+10min, or moonrise or moonset" +
           more);
   add_calendar_option(verb, options.calendar);
+  add_zone_option(verb, options.zone);
   return flag;
 }
 
@@ -53,13 +47,20 @@ void add_calendar_option(CLI::App& verb, almanac::Calendar& calendar) {
       "1582");
 }
 
+void add_zone_option(CLI::App& verb, std::string& zone) {
+  add_flag(
+      verb, "--zone", zone,
+      "time zone of times of day without an offset: local, that of the place, an IANA name, as "
+      "Europe/Berlin, or an offset, as +02:00; default: UTC");
+}
+
 void say_calendar(nlohmann::ordered_json& document, almanac::Calendar calendar) {
   if (calendar == almanac::Calendar::julian) document["calendar"] = "julian";
 }
 
-Instant instant_of(const MomentOptions& options) {
-  const auto& [text, calendar] = options;
-  const auto moment = eclipse::moment_in(text, calendar);
+Instant instant_of(const MomentOptions& options, const std::optional<almanac::Observer>& observer) {
+  const auto& [text, calendar, zone] = options;
+  const auto moment = uses::moment_in(text, {observer, zone, calendar});
   if (eclipse::is_day(text))
     say("the greatest eclipse of " + text, moment, calendar);
   else if (eclipse::is_from_contact(text))
@@ -67,21 +68,30 @@ Instant instant_of(const MomentOptions& options) {
   return moment;
 }
 
-void say_which_city(const CLI::App& verb) {
+void say_which_city(CLI::App& verb) {
   if (!is_given(verb, "at")) return;
-  if (const auto taken = almanac::city_taken(parameters_of(verb).find("at")->text());
-      !taken.empty())
+  auto& at = *parameters_of(verb).find("at");
+  if (const auto taken = almanac::city_taken(at.text()); !taken.empty())
     fmt::print(stderr, "coppermoon: {}\n", taken);
+  if (const auto city = almanac::city_named(at.text()); city && city->own)
+    at.given = {uses::exact_text(city->place)};
 }
 
 void say_what_is_utc(const CLI::App& verb) {
-  if (!is_given(verb, "at")) return;
+  if (!is_given(verb, "at") || is_given(verb, "zone")) return;
+  const bool zoned = parameters_of(verb).find("zone") != nullptr;
   for (const char* name : {"instant", "from", "to"})
     if (is_given(verb, name))
-      if (const auto moment = parameters_of(verb).find(name)->text(); is_silently_utc(moment))
+      if (const auto moment = parameters_of(verb).find(name)->text();
+          eclipse::is_clock_time(moment))
         fmt::print(stderr,
-                   "coppermoon: {} is read as UTC; an offset, as {}+02:00, says otherwise\n",
-                   moment, moment);
+                   "coppermoon: {} is read as UTC; {}an offset, as {}+02:00, says otherwise\n",
+                   moment, zoned ? "--zone local, or " : "", moment);
+}
+
+void say_whose_clocks(const almanac::Observer& observer) {
+  if (uses::time_zone_of(observer) != almanac::nearest_city(observer).time_zone)
+    fmt::print(stderr, "coppermoon: {}\n", uses::whose_clocks(observer));
 }
 
 std::vector<std::string> with_moments_joined(const std::vector<std::string>& arguments) {

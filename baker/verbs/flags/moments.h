@@ -2,10 +2,12 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "almanac/instant.h"
+#include "almanac/observer.h"
 #include "eclipse/contacts.h"
 #include "verbs/flags/flags.h"
 
@@ -15,9 +17,10 @@ namespace coppermoon::verbs {
 struct MomentOptions {
   std::string text;
   almanac::Calendar calendar = almanac::Calendar::gregorian;
+  std::string zone = {};  ///< of times of day without an offset; empty: UTC
 };
 
-/// Adds the moment, with or without --instant before it, and --calendar.
+/// Adds the moment, with or without --instant before it, --calendar and --zone.
 ///
 /// Given  more  for help: other things that may stand in the moment's place
 Flag add_moment_options(CLI::App& verb, MomentOptions& options, const std::string& more = "");
@@ -25,21 +28,29 @@ Flag add_moment_options(CLI::App& verb, MomentOptions& options, const std::strin
 /// Adds --calendar.
 void add_calendar_option(CLI::App& verb, almanac::Calendar& calendar);
 
+/// Adds --zone, of the clock times that a command line gives.
+void add_zone_option(CLI::App& verb, std::string& zone);
+
 /// Adds the key `calendar` to a document whose dates are not Gregorian.
 void say_calendar(nlohmann::ordered_json& document, almanac::Calendar calendar);
 
-/// The moment that is meant. Of a day alone it is the greatest eclipse of that day (UTC), and the
-/// program says so on stderr; of a day and a contact, as "2018-07-27 U2+10min", that of the day's
-/// eclipse. Both to the full second, which is what is said.
+/// The moment that is meant (uses::moment_in). Where it is given by another name, as a day or a contact, the program says
+/// on stderr which it is.
 ///
-/// Throws  Error  when the text is no moment; when the day has no eclipse: names the nearest
-almanac::Instant instant_of(const MomentOptions& options);
+/// Given   observer  whose days, moonrise and moonset are meant
+/// Throws  Error     as uses::moment_in
+almanac::Instant instant_of(const MomentOptions& options,
+                            const std::optional<almanac::Observer>& observer = {});
 
-/// Says on stderr which city is taken, where the name behind --at leaves a doubt (almanac::city_taken).
-void say_which_city(const CLI::App& verb);
+/// Says on stderr which city is taken, where the name behind --at leaves a doubt (almanac::city_taken). A city of the
+/// user's own becomes numbers in recipes, which others can read.
+void say_which_city(CLI::App& verb);
 
 /// Says on stderr which times of a command line with a place in it are read as UTC for want of an offset.
 void say_what_is_utc(const CLI::App& verb);
+
+/// Says on stderr whose clocks a place has, where no city is near (uses::whose_clocks).
+void say_whose_clocks(const almanac::Observer& observer);
 
 /// Command line in which a day and the contact or time behind it are one argument: "2018-07-27", "U2+10min" become
 /// "2018-07-27 U2+10min".

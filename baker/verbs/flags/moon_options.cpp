@@ -45,8 +45,9 @@ uses::MoonRequest moon_request(const MoonOptions& options) {
   return request;
 }
 
-almanac::SkyState eclipsed_sky(const MoonOptions& options) {
-  const auto sky = almanac::sky_at(instant_of(options.moment));
+almanac::SkyState eclipsed_sky(const MoonOptions& options,
+                               const std::optional<almanac::Observer>& observer) {
+  const auto sky = almanac::sky_at(instant_of(options.moment, observer));
   if (options.request.unshadowed) return sky;
   uses::require_eclipse(sky.when, " (--unshadowed goes on without one)", options.moment.calendar);
   say_unless_danjon_is_reached(options.light.request.air, sky);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "uses/picture/moon.h"
@@ -31,9 +32,10 @@ void add_film_moon_options(CLI::App& verb, MoonOptions& options);
 /// Throws  Error  as light_request
 uses::MoonRequest moon_request(const MoonOptions& options);
 
-/// Sky at the Moon's instant; an eclipse is under way then, unless the Moon is unshadowed.
+/// Sky at the Moon's instant, as an observer means it; an eclipse is under way then, unless the Moon is unshadowed.
 ///
 /// Throws  Error  when the text is no instant, or no eclipse is under way
-almanac::SkyState eclipsed_sky(const MoonOptions& options);
+almanac::SkyState eclipsed_sky(const MoonOptions& options,
+                               const std::optional<almanac::Observer>& observer);
 
 }  // namespace coppermoon::verbs

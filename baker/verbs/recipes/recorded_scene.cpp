@@ -11,7 +11,7 @@ uses::LitScene lit_scene(const CLI::App& verb, const MoonOptions& moon,
                          const uses::ViewRequest& view, const uses::Baking& baking) {
   const auto recipe = recipe_of(verb);
   const auto request = moon_request(moon);
-  const auto sky = eclipsed_sky(moon);
+  const auto sky = eclipsed_sky(moon, view.observer);
   auto scene = [&] {
     ProgressBar bar("light");
     return uses::lit_scene(request, view, sky, {baking, bar.progress()});

@@ -6,6 +6,7 @@
 
 #include "almanac/gazetteer.h"
 #include "eclipse/moment.h"
+#include "uses/picture/place_text.h"
 
 namespace coppermoon::python {
 namespace {
@@ -32,9 +33,11 @@ almanac::Instant instant_of_datetime(py::handle moment) {
 
 }  // namespace
 
-almanac::Instant instant_of(py::handle moment) {
-  if (py::isinstance<py::str>(moment)) return eclipse::moment_in(moment.cast<std::string>());
-  return instant_of_datetime(moment);
+almanac::Instant instant_of(py::handle moment) { return moment_of(moment).seen_from({}); }
+
+Moment moment_of(py::handle moment) {
+  if (py::isinstance<py::str>(moment)) return {moment.cast<std::string>()};
+  return {"", instant_of_datetime(moment)};
 }
 
 almanac::Instant instant_of_date(py::handle date) {
@@ -61,15 +64,11 @@ py::object datetime_of(const almanac::Instant& instant) {
 almanac::Observer observer_of(py::handle place) {
   if (py::isinstance<py::str>(place)) {
     const auto name = place.cast<std::string>();
-    const auto city = almanac::city_named(name);
-    if (!city)
-      throw algebra::Error(
-          fmt::format("place = {}: {}, allowed (latitude, longitude) too, as (42.86, -73.77)", name,
-                      almanac::no_such_city(name)));
+    const auto observer = uses::observer_from(name);
     const auto taken = almanac::city_taken(name);
     if (!taken.empty() && PyErr_WarnEx(PyExc_UserWarning, taken.c_str(), 1) != 0)
       throw py::error_already_set();
-    return city->place;
+    return observer;
   }
   const auto numbers = numbers_of("place", place);
   if (numbers.size() < 2 || numbers.size() > 3)

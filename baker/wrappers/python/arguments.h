@@ -8,6 +8,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -20,15 +21,22 @@
 #include "almanac/observer.h"
 #include "eclipse/contacts.h"
 #include "texture/read_image.h"
+#include "uses/picture/moment_text.h"
 
 namespace coppermoon::python {
 
 namespace py = pybind11;
 
 /// Moment of an eclipse: a datetime with a time zone, an ISO 8601 text, a day, which stands for its greatest eclipse,
-/// or a day and a contact.
+/// or a day and a contact, moonrise or moonset.
 struct Moment {
-  almanac::Instant instant;
+  std::string text;
+  std::optional<almanac::Instant> instant{};  ///< of a datetime, which has no text
+
+  /// Throws  Error  as uses::moment_in
+  almanac::Instant seen_from(const std::optional<almanac::Observer>& observer) const {
+    return instant ? *instant : uses::moment_in(text, {observer});
+  }
 };
 
 /// End of a search, or its middle: a datetime with a time zone, or an ISO 8601 text; a day alone is its midnight.
@@ -44,6 +52,7 @@ struct Place {
 /// Throws  Error       when it is no such moment; datetimes without a time zone are none
 ///         type_error  when it is neither a datetime nor a text
 almanac::Instant instant_of(py::handle moment);
+Moment moment_of(py::handle moment);
 almanac::Instant instant_of_date(py::handle date);
 
 /// A datetime in UTC, to the millisecond.
@@ -141,7 +150,7 @@ template <>
 struct type_caster<coppermoon::python::Moment> {
   PYBIND11_TYPE_CASTER(coppermoon::python::Moment, const_name("datetime | str"));
   bool load(handle source, bool) {
-    value = {coppermoon::python::instant_of(source)};
+    value = coppermoon::python::moment_of(source);
     return true;
   }
 };

@@ -72,7 +72,7 @@ Texture texture_of(const Moment& when, const std::optional<uses::Air>& air,
   uses::texture_width_of(asked.moon);
   uses::require_map(asked.moon);
   auto baked = computed(callback, [&](const algebra::Progress& progress) {
-    return baked_of(asked, when.instant, progress);
+    return baked_of(asked, when.seen_from(asked.view.observer), progress);
   });
   Texture texture{
       baked.parts.front().image.channels, std::string(colour::name(*asked.content.space)), {}, {}};

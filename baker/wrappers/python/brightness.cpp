@@ -28,7 +28,7 @@ uses::MoonBrightness brightness_at(const Moment& when, const std::optional<uses:
   take(brightness_keywords(asked), "brightness", more);
   uses::require_map(asked.moon);
   return computed(callback, [&](const algebra::Progress& progress) {
-    const auto sky = almanac::sky_at(when.instant);
+    const auto sky = almanac::sky_at(when.seen_from(asked.view.observer));
     return uses::brightness_of(asked.moon, sky, asked.view, progress);
   });
 }

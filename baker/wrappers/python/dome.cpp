@@ -30,7 +30,7 @@ DomeArrays dome_at(const Moment& when, const Place& at, const std::optional<uses
   uses::require_map(moon);
   moon.texture_width = 720;  // of the Moon's whole light
   auto dome = computed(callback, [&](const algebra::Progress& progress) {
-    const auto sky = almanac::sky_at(when.instant);
+    const auto sky = almanac::sky_at(when.seen_from(asked.moon.view.observer));
     if (!eclipse::eclipse_at(sky.when, eclipse::ShadowConvention::danjon)) moon.unshadowed = true;
     return uses::dome_over(asked.dome, uses::lit_moon(moon, sky, progress), asked.moon.view);
   });

@@ -27,7 +27,7 @@ std::shared_ptr<LitSphere> lit_sphere(const Moment& when, const std::optional<us
                                       const Callback& callback) {
   const auto request = light_request(air, light);
   return computed(callback, [&](const algebra::Progress& progress) {
-    const auto sky = almanac::sky_at(when.instant);
+    const auto sky = almanac::sky_at(when.seen_from({}));
     const auto found = uses::light_on_the_moon(request, sky, {}, progress);
     const auto count = static_cast<std::size_t>(found.plan.work.bands);
     shadow::ChannelWeights each(count, count);

@@ -29,7 +29,7 @@ Profile profile_of(const Moment& when, const py::object& wavelengths_nm,
   }
   const auto request = light_request(air, light);
   auto found = computed(callback, [&](const algebra::Progress& progress) {
-    const auto sky = almanac::sky_at(when.instant);
+    const auto sky = almanac::sky_at(when.seen_from({}));
     auto profile =
         uses::shadow_profile(request, uses::shadow_at_the_moon(request, sky), places, progress);
     for (double& metres : profile.axis_distances_m) metres /= 1e3;

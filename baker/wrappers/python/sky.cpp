@@ -18,8 +18,9 @@ struct Sky {
 
 Sky sky_of(const Moment& when, const std::optional<Place>& at) {
   const py::gil_scoped_release others_run;
-  Sky sky{almanac::sky_at(when.instant), {}};
-  if (at) sky.view = almanac::view_from(at->observer, sky.state);
+  const auto observer = at ? std::optional(at->observer) : std::nullopt;
+  Sky sky{almanac::sky_at(when.seen_from(observer)), {}};
+  if (observer) sky.view = almanac::view_from(*observer, sky.state);
   return sky;
 }
 
