@@ -55,7 +55,7 @@ std::vector<std::size_t> some_of(const std::vector<std::size_t>& frames) {
 
 /// Zone of the sheet's times; none: UTC.
 std::optional<std::string> zone_of(const Film& film) {
-  return film.view.observer ? std::optional(time_zone_of(*film.view.observer)) : std::nullopt;
+  return film.view.observer ? std::optional(zone_or_utc(*film.view.observer)) : std::nullopt;
 }
 
 std::string title_of(const Film& film) {

@@ -65,7 +65,7 @@ std::string from_nearest_contact(const eclipse::Eclipse& eclipse, const almanac:
 Caption caption_of(const texture::Attributes& header) {
   const auto when = moment_of(header);
   const auto observer = observer_of(header);
-  const auto local = local_time(when, observer ? time_zone_of(*observer) : "+00:00");
+  const auto local = local_time(when, observer ? zone_or_utc(*observer) : "+00:00");
   Caption caption{
       fmt::format("{} {} {}", local.date, local.time,
                   observer ? local.abbreviation + ", " + place_in_words(*observer) : "UTC"),

@@ -62,6 +62,16 @@ absl::TimeZone zone_named(const std::string& zone) {
   return found;
 }
 
+double kilometres_between(const almanac::Observer& observer, const almanac::City& city) {
+  return algebra::in_kilometres(almanac::distance_between(observer, city.place));
+}
+
+/// Hours that clocks by the longitude are before UTC.
+int hours_by_longitude(const almanac::Observer& observer) {
+  const double east_deg = std::remainder(algebra::in_degrees(observer.longitude), 360);
+  return static_cast<int>(std::lround(east_deg / 15));
+}
+
 }  // namespace
 
 LocalTime local_time(const almanac::Instant& when, const std::string& zone) {
@@ -84,24 +94,27 @@ almanac::Instant instant_of_local(const std::string& local, const std::string& z
 
 std::string time_zone_of(const almanac::Observer& observer) {
   const auto city = almanac::nearest_city(observer);
-  if (algebra::in_kilometres(almanac::distance_between(observer, city.place)) <= city_clocks_km)
-    return city.time_zone;
-  const auto behind_h = std::lround(-algebra::in_degrees(observer.longitude) / 15);
-  return fmt::format("Etc/GMT{:+}", std::remainder(static_cast<double>(behind_h), 24));
+  if (kilometres_between(observer, city) <= city_clocks_km) return city.time_zone;
+  return fmt::format("Etc/GMT{:+}", -hours_by_longitude(observer));  // the sign of POSIX
+}
+
+std::string zone_or_utc(const almanac::Observer& observer) {
+  auto zone = time_zone_of(observer);
+  absl::TimeZone found;
+  return absl::LoadTimeZone(zone, &found) ? zone : "+00:00";
 }
 
 std::string whose_clocks(const almanac::Observer& observer) {
   const auto city = almanac::nearest_city(observer);
-  const double km = algebra::in_kilometres(almanac::distance_between(observer, city.place));
+  const double km = kilometres_between(observer, city);
   if (km <= city_clocks_km)
     return fmt::format(
         "Local times are those of {} ({}), the nearest city that is known, {:.0f} km away.",
         city.name, city.time_zone, km);
-  const auto zone = time_zone_of(observer);
   return fmt::format(
-      "Local times are by the longitude ({}): the nearest city that is known, {}, is {:.0f} km "
+      "Local times are by the longitude, UTC{:+}: the nearest city that is known, {}, is {:.0f} km "
       "away.",
-      zone, city.name, km);
+      hours_by_longitude(observer), city.name, km);
 }
 
 }  // namespace coppermoon::uses

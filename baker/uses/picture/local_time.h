@@ -34,6 +34,9 @@ almanac::Instant instant_of_local(const std::string& local, const std::string& z
 /// "Etc/GMT+11": 11 hours behind UTC.
 std::string time_zone_of(const almanac::Observer& observer);
 
+/// The same; UTC, as "+00:00", where this system's zoneinfo lacks it.
+std::string zone_or_utc(const almanac::Observer& observer);
+
 /// Sentence about the origin of time_zone_of: "Local times are those of Hilo (Pacific/Honolulu), the nearest city that
 /// is known, 120 km away."
 std::string whose_clocks(const almanac::Observer& observer);

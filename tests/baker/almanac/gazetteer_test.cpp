@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "almanac/gazetteer.h"
 
+#include <unistd.h>
+
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <set>
+#include <sstream>
+#include <string>
 
 #include "support/within.h"
 
@@ -80,12 +86,76 @@ TEST(Gazetteer, WhichCityIsTakenIsSaidWhereThereIsADoubt) {
 
 TEST(Gazetteer, ARegionMayStandBehindAComma) {
   EXPECT_EQ(city_named("Springfield, illinois")->region, "Illinois");
-  EXPECT_FALSE(city_named("Paris, France"));
+  EXPECT_FALSE(city_named("Paris, Texas"));
   EXPECT_FALSE(city_named(", Illinois"));
-  EXPECT_EQ(no_such_city("Paris, France"), "no such city; Paris is known in Ile-de-France");
-  EXPECT_EQ(no_such_city("Springfield, IL"),
+  EXPECT_EQ(no_such_city("Paris, Texas"), "no such city; Paris is known in Ile-de-France");
+  EXPECT_EQ(no_such_city("Springfield, Ohio"),
             "no such city; Springfield is known in Missouri, Massachusetts, Illinois");
   EXPECT_EQ(no_such_city("Atlantis"), "no such city");
+}
+
+TEST(Gazetteer, ACountryOrAStatesCodeMayStandBehindAComma) {
+  for (const auto& [name, zone] : {std::pair{"Berlin, Germany", "Europe/Berlin"},
+                                   {"Berlin, DE", "Europe/Berlin"},
+                                   {"Paris, France", "Europe/Paris"},
+                                   {"London, UK", "Europe/London"},
+                                   {"London, Canada", "America/Toronto"},
+                                   {"London, Ontario, Canada", "America/Toronto"},
+                                   {"Abidjan, Côte d'Ivoire", "Africa/Abidjan"},
+                                   {"Washington, D.C.", "America/New_York"},
+                                   {"Washington, DC, USA", "America/New_York"}}) {
+    ASSERT_TRUE(city_named(name)) << name;
+    EXPECT_EQ(city_named(name)->time_zone, zone) << name;
+  }
+  EXPECT_EQ(city_named("Springfield, IL")->region, "Illinois");
+  EXPECT_EQ(city_named("Springfield, MA, USA")->region, "Massachusetts");
+  EXPECT_EQ(city_named("Zanzibar/Zanzibar Urban/West")->name, "Zanzibar");
+  EXPECT_FALSE(city_named("London, Germany"));
+  EXPECT_FALSE(city_named("Springfield, IL, Canada"));
+}
+
+TEST(Gazetteer, EveryCitysTimeZoneIsThatOfACountry) {
+  std::set<std::string> zones;
+  std::ifstream areas(COPPERMOON_TEST_DATA "/../baker/almanac/data/areas.csv");
+  for (std::string line; std::getline(areas, line);) {
+    std::istringstream names(line.substr(line.rfind(',') + 1));
+    for (std::string zone; names >> zone;) zones.insert(zone);
+  }
+  for (const auto& city : largest_cities(100'000))
+    EXPECT_TRUE(zones.contains(city.time_zone)) << city.name << ": " << city.time_zone;
+}
+
+/// User's file of cities, there before the gazetteer first looks for it.
+const bool has_own_cities = [] {
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("coppermoon_own_cities_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder / "coppermoon");
+  std::ofstream(folder / "coppermoon" / "cities.csv")
+      << "# mine\nname,region,latitude_deg,longitude_deg,elevation_m,time_zone\n"
+         "My garden,,52.4,13.1,40,Europe/Berlin\nKiritimati,,1.87,-157.4,3,Pacific/Kiritimati\n";
+  ::setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
+  std::atexit([] { std::filesystem::remove_all(std::getenv("XDG_CONFIG_HOME")); });
+  return true;
+}();
+
+TEST(Gazetteer, CitiesOfTheUsersOwnAreKnownByNameAndNearby) {
+  ASSERT_TRUE(has_own_cities);
+  const auto garden = city_named("my garden");
+  ASSERT_TRUE(garden && garden->own);
+  EXPECT_EQ(in_metres(garden->place.elevation), 40);
+  EXPECT_EQ(city_taken("My garden"), "");
+  EXPECT_EQ(nearest_city(garden->place).name, "My garden");
+  const auto island = nearest_city({algebra::degrees(2), algebra::degrees(-157), {}});
+  EXPECT_EQ(island.time_zone, "Pacific/Kiritimati");
+  EXPECT_EQ(city_names().front(), "My garden");
+  EXPECT_FALSE(largest_cities(1).front().own) << "a page for others holds no place of one's own";
+}
+
+TEST(Gazetteer, DistancesAreAlongTheGlobe) {
+  const auto london = city_named("London")->place, york = city_named("New York City")->place;
+  EXPECT_WITHIN(in_kilometres(distance_between(london, york)), 5570, 20,
+                "km: 5571 by the ellipsoid, to its flattening of 1/298");
+  EXPECT_EQ(in_kilometres(distance_between(london, london)), 0);
 }
 
 TEST(Gazetteer, TimeZonesAreThoseOfTheSystem) {

@@ -64,6 +64,34 @@ TEST(Instant, ASpaceStandsForTheTAndAnOffsetForTheZ) {
     EXPECT_NE(message_for(wrong), "no error") << wrong;
 }
 
+TEST(Instant, IsReadInSmallLettersAndInIsosBasicFormat) {
+  for (const char* text : {"20180727T202145Z", "2018-07-27t20:21:45z", "20180727t202145",
+                           "2018-07-27T202145Z", "20180727T232145+0300"})
+    EXPECT_EQ(utc_text(instant_from_utc(text)), "2018-07-27T20:21:45Z") << text;
+  EXPECT_EQ(utc_text(instant_from_utc("20180727T2021")), "2018-07-27T20:21:00Z");
+  EXPECT_EQ(utc_text(instant_from_utc("20180727")), "2018-07-27T00:00:00Z");
+  for (const char* wrong : {"2018-0727", "201807-27", "20180727T20214", "20180727T20", "2018727"})
+    EXPECT_NE(message_for(wrong), "no error") << wrong;
+}
+
+TEST(Instant, TwentyFourHoursAreTheEndOfTheDay) {
+  EXPECT_EQ(utc_text(instant_from_utc("2018-07-27T24:00Z")), "2018-07-28T00:00:00Z");
+  EXPECT_EQ(utc_text(instant_from_utc("2018-12-31T24:00:00-01:00")), "2019-01-01T01:00:00Z");
+  EXPECT_EQ(utc_text(instant_from_utc("1100-02-28T24:00", Calendar::julian)),
+            utc_text(instant_from_utc("1100-02-29", Calendar::julian)));
+  for (const char* wrong : {"2018-07-27T24:01Z", "2018-07-27T25:00Z", "2018-07-27T24:00:00.1Z"})
+    EXPECT_NE(message_for(wrong), "no error") << wrong;
+}
+
+TEST(Instant, ALeapSecondIsToldInAnyZone) {
+  for (const char* text : {"2016-12-31T15:59:60-08:00", "2017-01-01T05:29:60+05:30"})
+    EXPECT_EQ(utc_text(instant_from_utc(text)), "2016-12-31T23:59:60Z") << text;
+  EXPECT_EQ(utc_text(instant_from_utc("2016-12-31T16:00:00-08:00")), "2017-01-01T00:00:00Z")
+      << "the leap second lies between the clock's midnight and this moment";
+  for (const char* wrong : {"2016-12-31T23:59:60-08:00", "2016-12-31T15:58:60-08:00"})
+    EXPECT_NE(message_for(wrong), "no error") << wrong;
+}
+
 TEST(Instant, JulianDatesAreOnTheirJulianDays) {
   const auto day_of = [](const char* text) {
     return julian_day_ut(instant_from_utc(text, Calendar::julian));

@@ -34,6 +34,33 @@ TEST(ObserverFrom, ReadsLettersOfTheCompass) {
     EXPECT_THROW(observer_from(text), algebra::Error) << text;
 }
 
+TEST(ObserverFrom, ReadsPlacesAsMapsCopyThem) {
+  const auto expect = [](const char* text, double north, double east, double elevation_m = 0) {
+    const auto place = observer_from(text);
+    EXPECT_WITHIN(in_degrees(place.latitude), north, 1e-9, reason) << text;
+    EXPECT_WITHIN(in_degrees(place.longitude), east, 1e-9, reason) << text;
+    EXPECT_EQ(in_metres(place.elevation), elevation_m) << text;
+  };
+  expect("51.5, -0.12", 51.5, -0.12);
+  expect(" 51.5 , -0.12, 30 ", 51.5, -0.12, 30);
+  expect("21°18'N, 157°52'W", 21.3, -157 - 52. / 60);
+  expect("21°18'25.2\"N 157°51'30\"W", 21 + 18. / 60 + 25.2 / 3600, -157 - 51.5 / 60);
+  expect("51°30′26″N 0°7′39″W", 51 + 30. / 60 + 26. / 3600, -7. / 60 - 39. / 3600);
+  expect("51.5° N, 0.12° W", 51.5, -0.12);
+  expect("-33°54', 18°24'", -33.9, 18.4);
+  expect("33.9S 18.4E", -33.9, 18.4);
+  for (const char* text : {"21°18'N", "21°60'N, 157°W", "-21°18'S, 157°W", "21°18N, 157°W",
+                           "21°18'12\"5N, 1W", "°N, 1W", "157°W, 21°N", "21°-18'N, 1W"})
+    EXPECT_THROW(observer_from(text), algebra::Error) << text;
+}
+
+TEST(ObserverFrom, KnowsCitiesWithDigitsAndWithCountries) {
+  EXPECT_WITHIN(in_degrees(observer_from("Sector 3").latitude), 44.42, 1e-9, reason);
+  EXPECT_WITHIN(in_degrees(observer_from("Berlin, Germany").latitude), 52.52, 1e-9, reason);
+  EXPECT_WITHIN(in_degrees(observer_from("Washington, D.C.").longitude), -77.04, 1e-9, reason);
+  EXPECT_THROW(observer_from("3"), algebra::Error);
+}
+
 std::string refusal(const char* place) {
   try {
     observer_from(place);
@@ -48,7 +75,7 @@ TEST(ObserverFrom, KnowsCitiesByName) {
   for (const auto& [text, said] : {std::pair{"Chigaco", "nearest name is Chicago"},
                                    {"Münchn", "nearest name is Munich"},
                                    {"Lisbonne", "nearest name is Lisbon"},
-                                   {"Paris, France", "Paris is known in Ile-de-France."}})
+                                   {"Paris, Texas", "Paris is known in Ile-de-France."}})
     EXPECT_NE(refusal(text).find(said), std::string::npos) << refusal(text);
 }
 

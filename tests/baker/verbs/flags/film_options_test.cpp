@@ -72,7 +72,33 @@ TEST(FilmOptions, BeginAtMoonriseAndEndAtMoonset) {
   EXPECT_EQ(message_of([&] { spans(40, -100); }).substr(0, 45),
             "the Moon is below the horizon of 40,-100 from");
   EXPECT_EQ(message_of([&] { times_of({.eclipse = july_2018, .from = "moonrise"}, {}); }),
-            "moonrise and moonset are those of a place: needs --at");
+            "moonrise and moonset are those of a place, and none is given");
+}
+
+TEST(FilmOptions, TakeALocalDayAndSayWhereAnotherIsTaken) {
+  const almanac::Observer los_angeles{algebra::degrees(34.05), algebra::degrees(-118.24), {}};
+  const auto said_of = [&](const char* day) {
+    testing::internal::CaptureStderr();
+    const auto eclipse = eclipse_of({.eclipse = day}, los_angeles);
+    EXPECT_EQ(almanac::utc_text(eclipse.greatest).substr(0, 16), "2026-08-28T04:12") << day;
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_EQ(said_of("2026-08-28"), "");
+  EXPECT_EQ(said_of("2026-08-27"), "") << "in Los Angeles it is the evening of the 27th";
+  EXPECT_EQ(said_of("2026-08-20").substr(0, 80),
+            "coppermoon: no eclipse is greatest on 2026-08-20; the nearest, at 2026-08-28T04:");
+}
+
+TEST(FilmOptions, CountFromMoonriseAndReadLocalClocks) {
+  const uses::ViewRequest view{
+      .observer = almanac::Observer{algebra::degrees(52.52), algebra::degrees(13.41), {}}};
+  const FilmOptions film{
+      .eclipse = "2025-09-07", .from = "moonrise+5min", .to = "2025-09-07 22:00", .zone = "local"};
+  const auto times = times_of(film, view);
+  EXPECT_EQ(almanac::utc_text(times.to), "2025-09-07T20:00:00Z") << "two hours ahead in summer";
+  EXPECT_TRUE(moon_is_up(view, almanac::sky_at(times.from)));
+  EXPECT_FALSE(moon_is_up(view, almanac::sky_at(almanac::later(times.from, -310))));
+  EXPECT_EQ(time_keys_from("moonrise+1min:1", times.eclipse, {view.observer}).size(), 1U);
 }
 
 TEST(FilmOptions, BetweenInstantsAreOfTheNearestEclipse) {

@@ -51,6 +51,16 @@ TEST(Moments, AreToTheFullSecondThatIsSaid) {
   }
 }
 
+TEST(Moments, OfALocalDayAreSaidWithTheirOwnDate) {
+  const almanac::Observer los_angeles{algebra::degrees(34.05), algebra::degrees(-118.24), {}};
+  testing::internal::CaptureStderr();
+  instant_of({"2026-08-27"}, los_angeles);
+  const auto said = testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(
+      said.starts_with("coppermoon: the greatest eclipse of 2026-08-27 is 2026-08-28 04:12"))
+      << said;
+}
+
 TEST(Moments, OfATimeOfDayAreThatTimeAndNothingIsSaid) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(text_of({"2018-07-27 20:22"}), "2018-07-27T20:22:00Z");
@@ -89,12 +99,13 @@ TEST(Moments, WithAPlaceAndNoOffsetAreSaidToBeUtc) {
   };
   EXPECT_EQ(
       said({"sky", "2018-07-27 20:22", "--at", "London"}),
-      "coppermoon: 2018-07-27 20:22 is read as UTC; an offset, as 2018-07-27 20:22+02:00, says "
-      "otherwise\n");
+      "coppermoon: 2018-07-27 20:22 is read as UTC; --zone local, or an offset, as 2018-07-27 "
+      "20:22+02:00, says otherwise\n");
   EXPECT_NE(said({"sky", "2018-07-27T20:22:01.5", "--at", "London"}), "");
   for (const char* clear :
        {"2018-07-27 20:22Z", "2018-07-27T20:22:00-04:00", "2018-07-27", "2018-07-27 U2+10min"})
     EXPECT_EQ(said({"sky", clear, "--at", "London"}), "") << clear;
+  EXPECT_EQ(said({"sky", "2018-07-27 20:22", "--at", "London", "--zone", "local"}), "");
   EXPECT_EQ(said({"sky", "2018-07-27 20:22"}), "") << "without a place nobody expects its clocks";
 }
 
@@ -126,6 +137,8 @@ TEST(Moments, InTwoArgumentsAreJoined) {
             (Words{"still", "2018-07-27 U2+10min", "-o", "a.png"}));
   EXPECT_EQ(with_moments_joined({"sky", "2018-07-27", "20:22", "--at", "1,2"}),
             (Words{"sky", "2018-07-27 20:22", "--at", "1,2"}));
+  EXPECT_EQ(with_moments_joined({"still", "2025-09-07", "moonrise+20min", "--at", "Berlin"}),
+            (Words{"still", "2025-09-07 moonrise+20min", "--at", "Berlin"}));
   const Words apart{"still", "2018-07-27", "-o", "U2.png", "U2", "2018-07-27T20:22Z", "20:22"};
   EXPECT_EQ(with_moments_joined(apart), apart);
 }
