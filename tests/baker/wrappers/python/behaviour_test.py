@@ -145,6 +145,15 @@ class Memory(unittest.TestCase):
         self.assertEqual((sys.getrefcount(air), sys.getrefcount(callback)), before)
 
 
+class Places(unittest.TestCase):
+    def test_mean_their_own_days_and_moonrises(self):
+        los_angeles = coppermoon.sky("2026-08-27", at="Los Angeles")  # 21:13 there, 04:13 UTC of the 28th
+        self.assertEqual(los_angeles.when, coppermoon.sky("2026-08-28").when)
+        berlin = coppermoon.sky("2025-09-07 moonrise+20min", at="Berlin, Germany")
+        self.assertTrue(1 < berlin.altitude_deg < 3)
+        self.assertEqual(coppermoon.sky(when, at="51.5, -0.12").altitude_deg, coppermoon.sky(when, at=(51.5, -0.12)).altitude_deg)
+
+
 class Errors(unittest.TestCase):
     def refused(self, kind, text, function, *arguments, **keywords):
         with self.assertRaisesRegex(kind, text):
@@ -156,6 +165,8 @@ class Errors(unittest.TestCase):
         for text, function, arguments in [
                 ("date \"x\"", coppermoon.sky, {"when": "x"}),
                 ("without a time zone", coppermoon.sky, {"when": datetime.datetime(2018, 7, 27)}),
+                ("date \"\"", coppermoon.sky, {"when": ""}),
+                ("those of a place, and none is given", coppermoon.sky, {"when": "2025-09-07 moonrise"}),
                 ("no such city", coppermoon.sky, {"when": when, "at": "Nowhere"}),
                 (r"latitude \[deg\] = nan", coppermoon.sky, {"when": when, "at": (float("nan"), 0)}),
                 ("place of 1 numbers", coppermoon.sky, {"when": when, "at": [1]}),
