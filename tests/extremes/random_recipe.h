@@ -80,6 +80,7 @@ inline std::string number_or(Random& random, double low, double high,
 inline const std::map<std::string, Value>& values_by_hand() {
   static const std::map<std::string, Value> all{
       {"instant", random_instant},
+      {"zone", word({"local", "Europe/Berlin", "-10:00", "Moon/Tycho"})},
       {"at",
        [](Random& r) {
          return fmt::format("\"{},{}\"", number(-90, 90)(r), number(-180, 180)(r));
@@ -156,7 +157,8 @@ inline double chance_of(const std::string& key) {
   static const std::map<std::string, double> others{
       {"instant", 1},     {"albedo-map", 1},   {"texture-width", 1}, {"width", 1},
       {"height", 1},      {"tolerance", 0.85}, {"atmosphere", 0.5},  {"quality", 0.03},
-      {"calendar", 0.03}, {"danjon", 0.06},    {"budget", 0.06},     {"camera", 0.6}};
+      {"calendar", 0.03}, {"zone", 0.03},      {"danjon", 0.06},     {"budget", 0.06},
+      {"camera", 0.6}};
   const auto found = others.find(key);
   return found == others.end() ? usual_chance : found->second;
 }
