@@ -107,9 +107,9 @@ std::size_t frame_in_settings(const std::filesystem::path& folder, std::string_v
   std::ifstream settings(folder / settings_file);
   for (std::string line; std::getline(settings, line);)
     if (std::size_t number = 0;
-        line.starts_with(key) && std::from_chars(line.data() + key.size(),
-                                                 line.data() + line.size(), number)
-                                         .ec == std::errc())
+        line.starts_with(key) &&
+        std::from_chars(line.data() + key.size(), line.data() + line.size(), number).ec ==
+            std::errc())
       return number;
   throw Error(fmt::format("{}: no sequence of frames", (folder / settings_file).string()));
 }
@@ -158,10 +158,10 @@ std::string to_pov(const Sequence& sequence) {
 std::string to_ini(const Sequence& sequence) {
   require_renderable(sequence);
   const std::size_t first = sequence.first_frame, last = sequence.last_frame();
-  return ini_text(single_scene(sequence, first), fmt::format("{}..exr", frame_stem),
-                  fmt::format("Initial_Frame={}\nFinal_Frame={}\n{}{}\n{}{}\n", first,
-                              std::string(digits(last), '9'), first_frame_key, first,
-                              last_frame_key, last));
+  return ini_text(
+      single_scene(sequence, first), fmt::format("{}..exr", frame_stem),
+      fmt::format("Initial_Frame={}\nFinal_Frame={}\n{}{}\n{}{}\n", first,
+                  std::string(digits(last), '9'), first_frame_key, first, last_frame_key, last));
 }
 
 void write_sequence(const std::filesystem::path& folder, const Sequence& sequence) {

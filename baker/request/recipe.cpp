@@ -25,7 +25,8 @@ std::string toml_value(const Parameter& parameter) {
   if (!is_number(parameter.kind)) return quoted(text);
   const bool too_large = parameter.kind == Kind::natural && std::stoull(text) >> 63,
              ratio = !fault_in(parameter.kind, text).empty();  // as 24000/1001
-  return too_large || ratio ? quoted(text) : spelt(parameter.kind, text);  // TOML's own integers end at 2^63
+  return too_large || ratio ? quoted(text)
+                            : spelt(parameter.kind, text);  // TOML's own integers end at 2^63
 }
 
 /// Values with parts as tables in the table of the parameter, whose own name is `model` there.

@@ -135,10 +135,9 @@ void run(const CLI::App& verb, const Options& options) {
   auto film = film_of(options);
   const bool light_alone = film.products.light_alone();
   const auto shard = uses::shard_from(options.film.shard);
-  const auto frames =
-      part_of(uses::frames_in(options.film.range, film.moments.frames.size(),
-                              film.moments.first_frame),
-              shard);
+  const auto frames = part_of(
+      uses::frames_in(options.film.range, film.moments.frames.size(), film.moments.first_frame),
+      shard);
   set_up(film, mounting_of(options.film, film.view.observer.has_value()), frames);
   film.record = uses::film_record(parameters_of(verb),
                                   request::with_width(recipe_of(verb), *film.moon.texture_width));

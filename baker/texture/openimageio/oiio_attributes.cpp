@@ -19,9 +19,9 @@ constexpr std::array<Pair, 5> translated{{{"capDate", "DateTime"},
                                           {"owner", "Copyright"},
                                           {"expTime", "ExposureTime"},
                                           {"aperture", "FNumber"}}};
-constexpr std::array<std::string_view, 9> real_numbers{
-    "expTime",   "aperture", "isoSpeed", "whiteLuminance", "utcOffset",
-    "longitude", "latitude", "altitude", "focus"};
+constexpr std::array<std::string_view, 9> real_numbers{"expTime",        "aperture",  "isoSpeed",
+                                                       "whiteLuminance", "utcOffset", "longitude",
+                                                       "latitude",       "altitude",  "focus"};
 constexpr std::array<std::string_view, 3> texts{"capDate", "owner", "comments"};
 constexpr std::array<std::string_view, 14> own_layout{
     "channels",           "chunkCount",    "compression",

@@ -10,9 +10,7 @@ namespace coppermoon::uses {
 
 using povray_scenes::numbered_file;
 
-almanac::SkyState Film::sky(std::size_t frame) const {
-  return almanac::sky_at(moments.at(frame));
-}
+almanac::SkyState Film::sky(std::size_t frame) const { return almanac::sky_at(moments.at(frame)); }
 
 namespace {
 

@@ -34,7 +34,7 @@ struct Products {
 /// Film: its requests, its moments, its folder, and the light that all frames share.
 struct Film {
   FrameRate fps = {};  ///< 1 to 1000
-  MoonRequest moon;  ///< set_up gives it a texture width
+  MoonRequest moon;    ///< set_up gives it a texture width
   ViewRequest view;
   Development development;
   TextureContent content;

@@ -38,7 +38,8 @@ void require_content(const Film& film) {
 void require_exposure(const Film& film) {
   require_sound(film.development, film.picture(film.moments.first_frame));
   if (film.products.high_range)
-    require_sound(of_high_range(film.development), film.high_range_picture(film.moments.first_frame));
+    require_sound(of_high_range(film.development),
+                  film.high_range_picture(film.moments.first_frame));
   if (film.products.rendered()) files::require_temporary_folder();
   if (!film.bracket_ev) return;
   algebra::require_within("bracket [EV]", *film.bracket_ev, 0.01, 10);

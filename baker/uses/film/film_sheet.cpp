@@ -40,7 +40,8 @@ std::map<std::size_t, std::string> frames_at_contacts(const Moments& moments,
     const auto nearest = *std::ranges::min_element(frames, {}, away);
     auto& known = names[nearest];
     if (away(nearest) < 60)
-      known += (known.empty() ? "" : ", ") + from_contact(name, seconds_from(moments, when, nearest));
+      known +=
+          (known.empty() ? "" : ", ") + from_contact(name, seconds_from(moments, when, nearest));
   }
   return names;
 }
@@ -87,8 +88,7 @@ std::vector<SheetFrame> frames_of_sheet(const Moments& moments,
     if (known != at_contacts.end() && !known->second.empty())
       sheet.push_back({frame, known->second, true});
     else
-      sheet.push_back(
-          {frame, from_nearest_contact(moments.eclipse, moments.at(frame)), false});
+      sheet.push_back({frame, from_nearest_contact(moments.eclipse, moments.at(frame)), false});
   }
   return sheet;
 }
@@ -103,9 +103,8 @@ void write_contact_sheet(const std::filesystem::path& path, const Film& film,
                               texture::sheet_font()};
   const auto zone = zone_of(film);
   for (const auto& [frame, moment, at_contact] : shown)
-    sheet.pictures.push_back({film.picture(frame),
-                              time_of_day(film.moments.at(frame), zone), moment,
-                              at_contact});
+    sheet.pictures.push_back(
+        {film.picture(frame), time_of_day(film.moments.at(frame), zone), moment, at_contact});
   texture::write_png(path, texture::drawn(sheet), 8, film.record.film_header());
 }
 

@@ -209,8 +209,8 @@ std::string layer_of(const Film& film, const std::vector<StageFrame>& frames) {
     }}
 )
 )",
-                     frames.front().moment.time_code, frames.back().moment.time_code, film.fps.value(),
-                     film.fps.value(), algebra::in_metres(almanac::lunar_radius),
+                     frames.front().moment.time_code, frames.back().moment.time_code,
+                     film.fps.value(), film.fps.value(), algebra::in_metres(almanac::lunar_radius),
                      almanac::utc_text(film.moments.eclipse.greatest), contacts);
 }
 

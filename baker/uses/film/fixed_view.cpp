@@ -40,9 +40,9 @@ double half_field_for(const Moons& moons, const glm::dvec3& moon,
   const auto across = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), ahead));
   const auto half = [&](const glm::dvec3& side) {
     const double a = glm::dot(moon, ahead), b = std::abs(glm::dot(moon, side));
-    return std::min(std::numbers::pi / 2,
-                    std::atan2(b, a) +
-                        std::asin(std::min(1., moons.sine_of_radius / std::hypot(a, b))));
+    return std::min(
+        std::numbers::pi / 2,
+        std::atan2(b, a) + std::asin(std::min(1., moons.sine_of_radius / std::hypot(a, b))));
   };
   const double upright = half(glm::cross(ahead, across));
   if (upright >= std::numbers::pi / 2) return upright;
@@ -52,8 +52,7 @@ double half_field_for(const Moons& moons, const glm::dvec3& moon,
 /// The same for all Moons.
 double half_field_for(const Moons& moons, const povray_scenes::HorizonPlace& aim) {
   double most = 0;
-  for (const auto& moon : moons.directions)
-    most = std::max(most, half_field_for(moons, moon, aim));
+  for (const auto& moon : moons.directions) most = std::max(most, half_field_for(moons, moon, aim));
   return most;
 }
 
@@ -100,16 +99,16 @@ FixedView fixed_view(const Film& film) {
   }
   FixedView view{.looked_at = moons.directions.size()};
   const double half_field = algebra::in_radians(camera.horizontal_field) / 2;
-  view.outside = static_cast<std::size_t>(
-      std::ranges::count_if(moons.directions, [&](const glm::dvec3& moon) {
+  view.outside =
+      static_cast<std::size_t>(std::ranges::count_if(moons.directions, [&](const glm::dvec3& moon) {
         return half_field_for(moons, moon, *film.view.aim) > half_field;
       }));
   if (view.outside == 0) return view;
   constexpr double widest_deg = 179;
   const auto aim = best_aim(moons);
-  const double half = half_field_for(moons, aim),
-               field_deg = half <= half_field ? 2 * half_field / degree
-                                              : std::ceil(2 * half / degree);
+  const double half = half_field_for(moons, aim), field_deg = half <= half_field
+                                                                  ? 2 * half_field / degree
+                                                                  : std::ceil(2 * half / degree);
   if (field_deg > widest_deg) return view;
   view.aim = aim;
   view.field_deg = field_deg;

@@ -28,8 +28,7 @@ std::optional<Run> run_from(const std::string& text) {
 
 }  // namespace
 
-std::vector<std::size_t> frames_in(const std::string& text, std::size_t count,
-                                   std::size_t first) {
+std::vector<std::size_t> frames_in(const std::string& text, std::size_t count, std::size_t first) {
   const auto last = first + count - 1;
   const auto all = fmt::format("{}-{}", first, last);
   std::vector<std::size_t> frames;

@@ -48,8 +48,8 @@ FrameRate frame_rate_from(const std::string& text) {
   }
   const auto over = whole_number(text.substr(0, slash)),
              under = whole_number(text.substr(slash + 1));
-  const bool sound = over && under && *under >= 1 && *under <= most_below &&
-                     *over >= *under && *over <= thousand * *under;
+  const bool sound = over && under && *under >= 1 && *under <= most_below && *over >= *under &&
+                     *over <= thousand * *under;
   if (!sound)
     throw algebra::Error(fmt::format(
         "fps = {}, allowed 1 to 1000, a ratio of whole numbers with 1 to 10000 below", text));

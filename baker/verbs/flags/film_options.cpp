@@ -54,14 +54,14 @@ void add_times(CLI::App& verb, FilmOptions& options) {
            "number of frames, 1 to 1000000, evenly from the first moment to the last; default: 240")
       .in(film_group)
       .within(1, 1e6);
-  add_flag(verb, request::parameter("--fps", options.fps,
-                                    "frames per second of the film, 1 to 1000, as 24, 24000/1001, or "
-                                    "23.976, 29.97 and 59.94, which mean ratios with 1001")
-                     .as(request::Kind::number)
-                     .within(1, 1000)
-                     .spelt_by([](const std::string& text) {
-                       return text_of(uses::frame_rate_from(text));
-                     }))
+  add_flag(
+      verb,
+      request::parameter("--fps", options.fps,
+                         "frames per second of the film, 1 to 1000, as 24, 24000/1001, or "
+                         "23.976, 29.97 and 59.94, which mean ratios with 1001")
+          .as(request::Kind::number)
+          .within(1, 1000)
+          .spelt_by([](const std::string& text) { return text_of(uses::frame_rate_from(text)); }))
       .in(film_group);
   add_flag(verb, "--time-scale", options.time_scale,
            "seconds of the eclipse per second of the film, 0.001 to 1e6, in place of --frames")
@@ -145,7 +145,9 @@ void add_files_of_all(CLI::App& verb, FilmOptions& options) {
       .writes_file()
       .kept_each_time()
       .in(group);
-  add_flag(verb, "--movie", options.movie, "movie of the pictures, made by ffmpeg: .mp4 (H.264), or .mov (ProRes 422 HQ) for editing")
+  add_flag(
+      verb, "--movie", options.movie,
+      "movie of the pictures, made by ffmpeg: .mp4 (H.264), or .mov (ProRes 422 HQ) for editing")
       .writes_file()
       .in(group);
   add_switch(verb, "--hdr", options.hdr,
