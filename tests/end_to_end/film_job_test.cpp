@@ -163,8 +163,8 @@ TEST_F(FilmJob, HasAllTasksMakeWhatTheLastOneNeeds) {
   expect_done(coppermoon({"animate", "2018-07-27", "--start-frame", "1001", "--composite",
                           "all.png", "-o", "film", "--job", "job.yaml"}));
   const auto text = text_of(here("job.yaml"));
-  const auto film = text.find("  - name: film");
-  for (const auto& step : {text.substr(0, film), text.substr(film)})
+  const auto last = text.find("  - name: film");
+  for (const auto& step : {text.substr(0, last), text.substr(last)})
     for (const char* word : {"\"--make=frames,pictures\"", "\"--start-frame=1001\""})
       EXPECT_NE(step.find(word), std::string::npos) << word;
 }

@@ -113,7 +113,7 @@ TEST_F(WriteImage, FrameRatesAreRatiosOfWholeNumbers) {
        {Attribute(23.976F), Attribute(std::vector{24.F}), Attribute(std::vector{24.F, 0.F}),
         Attribute(std::vector{12.5F, 1.F})})
     EXPECT_THROW(write_exr(in_folder("a.exr"), eclipse_like(1), {{"framesPerSecond", value}}),
-                 algebra::Error);
+                 coppermoon::algebra::Error);
 }
 
 TEST_F(WriteImage, TheRecipeComesBack) {

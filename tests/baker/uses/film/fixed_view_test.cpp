@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "uses/film/fixed_view.h"
 
+#include <cmath>
+
 #include "support/within.h"
 
 namespace coppermoon::uses {
@@ -28,6 +30,20 @@ Film seen(Film film, const FixedView& view) {
   return film;
 }
 
+/// Moons whose middle is in the picture of the renderer's camera.
+std::size_t rendered_within(const Film& film) {
+  std::size_t within = 0;
+  for (std::size_t frame = 1; frame <= 10; ++frame) {
+    const auto camera = view_of(film, film.sky(frame)).camera;
+    const auto& p = camera.position;
+    const auto pixel =
+        povray_scenes::pixel_of(camera, {algebra::radians(std::atan2(p.z, std::hypot(p.x, p.y))),
+                                         algebra::radians(std::atan2(p.y, p.x))});
+    if (pixel && pixel->x > 0 && pixel->x < 300 && pixel->y > 0 && pixel->y < 200) ++within;
+  }
+  return within;
+}
+
 TEST(FixedView, HoldsTheMoonsOfAShortFilm) {
   const auto view = fixed_view(on_a_tripod("2018-07-27T20:00:00Z", "2018-07-27T21:00:00Z", 22));
   EXPECT_EQ(view.outside, 0U);
@@ -40,8 +56,10 @@ TEST(FixedView, OfALongFilmCountsMoonsOutsideAndSaysWhatHoldsThem) {
   // 15 degrees an hour: within 11 degrees of the middle for three quarters of an hour on each side, of 26 minutes a frame
   EXPECT_GE(view.outside, 6U);
   EXPECT_LE(view.outside, 8U);
+  EXPECT_EQ(rendered_within(film), 10 - view.outside);
   ASSERT_TRUE(view.aim);
   EXPECT_EQ(fixed_view(seen(film, view)).outside, 0U);
+  EXPECT_EQ(rendered_within(seen(film, view)), 10U);
   auto narrower = seen(film, view);
   *narrower.view.field_deg -= 2;
   EXPECT_GT(fixed_view(narrower).outside, 0U);
@@ -49,7 +67,7 @@ TEST(FixedView, OfALongFilmCountsMoonsOutsideAndSaysWhatHoldsThem) {
 
 TEST(FixedView, KeepsTheFieldWhereAnotherAimIsEnough) {
   auto film = on_a_tripod("2018-07-27T20:00:00Z", "2018-07-27T21:00:00Z", 22);
-  film.view.aim->azimuth = film.view.aim->azimuth + algebra::degrees(40);
+  film.view.aim->azimuth = film.view.aim->azimuth + algebra::degrees(180);
   const auto view = fixed_view(film);
   EXPECT_EQ(view.outside, 10U);
   ASSERT_TRUE(view.aim);
