@@ -103,10 +103,9 @@ void say_which_are_outside(const uses::Film& film) {
   if (!film.view.aim || !film.products.framed()) return;
   const auto view = fixed_view(film);
   if (view.outside == 0) return;
-  const auto all = film.moments.frames.size();
   fmt::print(stderr, "coppermoon: {} of {} Moons{} are cut off by the picture or outside it; {}\n",
              view.outside, view.looked_at,
-             view.looked_at < all ? fmt::format(", of {} frames,", all) : "",
+             view.looked_at < film.moments.frames.size() ? " looked at" : "",
              view.aim ? fmt::format("--aim {:.1f},{:.1f} --field {:.3g} holds all",
                                     algebra::in_degrees(view.aim->altitude),
                                     algebra::in_degrees(view.aim->azimuth), view.field_deg)

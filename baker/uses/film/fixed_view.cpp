@@ -88,17 +88,19 @@ FixedView fixed_view(const Film& film) {
   const auto& observer = *film.view.observer;
   const auto& frames = film.moments;
   const std::size_t step = std::max<std::size_t>(1, frames.frames.size() / 240);
-  const auto camera = view_of(film, film.sky(frames.first_frame)).camera;
-  Moons moons{{}, 0, static_cast<double>(camera.width) / static_cast<double>(camera.height)};
+  Moons moons{{}, 0, static_cast<double>(film.view.width) / static_cast<double>(film.view.height)};
+  double half_field = 0;
   for (auto frame = frames.first_frame; frame <= frames.last_frame(); frame += step) {
     const auto sky = film.sky(frame);
+    if (!moon_is_up(film.view, sky)) continue;
+    if (half_field == 0)
+      half_field = algebra::in_radians(view_of(film, sky).camera.horizontal_field) / 2;
     moons.directions.push_back(direction_of(apparent_place(observer, sky)));
     const auto seen = almanac::view_from(observer, sky);
     moons.sine_of_radius =
         std::max(moons.sine_of_radius, almanac::lunar_radius / seen.moon_distance);
   }
   FixedView view{.looked_at = moons.directions.size()};
-  const double half_field = algebra::in_radians(camera.horizontal_field) / 2;
   view.outside =
       static_cast<std::size_t>(std::ranges::count_if(moons.directions, [&](const glm::dvec3& moon) {
         return half_field_for(moons, moon, *film.view.aim) > half_field;
