@@ -18,15 +18,16 @@ namespace {
 
 using algebra::Error;
 
-constexpr const char* last_frame_key = "Subset_End_Frame=";
+constexpr const char *first_frame_key = "Subset_Start_Frame=",
+                     *last_frame_key = "Subset_End_Frame=";
 
 std::size_t digits(std::size_t last) {
   return std::max(std::to_string(last).size(), std::size_t{4});
 }
 
 MoonScene single_scene(const Sequence& sequence, std::size_t frame) {
-  return {.camera = sequence.cameras[frame - 1],
-          .texture = numbered_file(sequence.textures, frame, sequence.cameras.size()),
+  return {.camera = sequence.cameras[frame - sequence.first_frame],
+          .texture = numbered_file(sequence.textures, frame, sequence.last_frame()),
           .moon_radius = sequence.moon_radius,
           .sampling_depth = sequence.sampling_depth,
           .caption = sequence.caption,
@@ -49,16 +50,18 @@ void require_same_picture(const SceneCamera& camera, const SceneCamera& first) {
 void require_frame(const Sequence& sequence, std::size_t frame) {
   try {
     require_renderable(single_scene(sequence, frame));
-    require_same_picture(sequence.cameras[frame - 1], sequence.cameras[0]);
+    require_same_picture(sequence.cameras[frame - sequence.first_frame], sequence.cameras[0]);
   } catch (const Error& error) {
     throw Error(fmt::format("frame {}: {}", frame, error.what()));
   }
 }
 
 void require_renderable(const Sequence& sequence) {
-  const std::size_t last = sequence.cameras.size();
-  algebra::require_within("frames", static_cast<double>(last), 1, 999999);
-  for (std::size_t frame = 1; frame <= last; ++frame) require_frame(sequence, frame);
+  constexpr double most = 999999;
+  algebra::require_within("frames", static_cast<double>(sequence.cameras.size()), 1, most);
+  algebra::require_within("last frame", static_cast<double>(sequence.last_frame()), 0, most);
+  for (auto frame = sequence.first_frame; frame <= sequence.last_frame(); ++frame)
+    require_frame(sequence, frame);
 }
 
 /// Declaration of an array in POV-Ray's language, a line for each frame.
@@ -74,14 +77,15 @@ std::string squash_or_none(const CameraText& frame) {
   return fmt::format("{{ {} }}", frame.squash.empty() ? "1, 0, 0, 0, 1, 0, 0, 0, 1" : frame.squash);
 }
 
-std::string declarations(const std::vector<CameraText>& frames, bool flattened) {
+std::string declarations(const Sequence& sequence, const std::vector<CameraText>& frames,
+                         bool flattened) {
   const auto n = frames.size();
-  auto text = fmt::format(R"(#if (frame_number > {0})
-  #error concat("frame ", str(frame_number, 0, 0), ": this sequence has frames 1 to {0}\n")
+  auto text = fmt::format(R"(#if (frame_number > {1})
+  #error concat("frame ", str(frame_number, 0, 0), ": this sequence has frames {0} to {1}\n")
 #end
-#declare Frame = max(frame_number, 1) - 1;
+#declare Frame = max(frame_number, {0}) - {0};
 )",
-                          n);
+                          sequence.first_frame, sequence.last_frame());
   text += array(fmt::format("Location = array[{}]", n), frames, [](auto& f) { return f.location; });
   text += array(fmt::format("Sky = array[{}]", n), frames, [](auto& f) { return f.sky; });
   text += array(fmt::format("Look_At = array[{}]", n), frames, [](auto& f) { return f.look_at; });
@@ -98,17 +102,16 @@ constexpr const char* squashed_sphere = R"(  #if (Flattened[Frame])
   #end
 )";
 
-/// Count of frames of the sequence in a folder.
-std::size_t last_frame(const std::filesystem::path& folder) {
+/// Number of the first or last frame of the sequence in a folder.
+std::size_t frame_in_settings(const std::filesystem::path& folder, std::string_view key) {
   std::ifstream settings(folder / settings_file);
-  const std::string_view key = last_frame_key;
-  std::size_t last = 0;
   for (std::string line; std::getline(settings, line);)
-    if (line.starts_with(key))
-      std::from_chars(line.data() + key.size(), line.data() + line.size(), last);
-  if (last == 0)
-    throw Error(fmt::format("{}: no sequence of frames", (folder / settings_file).string()));
-  return last;
+    if (std::size_t number = 0;
+        line.starts_with(key) &&
+        std::from_chars(line.data() + key.size(), line.data() + line.size(), number).ec ==
+            std::errc())
+      return number;
+  throw Error(fmt::format("{}: no sequence of frames", (folder / settings_file).string()));
 }
 
 /// Hand-over of a run's frames as they are finished.
@@ -141,22 +144,24 @@ std::string to_pov(const Sequence& sequence) {
   for (const auto& camera : sequence.cameras)
     frames.push_back(camera_text(camera, sequence.moon_radius));
   const bool flattened = !std::ranges::all_of(frames, &std::string::empty, &CameraText::squash);
-  return pov_text(single_scene(sequence, 1),
-                  {.declarations = declarations(frames, flattened),
+  return pov_text(single_scene(sequence, sequence.first_frame),
+                  {.declarations = declarations(sequence, frames, flattened),
                    .location = "Location[Frame]",
                    .sky = "Sky[Frame]",
                    .look_at = "Look_At[Frame]",
-                   .texture = fmt::format(R"(concat("{}.", str(Frame + 1, -{}, 0), ".exr"))",
-                                          sequence.textures, digits(frames.size())),
+                   .texture = fmt::format(R"(concat("{}.", str(Frame + {}, -{}, 0), ".exr"))",
+                                          sequence.textures, sequence.first_frame,
+                                          digits(sequence.last_frame())),
                    .flattened = flattened ? squashed_sphere : ""});
 }
 
 std::string to_ini(const Sequence& sequence) {
   require_renderable(sequence);
-  const std::size_t last = sequence.cameras.size();
-  return ini_text(single_scene(sequence, 1), fmt::format("{}..exr", frame_stem),
-                  fmt::format("Initial_Frame=1\nFinal_Frame={}\nSubset_Start_Frame=1\n{}{}\n",
-                              std::string(digits(last), '9'), last_frame_key, last));
+  const std::size_t first = sequence.first_frame, last = sequence.last_frame();
+  return ini_text(
+      single_scene(sequence, first), fmt::format("{}..exr", frame_stem),
+      fmt::format("Initial_Frame={}\nFinal_Frame={}\n{}{}\n{}{}\n", first,
+                  std::string(digits(last), '9'), first_frame_key, first, last_frame_key, last));
 }
 
 void write_sequence(const std::filesystem::path& folder, const Sequence& sequence) {
@@ -167,9 +172,12 @@ void render_sequence(const std::filesystem::path& folder, std::size_t first, std
                      const FrameDone& frame_done, const RenderSettings& settings,
                      const algebra::Progress& progress) {
   const Draft draft(folder);
-  const std::size_t of = last_frame(folder);
-  algebra::require_within("last frame", static_cast<double>(last), 1, static_cast<double>(of));
-  algebra::require_within("first frame", static_cast<double>(first), 1, static_cast<double>(last));
+  const std::size_t from = frame_in_settings(folder, first_frame_key),
+                    of = frame_in_settings(folder, last_frame_key);
+  algebra::require_within("last frame", static_cast<double>(last), static_cast<double>(from),
+                          static_cast<double>(of));
+  algebra::require_within("first frame", static_cast<double>(first), static_cast<double>(from),
+                          static_cast<double>(last));
   Delivery delivery{draft, frame_done, settings, progress, first, of};
   run_povray(settings, draft,
              {.output = draft.stem + "..exr",

@@ -24,6 +24,9 @@ struct Sequence {
   int sampling_depth = 2;            ///< as MoonScene's
   std::string caption = {};          ///< one line, written as a comment at the head of both files
   bool alpha = false;                ///< as MoonScene's
+  std::size_t first_frame = 1;       ///< number of the first frame and its texture
+
+  std::size_t last_frame() const { return first_frame + cameras.size() - 1; }
 };
 
 /// Name of a numbered file of a sequence.
@@ -32,11 +35,11 @@ struct Sequence {
 std::string numbered_file(const std::string& stem, std::size_t frame, std::size_t last);
 
 /// Text of one scene for all frames: places and texture are selected by POV-Ray's frame_number, never by its clock.
-/// Frames count from 1; without an animation the first is rendered, past the last is an error.
+/// Frames count from first_frame; without an animation the first is rendered, past the last is an error.
 ///
 /// Accuracy  a frame has the very pixels of its own single scene (see to_pov of that)
 /// Throws    Error  as to_pov of a single scene, with the number of the frame; when there are no
-///                  frames or more than 999999, or a camera differs from the first one in width,
+///                  frames, a number beyond 999999, or a camera differs from the first one in width,
 ///                  height, field or mirroring
 std::string to_pov(const Sequence& sequence);
 
@@ -61,7 +64,7 @@ using FrameDone = std::function<void(std::size_t frame, const std::filesystem::p
 /// Renders frames in one run of POV-Ray.
 ///
 /// Given     folder       as write_sequence left it, with the textures of these frames
-///           first, last  1 or more, up to the sequence's last
+///           first, last  from the sequence's first frame to its last
 ///           frame_done   called for each in order, on this thread, while POV-Ray goes on with the
 ///                        next; the file, frame.0001.exr in the folder, is the callee's to remove.
 ///                        What it throws ends POV-Ray and goes on from here

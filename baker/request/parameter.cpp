@@ -56,9 +56,9 @@ std::string Parameter::text() const {
 void Parameter::take(const Texts& texts) {
   Texts alike;
   for (const auto& text : texts) {
-    if (const auto fault = fault_in(kind, text); !fault.empty())
-      throw algebra::Error(fmt::format("{} = {}", name, fault));
-    alike.push_back(spelt(kind, text));
+    const auto fault = respelt ? "" : fault_in(kind, text);
+    if (!fault.empty()) throw algebra::Error(fmt::format("{} = {}", name, fault));
+    alike.push_back(respelt ? respelt(text) : spelt(kind, text));
   }
   write(alike);
   given = std::move(alike);

@@ -82,6 +82,8 @@ struct Parameter {
   /// Throws algebra::Error for texts that are not allowed
   std::function<void(const Texts&)> write{};
   std::function<void()> restore{};  ///< puts back the field's first value
+  /// Text as recipes spell it, in place of `spelt`: "10" of "10s". Throws algebra::Error for texts that are not allowed
+  std::function<std::string(const std::string&)> respelt{};
 
   /// Texts that were given, else of the field's value.
   Texts texts() const { return given ? *given : read(); }
@@ -106,6 +108,9 @@ struct Parameter {
   Parameter& replaced_by_plan() { return planned = true, *this; }
   Parameter& each_time() { return many = true, *this; }
   Parameter& as(Kind what) { return kind = what, *this; }
+  Parameter& spelt_by(std::function<std::string(const std::string&)> how) {
+    return respelt = std::move(how), *this;
+  }
 };
 
 /// Whether the recipe of what is made holds that parameter.

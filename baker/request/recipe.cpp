@@ -23,8 +23,10 @@ std::string toml_value(const Parameter& parameter) {
   if (parameter.name == "field" && fault_in(Kind::number, text).empty())
     return spelt(Kind::number, text);  // a number, or "moon"
   if (!is_number(parameter.kind)) return quoted(text);
-  const bool too_large = parameter.kind == Kind::natural && std::stoull(text) >> 63;
-  return too_large ? quoted(text) : spelt(parameter.kind, text);  // TOML's own integers end at 2^63
+  const bool too_large = parameter.kind == Kind::natural && std::stoull(text) >> 63,
+             ratio = !fault_in(parameter.kind, text).empty();  // as 24000/1001
+  return too_large || ratio ? quoted(text)
+                            : spelt(parameter.kind, text);  // TOML's own integers end at 2^63
 }
 
 /// Values with parts as tables in the table of the parameter, whose own name is `model` there.

@@ -55,7 +55,7 @@ using Attribute = std::variant<std::string, float, int, std::vector<float>>;
 /// Values of a header by name. OpenEXR's standard names mean what OpenEXR says they mean:
 /// `capDate`, `utcOffset` [s], `longitude`, `latitude` [degrees], `altitude` [m], `expTime` [s],
 /// `aperture`, `isoSpeed`, `whiteLuminance` [cd/m²], `chromaticities` (8 numbers),
-/// `colorInteropID`, `framesPerSecond`, `owner`, `comments`.
+/// `colorInteropID`, `framesPerSecond` (2 numbers, as 24000 and 1001), `owner`, `comments`.
 using Attributes = std::map<std::string, Attribute, std::less<>>;
 
 }  // namespace coppermoon::texture

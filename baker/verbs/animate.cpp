@@ -17,6 +17,7 @@
 #include "uses/film/film_folder.h"
 #include "uses/film/film_light.h"
 #include "uses/film/film_setup.h"
+#include "uses/film/fixed_view.h"
 #include "uses/film/frame_range.h"
 #include "uses/film/make_film.h"
 #include "uses/light/spectral_bands.h"
@@ -98,6 +99,20 @@ void write_job(const CLI::App& verb, const uses::Film& film, const uses::Shard& 
   files::write_whole(file, film_job(verb, film, file));
 }
 
+/// Says on stderr how many Moons a tripod's picture leaves out, and what holds them.
+void say_which_are_outside(const uses::Film& film) {
+  if (!film.view.aim || !film.products.framed()) return;
+  const auto view = fixed_view(film);
+  if (view.outside == 0) return;
+  fmt::print(stderr, "coppermoon: {} of {} Moons{} are cut off by the picture or outside it; {}\n",
+             view.outside, view.looked_at,
+             view.looked_at < film.moments.frames.size() ? " looked at" : "",
+             view.aim ? fmt::format("--aim {:.1f},{:.1f} --field {:.3g} holds all",
+                                    algebra::in_degrees(view.aim->altitude),
+                                    algebra::in_degrees(view.aim->azimuth), view.field_deg)
+                      : "no picture holds all");
+}
+
 /// Lists the files that this run would write; those of every frame where the light is not there.
 void list(uses::Film film, const std::vector<std::size_t>& frames, const uses::FilmFiles& files,
           bool replace, FilmProgress& progress) {
@@ -120,16 +135,18 @@ void run(const CLI::App& verb, const Options& options) {
   auto film = film_of(options);
   const bool light_alone = film.products.light_alone();
   const auto shard = uses::shard_from(options.film.shard);
-  const auto frames =
-      part_of(uses::frames_in(options.film.range, film.moments.frames.size()), shard);
+  const auto frames = part_of(
+      uses::frames_in(options.film.range, film.moments.frames.size(), film.moments.first_frame),
+      shard);
   set_up(film, mounting_of(options.film, film.view.observer.has_value()), frames);
   film.record = uses::film_record(parameters_of(verb),
                                   request::with_width(recipe_of(verb), *film.moon.texture_width));
   film.record.map_contents = map_contents(film.moon);
   film.record.view_contents = fingerprint(film.development, space_of(film.content));
   film.record.way_out = ", or --replace";
-  const auto files = files_of(options.film, film.products);
+  const auto files = files_of(options.film);
   require_makeable(files, film);
+  say_which_are_outside(film);
   const bool part_of_light = light_alone && shard.parts > 1;
   if (part_of_light) require_photons(film, shard);
   if (!options.job.empty()) return write_job(verb, film, shard, options.job);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -106,8 +108,8 @@ void require_place(const Options& options, const std::vector<Job>& jobs) {
   }
 }
 
-/// Exposure that all frames share.
-uses::Exposures exposures_of(const Options& options, const std::vector<Job>& jobs) {
+/// Exposure that all frames share, by its rule.
+uses::Exposures shared_exposures(const Options& options, const std::vector<Job>& jobs) {
   if (jobs.size() == 1) {
     const auto& job = jobs.front();
     return exposures_for(options.develop, read_frame(options, job.frame, job.space), job.space,
@@ -119,6 +121,31 @@ uses::Exposures exposures_of(const Options& options, const std::vector<Job>& job
       shared.add(read_frame(options, job.frame, job.space), job.space,
                  uses::seen_by(fs::path(job.frame)));
   return shared.exposures();
+}
+
+/// The same, with whether it is a camera's.
+uses::Exposures exposures_of(const Options& options, const std::vector<Job>& jobs) {
+  auto exposures = shared_exposures(options, jobs);
+  exposures.a_cameras = std::ranges::all_of(jobs, [&](const Job& job) {
+    return is_a_cameras(options.develop, uses::seen_by(fs::path(job.frame)));
+  });
+  return exposures;
+}
+
+/// Luminances that become white [cd/m²]: of the exposure, and of the longer one.
+std::vector<double> whites_of(const Options& options, uses::Exposures exposures) {
+  std::vector<double> whites{1 / scale_of(options.develop, exposures.shorter)};
+  if (!exposures.longer_s) return whites;
+  exposures.shorter.time_s = *exposures.longer_s;
+  whites.push_back(1 / scale_of(options.develop, exposures.shorter));
+  return whites;
+}
+
+std::string in_words(const Options& options, const uses::Exposures& exposures) {
+  if (exposures.a_cameras)
+    return fmt::format("exposed for {}, f/{:.3g}, ISO {:g}", exposure_in_words(exposures),
+                       exposures.shorter.f_number, exposures.shorter.iso);
+  return fmt::format("white is {:.3g} cd/m²", fmt::join(whites_of(options, exposures), " and "));
 }
 
 void develop(const Options& options, const Job& job, const uses::Exposures& exposures,
@@ -133,14 +160,19 @@ void develop(const Options& options, const Job& job, const uses::Exposures& expo
                 job.picture);
 }
 
-nlohmann::ordered_json as_json(const std::vector<Job>& jobs, const uses::Exposures& exposures) {
-  const auto& [exposure, longer_s] = exposures;
+nlohmann::ordered_json as_json(const Options& options, const std::vector<Job>& jobs,
+                               const uses::Exposures& exposures) {
+  const auto& [exposure, longer_s, a_cameras] = exposures;
   nlohmann::ordered_json all;
   if (jobs.size() == 1)
     all["file"] = jobs.front().picture.string();
   else
     for (const auto& job : jobs) all["files"].push_back(job.picture.string());
   all["colour_space"] = colour::name(jobs.front().space);
+  if (!a_cameras) {
+    all["white_cd_m2"] = whites_of(options, exposures);
+    return all;
+  }
   all["time_s"] = exposure.time_s;
   if (longer_s) all["longer_time_s"] = *longer_s;
   all["f_number"] = exposure.f_number;
@@ -156,10 +188,9 @@ void run(const Options& options) {
   for (std::size_t j = 0; j < jobs.size(); ++j) {
     develop(options, jobs[j], exposures, j);
     if (!options.json)
-      fmt::print("{}: exposed for {}, f/{:.3g}, ISO {:g}\n", one_line(jobs[j].picture.string()),
-                 exposure_in_words(exposures), exposures.shorter.f_number, exposures.shorter.iso);
+      fmt::print("{}: {}\n", one_line(jobs[j].picture.string()), in_words(options, exposures));
   }
-  if (options.json) fmt::print("{}\n", as_json(jobs, exposures).dump(2));
+  if (options.json) fmt::print("{}\n", as_json(options, jobs, exposures).dump(2));
 }
 
 }  // namespace

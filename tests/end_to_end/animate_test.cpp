@@ -313,12 +313,13 @@ TEST_F(Animate, GoesOnFromAnyOfItsFrames) {
 }
 
 TEST_F(Animate, IsSeenByPlainPovray) {
-  expect_done(coppermoon(film({"--frames", "3", "--from", "U1", "--make", "scenes"})));
+  expect_done(coppermoon(
+      film({"--frames", "3", "--from", "U1", "--make", "scenes", "--start-frame", "1001"})));
   const auto outcome =
-      run({"povray", "eclipse.ini", "+SF2", "+EF3", "-GA"}, {.folder = here("film")});
+      run({"povray", "eclipse.ini", "+SF1002", "+EF1003", "-GA"}, {.folder = here("film")});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_FALSE(fs::exists(here("film/frame.0001.exr")));
-  for (const char* name : {"film/frame.0002.exr", "film/frame.0003.exr"})
+  EXPECT_FALSE(fs::exists(here("film/frame.1001.exr")));
+  for (const char* name : {"film/frame.1002.exr", "film/frame.1003.exr"})
     EXPECT_EQ(texture::read_image(here(name)).width, 48U);
 }
 

@@ -200,6 +200,7 @@ TEST_F(Ranges, AreThoseThatTheLibraryKeeps) {
       {"frames", "uses/film/film_times"},
       {"fps", "uses/film/film_times"},
       {"duration", "uses/film/film_times"},
+      {"start-frame", "uses/film/film_times"},
       {"time-scale", "uses/film/film_times"},
       {"bracket", "end_to_end/film_files"},
       {"aperture", "colour/exposure: with the focal length it makes the f-number"},

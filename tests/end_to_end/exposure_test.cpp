@@ -154,5 +154,20 @@ TEST_F(Exposure, WithoutATimeTheBrightestComesToFourFifths) {
                 "the middle of a full Moon is among its brightest, but for the half floats");
 }
 
+TEST_F(Exposure, OfAnotherProgramsSceneIsACamerasWhereOneIsMeant) {
+  texture::Image land(8, 8, {"R", "G", "B"});
+  for (float& value : land.values) value = 1e-3F;
+  texture::write_exr(here("land.exr"), land, {});
+  const auto made = [&](const Words& more) {
+    return coppermoon(Words{"develop", "land.exr", "-o", "land.png"} + more).out;
+  };
+  EXPECT_EQ(made({}), "land.png: white is 0.00125 cd/m²\n") << "80 % of it are 0.001";
+  for (const char* name : {"expTime", "aperture", "isoSpeed"})
+    EXPECT_FALSE(texture::read_attribute(here("land.png"), name)) << name;
+  EXPECT_TRUE(made({"--json"}).find("time_s") == std::string::npos);
+  EXPECT_EQ(made({"--time", "2"}), "land.png: exposed for 2 s, f/12.1, ISO 800\n");
+  EXPECT_EQ(texture::read_attribute(here("land.png"), "expTime"), "2");
+}
+
 }  // namespace
 }  // namespace coppermoon::end_to_end

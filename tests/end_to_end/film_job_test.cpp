@@ -157,7 +157,16 @@ TEST_F(FilmJob, RefusesWhatNoJobCouldSay) {
   expect_refused({"--job", "job.yaml", "--dry-run"}, "allowed one of the two");
   expect_refused({"--job", "job.yaml", "--make", "light"}, "allowed where --photons says how many");
   expect_refused({"--job", "/usr/share/job.yaml"}, "allowed in the current folder, or above it");
-  expect_refused({"--job", "job.yaml", "--movie", "a.mp4"}, "pictures among --make");
+}
+
+TEST_F(FilmJob, HasAllTasksMakeWhatTheLastOneNeeds) {
+  expect_done(coppermoon({"animate", "2018-07-27", "--start-frame", "1001", "--composite",
+                          "all.png", "-o", "film", "--job", "job.yaml"}));
+  const auto text = text_of(here("job.yaml"));
+  const auto last = text.find("  - name: film");
+  for (const auto& step : {text.substr(0, last), text.substr(last)})
+    for (const char* word : {"\"--make=frames,pictures\"", "\"--start-frame=1001\""})
+      EXPECT_NE(step.find(word), std::string::npos) << word;
 }
 
 TEST_F(FilmJob, ListsWhatAShardMakes) {

@@ -105,15 +105,31 @@ std::string colour_box(int primaries, int transfer, int matrix) {
 constexpr int bt709 = 1, p3_d65 = 12, srgb = 13;
 
 TEST_F(FilmPictures, AsAMovieAreAllThereInOrder) {
-  expect_done(coppermoon(film({"--range", "1-5x2", "--movie", "film.mp4", "--fps", "12"})));
+  expect_done(coppermoon(film({"--range", "1-5x2", "--movie", "film.mp4", "--fps", "23.976"})));
   const auto probed = run({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
                            "stream=codec_name,width,height,pix_fmt,color_range,color_space,"
                            "color_transfer,color_primaries,r_frame_rate,nb_read_frames",
                            "-of", "csv=p=0", "film.mp4"});
-  EXPECT_EQ(probed.out, "h264,34,26,yuv420p,tv,bt709,iec61966-2-1,bt709,12/1,3\n");
+  EXPECT_EQ(probed.out, "h264,34,26,yuv420p,tv,bt709,iec61966-2-1,bt709,24000/1001,3\n");
   const auto bytes = text_of(here("film.mp4"));
   EXPECT_LT(bytes.find("moov"), bytes.find("mdat")) << "it can be shown while it comes";
   EXPECT_NE(bytes.find(colour_box(bt709, srgb, bt709)), std::string::npos);
+}
+
+TEST_F(FilmPictures, AsAMovieForEditingAreProRes) {
+  expect_done(coppermoon(
+      film({"--range", "3", "--make", "textures", "--movie", "film.mov", "--fps", "23.976"})));
+  const auto probed = run({"ffprobe", "-v", "error", "-show_entries",
+                           "stream=codec_name,profile,width,height,pix_fmt,color_range,color_space,"
+                           "color_transfer,color_primaries,r_frame_rate",
+                           "-of", "csv=p=0", "film.mov"});
+  EXPECT_EQ(probed.out, "prores,HQ,34,26,yuv422p10le,tv,bt709,iec61966-2-1,bt709,24000/1001\n");
+  ASSERT_EQ(run({"ffmpeg", "-v", "error", "-i", "film.mov", "-pix_fmt", "rgb24", "one.png"}).status,
+            0);
+  const auto same = [](double level) { return level; };
+  EXPECT_WITHIN(mean(texture::read_image(here("one.png")), 0, 0, 25, 33, same),
+                mean(picture(3), 0, 0, 25, 33, same), 1.5 / 255,
+                "4:2:2, 10 bits, and two conversions to 8 bits");
 }
 
 TEST_F(FilmPictures, AsAMovieAreTaggedAsTheirDisplayIs) {

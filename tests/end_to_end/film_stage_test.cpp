@@ -6,6 +6,7 @@
 
 #include "end_to_end/program.h"
 #include "support/within.h"
+#include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
 namespace {
@@ -59,19 +60,22 @@ class FilmStage : public ProgramTest {
 };
 
 TEST_F(FilmStage, StandsAmongTheTexturesWithImagesOfItsOwn) {
-  const auto text = stage({"--fps", "12"});
+  const auto text = stage({"--fps", "23.976", "--start-frame", "1001"});
   for (const char* file : {"eclipse_shadow.exr", "eclipse_sunlit_first_lin_rec709.exr",
-                           "eclipse_sunlit_last_lin_rec709.exr", "moon_lin_rec709.0005.exr"}) {
+                           "eclipse_sunlit_last_lin_rec709.exr", "moon_lin_rec709.1005.exr"}) {
     EXPECT_TRUE(std::filesystem::exists(here("film") / file)) << file;
     EXPECT_NE(text.find(std::string("@./") + file + "@"), text.npos) << file;
   }
-  EXPECT_EQ(number(text, "startTimeCode"), 1);
-  EXPECT_EQ(number(text, "endTimeCode"), 5);
-  EXPECT_EQ(number(text, "timeCodesPerSecond"), 12);
-  EXPECT_EQ(number(text, "double U1"), 1);
-  EXPECT_EQ(number(text, "double U4"), 5);
+  EXPECT_EQ(number(text, "startTimeCode"), 1001);
+  EXPECT_EQ(number(text, "endTimeCode"), 1005);
+  EXPECT_EQ(number(text, "timeCodesPerSecond"), 24000. / 1001);
+  EXPECT_EQ(number(text, "framesPerSecond"), 24000. / 1001);
+  EXPECT_EQ(texture::read_attribute(here("film/moon_lin_rec709.1005.exr"), "framesPerSecond"),
+            "24000/1001");
+  EXPECT_EQ(number(text, "double U1"), 1001);
+  EXPECT_EQ(number(text, "double U4"), 1005);
   // Published contacts (Espenak): U1 18:24:27, U2 19:30:15, U4 22:19:00.
-  EXPECT_WITHIN(number(text, "double U2"), 1 + 4 * 65.8 / 234.55, 0.01,
+  EXPECT_WITHIN(number(text, "double U2"), 1001 + 4 * 65.8 / 234.55, 0.01,
                 "12 s of 234 minutes in four steps: ours are within 6 s of the published");
   EXPECT_EQ(text.find("double P1"), text.npos) << "before the film";
 }
@@ -126,7 +130,6 @@ TEST_F(FilmStage, SaysWhatItCannotBeMadeOf) {
   };
   refused({"--make", "textures", "--stage", "film/a.usd"}, "film/a.usd: a stage ends in .usda");
   refused({"--make", "textures", "--stage", "a.usda"}, "allowed in the folder of its textures");
-  refused({"--make", "frames", "--stage", "film/a.usda"}, "textures");
   refused({"--make", "textures", "--space", "lin_ciexyzd65_scene", "--stage", "film/a.usda"},
           "allowed in lin_rec709 or acescg");
   refused({"--make", "textures", "--shard", "1/2", "--stage", "film/a.usda"},

@@ -44,7 +44,7 @@ class FilmFaults : public Faults {
     std::istringstream lines(out);
     for (std::string line; std::getline(lines, line);) {
       unsigned frame = 0;
-      if (std::sscanf(line.c_str(), "frame %u (", &frame) != 1) continue;
+      if (std::sscanf(line.c_str(), "%*u of %*u: frame %u", &frame) != 1) continue;
       EXPECT_TRUE(fs::exists(here(fmt::format("film/frame.{:04}.png", frame)))) << line;
       EXPECT_TRUE(fs::exists(here(fmt::format("film/frame_lin_rec709.{:04}.exr", frame)))) << line;
     }

@@ -183,7 +183,7 @@ TEST_F(Blender, PutsEachFramesOwnTextureBeforeItsOwnCamera) {
     looks.push_back(from_the_south(zenith));
     looks[i].instant = instants[i];
     auto attributes = header(looks[i]);
-    attributes["framesPerSecond"] = 23.976F;
+    attributes["framesPerSecond"] = std::vector{24000.F, 1001.F};
     write(fmt::format("film/moon_lin_rec709.{:04}.exr", i + 7), spotted(static_cast<float>(i + 1)),
           attributes);
   }

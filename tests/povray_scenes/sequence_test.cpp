@@ -118,6 +118,19 @@ TEST(SequenceToIni, NamesTheLastFrameAndFourDigits) {
                   .ends_with("Final_Frame=99999\nSubset_Start_Frame=1\nSubset_End_Frame=10000\n"));
 }
 
+TEST(SequenceToPov, CountsFromTheFirstFrameOn) {
+  auto sequence = of_frames(3);
+  sequence.first_frame = 1001;
+  const auto text = to_pov(sequence);
+  EXPECT_TRUE(says(text, "this sequence has frames 1001 to 1003"));
+  EXPECT_TRUE(says(text, "#declare Frame = max(frame_number, 1001) - 1001;"));
+  EXPECT_TRUE(says(text, "str(Frame + 1001, -4, 0)"));
+  EXPECT_TRUE(to_ini(sequence).ends_with(
+      "Initial_Frame=1001\nFinal_Frame=9999\nSubset_Start_Frame=1001\nSubset_End_Frame=1003\n"));
+  sequence.first_frame = 999998;
+  EXPECT_TRUE(says(refusal(sequence), "last frame = 1e+06, allowed 0 to 999999"));
+}
+
 /// A texture with no two texels alike, nor any two frames.
 OIIO::ImageBuf shades(float frame) {
   OIIO::ImageBuf texture(OIIO::ImageSpec(128, 64, 3, OIIO::TypeHalf));

@@ -19,9 +19,9 @@ constexpr std::array<Pair, 5> translated{{{"capDate", "DateTime"},
                                           {"owner", "Copyright"},
                                           {"expTime", "ExposureTime"},
                                           {"aperture", "FNumber"}}};
-constexpr std::array<std::string_view, 10> real_numbers{
-    "expTime",   "aperture", "isoSpeed", "whiteLuminance", "utcOffset",
-    "longitude", "latitude", "altitude", "focus",          "framesPerSecond"};
+constexpr std::array<std::string_view, 9> real_numbers{"expTime",        "aperture",  "isoSpeed",
+                                                       "whiteLuminance", "utcOffset", "longitude",
+                                                       "latitude",       "altitude",  "focus"};
 constexpr std::array<std::string_view, 3> texts{"capDate", "owner", "comments"};
 constexpr std::array<std::string_view, 14> own_layout{
     "channels",           "chunkCount",    "compression",
@@ -43,6 +43,15 @@ std::size_t length(const Attribute& value) {
   return numbers ? numbers->size() : 0;
 }
 
+/// Whether two numbers are whole and 1 or more, and a float has them exactly.
+bool is_ratio(const Attribute& value) {
+  constexpr float most = 1 << 24;
+  const auto* numbers = std::get_if<std::vector<float>>(&value);
+  return numbers && numbers->size() == 2 && std::ranges::all_of(*numbers, [](float number) {
+           return number >= 1 && number <= most && number == std::floor(number);
+         });
+}
+
 void require_standard_type(const std::string& name, const Attribute& value) {
   require(!name.empty() && name.find('\0') == std::string::npos, "without a name", "any text");
   require(!contains(own_layout, name), name, "names the file does not keep for its own layout");
@@ -52,6 +61,7 @@ void require_standard_type(const std::string& name, const Attribute& value) {
   if (contains(texts, name)) require(std::holds_alternative<std::string>(value), name, "text");
   if (name == "chromaticities") require(length(value) == 8, name, "8 numbers");
   if (name == "adoptedNeutral") require(length(value) == 2, name, "2 numbers");
+  if (name == "framesPerSecond") require(is_ratio(value), name, "2 whole numbers of 1 or more");
   if (const auto* numbers = std::get_if<std::vector<float>>(&value))
     require(!numbers->empty(), name, "at least one number");
 }
@@ -59,20 +69,6 @@ void require_standard_type(const std::string& name, const Attribute& value) {
 float as_float(const Attribute& value) {
   const auto* whole = std::get_if<int>(&value);
   return whole ? static_cast<float>(*whole) : std::get<float>(value);
-}
-
-/// The fraction with the smallest denominator that is the number to float's precision; 1001 belongs
-/// to the television rates, which a float only approximates.
-std::array<int, 2> as_fraction(float value) {
-  require(value > 0 && value < 1e6F, "framesPerSecond", "more than 0 and less than 1e6");
-  const auto near = [&](int n, double within) {
-    return std::abs(std::round(double{value} * n) / n - double{value}) <= within * double{value};
-  };
-  int n = 1;
-  if (near(1, 1e-7)) return {static_cast<int>(std::round(value)), 1};
-  if (near(1001, 1e-5) && std::lround(double{value} * 1001) % 1000 == 0) n = 1001;
-  while (n < 1000 && !near(n, 1e-7)) ++n;
-  return {static_cast<int>(std::lround(double{value} * n)), n};
 }
 
 }  // namespace
@@ -87,7 +83,8 @@ void set_attribute(OIIO::ImageSpec& spec, const std::string& name, const Attribu
   require_standard_type(name, value);
   const auto key = oiio_name(name);
   if (name == "framesPerSecond") {
-    const auto fraction = as_fraction(as_float(value));
+    const auto& ratio = std::get<std::vector<float>>(value);
+    const std::array fraction{static_cast<int>(ratio[0]), static_cast<int>(ratio[1])};
     spec.attribute(key, OIIO::TypeRational, fraction.data());
   } else if (contains(real_numbers, name)) {
     spec.attribute(key, as_float(value));

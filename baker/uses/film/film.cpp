@@ -10,16 +10,14 @@ namespace coppermoon::uses {
 
 using povray_scenes::numbered_file;
 
-almanac::SkyState Film::sky(std::size_t frame) const {
-  return almanac::sky_at(moments.frames.at(frame - 1));
-}
+almanac::SkyState Film::sky(std::size_t frame) const { return almanac::sky_at(moments.at(frame)); }
 
 namespace {
 
 std::filesystem::path linear_file(const Film& film, const char* kind, std::size_t frame) {
   return film.folder /
          numbered_file(fmt::format("{}_{}", kind, colour::name(space_of(film.content))), frame,
-                       film.moments.frames.size());
+                       film.moments.last_frame());
 }
 
 }  // namespace
@@ -33,7 +31,7 @@ std::filesystem::path Film::linear_frame(std::size_t frame) const {
 }
 
 std::filesystem::path Film::picture(std::size_t frame, const char* stem) const {
-  return (folder / numbered_file(stem, frame, moments.frames.size())).replace_extension(".png");
+  return (folder / numbered_file(stem, frame, moments.last_frame())).replace_extension(".png");
 }
 
 std::filesystem::path Film::high_range_picture(std::size_t frame) const {

@@ -33,8 +33,8 @@ struct Products {
 
 /// Film: its requests, its moments, its folder, and the light that all frames share.
 struct Film {
-  double fps = 24;   ///< frames in a second of the film, 1 to 1000
-  MoonRequest moon;  ///< set_up gives it a texture width
+  FrameRate fps = {};  ///< 1 to 1000
+  MoonRequest moon;    ///< set_up gives it a texture width
   ViewRequest view;
   Development development;
   TextureContent content;
@@ -50,6 +50,7 @@ struct Film {
   /// exposure times [s] at moments, in order of time; empty: as `development` has it
   std::vector<std::pair<almanac::Instant, double>> time_keys{};
 
+  /// Sky at the moment of a frame, which has the number of its files.
   almanac::SkyState sky(std::size_t frame) const;
 
   /// Paths of a frame's files. Linear ones are named by their space: "moon_lin_rec709.0007.exr",

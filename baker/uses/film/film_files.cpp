@@ -29,7 +29,7 @@ void require_ending(const fs::path& file, const char* what, const char* ending) 
 void require_no_frame(const fs::path& file, Film film) {
   film.products = {.textures = true, .frames = true, .pictures = true, .high_range = true};
   film.bracket_ev = 1;
-  for (std::size_t frame = 1; frame <= film.moments.frames.size(); ++frame)
+  for (auto frame = film.moments.first_frame; frame <= film.moments.last_frame(); ++frame)
     for (const auto& own : film.files(frame))
       if (own.filename() == file.filename())
         throw algebra::Error(
@@ -68,7 +68,7 @@ void require_sound(const FilmFiles& files, const Shard& shard) {
   for (const auto& curve : files.curves) require_curve_ending(curve);
   require_ending(files.contact_sheet, "contact sheet", ".png");
   require_ending(files.composite, "composite", ".png");
-  require_ending(files.movie, "movie", ".mp4");
+  require_movie_ending(files.movie);
   require_ending(files.stage, "stage", ".usda");
 }
 

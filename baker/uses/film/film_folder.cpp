@@ -33,7 +33,7 @@ bool is_number(const std::string& text) {
 /// Files in the folder that are named as the film's frames are, whatever their number.
 std::vector<fs::path> numbered_files(const Film& film) {
   std::set<std::pair<std::string, std::string>> own;
-  for (const auto& file : film.files(1)) own.insert(around_number(file));
+  for (const auto& file : film.files(film.moments.first_frame)) own.insert(around_number(file));
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(film.folder)) {
     const auto number = entry.path().stem().extension().string();
@@ -118,7 +118,7 @@ void require_own(const Film& film, bool replace) {
                     foreign.size() > 1 ? fmt::format(" and {} more", foreign.size() - 1) : "",
                     film.record.way_out));
   std::set<fs::path> own;
-  for (std::size_t frame = 1; frame <= film.moments.frames.size(); ++frame)
+  for (auto frame = film.moments.first_frame; frame <= film.moments.last_frame(); ++frame)
     for (const auto& file : film.files(frame)) own.insert(file.filename());
   for (const auto& one : foreign)
     if (fs::is_symlink(one.file) || !own.contains(one.file.filename())) fs::remove(one.file);

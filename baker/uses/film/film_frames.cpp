@@ -36,7 +36,7 @@ using Frames = std::span<const std::size_t>;
 texture::Attributes header_of(const Film& film, std::size_t frame) {
   auto header = film.record.frame_header();
   header["coppermoon:frame"] = fmt::format("{}", frame);
-  header["coppermoon:instant"] = almanac::utc_text(film.moments.frames[frame - 1], 3);
+  header["coppermoon:instant"] = almanac::utc_text(film.moments.at(frame), 3);
   return header;
 }
 
@@ -54,7 +54,8 @@ BakedMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& vi
   }
   auto moon = baked(lit, content, {extent});
   for (const auto& [name, value] : header_of(film, frame)) moon.attributes[name] = value;
-  moon.attributes["framesPerSecond"] = static_cast<float>(film.fps);
+  moon.attributes["framesPerSecond"] =
+      std::vector{static_cast<float>(film.fps.frames), static_cast<float>(film.fps.seconds)};
   return moon;
 }
 
@@ -92,7 +93,7 @@ Exposures exposures_of(const Film& film, const Rendered& rendered, const texture
   auto development = film.development;
   if (!film.time_keys.empty())
     development.time = {ExposureTime::Rule::fixed,
-                        keyed_time_s(film, film.moments.frames[rendered.frame - 1])};
+                        keyed_time_s(film, film.moments.at(rendered.frame))};
   return exposures_for(development, image, space_of(film.content), rendered.seen);
 }
 
@@ -283,8 +284,9 @@ void make_frames(const Film& film, const std::vector<std::size_t>& frames, const
 }
 
 void write_film_scene(const Film& film) {
-  povray_scenes::Sequence sequence{.cameras = {}, .textures = texture_stem};
-  for (std::size_t frame = 1; frame <= film.moments.frames.size(); ++frame)
+  povray_scenes::Sequence sequence{
+      .cameras = {}, .textures = texture_stem, .first_frame = film.moments.first_frame};
+  for (auto frame = film.moments.first_frame; frame <= film.moments.last_frame(); ++frame)
     sequence.cameras.push_back(view_of(film, film.sky(frame)).camera);
   write_sequence(film.folder, sequence);
 }

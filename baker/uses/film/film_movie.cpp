@@ -10,6 +10,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "algebra/error.h"
 #include "files/child_process.h"
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
@@ -54,39 +55,61 @@ DisplayCoding coding_of(const std::string& display) {
   return found != others.end() ? *found : DisplayCoding{"sRGB", "bt709", "iec61966-2-1"};
 }
 
-/// Arguments of ffmpeg for a film of standard dynamic range. The filter `setparams` tags the frames, as ffmpeg 7 would tag
-/// all that comes from PNGs as sRGB, whatever -color_trc says.
-std::string standard_range_coding(const std::string& display) {
-  const auto coding = coding_of(display);
+/// Arguments of ffmpeg for pictures' numbers. The filter `setparams` tags the frames, as ffmpeg 7 would tag all that comes
+/// from PNGs as sRGB, whatever -color_trc says.
+std::string coding(const char* matrix, const char* format, const DisplayCoding& tags) {
   return fmt::format(
-      "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=yuv420p,"
-      "setparams=range=tv:colorspace=bt709:color_primaries={}:color_trc={} "
-      "-c:v libx264 -crf 16",
-      coding.primaries, coding.transfer);
+      "scale=out_color_matrix={}:out_range=tv:flags=accurate_rnd+full_chroma_int,format={},"
+      "setparams=range=tv:colorspace={}:color_primaries={}:color_trc={} ",
+      matrix, format, std::string_view(matrix) == "bt2020" ? "bt2020nc" : matrix, tags.primaries,
+      tags.transfer);
+}
+
+constexpr DisplayCoding high_range_tags{"Rec.2100-PQ", "bt2020", "smpte2084"};
+
+/// Arguments of ffmpeg for a film of standard dynamic range.
+std::string standard_range_coding(const std::string& display) {
+  return coding("bt709", "yuv420p", coding_of(display)) + "-c:v libx264 -crf 16";
+}
+
+/// Arguments of ffmpeg for ProRes 422 HQ, with the vendor that editing programs look for.
+std::string prores_coding(const Film& film) {
+  constexpr const char* format = "yuv422p10le";
+  return (film.products.high_range ? coding("bt2020", format, high_range_tags)
+                                   : coding("bt709", format, coding_of(film.development.display))) +
+         "-c:v prores_ks -profile:v hq -vendor apl0";
 }
 
 /// Arguments of ffmpeg for HDR10. SMPTE ST 2086 counts chromaticities, here Rec.2020's, in steps of 0.00002, and light
 /// in steps of 0.0001 cd/m².
 std::string high_range_coding(const LightLevels& levels) {
   const auto whole = [](double light) { return std::max(1., std::ceil(light)); };
-  return fmt::format(
-      "scale=out_color_matrix=bt2020:out_range=tv:flags=accurate_rnd+full_chroma_int,"
-      "format=yuv420p10le,"
-      "setparams=range=tv:colorspace=bt2020nc:color_primaries=bt2020:color_trc=smpte2084 "
-      "-c:v libx265 -crf 4 -tag:v hvc1 "
-      "-x265-params log-level=error:hdr10=1:hdr10-opt=1:repeat-headers=1:"
-      "master-display=G(8500,39850)B(6550,2300)R(35400,14600)WP(15635,16450)L({0:.0f},1):"
-      "max-cll={1:.0f},{2:.0f}",
-      1e4 * whole(levels.brightest), whole(levels.brightest), whole(levels.brightest_mean));
+  return coding("bt2020", "yuv420p10le", high_range_tags) +
+         fmt::format(
+             "-c:v libx265 -crf 4 -tag:v hvc1 "
+             "-x265-params log-level=error:hdr10=1:hdr10-opt=1:repeat-headers=1:"
+             "master-display=G(8500,39850)B(6550,2300)R(35400,14600)WP(15635,16450)L({0:.0f},1):"
+             "max-cll={1:.0f},{2:.0f}",
+             1e4 * whole(levels.brightest), whole(levels.brightest), whole(levels.brightest_mean));
+}
+
+bool is_prores(const fs::path& movie) { return movie.extension() == ".mov"; }
+
+std::string coding_for(const fs::path& movie, const Film& film,
+                       const std::vector<fs::path>& pictures) {
+  if (is_prores(movie)) return prores_coding(film);
+  return film.products.high_range ? high_range_coding(light_levels(pictures))
+                                  : standard_range_coding(film.development.display);
 }
 
 /// Command line of ffmpeg. Output by name to a descriptor that can seek, which its standard output as a pipe cannot.
-std::vector<std::string> command(double fps, const std::string& coding) {
+std::vector<std::string> command(const FrameRate& fps, const std::string& coding,
+                                 const fs::path& movie) {
   std::istringstream words(
       fmt::format("ffmpeg -nostdin -loglevel error -xerror -y -framerate {} -f image2 -i %07d.png "
                   "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2,{} "
-                  "-movflags +faststart -f mp4 /dev/fd/1",
-                  fps, coding));
+                  "-movflags +faststart -f {} /dev/fd/1",
+                  text_of(fps), coding, is_prores(movie) ? "mov" : "mp4"));
   return {std::istream_iterator<std::string>(words), {}};
 }
 
@@ -103,18 +126,20 @@ std::vector<double> light_of_codes() {
 
 }  // namespace
 
+void require_movie_ending(const fs::path& path) {
+  if (!path.empty() && path.extension() != ".mp4" && !is_prores(path))
+    throw algebra::Error(fmt::format("{}: a movie ends in .mp4 or .mov", path.string()));
+}
+
 void require_ffmpeg() { files::run_program({.words = {"ffmpeg", "-version"}, .package = package}); }
 
 void write_movie(const fs::path& path, const Film& film, const std::vector<std::size_t>& frames) {
   const files::TemporaryFolder folder;
   const auto pictures = pictures_of(film, frames);
   number_pictures(folder.path(), pictures);
-  const auto coding = film.products.high_range ? high_range_coding(light_levels(pictures))
-                                               : standard_range_coding(film.development.display);
+  const auto words = command(film.fps, coding_for(path, film, pictures), path);
   files::write_whole(path, [&](int descriptor) {
-    files::run_program(
-        {.words = command(film.fps, coding), .package = package, .folder = folder.path()},
-        descriptor);
+    files::run_program({.words = words, .package = package, .folder = folder.path()}, descriptor);
   });
 }
 

@@ -14,12 +14,18 @@ namespace coppermoon::uses {
 /// Throws  Error  when it cannot be run: names the package
 void require_ffmpeg();
 
-/// Encodes the pictures of some frames, in the order given, by ffmpeg: H.264 in 4:2:0, with the matrix of BT.709, tagged
-/// with primaries and transfer characteristics of the film's display. An odd number of pixels on a side gets a black one
-/// more. The file appears whole or not at all.
+/// Refuses a movie that ends neither in .mp4 nor in .mov; an empty path asks for none.
 ///
-/// Pictures of high dynamic range become HDR10: HEVC, 10 bits in 4:2:0, PQ, Rec.2020, with the film's light levels,
-/// and the least mastering display that shows all of them.
+/// Throws  Error
+void require_movie_ending(const std::filesystem::path& path);
+
+/// Encodes the pictures of some frames, in the order given, by ffmpeg, with the matrix of BT.709, tagged with primaries
+/// and transfer characteristics of the film's display: H.264 in 4:2:0 where the file ends in .mp4, ProRes 422 HQ (10
+/// bits) where it ends in .mov. An odd number of pixels on a side gets a black one more. The file appears whole or not
+/// at all.
+///
+/// Pictures of high dynamic range, PQ and Rec.2020, become HDR10 in .mp4: HEVC, 10 bits in 4:2:0, with the film's light
+/// levels, and the least mastering display that shows all of them. A .mov has no light levels.
 ///
 /// Accuracy  of high dynamic range: light within 2 % where it is even, from 1 cd/m² on
 /// Throws  Error  when ffmpeg is not there, or fails (with its own first words)

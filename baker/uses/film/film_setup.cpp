@@ -36,9 +36,10 @@ void require_content(const Film& film) {
 }
 
 void require_exposure(const Film& film) {
-  require_sound(film.development, film.picture(1));
+  require_sound(film.development, film.picture(film.moments.first_frame));
   if (film.products.high_range)
-    require_sound(of_high_range(film.development), film.high_range_picture(1));
+    require_sound(of_high_range(film.development),
+                  film.high_range_picture(film.moments.first_frame));
   if (film.products.rendered()) files::require_temporary_folder();
   if (!film.bracket_ev) return;
   algebra::require_within("bracket [EV]", *film.bracket_ev, 0.01, 10);
@@ -65,7 +66,7 @@ void mount(Film& film, const Mounting& mounting) {
   if (mounting.mount == Mount::horizon) film.view.up = povray_scenes::Up::zenith;
   if (mounting.mount != Mount::fixed) return;
   if (!film.view.observer) throw algebra::Error("a fixed mount needs an observer");
-  const auto half_way = (film.moments.frames.size() + 1) / 2;
+  const auto half_way = film.moments.first_frame + (film.moments.frames.size() - 1) / 2;
   film.view.aim =
       mounting.aim ? *mounting.aim : apparent_place(*film.view.observer, film.sky(half_way));
 }
@@ -88,15 +89,15 @@ void require_up(const Film& film, const std::vector<std::size_t>& frames) {
   throw algebra::Error(fmt::format(
       "the Moon is below the horizon of {} in frame {}; it is up from frame {} ({}) to {}", place,
       std::ranges::min(down), first,
-      almanac::utc_text(film.moments.frames[first - 1], film.moments.eclipse.calendar), last));
+      almanac::utc_text(film.moments.at(first), film.moments.eclipse.calendar), last));
 }
 
 /// Width of all textures [texels], for the nearest Moon of the first, middle and last frame.
 std::size_t widest_texture(const Film& film) {
   if (film.moon.texture_width || !film.products.framed()) return texture_width_of(film.moon);
   std::size_t widest = 0;
-  const std::size_t count = film.moments.frames.size();
-  for (const std::size_t frame : {std::size_t{1}, (count + 1) / 2, count})
+  const auto first = film.moments.first_frame, last = film.moments.last_frame();
+  for (const std::size_t frame : {first, first + (last - first) / 2, last})
     widest =
         std::max(widest, *fitted(film.moon, view_of(film, film.sky(frame)).camera).texture_width);
   return widest;

@@ -20,14 +20,14 @@ namespace {
 constexpr std::size_t pictures_evenly = 40, most_columns = 8;
 
 double seconds_from(const Moments& moments, const almanac::Instant& when, std::size_t frame) {
-  return almanac::seconds_between(when, moments.frames[frame - 1]);
+  return almanac::seconds_between(when, moments.at(frame));
 }
 
-/// Frames nearest to contacts within the film's time, each with the names of the contacts less than a minute away; a
-/// sheet's times are no finer.
+/// Frames nearest to contacts within the film's time, each with the contacts less than a minute away and the time from
+/// them; a sheet's times of day are no finer.
 std::map<std::size_t, std::string> frames_at_contacts(const Moments& moments,
                                                       const std::vector<std::size_t>& frames) {
-  const double all = seconds_from(moments, moments.frames[frames.front() - 1], frames.back());
+  const double all = seconds_from(moments, moments.at(frames.front()), frames.back());
   const double slack = std::max(1., all / static_cast<double>(2 * frames.size()));
   std::map<std::size_t, std::string> names;
   for (const auto& [name, when] : contacts_of(moments.eclipse)) {
@@ -39,7 +39,9 @@ std::map<std::size_t, std::string> frames_at_contacts(const Moments& moments,
       continue;
     const auto nearest = *std::ranges::min_element(frames, {}, away);
     auto& known = names[nearest];
-    if (away(nearest) < 60) known += (known.empty() ? "" : ", ") + name;
+    if (away(nearest) < 60)
+      known +=
+          (known.empty() ? "" : ", ") + from_contact(name, seconds_from(moments, when, nearest));
   }
   return names;
 }
@@ -86,8 +88,7 @@ std::vector<SheetFrame> frames_of_sheet(const Moments& moments,
     if (known != at_contacts.end() && !known->second.empty())
       sheet.push_back({frame, known->second, true});
     else
-      sheet.push_back(
-          {frame, from_nearest_contact(moments.eclipse, moments.frames[frame - 1]), false});
+      sheet.push_back({frame, from_nearest_contact(moments.eclipse, moments.at(frame)), false});
   }
   return sheet;
 }
@@ -102,9 +103,8 @@ void write_contact_sheet(const std::filesystem::path& path, const Film& film,
                               texture::sheet_font()};
   const auto zone = zone_of(film);
   for (const auto& [frame, moment, at_contact] : shown)
-    sheet.pictures.push_back({film.picture(frame),
-                              time_of_day(film.moments.frames[frame - 1], zone), moment,
-                              at_contact});
+    sheet.pictures.push_back(
+        {film.picture(frame), time_of_day(film.moments.at(frame), zone), moment, at_contact});
   texture::write_png(path, texture::drawn(sheet), 8, film.record.film_header());
 }
 

@@ -13,7 +13,7 @@ namespace coppermoon::uses {
 /// Frame on a contact sheet.
 struct SheetFrame {
   std::size_t frame;
-  /// Time from the nearest contact: "U2+35min", "U4-20s"; "U2" within a minute of it
+  /// Time from the nearest contact: "U2+35min", "U4-20s"; "U2" within half a second of it
   std::string moment;
   bool at_contact;  ///< nearest frame of a contact, within a minute
 };

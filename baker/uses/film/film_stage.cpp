@@ -197,8 +197,8 @@ std::string layer_of(const Film& film, const std::vector<StageFrame>& frames) {
     upAxis = "Y"
     startTimeCode = {:g}
     endTimeCode = {:g}
-    timeCodesPerSecond = {:g}
-    framesPerSecond = {:g}
+    timeCodesPerSecond = {}
+    framesPerSecond = {}
     customLayerData = {{
         dictionary coppermoon = {{
             float radius_m = {}
@@ -209,8 +209,8 @@ std::string layer_of(const Film& film, const std::vector<StageFrame>& frames) {
     }}
 )
 )",
-                     frames.front().moment.time_code, frames.back().moment.time_code, film.fps,
-                     film.fps, algebra::in_metres(almanac::lunar_radius),
+                     frames.front().moment.time_code, frames.back().moment.time_code,
+                     film.fps.value(), film.fps.value(), algebra::in_metres(almanac::lunar_radius),
                      almanac::utc_text(film.moments.eclipse.greatest), contacts);
 }
 
@@ -225,7 +225,7 @@ std::vector<texture::UsdSky> write_skies(const fs::path& stage, const Film& film
     const auto sky = film.sky(numbers[i]);
     const auto view = view_of(film, sky);
     const auto path = stage.parent_path() /
-                      povray_scenes::numbered_file(stem, numbers[i], film.moments.frames.size());
+                      povray_scenes::numbered_file(stem, numbers[i], film.moments.last_frame());
     write_sky(path, moon_of(little, sky, view), film.view,
               {.width = 256, .content = {.space = space_of(film.content)}});
     const auto seen = almanac::view_from(*film.view.observer, sky);

@@ -19,8 +19,25 @@ using almanac::Instant;
 constexpr double most_frames = 1e6;
 constexpr std::size_t usual_frames = 240;
 
+/// Frames of a duration.
+std::size_t frames_in(double duration_s, const FrameRate& fps) {
+  algebra::require_within("duration [s]", duration_s, 1e-3, 1e6);
+  const double count = std::max(1., std::round(duration_s * fps.value()));
+  algebra::require_within("frames", count, 1, most_frames);
+  return static_cast<std::size_t>(count);
+}
+
+/// Refuses two rules for the number of frames; the number itself may agree with a duration.
 void require_one_rule(const FilmTimes& times) {
   std::vector<std::string> given;
+  const bool both = times.frames && times.duration_s && !times.time_scale && times.moments.empty();
+  if (both && *times.frames == frames_in(*times.duration_s, times.fps)) return;
+  if (both)
+    throw algebra::Error(
+        fmt::format("frames = {} and duration = {:g} s, allowed one of the two, or the {} frames "
+                    "that {:g} s have at {} frames per second",
+                    *times.frames, *times.duration_s, frames_in(*times.duration_s, times.fps),
+                    *times.duration_s, text_of(times.fps)));
   if (!times.moments.empty()) given.push_back(fmt::format("{} moments", times.moments.size()));
   if (times.frames) given.push_back(fmt::format("frames = {}", *times.frames));
   if (times.time_scale) given.push_back(fmt::format("time-scale = {:g}", *times.time_scale));
@@ -31,15 +48,10 @@ void require_one_rule(const FilmTimes& times) {
 }
 
 std::size_t count_of(const FilmTimes& times, double seconds) {
-  if (times.duration_s) {
-    algebra::require_within("duration [s]", *times.duration_s, 1e-3, 1e6);
-    const double count = std::max(1., std::round(*times.duration_s * times.fps));
-    algebra::require_within("frames", count, 1, most_frames);
-    return static_cast<std::size_t>(count);
-  }
+  if (times.duration_s) return frames_in(*times.duration_s, times.fps);
   if (times.time_scale) {
     algebra::require_within("time scale", *times.time_scale, 1e-3, 1e6);
-    const double count = std::floor(seconds * times.fps / *times.time_scale + 1e-6) + 1;
+    const double count = std::floor(seconds * times.fps.value() / *times.time_scale + 1e-6) + 1;
     algebra::require_within("frames", count, 1, most_frames);
     return static_cast<std::size_t>(count);
   }
@@ -81,7 +93,8 @@ std::pair<Instant, Instant> while_up(const ViewRequest& view, const Instant& fro
 }
 
 Moments moments_of(const FilmTimes& times) {
-  algebra::require_within("fps", times.fps, 1, 1000);
+  algebra::require_within("fps", times.fps.value(), 1, 1000);
+  algebra::require_within("first frame", static_cast<double>(times.first_frame), 0, most_frames);
   require_one_rule(times);
   const auto& moments_given = times.moments;
   for (std::size_t i = 1; i < moments_given.size(); ++i)
@@ -97,11 +110,11 @@ Moments moments_of(const FilmTimes& times) {
     throw algebra::Error(fmt::format("from {} to {} are {:.0f} s, allowed 0 to {:.0f}",
                                      almanac::utc_text(from), almanac::utc_text(to), seconds,
                                      longest));
-  if (!moments_given.empty()) return {moments_given, times.eclipse};
+  if (!moments_given.empty()) return {moments_given, times.eclipse, times.first_frame};
   const auto count = count_of(times, seconds);
   double step = count > 1 ? seconds / static_cast<double>(count - 1) : 0;
-  if (times.time_scale) step = *times.time_scale / times.fps;
-  Moments moments{{}, times.eclipse};
+  if (times.time_scale) step = *times.time_scale / times.fps.value();
+  Moments moments{{}, times.eclipse, times.first_frame};
   for (std::size_t i = 0; i < count; ++i)
     moments.frames.push_back(almanac::later(times.from, step * static_cast<double>(i)));
   return moments;

@@ -28,19 +28,20 @@ std::optional<Run> run_from(const std::string& text) {
 
 }  // namespace
 
-std::vector<std::size_t> frames_in(const std::string& text, std::size_t count) {
-  const auto all = fmt::format("1-{}", count);
+std::vector<std::size_t> frames_in(const std::string& text, std::size_t count, std::size_t first) {
+  const auto last = first + count - 1;
+  const auto all = fmt::format("{}-{}", first, last);
   std::vector<std::size_t> frames;
-  std::vector<bool> taken(count + 1);
+  std::vector<bool> taken(count);
   std::istringstream parts(text.empty() ? all : text);
   for (std::string part; std::getline(parts, part, ',');) {
     const auto run = run_from(part);
-    if (!run || run->from < 1 || run->to > count)
+    if (!run || run->from < first || run->to > last)
       throw algebra::Error(fmt::format(
           "range = {}, allowed frames of {}, as 1-240, 1-240x2 or 7,9,20-30", text, all));
     for (std::size_t frame = run->from; frame <= run->to; frame += run->step) {
-      if (!taken[frame]) frames.push_back(frame);
-      taken[frame] = true;
+      if (!taken[frame - first]) frames.push_back(frame);
+      taken[frame - first] = true;
     }
   }
   return frames;

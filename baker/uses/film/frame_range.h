@@ -13,9 +13,11 @@ namespace coppermoon::uses {
 /// once, in the order written.
 ///
 /// Given   text   empty: all
-///         count  number of the film's frames, numbered from 1
+///         count  number of the film's frames
+///         first  number of the first
 /// Throws  Error  for another notation; for a frame beyond the film
-std::vector<std::size_t> frames_in(const std::string& text, std::size_t count);
+std::vector<std::size_t> frames_in(const std::string& text, std::size_t count,
+                                   std::size_t first = 1);
 
 /// Share of shard K/N: every N-th frame from the K-th on.
 std::vector<std::size_t> part_of(const std::vector<std::size_t>& frames, const Shard& shard);

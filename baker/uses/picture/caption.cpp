@@ -55,7 +55,11 @@ std::string from_nearest_contact(const eclipse::Eclipse& eclipse, const almanac:
   const auto& [name, contact] = *std::ranges::min_element(contacts, {}, [&](const auto& one) {
     return std::abs(almanac::seconds_between(one.second, when));
   });
-  const double seconds = almanac::seconds_between(contact, when), away = std::abs(seconds);
+  return from_contact(name, almanac::seconds_between(contact, when));
+}
+
+std::string from_contact(const std::string& name, double seconds) {
+  const double away = std::abs(seconds);
   if (away < 0.5) return name;
   return fmt::format(
       "{}{}{}", name, seconds < 0 ? '-' : '+',

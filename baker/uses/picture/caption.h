@@ -16,6 +16,9 @@ std::string place_in_words(const almanac::Observer& observer);
 /// Contact nearest to a moment, and the time from it: "U2", "U2+12min", "U2-40s".
 std::string from_nearest_contact(const eclipse::Eclipse& eclipse, const almanac::Instant& when);
 
+/// The same of a contact and the seconds from it on.
+std::string from_contact(const std::string& name, double seconds);
+
 /// Texts under the left and right end of a picture.
 struct Caption {
   std::string

@@ -312,8 +312,14 @@ double scale_of(const Development& development, const colour::Exposure& exposure
                 : colour::exposure_scale(exposure);
 }
 
+bool is_a_cameras(const Development& development, const SeenFrame& seen) {
+  return seen.pixel_rad > 0 || development.time.rule == ExposureTime::Rule::fixed ||
+         development.f_number || !development.camera.model.empty();
+}
+
 void add_exposure(texture::Attributes& attributes, const Exposures& exposures) {
-  const auto& [exposure, longer_s] = exposures;
+  const auto& [exposure, longer_s, a_cameras] = exposures;
+  if (!a_cameras) return;
   attributes["expTime"] = static_cast<float>(exposure.time_s);
   attributes["aperture"] = static_cast<float>(exposure.f_number);
   attributes["isoSpeed"] = static_cast<float>(exposure.iso);
@@ -358,7 +364,7 @@ texture::Image shown(const Development& development, double scale, const texture
 
 texture::Image developed(const Development& development, const Exposures& exposures,
                          const Frame& frame) {
-  const auto& [exposure, longer_s] = exposures;
+  const auto& [exposure, longer_s, a_cameras] = exposures;
   const bool through_camera = camera_of(development).has_value();  // which blurs the edge itself
   const LimbPixels limb(through_camera ? std::nullopt : frame.seen.disc, frame.light);
   const auto light = limb.with_ground(frame.light);

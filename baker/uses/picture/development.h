@@ -42,6 +42,7 @@ struct Development {
 struct Exposures {
   colour::Exposure shorter;
   std::optional<double> longer_s = {};  ///< not less than the shorter one's
+  bool a_cameras = true;                ///< else it only says which luminance is white
 };
 
 /// Exposure by the rule of a development; 1 s when nothing is lit.
@@ -89,7 +90,12 @@ std::string fingerprint(const Development& development, colour::WorkingSpace spa
 /// Factor from luminance [cd/m²] to the scale on which white is 1.
 double scale_of(const Development& development, const colour::Exposure& exposure);
 
-/// Adds an exposure under OpenEXR's standard names; of a composite also `coppermoon:longer_exposure_s`.
+/// Whether an exposure is a camera's: of a frame of ours, which is seen through one, or of one whose time, f-number or
+/// model is given. Another program's scene may be of any light.
+bool is_a_cameras(const Development& development, const SeenFrame& seen);
+
+/// Adds an exposure that is a camera's under OpenEXR's standard names; of a composite also
+/// `coppermoon:longer_exposure_s`.
 void add_exposure(texture::Attributes& attributes, const Exposures& exposures);
 
 /// Development for screens of high dynamic range: the display Rec.2100-PQ, in 16 bits.

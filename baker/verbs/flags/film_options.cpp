@@ -28,6 +28,16 @@ const std::vector<std::pair<std::string, uses::Mount>> mounts{{"tracking", uses:
                                                               {"horizon", uses::Mount::horizon},
                                                               {"fixed", uses::Mount::fixed}};
 
+/// Seconds of a text as "10", "10s" or "2min", as a number.
+std::string duration_as_seconds(const std::string& text) {
+  const auto seconds =
+      algebra::number_with_unit(text, {{"min", 60}, {"h", 3600}, {"s", 1}, {"", 1}});
+  if (!seconds)
+    throw algebra::Error(
+        fmt::format("duration = {}, allowed 0.001 to 1e6 s, as 10, 10s or 2min", text));
+  return request::text_of(*seconds);
+}
+
 void add_times(CLI::App& verb, FilmOptions& options) {
   add_flag(verb, "eclipse,--eclipse", options.eclipse,
            "day of the eclipse, as 2018-07-27; or a file of a film, to go on with it")
@@ -46,24 +56,36 @@ void add_times(CLI::App& verb, FilmOptions& options) {
            "number of frames, 1 to 1000000, evenly from the first moment to the last; default: 240")
       .in(film_group)
       .within(1, 1e6);
-  add_flag(verb, "--fps", options.fps, "frames per second of the film, 1 to 1000")
-      .in(film_group)
-      .within(1, 1000);
+  add_flag(
+      verb,
+      request::parameter("--fps", options.fps,
+                         "frames per second of the film, 1 to 1000, as 24, 24000/1001, or "
+                         "23.976, 29.97 and 59.94, which mean ratios with 1001")
+          .as(request::Kind::number)
+          .within(1, 1000)
+          .spelt_by([](const std::string& text) { return text_of(uses::frame_rate_from(text)); }))
+      .in(film_group);
   add_flag(verb, "--time-scale", options.time_scale,
            "seconds of the eclipse per second of the film, 0.001 to 1e6, in place of --frames")
       .in(film_group)
       .within(0.001, 1e6);
-  add_flag(
-      verb, "--duration", options.duration_s,
-      "length of the film [s], 0.001 to 1e6, in place of --frames: as many frames as --fps has "
-      "in it")
-      .in(film_group)
-      .within(0.001, 1e6);
+  add_flag(verb, request::parameter("--duration", options.duration_s,
+                                    "length of the film [s], 0.001 to 1e6, or as 10s or 2min, in "
+                                    "place of --frames: as many frames as --fps has in it")
+                     .within(0.001, 1e6)
+                     .spelt_by(duration_as_seconds))
+      .in(film_group);
   add_flag(
       verb, "--moments", options.moments,
       "moments of the frames, with commas between, in order of time, as U1,U2+5min,greatest, in "
       "place of --from, --to and --frames")
       .in(film_group);
+  add_flag(verb, "--start-frame", options.start_frame,
+           "number of the first frame, 0 to 1000000, in names of files, --range and the stage; "
+           "default: 1")
+      .in(film_group)
+      .within(0, 1e6)
+      .of(request::Affects::sight);
 }
 
 /// Moments of a list.
@@ -83,7 +105,7 @@ void add_making(CLI::App& verb, FilmOptions& options) {
       verb, "--make", options.make,
       "what to make, with commas between: textures, scenes (with their textures), frames "
       "(scene-linear), pictures; tx (textures tiled and mip-mapped, .tx) alone; or light alone, "
-      "which they all need")
+      "which they all need. Files of the whole film add what they are made of")
       .in(film_group)
       .of(request::Affects::share);
   add_flag(verb, "--range", options.range, "frames to make, as 1-240, 1-240x2 or 7,9,20-30")
@@ -125,16 +147,18 @@ void add_files_of_all(CLI::App& verb, FilmOptions& options) {
       .writes_file()
       .kept_each_time()
       .in(group);
-  add_flag(verb, "--movie", options.movie, "movie of the pictures, .mp4, made by ffmpeg")
+  add_flag(
+      verb, "--movie", options.movie,
+      "movie of the pictures, made by ffmpeg: .mp4 (H.264), or .mov (ProRes 422 HQ) for editing")
       .writes_file()
       .in(group);
   add_switch(verb, "--hdr", options.hdr,
              "makes pictures of high dynamic range too (PQ, Rec.2020, frame_hdr.0001.png), and the "
-             "movie of them: HDR10, in HEVC")
+             "movie of them: HDR10 in HEVC, .mp4; or PQ in ProRes, .mov")
       .in(group)
       .of(request::Affects::share);
   add_flag(verb, "--composite", options.composite,
-           "picture of all frames together, .png, each with its own exposure")
+           "picture of all linear frames together, .png, each with its own exposure")
       .writes_file()
       .in(group);
   add_flag(verb, "--stage", options.stage,
@@ -163,12 +187,6 @@ eclipse::Eclipse eclipse_near(const std::string& text, almanac::Calendar calenda
 
 std::string word_for(uses::Mount mount) {
   return std::ranges::find(mounts, mount, &std::pair<std::string, uses::Mount>::second)->first;
-}
-
-void require_product(bool made, const std::string& file, const char* flag, const char* product) {
-  if (!file.empty() && !made)
-    throw algebra::Error(
-        fmt::format("{0} is made of {1}, allowed with {1} among --make", flag, product));
 }
 
 }  // namespace
@@ -223,7 +241,8 @@ uses::FilmTimes times_of(const FilmOptions& options, const uses::ViewRequest& vi
           .fps = options.fps,
           .time_scale = options.time_scale,
           .duration_s = options.duration_s,
-          .moments = moments_in(options.moments, eclipse, context)};
+          .moments = moments_in(options.moments, eclipse, context),
+          .first_frame = options.start_frame.value_or(1)};
 }
 
 uses::Products products_of(const FilmOptions& options) {
@@ -243,6 +262,9 @@ uses::Products products_of(const FilmOptions& options) {
                       "commas between",
                       options.make));
   }
+  products.textures |= !options.stage.empty();
+  products.frames |= !options.composite.empty();
+  products.pictures |= !options.movie.empty() || !options.contact_sheet.empty();
   if (options.hdr && !products.pictures)
     throw algebra::Error("--hdr is of pictures, allowed with pictures among --make");
   return products;
@@ -291,7 +313,18 @@ const char* whole_film_flag(const FilmOptions& options) {
                                           : nullptr;
 }
 
-uses::FilmFiles files_of(const FilmOptions& options, const uses::Products& products) {
+std::string make_text(const uses::Products& products) {
+  std::vector<const char*> names;
+  if (products.light) names.push_back("light");
+  if (products.scenes) names.push_back("scenes");
+  if (products.mipmapped) names.push_back("tx");
+  if (products.textures && !products.scenes && !products.mipmapped) names.push_back("textures");
+  if (products.frames) names.push_back("frames");
+  if (products.pictures) names.push_back("pictures");
+  return fmt::format("{}", fmt::join(names, ","));
+}
+
+uses::FilmFiles files_of(const FilmOptions& options) {
   uses::FilmFiles files{.contact_sheet = options.contact_sheet,
                         .movie = options.movie,
                         .composite = options.composite,
@@ -300,12 +333,10 @@ uses::FilmFiles files_of(const FilmOptions& options, const uses::Products& produ
   if (const auto* flag = whole_film_flag(options);
       flag && uses::shard_from(options.shard).parts > 1)
     throw algebra::Error(
-        fmt::format("{} needs every frame: run it without --shard after all shards", flag));
+        fmt::format("{} needs every frame: run it without --shard after all shards, which are made "
+                    "with --make {}",
+                    flag, make_text(products_of(options))));
   require_sound(files, {});
-  require_product(products.pictures, options.contact_sheet, "--contact-sheet", "pictures");
-  require_product(products.textures, options.stage, "--stage", "textures");
-  require_product(products.frames, options.composite, "--composite", "frames");
-  require_product(products.pictures, options.movie, "--movie", "pictures");
   return files;
 }
 

@@ -21,8 +21,9 @@ struct FilmOptions {
   almanac::Calendar calendar = almanac::Calendar::gregorian;
   std::string zone = {};  ///< of times of day without an offset; empty: UTC
   std::optional<std::size_t> frames = {};
-  double fps = 24;
+  uses::FrameRate fps = {};
   std::optional<double> time_scale = {}, duration_s = {};
+  std::optional<std::size_t> start_frame = {};
   std::string moments = {};
   std::string make = "pictures", range = {}, shard = "1/1";
   uses::Mount mount = uses::Mount::tracking;
@@ -50,7 +51,7 @@ eclipse::Eclipse eclipse_of(const FilmOptions& options,
 uses::FilmTimes times_of(const FilmOptions& options, const uses::ViewRequest& view = {});
 
 /// "light" alone, or "textures", "scenes" (with their textures), "frames", "pictures", with commas
-/// between; pictures of high dynamic range too.
+/// between; pictures of high dynamic range too; and what files of the whole film are made of.
 ///
 /// Throws  Error  when one of them is none; when there are pictures of high dynamic range alone
 uses::Products products_of(const FilmOptions& options);
@@ -70,7 +71,10 @@ uses::Mounting mounting_of(const FilmOptions& options, bool observed);
 
 /// Files of the whole film.
 ///
-/// Throws  Error  as require_sound of them; when what they are made of is not made
-uses::FilmFiles files_of(const FilmOptions& options, const uses::Products& products);
+/// Throws  Error  as require_sound of them; for those of a shard
+uses::FilmFiles files_of(const FilmOptions& options);
+
+/// Products as --make has them.
+std::string make_text(const uses::Products& products);
 
 }  // namespace coppermoon::verbs

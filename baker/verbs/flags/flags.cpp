@@ -59,7 +59,7 @@ CLI::Option* option_for(CLI::App& verb, request::Parameter& parameter) {
       },
       parameter.meaning);
   option->type_name(type_name(parameter.kind))->default_str(parameter.usual);
-  if (is_number(parameter.kind))
+  if (is_number(parameter.kind) && !parameter.respelt)
     option->check(CLI::Validator(
         [kind = parameter.kind](const std::string& text) { return fault_in(kind, text); }, ""));
   if (!parameter.words.empty()) option->check(CLI::IsMember(parameter.words));

@@ -14,6 +14,7 @@
 
 #include "algebra/error.h"
 #include "almanac/calendar.h"
+#include "verbs/flags/film_options.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -84,10 +85,22 @@ bool names_file(const request::Parameter& flag, const std::string& text) {
   return is_written(flag.kind) || (flag.kind == Kind::file_read && fs::exists(text));
 }
 
-Flags given_flags(const CLI::App& verb, const fs::path& folder) {
+/// Products of all tasks, where files that the last task alone makes add some to --make; else empty.
+std::string added_products(const CLI::App& verb, const uses::Film& film) {
+  const auto asked = make_text(products_of({.make = parameters_of(verb).find("make")->text()}));
+  const auto all = make_text(film.products);
+  return all == asked ? "" : all;
+}
+
+/// Given  make  in place of what --make says; empty: nothing
+Flags given_flags(const CLI::App& verb, const fs::path& folder, const std::string& make) {
   constexpr std::array of_the_run{"job", "recipe", "shard"};
   Flags flags;
   for (const auto& flag : parameters_of(verb)) {
+    if (flag.name == "make" && !make.empty()) {
+      add_word(flags, flag, make);
+      continue;
+    }
     if (!flag.given || std::ranges::find(of_the_run, flag.name) != of_the_run.end()) continue;
     std::size_t count = 0;
     for (const auto& text : *flag.given)
@@ -120,7 +133,7 @@ std::string film_job(const CLI::App& verb, const uses::Film& film, const fs::pat
     throw algebra::Error(fmt::format("{}: allowed in the current folder, or above it, for a job",
                                      job_file.string()));
   const auto frames = film.moments.frames.size();
-  auto flags = given_flags(verb, folder);
+  auto flags = given_flags(verb, folder, added_products(verb, film));
   flags.of_shard.emplace_back("--shard={{Task.Param.Shard}}/{{Param.Shards}}");
   const auto day = almanac::utc_text(film.moments.eclipse.greatest, film.moments.eclipse.calendar);
   return fmt::format(

@@ -61,7 +61,7 @@ void FilmProgress::made(const uses::MadeFrame& frame) {
 void FilmProgress::tell(const uses::MadeFrame& frame, bool kept) {
   ++done_;
   const auto instant =
-      almanac::utc_text(film_.moments.frames[frame.frame - 1], film_.moments.eclipse.calendar);
+      almanac::utc_text(film_.moments.at(frame.frame), film_.moments.eclipse.calendar);
   if (json_) {
     ordered_json event{{"event", "frame"}, {"frame", frame.frame}, {"instant", instant},
                        {"kept", kept},     {"done", done_},        {"of", frames_}};
@@ -73,20 +73,20 @@ void FilmProgress::tell(const uses::MadeFrame& frame, bool kept) {
     for (const auto& path : film_.files(frame.frame)) event["files"].push_back(path.string());
     say(event);
   } else if (on_terminal_) {
-    draw(frame.frame);
+    draw();
   } else {
-    say(fmt::format("frame {} ({} of {}): {}{}", frame.frame, done_, frames_, instant,
+    say(fmt::format("{} of {}: frame {}, {}{}", done_, frames_, frame.frame, instant,
                     kept              ? ", kept"
                     : frame.exposures ? ", " + exposure_in_words(*frame.exposures)
                                       : ""));
   }
 }
 
-void FilmProgress::draw(std::size_t frame) {
+void FilmProgress::draw() {
   constexpr std::size_t width = 30;
   const double rate = static_cast<double>(made_ + developed_again_) / std::max(1e-3, seconds());
-  fmt::print(stderr, "\rframe {:<6} [{:<{}}] {} of {}", frame,
-             std::string(width * done_ / frames_, '='), width, done_, frames_);
+  fmt::print(stderr, "\rframes [{:<{}}] {} of {}", std::string(width * done_ / frames_, '='), width,
+             done_, frames_);
   if (rate > 0)
     fmt::print(stderr, ", {:.2g} a second, {} left\033[K", rate,
                duration(static_cast<double>(frames_ - done_) / rate));

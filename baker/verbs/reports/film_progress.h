@@ -10,7 +10,7 @@
 
 namespace coppermoon::verbs {
 
-/// Progress of a film: on a terminal a bar on stderr with frame, rate and time left; else a line per frame on stdout,
+/// Progress of a film: on a terminal a bar on stderr with the count of frames, rate and time left; else a line per frame on stdout,
 /// or one JSON event per line.
 class FilmProgress {
  public:
@@ -34,7 +34,7 @@ class FilmProgress {
 
  private:
   void tell(const uses::MadeFrame& frame, bool kept);
-  void draw(std::size_t frame);
+  void draw();
   double seconds() const;
 
   const uses::Film& film_;

@@ -34,6 +34,11 @@ std::vector<std::size_t> all_of(const Moments& moments) {
   return frames;
 }
 
+/// Whether a frame is at a contact: it has the contact's name, and the seconds from it.
+bool is_at(const SheetFrame& frame, const std::string& contact) {
+  return frame.at_contact && frame.moment.substr(0, frame.moment.find_first_of("+-")) == contact;
+}
+
 TEST(FramesOfSheet, HoldTheNearestToEachContact) {
   const auto moments = moments_between({"P1"}, {"P4"}, 1000);
   const auto sheet = frames_of_sheet(moments, all_of(moments));
@@ -41,11 +46,31 @@ TEST(FramesOfSheet, HoldTheNearestToEachContact) {
   for (const auto& [name, when] : contacts_of(moments.eclipse)) {
     const double place = almanac::seconds_between(moments.frames[0], when) / step;
     const auto expected = static_cast<std::size_t>(std::lround(place)) + 1;
-    const auto found = std::ranges::find(sheet, name, &SheetFrame::moment);
+    const auto found = std::ranges::find_if(
+        sheet, [&, contact = name](const SheetFrame& frame) { return is_at(frame, contact); });
     ASSERT_NE(found, sheet.end()) << name;
     EXPECT_EQ(found->frame, expected) << name;
-    EXPECT_TRUE(found->at_contact);
   }
+}
+
+TEST(FramesOfSheet, AtAContactSayHowFarFromIt) {
+  // frames 94 s apart, as 240 from P1 to P4 are, of which the nearest to U2 is 44 s after it
+  const auto moments = moments_between({"U2", 44 - 2 * 94}, {"U2", 44 + 2 * 94}, 5);
+  const auto sheet = frames_of_sheet(moments, all_of(moments));
+  ASSERT_EQ(sheet.size(), 5);
+  EXPECT_EQ(sheet[2].moment, "U2+44s");
+  EXPECT_TRUE(sheet[2].at_contact);
+  EXPECT_EQ(sheet[1].moment, "U2-50s");
+  EXPECT_FALSE(sheet[1].at_contact);
+}
+
+TEST(FramesOfSheet, HaveTheNumbersOfTheFilm) {
+  auto moments = moments_between({"U1", -30}, {"U1", 30}, 3);
+  moments.first_frame = 1001;
+  const auto sheet = frames_of_sheet(moments, {1001, 1002, 1003});
+  ASSERT_EQ(sheet.size(), 3);
+  EXPECT_EQ(sheet[1].frame, 1002);
+  EXPECT_EQ(sheet[1].moment, "U1");
 }
 
 TEST(FramesOfSheet, AreSomeFortyOfALongFilmInOrder) {

@@ -48,7 +48,7 @@ TEST(FilmTimes, AreEvenFromTheFirstMomentToTheLast) {
 TEST(FilmTimes, OfATimeScaleAreFramesOfTheFilm) {
   // an hour of the eclipse, 600 s of it to a second of the film: 6 s of film
   auto all = an_hour();
-  all.fps = 25, all.time_scale = 600;
+  all.fps = {25}, all.time_scale = 600;
   const auto moments = moments_of(all);
   ASSERT_EQ(moments.frames.size(), 6U * 25 + 1);
   EXPECT_WITHIN(seconds_between(moments.frames[0], moments.frames[1]), 24, 1e-4,
@@ -69,12 +69,25 @@ TEST(FilmTimes, OneFrameIsTheFirst) {
 
 TEST(FilmTimes, OfADurationAreAsManyFramesAsItHas) {
   auto all = an_hour();
-  all.duration_s = 10, all.fps = 25;
+  all.duration_s = 10, all.fps = {25};
   const auto moments = moments_of(all);
   ASSERT_EQ(moments.frames.size(), 250U);
   EXPECT_EQ(almanac::utc_text(moments.frames.back()), "2018-07-27T20:00:00Z");
   all.duration_s = 0.001;
   EXPECT_EQ(moments_of(all).frames.size(), 1U);
+  all.duration_s = 10, all.fps = {24000, 1001};
+  EXPECT_EQ(moments_of(all).frames.size(), 240U) << "239.76 rounded";
+  all.frames = 240;
+  EXPECT_EQ(moments_of(all).frames.size(), 240U) << "both agree";
+}
+
+TEST(FilmTimes, NumberTheirFramesFromTheFirstOn) {
+  auto all = an_hour();
+  all.frames = 3, all.first_frame = 1001;
+  const auto moments = moments_of(all);
+  EXPECT_EQ(moments.last_frame(), 1003U);
+  EXPECT_EQ(almanac::utc_text(moments.at(1001)), "2018-07-27T19:00:00Z");
+  EXPECT_EQ(almanac::utc_text(moments.at(1003)), "2018-07-27T20:00:00Z");
 }
 
 TEST(FilmTimes, MayBeAHandfulOfMoments) {
@@ -108,7 +121,12 @@ TEST(FilmTimes, ThatCannotBeAreSaid) {
             "moments = 2018-07-27T19:00:00Z after 2018-07-27T20:00:00Z, allowed in order of time");
   EXPECT_EQ(refused([](auto& t) { t.duration_s = 0; }), "duration [s] = 0, allowed 0.001 to 1e+06");
   EXPECT_EQ(refused([](auto& t) { t.time_scale = 0; }), "time scale = 0, allowed 0.001 to 1e+06");
-  EXPECT_EQ(refused([](auto& t) { t.fps = 0; }), "fps = 0, allowed 1 to 1000");
+  EXPECT_EQ(refused([](auto& t) { t.fps = {0}; }), "fps = 0, allowed 1 to 1000");
+  EXPECT_EQ(refused([](auto& t) { t.duration_s = 10, t.frames = 100; }),
+            "frames = 100 and duration = 10 s, allowed one of the two, or the 240 frames that 10 s "
+            "have at 24 frames per second");
+  EXPECT_EQ(refused([](auto& t) { t.first_frame = 2000000; }),
+            "first frame = 2e+06, allowed 0 to 1e+06");
 }
 
 }  // namespace

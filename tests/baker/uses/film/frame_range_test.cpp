@@ -18,12 +18,17 @@ TEST(FrameRange, IsReadAsTheTradeWritesIt) {
   EXPECT_EQ(frames_in("1-9x3", 9), (Frames{1, 4, 7}));
   EXPECT_EQ(frames_in("7,9,2-3", 9), (Frames{7, 9, 2, 3})) << "in the order written";
   EXPECT_EQ(frames_in("3,1-4", 9), (Frames{3, 1, 2, 4})) << "each once";
+  EXPECT_EQ(frames_in("", 3, 1001), (Frames{1001, 1002, 1003}));
+  EXPECT_EQ(frames_in("1003,1001-1002", 3, 1001), (Frames{1003, 1001, 1002}));
+  EXPECT_EQ(frames_in("0", 3, 0), (Frames{0}));
 }
 
 TEST(FrameRange, BeyondTheFilmOrOfOtherWritingIsRefused) {
   for (const char* text : {"0-3", "1-10", "4-2", "1-9x0", "1-", "-3", "a", "1 - 3", "+1", "1..3",
                            "1-9x", "99999999999999999999", ","})
     EXPECT_THROW(frames_in(text, 9), algebra::Error) << text;
+  for (const char* text : {"1", "1000", "1001-1004"})
+    EXPECT_THROW(frames_in(text, 3, 1001), algebra::Error) << text;
 }
 
 TEST(Shards, TakeEveryFrameOnce) {

@@ -2,9 +2,14 @@
 #include "verbs/flags/film_options.h"
 
 #include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
 
 #include "algebra/error.h"
+#include "request/recipe.h"
 #include "support/within.h"
+#include "verbs/flags/verb.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -130,7 +135,7 @@ TEST(FilmOptions, ThatCannotBeAreSaid) {
   EXPECT_NE(message_of({.from = "2018-07-27", .to = "2018-08-27"}), "") << "a month";
   EXPECT_NE(message_of({.eclipse = july_2018, .frames = 0}), "");
   EXPECT_NE(message_of({.eclipse = july_2018, .frames = 9, .time_scale = 60}), "") << "both";
-  EXPECT_NE(message_of({.eclipse = july_2018, .fps = 0}), "");
+  EXPECT_NE(message_of({.eclipse = july_2018, .fps = {0}}), "");
 }
 
 TEST(FilmOptions, OfAMountSayWhatTheyLack) {
@@ -158,12 +163,61 @@ TEST(ExposureKeys, AreMomentsAndSecondsInOrder) {
             "exposure time = U1:0.01,U2, allowed keys as P1:1/1000,U2:4: a moment and seconds");
 }
 
-TEST(FilesOfAFilm, SayWhatTheyAreMadeOf) {
-  EXPECT_EQ(message_of([] { files_of({.movie = "a.mp4"}, {.textures = true}); }),
-            "--movie is made of pictures, allowed with pictures among --make");
-  EXPECT_EQ(message_of([] { files_of({.movie = "a.avi"}, {.textures = true}); }),
-            "a.avi: a movie ends in .mp4");
-  EXPECT_EQ(files_of({.composite = "a.png"}, {.frames = true}).composite, "a.png");
+TEST(FilesOfAFilm, AddWhatTheyAreMadeOf) {
+  EXPECT_EQ(make_text(products_of({.composite = "a.png"})), "frames,pictures");
+  EXPECT_EQ(make_text(products_of({.stage = "a.usda"})), "textures,pictures");
+  EXPECT_EQ(make_text(products_of({.make = "textures", .stage = "a.usda"})), "textures");
+  EXPECT_EQ(make_text(products_of({.make = "scenes", .contact_sheet = "a.png"})),
+            "scenes,pictures");
+  EXPECT_EQ(make_text(products_of({.make = "tx", .movie = "a.mov"})), "tx,pictures");
+  EXPECT_EQ(make_text(products_of({.make = "light"})), "light");
+}
+
+TEST(FilesOfAFilm, AreOfKnownEndingsAndOfAWholeFilm) {
+  EXPECT_EQ(message_of([] { files_of({.movie = "a.avi"}); }),
+            "a.avi: a movie ends in .mp4 or .mov");
+  EXPECT_EQ(files_of({.movie = "a.mov"}).movie, "a.mov");
+  EXPECT_EQ(files_of({.composite = "a.png"}).composite, "a.png");
+  EXPECT_EQ(message_of([] { files_of({.shard = "1/2", .composite = "a.png"}); }),
+            "--composite needs every frame: run it without --shard after all shards, which are "
+            "made with --make frames,pictures");
+}
+
+/// What a command line says of a film, and the recipe's line of one of its flags.
+struct Said {
+  FilmOptions options;
+  std::string line;
+};
+
+Said said(const std::string& flag, const std::string& text) {
+  Said all;
+  Verb verb;
+  add_film_options(verb, all.options);
+  verb.parse(std::vector<std::string>{"--" + flag + "=" + text});
+  all.line = request::recipe_line(*parameters_of(verb).find(flag));
+  return all;
+}
+
+TEST(FilmOptions, OfOneRateAndDurationAreOneRecipe) {
+  EXPECT_EQ(said("fps", "24").line, "fps = 24\n") << "as before";
+  for (const char* text : {"23.976", "24000/1001"}) {
+    const auto [options, line] = said("fps", text);
+    EXPECT_EQ(options.fps.frames, 24000);
+    EXPECT_EQ(options.fps.seconds, 1001);
+    EXPECT_EQ(line, "fps = '24000/1001'\n");
+  }
+  for (const char* text : {"120", "120s", "2min"}) {
+    const auto [options, line] = said("duration", text);
+    EXPECT_EQ(options.duration_s, 120);
+    EXPECT_EQ(line, "duration = 120\n") << text;
+  }
+  EXPECT_EQ(message_of([] { said("duration", "10x"); }),
+            "duration = 10x, allowed 0.001 to 1e6 s, as 10, 10s or 2min");
+  const auto numbered = said("start-frame", "1001");
+  EXPECT_EQ(numbered.line, "start-frame = 1001\n");
+  auto film = numbered.options;
+  film.eclipse = july_2018;
+  EXPECT_EQ(moments_of(film).first_frame, 1001U);
 }
 
 TEST(Products, AreReadWithCommasBetween) {
