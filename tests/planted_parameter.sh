@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# How to add a term of the air, as a worked example that runs: plants one, `volcanic-glass`, in a copy of the sources, builds
-# the program, and shows that flags, help, completions, recipes, `describe`, random recipes, the fuzzers' words and
-# docs/recipes.md have it without any other edit. Exits 1 where one has not, or where more than nine edits in eight files
-# were needed. The copy stays in build/planted, for the next time.
+# How to add a term of the air, a camera's response, a city and a map's encoding, as worked examples that run: plants one of
+# each in a copy of the sources, builds the program, and shows that it has them without any other edit: the term,
+# `volcanic-glass`, in flags, help, completions, recipes, `describe`, random recipes, the fuzzers' words and docs/recipes.md.
+# Exits 1 where something lacks one, or where one needs more edits than are allowed here. The copy stays in build/planted,
+# for the next time.
 set -eu
 cd "$(dirname "$0")/.."
 copy=$PWD/build/planted
@@ -17,13 +18,18 @@ git ls-files --cached --others --exclude-standard | while read -r file; do
   [ ! -f "$file" ] || cp --parents "$file" "$new"
 done
 
+# edited FILE: it becomes what the scratch folder holds, and is counted.
+edited() {
+  cp "$scratch/edited" "$new/$1"
+  edits=$((edits + 1))
+  case " $files " in *" $1 "*) ;; *) files="$files $1" ;; esac
+}
+
 # edit FILE LINE TEXT: an edit, TEXT behind the one line that holds LINE.
 edit() {
   [ "$(grep -cF "$2" "$new/$1")" = 1 ] || { echo "$1: \"$2\" does not stand in one line" >&2; exit 1; }
   line="$2" text="$3" awk '{ print } index($0, ENVIRON["line"]) { print ENVIRON["text"] }' "$new/$1" >"$scratch/edited"
-  cp "$scratch/edited" "$new/$1"
-  edits=$((edits + 1))
-  case " $files " in *" $1 "*) ;; *) files="$files $1" ;; esac
+  edited "$1"
 }
 
 # swap FILE OLD NEW: an edit, NEW in the place of OLD, which stands in one line.
@@ -31,9 +37,15 @@ swap() {
   [ "$(grep -cF "$2" "$new/$1")" = 1 ] || { echo "$1: \"$2\" does not stand in one line" >&2; exit 1; }
   old="$2" put="$3" awk '{ at = index($0, ENVIRON["old"])
     if (at) $0 = substr($0, 1, at - 1) ENVIRON["put"] substr($0, at + length(ENVIRON["old"])); print }' "$new/$1" >"$scratch/edited"
-  cp "$scratch/edited" "$new/$1"
-  edits=$((edits + 1))
-  case " $files " in *" $1 "*) ;; *) files="$files $1" ;; esac
+  edited "$1"
+}
+
+# counted WHAT EDITS FILES: says how many edits WHAT took, and exits 1 beyond those allowed.
+counted() {
+  count=$(echo $files | wc -w)
+  echo "$1: $edits edits in $count files:$files"
+  [ "$edits" -le "$2" ] && [ "$count" -le "$3" ] || { echo "$1: allowed $2 edits in $3 files" >&2; exit 1; }
+  edits=0 files=
 }
 
 # The air: what a column holds, whether it is sound, and what the term does to light.
@@ -55,9 +67,25 @@ edit baker/uses/light/light_parameters.cpp 'auto& stratosphere = column.stratosp
                    "vertical optical depth of volcanic glass near the ground, 0 to 10"))
       .within(0, 10);'
 
-count=$(echo $files | wc -w)
-echo "$edits edits in $count files:$files"
-[ "$edits" -le 9 ] && [ "$count" -le 8 ] || { echo "allowed 9 edits in 8 files" >&2; exit 1; }
+counted 'term of the air' 9 8
+
+# A camera's response: its three columns in the table, here copies of the first, and its name on the page of cameras.
+awk -F, '/^#/ { print; next } !named { named = 1; print $0 ",planted-camera_r,planted-camera_g,planted-camera_b"; next }
+  { print $0 "," $2 "," $3 "," $4 }' "$new/colour/data/camera_spectra.csv" >"$scratch/edited"
+edited colour/data/camera_spectra.csv
+swap docs/cameras.md 'and `fujifilm-x-t3` (measured' '`fujifilm-x-t3` and `planted-camera` (measured'
+counted "camera's response" 2 2
+
+# A city: its row.
+edit baker/almanac/data/cities.csv 'Shanghai,Shanghai,' 'Planted City,Nowhere,12.34,56.78,9,Asia/Dubai'
+counted 'city' 1 1
+
+# An encoding of maps: its name, how its numbers are read and decoded, and what the page says of it.
+edit baker/uses/picture/moon.h 'cgi_moon_kit_2025,  ///<' '  planted_map,  ///< sRGB'
+edit baker/uses/picture/moon.cpp 'std::vector<Decoding> decodings{' \
+  '    {{"planted-map", AlbedoEncoding::planted_map, "sRGB"}, texture::Coding::srgb, as_it_is},'
+edit docs/textures.md '| `cgi-moon-kit-2025` |' '| `planted-map` | a planted one | sRGB is undone |'
+counted "map's encoding" 3 3
 
 (cd "$new" && find . -type f) | while read -r file; do
   if cmp -s "$new/$file" "$copy/$file"; then continue; fi
@@ -103,3 +131,11 @@ bake 2018-07-27 $small --recipe north.toml -o north.exr
 echo 'recipe of a region'
 "$program" bake 2018-07-27 $small --volcanic-glass 11 -o no.exr 2>refused && exit 1
 has 'refusal' 'volcanic glass = 11, allowed 0 to 10' <refused
+
+"$program" sky 2018-07-27 --at 'Planted City' | has 'city' 'Planted City'
+bake 2018-07-27 $small --response planted-camera -o camera.exr
+! cmp -s clear.exr camera.exr || { echo "planted-camera changes no light" >&2; exit 1; }
+echo "camera's response"
+printf 'P5\n4 2\n255\n\377\377\377\377\377\377\377\177' >map.pgm
+bake 2018-07-27 $small --albedo-map map.pgm --albedo-encoding planted-map -o map.exr
+strings -n 8 map.exr | has "map's encoding" 'albedo-encoding = "planted-map"'

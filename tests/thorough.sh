@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Everything that is checked beside tests/run.sh, in steps of some ten minutes on two processors: some three hours. On
+# Everything that is checked beside tests/run.sh, in steps of some ten minutes on two processors: some six hours. On
 # Debian 12, as root or with sudo, from any folder; prints the seconds of each step.
 #
 #   tests/thorough.sh               all steps

@@ -205,7 +205,7 @@ TEST_F(Ranges, AreThoseThatTheLibraryKeeps) {
       {"bracket", "end_to_end/film_files"},
       {"aperture", "colour/exposure: with the focal length it makes the f-number"},
       {"f-number", "colour/exposure: with the focal length it makes the aperture"},
-      {"bins", "uses/study/comparison"},
+      {"bins", "uses/compare/comparison"},
       {"exposure-error", "end_to_end/fit"},
       {"shutter-error", "end_to_end/fit"},
       {"white-balance-error", "end_to_end/fit"},

@@ -22,17 +22,6 @@
 namespace coppermoon::uses {
 namespace {
 
-texture::Coding coding_of(AlbedoEncoding encoding) {
-  switch (encoding) {
-    case AlbedoEncoding::image:
-      return texture::Coding::as_file_says;
-    case AlbedoEncoding::cgi_moon_kit_2025:
-      return texture::Coding::srgb;
-    default:
-      return texture::Coding::linear;
-  }
-}
-
 void require_sound(const MoonRequest& moon) {
   algebra::require_within("albedo exponent", moon.albedo_exponent, 0.1, 10);
   if (const int centre = moon.albedo_map_centre_deg; centre != 0 && centre != 180)
@@ -74,11 +63,46 @@ void raise_to(double exponent, algebra::Grid<float>& map) {
   change(map, [=](double value) { return std::pow(value, exponent); });
 }
 
-algebra::Grid<float> decoded(algebra::Grid<float> map, AlbedoEncoding encoding) {
-  if (encoding == AlbedoEncoding::cgi_moon_kit_2025) raise_to(surface::exponent_to_full_moon, map);
-  if (encoding != AlbedoEncoding::cgi_moon_kit_2019) return map;
+using Map = algebra::Grid<float>;
+
+Map as_it_is(Map map) { return map; }
+
+Map of_kit_2019(Map map) {
   change(map, surface::kit_2019_albedo);
   return surface::with_polar_contrast(std::move(map));
+}
+
+Map of_kit_2025(Map map) {
+  raise_to(surface::exponent_to_full_moon, map);
+  return map;
+}
+
+/// How the file's numbers are read, and what then makes normal albedo of them.
+struct Decoding {
+  AlbedoEncodingWord word;
+  texture::Coding coding;
+  Map (*decoded)(Map);
+};
+
+// what one adds for an encoding: a row here, and a row of docs/textures.md
+const std::vector<Decoding> decodings{
+    {{"image", AlbedoEncoding::image, "light, as the file says"},
+     texture::Coding::as_file_says,
+     as_it_is},
+    {{"normal-albedo", AlbedoEncoding::normal_albedo, "the numbers themselves"},
+     texture::Coding::linear,
+     as_it_is},
+    {{"cgi-moon-kit-2019", AlbedoEncoding::cgi_moon_kit_2019, "NASA's colour map of 2019"},
+     texture::Coding::linear,
+     of_kit_2019},
+    {{"cgi-moon-kit-2025", AlbedoEncoding::cgi_moon_kit_2025, "NASA's of 2025"},
+     texture::Coding::srgb,
+     of_kit_2025}};
+
+Map decoded_map(const std::filesystem::path& file, AlbedoEncoding encoding) {
+  const auto& how = *std::ranges::find(
+      decodings, encoding, [](const Decoding& decoding) { return decoding.word.encoding; });
+  return how.decoded(texture::read_albedo_map(file, how.coding));
 }
 
 /// The built-in map, no finer than the texture, whose texels are means over its own.
@@ -89,6 +113,12 @@ algebra::Grid<float> built_in_map_for(const MoonRequest& moon) {
 }
 
 }  // namespace
+
+std::vector<AlbedoEncodingWord> albedo_encoding_words() {
+  std::vector<AlbedoEncodingWord> words;
+  for (const auto& decoding : decodings) words.push_back(decoding.word);
+  return words;
+}
 
 void require_map(const MoonRequest& moon) {
   require_sound(moon);
@@ -125,8 +155,7 @@ algebra::Grid<float> normal_albedo(const MoonRequest& moon) {
   require_sound(moon);
   if (!reads_map(moon))
     return surface::normalised_to_geometric_albedo(built_in_map_for(moon), moon.photometry);
-  auto albedo = decoded(texture::read_albedo_map(moon.albedo_map, coding_of(moon.albedo_encoding)),
-                        moon.albedo_encoding);
+  auto albedo = decoded_map(moon.albedo_map, moon.albedo_encoding);
   if (moon.albedo_map_centre_deg != 0) turn_round(albedo);
   if (moon.albedo_exponent != 1) raise_to(moon.albedo_exponent, albedo);
   constexpr double as_it_should_be = 1.03, no_moon = 3;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "algebra/grid.h"
 #include "surface/ground.h"
@@ -21,6 +22,16 @@ enum class AlbedoEncoding {
   cgi_moon_kit_2019,  ///< NASA's CGI Moon Kit of 2019: see surface::kit_2019_albedo
   cgi_moon_kit_2025,  ///< sRGB's curve over I/F at 60 degrees of phase
 };
+
+/// Word of an encoding in flags and recipes, and what the numbers of its maps are.
+struct AlbedoEncodingWord {
+  const char* word;
+  AlbedoEncoding encoding;
+  const char* meaning;
+};
+
+/// All encodings, the default first.
+std::vector<AlbedoEncodingWord> albedo_encoding_words();
 
 /// Callback with the ratio by which a map's near side is brighter than its far side, which has fewer maria.
 using WhenNearSideIsBrighter = std::function<void(double near_over_far)>;

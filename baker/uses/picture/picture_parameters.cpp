@@ -151,15 +151,14 @@ void describe_map(Parameters& is, MoonRequest& moon) {
                 "photometric function of the ground: lommel-seeliger-rolo (as telescopes measured, "
                 "with the opposition surge) or yapo-cutler (the paper's, the same at every "
                 "phase)"));
-  using enum AlbedoEncoding;
-  is.add(choice("albedo-encoding", moon.albedo_encoding,
-                {{"image", image},
-                 {"normal-albedo", AlbedoEncoding::normal_albedo},
-                 {"cgi-moon-kit-2019", cgi_moon_kit_2019},
-                 {"cgi-moon-kit-2025", cgi_moon_kit_2025}},
-                "how the numbers of a map's file stand for albedo: image (light, as the file "
-                "says), normal-albedo (themselves), cgi-moon-kit-2019 or cgi-moon-kit-2025 (NASA's "
-                "colour maps)"));
+  request::Words<AlbedoEncoding> encodings;
+  std::string meanings;
+  for (const auto& [word, encoding, meaning] : albedo_encoding_words()) {
+    encodings.emplace_back(word, encoding);
+    meanings += fmt::format("{}{} ({})", meanings.empty() ? "" : ", ", word, meaning);
+  }
+  is.add(choice("albedo-encoding", moon.albedo_encoding, encodings,
+                "how the numbers of a map's file stand for albedo: " + meanings));
   is.add(parameter("albedo-exponent", moon.albedo_exponent,
                    "exponent that undoes a tone curve of the map beyond its encoding, 0.1 to 10"))
       .within(0.1, 10);
