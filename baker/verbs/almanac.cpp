@@ -217,15 +217,19 @@ std::string as_json(const EclipseList& list) {
   return all.dump(2) + "\n";
 }
 
-std::string as_calendar(const EclipseList& list) {
+std::vector<eclipse::Eclipse> eclipses_of(const EclipseList& list) {
   std::vector<eclipse::Eclipse> eclipses;
   for (const auto& each : list.eclipses) eclipses.push_back(each.eclipse);
+  return eclipses;
+}
+
+std::string as_calendar(const EclipseList& list) {
   std::string place;
   if (const auto city = almanac::city_named(list.at))
     place = city->name;
   else if (list.observer)
     place = uses::place_text(*list.observer);
-  return uses::as_calendar(eclipses, list.observer, place, now());
+  return uses::as_calendar(eclipses_of(list), list.observer, place, now());
 }
 
 const Writers<EclipseList>& writers() {
@@ -247,8 +251,7 @@ const Writers<EclipseList>& writers() {
 void run(const Options& options) {
   require_writers(options.outputs, writers());
   const auto list = listed(options);
-  if (has_ending(options.outputs, ".ics"))
-    for (const auto& each : list.eclipses) uses::require_in_calendars(each.eclipse);
+  if (has_ending(options.outputs, ".ics")) uses::require_in_calendars(eclipses_of(list));
   write_files(list, options.outputs, writers());
   if (options.csv) return fmt::print("{}", as_csv(list));
   if (options.json) return fmt::print("{}", as_json(list));

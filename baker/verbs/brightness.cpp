@@ -21,8 +21,6 @@ namespace coppermoon::verbs {
 namespace of_brightness {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct Options {
   MoonOptions moon;
   uses::ViewRequest view;  ///< observer and the air above alone
@@ -31,14 +29,14 @@ struct Options {
 };
 
 /// Magnitudes by the names of their bands.
-Json by_band(const std::vector<double>& numbers) {
+nlohmann::ordered_json by_band(const std::vector<double>& numbers) {
   const auto bands = uses::photometric_bands();
-  Json all;
+  nlohmann::ordered_json all;
   for (std::size_t k = 0; k < bands.size(); ++k) all[bands[k].name] = numbers[k];
   return all;
 }
 
-Json as_json(const uses::BrightnessSeen& seen, const Options& options) {
+nlohmann::ordered_json as_json(const uses::BrightnessSeen& seen, const Options& options) {
   const auto& lost = seen.extinction_mag;
   return {{"at", uses::place_text(*options.view.observer)},
           {"altitude_deg", algebra::in_degrees(seen.moon.altitude)},
@@ -50,24 +48,26 @@ Json as_json(const uses::BrightnessSeen& seen, const Options& options) {
           {"illuminance_lx", seen.disc.illuminance_lx}};
 }
 
-Json described(const Options& options) {
+nlohmann::ordered_json described(const Options& options) {
   const auto request = moon_request(options.moon);
   const auto sky = eclipsed_sky(options.moon);
   ProgressBar bar("light");
   const auto brightness = uses::brightness_of(request, sky, options.view, bar.progress());
   const auto calendar = options.moon.moment.calendar;
-  Json all{{"instant", almanac::utc_text(sky.when, calendar)},
-           {"magnitudes", by_band(brightness.disc.magnitudes)},
-           {"V_error", nullptr},
-           {"mean_luminance_cd_m2", brightness.disc.mean_luminance_cd_m2},
-           {"illuminance_lx", brightness.disc.illuminance_lx},
-           {"danjon", nullptr}};
+  nlohmann::ordered_json all{{"instant", almanac::utc_text(sky.when, calendar)},
+                             {"magnitudes", by_band(brightness.disc.magnitudes)},
+                             {"V_error", nullptr},
+                             {"mean_luminance_cd_m2", brightness.disc.mean_luminance_cd_m2},
+                             {"illuminance_lx", brightness.disc.illuminance_lx},
+                             {"danjon", nullptr}};
   say_calendar(all, calendar);
   if (brightness.danjon) all["danjon"] = *brightness.danjon;
   if (brightness.V_error) all["V_error"] = *brightness.V_error;
   if (brightness.seen) all["seen"] = as_json(*brightness.seen, options);
   return all;
 }
+
+using Json = nlohmann::ordered_json;
 
 /// Rows of one moment: the Moon above the air, and as a place sees it.
 std::string as_csv_of(const Json& all) {
@@ -98,14 +98,14 @@ const Writers<Json>& writers() {
   return all;
 }
 
-void print_light(const Json& disc) {
+void print_light(const nlohmann::ordered_json& disc) {
   fmt::print("mean luminance  {:>8} cd/m²\n",
              three_digits(disc["mean_luminance_cd_m2"].get<double>()));
   fmt::print("illuminance     {:8.3g} lx, on a surface that faces the Moon\n",
              disc["illuminance_lx"].get<double>());
 }
 
-void print_seen(const Json& seen) {
+void print_seen(const nlohmann::ordered_json& seen) {
   fmt::print("\nas seen from {}, {:.1f} degrees above the horizon\n", seen["at"].get<std::string>(),
              seen["altitude_deg"].get<double>());
   for (const auto& [band, magnitude] : seen["magnitudes"].items())

@@ -233,7 +233,7 @@ double trailing_s(const uses::Circumstances& night, const Options& options) {
 
 NightReport night_of(const Options& options) {
   const auto eclipse = times_of(options.film).eclipse;
-  if (has_ending(options.outputs, ".ics")) uses::require_in_calendars(eclipse);
+  if (has_ending(options.outputs, ".ics")) uses::require_in_calendars({eclipse});
   const auto named = almanac::city_named(options.place);
   NightReport night{uses::circumstances(eclipse, *options.view.observer),
                     {},

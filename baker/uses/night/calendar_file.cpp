@@ -85,7 +85,6 @@ const char* meaning(const std::string& name) {
 
 /// Event of a whole eclipse.
 std::string event(const Shared& shared, const eclipse::Eclipse& eclipse, const std::string& text) {
-  require_in_calendars(eclipse);
   return event(shared, almanac::date_text(eclipse.greatest) + "-eclipse", *eclipse.contacts.P1,
                *eclipse.contacts.P4, title(eclipse), text);
 }
@@ -102,20 +101,21 @@ std::string in_a_sentence(const eclipse::Eclipse& eclipse) {
 
 }  // namespace
 
-void require_in_calendars(const eclipse::Eclipse& eclipse) {
-  const auto first = almanac::utc_text(*eclipse.contacts.P1);
-  if (first.starts_with('-') || first.starts_with("0000"))
-    throw algebra::Error(
-        fmt::format("eclipse of {}: iCalendar has no years before 1, allowed .csv or .json",
-                    almanac::date_text(eclipse.greatest, eclipse.calendar)));
+void require_in_calendars(const std::vector<eclipse::Eclipse>& eclipses) {
+  if (eclipses.empty())
+    throw algebra::Error("no eclipse: a calendar has an event at least, allowed .csv or .json");
+  for (const auto& each : eclipses)
+    if (const auto first = almanac::utc_text(*each.contacts.P1);
+        first.starts_with('-') || first.starts_with("0000"))
+      throw algebra::Error(
+          fmt::format("eclipse of {}: iCalendar has no years before 1, allowed .csv or .json",
+                      almanac::date_text(each.greatest, each.calendar)));
 }
 
 std::string as_calendar(const std::vector<eclipse::Eclipse>& eclipses,
                         const std::optional<almanac::Observer>& place,
                         const std::string& place_name, const almanac::Instant& made) {
-  if (eclipses.empty())
-    throw algebra::Error(
-        "no eclipse in these years, allowed .csv or .json: a calendar has an event at least");
+  require_in_calendars(eclipses);
   const auto shared = shared_by(place, place_name, made);
   auto text = beginning();
   for (const auto& each : eclipses)
@@ -126,6 +126,7 @@ std::string as_calendar(const std::vector<eclipse::Eclipse>& eclipses,
 
 std::string as_calendar(const Circumstances& night, const std::string& place_name,
                         const almanac::Instant& made) {
+  require_in_calendars({night.eclipse});
   const auto day = almanac::date_text(night.eclipse.greatest);
   const auto shared = shared_by(night.place, place_name, made);
   auto text = beginning() + event(shared, night.eclipse, what_is_seen(night));

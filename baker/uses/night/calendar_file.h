@@ -21,12 +21,15 @@ std::string as_calendar(const Circumstances& night, const std::string& place_nam
 /// Calendar file of eclipses, an event each. With a place it says what is seen there, and the events are those of the
 /// whole eclipse in the file of a night.
 ///
-/// Throws  Error  as require_in_calendars; when there is no eclipse, for a calendar has an event at least
+/// Throws  Error  as require_in_calendars
 std::string as_calendar(const std::vector<eclipse::Eclipse>& eclipses,
                         const std::optional<almanac::Observer>& place,
                         const std::string& place_name, const almanac::Instant& made);
 
-/// Refuses an eclipse before year 1, where the dates of RFC 5545 begin.
-void require_in_calendars(const eclipse::Eclipse& eclipse);
+/// Refuses what no calendar file holds.
+///
+/// Throws  Error  for an eclipse before year 1, where the dates of RFC 5545 begin, and for no eclipse, as a calendar has
+///                an event at least
+void require_in_calendars(const std::vector<eclipse::Eclipse>& eclipses);
 
 }  // namespace coppermoon::uses

@@ -9,7 +9,7 @@
 namespace coppermoon::eclipse {
 namespace {
 
-double number(const char* name, const almanac::ObserverView& view) {
+double of_column(const char* name, const almanac::ObserverView& view) {
   return std::ranges::find(view_columns(), std::string(name),
                            &algebra::Column<almanac::ObserverView>::name)
       ->value(view);
@@ -19,13 +19,13 @@ TEST(SkyColumns, AltitudeIsThatWhichIsSeen) {
   almanac::ObserverView view{};
   for (const double degrees : {0., 10., 45.}) {
     view.altitude = algebra::degrees(degrees);
-    EXPECT_EQ(number("geometric_altitude_deg", view), degrees);
+    EXPECT_EQ(of_column("geometric_altitude_deg", view), degrees);
   }
   view.altitude = algebra::degrees(0);
-  EXPECT_WITHIN(60 * number("altitude_deg", view), 28.98, 0.1,
+  EXPECT_WITHIN(60 * of_column("altitude_deg", view), 28.98, 0.1,
                 "arcminutes: Saemundsson (1986), printed to a tenth");
   view.altitude = algebra::degrees(10);
-  EXPECT_WITHIN(60 * (number("altitude_deg", view) - 10), 5.4, 0.1,
+  EXPECT_WITHIN(60 * (of_column("altitude_deg", view) - 10), 5.4, 0.1,
                 "arcminutes: Saemundsson (1986), printed to a tenth");
 }
 
