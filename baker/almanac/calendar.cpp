@@ -48,4 +48,9 @@ std::string time_of_day_text(const Instant& instant) {
   return text.substr(text.find('T') + 1, 8);
 }
 
+Instant to_the_minute(const Instant& instant) {
+  const auto text = utc_text(later(instant, 30));
+  return instant_from_utc(text.substr(0, text.rfind(':')) + "Z");
+}
+
 }  // namespace coppermoon::almanac

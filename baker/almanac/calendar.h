@@ -20,4 +20,7 @@ std::string utc_text(const Instant& instant, Calendar calendar, int decimals = 0
 std::string date_text(const Instant& instant, Calendar calendar = Calendar::gregorian);
 std::string time_of_day_text(const Instant& instant);
 
+/// The nearest full minute: of 20:21:45 it is 20:22.
+Instant to_the_minute(const Instant& instant);
+
 }  // namespace coppermoon::almanac

@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "atmosphere/astronomical_refraction.h"
 #include "eclipse/shadow_axis.h"
 
 namespace coppermoon::eclipse {
@@ -46,7 +47,10 @@ const std::vector<algebra::Column<almanac::SkyState>>& sky_columns() {
 const std::vector<algebra::Column<almanac::ObserverView>>& view_columns() {
   using View = almanac::ObserverView;
   static const std::vector<algebra::Column<View>> all{
-      {"altitude_deg", [](const View& v) { return in_degrees(v.altitude); },
+      {"altitude_deg",
+       [](const View& v) { return in_degrees(atmosphere::apparent_altitude(v.altitude)); },
+       "altitude of the Moon's centre as the place sees it, raised by refraction [degrees]"},
+      {"geometric_altitude_deg", [](const View& v) { return in_degrees(v.altitude); },
        "altitude of the Moon's centre at the place, without refraction [degrees]"},
       {"azimuth_deg", [](const View& v) { return in_degrees(v.azimuth); },
        "azimuth of the Moon's centre, from north through east [degrees]"},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,16 +10,18 @@
 
 #include "algebra/error.h"
 #include "almanac/calendar.h"
+#include "almanac/gazetteer.h"
 #include "eclipse/contacts.h"
 #include "eclipse/feature.h"
 #include "uses/light/photometric_bands.h"
-#include "uses/night/circumstances.h"
+#include "uses/night/calendar_file.h"
 #include "uses/picture/brightness.h"
 #include "uses/picture/place_text.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moments.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/report.h"
+#include "verbs/reports/writers.h"
 
 namespace coppermoon::verbs {
 namespace of_almanac {
@@ -29,7 +31,9 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   std::string from, to, at, convention = "danjon";
+  std::optional<int> year;
   std::optional<std::string> feature;
+  std::vector<std::string> outputs;
   almanac::Calendar calendar = almanac::Calendar::gregorian;
   bool brightness = false, json = false, csv = false;
 };
@@ -41,12 +45,21 @@ eclipse::ShadowConvention convention_from(const std::string& name) {
   return eclipse::ShadowConvention::danjon;
 }
 
-/// Eclipse of the list, with the crossing times of the feature that was asked for.
+/// Eclipse of a list, with the crossing times of the feature that was asked for.
 struct Listed {
   eclipse::Eclipse eclipse;
   std::optional<uses::MoonBrightness> brightness{};  ///< at greatest eclipse
   std::optional<eclipse::FeatureTimes> feature{};
   std::optional<std::string> seen{};  ///< first and last contact with the Moon above the horizon
+};
+
+/// Eclipses of some years: what the command prints.
+struct EclipseList {
+  std::vector<Listed> eclipses;
+  almanac::Calendar calendar;
+  std::optional<almanac::SelenographicPoint> feature;
+  std::optional<almanac::Observer> observer;
+  std::string at;  ///< the observer's place, as it was given
 };
 
 using Contact = std::pair<const char*, std::optional<almanac::Instant>>;
@@ -120,19 +133,24 @@ std::string today(int years_later, almanac::Calendar calendar) {
                             std::min(28U, static_cast<unsigned>(now.day()))));
 }
 
-void print_heading(bool feature, bool seen, bool brightness) {
-  fmt::print("{:<21}{:<10}{:>8}{:>9}{:>9}", "greatest (UTC)", "type", "gamma", "umbral", "penumb.");
+std::string greatest(const Listed& listed) {
+  return almanac::utc_text(listed.eclipse.greatest, listed.eclipse.calendar);
+}
+
+void print_heading(const EclipseList& list, bool brightness, std::size_t width) {
+  fmt::print("{:<{}}{:<10}{:>8}{:>9}{:>9}", "greatest (UTC)", width, "type", "gamma", "umbral",
+             "penumb.");
   for (const char* key : {"P1", "U1", "U2", "U3", "U4", "P4"}) fmt::print("  {:<8}", key);
-  if (feature) fmt::print("  {:<10}  {:<11}", "feature in", "feature out");
+  if (list.feature) fmt::print("  {:<10}  {:<11}", "feature in", "feature out");
   if (brightness) fmt::print("  {:<14}{:<4}", "V", "L");
-  if (seen) fmt::print("  seen");
+  if (list.observer) fmt::print("  seen");
   fmt::print("\n");
 }
 
-void print(const Listed& listed) {
+void print(const Listed& listed, std::size_t width) {
   const auto& e = listed.eclipse;
-  fmt::print("{:<21}{:<10}{:>8.4f}{:>9.4f}{:>9.4f}", almanac::utc_text(e.greatest, e.calendar),
-             name(e.type), e.gamma, e.umbral_magnitude, e.penumbral_magnitude);
+  fmt::print("{:<{}}{:<10}{:>8.4f}{:>9.4f}{:>9.4f}", greatest(listed), width, name(e.type), e.gamma,
+             e.umbral_magnitude, e.penumbral_magnitude);
   for (const auto& [key, when] : contact_columns(e)) fmt::print("  {:<8}", time_of_day(when));
   if (const auto& times = listed.feature)
     fmt::print("  {:<10}  {:<11}", time_of_day(times->immersion), time_of_day(times->emersion));
@@ -144,49 +162,101 @@ void print(const Listed& listed) {
   fmt::print("\n");
 }
 
-std::vector<Listed> listed(const Options& options,
-                           const std::optional<almanac::SelenographicPoint>& place) {
-  const auto first = options.from.empty() ? today(0, options.calendar) : options.from,
-             last = options.to.empty() ? today(10, options.calendar) : options.to;
+void print(const EclipseList& list, bool brightness) {
+  std::size_t width = 21;  // of a year without a sign, and a space
+  for (const auto& each : list.eclipses) width = std::max(width, greatest(each).size() + 1);
+  print_heading(list, brightness, width);
+  for (const auto& each : list.eclipses) print(each, width);
+}
+
+/// First and last moment of a list.
+std::pair<std::string, std::string> span_of(const Options& options) {
+  if (options.year) {
+    algebra::require_within("year", *options.year, -1999, 3000);
+    const auto year = fmt::format("{}{:04}", *options.year < 0 ? "-" : "", std::abs(*options.year));
+    return {year + "-01-01", year + "-12-31T23:59:59Z"};
+  }
+  return {options.from.empty() ? today(0, options.calendar) : options.from,
+          options.to.empty() ? today(10, options.calendar) : options.to};
+}
+
+EclipseList listed(const Options& options) {
+  const auto [first, last] = span_of(options);
   const auto from = almanac::instant_from_utc(first, options.calendar),
              to = almanac::instant_from_utc(last, options.calendar);
   if (almanac::seconds_between(from, to) < 0)
     throw algebra::Error(fmt::format("--to = {}, allowed {} or later", last, first));
-  std::optional<almanac::Observer> observer;
-  if (!options.at.empty()) observer = uses::observer_from(options.at);
-  std::vector<Listed> list;
+  EclipseList list{{}, options.calendar, {}, {}, options.at};
+  if (options.feature) list.feature = uses::feature_from(*options.feature);
+  if (!options.at.empty()) list.observer = uses::observer_from(options.at);
   for (const auto& e : eclipse::eclipses_between(from, to, convention_from(options.convention))) {
-    Listed& one = list.emplace_back(Listed{e});
+    Listed& one = list.eclipses.emplace_back(Listed{e});
     one.eclipse.calendar = options.calendar;
-    if (observer) one.seen = uses::contacts_seen(e, *observer);
-    if (place) one.feature = eclipse::feature_times(e, *place);
+    if (list.observer) one.seen = uses::contacts_seen(e, *list.observer);
+    if (list.feature) one.feature = eclipse::feature_times(e, *list.feature);
     if (options.brightness) one.brightness = uses::brightness_of({}, almanac::sky_at(e.greatest));
   }
   return list;
 }
 
-void run(const Options& options) {
-  std::optional<almanac::SelenographicPoint> place;
-  if (options.feature) place = uses::feature_from(*options.feature);
-  const auto list = listed(options, place);
+std::string as_csv(const EclipseList& list) {
+  auto rows = Json::array();
+  for (const auto& each : list.eclipses) rows.push_back(as_row(each));
+  return verbs::as_csv(rows);
+}
+
+std::string as_json(const EclipseList& list) {
   auto all = Json::array();
-  if (options.csv) {
-    for (const auto& each : list) all.push_back(as_row(each));
-    return fmt::print("{}", as_csv(all));
-  }
-  if (!options.json) {
-    print_heading(place.has_value(), !options.at.empty(), options.brightness);
-    for (const auto& each : list) print(each);
-    return;
-  }
-  for (const auto& each : list) {
+  for (const auto& each : list.eclipses) {
     all.push_back(as_json(each.eclipse));
-    say_calendar(all.back(), options.calendar);
+    say_calendar(all.back(), list.calendar);
     if (each.seen) all.back()["seen"] = *each.seen;
     if (each.brightness) all.back().update(as_json(*each.brightness));
-    if (place) all.back()["feature"] = as_json(*place, *each.feature, options.calendar);
+    if (list.feature) all.back()["feature"] = as_json(*list.feature, *each.feature, list.calendar);
   }
-  fmt::print("{}\n", all.dump(2));
+  return all.dump(2) + "\n";
+}
+
+std::vector<eclipse::Eclipse> eclipses_of(const EclipseList& list) {
+  std::vector<eclipse::Eclipse> eclipses;
+  for (const auto& each : list.eclipses) eclipses.push_back(each.eclipse);
+  return eclipses;
+}
+
+std::string as_calendar(const EclipseList& list) {
+  std::string place;
+  if (const auto city = almanac::city_named(list.at))
+    place = city->name;
+  else if (list.observer)
+    place = uses::place_text(*list.observer);
+  return uses::as_calendar(eclipses_of(list), list.observer, place, now());
+}
+
+const Writers<EclipseList>& writers() {
+  using List = EclipseList;
+  using File = std::filesystem::path;
+  static const Writers<List> all{
+      {{".ics"},
+       "a calendar",
+       [](const List& list, const File& file) { files::write_whole(file, as_calendar(list)); }},
+      {{".csv"},
+       "a table",
+       [](const List& list, const File& file) { files::write_whole(file, as_csv(list)); }},
+      {{".json"}, "a JSON document", [](const List& list, const File& file) {
+         files::write_whole(file, as_json(list));
+       }}};
+  return all;
+}
+
+void run(const Options& options) {
+  require_writers(options.outputs, writers());
+  const auto list = listed(options);
+  if (has_ending(options.outputs, ".ics")) uses::require_in_calendars(eclipses_of(list));
+  write_files(list, options.outputs, writers());
+  if (options.csv) return fmt::print("{}", as_csv(list));
+  if (options.json) return fmt::print("{}", as_json(list));
+  print(list, options.brightness);
+  print_names(options.outputs);
 }
 
 }  // namespace
@@ -198,6 +268,10 @@ void add_almanac(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   add_flag(*verb, "--from", options->from, "first day, as 2026-01-01; default: today");
   add_flag(*verb, "--to", options->to, "last day; default: ten years from today");
+  add_flag(*verb, "year,--year", options->year, "year, as 2026, -1999 to 3000: all of it")
+      .within(-1999, 3000)
+      .excludes("--from")
+      .excludes("--to");
   add_calendar_option(*verb, options->calendar);
   add_flag(
       *verb, "--at", options->at,
@@ -214,6 +288,7 @@ void add_almanac(CLI::App& program) {
   add_switch(*verb, "--brightness", options->brightness,
              "adds the V magnitude of the whole Moon at greatest eclipse in the air of its month, "
              "with the standard error of a total eclipse, and Danjon's L by V");
+  add_outputs(*verb, options->outputs, writers());
   add_run_switch(*verb, "--csv", options->csv, "prints the eclipses as CSV");
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);

@@ -14,6 +14,8 @@
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/progress_bar.h"
+#include "verbs/reports/report.h"
+#include "verbs/reports/writers.h"
 
 namespace coppermoon::verbs {
 namespace of_brightness {
@@ -22,6 +24,7 @@ namespace {
 struct Options {
   MoonOptions moon;
   uses::ViewRequest view;  ///< observer and the air above alone
+  std::vector<std::string> outputs;
   bool json = false;
 };
 
@@ -64,6 +67,37 @@ nlohmann::ordered_json described(const Options& options) {
   return all;
 }
 
+using Json = nlohmann::ordered_json;
+
+/// Rows of one moment: the Moon above the air, and as a place sees it.
+std::string as_csv_of(const Json& all) {
+  auto rows = Json::array();
+  const auto add_row = [&](const Json& disc) {
+    auto& row = rows.emplace_back();
+    row["instant"] = all["instant"];
+    for (const char* key : {"altitude_deg", "azimuth_deg"}) row[key] = disc.value(key, Json());
+    for (const auto& [band, magnitude] : disc["magnitudes"].items())
+      row[band + "_magnitude"] = magnitude;
+    for (const char* key : {"V_error", "danjon"}) row[key] = all[key];
+    for (const char* key : {"mean_luminance_cd_m2", "illuminance_lx"}) row[key] = disc[key];
+  };
+  add_row(all);
+  if (all.contains("seen")) add_row(all["seen"]);
+  return as_csv(rows);
+}
+
+const Writers<Json>& writers() {
+  using File = std::filesystem::path;
+  static const Writers<Json> all{
+      {{".csv"},
+       "a table",
+       [](const Json& told, const File& file) { files::write_whole(file, as_csv_of(told)); }},
+      {{".json"}, "a JSON document", [](const Json& told, const File& file) {
+         files::write_whole(file, told.dump(2) + "\n");
+       }}};
+  return all;
+}
+
 void print_light(const nlohmann::ordered_json& disc) {
   fmt::print("mean luminance  {:>8} cd/m²\n",
              three_digits(disc["mean_luminance_cd_m2"].get<double>()));
@@ -81,8 +115,14 @@ void print_seen(const nlohmann::ordered_json& seen) {
 }
 
 void run(const Options& options) {
-  const auto all = described(options);
+  if (has_ending(options.outputs, ".ics"))
+    throw WrongUsage("--output: night and almanac write calendars (.ics); brightness writes " +
+                     kinds_of(writers()));
+  require_writers(options.outputs, writers());
+  auto all = described(options);
+  write_files(all, options.outputs, writers());
   if (options.json) {
+    if (!options.outputs.empty()) all["files"] = options.outputs;
     fmt::print("{}\n", all.dump(2));
     return;
   }
@@ -97,6 +137,7 @@ void run(const Options& options) {
   else
     fmt::print("Danjon          {:8.1f}\n", all["danjon"].get<double>());
   if (all.contains("seen")) print_seen(all["seen"]);
+  print_names(options.outputs);
 }
 
 }  // namespace
@@ -110,6 +151,7 @@ void add_brightness(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   add_moon_options(*verb, options->moon);
   add_described(*verb, options->view, uses::describe_observer);
+  add_outputs(*verb, options->outputs, writers());
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });

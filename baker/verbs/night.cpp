@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -23,19 +21,17 @@
 #include "verbs/command_line.h"
 #include "verbs/flags/camera_options.h"
 #include "verbs/flags/film_options.h"
-#include "verbs/flags/known_words.h"
 #include "verbs/flags/moments.h"
 #include "verbs/flags/moon_options.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
+#include "verbs/reports/writers.h"
 
 namespace coppermoon::verbs {
 namespace of_night {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Options {
   FilmOptions film;  ///< eclipse and calendar alone
@@ -54,6 +50,8 @@ struct NightReport {
   almanac::City city;  ///< the place, or the nearest one
   bool own_clocks;     ///< the place is that city
   std::string zone;    ///< time zone of the local times
+  /// Time in which the Moon trails by two pixels; none where no focal length is given.
+  std::optional<double> trailing_s = {};
 };
 
 constexpr const char* winds[] = {"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
@@ -76,8 +74,8 @@ const uses::NightLight* light_of(const NightReport& night, const std::string& na
 }
 
 /// Exposure time as cameras mark it.
-std::string exposure_text(const std::optional<double>& seconds) {
-  if (!seconds) return "-";
+std::string exposure_text(const std::optional<double>& seconds, bool too_dark) {
+  if (!seconds) return too_dark ? "- (too dark)" : "-";
   const double time = uses::camera_time_s(*seconds);
   if (time < 0.29) return fmt::format("1/{:.0f} s", 1 / time);
   return time > 30 ? duration(time) : fmt::format("{:g} s", time);
@@ -95,7 +93,7 @@ void print_moments(const NightReport& night) {
     if (light != nullptr && moment.up)
       fmt::print("{:>8.2f}{:>11}{:>7}", light->V_magnitude,
                  three_digits(light->mean_luminance_cd_m2),
-                 light->faintest_star > 0 ? fmt::format("{:.1f}", light->faintest_star) : "-");
+                 light->faintest_star ? fmt::format("{:.1f}", *light->faintest_star) : "-");
     else if (light != nullptr)
       fmt::print("   not seen");
     fmt::print("\n");
@@ -106,17 +104,25 @@ void print_exposures(const NightReport& night) {
   fmt::print("\nExposure times at f/{:.3g}, ISO {:g}:\n{:<34}{:>12}{:>22}\n", night.lights.f_number,
              night.lights.iso, "", "lit part", "part in the umbra");
   for (const auto& exposure : night.lights.exposures)
-    fmt::print("{:<34}{:>12}{:>22}\n", exposure.phase, exposure_text(exposure.lit_s),
-               exposure_text(exposure.shadow_s));
+    fmt::print("{:<34}{:>12}{:>22}\n", exposure.phase,
+               exposure_text(exposure.lit_s, exposure.too_dark),
+               exposure_text(exposure.shadow_s, exposure.too_dark));
+  if (std::ranges::any_of(night.lights.exposures, &uses::PhaseExposure::too_dark))
+    fmt::print("Too dark: the exposure would be longer than the whole eclipse.\n");
+  if (night.trailing_s)
+    fmt::print("\nWithout a mount that follows it, the Moon trails by two pixels in {}.\n",
+               exposure_in_words(*night.trailing_s));
+}
+
+std::string place_name(const NightReport& night) {
+  return night.own_clocks ? night.city.name : uses::place_text(night.circumstances.place);
 }
 
 void print(const NightReport& night) {
-  const auto& place = night.circumstances.place;
-  fmt::print("{}\n{}: {}\n", title(night.circumstances.eclipse),
-             night.own_clocks ? night.city.name : uses::place_text(place),
+  fmt::print("{}\n{}: {}\n", title(night.circumstances.eclipse), place_name(night),
              what_is_seen(night.circumstances));
-  if (!night.own_clocks && night.zone == uses::time_zone_of(place))
-    fmt::print("{} --zone shows others.\n", uses::whose_clocks(place));
+  if (!night.own_clocks && night.zone == uses::time_zone_of(night.circumstances.place))
+    fmt::print("{} --zone shows others.\n", uses::whose_clocks(night.circumstances.place));
   fmt::print("\n");
   print_moments(night);
   if (night.lights.V_error)
@@ -153,15 +159,18 @@ nlohmann::ordered_json as_json(const NightReport& night) {
     if (const auto* light = light_of(night, moment.name)) {
       row["V_magnitude"] = light->V_magnitude;
       row["mean_luminance_cd_m2"] = light->mean_luminance_cd_m2;
-      row["faintest_star"] = light->faintest_star;
+      row["faintest_star"] = or_null(light->faintest_star);
     }
     all["moments"].push_back(row);
   }
-  for (const auto& exposure : night.lights.exposures)
+  for (const auto& exposure : night.lights.exposures) {
     all["exposures"].push_back({{"phase", exposure.phase},
                                 {"utc", almanac::utc_text(exposure.when, calendar)},
                                 {"lit_s", or_null(exposure.lit_s)},
                                 {"umbra_s", or_null(exposure.shadow_s)}});
+    if (exposure.too_dark) all["exposures"].back()["too_dark"] = true;
+  }
+  if (night.trailing_s) all["trailing_s"] = *night.trailing_s;
   return all;
 }
 
@@ -175,48 +184,57 @@ std::string as_csv(const NightReport& night) {
                         row["utc"].get<std::string>(), row["local"].get<std::string>(),
                         row["zone"].get<std::string>(), row["altitude_deg"].get<double>(),
                         row["azimuth_deg"].get<double>(), row["up"].get<bool>() ? "yes" : "no");
-    text += row.contains("V_magnitude")
-                ? fmt::format(",{:.3f},{:.6g},{:.2f}\n", row["V_magnitude"].get<double>(),
-                              row["mean_luminance_cd_m2"].get<double>(),
-                              row["faintest_star"].get<double>())
-                : ",,,\n";
+    if (!row.contains("V_magnitude")) {
+      text += ",,,\n";
+      continue;
+    }
+    const auto& star = row["faintest_star"];
+    text += fmt::format(",{:.3f},{:.6g},{}\n", row["V_magnitude"].get<double>(),
+                        row["mean_luminance_cd_m2"].get<double>(),
+                        star.is_null() ? "" : fmt::format("{:.2f}", star.get<double>()));
   }
   return text;
 }
 
-void require_sound(const Options& options) {
-  if (!options.view.observer) throw WrongUsage("--at: missing; a place is needed, as Honolulu");
-  for (const fs::path file : options.outputs) {
-    const auto ending = file.extension();
-    if (!holds({".ics", ".csv", ".json", ".png", ".svg", ".pdf"}, ending.string()))
-      throw algebra::Error(
-          fmt::format("{}: night writes .ics, .csv and .json, and its map as .png, .svg or .pdf",
-                      file.string()));
-    files::require_place_for(file);
-  }
+const Writers<NightReport>& writers() {
+  using Night = NightReport;
+  using File = std::filesystem::path;
+  static const Writers<Night> all{
+      {{".ics"},
+       "a calendar",
+       [](const Night& night, const File& file) {
+         const auto text = as_calendar(night.circumstances, place_name(night), now());
+         files::write_whole(file, text);
+       }},
+      {{".csv"},
+       "the moments",
+       [](const Night& night, const File& file) { files::write_whole(file, as_csv(night)); }},
+      {{".json"},
+       "the moments and the exposures",
+       [](const Night& night, const File& file) {
+         files::write_whole(file, as_json(night).dump(2) + "\n");
+       }},
+      {{".png", ".svg", ".pdf"},
+       "a map of where the eclipse is seen",
+       [](const Night& night, const File& file) {
+         uses::write_visibility_map(file, night.circumstances.eclipse, night.circumstances.place);
+       }}};
+  return all;
 }
 
-almanac::Instant now() {
-  return almanac::instant_from_utc(fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))));
-}
-
-void write(const NightReport& night, const fs::path& file) {
-  const auto place =
-      night.own_clocks ? night.city.name : uses::place_text(night.circumstances.place);
-  if (file.extension() == ".ics")
-    files::write_whole(file, as_calendar(night.circumstances, place, now()));
-  else if (file.extension() == ".csv")
-    files::write_whole(file, as_csv(night));
-  else if (file.extension() == ".json")
-    files::write_whole(file, as_json(night).dump(2) + "\n");
-  else
-    uses::write_visibility_map(file, night.circumstances.eclipse, night.circumstances.place);
+/// Time in which the Moon trails by two pixels of the camera, without one of 4 µm.
+double trailing_s(const uses::Circumstances& night, const Options& options) {
+  constexpr double usual_pixel_um = 4;
+  const auto camera = uses::camera_of(options.develop.camera);
+  return uses::trailing_time_s(night, *options.view.focal_length_mm,
+                               2 * (camera ? camera->sensor.pixel_um : usual_pixel_um));
 }
 
 NightReport night_of(const Options& options) {
   auto film = options.film;
   film.zone = options.zone;
   const auto eclipse = eclipse_of(film, options.view.observer);
+  if (has_ending(options.outputs, ".ics")) uses::require_in_calendars({eclipse});
   const auto named = almanac::city_named(options.place);
   NightReport night{uses::circumstances(eclipse, *options.view.observer),
                     {},
@@ -226,6 +244,7 @@ NightReport night_of(const Options& options) {
   if (night.zone.empty() || night.zone == "local")
     night.zone = named ? named->time_zone : uses::time_zone_of(*options.view.observer);
   uses::local_time(eclipse.greatest, night.zone);  // refuses what is no zone
+  if (options.view.focal_length_mm) night.trailing_s = trailing_s(night.circumstances, options);
   ProgressBar bar("light");
   auto development = options.develop;
   development.focal_length_mm = seen_through(development.camera, options.view).focal_length_mm;
@@ -235,11 +254,12 @@ NightReport night_of(const Options& options) {
 }
 
 void run(const Options& options) {
-  require_sound(options);
+  if (!options.view.observer) throw WrongUsage("--at: missing; a place is needed, as Honolulu");
+  require_writers(options.outputs, writers());
   const auto night = night_of(options);
   say_unless_danjon_is_reached(options.moon.light.request.air,
                                almanac::sky_at(night.circumstances.eclipse.greatest));
-  for (const auto& file : options.outputs) write(night, file);
+  write_files(night, options.outputs, writers());
   if (options.json) {
     auto document = as_json(night);
     if (!options.outputs.empty()) document["files"] = options.outputs;
@@ -247,8 +267,7 @@ void run(const Options& options) {
   }
   if (options.csv) return fmt::print("{}", as_csv(night));
   print(night);
-  if (!options.outputs.empty()) fmt::print("\n");
-  for (const auto& file : options.outputs) fmt::print("{}\n", one_line(file));
+  print_names(options.outputs);
 }
 
 }  // namespace
@@ -275,14 +294,15 @@ void add_night(CLI::App& program) {
   add_flag(*verb, "--zone", options->zone,
            "time zone of the local times: an IANA name, as Europe/Berlin, or an offset, as +02:00; "
            "default: that of the city");
-  add_flag(*verb, "-o,--output", options->outputs,
-           "file: .ics for a calendar, .csv, .json, or a map of where the eclipse is seen, .png, "
-           ".svg or .pdf. May be given again")
-      .writes_file()
-      .kept_each_time();
+  add_outputs(*verb, options->outputs, writers());
   add_flag(*verb,
            request::on_off("--danjon-spread", options->danjon,
                            "exposures of the middle of totality for Danjon's scale 0 to 4 too"));
+  add_flag(
+      *verb, "--focal-length", options->view.focal_length_mm,
+      "focal length of the telescope or lens [mm], 1 to 1e6: adds in what time the Moon trails "
+      "by two pixels, the camera's or 4 um wide, where no mount follows it")
+      .within(1, 1e6);
   add_run_switch(*verb, "--csv", options->csv, "prints the moments as CSV");
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_map_options(*verb, options->moon.request);

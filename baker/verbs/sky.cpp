@@ -32,11 +32,9 @@ void add(nlohmann::ordered_json& all, const std::vector<algebra::Column<Result>>
   for (const auto& column : columns) all[column.name] = column.value(result);
 }
 
-/// Adds the Moon's place and the stars' as an observer's air raises them.
+/// Adds the stars' places as an observer's air raises them.
 void add_stars(nlohmann::ordered_json& all, const almanac::Observer& observer, double faintest,
                const almanac::SkyState& sky) {
-  const auto place = uses::apparent_place(observer, sky);
-  all["apparent_altitude_deg"] = in_degrees(place.altitude);
   all["observer_latitude_deg"] = in_degrees(observer.latitude);
   all["stars"] = nlohmann::json::array();
   const auto view =
@@ -87,10 +85,8 @@ void add_sky(CLI::App& program) {
   add_flag(*verb, "--at", options->at,
            "place of an observer: a city, as Chicago, or LAT,LON[,ELEV] [degrees north and east, "
            "metres]");
-  add_flag(
-      *verb, "--stars", options->faintest_star,
-      "V magnitude, -5 to 20: lists stars and planets to it, with the Moon's apparent altitude; "
-      "illuminance in linear Rec.709")
+  add_flag(*verb, "--stars", options->faintest_star,
+           "V magnitude, -5 to 20: lists stars and planets to it; illuminance in linear Rec.709")
       .within(-5, 20)
       .of(request::Affects::run);
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");

@@ -5,6 +5,7 @@ add_test(NAME docs/links COMMAND ${CMAKE_COMMAND} -DROOT=${PROJECT_SOURCE_DIR} -
 if(TARGET coppermoon_program)
   add_test(NAME docs/commands COMMAND ${here}/commands.sh $<TARGET_FILE:coppermoon_program>)
   add_test(NAME docs/recipe_tables COMMAND ${here}/recipe_tables.py $<TARGET_FILE:coppermoon_program>)
+  add_test(NAME docs/printed_night COMMAND ${here}/printed_night.py $<TARGET_FILE:coppermoon_program>)
 endif()
 find_program(MKDOCS mkdocs)
 if(MKDOCS)

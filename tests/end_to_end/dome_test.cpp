@@ -42,7 +42,8 @@ TEST_F(DomeFile, SaysInItsHeaderWhatItIs) {
   EXPECT_EQ(said("coppermoon:unit"), "cd/m^2");
   EXPECT_EQ(said("coppermoon:moon"), "on");
   EXPECT_NE(said("coppermoon:projection").find("north in the middle column"), std::string::npos);
-  for (const char* name : {"zenith_luminance_cd_m2", "sky_illuminance_lx", "sun_altitude_deg"})
+  for (const char* name :
+       {"zenith_luminance_cd_m2", "sky_illuminance_lx", "sun_geometric_altitude_deg"})
     EXPECT_WITHIN_RELATIVE(std::stod(said((std::string("coppermoon:") + name).c_str())),
                            figures[name].get<double>(), 1e-5, "a header's float, to six digits");
 }

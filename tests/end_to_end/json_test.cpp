@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "end_to_end/program.h"
+#include "support/csv_rows.h"
 #include "support/within.h"
 
 namespace coppermoon::end_to_end {
@@ -134,7 +135,7 @@ TEST_F(Json, SkyHasThePlacesOfMoonSunAndShadow) {
   EXPECT_WITHIN(all["axis_distance_km"].get<double>(), 0.3992 * 6378.137, 20,
                 "gamma printed to 4 digits: 0.6 km; 1 minute");
   const auto seen = said({"sky", "2008-02-21T03:26:05Z", "--at", "42.86,-73.77,100", "--json"});
-  expect_keys(seen, {"moon_ra_deg", "altitude_deg", "azimuth_deg"});
+  expect_keys(seen, {"moon_ra_deg", "altitude_deg", "geometric_altitude_deg", "azimuth_deg"});
 }
 
 TEST_F(Json, SkyHasOnlyNumbersButForTheInstant) {
@@ -162,12 +163,28 @@ TEST_F(Json, ShadowIsATableOfDistanceAndWavelength) {
 }
 
 TEST_F(Json, BrightnessHasMagnitudesLuminanceAndDanjon) {
-  const auto all = said(
-      {"brightness", "2008-02-21T03:26:05Z", "--rays", "50", "--albedo-map", "built-in", "--json"});
+  const auto all =
+      said({"brightness", "2008-02-21T03:26:05Z", "--rays", "50", "--albedo-map", "built-in",
+            "--at", "42.86,-73.77", "--json", "-o", "a.json", "-o", "a.csv"});
   expect_keys(all, {"magnitudes", "mean_luminance_cd_m2", "illuminance_lx", "danjon"});
   EXPECT_EQ(keys_of(all["magnitudes"]), Names({"B", "V", "R"}));
   EXPECT_TRUE(all["danjon"].is_number());
   EXPECT_GT(all["mean_luminance_cd_m2"], 0);
+  auto file = json::parse(text_of(here("a.json")));
+  file["files"] = {"a.json", "a.csv"};
+  EXPECT_EQ(file, all);
+  const auto rows = csv_rows(text_of(here("a.csv")));
+  ASSERT_EQ(rows.size(), 2U) << "above the air, and as seen";
+  EXPECT_EQ(rows[0].at("instant"), "2008-02-21T03:26:05Z");
+  EXPECT_EQ(rows[0].at("altitude_deg"), "");
+  EXPECT_EQ(std::stod(rows[1].at("altitude_deg")), all["seen"]["altitude_deg"]);
+  EXPECT_EQ(std::stod(rows[0].at("V_magnitude")), all["magnitudes"]["V"]);
+  EXPECT_EQ(std::stod(rows[1].at("V_magnitude")), all["seen"]["magnitudes"]["V"]);
+  const auto calendar = coppermoon({"brightness", "2008-02-21T03:26:05Z", "-o", "a.ics"});
+  EXPECT_EQ(
+      calendar.err,
+      "coppermoon: --output: night and almanac write calendars (.ics); brightness writes .csv "
+      "for a table; .json for a JSON document\n");
 }
 
 TEST_F(JsonThoroughly, BrightnessOfTheFullMoonIsTheBooks) {
@@ -212,11 +229,10 @@ TEST_F(Json, ListsTheStarsOfAnObserversSky) {
   const auto outcome = coppermoon(sky + Words{"--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto said = nlohmann::json::parse(outcome.out);
-  EXPECT_GT(said["apparent_altitude_deg"], said["altitude_deg"]) << "raised by refraction";
+  EXPECT_GT(said["altitude_deg"], said["geometric_altitude_deg"]) << "raised by refraction";
   ASSERT_EQ(said["stars"].size(), 1U) << "Mars; Venus has set";
   const auto& mars = said["stars"][0];
-  const double up =
-      mars["altitude_deg"].get<double>() - said["apparent_altitude_deg"].get<double>();
+  const double up = mars["altitude_deg"].get<double>() - said["altitude_deg"].get<double>();
   EXPECT_LT(std::abs(up), 7) << "degrees";
   const double lux = 0.2126 * mars["illuminance_lux"][0].get<double>() +
                      0.7152 * mars["illuminance_lux"][1].get<double>() +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Nights under an eclipse, as `night` plans them and `almanac` lists them.
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "end_to_end/program.h"
 #include "support/csv_rows.h"
@@ -32,9 +33,10 @@ class Night : public ProgramTest {
         EXPECT_WITHIN(std::stod(row.at(angle)), moment[angle].get<double>(), 6e-4,
                       "three decimals");
       for (const char* light : {"V_magnitude", "mean_luminance_cd_m2", "faintest_star"}) {
-        EXPECT_EQ(row.at(light).empty(), !moment.contains(light)) << light << " of " << moment;
-        if (!moment.contains(light)) continue;
-        const double number = moment[light];
+        const auto told = moment.value(light, nlohmann::json());
+        EXPECT_EQ(row.at(light).empty(), told.is_null()) << light << " of " << moment;
+        if (told.is_null()) continue;
+        const double number = told;
         EXPECT_WITHIN(std::stod(row.at(light)), number, 6e-3 + 1e-5 * std::abs(number),
                       "two decimals, or six digits");
       }
@@ -43,13 +45,17 @@ class Night : public ProgramTest {
 };
 
 TEST_F(Night, IsToldInATableADocumentAndFiles) {
-  const auto table = coppermoon(night({"--at", "London", "-o", "night.ics"}));
+  const auto table =
+      coppermoon(night({"--at", "London", "--focal-length", "600", "-o", "night.ics"}));
   expect_done(table);
   EXPECT_NE(table.out.find("Total eclipse of the Moon, 2018-07-27\nLondon: The Moon rises"),
             std::string::npos)
       << table.out;
   EXPECT_NE(table.out.find("Exposure times at f/12.1, ISO 800"), std::string::npos);
-  EXPECT_TRUE(table.out.ends_with("\n\nnight.ics\n")) << "below the table, what was written";
+  EXPECT_TRUE(
+      table.out.ends_with("\n\nWithout a mount that follows it, the Moon trails by two pixels in "
+                          "1/4.9 s.\n\nnight.ics\n"))
+      << "below the table, what was written";
   const auto files = coppermoon(night({"--at", "51.5,-0.1", "--f-number", "8", "--csv", "-o",
                                        "a.ics", "-o", "a.csv", "-o", "a.json"}));
   expect_done(files);
@@ -81,14 +87,32 @@ TEST_F(Night, IsToldInATableADocumentAndFiles) {
   for (const auto& moment : document["moments"])
     EXPECT_EQ(moment["up"].get<bool>(), moment["utc"] >= "2018-07-27T19:49") << moment;
   expect_rows_of(document["moments"], csv_rows(csv));
+  EXPECT_TRUE(document["moments"][0]["faintest_star"].is_null()) << "P1: before sunset";
+  EXPECT_GT(document["moments"][7]["faintest_star"], 2);
+}
+
+TEST_F(Night, BeforeTheFirstYearIsATableButNoCalendar) {
+  const Words ancient{
+      "night",           "-0567-07-04", "--calendar", "julian", "--at",    "Baghdad",
+      "--danjon-spread", "off",         "--rays",     "30",     "--bands", "6",
+      "--atmosphere",    "undated",     "-o",         "b.csv"};
+  EXPECT_EQ(coppermoon(ancient + Words{"-o", "b.ics"}).err,
+            "coppermoon: eclipse of -0567-07-04: iCalendar has no years before 1, allowed .csv or "
+            ".json\n");
+  EXPECT_EQ(listing(), std::set<std::string>{}) << "refused before anything is written";
+  expect_done(coppermoon(ancient));
+  for (const auto& row : csv_rows(text_of(here("b.csv"))))
+    for (const char* time : {"utc", "local"})
+      EXPECT_TRUE(row.at(time).starts_with("-0567-07-04T")) << row.at(time);
 }
 
 TEST_F(Night, OfNoPlaceOrOfAnotherFileIsRefused) {
   EXPECT_EQ(coppermoon({"night", "2018-07-27"}).err,
             "coppermoon: --at: missing; a place is needed, as Honolulu\n");
-  EXPECT_EQ(
-      coppermoon({"night", "2018-07-27", "--at", "London", "-o", "a.gif"}).err,
-      "coppermoon: a.gif: night writes .ics, .csv and .json, and its map as .png, .svg or .pdf\n");
+  EXPECT_EQ(coppermoon({"night", "2018-07-27", "--at", "London", "-o", "a.gif"}).err,
+            "coppermoon: a.gif: allowed .ics for a calendar; .csv for the moments; .json for the "
+            "moments and "
+            "the exposures; .png, .svg, .pdf for a map of where the eclipse is seen\n");
   EXPECT_NE(coppermoon({"night", "2018-07-27", "--at", "London", "--zone", "Moon/Tycho"})
                 .err.find("time zone = Moon/Tycho: not in this system's zoneinfo"),
             std::string::npos);
@@ -114,6 +138,51 @@ TEST_F(Night, OfTheAlmanacSaysWhichContactsAreSeen) {
   EXPECT_EQ(listed[0]["calendar"], "julian");
   EXPECT_EQ(listed[0]["contacts"]["P1"].get<std::string>().substr(0, 10), "1504-02-29");
   EXPECT_EQ(listed[0]["contacts"]["U2"].get<std::string>().substr(0, 10), "1504-03-01");
+}
+
+using AlmanacFiles = ProgramTest;
+
+TEST_F(AlmanacFiles, HoldWhatIsPrinted) {
+  const Words almanac{"almanac", "2018", "--at", "London"};
+  const auto table = coppermoon(almanac + Words{"-o", "a.csv", "-o", "a.json", "-o", "a.ics"});
+  expect_done(table);
+  EXPECT_NE(table.out.find("2018-07-27T20:21:45Z total"), std::string::npos) << table.out;
+  EXPECT_TRUE(table.out.ends_with("\n\na.csv\na.json\na.ics\n"));
+  EXPECT_EQ(coppermoon(almanac + Words{"--csv"}).out, text_of(here("a.csv")));
+  EXPECT_EQ(coppermoon({"almanac", "--year", "2018", "--at", "London", "--json"}).out,
+            text_of(here("a.json")));
+  EXPECT_EQ(csv_rows(text_of(here("a.csv"))).size(), 2U) << "31 January and 27 July";
+  const auto calendar = text_of(here("a.ics"));
+  EXPECT_NE(calendar.find("UID:2018-07-27-eclipse+51.5"), std::string::npos) << calendar;
+  EXPECT_NE(calendar.find("LOCATION:London\r\n"), std::string::npos);
+}
+
+TEST_F(AlmanacFiles, AreRefusedWhereTheyCannotBe) {
+  EXPECT_EQ(coppermoon({"almanac", "2018", "-o", "a.txt"}).err,
+            "coppermoon: a.txt: allowed .ics for a calendar; .csv for a table; .json for a JSON "
+            "document\n");
+  EXPECT_NE(coppermoon({"almanac", "-600", "-o", "a.csv", "-o", "a.ics"})
+                .err.find("iCalendar has no years before 1"),
+            std::string::npos);
+  EXPECT_EQ(coppermoon({"almanac", "3001"}).err,
+            "coppermoon: year = 3001, allowed -1999 to 3000\n");
+  EXPECT_EQ(coppermoon({"almanac", "2018", "--from", "2018-01-01"}).status, 2);
+  EXPECT_EQ(listing(), std::set<std::string>{});
+}
+
+TEST_F(AlmanacFiles, KeepTheirColumnsApartInYearsWithASign) {
+  const auto list = coppermoon({"almanac", "--year", "-600", "--calendar", "julian"});
+  expect_done(list);
+  std::istringstream lines(list.out);
+  std::string line;
+  std::getline(lines, line);
+  const auto type = line.find("type");
+  for (int rows = 0; rows < 2; ++rows) {
+    std::getline(lines, line);
+    EXPECT_TRUE(line.starts_with("-0600-")) << line;
+    EXPECT_EQ(line[type - 1], ' ') << line;
+    EXPECT_EQ(line.substr(type, 1), "p") << line;
+  }
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ def moon_at(time):
     name = os.path.join(os.path.dirname(path), f"moon_lin_rec709.{int(time):04d}.exr")
     said = subprocess.run([program, "sky", name, "--at", "Nairobi", "--json"], check=True, capture_output=True)
     sky = json.loads(said.stdout)
-    return sky["altitude_deg"], sky["azimuth_deg"]
+    return sky["geometric_altitude_deg"], sky["azimuth_deg"]
 
 
 for time in (first, last):

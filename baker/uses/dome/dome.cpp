@@ -285,7 +285,7 @@ Dome dome_over(const DomeRequest& request, const LitMoon& moon, const ViewReques
                   {"moon_illuminance_lx", colour::luminance(picture_space, over.lux)},
                   {"moon_altitude_deg", algebra::in_degrees(over.place.altitude)},
                   {"moon_azimuth_deg", algebra::in_degrees(over.place.azimuth)},
-                  {"sun_altitude_deg", algebra::in_degrees(sky.sun_altitude())},
+                  {"sun_geometric_altitude_deg", algebra::in_degrees(sky.sun_altitude())},
                   {"extinction_mag", sky.extinction_mag()}};
   dome.attributes = header(request, moon, view, dome.figures);
   const auto space = space_of(request.content);

@@ -34,7 +34,7 @@ struct Dome {
   texture::Attributes attributes;  ///< for a file's header
   /// By name: zenith_luminance_cd_m2 (without stars), sky_illuminance_lx (of the sky and the stars on level ground, without the
   /// Moon itself), moon_illuminance_lx (on a surface that faces the Moon), moon_altitude_deg, moon_azimuth_deg (as
-  /// seen), sun_altitude_deg (airless), extinction_mag
+  /// seen), sun_geometric_altitude_deg (airless), extinction_mag
   std::vector<std::pair<std::string, double>> figures;
 };
 

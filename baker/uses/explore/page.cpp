@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "almanac/calendar.h"
 #include "explore/tables.h"
 #include "uses/explore/exploration.h"
 
@@ -57,7 +58,7 @@ std::string calendar_page(const std::vector<eclipse::Eclipse>& eclipses,
                           const std::vector<std::string>& pages) {
   std::string rows;
   for (std::size_t i = 0; i < eclipses.size(); ++i) {
-    const auto when = almanac::utc_text(eclipses[i].greatest);
+    const auto when = almanac::utc_text(almanac::to_the_minute(eclipses[i].greatest));
     rows += fmt::format(
         "<tr><td><a href=\"{}\">{}</a></td><td>{}</td><td>{}</td><td>{:.2f}</td></tr>\n", pages[i],
         when.substr(0, when.find('T')), when.substr(when.find('T') + 1, 5), name(eclipses[i].type),

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
+
+#include "algebra/error.h"
+#include "almanac/calendar.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -45,10 +47,19 @@ std::string escaped(const std::string& text) {
   return value;
 }
 
-/// Fields that all events of a file share.
+/// Fields that all events of a file share; without a place, two are empty.
 struct Shared {
   std::string place, coordinates, made;
 };
+
+Shared shared_by(const std::optional<almanac::Observer>& place, const std::string& place_name,
+                 const almanac::Instant& made) {
+  if (!place) return {{}, {}, stamp(made)};
+  return {place_name,
+          fmt::format("{:+.4f}{:+.4f}", algebra::in_degrees(place->latitude),
+                      algebra::in_degrees(place->longitude)),
+          stamp(made)};
+}
 
 /// Event; without an end, of no length.
 std::string event(const Shared& shared, const std::string& id, const almanac::Instant& from,
@@ -57,7 +68,8 @@ std::string event(const Shared& shared, const std::string& id, const almanac::In
   return line("BEGIN:VEVENT") + line(fmt::format("UID:{}{}@coppermoon", id, shared.coordinates)) +
          line("DTSTAMP:" + shared.made) + line("DTSTART:" + stamp(from)) +
          (to ? line("DTEND:" + stamp(*to)) : "") + line("SUMMARY:" + escaped(title)) +
-         line("DESCRIPTION:" + escaped(text)) + line("LOCATION:" + escaped(shared.place)) +
+         line("DESCRIPTION:" + escaped(text)) +
+         (shared.place.empty() ? "" : line("LOCATION:" + escaped(shared.place))) +
          line("END:VEVENT");
 }
 
@@ -71,20 +83,53 @@ const char* meaning(const std::string& name) {
   return "the Moon leaves the penumbra";
 }
 
+/// Event of a whole eclipse.
+std::string event(const Shared& shared, const eclipse::Eclipse& eclipse, const std::string& text) {
+  return event(shared, almanac::date_text(eclipse.greatest) + "-eclipse", *eclipse.contacts.P1,
+               *eclipse.contacts.P4, title(eclipse), text);
+}
+
+std::string beginning() {
+  return line("BEGIN:VCALENDAR") + line("VERSION:2.0") + line("PRODID:-//coppermoon//night//EN") +
+         line("CALSCALE:GREGORIAN");
+}
+
+std::string in_a_sentence(const eclipse::Eclipse& eclipse) {
+  return fmt::format("Greatest at {} UTC, umbral magnitude {:.2f}.",
+                     almanac::time_of_day_text(eclipse.greatest), eclipse.umbral_magnitude);
+}
+
 }  // namespace
+
+void require_in_calendars(const std::vector<eclipse::Eclipse>& eclipses) {
+  if (eclipses.empty())
+    throw algebra::Error("no eclipse: a calendar has an event at least, allowed .csv or .json");
+  for (const auto& each : eclipses)
+    if (const auto first = almanac::utc_text(*each.contacts.P1);
+        first.starts_with('-') || first.starts_with("0000"))
+      throw algebra::Error(
+          fmt::format("eclipse of {}: iCalendar has no years before 1, allowed .csv or .json",
+                      almanac::date_text(each.greatest, each.calendar)));
+}
+
+std::string as_calendar(const std::vector<eclipse::Eclipse>& eclipses,
+                        const std::optional<almanac::Observer>& place,
+                        const std::string& place_name, const almanac::Instant& made) {
+  require_in_calendars(eclipses);
+  const auto shared = shared_by(place, place_name, made);
+  auto text = beginning();
+  for (const auto& each : eclipses)
+    text += event(shared, each,
+                  place ? what_is_seen(circumstances(each, *place)) : in_a_sentence(each));
+  return text + line("END:VCALENDAR");
+}
 
 std::string as_calendar(const Circumstances& night, const std::string& place_name,
                         const almanac::Instant& made) {
-  const auto& contacts = night.eclipse.contacts;
-  const auto day = almanac::utc_text(night.eclipse.greatest).substr(0, 10);
-  const Shared shared{place_name,
-                      fmt::format("{:+.4f}{:+.4f}", algebra::in_degrees(night.place.latitude),
-                                  algebra::in_degrees(night.place.longitude)),
-                      stamp(made)};
-  std::string text = line("BEGIN:VCALENDAR") + line("VERSION:2.0") +
-                     line("PRODID:-//coppermoon//night//EN") + line("CALSCALE:GREGORIAN");
-  text += event(shared, day + "-eclipse", *contacts.P1, *contacts.P4, title(night.eclipse),
-                what_is_seen(night));
+  require_in_calendars({night.eclipse});
+  const auto day = almanac::date_text(night.eclipse.greatest);
+  const auto shared = shared_by(night.place, place_name, made);
+  auto text = beginning() + event(shared, night.eclipse, what_is_seen(night));
   for (const auto& moment : night.moments) {
     if (!moment.up || moment.name.starts_with("moon")) continue;
     const auto where = fmt::format("The Moon is {:.0f} degrees high, in azimuth {:.0f}.",

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <utility>
 
+#include "algebra/error.h"
 #include "eclipse/shadow_axis.h"
 #include "texture/resize.h"
 #include "uses/light/photometric_bands.h"
@@ -86,8 +87,8 @@ std::vector<Patch> in_umbra(const std::vector<Patch>& disc, double brightest) {
 /// Exposure times at a camera's f-number and speed.
 class Exposer {
  public:
-  Exposer(const ViewRequest& view, const Development& development)
-      : view_(view), development_(development) {
+  Exposer(const ViewRequest& view, const Development& development, double longest_s)
+      : view_(view), development_(development), longest_s_(longest_s) {
     development_.time = {ExposureTime::Rule::fixed, 1};
     const texture::Image nothing(1, 1, {"R", "G", "B"});
     const auto second =
@@ -98,8 +99,11 @@ class Exposer {
 
   double f_number() const { return f_number_; }
 
-  double time_s(double luminance_cd_m2, double level, const almanac::SkyState& sky) const {
-    return level / (luminance_cd_m2 * transmittance(sky) * per_second_);
+  /// None where it would be longer than the longest.
+  std::optional<double> time_s(double luminance_cd_m2, double level,
+                               const almanac::SkyState& sky) const {
+    const double time = level / (luminance_cd_m2 * transmittance(sky) * per_second_);
+    return time <= longest_s_ ? std::optional(time) : std::nullopt;
   }
 
  private:
@@ -115,7 +119,7 @@ class Exposer {
 
   ViewRequest view_;
   Development development_;
-  double per_second_ = 1, f_number_ = 1;
+  double longest_s_, per_second_ = 1, f_number_ = 1;
 };
 
 PhaseExposure exposure_of(const MoonSurvey& survey, const Exposer& exposer,
@@ -123,12 +127,13 @@ PhaseExposure exposure_of(const MoonSurvey& survey, const Exposer& exposer,
   const auto sky = almanac::sky_at(when);
   const auto disc = patches_of(survey.texture(sky), sky);
   const double brightest = quantile(disc, 1 - brighter_share);
-  PhaseExposure exposure{phase, when, {}, {}};
-  if (brightest > 0) exposure.lit_s = exposer.time_s(brightest, lit_level, sky);
+  PhaseExposure exposure{phase, when, exposer.time_s(brightest, lit_level, sky)};
+  exposure.too_dark = !exposure.lit_s;
   const auto dark = in_umbra(disc, brightest);
-  if (static_cast<double>(dark.size()) > least_umbra_share * static_cast<double>(disc.size()))
-    if (const double median = quantile(dark, 0.5); median > 0)
-      exposure.shadow_s = exposer.time_s(median, umbra_level, sky);
+  if (static_cast<double>(dark.size()) > least_umbra_share * static_cast<double>(disc.size())) {
+    exposure.shadow_s = exposer.time_s(quantile(dark, 0.5), umbra_level, sky);
+    exposure.too_dark |= !exposure.shadow_s;
+  }
   return exposure;
 }
 
@@ -136,9 +141,10 @@ NightLight light_at(const MoonSurvey& survey, const NightMoment& moment,
                     const almanac::Observer& place, const atmosphere::ObserverAir& air) {
   const auto sky = almanac::sky_at(moment.when);
   const auto disc = survey.brightness(sky);
-  const double V = disc.magnitudes[V_band];
+  const double V = disc.magnitudes[V_band],
+               star = faintest_star(ClearSky(place, sky, air, V).zenith_cd_m2());
   return {moment.name, moment.when, V, disc.mean_luminance_cd_m2,
-          faintest_star(ClearSky(place, sky, air, V).zenith_cd_m2())};
+          star > 0 ? std::optional(star) : std::nullopt};
 }
 
 /// Share of the Moon's diameter in the umbra, by the axis distance since U1.
@@ -239,7 +245,8 @@ NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
   const auto light = light_on_the_way(moon.light, moon_on_its_way(moon.light, skies),
                                       {.error_told = false}, part_of(progress, 0, done));
   const MoonSurvey survey(moon, albedo, light);
-  const Exposer exposer(view, development);
+  const auto& contacts = night.eclipse.contacts;
+  const Exposer exposer(view, development, almanac::seconds_between(*contacts.P1, *contacts.P4));
   NightLights lights{.f_number = exposer.f_number(), .iso = development.iso};
   if (night.eclipse.contacts.U2)
     lights.V_error = totality_error_mag(moon.light.air, almanac::year_of(night.eclipse.greatest));
@@ -271,6 +278,19 @@ double camera_time_s(double seconds) {
   for (const double part : parts) try_time(1 / part);
   for (const double time : whole) try_time(time);
   return best;
+}
+
+double trailing_time_s(const Circumstances& night, double focal_length_mm, double trail_um) {
+  algebra::require_within("focal length [mm]", focal_length_mm, 1, 1e6);
+  constexpr double seconds = 60;
+  const auto toward_moon = [&](const Instant& when) {
+    const auto moon = apparent_place(night.place, almanac::sky_at(when));
+    return in_sky(moon.altitude, moon.azimuth);
+  };
+  const auto& greatest = night.eclipse.greatest;
+  const double turned =
+      glm::distance(toward_moon(greatest), toward_moon(almanac::later(greatest, seconds)));
+  return trail_um * 1e-3 / (focal_length_mm * turned / seconds);
 }
 
 }  // namespace coppermoon::uses

@@ -16,17 +16,19 @@ namespace coppermoon::uses {
 struct NightLight {
   std::string name;  ///< of the contact
   almanac::Instant when;
-  double V_magnitude;           ///< of the whole Moon, above the air
-  double mean_luminance_cd_m2;  ///< of the disc, above the air
-  double faintest_star;         ///< V magnitude, for the naked eye under the sky of the place
+  double V_magnitude;                   ///< of the whole Moon, above the air
+  double mean_luminance_cd_m2;          ///< of the disc, above the air
+  std::optional<double> faintest_star;  ///< V magnitude, for the naked eye under the sky of the
+                                        ///< place; none where a star of magnitude 0 is not seen
 };
 
 /// Exposure times for a phase of the eclipse.
 struct PhaseExposure {
   std::string phase;  ///< "full Moon", "partial, half", "middle of totality, L = 2"
   almanac::Instant when;
-  std::optional<double> lit_s;     ///< for the part outside the umbra; in totality for the disc
-  std::optional<double> shadow_s;  ///< for the part in the umbra, during the partial phase
+  std::optional<double> lit_s{};     ///< for the part outside the umbra; in totality for the disc
+  std::optional<double> shadow_s{};  ///< for the part in the umbra, during the partial phase
+  bool too_dark = false;  ///< a part has no time, as it would be longer than the whole eclipse
 };
 
 /// Brightness and exposure times of an eclipse.
@@ -53,5 +55,13 @@ NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
 
 /// Nearest time of those that cameras mark in thirds of a stop, 1/8000 to 30 s; a time above 34 s as it is.
 double camera_time_s(double seconds);
+
+/// Time in which the Moon at greatest eclipse trails across the sensor of a camera that does not follow it [s].
+///
+///     t = trail / (focal length · the Moon's angular speed in the place's sky)
+///
+/// Given   trail_um  length of the trail on the sensor
+/// Throws  Error     when the focal length is outside 1 to 1e6 mm
+double trailing_time_s(const Circumstances& night, double focal_length_mm, double trail_um);
 
 }  // namespace coppermoon::uses

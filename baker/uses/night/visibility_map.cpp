@@ -95,7 +95,8 @@ std::vector<PlotCurve> curves(const eclipse::Eclipse& eclipse,
         {curve_rows(horizon_circle(when, 361)),
          fmt::format("lines lw 2 lc rgb '{}'",
                      colours[contacts.size() == 7 ? i : (i * 6) / (contacts.size() - 1)]),
-         fmt::format("{} {}", name, almanac::time_of_day_text(when).substr(0, 5))});
+         fmt::format("{} {}", name,
+                     almanac::time_of_day_text(almanac::to_the_minute(when)).substr(0, 5))});
   }
   if (place)
     curves.push_back({fmt::format("{:.3f},{:.3f}\n", algebra::in_degrees(place->longitude),

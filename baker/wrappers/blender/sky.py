@@ -18,7 +18,7 @@ NONE = -5  # brighter than any star
 
 def direction(place):
     """Unit vector to a place of the program's [degrees]."""
-    altitude = math.radians(place.get("apparent_altitude_deg", place["altitude_deg"]))
+    altitude = math.radians(place["altitude_deg"])
     azimuth = math.radians(place["azimuth_deg"])
     return Vector((math.cos(altitude) * math.sin(azimuth), math.cos(altitude) * math.cos(azimuth), math.sin(altitude)))
 

@@ -30,5 +30,15 @@ TEST(Calendar, HasDateAndTimeOfDayInYearsOfAnySign) {
   }
 }
 
+TEST(Calendar, RoundsToTheNearestMinute) {
+  const auto rounded = [](const char* utc) {
+    return utc_text(to_the_minute(instant_from_utc(utc)));
+  };
+  EXPECT_EQ(rounded("2026-03-03T18:11:49Z"), "2026-03-03T18:12:00Z");
+  EXPECT_EQ(rounded("2026-03-03T18:11:29Z"), "2026-03-03T18:11:00Z");
+  EXPECT_EQ(rounded("2018-12-31T23:59:30Z"), "2019-01-01T00:00:00Z") << "the date follows";
+  EXPECT_EQ(rounded("-0584-05-22T15:07:31Z"), "-0584-05-22T15:08:00Z");
+}
+
 }  // namespace
 }  // namespace coppermoon::almanac

@@ -94,7 +94,7 @@ TEST(Dome, IsFiniteAtAllAltitudesOfSunAndMoon) {
       const auto dome =
           dome_over({.width = 64, .moon = true, .ground_albedo = 0.3}, *moon, from(place, true));
       expect_light(dome.light);
-      const double sun = figure(dome, "sun_altitude_deg");
+      const double sun = figure(dome, "sun_geometric_altitude_deg");
       EXPECT_EQ(figure(dome, "zenith_luminance_cd_m2") > 10, sun > -3) << sun;
     }
 }

@@ -9,6 +9,7 @@
 
 #include "algebra/error.h"
 #include "almanac/gazetteer.h"
+#include "eclipse/sky_columns.h"
 #include "support/within.h"
 #include "uses/night/calendar_file.h"
 #include "uses/picture/local_time.h"
@@ -75,6 +76,9 @@ TEST(Circumstances, TheLimbStandsInTheHorizonAtRise) {
                           std::asin(almanac::lunar_radius / view.moon_distance) * 57.29578;
   const double lowered_deg = 2.12 / 60 * std::sqrt(algebra::in_metres(night.place.elevation));
   EXPECT_WITHIN(limb_deg, -34. / 60 - lowered_deg, 1e-4, "degrees: 0.02 s of the Moon's way");
+  EXPECT_EQ(std::string(eclipse::view_columns()[0].name), "altitude_deg");
+  EXPECT_WITHIN(eclipse::view_columns()[0].value(view), algebra::in_degrees(rise.moon.altitude),
+                1e-9, "`sky` has the same altitude as `night`: rounding");
   EXPECT_FALSE(moment(night, "U1").up);
   EXPECT_TRUE(moment(night, "greatest").up);
 }
@@ -220,6 +224,53 @@ TEST(CalendarFile, HasAnEndForTheEclipseAloneAndNamesOfItsPlace) {
   names.insert(names.end(), others.begin(), others.end());
   EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size())
       << "a calendar takes the second event of one name for the first, changed";
+}
+
+/// Refusal of a calendar file, else the file.
+template <class... Arguments>
+std::string calendar_or_refusal(const Arguments&... arguments) {
+  try {
+    return as_calendar(arguments..., made_then);
+  } catch (const algebra::Error& error) {
+    return error.what();
+  }
+}
+
+TEST(CalendarFile, OfSomeEclipsesHasAnEventEach) {
+  const auto place = almanac::city_named("London")->place;
+  const std::vector eclipses{eclipse_of("2018-01-31"), eclipse_of("2018-07-27")};
+  const auto seen = calendar_or_refusal(eclipses, std::optional(place), std::string("London"));
+  const auto of_a_night = as_calendar(at("2018-07-27", "London"), "London", made_then);
+  ASSERT_EQ(values_of(seen, "UID").size(), 2U);
+  EXPECT_EQ(values_of(seen, "UID")[1], values_of(of_a_night, "UID")[0])
+      << "a night's file replaces the event of the list";
+  EXPECT_TRUE(values_of(seen, "DTEND")[1].starts_with("20180727T2328")) << "Espenak: 23:28:37";
+  const auto nowhere =
+      calendar_or_refusal(eclipses, std::optional<almanac::Observer>(), std::string());
+  EXPECT_EQ(values_of(nowhere, "UID")[1], "2018-07-27-eclipse@coppermoon");
+  EXPECT_EQ(values_of(nowhere, "DESCRIPTION")[1],
+            "Greatest at 20:21:45 UTC\\, umbral magnitude 1.61.");
+  EXPECT_TRUE(values_of(nowhere, "LOCATION").empty());
+  EXPECT_EQ(calendar_or_refusal(std::vector<eclipse::Eclipse>(), std::optional(place),
+                                std::string("London")),
+            "no eclipse: a calendar has an event at least, allowed .csv or .json");
+}
+
+TEST(CalendarFile, HasNoYearsBeforeTheFirst) {
+  auto ancient = eclipse_of("-0567-06-28");
+  ancient.calendar = almanac::Calendar::julian;
+  const auto night = circumstances(ancient, almanac::city_named("Baghdad")->place);
+  EXPECT_EQ(calendar_or_refusal(night, std::string("Baghdad")),
+            "eclipse of -0567-07-04: iCalendar has no years before 1, allowed .csv or .json");
+  EXPECT_EQ(
+      calendar_or_refusal(std::vector{ancient}, std::optional(night.place), std::string("Baghdad")),
+      calendar_or_refusal(night, std::string("Baghdad")));
+  const auto contact = [&](const char* utc) {
+    ancient.contacts.P1 = almanac::instant_from_utc(utc);
+    return std::vector{ancient};
+  };
+  EXPECT_THROW(require_in_calendars(contact("0000-12-31T23:59:00Z")), algebra::Error);
+  EXPECT_NO_THROW(require_in_calendars(contact("0001-01-01T00:01:00Z")));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <vector>
 
+#include "algebra/error.h"
 #include "almanac/gazetteer.h"
 #include "support/within.h"
 
@@ -78,10 +79,10 @@ TEST(NightLight, TheMoonIsBrightestOutsideTheShadow) {
                 "mag: a full Moon near apogee, Allen's -12.73 at mean distance");
   for (const auto& moment : moments) {
     EXPECT_GE(moment.V_magnitude, moments.front().V_magnitude - 0.05) << moment.name;
-    EXPECT_GT(moment.faintest_star, 2) << moment.name;
-    EXPECT_LT(moment.faintest_star, 7) << moment.name;
+    EXPECT_GT(moment.faintest_star.value(), 2) << moment.name;
+    EXPECT_LT(moment.faintest_star.value(), 7) << moment.name;
   }
-  EXPECT_GT(moments[3].faintest_star, moments.front().faintest_star + 1.5) << "stars come out";
+  EXPECT_GT(*moments[3].faintest_star, *moments.front().faintest_star + 1.5) << "stars come out";
 }
 
 TEST(NightLight, ProgressIsToldThroughoutDanjonsScale) {
@@ -91,6 +92,39 @@ TEST(NightLight, ProgressIsToldThroughoutDanjonsScale) {
     const auto near = [&](double fraction) { return std::abs(fraction - end) < 1e-6; };
     EXPECT_TRUE(std::ranges::any_of(fractions_told, near)) << end;
   }
+}
+
+/// In April 2015 the Moon's limb was a hundred kilometres within the umbra: its edge is lit in air of any Danjon number,
+/// its middle not at all. In London it was noon.
+TEST(NightLight, HasNoTimeLongerThanTheEclipseAndNoStarByDay) {
+  const auto eclipse = *eclipse::eclipse_of_day(almanac::instant_from_utc("2015-04-04"),
+                                                eclipse::ShadowConvention::danjon);
+  const auto place = almanac::city_named("London")->place;
+  MoonRequest moon{.albedo_map = "built-in"};
+  moon.light.wish.tolerance = 0.1;
+  moon.light.air.column.danjon = 0;
+  const auto lights =
+      night_lights(circumstances(eclipse, place), moon, {.observer = place}, {}, false);
+  const auto& middle = lights.exposures.back();
+  ASSERT_EQ(middle.phase, "middle of totality");
+  EXPECT_TRUE(middle.lit_s.has_value());
+  EXPECT_FALSE(middle.shadow_s.has_value());
+  EXPECT_TRUE(middle.too_dark);
+  EXPECT_FALSE(lights.exposures.front().too_dark) << "a full Moon has no part in the umbra";
+  for (const auto& moment : lights.moments) EXPECT_FALSE(moment.faintest_star) << moment.name;
+}
+
+TEST(TrailingTime, IsThatOfTheSkysRotation) {
+  const auto eclipse = *eclipse::eclipse_of_day(almanac::instant_from_utc("2018-07-27"),
+                                                eclipse::ShadowConvention::danjon);
+  const auto night = circumstances(eclipse, almanac::city_named("Nairobi")->place);
+  // at a declination of -19 degrees stars go by 15.04 cos 19 = 14.22 arcseconds in a second, and the Moon falls behind
+  // by 0.5, less what Nairobi's own way of 0.46 km/s at 400 000 km takes off: 0.2
+  const double arcsec = 14.22 - 0.5 + 0.2;
+  EXPECT_WITHIN(trailing_time_s(night, 600, 10), 0.01 / (600 * arcsec / 206265), 0.005,
+                "the Moon's own way to 0.2 arcseconds: 2 %");
+  EXPECT_WITHIN_RELATIVE(trailing_time_s(night, 300, 5), trailing_time_s(night, 600, 10), 1e-9, "");
+  EXPECT_THROW(trailing_time_s(night, 0.5, 10), algebra::Error);
 }
 
 TEST(CameraTime, IsTheNearestThatACameraHas) {

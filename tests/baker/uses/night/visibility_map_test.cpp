@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 #include "algebra/error.h"
 #include "support/within.h"
@@ -22,13 +25,16 @@ TEST(VisibilityMap, TheMoonIsInTheHorizonAllAlongTheCircle) {
   }
 }
 
-TEST(VisibilityMap, EndsInWhatGnuplotDraws) {
+TEST(VisibilityMap, IsDrawnByGnuplotWithTimesToTheMinute) {
   const auto eclipse = *eclipse::eclipse_of_day(almanac::instant_from_utc("2018-07-27"),
                                                 eclipse::ShadowConvention::danjon);
   EXPECT_THROW(write_visibility_map("a.jpg", eclipse), algebra::Error);
   const auto file = std::filesystem::temp_directory_path() / "coppermoon_map_test.svg";
   write_visibility_map(file, eclipse);
   EXPECT_GT(std::filesystem::file_size(file), 50000U) << "coastlines alone are 5000 points";
+  std::ifstream in(file);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_NE(text.find("greatest 20:22"), std::string::npos) << "20:21:45, rounded";
   std::filesystem::remove(file);
 }
 

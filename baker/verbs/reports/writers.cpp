@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/reports/writers.h"
+
+#include <fmt/chrono.h>
+
+#include <ctime>
+
+#include "verbs/reports/one_line.h"
+
+namespace coppermoon::verbs {
+
+bool has_ending(const std::vector<std::string>& names, std::string_view ending) {
+  return std::ranges::any_of(
+      names, [&](const std::filesystem::path name) { return name.extension().string() == ending; });
+}
+
+void print_names(const std::vector<std::string>& names) {
+  if (!names.empty()) fmt::print("\n");
+  for (const auto& name : names) fmt::print("{}\n", one_line(name));
+}
+
+almanac::Instant now() {
+  return almanac::instant_from_utc(fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))));
+}
+
+}  // namespace coppermoon::verbs
