@@ -58,7 +58,8 @@ TEST_F(Outputs, OfTheShadowGoIntoFilesByTheirEnding) {
   for (const char* text : {"2018-07-27 20:21:45 UTC", "406098 km from the Earth", "standard air",
                            "edge of the umbra", "edge of the penumbra", "Moon", "450 nm"})
     EXPECT_NE(plot.find(text), std::string::npos) << text;
-  expect_refused(shadow + Words{"-o", "a.xls"}, "ends in .csv, .json, .png, .svg, .pdf");
+  expect_refused(shadow + Words{"-o", "a.xls"},
+                 "ends in .csv (numbers), .json (numbers), .png (plot), .svg (plot), .pdf (plot)");
 }
 
 TEST_F(Outputs, OfARingAreOneDocument) {
@@ -129,6 +130,13 @@ TEST_F(Outputs, OfDevelopShareOneExposure) {
   frame("other/a.exr", 1);
   expect_refused({"develop", "a.exr", "other/a.exr", "-o", "set"}, "would become one picture");
   expect_refused({"develop", "a.exr", "b.exr", "-o", "ab.png"}, "ab.png");
+  expect_refused({"develop", "a.exr", "-o", "a.gif"},
+                 "a.gif: a picture ends in .png, .jpg (8 bits, without its recipe), .avif (high "
+                 "dynamic range)");
+  done({"develop", "a.exr", "-o", "a.jpg"});
+  const auto as_jpeg = texture::read_image(here("a.jpg"));
+  for (std::size_t i = 0; i < of_one.values.size(); ++i)
+    EXPECT_WITHIN(as_jpeg.values[i], of_one.values[i], 2.01 / 255, "of quality 95, and dither");
 }
 
 TEST_F(Outputs, OfStillHoldTheirFrameInTheSpaceAskedFor) {

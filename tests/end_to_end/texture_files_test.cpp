@@ -207,7 +207,9 @@ TEST_F(TextureFiles, RefuseWhatTheyCannotHold) {
   expect_refused({"bake", instant, "--passes", "-o", "moon.tx"},
                  "passes and spectra need an output that ends in .exr");
   expect_refused({"bake", instant, "-o", "moon.exr", "-o", "moon.tiff"},
-                 "moon.tiff: a texture ends in .exr, .tx, .png, .glb, .usda, .usdz, .stellarium");
+                 "moon.tiff: a texture ends in .exr (scene-linear), .tx (scene-linear, tiled and "
+                 "mip-mapped), .png (developed), .jpg (developed, ");
+  expect_refused({"bake", instant, "-o", "st\\b.usda"}, "which USD does not find");
   expect_refused({"bake", instant, "--texture-width", "8194", "-o", "moon.glb"},
                  "moon.glb: texture width [texels] = 8194, allowed to 8192");
   expect_refused({"animate", "2018-07-27", "--make", "scenes", "--space", "acescg", "-o", "film"},
