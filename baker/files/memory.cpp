@@ -22,8 +22,8 @@ double available_memory() {
 void require_memory(std::string_view what, double bytes) {
   if (const double available = available_memory(); bytes > available)
     throw algebra::Error(
-        fmt::format("{}: takes {:.1f} GB of memory, this machine has {:.1f} GB; allowed smaller",
-                    what, bytes / 1e9, available / 1e9));
+        fmt::format("{}: takes {:.1f} GB of memory, allowed the {:.1f} GB that are free", what,
+                    bytes / 1e9, available / 1e9));
 }
 
 }  // namespace coppermoon::files

@@ -10,6 +10,7 @@
 #include "almanac/calendar.h"
 #include "eclipse/contacts.h"
 #include "files/endings.h"
+#include "files/memory.h"
 #include "files/whole_file.h"
 #include "texture/write_image.h"
 #include "uses/picture/picture_parameters.h"
@@ -47,6 +48,9 @@ void require_sound(const Options& options) {
   files::format_of(options.output, formats, "a dome");
   if (!options.view.observer) throw WrongUsage("--at: missing; a sky is seen from a place");
   uses::require_sound(options.dome);
+  constexpr double a_texel = 40;  // bytes; 14 of them in linear Rec.709, measured at 8192 columns
+  const auto width = static_cast<double>(options.dome.width);
+  files::require_memory(options.output, a_texel * width * width / 2);
   files::require_place_for(options.output);
 }
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <memory>
 
+#include "files/memory.h"
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
 #include "uses/light/header.h"
@@ -37,6 +38,8 @@ void require_sound(const Options& options) {
   require_sound(options.develop, options.output);
   files::require_temporary_folder();
   const auto& camera = options.develop.camera;
+  files::require_memory(options.output, uses::frame_memory(options.view.width, options.view.height,
+                                                           !camera.model.empty()));
   for (const std::filesystem::path& file :
        {std::filesystem::path(options.output), std::filesystem::path(options.frame), camera.raw,
         camera.photograph})

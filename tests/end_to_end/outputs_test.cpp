@@ -4,6 +4,7 @@
 
 #include "colour/working_space.h"
 #include "end_to_end/program.h"
+#include "files/memory.h"
 #include "support/csv_rows.h"
 #include "support/within.h"
 #include "texture/read_image.h"
@@ -137,6 +138,22 @@ TEST_F(Outputs, OfDevelopShareOneExposure) {
   const auto as_jpeg = texture::read_image(here("a.jpg"));
   for (std::size_t i = 0; i < of_one.values.size(); ++i)
     EXPECT_WITHIN(as_jpeg.values[i], of_one.values[i], 2.01 / 255, "of quality 95, and dither");
+}
+
+TEST_F(Outputs, ThatTakeMoreMemoryThanThereIsAreRefusedAtOnce) {
+  if (files::available_memory() > 3e11) GTEST_SKIP() << "there is as much";
+  expect_refused({"still", middle, "--width", "65535", "--height", "65535", "-o", "a.png"},
+                 "a.png: takes 322.1 GB of memory, allowed the ");
+}
+
+TEST_F(Outputs, OfAFullDiskReplaceNothing) {
+  file("p.png", "old");
+  const auto outcome = coppermoon({"shadow", middle, "--atmosphere", "paper", "-o", "p.png"},
+                                  {.file_limit = 20 << 10});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err,
+            "coppermoon: gnuplot: its file is cut off after 20480 bytes; is the disk full?\n");
+  EXPECT_EQ(text_of(here("p.png")), "old");
 }
 
 TEST_F(Outputs, OfStillHoldTheirFrameInTheSpaceAskedFor) {

@@ -221,6 +221,16 @@ TEST_F(TextureFiles, RefuseWhatTheyCannotHold) {
                  "passes need a film of textures alone, or of frames");
 }
 
+using TextureFilesThoroughly = TextureFiles;
+
+/// A developed picture of 400 MB of light is made of rows too.
+TEST_F(TextureFilesThoroughly, TakeNoMoreMemoryWhereTheyAreLarge) {
+  const auto outcome = coppermoon(
+      {"bake", partial.front(), "--unshadowed", "--texture-width", "8192", "-o", "moon.png"});
+  expect_done(outcome);
+  EXPECT_LT(outcome.most_memory_mb, 450) << "it was 1786; without any texels 187";
+}
+
 TEST_F(TextureFiles, PassesMakeUpTheWhole) {
   bake(in_the_air_of_a_month + Words{"-o", "moon.exr", "--passes", "--type", "float"});
   const auto parts = parts_of(here("moon.exr"));
