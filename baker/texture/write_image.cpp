@@ -36,8 +36,8 @@ std::string as_text(const Attribute& value) {
 
 bool is_png(const PictureFormat& format) { return std::string_view(format.name) == "png"; }
 
-void require_picture(const std::filesystem::path& path, const Layout& layout,
-                     const PictureFormat& format) {
+void require_format(const std::filesystem::path& path, const Layout& layout,
+                    const PictureFormat& format) {
   require_layout(path, layout);
   const auto kind = is_png(format) ? "PNG" : "JPEG";
   if (format.bits != 8 && !(is_png(format) && format.bits == 16))
@@ -113,7 +113,7 @@ void write_exr(const std::filesystem::path& path, const Image& image, const Attr
 
 void write_picture(const std::filesystem::path& path, const Layout& layout, const Rows& rows,
                    const PictureFormat& format, const Attributes& attributes) {
-  require_picture(path, layout, format);
+  require_format(path, layout, format);
   auto spec =
       spec_of(layout, format.bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16, {});
   if (is_png(format)) {
@@ -141,7 +141,7 @@ void write_png(const std::filesystem::path& path, const Image& image, int bits,
                const Attributes& attributes) {
   const auto layout = layout_of(path, image);
   const PictureFormat format{"png", bits};
-  require_picture(path, layout, format);
+  require_format(path, layout, format);
   const auto rows = rows_of(image);
   Source{path, layout, rows, {0, 1}}.require_all(image.values);  // before a file is begun
   write_picture(path, layout, rows, format, attributes);
