@@ -57,7 +57,7 @@ fs::path usual_cache() {
 bool is_usual_cache(const fs::path& folder) {
   try {
     std::error_code failed;
-    return fs::equivalent(folder, usual_cache(), failed);
+    return folder == usual_cache() || fs::equivalent(folder, usual_cache(), failed);
   } catch (const algebra::Error&) {
     return false;
   }
@@ -103,8 +103,9 @@ void make_private_folder(const fs::path& folder) {
     failed.assign(errno, std::generic_category());
   if (!failed && !fs::is_directory(path)) failed = std::make_error_code(std::errc::not_a_directory);
   if (failed)
-    throw algebra::Error(
-        fmt::format("{}: no folder can be made there: {}", folder.string(), failed.message()));
+    throw algebra::Error(fmt::format(
+        "{}: no folder can be made there: {}{}", folder.string(), failed.message(),
+        is_usual_cache(folder) ? "; the variable COPPERMOON_CACHE may name another" : ""));
   if (!is_own(path))
     throw algebra::Error(
         fmt::format("{}: belongs to another user, allowed a folder of your own", folder.string()));

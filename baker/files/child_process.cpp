@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "algebra/error.h"
+#include "files/file_end.h"
 
 namespace coppermoon::files {
 namespace {
@@ -159,9 +160,22 @@ void run_program(const Program& program, std::optional<int> result) {
   const auto said = all_said(words.out.number);
   require_success(program, child.status(),
                   fmt::format("{}: {}", program.words[0], first_line(said)));
+  if (result) require_whole(*result, program.words[0]);
+}
+
+void require_whole(int descriptor, const std::string& by) {
   struct stat made {};
-  if (result && (::fstat(*result, &made) != 0 || made.st_size == 0))
-    throw Error(fmt::format("{}: ended without a result", program.words[0]));
+  if (::fstat(descriptor, &made) != 0 || made.st_size == 0)
+    throw Error(fmt::format("{}: ended without a result", by));
+  if (!has_its_end(descriptor))
+    throw Error(
+        fmt::format("{}: its file is cut off after {} bytes; is the disk full?", by, made.st_size));
+}
+
+void require_whole(const std::filesystem::path& file, const std::string& by) {
+  FileDescriptor made;
+  made.number = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  require_whole(made.number, by);
 }
 
 std::string output_of(const Program& program) {

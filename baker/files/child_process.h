@@ -69,8 +69,14 @@ void start(Child& child, const Program& program, const Streams& streams);
 /// Runs a program to its end.
 ///
 /// Given   result  descriptor of the file for its standard output, 3 or above; without: /dev/null
-/// Throws  Error   as start; when it fails: its own first words; when it ends well, and the file is empty
+/// Throws  Error   as start; when it fails: its own first words; when it ends well: as require_whole
 void run_program(const Program& program, std::optional<int> result = {});
+
+/// Refuses a file that a program left empty or cut off (has_its_end), whatever its exit status says.
+///
+/// Given  by  name of the program
+void require_whole(int descriptor, const std::string& by);
+void require_whole(const std::filesystem::path& file, const std::string& by);
 
 /// Runs a program to its end.
 ///

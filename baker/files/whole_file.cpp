@@ -95,9 +95,9 @@ class TemporaryFile {
 
 /// Final path of a file: links resolved, folder made explicit.
 fs::path destination(const fs::path& path) {
-  if (path.filename().empty() || fs::is_directory(path)) throw cannot_write(path, EISDIR);
   std::error_code failed;
-  auto resolved = fs::weakly_canonical(fs::absolute(path), failed);
+  if (path.filename().empty() || fs::is_directory(path, failed)) throw cannot_write(path, EISDIR);
+  auto resolved = place_of(path, failed);
   if (failed) throw cannot_write(path, failed.value());
   if (fs::exists(resolved, failed) && !fs::is_regular_file(resolved, failed))
     throw algebra::Error(fmt::format("{}: cannot be written: not a regular file", path.string()));
@@ -121,6 +121,21 @@ void write_all(int descriptor, std::string_view bytes, const fs::path& path) {
 }
 
 }  // namespace
+
+fs::path place_of(const fs::path& path, std::error_code& failed) {
+  constexpr int most_links = 40;  // as Linux has it
+  auto place = fs::weakly_canonical(fs::absolute(path, failed), failed);
+  std::error_code absent;
+  for (int links = 0; !failed && fs::is_symlink(place, absent); ++links) {
+    if (links == most_links) {
+      failed = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+      return path;
+    }
+    const auto target = fs::read_symlink(place, failed);
+    if (!failed) place = fs::weakly_canonical(place.parent_path() / target, failed);
+  }
+  return place;
+}
 
 void write_whole(const fs::path& path, const std::function<void(int)>& fill) {
   const auto target = destination(path);
@@ -170,10 +185,12 @@ std::string beginning_of(const fs::path& path, std::size_t most_bytes) {
 }
 
 void require_place_for(const std::filesystem::path& file) {
-  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  if (!std::filesystem::is_directory(folder))
+  std::error_code failed;
+  const auto target = fs::is_symlink(file, failed) ? place_of(file, failed) : file;
+  const auto folder = target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
+  if (!std::filesystem::is_directory(folder, failed))
     throw algebra::Error(fmt::format("{}: no such directory", folder.string()));
-  if (std::filesystem::is_directory(file))
+  if (std::filesystem::is_directory(file, failed))
     throw algebra::Error(fmt::format("{}: is a directory", file.string()));
 }
 

@@ -6,8 +6,12 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace coppermoon::files {
+
+/// Absolute path with all links followed, also those to what is not there yet.
+std::filesystem::path place_of(const std::filesystem::path& path, std::error_code& failed);
 
 /// Writes a file that appears whole or not at all: under a temporary name in the same folder, flushed to the disk,
 /// then renamed. When the writing stops, the temporary file goes and an old file stays. A replaced file keeps its
@@ -28,7 +32,7 @@ void require_regular_file(const std::filesystem::path& path);
 
 /// Refuses a path where no file can be written, before the work for it.
 ///
-/// Throws  Error  when its folder is missing, or it is a folder itself
+/// Throws  Error  when its folder, or that of a link's target, is missing, or it is a folder itself
 void require_place_for(const std::filesystem::path& file);
 
 /// All bytes of a regular file.

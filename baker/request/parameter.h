@@ -68,6 +68,8 @@ struct Parameter {
   std::string meaning;  ///< for help, docstrings and tables; with unit and range
   std::optional<Range> range{};
   Texts words{};
+  /// Endings of a file that is written, and what each holds; none: those that `meaning` names
+  std::vector<std::pair<std::string, std::string>> endings{};
   std::string usual{};    ///< the field's first value; empty: none
   std::string heading{};  ///< in help; for readers alone
   std::string table{};    ///< of a recipe, as "camera"; empty: above all tables

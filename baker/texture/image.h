@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <functional>
@@ -48,6 +49,14 @@ struct Layout {
 
 /// Image that is made as it is asked for: fills whole rows, [row][column][channel], from a row of the image on.
 using Rows = std::function<void(std::size_t first_row, std::span<float> values)>;
+
+/// Rows of an image, which must outlive them.
+inline Rows rows_of(const Image& image) {
+  return [&image](std::size_t first_row, std::span<float> values) {
+    const std::size_t length = image.width * image.channels.size();
+    std::copy_n(&image.values[first_row * length], values.size(), values.begin());
+  };
+}
 
 /// A value in an image file's header.
 using Attribute = std::variant<std::string, float, int, std::vector<float>>;

@@ -53,9 +53,15 @@ struct UsdSky {
 };
 std::string usd_sky(std::span<const UsdSky> skies);
 
+/// Refuses a name that USD does not find, of a layer or of a file beside it. USD takes the backslash of a layer's name
+/// for the end of its folder, and what follows :SDF_FORMAT_ARGS: for no part of the name.
+///
+/// Throws  Error  unless it is a plain name without those and control characters
+void require_usd_name(std::string_view file_name);
+
 /// Path of a file beside the layer, as a value of type asset.
 ///
-/// Throws  Error  unless it is a plain name without control characters
+/// Throws  Error  as require_usd_name
 std::string usd_asset(std::string_view file_name);
 
 /// Prim `Surface` within Moon: sphere_mesh's sphere, bound to the material Looks/Moonlight.

@@ -2,7 +2,9 @@
 #include "texture/write_image.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "algebra/error.h"
 #include "texture/openimageio/encode.h"
@@ -30,6 +32,30 @@ std::string as_text(const Attribute& value) {
   if (const auto* list = std::get_if<std::vector<float>>(&value))
     return fmt::format("{}", fmt::join(*list, " "));
   return std::get<std::string>(value);
+}
+
+bool is_png(const PictureFormat& format) { return std::string_view(format.name) == "png"; }
+
+void require_format(const std::filesystem::path& path, const Layout& layout,
+                    const PictureFormat& format) {
+  require_layout(path, layout);
+  const auto kind = is_png(format) ? "PNG" : "JPEG";
+  if (format.bits != 8 && !(is_png(format) && format.bits == 16))
+    throw Error(fmt::format("{}: {} of {} bits, allowed {}", path.string(), kind, format.bits,
+                            is_png(format) ? "8 or 16" : "8"));
+  if (layout.channels.size() != 1 && layout.channels.size() != 3)
+    throw Error(fmt::format("{}: {} of {} channels, allowed 1 or 3", path.string(), kind,
+                            layout.channels.size()));
+}
+
+/// Date and exposure as EXIF has them.
+void set_exposure(OIIO::ImageSpec& spec, const Attributes& attributes) {
+  spec.attribute("DateTime", "");  // or it would be the clock's
+  for (const auto& name : {"capDate", "expTime", "aperture"})
+    if (const auto found = attributes.find(name); found != attributes.end())
+      set_attribute(spec, found->first, found->second);
+  if (const auto iso = attributes.find("isoSpeed"); iso != attributes.end())
+    spec.attribute("Exif:PhotographicSensitivity", static_cast<int>(std::get<float>(iso->second)));
 }
 
 void require_parts(const std::filesystem::path& path, std::span<const Part> parts) {
@@ -85,29 +111,40 @@ void write_exr(const std::filesystem::path& path, const Image& image, const Attr
   write_exr(path, layout_of(path, image), rows_of(image), attributes, options);
 }
 
+void write_picture(const std::filesystem::path& path, const Layout& layout, const Rows& rows,
+                   const PictureFormat& format, const Attributes& attributes) {
+  require_format(path, layout, format);
+  auto spec =
+      spec_of(layout, format.bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16, {});
+  if (is_png(format)) {
+    for (const auto& [name, value] : attributes)
+      if (name != "colorInteropID") spec.attribute(oiio_name(name), as_text(value));  // sRGB now
+    // a third of the usual time, 8 % more bytes: each row as its differences from the one above
+    spec.attribute("png:compressionLevel", 4);
+    spec.attribute("png:filter", 0x20);
+  } else {
+    set_exposure(spec, attributes);
+    if (const float time_s = spec.get_float_attribute("ExposureTime"); time_s > 0 && time_s < 1)
+      // OpenImageIO 2.4 makes a fraction without a denominator of 1/2, 1/4 and so on
+      spec.attribute("ExposureTime", std::nextafter(time_s, 1.F));
+    spec.attribute("compression", "jpeg:95");
+    spec.attribute("jpeg:subsampling", "4:4:4");
+  }
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  if (format.bits == 8) spec.attribute("oiio:dither", 1);
+  write_encoded(path, format.name, [&](OIIO::ImageOutput& output, const std::string&) {
+    return output.open("", spec) && write_scanlines(output, {path, layout, rows, {0, 1}});
+  });
+}
+
 void write_png(const std::filesystem::path& path, const Image& image, int bits,
                const Attributes& attributes) {
   const auto layout = layout_of(path, image);
-  require_layout(path, layout);
-  if (bits != 8 && bits != 16)
-    throw Error(fmt::format("{}: PNG of {} bits, allowed 8 or 16", path.string(), bits));
-  if (image.channels.size() != 1 && image.channels.size() != 3)
-    throw Error(fmt::format("{}: PNG of {} channels, allowed 1 or 3", path.string(),
-                            image.channels.size()));
-  auto spec = spec_of(layout, bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16, {});
-  for (const auto& [name, value] : attributes)
-    if (name != "colorInteropID") spec.attribute(oiio_name(name), as_text(value));  // sRGB now
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  if (bits == 8) spec.attribute("oiio:dither", 1);
-  // a third of the usual time, 8 % more bytes: each row as its differences from the one above
-  spec.attribute("png:compressionLevel", 4);
-  spec.attribute("png:filter", 0x20);
+  const PictureFormat format{"png", bits};
+  require_format(path, layout, format);
   const auto rows = rows_of(image);
-  const Source source{path, layout, rows, {0, 1}};
-  source.require_all(image.values);  // libpng prints when a file ends early
-  write_encoded(path, "png", [&](OIIO::ImageOutput& output, const std::string&) {
-    return output.open("", spec) && write_scanlines(output, source);
-  });
+  Source{path, layout, rows, {0, 1}}.require_all(image.values);  // before a file is begun
+  write_picture(path, layout, rows, format, attributes);
 }
 
 void write_tiff(const std::filesystem::path& path, const Image& image,
@@ -115,12 +152,7 @@ void write_tiff(const std::filesystem::path& path, const Image& image,
   const auto layout = layout_of(path, image);
   require_layout(path, layout);
   auto spec = spec_of(layout, OIIO::TypeDesc::UINT16, {});
-  spec.attribute("DateTime", "");  // or it would be the clock's
-  for (const auto& name : {"capDate", "expTime", "aperture"})
-    if (const auto found = attributes.find(name); found != attributes.end())
-      set_attribute(spec, found->first, found->second);
-  if (const auto iso = attributes.find("isoSpeed"); iso != attributes.end())
-    spec.attribute("Exif:PhotographicSensitivity", static_cast<int>(std::get<float>(iso->second)));
+  set_exposure(spec, attributes);
   spec.attribute("oiio:ColorSpace", "Linear");
   spec.attribute("compression", "zip");
   const auto rows = rows_of(image);

@@ -62,6 +62,20 @@ void write_exr(const std::filesystem::path& path, std::span<const Part> parts,
 void write_mipmapped(const std::filesystem::path& path, const Layout& layout, const Rows& rows,
                      const Attributes& attributes, ExrType type = ExrType::half);
 
+/// File format of a display-referred picture, as OpenImageIO calls it: "png", of 8 or 16 bits, or "jpeg", of 8.
+struct PictureFormat {
+  const char* name = "png";
+  int bits = 8;
+};
+
+/// Writes a display-referred picture (sRGB-coded, 0 to 1, grey or RGB) whose rows are made meanwhile, as write_exr does,
+/// whole or not at all. Numbers of 8 bits are dithered as by write_png.
+///
+/// Given   attributes  PNG: written as text; JPEG: date and exposure, which become EXIF's
+/// Throws  Error       as write_png
+void write_picture(const std::filesystem::path& path, const Layout& layout, const Rows& rows,
+                   const PictureFormat& format, const Attributes& attributes = {});
+
 /// Writes a display-referred image (sRGB-coded, 0 to 1, grey or RGB) to a PNG file, whole or not at
 /// all. Numbers of 8 bits are dithered, so that a slow gradient shows no steps: noise of half a step, the
 /// same for each place in each picture; what is a whole number of steps stays as it is.

@@ -87,8 +87,8 @@ void require_stellarium_place(const fs::path& folder) {
   require_own_image(folder / stellarium_picture);
 }
 
-void write_stellarium(const fs::path& folder, const Image& developed, const StellariumSight& sight,
-                      const Attributes& attributes) {
+void write_stellarium(const fs::path& folder, const Layout& layout, const Rows& developed,
+                      const StellariumSight& sight, const Attributes& attributes) {
   std::error_code ignored;
   const bool made = !fs::exists(folder, ignored);
   make_folder(folder);
@@ -96,7 +96,7 @@ void write_stellarium(const fs::path& folder, const Image& developed, const Stel
   require_stellarium_place(folder);
   try {
     for (const char* part : {"textures", "data/shaders", "scripts"}) make_folder(folder / part);
-    write_png(folder / stellarium_picture, developed, 8, attributes);
+    write_picture(folder / stellarium_picture, layout, developed, {"png", 8}, attributes);
     files::write_whole(folder / shader_file, files::stamped(shader, "//"));
     files::write_whole(folder / script_file, files::stamped(script_of(sight), "//"));
   } catch (...) {

@@ -44,7 +44,8 @@ void require_stellarium_place(const std::filesystem::path& folder);
 /// Throws    Error       as write_png, require_stellarium_place; a folder that cannot be made
 /// Source    Stellarium 0.22.2 (Debian 12): data/shaders/planet.vert, data/ssystem_major.ini, its
 ///           scripting engine
-void write_stellarium(const std::filesystem::path& folder, const Image& developed,
-                      const StellariumSight& sight, const Attributes& attributes);
+void write_stellarium(const std::filesystem::path& folder, const Layout& layout,
+                      const Rows& developed, const StellariumSight& sight,
+                      const Attributes& attributes);
 
 }  // namespace coppermoon::texture

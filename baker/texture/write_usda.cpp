@@ -20,15 +20,19 @@ namespace fs = std::filesystem;
 
 }  // namespace
 
-std::string usd_asset(std::string_view file_name) {
-  const bool control =
-      std::ranges::any_of(file_name, [](char c) { return (c >= 0 && c < ' ') || c == 127; });
-  if (control || file_name.empty() || file_name == "." || file_name == ".." ||
-      file_name.find('/') != std::string_view::npos)
+void require_usd_name(std::string_view file_name) {
+  const bool barred = std::ranges::any_of(
+      file_name, [](char c) { return (c >= 0 && c < ' ') || c == 127 || c == '/' || c == '\\'; });
+  if (barred || file_name.empty() || file_name == "." || file_name == ".." ||
+      file_name.find(":SDF_FORMAT_ARGS:") != std::string_view::npos)
     throw Error(fmt::format(
-        "texture file of the USD layer = {:?}, allowed a name in its folder without control "
-        "characters",
+        "file of a USD layer = {:?}, allowed a name in its folder without control characters, \\ "
+        "and :SDF_FORMAT_ARGS:, which USD does not find",
         file_name));
+}
+
+std::string usd_asset(std::string_view file_name) {
+  require_usd_name(file_name);
   if (file_name.find('@') == std::string_view::npos) return fmt::format("@./{}@", file_name);
   std::string name(file_name);
   for (auto at = name.find("@@@"); at != std::string::npos; at = name.find("@@@", at + 4))
@@ -180,6 +184,7 @@ std::string usd_image(const std::string& name, const std::string& file,
 void write_usda(const fs::path& path, const std::string& texture_file_name,
                 std::string_view colour_space, const std::string& preview_file_name,
                 const std::string& observer) {
+  require_usd_name(path.filename().string());
   const auto& preview = preview_file_name.empty() ? texture_file_name : preview_file_name;
   if (colour_space != "lin_rec709_scene" && colour_space != "lin_ap1_scene")
     throw Error(

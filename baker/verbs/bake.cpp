@@ -6,12 +6,15 @@
 #include "algebra/error.h"
 #include "almanac/instant.h"
 #include "files/cache_folder.h"
+#include "files/endings.h"
 #include "files/fingerprint.h"
+#include "files/memory.h"
 #include "files/whole_file.h"
 #include "request/recipe.h"
 #include "texture/images_ahead.h"
 #include "texture/own_image.h"
 #include "texture/seal.h"
+#include "texture/usd_text.h"
 #include "texture/write_glb.h"
 #include "texture/write_image.h"
 #include "texture/write_stellarium.h"
@@ -21,13 +24,14 @@
 #include "uses/light/light_parameters.h"
 #include "uses/picture/baked_moon.h"
 #include "uses/picture/picture_parameters.h"
+#include "uses/picture/pixels.h"
 #include "uses/picture/usd_sight.h"
 #include "uses/picture/view.h"
 #include "verbs/cache.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moon_options.h"
+#include "verbs/flags/named_files.h"
 #include "verbs/recipes/recipe.h"
-#include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
 #include "verbs/reports/report.h"
 
@@ -45,39 +49,132 @@ struct Options {
   bool json = false;
 };
 
+struct Job;
+
+/// Format of a texture's file.
+struct Format : files::Ending {
+  void (*write)(const Job& job);
+  bool developed = false;  ///< a picture of it, as exposure and view make it
+  bool on_globe = false;   ///< on a sphere
+};
+
 /// File to be written, and its content.
 struct Output {
   std::filesystem::path path;
   uses::TextureContent content;
+  const Format& format;
 
-  bool ends_in(const char* ending) const { return path.extension() == ending; }
+  bool ends_in(const char* ending) const { return format.ending == ending; }
   bool for_stellarium() const { return ends_in(".stellarium"); }
   /// A sphere in cd/m², which a name with linear Rec.709 asks for: glTF knows no other space.
   bool in_cd_m2() const {
     return ends_in(".glb") &&
            colour::space_in_name(path.stem().string()) == colour::WorkingSpace::linear_rec709;
   }
-  bool on_globe() const { return ends_in(".glb") || ends_in(".usdz"); }
-  bool developed() const {
-    return ends_in(".png") || (on_globe() && !in_cd_m2()) || for_stellarium();
-  }
+  bool developed() const { return format.developed && !in_cd_m2(); }
 };
+
+/// Output, and all that its file is made from.
+struct Job {
+  const Options& options;
+  const std::vector<Output>& outputs;
+  const Output& output;
+  const uses::LitMoon& moon;
+  const uses::BakedMoon& made;
+
+  const texture::Part& texture() const { return made.parts.front(); }
+};
+
+/// Texture to be developed, for which its rows are asked for twice: of 256 MB or less they stay in memory.
+uses::LitTexture lit_texture(const Job& job) {
+  constexpr std::size_t most_kept = 256U << 20U;
+  const auto& layout = job.texture().layout;
+  uses::LitTexture texture{layout, job.texture().rows, space_of(job.output.content)};
+  if (layout.width * layout.height * layout.channels.size() * sizeof(float) > most_kept)
+    return texture;
+  const auto kept = std::make_shared<const texture::Image>(uses::image_of(layout, texture.rows));
+  texture.rows = [kept, rows = texture::rows_of(*kept)](std::size_t row, std::span<float> values) {
+    rows(row, values);
+  };
+  return texture;
+}
+
+/// Developed picture of a texture, its rows made as they are asked for.
+struct Shown {
+  texture::Layout layout;
+  texture::Rows rows;
+  uses::Exposures exposures;
+};
+
+Shown shown(const Job& job) {
+  const auto texture = lit_texture(job);
+  const auto exposures = exposures_for(job.options.develop, texture);
+  return {{texture.layout.width, texture.layout.height, {"R", "G", "B"}},
+          developed_rows(job.options.develop, exposures, texture),
+          exposures};
+}
+
+void write_exr(const Job& job) {
+  texture::write_exr(job.output.path, job.made.parts, job.made.attributes,
+                     {type_of(job.output.content)});
+}
+
+void write_tx(const Job& job) {
+  texture::write_mipmapped(job.output.path, job.texture().layout, job.texture().rows,
+                           job.made.attributes, type_of(job.output.content));
+}
+
+void write_picture(const Job& job) {
+  const auto& develop = job.options.develop;
+  const auto texture = lit_texture(job);
+  write_picture(develop, exposures_for(develop, texture), texture, job.made.attributes,
+                job.output.path);
+}
+
+void write_glb(const Job& job) {
+  const auto generator = fmt::format("coppermoon {}", uses::version());
+  if (job.output.in_cd_m2())
+    return texture::write_glb(job.output.path,
+                              uses::image_of(job.texture().layout, job.texture().rows), generator,
+                              texture::GlbTexels::luminance);
+  const auto picture = shown(job);
+  texture::write_glb(job.output.path, uses::image_of(picture.layout, picture.rows), generator);
+}
+
+void write_usdz(const Job& job) {
+  const auto picture = shown(job);
+  texture::write_usdz(job.output.path, uses::image_of(picture.layout, picture.rows));
+}
+
+void write_stellarium(const Job& job) {
+  const auto picture = shown(job);
+  auto attributes = job.made.attributes;
+  uses::add_exposure(attributes, picture.exposures);
+  texture::write_stellarium(job.output.path, picture.layout, picture.rows,
+                            {job.moon.sky.when, *job.moon.observer}, attributes);
+}
+
+void write_usda(const Job& job);
+
+constexpr std::array formats{
+    Format{{".exr", "scene-linear"}, write_exr},
+    Format{{".tx", "scene-linear, tiled and mip-mapped"}, write_tx},
+    Format{{".png", "developed"}, write_picture, true},
+    Format{{".jpg", "developed, 8 bits, without its recipe"}, write_picture, true},
+    Format{{".glb", "developed, on a sphere; moon_lin_rec709.glb in cd/m²"}, write_glb, true, true},
+    Format{{".usda", "a sphere, with its moon_lin_rec709.exr beside it"}, write_usda},
+    Format{{".usdz", "developed, on a sphere, for telephones"}, write_usdz, true, true},
+    Format{{".stellarium", "a folder for Stellarium, needs --at"}, write_stellarium, true}};
 
 /// Output of a file; a colour space in its name counts.
 Output output_at(const std::string& file, const uses::TextureContent& asked) {
-  Output output{file, asked};
-  const auto named = colour::space_in_name(output.path.stem().string());
-  if (named && asked.space && space_of(asked) != *named)
-    throw algebra::Error(fmt::format("{}: space = {}, allowed {} as its name says, or no --space",
-                                     file, colour::name(*asked.space), colour::name(*named)));
-  if (named) output.content.space = named;
+  Output output{file, asked, files::format_of(file, formats, "a texture")};
+  output.content.space = space_for(file, asked.space);
   if (output.ends_in(".exr")) return output;
   output.content.passes = false;
   output.content.spectral_nm.reset();
   return output;
 }
-
-constexpr std::array endings{".exr", ".tx", ".png", ".glb", ".usda", ".usdz", ".stellarium"};
 
 /// Texture in a colour space beside a .usda, if one is written.
 std::vector<Output>::const_iterator texture_for(const Output& scene, colour::WorkingSpace space,
@@ -99,7 +196,7 @@ void add_textures_of_usd(const Options& options, std::vector<Output>& outputs) {
     for (const auto space : {colour::WorkingSpace::linear_rec709, space_of(scene.content)}) {
       const bool shown = space != colour::WorkingSpace::ciexyz_d65;
       if (!shown || texture_for(scene, space, outputs) != outputs.end()) continue;
-      Output texture{scene.path, options.texture};
+      Output texture{scene.path, options.texture, formats.front()};
       texture.path.replace_filename(
           fmt::format("{}_{}.exr", scene.path.stem().string(), colour::name(space)));
       texture.content.space = space;
@@ -107,6 +204,14 @@ void add_textures_of_usd(const Options& options, std::vector<Output>& outputs) {
       outputs.push_back(texture);
     }
   }
+}
+
+/// Memory for a file that is not written row by row [bytes]: of a mip-map its smaller levels, of a sphere the picture
+/// and its PNG; else none. Measured at 8192 columns: 0.7 and 2.1 of all texels' floats.
+double memory_for(const Output& output, double texture_width) {
+  constexpr double a_texel = 3 * sizeof(float);
+  const double all = a_texel * texture_width * texture_width / 2;
+  return output.format.on_globe ? 2.5 * all : output.ends_in(".tx") ? 0.75 * all : 0;
 }
 
 /// Refuses a place where the output cannot be written; existing files are replaced, folders kept.
@@ -123,45 +228,21 @@ void require_sound(const Options& options, const std::vector<Output>& outputs) {
   bool exr = false;
   for (const auto& output : outputs) {
     exr |= output.ends_in(".exr");
-    if (std::ranges::none_of(endings, [&](const char* ending) { return output.ends_in(ending); }))
-      throw algebra::Error(
-          fmt::format("{}: a texture ends in {}", output.path.string(), fmt::join(endings, ", ")));
     if (output.developed()) require_sound(options.develop, output.path.stem() += ".png");
-    if (output.on_globe() && texture_width_of(options.moon.request) > texture::most_glb_columns)
+    const auto width = texture_width_of(options.moon.request);
+    if (output.format.on_globe && width > texture::most_glb_columns)
       throw algebra::Error(fmt::format("{}: texture width [texels] = {}, allowed to {}",
-                                       output.path.string(), texture_width_of(options.moon.request),
-                                       texture::most_glb_columns));
+                                       output.path.string(), width, texture::most_glb_columns));
     if (output.for_stellarium() && !options.view.observer)
       throw WrongUsage(
           fmt::format("{}: Stellarium looks from a place, given with --at", output.path.string()));
+    if (output.ends_in(".usda")) texture::require_usd_name(output.path.filename().string());
     require_place_for(output);
+    files::require_memory(output.path.string(), memory_for(output, static_cast<double>(width)));
   }
   require_sound(options.texture);
   if (!exr && (options.texture.passes || options.texture.spectral_nm))
     throw algebra::Error("passes and spectra need an output that ends in .exr");
-}
-
-/// Texture with all its rows in memory.
-texture::Image image_of(const texture::Part& part) {
-  texture::Image image(part.layout.width, part.layout.height, part.layout.channels);
-  part.rows(0, image.values);
-  return image;
-}
-
-void write_picture(const uses::Development& develop, const Output& output,
-                   const uses::LitMoon& moon, const uses::BakedMoon& baked) {
-  const auto image = image_of(baked.parts.front());
-  const auto space = space_of(output.content);
-  const auto exposures = exposures_for(develop, image, space);
-  if (output.ends_in(".png"))
-    return write_picture(develop, exposures, {image, space}, baked.attributes, output.path);
-  const auto picture = developed(develop, exposures, {image, space});
-  if (output.ends_in(".usdz")) return texture::write_usdz(output.path, picture);
-  if (output.ends_in(".glb"))
-    return texture::write_glb(output.path, picture, fmt::format("coppermoon {}", uses::version()));
-  auto attributes = baked.attributes;
-  uses::add_exposure(attributes, exposures);
-  texture::write_stellarium(output.path, picture, {moon.sky.when, *moon.observer}, attributes);
 }
 
 /// Recipe of one output: its own colour space, and passes or spectra only where it has some.
@@ -174,32 +255,20 @@ std::string recipe_for(const uses::TextureContent& content, const std::string& r
          });
 }
 
-void write(const Options& options, const std::vector<Output>& outputs, const Output& output,
-           const uses::LitMoon& moon, const uses::BakedMoon& made) {
-  if (output.ends_in(".usda")) {
-    const auto preview = texture_for(output, colour::WorkingSpace::linear_rec709, outputs);
-    const auto wide = texture_for(output, colour::WorkingSpace::acescg, outputs);
-    const auto& texture = wide != outputs.end() ? *wide : *preview;
-    const auto space = space_of(texture.content);
-    const auto view = view_of(options.view, moon.sky);
-    const auto sight = usd_moment(moon, view, space);
-    const double height_over_width =
-        static_cast<double>(view.camera.height) / static_cast<double>(view.camera.width);
-    texture::write_usda(
-        output.path, texture.path.filename().string(), colour::interop_id(space),
-        preview->path.filename().string(),
-        texture::usd_observer({&sight, 1}, height_over_width, uses::luminance_of_channels(space)));
-  } else if (output.in_cd_m2())
-    texture::write_glb(output.path, image_of(made.parts.front()),
-                       fmt::format("coppermoon {}", uses::version()),
-                       texture::GlbTexels::luminance);
-  else if (output.developed())
-    write_picture(options.develop, output, moon, made);
-  else if (output.ends_in(".tx"))
-    texture::write_mipmapped(output.path, made.parts.front().layout, made.parts.front().rows,
-                             made.attributes, type_of(output.content));
-  else
-    texture::write_exr(output.path, made.parts, made.attributes, {type_of(output.content)});
+void write_usda(const Job& job) {
+  const auto& output = job.output;
+  const auto preview = texture_for(output, colour::WorkingSpace::linear_rec709, job.outputs);
+  const auto wide = texture_for(output, colour::WorkingSpace::acescg, job.outputs);
+  const auto& texture = wide != job.outputs.end() ? *wide : *preview;
+  const auto space = space_of(texture.content);
+  const auto view = view_of(job.options.view, job.moon.sky);
+  const auto sight = usd_moment(job.moon, view, space);
+  const double height_over_width =
+      static_cast<double>(view.camera.height) / static_cast<double>(view.camera.width);
+  texture::write_usda(
+      output.path, texture.path.filename().string(), colour::interop_id(space),
+      preview->path.filename().string(),
+      texture::usd_observer({&sight, 1}, height_over_width, uses::luminance_of_channels(space)));
 }
 
 /// Lit Moon of the options, seen by their observer.
@@ -231,7 +300,7 @@ Report make(const CLI::App& verb, const Options& options, const std::vector<Outp
     auto baked = uses::baked(moon, output.content, {.progress = bar.progress()});
     made.recipe = recipe_for(output.content, recipe);
     baked.attributes["coppermoon:recipe"] = made.recipe;
-    write(options, outputs, output, moon, baked);
+    output.format.write({options, outputs, output, moon, baked});
   }
   made.seconds = seconds_since(start);
   return made;
@@ -246,7 +315,7 @@ Output place_in_cache(const CLI::App& verb, const Options& options) {
   content.spectral_nm.reset();
   return {std::filesystem::path(options.cache) /
               fmt::format("{:016x}.tx", files::fingerprint(depends_on)),
-          content};
+          content, formats[1]};
 }
 
 /// Whether a texture is there, whole, and no other user's.
@@ -288,12 +357,8 @@ void run(const CLI::App& verb, const Options& options) {
   add_textures_of_usd(options, outputs);
   require_sound(options, outputs);
   for (const auto& output : outputs)
-    if (!output.developed() && !output.ends_in(".usda") && !options.texture.space &&
-        colour::names_another_space(output.path.stem().string()))
-      fmt::print(stderr,
-                 "coppermoon: {}: is {}; --space, or a name with acescg or lin_ciexyzd65_scene, "
-                 "makes it another\n",
-                 one_line(output.path.string()), colour::name(space_of(output.content)));
+    if (!output.developed() && !output.ends_in(".usda") && !options.texture.space)
+      say_space_of(output.path, space_of(output.content), other_spaces);
   report(make(verb, options, outputs), options.json);
 }
 
@@ -307,12 +372,10 @@ void add_bake(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   options->develop.bits = 16;
   add_moon_options(*verb, options->moon);
-  add_flag(*verb, "-o,--output", options->outputs,
-           "texture: .exr; .tx (tiled and mip-mapped); .png (developed); .glb (developed, on a "
-           "sphere; moon_lin_rec709.glb in cd/m²); .usda (a sphere, with its moon_lin_rec709.exr "
-           "beside it); .usdz (developed, on a sphere, for telephones); .stellarium (a folder for "
-           "Stellarium, needs --at). May be given again: one simulation serves all")
-      .writes_file()
+  add_flag(
+      *verb, "-o,--output", options->outputs,
+      "texture: " + files::in_words(formats) + ". May be given again: one simulation serves all")
+      .writes_file(formats)
       .kept_each_time();
   add_flag(
       *verb, "--cache", options->cache,

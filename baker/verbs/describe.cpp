@@ -69,6 +69,7 @@ Json as_json(const Parameter& parameter) {
   json["recipe"] = in_recipes(parameter);
   if (!parameter.table.empty()) json["table"] = parameter.table;
   json["affects"] = name(parameter.affects);
+  for (const auto& [ending, holds] : parameter.endings) json["endings"][ending] = holds;
   json["meaning"] = parameter.meaning;
   if (parameter.parts)
     for (const auto& part : *parameter.parts) json["parts"].push_back(as_json(part));

@@ -12,6 +12,7 @@
 #include "texture/own_image.h"
 #include "texture/read_image.h"
 #include "uses/picture/photo_file.h"
+#include "uses/picture/picture_files.h"
 #include "uses/picture/picture_parameters.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/camera_options.h"
@@ -208,8 +209,8 @@ void add_develop(CLI::App& program) {
       .of(request::Affects::share)
       .required();
   add_flag(*verb, "-o,--output", options->output,
-           "picture: .png, or .avif of high dynamic range; for several frames a folder")
-      .writes_file()
+           "picture: " + files::in_words(uses::picture_files()) + "; for several frames a folder")
+      .writes_file(uses::picture_files())
       .required();
   add_flag(
       *verb, "--space", options->space,

@@ -3,10 +3,12 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "almanac/instant.h"
 #include "uses/picture/lit_scene.h"
 #include "uses/picture/picture_parameters.h"
+#include "uses/picture/still.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/moon_options.h"
 #include "verbs/recipes/recipe.h"
@@ -34,6 +36,7 @@ bool of_a_picture(const CLI::App& verb) {
 struct Planned {
   plan::Plan plan;
   std::size_t texture_width;
+  std::optional<double> frame_bytes;  ///< memory for a picture's frame
   std::vector<std::string> picture_left_out;
 };
 
@@ -45,6 +48,7 @@ Planned planned(const Options& options, bool picture) {
     const auto seen = uses::view_for_frame(options.view, sky);
     moon = fitted(moon, seen.view.camera);
     result.picture_left_out = seen.left_out;
+    result.frame_bytes = uses::frame_memory(seen.view.camera.width, seen.view.camera.height);
   }
   result.texture_width = texture_width_of(moon);
   const auto texels = static_cast<double>(result.texture_width * result.texture_width / 2);
@@ -57,7 +61,7 @@ Planned planned(const Options& options, bool picture) {
 }
 
 void print(const Planned& all) {
-  const auto& [plan, width, picture_left_out] = all;
+  const auto& [plan, width, frame_bytes, picture_left_out] = all;
   const auto& work = plan.work;
   if (!work.refracted)
     fmt::print("light       direct sunlight alone\n");
@@ -74,6 +78,7 @@ void print(const Planned& all) {
              work.regions ? "air by latitude and region" : "air alike all around",
              work.scattered_light ? ", scattered light" : "");
   fmt::print("texture     {} x {} texels\n", width, width / 2);
+  if (frame_bytes) fmt::print("picture     {:.2g} GB of memory\n", *frame_bytes / 1e9);
   for (const auto& [term, size] : plan.left_out)
     fmt::print("left out    {}: {} of luminance at most\n", name(term), in_percent(size));
   for (const auto& text : picture_left_out) fmt::print("left out    {}\n", text);
@@ -93,6 +98,7 @@ void run(const CLI::App& verb, const Options& options) {
     recipe = fmt::format("texture-width = {}\n", all.texture_width) + recipe;
   nlohmann::ordered_json json{{"chosen", as_json(uses::with_work(recipe, all.plan.work))}};
   json.update(as_json(all.plan));
+  if (all.frame_bytes) json["frame_bytes"] = *all.frame_bytes;
   for (const auto& text : all.picture_left_out)
     json["left_out"].push_back({{"term", text}, {"size", nullptr}});
   fmt::print("{}\n", json.dump(2));

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "algebra/error.h"
 #include "almanac/calendar.h"
+#include "files/endings.h"
 #include "files/whole_file.h"
 #include "texture/write_image.h"
 #include "uses/light/light_parameters.h"
 #include "uses/light/ring_strip.h"
+#include "uses/light/spectral_bands.h"
 #include "uses/picture/place_text.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/light_options.h"
 #include "verbs/flags/moments.h"
+#include "verbs/flags/named_files.h"
 #include "verbs/recipes/recipe.h"
 
 namespace coppermoon::verbs {
@@ -31,9 +33,11 @@ struct Options {
   bool json = false;
 };
 
+constexpr std::array formats{
+    files::Ending{".exr", "scene-linear; `coppermoon develop` makes a picture of it"}};
+
 void require_sound(const Options& options) {
-  if (std::filesystem::path(options.output).extension() != ".exr")
-    throw algebra::Error(fmt::format("{}: a ring ends in .exr", options.output));
+  files::format_of(options.output, formats, "a ring");
   files::require_place_for(options.output);
 }
 
@@ -49,6 +53,7 @@ void print_json(const Options& options, const almanac::SkyState& sky,
 
 void run(const CLI::App& verb, const Options& options) {
   require_sound(options);
+  say_space_of(options.output, uses::picture_space);
   const auto sky = almanac::sky_at(instant_of(options.moment));
   uses::require_eclipse(sky.when, {}, options.moment.calendar);
   auto strip = uses::ring_strip(options.light, sky, options.on, options.scale);
@@ -74,10 +79,11 @@ void add_ring(CLI::App& program) {
       "place on the Moon: a feature's name, as Tycho, or LAT,LON [degrees north and east]; "
       "default: where the Earth is in the zenith");
   add_flag(*verb, "-o,--output", options->output,
-           "strip, .exr. Columns: position angle about the Earth's centre, from north through "
-           "east. Rows: even in the angle from the centre, the outer edge on top; the header holds "
-           "the angles of both edges")
-      .writes_file()
+           "strip: " + files::in_words(formats) +
+               ". Columns: position angle about the Earth's centre, from north through east. Rows: "
+               "even in the angle from the centre, the outer edge on top; the header holds the "
+               "angles of both edges")
+      .writes_file(formats)
       .required();
   add_flag(*verb, "--scale", options->scale,
            "factor on luminance in cd/m², 1e-9 to 1e9; POV-Ray reads no more than 65504")

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,11 +10,13 @@
 #include "almanac/calendar.h"
 #include "colour/camera_spectra.h"
 #include "eclipse/shadow_axis.h"
+#include "files/endings.h"
 #include "files/whole_file.h"
 #include "uses/light/shadow_profile.h"
 #include "uses/light/shadow_strip.h"
 #include "uses/picture/picture_parameters.h"
 #include "uses/picture/shadow_plot.h"
+#include "uses/plot/plot.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/light_options.h"
 #include "verbs/flags/moments.h"
@@ -123,16 +122,42 @@ nlohmann::ordered_json as_json(const uses::ShadowProfile& result, const uses::Li
           {"standard_error", rows_of(result.standard_error)}};
 }
 
-constexpr std::array endings{".csv", ".json", ".png", ".svg", ".pdf"};
+/// Profile of the shadow, as a file of any format has it.
+struct Profile {
+  const uses::ShadowProfile& result;
+  const nlohmann::ordered_json& document;
+  const uses::ShadowMarks& marks;
+};
+
+struct Format : files::Ending {
+  void (*write)(const std::filesystem::path& file, const Profile& profile);
+};
+
+void write_csv(const std::filesystem::path& file, const Profile& profile) {
+  files::write_whole(file, as_csv(profile.result));
+}
+
+void write_json(const std::filesystem::path& file, const Profile& profile) {
+  files::write_whole(file, profile.document.dump(2) + "\n");
+}
+
+void write_plot(const std::filesystem::path& file, const Profile& profile) {
+  uses::write_shadow_plot(file, profile.result, profile.marks);
+}
+
+/// Tables, then plots.
+std::vector<Format> formats() {
+  std::vector<Format> all{{{".csv", "numbers"}, write_csv}, {{".json", "numbers"}, write_json}};
+  for (const auto& plot : uses::plot_files()) all.push_back({plot, write_plot});
+  return all;
+}
 
 void require_sound(const Options& options) {
   if (options.response) colour::require_spectral(*options.response);
   if (options.response && options.lookup.empty())
     throw algebra::Error("response: allowed with --lookup, which alone has colours");
   for (const std::filesystem::path file : options.outputs) {
-    if (std::ranges::find(endings, file.extension()) == endings.end())
-      throw algebra::Error(fmt::format("{}: a profile of the shadow ends in {}", file.string(),
-                                       fmt::join(endings, ", ")));
+    files::format_of(file, formats(), "a profile of the shadow");
     files::require_place_for(file);
   }
 }
@@ -144,16 +169,6 @@ std::string title_of(const Cut& cut, const std::string& air, almanac::Calendar c
   const auto when =
       almanac::date_text(cut.sky->when, calendar) + " " + almanac::time_of_day_text(cut.sky->when);
   return fmt::format("The Earth's shadow on {} UTC, {}\n{}", when, distance, air);
-}
-
-void write(const std::filesystem::path& file, const uses::ShadowProfile& result,
-           const nlohmann::ordered_json& document, const uses::ShadowMarks& marks) {
-  if (file.extension() == ".csv")
-    files::write_whole(file, as_csv(result));
-  else if (file.extension() == ".json")
-    files::write_whole(file, document.dump(2) + "\n");
-  else
-    uses::write_shadow_plot(file, result, marks);
 }
 
 /// Writes the look-up strip. Without a distance its plane cuts the Moon's near half in the middle.
@@ -183,7 +198,8 @@ void make_profile(const Options& options, const Cut& cut, const uses::ShadowCut&
   auto document = as_json(result, light, shadow.arrangement);
   const auto marks = uses::marks_of(shadow.arrangement, cut.sky,
                                     title_of(cut, air_in_words, options.moment.calendar));
-  for (const auto& file : options.outputs) write(file, result, document, marks);
+  for (const auto& file : options.outputs)
+    files::format_of(file, formats(), "a profile").write(file, {result, document, marks});
   if (options.json) {
     if (!options.outputs.empty()) document["files"] = options.outputs;
     document["seconds"] = seconds_since(start);
@@ -234,9 +250,8 @@ void add_shadow(CLI::App& program) {
            "default: the mean over all angles")
       .within(0, 360);
   add_flag(*verb, "-o,--output", options->outputs,
-           "file in place of stdout: numbers as .csv or .json, a plot as .png, .svg or .pdf. May "
-           "be given again")
-      .writes_file()
+           "file in place of stdout: " + files::in_words(formats()) + ". May be given again")
+      .writes_file(formats())
       .kept_each_time();
   add_flag(*verb, "--lookup", options->lookup,
            "strip for shaders, .exr or .cube, with a .json beside it: light over sunlight in "

@@ -6,13 +6,16 @@
 #include <chrono>
 #include <memory>
 
+#include "files/memory.h"
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
 #include "uses/light/header.h"
 #include "uses/light/spectral_bands.h"
+#include "uses/picture/picture_files.h"
 #include "uses/picture/picture_parameters.h"
 #include "verbs/command_line.h"
 #include "verbs/flags/camera_options.h"
+#include "verbs/flags/named_files.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/recipes/recorded_scene.h"
 #include "verbs/reports/in_words.h"
@@ -35,10 +38,20 @@ void require_sound(const Options& options) {
   require_sound(options.develop, options.output);
   files::require_temporary_folder();
   const auto& camera = options.develop.camera;
+  files::require_memory(options.output, uses::frame_memory(options.view.width, options.view.height,
+                                                           !camera.model.empty()));
   for (const std::filesystem::path& file :
        {std::filesystem::path(options.output), std::filesystem::path(options.frame), camera.raw,
         camera.photograph})
     if (!file.empty()) files::require_place_for(file);
+}
+
+/// Colour space of the frame: as its name says, or as asked for.
+colour::WorkingSpace frame_space(const CLI::App& verb, const Options& options) {
+  if (is_given(verb, "space")) return *space_for(options.frame, options.space);
+  const auto space = space_for(options.frame, {}).value_or(options.space);
+  say_space_of(options.frame, space, other_spaces);
+  return space;
 }
 
 void run(const CLI::App& verb, Options options) {
@@ -46,6 +59,7 @@ void run(const CLI::App& verb, Options options) {
   options.develop.focal_length_mm = options.view.focal_length_mm;
   options.moon.request.response = spectral_response(options.develop.camera);
   require_sound(options);
+  if (!options.frame.empty()) options.space = frame_space(verb, options);
   const auto start = std::chrono::steady_clock::now();
   ProgressBar bake_bar("bake");
   const auto scene = lit_scene(verb, options.moon, options.view,
@@ -89,8 +103,9 @@ void add_still(CLI::App& program) {
   add_described(*verb, options->develop.caption, uses::describe_caption);
   add_described(*verb, options->develop.camera);
   add_camera_file_options(*verb, options->develop.camera);
-  add_flag(*verb, "-o,--output", options->output, "picture: .png, or .avif of high dynamic range")
-      .writes_file()
+  add_flag(*verb, "-o,--output", options->output,
+           "picture: " + files::in_words(uses::picture_files()))
+      .writes_file(uses::picture_files())
       .required();
   add_flag(*verb, "--frame", options->frame, "writes the scene-linear frame too: .exr [cd/m²]")
       .writes_file();

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The tables of keys in docs/recipes.md, from what the program says of its parameters.
+"""The tables of keys in docs/recipes.md, and of files in docs/textures.md, from what the program says of its parameters.
 
 tests/docs/recipe_tables.py PROGRAM          exits 1 where the page is not as it would be written
 tests/docs/recipe_tables.py PROGRAM --write  writes it
@@ -11,10 +11,11 @@ import pathlib
 import subprocess
 import sys
 
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "recipes.md"
+DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
 MARK = "<!-- From here on written by tests/docs/recipe_tables.py, from `coppermoon describe --json`. -->\n"
 FIRST = "The moment, the Moon, and what one command has alone"
 REGION = "Parts of a region"
+FILES = "<!-- Written by tests/docs/recipe_tables.py. -->\n"
 
 
 def meaning(parameter):
@@ -66,15 +67,29 @@ def tables(description):
     return page + "".join(f"| `{name}` | {told} |\n" for name, told in parts.items())
 
 
+def files(description):
+    """Commands and the files that they write by their endings."""
+    page = FILES + "\n| command | option | files |\n| --- | --- | --- |\n"
+    for command in description["commands"]:
+        for parameter in filter(lambda one: "endings" in one, command["parameters"]):
+            told = (f"`{ending}`" + (f" ({holds})" if holds else "")
+                    for ending, holds in parameter["endings"].items())
+            page += f"| `{command['name']}` | `--{parameter['name']}` | {', '.join(told)} |\n"
+    return page + "\n" + FILES
+
+
 def main():
     program = sys.argv[1]
     told = subprocess.run([program, "describe", "--json"], check=True, capture_output=True, text=True)
-    now = PAGE.read_text()
-    wanted = now.split(MARK)[0] + tables(json.loads(told.stdout))
-    if "--write" in sys.argv:
-        PAGE.write_text(wanted)
-    elif now != wanted:
-        sys.exit(f"{PAGE.name}: its tables are not those of {program}; run tests/docs/recipe_tables.py {program} --write")
+    description = json.loads(told.stdout)
+    recipes, textures = DOCS / "recipes.md", DOCS / "textures.md"
+    before, _, after = textures.read_text().split(FILES)
+    for page, wanted in ((recipes, recipes.read_text().split(MARK)[0] + tables(description)),
+                         (textures, before + files(description) + after)):
+        if "--write" in sys.argv:
+            page.write_text(wanted)
+        elif page.read_text() != wanted:
+            sys.exit(f"{page.name}: its tables are not those of {program}; run tests/docs/recipe_tables.py {program} --write")
 
 
 if __name__ == "__main__":

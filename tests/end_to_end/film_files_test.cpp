@@ -124,7 +124,8 @@ TEST_F(FilmFiles, OfAShardAreRefused) {
 }
 
 TEST_F(FilmFiles, OfOtherEndingsAreRefused) {
-  expect_refused({"--curve", "a.txt"}, "a.txt: a curve ends in .csv, .png, .svg or .pdf");
+  expect_refused({"--curve", "a.txt"},
+                 "a.txt: a curve ends in .csv (numbers), .png (plot), .svg (plot), .pdf (plot)");
   expect_refused({"--movie", "a.avi"}, "a.avi: a movie ends in .mp4 or .mov");
   expect_refused({"--contact-sheet", "a.jpg"}, "a.jpg: a contact sheet ends in .png");
   expect_refused({"--composite", "a.exr"}, "a.exr: a composite ends in .png");

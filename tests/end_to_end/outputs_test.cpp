@@ -4,6 +4,7 @@
 
 #include "colour/working_space.h"
 #include "end_to_end/program.h"
+#include "files/memory.h"
 #include "support/csv_rows.h"
 #include "support/within.h"
 #include "texture/read_image.h"
@@ -58,7 +59,8 @@ TEST_F(Outputs, OfTheShadowGoIntoFilesByTheirEnding) {
   for (const char* text : {"2018-07-27 20:21:45 UTC", "406098 km from the Earth", "standard air",
                            "edge of the umbra", "edge of the penumbra", "Moon", "450 nm"})
     EXPECT_NE(plot.find(text), std::string::npos) << text;
-  expect_refused(shadow + Words{"-o", "a.xls"}, "ends in .csv, .json, .png, .svg, .pdf");
+  expect_refused(shadow + Words{"-o", "a.xls"},
+                 "ends in .csv (numbers), .json (numbers), .png (plot), .svg (plot), .pdf (plot)");
 }
 
 TEST_F(Outputs, OfARingAreOneDocument) {
@@ -129,6 +131,29 @@ TEST_F(Outputs, OfDevelopShareOneExposure) {
   frame("other/a.exr", 1);
   expect_refused({"develop", "a.exr", "other/a.exr", "-o", "set"}, "would become one picture");
   expect_refused({"develop", "a.exr", "b.exr", "-o", "ab.png"}, "ab.png");
+  expect_refused({"develop", "a.exr", "-o", "a.gif"},
+                 "a.gif: a picture ends in .png, .jpg (8 bits, without its recipe), .avif (high "
+                 "dynamic range)");
+  done({"develop", "a.exr", "-o", "a.jpg"});
+  const auto as_jpeg = texture::read_image(here("a.jpg"));
+  for (std::size_t i = 0; i < of_one.values.size(); ++i)
+    EXPECT_WITHIN(as_jpeg.values[i], of_one.values[i], 2.01 / 255, "of quality 95, and dither");
+}
+
+TEST_F(Outputs, ThatTakeMoreMemoryThanThereIsAreRefusedAtOnce) {
+  if (files::available_memory() > 3e11) GTEST_SKIP() << "there is as much";
+  expect_refused({"still", middle, "--width", "65535", "--height", "65535", "-o", "a.png"},
+                 "a.png: takes 322.1 GB of memory, allowed the ");
+}
+
+TEST_F(Outputs, OfAFullDiskReplaceNothing) {
+  file("p.png", "old");
+  const auto outcome = coppermoon({"shadow", middle, "--atmosphere", "paper", "-o", "p.png"},
+                                  {.file_limit = 20 << 10});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.err,
+            "coppermoon: gnuplot: its file is cut off after 20480 bytes; is the disk full?\n");
+  EXPECT_EQ(text_of(here("p.png")), "old");
 }
 
 TEST_F(Outputs, OfStillHoldTheirFrameInTheSpaceAskedFor) {

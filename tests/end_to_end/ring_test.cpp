@@ -169,7 +169,9 @@ TEST_F(Ring, ThatCannotBeSeenIsRefused) {
   refused({middle_of_2018, "--on", "12"}, "place on the Moon = 12, allowed LATITUDE,LONGITUDE");
   refused({middle_of_2018, "--atmosphere", "none"}, "air = none");
   refused({middle_of_2018, "--refraction", "off"}, "the ring is black");
-  expect_refused({"ring", middle_of_2018, "-o", "ring.png"}, "ring.png: a ring ends in .exr");
+  expect_refused(
+      {"ring", middle_of_2018, "-o", "ring.png"},
+      "ring.png: a ring ends in .exr (scene-linear; `coppermoon develop` makes a picture of it)");
 }
 
 }  // namespace

@@ -206,8 +206,16 @@ TEST_F(TextureFiles, RefuseWhatTheyCannotHold) {
                  "spectral band [nm] = nan, allowed 1 to 100");
   expect_refused({"bake", instant, "--passes", "-o", "moon.tx"},
                  "passes and spectra need an output that ends in .exr");
-  expect_refused({"bake", instant, "-o", "moon.exr", "-o", "moon.tiff"},
-                 "moon.tiff: a texture ends in .exr, .tx, .png, .glb, .usda, .usdz, .stellarium");
+  expect_refused(
+      {"bake", instant, "-o", "moon.exr", "-o", "moon.tiff"},
+      "moon.tiff: a texture ends in .exr (scene-linear), .tx (scene-linear, tiled and "
+      "mip-mapped), .png (developed), .jpg (developed, 8 bits, without its recipe), .glb "
+      "(developed, on a sphere; moon_lin_rec709.glb in cd/m²), .usda (a sphere, with its "
+      "moon_lin_rec709.exr beside it), .usdz (developed, on a sphere, for telephones), "
+      ".stellarium (a folder for Stellarium, needs --at)");
+  expect_refused({"bake", instant, "-o", "st\\b.usda"},
+                 R"(file of a USD layer = "st\\b.usda", allowed a name in its folder without )"
+                 R"(control characters, \ and :SDF_FORMAT_ARGS:, which USD does not find)");
   expect_refused({"bake", instant, "--texture-width", "8194", "-o", "moon.glb"},
                  "moon.glb: texture width [texels] = 8194, allowed to 8192");
   expect_refused({"animate", "2018-07-27", "--make", "scenes", "--space", "acescg", "-o", "film"},
@@ -217,6 +225,16 @@ TEST_F(TextureFiles, RefuseWhatTheyCannotHold) {
       "space = acescg, allowed lin_rec709 with textures beside frames");
   expect_refused({"animate", "2018-07-27", "--passes", "-o", "film"},
                  "passes need a film of textures alone, or of frames");
+}
+
+using TextureFilesThoroughly = TextureFiles;
+
+/// A developed picture of 400 MB of light is made of rows too.
+TEST_F(TextureFilesThoroughly, TakeNoMoreMemoryWhereTheyAreLarge) {
+  const auto outcome = coppermoon(
+      {"bake", partial.front(), "--unshadowed", "--texture-width", "8192", "-o", "moon.png"});
+  expect_done(outcome);
+  EXPECT_LT(outcome.most_memory_mb, 450) << "it was 1786; without any texels 187";
 }
 
 TEST_F(TextureFiles, PassesMakeUpTheWhole) {

@@ -14,6 +14,7 @@
 #include "algebra/error.h"
 #include "files/whole_file.h"
 #include "texture/openimageio/oiio_attributes.h"
+#include "texture/openimageio/silence.h"
 #include "texture/seal.h"
 
 namespace coppermoon::texture {
@@ -25,7 +26,8 @@ using algebra::Error;
 class FileSink : public OIIO::Filesystem::IOProxy {
  public:
   explicit FileSink(int descriptor) : IOProxy("", Write), descriptor_(descriptor) {}
-  const char* proxytype() const override { return "file"; }
+  /// Not "file", which OpenImageIO's writer of JPEG takes for an IOFile of its own.
+  const char* proxytype() const override { return "descriptor"; }
   std::size_t write(const void* bytes, std::size_t size) override {
     const auto written = pwrite(bytes, size, m_pos);
     m_pos += static_cast<std::int64_t>(written);
@@ -150,13 +152,6 @@ OIIO::ImageSpec exr_spec(const Layout& layout, ExrType type, const Attributes& a
   return spec;
 }
 
-Rows rows_of(const Image& image) {
-  return [&image](std::size_t first_row, std::span<float> values) {
-    const std::size_t length = image.width * image.channels.size();
-    std::copy_n(&image.values[first_row * length], values.size(), values.begin());
-  };
-}
-
 bool write_scanlines(OIIO::ImageOutput& output, const Source& source) {
   bool written = true;
   source.for_each_band([&](const Band& band) {
@@ -184,6 +179,7 @@ void write_encoded(const std::filesystem::path& path, const char* format,
       const bool written = encode(*output, fmt::format("/proc/self/fd/{}", descriptor));
       reason = closing_words(*output, written);
     } catch (...) {
+      const Silence silence;  // libpng prints of a picture that ends early
       closing_words(*output, false);
       throw;
     }

@@ -63,9 +63,6 @@ OIIO::ImageSpec exr_spec(const Layout& layout, ExrType type, const Attributes& a
 /// Largest value that a texel of the type can hold.
 float highest_of(ExrType type);
 
-/// The rows of an image, which must outlive them.
-Rows rows_of(const Image& image);
-
 /// Hands all of an image to an output that is open.
 ///
 /// Returned  whether it took them

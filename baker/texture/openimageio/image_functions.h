@@ -33,6 +33,7 @@ struct ImageFunctions {
   void (*write_exr_of_parts)(const std::filesystem::path&, std::span<const Part>, const Attributes&,
                              const ExrOptions&);
   decltype(texture::write_mipmapped)* write_mipmapped;
+  decltype(texture::write_picture)* write_picture;
   decltype(texture::write_png)* write_png;
   decltype(texture::write_tiff)* write_tiff;
   decltype(texture::write_dng)* write_dng;

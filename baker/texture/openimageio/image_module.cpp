@@ -20,6 +20,7 @@ coppermoon_image_functions() {
       .write_exr_of_rows = texture::write_exr,
       .write_exr_of_parts = texture::write_exr,
       .write_mipmapped = texture::write_mipmapped,
+      .write_picture = texture::write_picture,
       .write_png = texture::write_png,
       .write_tiff = texture::write_tiff,
       .write_dng = texture::write_dng,

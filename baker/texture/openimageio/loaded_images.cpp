@@ -155,6 +155,11 @@ void write_mipmapped(const fs::path& path, const Layout& layout, const Rows& row
   images().write_mipmapped(path, layout, rows, attributes, type);
 }
 
+void write_picture(const fs::path& path, const Layout& layout, const Rows& rows,
+                   const PictureFormat& format, const Attributes& attributes) {
+  images().write_picture(path, layout, rows, format, attributes);
+}
+
 void write_png(const fs::path& path, const Image& image, int bits, const Attributes& attributes) {
   images().write_png(path, image, bits, attributes);
 }

@@ -18,7 +18,11 @@ int kept = -1;  ///< stderr as it was before the first of them
 
 }  // namespace
 
-Silence::Silence(const std::filesystem::path& file) : wanted_(!has_openexr(file)) {
+Silence::Silence() : Silence(true) {}
+
+Silence::Silence(const std::filesystem::path& file) : Silence(!has_openexr(file)) {}
+
+Silence::Silence(bool wanted) : wanted_(wanted) {
   if (!wanted_) return;
   const std::lock_guard alone(one_at_a_time);
   if (silences++ > 0) return;

@@ -8,12 +8,11 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
-#include <fstream>
-#include <limits>
 #include <mutex>
 #include <span>
 #include <thread>
 
+#include "files/memory.h"
 #include "files/temporary_folder.h"
 #include "povray_scenes/sequence.h"
 #include "texture/read_image.h"
@@ -198,15 +197,6 @@ void bake(const Film& film, std::size_t frame, const WhenMade& when_made) {
   when_made({frame, std::nullopt});
 }
 
-/// Memory available in the system [bytes].
-double available_memory() {
-  std::ifstream file("/proc/meminfo");
-  for (std::string name; file >> name;
-       file.ignore(std::numeric_limits<std::streamsize>::max(), '\n'))
-    if (double kibibytes = 0; name == "MemAvailable:" && file >> kibibytes) return 1024 * kibibytes;
-  return 1e9;
-}
-
 double texels_of(const Film& film) {
   const auto width = static_cast<double>(texture_width_of(film.moon));
   return width * width / 2;
@@ -223,7 +213,7 @@ double camera_memory(const Film& film) {
 std::size_t lanes_of(const Film& film, std::size_t processors) {
   if (processors == 1) return 1;
   const double a_lane = 28 * texels_of(film) + camera_memory(film) + 64e6;
-  const double most = std::max(1., available_memory() / 2 / a_lane);
+  const double most = std::max(1., files::available_memory() / 2 / a_lane);
   return static_cast<std::size_t>(std::min(most, static_cast<double>(processors + 1)));
 }
 

@@ -250,6 +250,7 @@ void require_stage(const fs::path& path, const Film& film) {
   const auto refuse = [&](const char* why) {
     throw algebra::Error(fmt::format("{}: a stage is {}", path.string(), why));
   };
+  texture::require_usd_name(path.filename().string());
   if (!film.products.textures) refuse("made of textures, allowed where those are made");
   if (fs::weakly_canonical(fs::absolute(path)).parent_path() !=
       fs::weakly_canonical(fs::absolute(film.folder) / "stage").parent_path())

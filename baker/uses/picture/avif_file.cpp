@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algebra/error.h"
 #include "files/child_process.h"
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
@@ -55,9 +54,7 @@ void write_avif(const std::filesystem::path& file, const texture::Image& picture
                       .package = "libavif-bin",
                       .folder = folder.path()});
   const auto made = folder.path() / "picture.avif";
-  std::error_code none;
-  if (std::filesystem::file_size(made, none) == 0 || none)
-    throw algebra::Error("avifenc: ended without a result");
+  files::require_whole(made, "avifenc");
   files::write_whole(file, files::bytes_of(made));
 }
 

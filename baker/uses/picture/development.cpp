@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <utility>
 
@@ -15,9 +16,9 @@
 #include "colour/display.h"
 #include "texture/contact_sheet.h"
 #include "texture/write_image.h"
-#include "uses/picture/avif_file.h"
 #include "uses/picture/caption.h"
 #include "uses/picture/limb_pixels.h"
+#include "uses/picture/picture_files.h"
 #include "uses/picture/pixels.h"
 #include "uses/picture/raw_file.h"
 
@@ -26,15 +27,17 @@ namespace {
 
 constexpr const char *usual_display = "sRGB", *high_range_display = "Rec.2100-PQ";
 
-bool is_high_range(const std::filesystem::path& picture) { return picture.extension() == ".avif"; }
+const PictureFile& file_of(const std::filesystem::path& picture) {
+  return files::format_of(picture, picture_files(), "a picture");
+}
 
 /// Development with the display that a file's ending implies, where none is asked for; names spelt as in the
 /// configuration.
 Development for_file(Development development, const std::filesystem::path& picture) {
   const auto& config = development.config;
   development.display = colour::display_named(
-      is_high_range(picture) && development.display == usual_display ? high_range_display
-                                                                     : development.display,
+      file_of(picture).high_range && development.display == usual_display ? high_range_display
+                                                                          : development.display,
       config);
   development.view = colour::view_named(development.view, development.display, config);
   return development;
@@ -71,6 +74,44 @@ double bright_luminance(std::vector<double> lit) {
   const auto bright = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() * 99 / 100);
   std::nth_element(lit.begin(), bright, lit.end());
   return *bright;
+}
+
+/// Greatest of numbers that come one by one, as many as their 99th percentile needs.
+class Brightest {
+ public:
+  explicit Brightest(std::size_t most) : kept_(most - most * 99 / 100) {}
+
+  void add(double luminance) {
+    greatest_.push_back(luminance);
+    ++count_;
+    if (greatest_.size() <= 2 * kept_) return;
+    std::ranges::nth_element(greatest_, greatest_.begin() + std::ptrdiff_t(kept_), std::greater{});
+    greatest_.resize(kept_);
+  }
+
+  std::size_t count() const { return count_; }
+
+  double percentile() {
+    const auto bright = greatest_.begin() + std::ptrdiff_t(count_ - 1 - count_ * 99 / 100);
+    std::ranges::nth_element(greatest_, bright, std::greater{});
+    return *bright;
+  }
+
+ private:
+  std::size_t kept_, count_ = 0;
+  std::vector<double> greatest_;
+};
+
+/// Calls a function with the texture, some rows at a time.
+void for_each_band(const LitTexture& texture,
+                   const std::function<void(const texture::Image&)>& act) {
+  constexpr std::size_t rows_at_once = 64;
+  const auto& [width, height, channels] = texture.layout;
+  for (std::size_t row = 0; row < height; row += rows_at_once) {
+    texture::Image band(width, std::min(rows_at_once, height - row), channels);
+    texture.rows(row, band.values);
+    act(band);
+  }
 }
 
 /// Leading bits of a luminance, which sort like it; and the middle of all luminances that share them.
@@ -244,6 +285,15 @@ texture::Image shown_of(const Development& development, double scale, colour::Im
   return image;
 }
 
+/// Writes a picture whose header says how it was developed.
+void write_shown(const std::filesystem::path& file, const Development& development,
+                 const Exposures& exposures, ShownPicture picture) {
+  picture.bits = development.bits;
+  picture.attributes["coppermoon:view"] = development.display + ", " + development.view;
+  add_exposure(picture.attributes, exposures);
+  file_of(file).write(file, picture);
+}
+
 }  // namespace
 
 void LitSums::add(double luminance_cd_m2) {
@@ -272,6 +322,20 @@ Exposures exposures_for(const Development& development, const texture::Image& fr
   if (development.time.rule != ExposureTime::Rule::automatic)
     return exposed_for(development, sums_of(lit));
   return exposed_for(development, time_for(development, bright_luminance(lit), brightest_level));
+}
+
+Exposures exposures_for(const Development& development, const LitTexture& texture) {
+  const auto rule = development.time.rule;
+  if (rule == ExposureTime::Rule::fixed) return exposed_for(development, development.time.seconds);
+  Brightest brightest(texture.layout.width * texture.layout.height);
+  LitSums sums;
+  for_each_band(texture, [&](const texture::Image& band) {
+    for (const double y : luminances(band, texture.space, {}))
+      rule == ExposureTime::Rule::automatic ? brightest.add(y) : sums.add(y);
+  });
+  if (brightest.count() + sums.count == 0) return {one_second(development)};
+  if (rule != ExposureTime::Rule::automatic) return exposed_for(development, sums);
+  return exposed_for(development, time_for(development, brightest.percentile(), brightest_level));
 }
 
 double sky_over_moon(const Development& development, const texture::Image& frame,
@@ -334,11 +398,10 @@ Development of_high_range(Development development) {
 
 void require_sound(const Development& asked, const std::filesystem::path& picture) {
   const auto development = for_file(asked, picture);
-  if (picture.extension() != ".png" && !is_high_range(picture))
-    throw algebra::Error(fmt::format("{}: a picture ends in .png, or in .avif", picture.string()));
-  if (is_high_range(picture) && development.display != high_range_display)
-    throw algebra::Error(fmt::format("display = {}, allowed for a picture that ends in .avif {}",
-                                     development.display, high_range_display));
+  if (file_of(picture).high_range && development.display != high_range_display)
+    throw algebra::Error(fmt::format("display = {}, allowed for a picture that ends in {} {}",
+                                     development.display, file_of(picture).ending,
+                                     high_range_display));
   if (development.caption) texture::sheet_font();
   require_ending(development.camera.photograph, "a photograph", ".exr");
   if (development.time.rule == ExposureTime::Rule::composite &&
@@ -388,10 +451,32 @@ void write_picture(const Development& asked, const Exposures& exposures, const F
   }
   if (const auto date = frame.attributes.find("capDate"); date != frame.attributes.end())
     attributes["capDate"] = date->second;
-  attributes["coppermoon:view"] = development.display + ", " + development.view;
-  add_exposure(attributes, exposures);
-  if (is_high_range(picture)) return write_avif(picture, image);
-  texture::write_png(picture, image, development.bits, attributes);
+  write_shown(picture, development, exposures,
+              {{image.width, image.height, image.channels},
+               texture::rows_of(image),
+               {},
+               std::move(attributes)});
+}
+
+texture::Rows developed_rows(const Development& development, const Exposures& exposures,
+                             const LitTexture& texture) {
+  return [development, exposures, texture](std::size_t row, std::span<float> values) {
+    const auto& [width, height, channels] = texture.layout;
+    texture::Image light(width, values.size() / (3 * width), channels);
+    texture.rows(row, light.values);
+    std::ranges::copy(developed(development, exposures, {light, texture.space}).values,
+                      values.begin());
+  };
+}
+
+void write_picture(const Development& asked, const Exposures& exposures, const LitTexture& texture,
+                   const texture::Attributes& attributes, const std::filesystem::path& picture) {
+  const auto development = for_file(asked, picture);
+  write_shown(picture, development, exposures,
+              {{texture.layout.width, texture.layout.height, {"R", "G", "B"}},
+               developed_rows(development, exposures, texture),
+               {},
+               attributes});
 }
 
 }  // namespace coppermoon::uses

@@ -53,6 +53,16 @@ struct Exposures {
 Exposures exposures_for(const Development& development, const texture::Image& frame,
                         colour::WorkingSpace space, const SeenFrame& seen = {});
 
+/// Scene-linear texture to be developed [cd/m²], whose rows may be asked for again.
+struct LitTexture {
+  texture::Layout layout;
+  texture::Rows rows;
+  colour::WorkingSpace space;
+};
+
+/// Exposure of a texture, as of a frame of its texels without a camera; some rows are in memory at a time.
+Exposures exposures_for(const Development& development, const LitTexture& texture);
+
 /// Luminance of the sky over the 99th percentile of the Moon's; 0 without a camera or a lit Moon.
 ///
 /// Throws Error when the frame has fewer than three channels
@@ -102,7 +112,7 @@ void add_exposure(texture::Attributes& attributes, const Exposures& exposures);
 Development of_high_range(Development development);
 
 /// Throws Error when the development cannot be made whatever the frame holds: a setting outside its
-/// range, a picture that ends neither in .png nor in .avif, a view there is not
+/// range, a picture that ends in none of picture_files(), a view there is not
 void require_sound(const Development& development, const std::filesystem::path& picture);
 
 /// Frame transformed for its display, with luminance 1/scale as white: channels R, G, B, 0 to 1.
@@ -119,6 +129,15 @@ texture::Image shown(const Development& development, double scale, const texture
 /// shadow.
 texture::Image developed(const Development& development, const Exposures& exposures,
                          const Frame& frame);
+
+/// Rows of the developed picture of a texture, as of a frame of its texels without a camera.
+texture::Rows developed_rows(const Development& development, const Exposures& exposures,
+                             const LitTexture& texture);
+
+/// Develops a texture and writes the picture, as below; some rows are in memory at a time.
+void write_picture(const Development& development, const Exposures& exposures,
+                   const LitTexture& texture, const texture::Attributes& attributes,
+                   const std::filesystem::path& picture);
 
 /// Develops a scene-linear frame and writes the picture. One that ends in .avif is of high dynamic range
 /// (write_avif), for the display Rec.2100-PQ: saturation is 100 cd/m², and what is brighter stays so.

@@ -70,6 +70,16 @@ algebra::Grid<float> channel_of(const texture::Image& image, std::size_t channel
   return values;
 }
 
+texture::Image image_of(const texture::Layout& layout, const texture::Rows& rows) {
+  constexpr std::size_t rows_at_once = 64;
+  texture::Image image(layout.width, layout.height, layout.channels);
+  const std::size_t length = layout.width * layout.channels.size();
+  for (std::size_t row = 0; row < layout.height; row += rows_at_once)
+    rows(row, std::span(image.values)
+                  .subspan(row * length, std::min(rows_at_once, layout.height - row) * length));
+  return image;
+}
+
 texture::Image image_of(const colour::Image& pixels) { return three_channels(pixels, 1); }
 
 texture::Image image_of(const algebra::Grid<colour::RawPixel>& raw) {

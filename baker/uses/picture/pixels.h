@@ -29,6 +29,9 @@ texture::Image in_space(const texture::Image& image, colour::WorkingSpace from,
 /// One channel alone.
 algebra::Grid<float> channel_of(const texture::Image& image, std::size_t channel);
 
+/// Image with all its rows in memory, made some at a time.
+texture::Image image_of(const texture::Layout& layout, const texture::Rows& rows);
+
 /// Channels R, G, B.
 texture::Image image_of(const colour::Image& pixels);
 

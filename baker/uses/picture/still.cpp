@@ -126,6 +126,11 @@ LinearFrame rendered(const LitScene& scene, bool passes, const algebra::Progress
   return completed(std::move(frame), scene.view, scene.moon.sky, lights);
 }
 
+double frame_memory(std::size_t width, std::size_t height, bool through_camera) {
+  const double a_pixel = through_camera ? 75 + 128 : 75;
+  return a_pixel * static_cast<double>(width) * static_cast<double>(height);
+}
+
 LinearFrame in_space(const LinearFrame& frame, colour::WorkingSpace from, colour::WorkingSpace to) {
   if (from == to) return frame;
   LinearFrame changed{in_space(frame.whole, from, to)};

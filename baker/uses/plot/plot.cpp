@@ -3,7 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "algebra/error.h"
+#include <array>
+
 #include "files/child_process.h"
 #include "files/temporary_folder.h"
 #include "files/whole_file.h"
@@ -20,14 +21,22 @@ std::string literal(std::string_view text) {
   return quoted + '"';
 }
 
-std::string terminal(const std::filesystem::path& file, const Plot& plot) {
-  const auto [width, height] = std::pair(plot.width, plot.height);
-  if (file.extension() == ".svg")
-    return fmt::format("svg size {},{} background rgb 'white' font 'sans-serif,13'", width, height);
-  if (file.extension() == ".pdf")
-    return fmt::format("pdfcairo size {}cm,{}cm font 'Sans,14'", width / 40., height / 40.);
-  return fmt::format("pngcairo size {},{} font 'Sans,12'", width, height);
+std::string png_terminal(const Plot& plot) {
+  return fmt::format("pngcairo size {},{} font 'Sans,12'", plot.width, plot.height);
 }
+
+std::string svg_terminal(const Plot& plot) {
+  return fmt::format("svg size {},{} background rgb 'white' font 'sans-serif,13'", plot.width,
+                     plot.height);
+}
+
+std::string pdf_terminal(const Plot& plot) {
+  return fmt::format("pdfcairo size {}cm,{}cm font 'Sans,14'", plot.width / 40., plot.height / 40.);
+}
+
+constexpr std::array formats_of_plots{PlotFile{{".png", "plot"}, png_terminal},
+                                      PlotFile{{".svg", "plot"}, svg_terminal},
+                                      PlotFile{{".pdf", "plot"}, pdf_terminal}};
 
 /// Axis `x` or `y`; without numbers where another panel's stand below.
 std::string axis(char name, const PlotAxis& axis, bool numbered = true) {
@@ -100,20 +109,22 @@ std::string script(const Plot& plot) {
 
 }  // namespace
 
+std::span<const PlotFile> plot_files() { return formats_of_plots; }
+
 void require_plot_ending(const std::filesystem::path& file, std::string_view what, bool or_table) {
-  const auto ending = file.extension();
-  if (ending != ".png" && ending != ".svg" && ending != ".pdf" && !(or_table && ending == ".csv"))
-    throw algebra::Error(fmt::format("{}: {} ends in {}.png, .svg or .pdf", file.string(), what,
-                                     or_table ? ".csv, " : ""));
+  std::vector<files::Ending> allowed;
+  if (or_table) allowed.push_back({".csv", "numbers"});
+  allowed.insert(allowed.end(), formats_of_plots.begin(), formats_of_plots.end());
+  files::format_of(file, allowed, what);
 }
 
 /// Nobody's own settings count (-d), and no file's name comes into the script, where a line of it could
 /// be taken for an order.
 void write_plot(const std::filesystem::path& file, const Plot& plot) {
-  require_plot_ending(file, "a plot", false);
+  const auto& format = files::format_of(file, formats_of_plots, "a plot");
   const files::TemporaryFolder folder;
   files::write_whole(folder.path() / "plot.gp",
-                     "set terminal " + terminal(file, plot) + "\n" + script(plot));
+                     "set terminal " + format.terminal(plot) + "\n" + script(plot));
   files::write_whole(file, [&](int descriptor) {
     files::run_program(
         {.words = {"gnuplot", "-d", "plot.gp"}, .package = "gnuplot-nox", .folder = folder.path()},

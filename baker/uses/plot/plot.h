@@ -3,10 +3,13 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "files/endings.h"
 
 namespace coppermoon::uses {
 
@@ -56,16 +59,24 @@ struct Plot {
   double height_per_width = 0;  ///< of the panel; 0: as it fits
 };
 
+/// Format of a plot's file.
+struct PlotFile : files::Ending {
+  std::string (*terminal)(const Plot& plot);  ///< gnuplot's, and its settings
+};
+
+/// All of them.
+std::span<const PlotFile> plot_files();
+
 /// Draws a plot with gnuplot. The file appears whole or not at all.
 ///
-/// Given   file   ends in .png, .svg or .pdf
+/// Given   file   ends as one of plot_files()
 /// Throws  Error  for another ending; when gnuplot is not there, or fails
 void write_plot(const std::filesystem::path& file, const Plot& plot);
 
 /// Refuses a file that is neither a plot nor, where that is allowed, a table.
 ///
 /// Given   what   is to be written, as "a curve"
-/// Throws  Error  when the path ends in none of .png, .svg, .pdf and, with `or_table`, .csv
+/// Throws  Error  when the path ends as none of plot_files() nor, with `or_table`, in .csv
 void require_plot_ending(const std::filesystem::path& file, std::string_view what, bool or_table);
 
 }  // namespace coppermoon::uses

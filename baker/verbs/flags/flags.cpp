@@ -11,6 +11,7 @@
 #include "verbs/flags/moments.h"
 #include "verbs/flags/named_files.h"
 #include "verbs/flags/verb.h"
+#include "verbs/reports/progress_bar.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -182,6 +183,7 @@ void on_run(CLI::App& verb, std::function<void()> run) {
     require_files_apart(verb);
     say_which_city(verb);
     say_what_is_utc(verb);
+    const AtWork at_work(verb.get_name());
     run();
   });
 }

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "files/endings.h"
 #include "request/parameter.h"
 
 namespace CLI {
@@ -36,8 +37,15 @@ class Flag {
   Flag within(double low, double high) const;  ///< tells the range, which the command itself keeps
   Flag required() const;
   Flag excludes(const std::string& flag) const;
-  Flag reads_file() const;           ///< the value names a file that is read
-  Flag writes_file() const;          ///< the value names a file that is written
+  Flag reads_file() const;   ///< the value names a file that is read
+  Flag writes_file() const;  ///< the value names a file that is written
+  /// The value names a file that is written, in one of the formats of a table.
+  template <class Formats>
+  Flag writes_file(const Formats& formats) const {
+    for (const files::Ending& format : formats)
+      parameter_->endings.emplace_back(format.ending, format.help);
+    return writes_file();
+  }
   Flag writes_folder() const;        ///< the value names a folder that files are written into
   Flag kept_each_time() const;       ///< may be given again; every value is kept
   Flag one_value_each_time() const;  ///< may be given again; what follows a value is no second one

@@ -6,11 +6,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
 #include "algebra/error.h"
 #include "files/whole_file.h"
+#include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
 namespace {
@@ -33,10 +35,10 @@ std::vector<NamedFile> files_called(const char* kind, const CLI::App& verb) {
   return files;
 }
 
-/// Path with its links followed, whether or not anything is there yet.
+/// Path with its links followed, where they can be.
 fs::path place_of(const fs::path& path) {
   std::error_code failed;
-  const auto place = fs::weakly_canonical(fs::absolute(path, failed), failed);
+  const auto place = files::place_of(path, failed);
   return failed ? path : place;
 }
 
@@ -59,8 +61,25 @@ bool stands_in(const fs::path& file, const fs::path& folder) {
 bool ends_as_a_file(const fs::path& name) {
   static constexpr std::array endings{".avif", ".csv",  ".exr", ".glb", ".html", ".ics",
                                       ".jpg",  ".json", ".mov", ".mp4", ".pdf",  ".png",
-                                      ".pov",  ".svg",  ".tif", ".tx",  ".usda"};
+                                      ".pov",  ".svg",  ".tif", ".tx",  ".usda", ".usdz"};
   return std::ranges::find(endings, name.extension()) != endings.end();
+}
+
+std::optional<colour::WorkingSpace> space_for(const fs::path& file,
+                                              std::optional<colour::WorkingSpace> asked) {
+  const auto named = colour::space_in_name(file.stem().string());
+  if (named && asked && *asked != *named)
+    throw algebra::Error(fmt::format("{}: space = {}, allowed {} as its name says, or no --space",
+                                     file.string(), colour::name(*asked), colour::name(*named)));
+  return named ? named : asked;
+}
+
+void say_space_of(const fs::path& file, colour::WorkingSpace space, std::string_view way_out) {
+  const auto stem = file.stem().string();
+  if (colour::space_in_name(stem).value_or(space) == space && !colour::names_another_space(stem))
+    return;
+  fmt::print(stderr, "coppermoon: {}: is {}, which its name does not say{}\n",
+             one_line(file.string()), colour::name(space), way_out);
 }
 
 bool says_where_results_go(const CLI::Option& flag) {

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string_view>
 
+#include "colour/working_space.h"
 #include "verbs/flags/flags.h"
 
 namespace coppermoon::verbs {
@@ -16,6 +19,21 @@ bool says_where_results_go(const CLI::Option& flag);
 
 /// Whether a name has the ending of a file, as "film.mp4".
 bool ends_as_a_file(const std::filesystem::path& name);
+
+/// Colour space of a file that is written: as its name says, or as asked for; nothing where neither does.
+///
+/// Throws  algebra::Error  when they differ
+std::optional<colour::WorkingSpace> space_for(const std::filesystem::path& file,
+                                              std::optional<colour::WorkingSpace> asked);
+
+/// Says on stderr which colour space a file is in, where its name seems to say another, as moon_aces.exr does.
+///
+/// Given  way_out  how it would be another; empty: it cannot
+void say_space_of(const std::filesystem::path& file, colour::WorkingSpace space,
+                  std::string_view way_out = {});
+
+inline constexpr std::string_view other_spaces =
+    "; --space, or a name with acescg or lin_ciexyzd65_scene, makes it another";
 
 /// Refuses a command line by which one file would overwrite another, before any work is done.
 ///

@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <condition_variable>
 #include <cstdio>
+#include <system_error>
 
 namespace coppermoon::verbs {
 
@@ -36,6 +38,25 @@ void ProgressBar::draw(double fraction) {
   std::fflush(stderr);
   drawn_ = true;
   next_ = now + 100ms;
+}
+
+AtWork::AtWork(std::string command, std::chrono::milliseconds first,
+               std::chrono::milliseconds others) {
+  if (isatty(STDERR_FILENO) != 0) return;
+  const auto say = [command = std::move(command), first, others](const std::stop_token& end) {
+    std::mutex alone;
+    std::condition_variable_any ended;
+    std::unique_lock lock(alone);
+    auto passed = first;
+    for (auto wait = first; !ended.wait_for(lock, end, wait, [&] { return end.stop_requested(); });
+         wait = others, passed += others)
+      fmt::print(stderr, "coppermoon: {}: at work for {:.0f} s\n", command,
+                 std::chrono::duration<double>(passed).count());
+  };
+  try {
+    saying_ = std::jthread(say);
+  } catch (const std::system_error&) {  // no thread: nothing is said
+  }
 }
 
 }  // namespace coppermoon::verbs

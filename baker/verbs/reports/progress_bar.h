@@ -4,6 +4,7 @@
 #include <chrono>
 #include <mutex>
 #include <string>
+#include <thread>
 
 #include "algebra/progress.h"
 
@@ -27,6 +28,18 @@ class ProgressBar {
   bool on_terminal_, drawn_ = false;
   std::chrono::steady_clock::time_point next_;
   std::mutex mutex_;
+};
+
+/// Lines on stderr, for as long as it lives, that a command is at work: after ten seconds and then once a minute. On a
+/// terminal there are none.
+class AtWork {
+ public:
+  /// Given  waits  before the first line and between others
+  explicit AtWork(std::string command, std::chrono::milliseconds first = std::chrono::seconds(10),
+                  std::chrono::milliseconds others = std::chrono::minutes(1));
+
+ private:
+  std::jthread saying_;
 };
 
 }  // namespace coppermoon::verbs

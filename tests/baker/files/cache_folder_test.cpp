@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <optional>
 #include <thread>
 
@@ -58,6 +59,14 @@ TEST_F(CacheFolder, TrustsNothingOfAnotherUser) {
   ASSERT_EQ(::chown(in_folder("their_folder").c_str(), other_user, other_user), 0);
   EXPECT_THROW(make_private_folder(in_folder("their_folder")), Error);
   EXPECT_THROW(make_private_folder(in_folder("way_there")), Error);
+}
+
+TEST_F(CacheFolder, ThatCannotBeMadeNamesItsVariable) {
+  const auto taken = file("taken", "by a file");
+  ::setenv("COPPERMOON_CACHE", (taken / "kept").c_str(), 1);
+  EXPECT_ERROR(make_private_folder(coppermoon::files::usual_cache()),
+               "; the variable COPPERMOON_CACHE may name another");
+  ::unsetenv("COPPERMOON_CACHE");
 }
 
 TEST_F(CacheFolder, LocksOneFileForOneAtATime) {

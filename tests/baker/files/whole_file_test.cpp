@@ -46,6 +46,7 @@ extern "C" int open(const char* path, int flags, ...) {
 namespace {
 
 using coppermoon::algebra::Error;
+using coppermoon::files::require_place_for;
 using coppermoon::files::write_whole;
 
 using WholeFile = ScratchFolder;
@@ -152,6 +153,22 @@ TEST_F(WholeFile, FollowsASymbolicLink) {
   write_whole(in_folder("link"), "new");
   EXPECT_TRUE(std::filesystem::is_symlink(in_folder("link")));
   EXPECT_EQ(bytes_of(target), "new");
+}
+
+TEST_F(WholeFile, FollowsALinkToWhatIsNotThereYet) {
+  namespace fs = std::filesystem;
+  fs::create_directory(in_folder("there"));
+  fs::create_symlink("there/a", in_folder("link"));
+  fs::create_symlink("link", in_folder("way"));
+  write_whole(in_folder("way"), "new");
+  for (const char* link : {"link", "way"}) EXPECT_TRUE(fs::is_symlink(in_folder(link)));
+  EXPECT_EQ(bytes_of(in_folder("there/a")), "new");
+  fs::create_symlink("nowhere/a", in_folder("lost"));
+  EXPECT_ERROR(write_whole(in_folder("lost"), "new"), "nowhere/a: cannot be written: No such file");
+  EXPECT_ERROR(require_place_for(in_folder("lost")), "nowhere: no such directory");
+  EXPECT_NO_THROW(require_place_for(in_folder("way")));
+  fs::create_symlink("round", in_folder("round"));
+  EXPECT_ERROR(write_whole(in_folder("round"), "new"), "round: cannot be written: Too many");
 }
 
 TEST_F(WholeFile, LeavesTheOldOneWhenTheFillingFails) {

@@ -321,14 +321,6 @@ std::vector<Image> levels_of(const std::filesystem::path& path) {
   return levels;
 }
 
-Rows rows_of(const Image& image) {
-  return [&image](std::size_t first_row, std::span<float> values) {
-    const auto begin = image.values.begin() +
-                       static_cast<std::ptrdiff_t>(first_row * image.width * image.channels.size());
-    std::copy_n(begin, values.size(), values.begin());
-  };
-}
-
 /// Means over areas: the mean of a plane over a texel is its value in the texel's middle, whatever
 /// part of each smaller texel lies in it.
 TEST_F(WriteImage, MipmapsOfAnySizeHoldTheMeanOfEachTexelsArea) {
@@ -379,6 +371,53 @@ TEST_F(WriteImage, PartsAppearWholeOrNotAtAll) {
                                 {"direct", layout, rows_of(spoilt)}};
   EXPECT_THROW(write_exr(in_folder("a.exr"), parts, {}), coppermoon::algebra::Error);
   EXPECT_TRUE(std::filesystem::is_empty(in_folder(".")));
+}
+
+TEST_F(WriteImage, PicturesByRowsHaveTheBytesOfWholeOnes) {
+  Image image(wide.width, wide.height, wide.channels);
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] = static_cast<float>(i % 7919) / 7919;
+  const Attributes attributes{{"expTime", 0.5F}, {"coppermoon:recipe", std::string("a recipe")}};
+  std::size_t most = 0;
+  const Rows rows = [&, all = rows_of(image)](std::size_t row, std::span<float> values) {
+    most = std::max(most, values.size());
+    all(row, values);
+  };
+  write_png(in_folder("a.png"), image, 8, attributes);
+  write_picture(in_folder("b.png"), wide, rows, {"png", 8}, attributes);
+  EXPECT_TRUE(bytes_of(in_folder("a.png")) == bytes_of(in_folder("b.png")));
+  EXPECT_EQ(most, 64 * wide.width * 3) << "not the whole picture at once";
+}
+
+TEST_F(WriteImage, PicturesThatCannotBeMadeLeaveNothingAndPrintNothing) {
+  const Rows failing = [](std::size_t row, std::span<float> values) {
+    if (row > 0) values[5] = 2;
+  };
+  for (const char* format : {"png", "jpeg"}) {
+    testing::internal::CaptureStderr();
+    EXPECT_ERROR(write_picture(in_folder("a"), wide, failing, {format, 8}), "= 2, allowed 0 to 1");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << format;
+  }
+  EXPECT_ERROR(write_picture(in_folder("a"), wide, failing, {"jpeg", 16}),
+               "JPEG of 16 bits, allowed 8");
+  EXPECT_EQ(files_in_folder(), 0U);
+}
+
+TEST_F(WriteImage, JpegHasItsExposureAsExif) {
+  Image grey(16, 16, {"R", "G", "B"});
+  std::ranges::fill(grey.values, 0.5F);
+  write_picture(in_folder("a.jpg"), {16, 16, grey.channels}, rows_of(grey), {"jpeg", 8},
+                {{"expTime", 0.5F},
+                 {"aperture", 8.F},
+                 {"isoSpeed", 800.F},
+                 {"capDate", std::string("2018:07:27 20:21:45")},
+                 {"coppermoon:recipe", std::string("a recipe")}});
+  EXPECT_TRUE(bytes_of(in_folder("a.jpg")).starts_with("\xff\xd8"));
+  for (const float value : read_image(in_folder("a.jpg")).values)
+    EXPECT_WITHIN(value, 0.5, 2.01 / 255, "of quality 95; half a step is dithered");
+  EXPECT_EQ(read_attribute(in_folder("a.jpg"), "DateTime"), "2018:07:27 20:21:45");
+  EXPECT_EQ(read_attribute(in_folder("a.jpg"), "expTime"), "0.5");
+  EXPECT_EQ(read_attribute(in_folder("a.jpg"), "Exif:PhotographicSensitivity"), "800");
 }
 
 TEST_F(WriteImage, GradientsOf8BitsAreDitheredAndWholeStepsAreNot) {

@@ -23,9 +23,15 @@ Image picture() {
   return image;
 }
 
+void write_folder(const std::filesystem::path& folder, const Image& image,
+                  const Attributes& attributes) {
+  write_stellarium(folder, {image.width, image.height, image.channels}, rows_of(image), sight,
+                   attributes);
+}
+
 TEST_F(WriteStellarium, PutsPictureShaderAndScriptWhereItLooksForThem) {
   const auto folder = in_folder("moon.stellarium");
-  write_stellarium(folder, picture(), sight, {{"coppermoon:recipe", std::string("a recipe")}});
+  write_folder(folder, picture(), {{"coppermoon:recipe", std::string("a recipe")}});
   const auto shown = read_image(folder / "textures/moon_4k.jpg");
   for (std::size_t i = 0; i < shown.values.size(); ++i)
     EXPECT_FLOAT_EQ(shown.values[i], picture().values[i]) << "a PNG: without loss";
@@ -41,7 +47,7 @@ TEST_F(WriteStellarium, PutsPictureShaderAndScriptWhereItLooksForThem) {
 TEST_F(WriteStellarium, OverwritesItsOwnFilesAlone) {
   const auto folder = in_folder("moon.stellarium");
   const auto write = [&] {
-    write_stellarium(folder, picture(), sight, {{"coppermoon:recipe", std::string("a recipe")}});
+    write_folder(folder, picture(), {{"coppermoon:recipe", std::string("a recipe")}});
   };
   write();
   EXPECT_NO_THROW(write());
@@ -62,7 +68,7 @@ TEST_F(WriteStellarium, FollowsNoLinkToAnotherFolder) {
   std::filesystem::create_directories(in_folder("moon.stellarium"));
   for (const char* part : {"scripts", "data"}) {
     std::filesystem::create_symlink("../mine", in_folder("moon.stellarium") / part);
-    EXPECT_ERROR(write_stellarium(in_folder("moon.stellarium"), picture(), sight, {}),
+    EXPECT_ERROR(write_folder(in_folder("moon.stellarium"), picture(), {}),
                  std::string(part) + ": is a link");
     std::filesystem::remove(in_folder("moon.stellarium") / part);
   }
@@ -72,9 +78,9 @@ TEST_F(WriteStellarium, FollowsNoLinkToAnotherFolder) {
 TEST_F(WriteStellarium, LeavesNoFolderThatItCannotFill) {
   auto wrong = picture();
   wrong.values[3] = 2;
-  EXPECT_ERROR(write_stellarium(in_folder("moon.stellarium"), wrong, sight, {}), "2");
+  EXPECT_ERROR(write_folder(in_folder("moon.stellarium"), wrong, {}), "2");
   EXPECT_EQ(files_in_folder(), 0U);
-  EXPECT_ERROR(write_stellarium(file("taken", "by a file"), picture(), sight, {}),
+  EXPECT_ERROR(write_folder(file("taken", "by a file"), picture(), {}),
                "no folder can be made there");
   EXPECT_EQ(bytes_of(in_folder("taken")), "by a file");
 }

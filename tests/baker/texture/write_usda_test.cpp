@@ -51,6 +51,10 @@ TEST_F(WriteUsda, TakesAPlainFileNameOnly) {
   for (const auto* name : {"", "..", "a/b.exr", "/b.exr", "a\nb.exr"})
     EXPECT_ERROR(write_usda(in_folder("moon.usda"), name, "lin_rec709_scene"),
                  "allowed a name in its folder");
+  EXPECT_ERROR(write_usda(in_folder("moon.usda"), "st\\b.exr", "lin_rec709_scene"),
+               R"("st\\b.exr", allowed a name in its folder without control characters, \ and)");
+  for (const char* layer : {"st\\b.usda", "a:SDF_FORMAT_ARGS:b.usda"})
+    EXPECT_ERROR(write_usda(in_folder(layer), "moon.exr", "lin_rec709_scene"), "USD does not find");
   EXPECT_EQ(files_in_folder(), 0U);
   write_usda(in_folder("moon.usda"), "a@@@b@.exr", "lin_rec709_scene");
   EXPECT_TRUE(holds(bytes_of(in_folder("moon.usda")), "@@@./a\\@@@b@.exr@@@"));

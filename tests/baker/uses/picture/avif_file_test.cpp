@@ -16,5 +16,13 @@ TEST_F(AvifFile, ThatItsProgramDoesNotWriteIsSaid) {
   EXPECT_FALSE(std::filesystem::exists(here() / "a.avif"));
 }
 
+TEST_F(AvifFile, ThatItsProgramCutsOffIsSaid) {
+  stand_in("avifenc", "printf '\\0\\0\\0\\20ftypavif' > picture.avif");
+  const texture::Image picture(2, 2, {"R", "G", "B"});
+  EXPECT_EQ(refusal([&] { write_avif(here() / "a.avif", picture); }),
+            "avifenc: its file is cut off after 12 bytes; is the disk full?");
+  EXPECT_FALSE(std::filesystem::exists(here() / "a.avif"));
+}
+
 }  // namespace
 }  // namespace coppermoon::uses

@@ -273,6 +273,42 @@ TEST(Limb, OfAFrameWhoseEdgeIsNotKnownOrThroughACameraStaysAsItIs) {
   EXPECT_NE(shown_of({}, disc), shown_of({}, {}));
 }
 
+/// More rows than are in memory at a time, the dark part without light.
+texture::Image of_many_luminances() {
+  texture::Image image(40, 150, {"R", "G", "B"});
+  for (std::size_t i = 3 * 40 * 20; i < image.values.size(); ++i)
+    image.values[i] = std::pow(10.F, -2 + 6 * static_cast<float>(i * 7919 % 9973) / 9973);
+  return image;
+}
+
+TEST(Textures, AreExposedAndDevelopedAsFramesAre) {
+  const auto image = of_many_luminances();
+  const LitTexture texture{
+      {image.width, image.height, image.channels}, texture::rows_of(image), space};
+  using enum ExposureTime::Rule;
+  for (const auto rule : {automatic, follow, composite, fixed}) {
+    Development development;
+    development.time.rule = rule;
+    const auto exposures = exposures_for(development, texture);
+    const auto of_frame = exposures_for(development, image, space);
+    EXPECT_EQ(exposures.shorter.time_s, of_frame.shorter.time_s);
+    EXPECT_EQ(exposures.longer_s, of_frame.longer_s);
+    const auto whole = developed(development, exposures, {image, space});
+    texture::Image by_rows(image.width, image.height, image.channels);
+    const auto rows = developed_rows(development, exposures, texture);
+    const std::size_t half = 40 * 3 * 75;
+    rows(0, std::span(by_rows.values).first(half));
+    rows(75, std::span(by_rows.values).subspan(half));
+    EXPECT_EQ(by_rows.values, whole.values);
+  }
+  EXPECT_EQ(
+      exposures_for(
+          {}, LitTexture{{1, 1, {"R", "G", "B"}}, [](std::size_t, std::span<float>) {}, space})
+          .shorter.time_s,
+      1)
+      << "where nothing is lit";
+}
+
 TEST(ExposureSeconds, AreNumbersAndFractions) {
   EXPECT_EQ(exposure_seconds("4"), 4);
   EXPECT_EQ(exposure_seconds("1/8"), 0.125);

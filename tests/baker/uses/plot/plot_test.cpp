@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "uses/plot/plot.h"
 
+#include <sys/resource.h>
+
+#include <csignal>
 #include <iterator>
 
 #include "support/helper_folder.h"
@@ -60,9 +63,9 @@ TEST_F(Plots, HaveAPanelAboveAnother) {
 
 TEST_F(Plots, EndInWhatGnuplotDraws) {
   EXPECT_EQ(refusal([] { write_plot("a.gif", line_named("x")); }),
-            "a.gif: a plot ends in .png, .svg or .pdf");
+            "a.gif: a plot ends in .png (plot), .svg (plot), .pdf (plot)");
   EXPECT_EQ(refusal([] { require_plot_ending("a.gif", "a curve", true); }),
-            "a.gif: a curve ends in .csv, .png, .svg or .pdf");
+            "a.gif: a curve ends in .csv (numbers), .png (plot), .svg (plot), .pdf (plot)");
   EXPECT_NO_THROW(require_plot_ending("a.csv", "a curve", true));
   for (const char* name : {"a.png", "a.pdf"}) {
     write_plot(here() / name, line_named("x"));
@@ -75,6 +78,22 @@ TEST_F(Plots, ThatGnuplotDoesNotDrawAreSaid) {
   EXPECT_EQ(refusal([&] { write_plot(here() / "a.svg", line_named("x")); }),
             "gnuplot: ended without a result");
   EXPECT_FALSE(fs::exists(here() / "a.svg"));
+}
+
+/// gnuplot itself, which exits 0 when its file cannot grow.
+TEST_F(Plots, OfAFullDiskReplaceNothing) {
+  std::signal(SIGXFSZ, SIG_IGN);  // as in the program
+  for (const char* name : {"a.png", "a.svg", "a.pdf"}) {
+    std::ofstream(here() / name) << "old";
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit small{2048, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    const auto said = refusal([&] { write_plot(here() / name, line_named("x")); });
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_EQ(said, "gnuplot: its file is cut off after 2048 bytes; is the disk full?") << name;
+    EXPECT_EQ(fs::file_size(here() / name), 3U) << "the old one";
+  }
 }
 
 TEST_F(Plots, ThatFailHaveTheFirstWord) {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "verbs/reports/progress_bar.h"
+
+#include <gtest/gtest.h>
+
+namespace coppermoon::verbs {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(AtWork, IsSaidAfterAWhileAndThenAgain) {
+  testing::internal::CaptureStderr();
+  {
+    const AtWork quick("plan");
+    const AtWork long_one("bake", 20ms, 30ms);
+    std::this_thread::sleep_for(200ms);
+  }
+  const auto said = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(said.find("plan"), said.npos) << said;
+  EXPECT_EQ(said.find("coppermoon: bake: at work for 0 s\n"), 0U) << said;
+  EXPECT_NE(said.rfind("bake"), said.find("bake")) << "again";
+}
+
+}  // namespace
+}  // namespace coppermoon::verbs
