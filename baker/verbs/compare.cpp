@@ -273,6 +273,7 @@ void run(const Options& options) {
   const auto coding = uses::coding_of(options.photo, options.coding);
   const auto exif = exif_to_use(options, coding);
   warn_of_another_camera(options.render, options.response);
+  warn_of_developers({options.photo}, options.coding);
   const auto [places, glow] =
       geometry_of(options.recipe_in.empty() ? options.render : options.recipe_in);
   const auto photo = uses::photo_light(options.photo, coding, options.response),
