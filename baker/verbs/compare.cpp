@@ -305,7 +305,8 @@ void add_compare(CLI::App& program) {
   add_flag(
       *verb, "photo,--photo", options->photo,
       "photograph: any image, or a camera's raw file; whole numbers are read by the camera's tone "
-      "curve where the header names one, else as sRGB, floats and raw files as linear")
+      "curve where the header names one and no program that developed it, else as sRGB, floats and "
+      "raw files as linear")
       .reads_file()
       .of(request::Affects::share)
       .required();

@@ -22,7 +22,7 @@ namespace {
 
 using algebra::Error;
 
-void require_done(int status) {
+void require_success(int status) {
   if (status == 0) return;
   fits_clear_errmsg();
   std::array<char, FLEN_STATUS> text{};
@@ -78,7 +78,7 @@ Header header_of(fitsfile* file) {
   std::array<LONGLONG, 3> lengths{};
   Header header;
   fits_get_img_paramll(file, 3, &header.bitpix, &axes, lengths.data(), &status);
-  require_done(status);
+  require_success(status);
   if (axes != 2 && axes != 3)
     throw Error(fmt::format("NAXIS = {}, allowed 2 or 3, of the file's first image", axes));
   header.width = axis_of(lengths[0], 1);
@@ -101,7 +101,7 @@ Header header_of(fitsfile* file) {
 
 /// What cards say of a photograph, under the names that EXIF has for it; INSTRUME, GAIN, TIMESYS and DATAMAX have none.
 void add_cards(fitsfile* file, OIIO::ImageSpec& spec) {
-  using Pair = std::pair<const char*, const char*>;
+  using Named = std::pair<const char*, const char*>;
   auto date = text_in_card(file, "DATE-OBS");
   constexpr std::size_t date_alone = 10;
   if (const auto time = text_in_card(file, "TIME-OBS"); date && date->size() == date_alone && time)
@@ -111,9 +111,9 @@ void add_cards(fitsfile* file, OIIO::ImageSpec& spec) {
   for (const char* name : {"INSTRUME", "GAIN"})
     if (const auto text = text_in_card(file, name)) spec.attribute(name, *text);
   for (const auto& [theirs, name] :
-       {Pair{"EXPOSURE", "ExposureTime"}, Pair{"EXPTIME", "ExposureTime"},
-        Pair{"FOCRATIO", "FNumber"}, Pair{"ISOSPEED", "Exif:PhotographicSensitivity"},
-        Pair{"DATAMAX", "DATAMAX"}})
+       {Named{"EXPOSURE", "ExposureTime"}, Named{"EXPTIME", "ExposureTime"},
+        Named{"FOCRATIO", "FNumber"}, Named{"ISOSPEED", "Exif:PhotographicSensitivity"},
+        Named{"DATAMAX", "DATAMAX"}})
     if (const auto number = number_in_card(file, theirs))
       spec.attribute(name, static_cast<float>(*number));
 }
@@ -129,11 +129,11 @@ class FitsInput : public OIIO::ImageInput {
     int status = 0;
     // absolute, for CFITSIO would take a ~ at the beginning for a home; nothing else in a name means anything then
     fits_open_diskfile(&file_, std::filesystem::absolute(name).c_str(), READONLY, &status);
-    require_done(status);
+    require_success(status);
     header_ = header_of(file_);
     LONGLONG begin = 0;
     fits_get_hduaddrll(file_, nullptr, &begin, nullptr, &status);
-    require_done(status);
+    require_success(status);
     if (static_cast<double>(std::filesystem::file_size(name)) <
         static_cast<double>(begin) +
             std::abs(header_.bitpix) / 8. * header_.width * header_.height * header_.planes)
