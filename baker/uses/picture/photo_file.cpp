@@ -105,7 +105,7 @@ HeaderClock in_utc(const HeaderClock& clock, std::string scale) {
 
 /// Whether a photograph's numbers are coded as sRGB, and a camera took it.
 bool is_coded_by_a_camera(const std::string& photo) {
-  return camera_of(photo) && !texture::is_raw_file(photo) &&
+  return uses::camera_of(photo) && !texture::is_raw_file(photo) &&
          texture::read_attribute(photo, "oiio:ColorSpace").value_or("") == "sRGB";
 }
 
