@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 # Libraries of the portable archive: those that the program and its module need, but for the C library. What only reads DICOM,
-# HEIF, movies, OpenVDB and webcams is left out, with two hundred libraries behind it: OpenImageIO gets empty libraries of
-# these names, whose functions throw an error that says so.
+# HEIF, movies, OpenVDB and webcams is left out, with two hundred libraries behind it, and what CFITSIO fetches addresses
+# with: OpenImageIO and CFITSIO get empty libraries of these names, whose functions throw an error that says so.
 cmake_policy(VERSION 3.25)
 set(into $ENV{DESTDIR}${CMAKE_INSTALL_PREFIX})
-set(left_out "^lib(opencv_|dcm|oflog|ofstd|av|sw|openvdb|heif)")
+set(left_out "^lib(opencv_|dcm|oflog|ofstd|av|sw|openvdb|heif|curl)")
+set(readers)
 
 file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${portable_program} MODULES ${portable_images} RESOLVED_DEPENDENCIES_VAR found
      UNRESOLVED_DEPENDENCIES_VAR unknown
@@ -28,17 +29,18 @@ foreach(library ${found})
   string(REGEX MATCH "^[^:]+" package "${owner}")
   file(COPY_FILE /usr/share/doc/${package}/copyright ${work}_copyright)
   file(INSTALL ${work}_copyright DESTINATION ${into}/${licences} RENAME ${package})
-  if(library MATCHES "/libOpenImageIO\\.so")
-    set(reader ${library})
+  if(library MATCHES "/lib(OpenImageIO|cfitsio)\\.so")
+    list(APPEND readers ${library})
   endif()
 endforeach()
 
-# Empty libraries in place of those that OpenImageIO names and the archive leaves out.
-lines_of(needed objdump -p ${reader})
+# Empty libraries in place of those that these two name and the archive leaves out.
+lines_of(needed objdump -p ${readers})
 list(FILTER needed INCLUDE REGEX NEEDED)
 list(TRANSFORM needed REPLACE "^ *NEEDED *" "")
+list(REMOVE_DUPLICATES needed)
 list(FILTER needed INCLUDE REGEX ${left_out})
-lines_of(called nm -D --undefined-only --with-symbol-versions ${reader})
+lines_of(called nm -D --undefined-only --with-symbol-versions ${readers})
 list(TRANSFORM called REPLACE "^ *[A-Za-z] " "")
 foreach(name ${needed})
   execute_process(COMMAND ${compiler} -print-file-name=${name} OUTPUT_VARIABLE whole OUTPUT_STRIP_TRAILING_WHITESPACE)
@@ -74,7 +76,7 @@ foreach(name ${needed})
 #define OURS extern \"C\" [[gnu::used, gnu::visibility(\"hidden\")]]
 OURS void coppermoon_nothing() {}
 OURS void coppermoon_refuse() {
-  throw std::runtime_error(\"DICOM, HEIF, movies and OpenVDB are not read by the portable archive of coppermoon\");
+  throw std::runtime_error(\"DICOM, HEIF, movies, OpenVDB and addresses are not read by the portable archive of coppermoon\");
 }
 asm(R\"(${assembly})\");
 ")

@@ -261,12 +261,54 @@ void require_light(const fs::path& path, const OIIO::ImageSpec& spec) {
     throw cannot_read(path, "channels of inks, allowed grey, colours of light, or CMYK");
 }
 
+/// Beginning of the channels' names of the only layer that has all of several, as "ViewLayer.Combined."; empty where the
+/// file itself has the first, and where no layer or several have them.
+std::string only_layer_of(const std::vector<std::string>& channels,
+                          const std::vector<std::string>& names) {
+  const auto has = [&](const std::string& name) {
+    return std::ranges::find(channels, name) != channels.end();
+  };
+  std::vector<std::string> layers;
+  for (const auto& channel : channels) {
+    const auto layer = channel.substr(0, channel.rfind('.') + 1);
+    if (channel == layer + names.front() &&
+        std::ranges::all_of(names, [&](const auto& name) { return has(layer + name); }))
+      layers.push_back(layer);
+  }
+  return layers.size() == 1 && !has(names.front()) ? layers.front() : "";
+}
+
+/// Refuses a map of which few texels outshine all others, and would darken them when the mean is scaled: one texel in a
+/// thousand gives more than 1 % of the light beyond what the 99.9th percentile would give.
+void require_no_rogues(const fs::path& path, const algebra::Grid<float>& map) {
+  constexpr double share = 0.001, most_light = 0.01;
+  const auto values = map.values();
+  const auto all = static_cast<double>(values.size());
+  double light = 0;
+  for (const float v : values) light += double{v};
+  const auto greatest = std::ranges::max_element(values);
+  if (double{*greatest} * all * share <= most_light * light)
+    return;  // as of ordinary maps: no copy is sorted
+  std::vector<float> sorted(values.begin(), values.end());
+  const auto percentile = sorted.begin() + static_cast<std::ptrdiff_t>((1 - share) * (all - 1));
+  std::ranges::nth_element(sorted, percentile);
+  double beyond = 0;
+  for (auto v = percentile; v != sorted.end(); ++v) beyond += double{*v} - double{*percentile};
+  if (beyond <= most_light * light) return;
+  const auto at = static_cast<std::size_t>(greatest - values.begin());
+  throw cannot_read(path, fmt::format("albedo at row {}, column {} = {:g}, and 99.9 % of the map "
+                                      "is at most {:g}: the few beyond it "
+                                      "give {:.0f} % of its light, allowed 1 %",
+                                      at / map.columns(), at % map.columns(), *greatest,
+                                      *percentile, 100 * beyond / light));
+}
+
 void require_albedo(const fs::path& path, const algebra::Grid<float>& map) {
   const auto values = map.values();
   const auto sound = [](float v) { return v >= 0 && v <= std::numeric_limits<float>::max(); };
   bool all_sound = true;
   for (const float v : values) all_sound &= sound(v);
-  if (all_sound) return;
+  if (all_sound) return require_no_rogues(path, map);
   const auto wrong = std::find_if_not(values.begin(), values.end(), sound);
   const auto at = static_cast<std::size_t>(wrong - values.begin());
   throw cannot_read(path, fmt::format("albedo at row {}, column {} = {:g}, allowed 0 or more",
@@ -297,9 +339,10 @@ Image read_channels(const fs::path& path, const std::vector<std::string>& names)
         "{}: holds whole numbers, allowed light [cd/m2] in floating-point ones, as an .exr does",
         path.string()));
   const auto channels = channels_of(spec);
+  const auto layer = only_layer_of(channels, names);
   std::vector<std::size_t> chosen;
   for (const auto& name : names) {
-    const auto found = std::ranges::find(channels, name);
+    const auto found = std::ranges::find(channels, layer + name);
     if (found == channels.end())
       throw algebra::Error(fmt::format("{}: {}, allowed {}", path.string(), names_of(channels),
                                        fmt::join(names, ", ")));

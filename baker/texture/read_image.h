@@ -23,7 +23,7 @@ inline constexpr double most_texels_a_side = 1 << 20, most_numbers = 8589934592.
 
 /// Every texel of an image file of any kind: floating-point formats as they are, integer formats 0
 /// to 1, still coded and turned as in the file; of a camera's raw file its own three channels, linear. EXR,
-/// TIFF, PNG, JPEG, FITS, GIF, PSD, HDR, JPEG 2000, HEIF and WebP are known by their first bytes, others,
+/// TIFF, PNG, JPEG, FITS, GIF, BMP, PSD, HDR, JPEG 2000, HEIF and WebP are known by their first bytes, others,
 /// and raw files, by their names' endings. Of an EXR file the display window, black where its data window
 /// does not reach; this and the next two functions.
 ///
@@ -34,7 +34,8 @@ inline constexpr double most_texels_a_side = 1 << 20, most_numbers = 8589934592.
 ///                or in a tile
 Image read_image(const std::filesystem::path& path);
 
-/// Reads channels of an image of light, which holds floating-point numbers: those named, in that order.
+/// Reads channels of an image of light, which holds floating-point numbers: those named, in that order; or, where it has
+/// none of them, those of its only layer that has all, as "ViewLayer.Combined.R".
 ///
 /// Throws  Error  as read_image; when it holds whole numbers, which are codes; when there is no channel of a
 ///                name: names those there are
@@ -111,7 +112,9 @@ bool is_raw_file(const std::filesystem::path& path);
 /// Given     path      of any image 2:1, longitude 0 in the middle, east to the right
 /// Returned  Y, linear, in the image's own scale; normalise it before use
 /// Throws    Error     as read_light; when it is a raw file, not 2:1 or a part of a larger one, a texel is
-///                     negative, infinite or no number, transparent, or without data as GDAL marks it
+///                     negative, infinite or no number, transparent, or without data as GDAL marks it; when the
+///                     part of the light that the brightest 0.1 % of texels have beyond the 99.9th percentile is
+///                     above 1 %
 /// Source    ITU-R BT.709, IEC 61966-2-1
 algebra::Grid<float> read_albedo_map(const std::filesystem::path& path,
                                      Coding coding = Coding::as_file_says);

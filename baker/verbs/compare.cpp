@@ -273,6 +273,7 @@ void run(const Options& options) {
   const auto coding = uses::coding_of(options.photo, options.coding);
   const auto exif = exif_to_use(options, coding);
   warn_of_another_camera(options.render, options.response);
+  warn_of_developers({options.photo}, options.coding);
   const auto [places, glow] =
       geometry_of(options.recipe_in.empty() ? options.render : options.recipe_in);
   const auto photo = uses::photo_light(options.photo, coding, options.response),
@@ -304,7 +305,8 @@ void add_compare(CLI::App& program) {
   add_flag(
       *verb, "photo,--photo", options->photo,
       "photograph: any image, or a camera's raw file; whole numbers are read by the camera's tone "
-      "curve where the header names one, else as sRGB, floats and raw files as linear")
+      "curve where the header names one and no program that developed it, else as sRGB, floats and "
+      "raw files as linear")
       .reads_file()
       .of(request::Affects::share)
       .required();

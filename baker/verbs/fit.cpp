@@ -119,6 +119,16 @@ void add_photograph(const Options& options, std::size_t i, const std::string& in
   input.instants.push_back(instant);
 }
 
+/// Says that a header's offset from UTC is none, where it would count.
+void warn_of_offset(const Options& options, const std::string& photo,
+                    const uses::HeaderClock& clock) {
+  if (options.zone.empty() && !clock.unread.empty())
+    fmt::print(stderr,
+               "coppermoon: {}: its header's offset from UTC = {}, allowed as +03:00: its zone "
+               "counts as unknown\n",
+               one_line(photo), one_line(clock.unread));
+}
+
 /// Adds photographs by their headers' clocks; photographs without a date are left out while there are others.
 void add_by_headers(const Options& options, Input& input) {
   for (std::size_t i = 0; i < options.photos.size(); ++i) {
@@ -130,6 +140,7 @@ void add_by_headers(const Options& options, Input& input) {
           {options.photos[i], uses::reason_without_name(options.photos[i], error)});
       continue;
     }
+    warn_of_offset(options, options.photos[i], *clock);
     add_photograph(options, i, instant_by(*clock, options), input);
     input.zones.push_back(zone_of(*clock, options));
     input.request.half_hours_free |= input.zones.back().empty();
@@ -176,6 +187,9 @@ Json as_json(const uses::ReadPhotograph& photograph, const std::string& file,
            {"numbers", photograph.measurements},
            {"exposure_known", photograph.exposure_known},
            {"coding", photograph.curved ? "camera" : "known"}};
+  if (photograph.clipped_at)
+    all["clipped_at"] = {{"number", photograph.clipped_at->number},
+                         {"from", photograph.clipped_at->of_header ? "DATAMAX" : "greatest"}};
   if (photograph.left_out.empty()) {
     all["mirrored"] = photograph.registration.render_to_photo.mirrored;
     all["correlation"] = photograph.registration.correlation;
@@ -256,11 +270,16 @@ void print_photograph(const ReadPhotograph& photograph, const std::string& file)
     fmt::print("{}: left out: {}\n", one_line(file), one_line(photograph.left_out));
     return;
   }
-  fmt::print(
-      "{}: {} numbers{}, exposure {}{}, correlation {:.3f}\n", one_line(file),
-      photograph.measurements, photograph.registration.render_to_photo.mirrored ? ", mirrored" : "",
-      photograph.exposure_known ? "known" : "free",
-      photograph.curved ? ", by its camera's tone curve" : "", photograph.registration.correlation);
+  const auto& clipped_at = photograph.clipped_at;
+  fmt::print("{}: {} numbers{}, exposure {}{}{}, correlation {:.3f}\n", one_line(file),
+             photograph.measurements,
+             photograph.registration.render_to_photo.mirrored ? ", mirrored" : "",
+             photograph.exposure_known ? "known" : "free",
+             photograph.curved ? ", by its camera's tone curve" : "",
+             clipped_at ? fmt::format(", clipped at {:g}, {}", clipped_at->number,
+                                      clipped_at->of_header ? "its DATAMAX" : "its greatest number")
+                        : "",
+             photograph.registration.correlation);
 }
 
 void print_night(const uses::FittedNight& night, const Input& input) {
@@ -399,6 +418,11 @@ void run(const Options& options) {
   std::vector<std::vector<uses::MeasuredLight>> nights;
   for (const auto& night : found.nights) nights.push_back(night.light);
   for (const auto& file : options.outputs) uses::write_measured_light(file, nights);
+  std::vector<std::string> as_told;
+  for (std::size_t i = 0; i < found.photographs.size(); ++i)
+    if (const auto& read = found.photographs[i]; read.left_out.empty() && !read.curved)
+      as_told.push_back(input.request.photographs[i].file);
+  warn_of_developers(as_told, options.coding);
   for (const auto& night : found.nights)
     if (const auto doubt = night.curve ? doubt_of(*night.curve) : ""; !doubt.empty())
       fmt::print(stderr, "coppermoon: {}\n", doubt);

@@ -253,6 +253,14 @@ TEST_F(Compare, FindsTheToneCurveOfACamera) {
   for (const auto& bin : as_srgb["bins"])
     most = std::max(most, std::abs(bin["difference_stops"].get<double>()));
   EXPECT_GT(most, 0.3) << "without the curve it is not the same light";
+  photo.specmod().attribute("Software", "darktable 4.2.1");
+  ASSERT_TRUE(photo.write(here("developed.jpg").string()));
+  const auto developed = coppermoon({"compare", "developed.jpg", "frame.exr", "--json"});
+  EXPECT_EQ(json::parse(developed.out)["light"]["coding"], "as-file-says");
+  EXPECT_EQ(
+      developed.err,
+      "coppermoon: developed.jpg: developed by darktable 4.2.1, so read as sRGB, as the file says; "
+      "--coding camera takes the camera's own tone curve\n");
 }
 
 TEST_F(Compare, SaysByHowManyStopsAHeaderIsWrong) {

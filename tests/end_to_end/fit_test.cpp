@@ -2,11 +2,14 @@
 // What the program says of air that it was not told. A hundred such photographs are in recovery_test.
 #include <fmt/format.h>
 
+#include <bit>
 #include <nlohmann/json.hpp>
 
+#include "baker/texture/fits_bytes.h"
 #include "end_to_end/made_night.h"
 #include "end_to_end/program.h"
 #include "support/within.h"
+#include "texture/read_image.h"
 #include "texture/write_image.h"
 
 namespace coppermoon::end_to_end {
@@ -55,6 +58,25 @@ class Fit : public ProgramTest {
          more);
   }
 
+  /// Light of a.png as counts, in floating-point FITS.
+  void write_counts(const char* name, float of_one) const {
+    const auto light = texture::read_light(here("a.png"));
+    std::string data;
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t i = k; i < light.values.size(); i += 3) {
+        const auto bits = std::bit_cast<std::uint32_t>(light.values[i] * of_one);
+        for (int shift = 24; shift >= 0; shift -= 8) data += static_cast<char>(bits >> shift);
+      }
+    file(
+        name,
+        fits_bytes(
+            fmt::format(
+                "SIMPLE  = T\nBITPIX  = -32\nNAXIS   = 3\nNAXIS1  = {}\nNAXIS2  = {}\nNAXIS3  = 3\n"
+                "ROWORDER= 'TOP-DOWN'\nEXPTIME = 2.\nGAIN    = 120\n",
+                light.width, light.height),
+            data));
+  }
+
   json fit(Words words) const {
     words.insert(words.begin(), "fit");
     words.insert(words.end(), {"--albedo-map", "built-in", "--json"});
@@ -90,6 +112,15 @@ TEST_F(Fit, OfAPhotographFindsItsAir) {
   EXPECT_EQ(found["explained"], true);
   EXPECT_EQ(found["photographs"][0]["exposure_known"], true);
   EXPECT_TRUE(found["photographs"][1]["left_out"].get<std::string>().starts_with("cannot be read"));
+  // the same light, as a sensor counts it
+  write_counts("counts.fits", 60000);
+  const auto counted =
+      fit({"counts.fits", "--instants", deep, "--at", syria, "--atmosphere", "undated"});
+  const auto& photograph = counted["photographs"][0];
+  EXPECT_GT(photograph["numbers"], 20);
+  EXPECT_EQ(photograph["exposure_known"], true) << "EXPTIME, and a gain";
+  EXPECT_EQ(photograph["clipped_at"]["from"], "greatest");
+  EXPECT_WITHIN(counted["cloud_cover"]["median"].get<double>(), 0.4, 0.15, "as above");
 }
 
 TEST_F(Fit, ExplainsAStillInTheAirOfItsMonth) {

@@ -60,6 +60,7 @@ set(owner_xxhash.h "^files$")
 set(owner_jpeglib.h "^surface$")
 set(owner_tiffio.h "^texture$")
 set(owner_lcms2.h "^texture$")
+set(owner_fitsio.h "^texture$")
 set(owner_OpenColorIO "^colour$")
 set(owner_povray "^povray_scenes$")
 

@@ -74,7 +74,7 @@ struct Sign {
 /// cameras' raw files begin as a TIFF does: the ending tells them apart.
 std::string format_of(const fs::path& path) {
   using namespace std::string_view_literals;
-  constexpr std::array<Sign, 18> known{{{0, "v/1\x01"sv, "openexr"},
+  constexpr std::array<Sign, 19> known{{{0, "v/1\x01"sv, "openexr"},
                                         {0, "II*\0"sv, "tiff"},
                                         {0, "MM\0*"sv, "tiff"},
                                         {0, "II+\0"sv, "tiff"},
@@ -83,6 +83,7 @@ std::string format_of(const fs::path& path) {
                                         {0, "\xFF\xD8"sv, "jpeg"},
                                         {0, "SIMPLE  ="sv, "fits"},
                                         {0, "GIF8"sv, "gif"},
+                                        {0, "BM"sv, "bmp"},
                                         {0, "8BPS"sv, "psd"},
                                         {0, "#?RADIANCE"sv, "hdr"},
                                         {0, "#?RGBE"sv, "hdr"},
@@ -120,7 +121,9 @@ std::unique_ptr<OIIO::ImageInput> opened(const fs::path& path) {
                                   : OIIO::ImageInput::create(format);
   OIIO::ImageSpec spec;
   if (!input || !input->open(path.string(), spec, raw_hints()))
-    throw cannot_read(path, reason_of(input.get()));
+    throw cannot_read(
+        path, reason_of(input.get()) +
+                  (format == "raw" ? "; it begins as a TIFF does, whose name ends in .tif" : ""));
   if (spec.deep || spec.depth > 1 || spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
     throw cannot_read(path, "not a flat image with texels");
   if (is_openexr(*input) && (spec.full_width < 1 || spec.full_height < 1))

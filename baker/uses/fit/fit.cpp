@@ -89,8 +89,10 @@ ByNight nights_of(const FitRequest& request, LeftOut& left_out) {
         require_eclipse(photograph.instant);
       const auto eclipse = eclipse::nearest_eclipse(
           photograph.instant, eclipse::ShadowConvention::danjon, almanac::LunarTheory::moon98);
-      nights[{camera_of(photograph.file).value_or(""), std::round(eclipse.greatest.tt_day)}]
-          .push_back(i);
+      // a gain has no unit: at another the camera is another
+      const auto camera =
+          camera_of(photograph.file).value_or("") + settings_of(photograph.file).gain.value_or("");
+      nights[{camera, std::round(eclipse.greatest.tt_day)}].push_back(i);
     } catch (const algebra::Error& error) {
       left_out.add(i, error);
     }

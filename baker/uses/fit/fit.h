@@ -14,6 +14,7 @@
 #include "uses/fit/compared_night.h"
 #include "uses/fit/magnitudes.h"
 #include "uses/picture/moon.h"
+#include "uses/picture/photo_file.h"
 #include "uses/picture/view.h"
 
 namespace coppermoon::uses {
@@ -59,10 +60,11 @@ struct FitRequest {
 /// A photograph as it was read.
 struct ReadPhotograph {
   colour::Registration registration{};
-  bool exposure_known = false;   ///< else the exposure is free
-  std::size_t measurements = 0;  ///< bins and channels used
-  bool curved = false;           ///< its camera's tone curve was in question
-  std::string left_out{};        ///< reason in one line; empty: it was used
+  bool exposure_known = false;            ///< else the exposure is free
+  std::size_t measurements = 0;           ///< bins and channels used
+  bool curved = false;                    ///< its camera's tone curve was in question
+  std::optional<ClippedAt> clipped_at{};  ///< where that is not 1
+  std::string left_out{};                 ///< reason in one line; empty: it was used
 };
 
 /// Message of an error, without the file's name that it begins with.

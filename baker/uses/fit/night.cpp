@@ -14,7 +14,6 @@
 #include "colour/exposure.h"
 #include "eclipse/contacts.h"
 #include "uses/fit/fit.h"
-#include "uses/picture/photo_file.h"
 
 namespace coppermoon::uses {
 namespace {
@@ -22,14 +21,15 @@ namespace {
 constexpr double half_hour_s = 1800;
 
 /// Exposure by the request, else by the header; nothing unless complete. Where a common factor is free an unknown
-/// f-number may be any constant.
+/// f-number may be any constant, and so may the ISO speed of a camera that has a gain in its place.
 std::optional<colour::Exposure> exposure_of(const EclipsePhotograph& photograph, bool free) {
   const auto header = settings_of(photograph.file);
   const auto either = [](const auto& given, const auto& other) { return given ? given : other; };
-  const auto time_s = either(photograph.time_s, header.time_s),
-             iso = either(photograph.iso, header.iso);
-  auto f_number = either(photograph.f_number, header.f_number);
+  const auto time_s = either(photograph.time_s, header.time_s);
+  auto iso = either(photograph.iso, header.iso),
+       f_number = either(photograph.f_number, header.f_number);
   if (free && !f_number) f_number = 8;
+  if (free && !iso && header.gain) iso = 100;
   if (!time_s || !iso || !f_number) return std::nullopt;
   return colour::Exposure{*time_s, *f_number, *iso};
 }
@@ -38,13 +38,21 @@ bool is_curved(const EclipsePhotograph& photograph) {
   return coding_of(photograph.file, photograph.coding) == texture::Coding::camera;
 }
 
-PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& photograph) {
+/// Whether exposures tell light by a common factor alone: of a sensor's counts, or where a gain stands for the ISO speed.
+bool is_relative(const EclipsePhotograph& photograph, const std::optional<ClippedAt>& clipped) {
+  const auto header = settings_of(photograph.file);
+  return clipped || (header.gain && !photograph.iso && !header.iso);
+}
+
+PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& photograph,
+                            const std::optional<ClippedAt>& clipped) {
   constexpr double of_automatic_white_balance = 0.3, of_known_colours = 0.03;
   constexpr double of_exposures = 0.1, free = 10;
   const bool curved = is_curved(photograph);
   PhotometricErrors errors{
       {},
-      request.exposure_error.value_or(curved ? free : of_exposures),
+      request.exposure_error.value_or(curved || is_relative(photograph, clipped) ? free
+                                                                                 : of_exposures),
       request.shutter_error,
       request.white_balance_error.value_or(curved ? of_automatic_white_balance : of_known_colours),
       white_balance_is_fixed(photograph.file)};
@@ -58,6 +66,7 @@ PhotometricErrors errors_of(const FitRequest& request, const EclipsePhotograph& 
         request.camera.empty()
             ? colour::exposure_scale(*exposure)
             : 1 / colour::saturation_cd_m2(colour::camera_named(request.camera), *exposure);
+  if (errors.value_per_cd_m2 && clipped) *errors.value_per_cd_m2 /= clipped->light;
   return errors;
 }
 
@@ -179,8 +188,11 @@ const Night::Kept& Night::kept(std::size_t index) {
   auto& kept = kept_[index];
   if (!kept) try {
       const auto& photograph = *photographs_[index];
-      const auto photo = photo_light(photograph.file, photograph.coding, request_.moon.response);
+      auto photo = photo_light(photograph.file, photograph.coding, request_.moon.response);
       kept = Kept{{}, {photo.width, photo.height}};
+      kept->clipped_at = clipped_at(photograph.file, photo);
+      if (kept->clipped_at)
+        for (float& value : photo.values) value /= static_cast<float>(kept->clipped_at->light);
       kept->moon = moon_part(photo);
     } catch (const algebra::Error& error) {
       if (!kept) kept.emplace();
@@ -192,7 +204,7 @@ const Night::Kept& Night::kept(std::size_t index) {
 void Night::take_one(double clock_s, std::size_t index, std::optional<double> px_per_rad,
                      bool roughly) {
   const auto& photograph = *photographs_[index];
-  const auto& [moon, extent, unusable] = kept(index);
+  const auto& [moon, extent, unusable, clipped] = kept(index);
   left_out_[index] = unusable;
   if (!unusable.empty()) return;
   heartbeat_(0);
@@ -206,7 +218,7 @@ void Night::take_one(double clock_s, std::size_t index, std::optional<double> px
                      : clock_scanned_ ? Registering::of_clipped
                                       : Registering::fine;
     const auto registration = registration_of(known.scene, moon, px_per_rad, how);
-    known.errors = errors_of(request_, photograph);
+    known.errors = errors_of(request_, photograph, clipped);
     binned_.push_back(std::move(known));
     taken_.push_back({index, registration, registration.render_to_photo.scale * px_per_scale});
   } catch (const algebra::Error& error) {
@@ -568,6 +580,7 @@ std::vector<ReadPhotograph> Night::read() const {
                         binned_[place].errors.value_per_cd_m2.has_value(),
                         compared_->count_of(place),
                         !binned_[place].light.slopes.empty(),
+                        kept_[taken.index]->clipped_at,
                         {}};
   }
   return all;

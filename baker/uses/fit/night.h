@@ -11,6 +11,7 @@
 
 #include "uses/fit/clock_scan.h"
 #include "uses/fit/compared_night.h"
+#include "uses/picture/photo_file.h"
 
 namespace coppermoon::uses {
 
@@ -63,8 +64,9 @@ class Night {
   /// A photograph's Moon, kept for further readings.
   struct Kept {
     MoonPart moon;
-    std::array<std::size_t, 2> extent;  ///< width and height of the whole picture [pixels]
-    std::string unusable{};             ///< reason; empty: it has a Moon
+    std::array<std::size_t, 2> extent;      ///< width and height of the whole picture [pixels]
+    std::string unusable{};                 ///< reason; empty: it has a Moon
+    std::optional<ClippedAt> clipped_at{};  ///< which became 1; without: it was 1
   };
 
   /// Skies over the photographs' moments, or over the whole eclipse where these are uncertain.

@@ -3,8 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <initializer_list>
+#include <map>
 #include <regex>
 #include <span>
 #include <string_view>
@@ -36,10 +40,11 @@ std::optional<std::string> text_in_header(const std::string& photo, Names names)
   return std::nullopt;
 }
 
-/// Number of the first of several names that a photograph's header has.
+/// Number of the first of several names that a photograph's header has; of a list the first.
 std::optional<double> number_in_header(const std::string& photo, Names names) {
   for (const auto& text : all_in_header(photo, names)) {
-    const auto value = algebra::number_in(text.value_or(""));
+    const auto all = text.value_or("");
+    const auto value = algebra::number_in(all.substr(0, all.find(',')));
     if (value && *value > 0 && std::isfinite(*value)) return value;
   }
   return std::nullopt;
@@ -58,24 +63,50 @@ bool is_unknown(std::string_view text) {
   return text.find_first_not_of(std::string_view(" :\0", 3)) == text.npos;
 }
 
-/// An offset from UTC as "+03:00"; nothing when it is unknown.
+/// An offset from UTC as "+03:00"; nothing when it is none.
 std::optional<std::string> offset_in(const std::string& text) {
-  static const std::regex known(R"(\s*([+-])(\d{1,2})(?::?(\d{2}))?[\s\0]*)");
-  if (is_unknown(text)) return std::nullopt;
-  if (text == "Z" || text == "z") return "+00:00";
+  static const std::regex known(
+      R"(\s*(?:(Z|UTC|GMT)|([+-])(\d|0\d|1[0-5])(?::?([0-5]\d))?)[\s\0]*)", std::regex::icase);
   std::smatch part;
   constexpr std::size_t longest = 16;
-  constexpr int most_hours = 15;
-  if (text.size() > longest || !std::regex_match(text, part, known) ||
-      std::stoi(part[2]) > most_hours)
-    throw algebra::Error(fmt::format("its header's offset from UTC = {}, allowed as +03:00", text));
-  return fmt::format("{}{:0>2}:{}", part[1].str(), part[2].str(),
-                     part[3].matched ? part[3].str() : "00");
+  if (text.size() > longest || !std::regex_match(text, part, known)) return std::nullopt;
+  if (part[1].matched) return "+00:00";
+  return fmt::format("{}{:0>2}:{}", part[2].str(), part[3].str(),
+                     part[4].matched ? part[4].str() : "00");
 }
 
 double seconds_at(const HeaderClock& clock) {
   const auto when = almanac::instant_from_utc(clock.local + clock.offset.value_or("Z"));
   return (when.tt_day + when.tt_fraction) * 86400;
+}
+
+/// Time scale of a FITS file's date; nothing of another file.
+std::optional<std::string> time_scale_of(const std::string& photo) {
+  return texture::read_attribute(photo, "TIMESYS");
+}
+
+/// Reading of a clock that shows a time scale of FITS, in UTC; of LOCAL as it is.
+HeaderClock in_utc(const HeaderClock& clock, std::string scale) {
+  static const std::map<std::string, double, std::less<>> behind_tt_s{
+      {"TT", 0},       {"TDT", 0},      {"ET", 0},      {"TDB", 0},
+      {"TAI", 32.184}, {"IAT", 32.184}, {"GPS", 51.184}};
+  scale = scale.substr(0, scale.find_first_of(" ("));  // "TT(TAI)" names a realisation
+  if (scale == "LOCAL") return clock;
+  if (scale.starts_with("UT") || scale == "GMT") return {clock.local, "+00:00"};
+  const auto found = behind_tt_s.find(scale);
+  if (found == behind_tt_s.end())
+    throw algebra::Error(fmt::format(
+        "its header's TIMESYS = {}, allowed UTC, UT1, GMT, TT, TDB, TAI, GPS, LOCAL", scale));
+  const auto shown = almanac::instant_from_utc(clock.local + 'Z');
+  auto utc = almanac::utc_text(almanac::later(shown, found->second - almanac::delta_t_s(shown)));
+  utc.pop_back();  // Z
+  return {utc, "+00:00"};
+}
+
+/// Whether a photograph's numbers are coded as sRGB, and a camera took it.
+bool is_coded_by_a_camera(const std::string& photo) {
+  return uses::camera_of(photo) && !texture::is_raw_file(photo) &&
+         texture::read_attribute(photo, "oiio:ColorSpace").value_or("") == "sRGB";
 }
 
 /// ISO speed. EXIF's first tag holds 16 bits: for faster speeds it is 65535, and another tag has the speed.
@@ -88,14 +119,19 @@ std::optional<double> iso_of(const std::string& photo) {
   return faster ? faster : iso;
 }
 
+/// An APEX value of the header.
+std::optional<double> apex_of(const std::string& photo, std::string_view name) {
+  const auto stops = algebra::number_in(texture::read_attribute(photo, name).value_or(""));
+  return stops && std::isfinite(*stops) ? stops : std::nullopt;
+}
+
 /// Exposure time by the header's APEX value, where it agrees with the time shown; else by that time. Canon writes a
 /// third of a stop as 3/8, two as 5/8.
 ///
 /// Source  ExifTool, lib/Image/ExifTool/Canon.pm: CanonEv
 double real_time_s(const std::string& photo, double shown_s) {
   constexpr double alike_stops = 0.2, of_eighths = 1e-3;
-  const auto apex =
-      algebra::number_in(texture::read_attribute(photo, "Exif:ShutterSpeedValue").value_or(""));
+  const auto apex = apex_of(photo, "Exif:ShutterSpeedValue");
   if (!apex || !(std::abs(*apex + std::log2(shown_s)) < alike_stops))
     return colour::real_time_s(shown_s);
   double stops = *apex;
@@ -131,9 +167,16 @@ void require_sound(const std::string& file, const texture::Image& image) {
 
 CameraSettings settings_of(const std::string& photo) {
   CameraSettings settings{number_in_header(photo, {"expTime", "Exif:ExposureTime"}),
-                          number_in_header(photo, {"aperture", "Exif:FNumber"}), iso_of(photo)};
+                          number_in_header(photo, {"aperture", "Exif:FNumber"}), iso_of(photo),
+                          text_in_header(photo, {"GAIN"})};
+  if (!settings.time_s)
+    if (const auto stops = apex_of(photo, "Exif:ShutterSpeedValue"))
+      settings.time_s = std::exp2(-*stops);
+  if (!settings.f_number)
+    if (const auto stops = apex_of(photo, "Exif:ApertureValue"))
+      settings.f_number = std::exp2(*stops / 2);
   const auto camera = camera_of(photo);
-  if (!camera || camera->starts_with("coppermoon")) return settings;
+  if (!camera || camera->starts_with("coppermoon") || time_scale_of(photo)) return settings;
   if (settings.time_s) settings.time_s = real_time_s(photo, *settings.time_s);
   if (settings.f_number) settings.f_number = colour::real_f_number(*settings.f_number);
   if (settings.iso) settings.iso = colour::real_iso(*settings.iso);
@@ -149,7 +192,7 @@ std::optional<std::string> camera_of(const std::string& photo) {
   const auto& make = names[0];
   const auto& model = names[1];
   const auto name = model.starts_with(make) ? model : model.empty() ? make : make + ' ' + model;
-  return name.empty() ? std::nullopt : std::optional(name);
+  return name.empty() ? text_in_header(photo, {"INSTRUME"}) : std::optional(name);
 }
 
 bool white_balance_is_fixed(const std::string& photo) {
@@ -171,8 +214,12 @@ std::optional<HeaderClock> clock_in(const std::string& date, const std::string& 
   HeaderClock clock{
       fmt::format("{}-{:0>2}-{:0>2}T{:0>2}:{}:{}", part[1].str(), part[2].str(), part[3].str(),
                   hour, part[5].str(), part[6].matched ? part[6].str() : "00"),
-      offset_in(offset)};
-  if (!clock.offset) clock.offset = offset_in(part[7].str());
+      {}};
+  for (const auto& text : {offset, part[7].str()}) {
+    if (!clock.offset) clock.offset = offset_in(text);
+    if (clock.unread.empty() && !is_unknown(text)) clock.unread = text;
+  }
+  if (clock.offset) clock.unread.clear();
   try {
     seconds_at(clock);
   } catch (const algebra::Error&) {
@@ -188,22 +235,48 @@ HeaderClock clock_of(const std::string& photo) {
     if (text && offset.empty() && !is_unknown(*text)) offset = *text;
   for (const auto& date :
        all_in_header(photo, {"Exif:DateTimeOriginal", "Exif:DateTimeDigitized", "capDate"}))
-    if (const auto clock = clock_named(photo, date.value_or(""), offset)) return *clock;
+    if (const auto clock = clock_named(photo, date.value_or(""), offset)) {
+      const auto scale = time_scale_of(photo);
+      return scale ? in_utc(*clock, *scale) : *clock;
+    }
   throw algebra::Error(fmt::format("{}: its header does not say when it was taken", photo));
 }
 
+std::optional<std::string> developer_of(const std::string& photo) {
+  constexpr std::array<std::string_view, 18> programs{
+      "acdsee",      "adobe",     "affinity",   "astro pixel processor",
+      "capture one", "darktable", "digikam",    "dxo",
+      "gimp",        "iridient",  "lightroom",  "luminar",
+      "on1 ",        "photoshop", "pixinsight", "rawtherapee",
+      "siril",       "ufraw"};
+  auto software = text_in_header(photo, {"Software"});
+  if (!software || !is_coded_by_a_camera(photo)) return std::nullopt;
+  auto small = *software;
+  std::ranges::transform(small, small.begin(), [](unsigned char letter) {
+    return static_cast<char>(std::tolower(letter));
+  });
+  const bool named = std::ranges::any_of(
+      programs, [&](std::string_view program) { return small.find(program) != small.npos; });
+  return named ? software : std::nullopt;
+}
+
 texture::Coding coding_of(const std::string& photo, texture::Coding told) {
-  if (told != texture::Coding::as_file_says || !camera_of(photo) || texture::is_raw_file(photo))
-    return told;
-  return texture::read_attribute(photo, "oiio:ColorSpace").value_or("") == "sRGB"
-             ? texture::Coding::camera
-             : told;
+  const bool by_camera = told == texture::Coding::as_file_says && is_coded_by_a_camera(photo);
+  return by_camera && !developer_of(photo) ? texture::Coding::camera : told;
 }
 
 std::optional<colour::Exposure> exif_of(const std::string& photo) {
-  const auto [time_s, f_number, iso] = settings_of(photo);
+  const auto [time_s, f_number, iso, gain] = settings_of(photo);
   if (!time_s || !f_number || !iso) return std::nullopt;
   return colour::Exposure{*time_s, *f_number, *iso};
+}
+
+std::optional<ClippedAt> clipped_at(const std::string& photo, const texture::Image& light) {
+  const auto number = number_in_header(photo, {"DATAMAX"}),
+             as_light = number_in_header(photo, {"coppermoon:clipped_at"});
+  if (number && as_light) return ClippedAt{*number, *as_light, true};
+  const double most = time_scale_of(photo) ? double{std::ranges::max(light.values)} : 1;
+  return most > 1 ? std::optional(ClippedAt{most, most}) : std::nullopt;
 }
 
 texture::Image photo_light(const std::string& photo, texture::Coding coding,

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <string>
+#include <vector>
 
 #include "texture/read_image.h"
+#include "uses/picture/photo_file.h"
 #include "verbs/flags/flags.h"
+#include "verbs/reports/one_line.h"
 
 namespace coppermoon::verbs {
 
@@ -15,6 +21,18 @@ inline Flag add_coding_option(CLI::App& verb, texture::Coding& coding, const std
       verb, "--coding", coding,
       {{"as-file-says", as_file_says}, {"srgb", srgb}, {"linear", linear}, {"camera", camera}},
       help);
+}
+
+/// Says which photographs of cameras are read as sRGB, for their headers name a program that developed them.
+inline void warn_of_developers(const std::vector<std::string>& photos, texture::Coding told) {
+  if (told != texture::Coding::as_file_says) return;
+  for (const auto& photo : photos)
+    if (const auto developer = uses::developer_of(photo))
+      fmt::print(stderr,
+                 "coppermoon: {}: developed by {}, so read as sRGB, as the file says; --coding "
+                 "camera takes the "
+                 "camera's own tone curve\n",
+                 one_line(photo), one_line(*developer));
 }
 
 }  // namespace coppermoon::verbs

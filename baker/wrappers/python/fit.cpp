@@ -156,6 +156,13 @@ exposure_time_s, iso, f_number: without them as its header says
       .def_readonly("curved", &ReadPhotograph::curved,
                     "whether its camera's tone curve was in question")
       .def_property_readonly(
+          "clipped_at",
+          [](const ReadPhotograph& read) {
+            return read.clipped_at ? std::optional(read.clipped_at->number) : std::nullopt;
+          },
+          "number of a FITS file that counts as clipped: DATAMAX, else the greatest; None: the "
+          "format's own")
+      .def_property_readonly(
           "mirrored",
           [](const ReadPhotograph& read) { return read.registration.render_to_photo.mirrored; },
           "whether it shows the Moon mirrored")

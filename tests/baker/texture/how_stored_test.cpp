@@ -10,7 +10,9 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <utility>
 
+#include "baker/texture/fits_bytes.h"
 #include "baker/texture/scratch_folder.h"
 #include "support/within.h"
 #include "texture/read_image.h"
@@ -61,16 +63,7 @@ class HowStored : public ScratchFolder {
 
   std::filesystem::path fits(std::string_view name, const std::string& cards,
                              std::string data) const {
-    std::string header;
-    for (std::size_t at = 0; at < cards.size(); at = cards.find('\n', at) + 1) {
-      auto card = cards.substr(at, cards.find('\n', at) - at);
-      card.resize(80, ' ');
-      header += card;
-    }
-    header += "END";
-    header.resize((header.size() + 2879) / 2880 * 2880, ' ');
-    data.resize((data.size() + 2879) / 2880 * 2880, '\0');
-    return file(name, header + data);
+    return file(name, fits_bytes(cards, std::move(data)));
   }
 };
 
@@ -360,7 +353,50 @@ TEST_F(HowStored, FitsThatIsNoPictureIsRefused) {
   EXPECT_ERROR(read_light(fits("a.fits", begin, "")), "it ends early");
   EXPECT_ERROR(read_light(fits("a.fits", "SIMPLE  = T\nBITPIX  = 8\nNAXIS   = 0\n", "")),
                "NAXIS = 0");
-  EXPECT_ERROR(read_light(file("b.fits", "SIMPLE  =  T")), "without an end");
+  EXPECT_ERROR(read_light(file("b.fits", "SIMPLE  =  T")), "error reading from FITS file");
+  EXPECT_ERROR(
+      read_light(fits(
+          "a.fits", "SIMPLE  = T\nBITPIX  = 8\nNAXIS   = 2\nNAXIS1  = 1048577\nNAXIS2  = 1\n", "")),
+      "NAXIS1 = 1048577, allowed 1 to 1048576");
+  EXPECT_ERROR(
+      read_light(fits(
+          "a.fits", "SIMPLE  = T\nBITPIX  = 8\nNAXIS   = 2\nNAXIS1  = 1000000\nNAXIS2  = 1000000\n",
+          "")),
+      "it ends early");
+  EXPECT_ERROR(read_light(file("packed.fits", "\x1F\x8B\x08")),
+               "no FITS file, which begins with SIMPLE");
+}
+
+/// CFITSIO's extended syntax would take them for filters, for files of memory, and for addresses.
+TEST_F(HowStored, NamesOfFitsFilesAreOnlyNames) {
+  std::filesystem::create_directories(in_folder("mem:"));
+  for (const char* name : {"a.fits[1]", "!a.fits", "~a.fits", "a.fits(b.fits)", "mem:/a.fits"}) {
+    const auto path = fits(name, "SIMPLE  = T\nBITPIX  = 8\n" + two_by_two, "\x33\x66\xff\xff");
+    EXPECT_EQ(read_light(path).width, 2) << name;
+  }
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(in_folder("."));
+  EXPECT_EQ(read_light("~a.fits").width, 2);
+  std::filesystem::current_path(before);
+}
+
+TEST_F(HowStored, CardsOfFitsAreAttributes) {
+  const auto path =
+      fits("a.fits",
+           "SIMPLE  = T\nBITPIX  = 16\n" + two_by_two +
+               "BZERO   = 32768\nDATE-OBS= '2022-05-16'\nTIME-OBS= '04:11:32'\n"
+               "EXPTIME = 2.5D0 / [s]\nGAIN    = 120\nISOSPEED= 800\nDATAMAX = 16383.75\n",
+           std::string(8, 'a'));
+  using namespace std::string_view_literals;
+  const std::array names{"Exif:DateTimeOriginal"sv,
+                         "TIMESYS"sv,
+                         "expTime"sv,
+                         "GAIN"sv,
+                         "Exif:PhotographicSensitivity"sv,
+                         "coppermoon:clipped_at"sv};
+  const auto is = read_attributes(path, names);
+  const std::array should{"2022-05-16T04:11:32", "UTC", "2.5", "120", "800", "0.25"};
+  for (std::size_t i = 0; i < names.size(); ++i) EXPECT_EQ(is[i], should[i]) << names[i];
 }
 
 TEST_F(HowStored, EndingsDoNotSayWhatAFileIs) {

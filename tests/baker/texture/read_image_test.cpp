@@ -195,6 +195,19 @@ TEST_F(ReadImage, OfBrokenFilesNobodyPrints) {
   }
 }
 
+TEST_F(ReadImage, FilesAreReadAsWhatTheyAreOrItIsSaid) {
+  using namespace std::string_literals;
+  const auto bmp =
+      "BM\x3A\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\1\0\0\0\1\0\0\0\1\0\x18\0\0\0\0\0\4\0\0\0"s +
+      std::string(16, '\0') + "\0\0\xFF\0"s;
+  EXPECT_EQ(read_image(file("a.png", bmp)).values, (std::vector<float>{1, 0, 0}));
+  write_tiff(in_folder("a.tif"), Image(4, 2, {"R", "G", "B"}), {});
+  EXPECT_ERROR(read_image(file("a.CR2", bytes_of(in_folder("a.tif")))),
+               "; it begins as a TIFF does, whose name ends in .tif");
+  EXPECT_ERROR(read_image(file("b.png", std::string(100, ')'))),
+               "b.png: cannot be read: Not a PNG file");
+}
+
 TEST_F(ReadLight, TakesRedGreenAndBlueByTheirNamesOrGreyAlone) {
   const auto light_of = [&](const std::vector<std::string>& channels) {
     return read_light(row_from(in_folder("a.exr"), 0, 1, 1, channels));
@@ -206,6 +219,22 @@ TEST_F(ReadLight, TakesRedGreenAndBlueByTheirNamesOrGreyAlone) {
   EXPECT_EQ(light_of({"Y", "A"}).values, (std::vector<float>{1, 1, 1}));
   EXPECT_ERROR(read_albedo_map(row_from(in_folder("a.exr"), 0, 2, 2, {"Y", "RY", "BY"})),
                "allowed R, G and B, or Y alone");
+}
+
+TEST_F(ReadLight, ChannelsOfTheOnlyLayerNeedNoLayer) {
+  const std::vector<std::string> rgb{"R", "G", "B"};
+  const auto channels_of = [&](const std::vector<std::string>& channels) {
+    Image image(1, 1, channels);
+    for (std::size_t i = 0; i < channels.size(); ++i) image.values[i] = static_cast<float>(i);
+    write_exr(in_folder("a.exr"), image, {});
+    return read_channels(in_folder("a.exr"), rgb).values;
+  };
+  const std::string combined = "ViewLayer.Combined.", depth = "ViewLayer.Depth.Z";
+  EXPECT_EQ(channels_of({combined + "R", combined + "G", combined + "B", combined + "A", depth}),
+            (std::vector<float>{0, 1, 2}));
+  EXPECT_EQ(channels_of({"R", "G", "B", "a.R", "a.G", "a.B"}), (std::vector<float>{0, 1, 2}));
+  EXPECT_ERROR(channels_of({"a.R", "a.G", "a.B", "b.R", "b.G", "b.B"}), "allowed R, G, B");
+  EXPECT_ERROR(channels_of({"a.R", "a.G", "b.B"}), "allowed R, G, B");
 }
 
 TEST_F(ReadLight, UndoesTheCodingOfIntegers) {
@@ -307,6 +336,21 @@ TEST_F(ReadAlbedoMap, MustBeNumbersOfZeroOrMore) {
   EXPECT_ERROR(read_albedo_map(file("a.pfm", float_map(2, 1, {1, NAN}))), "column 1 = nan");
   EXPECT_ERROR(read_albedo_map(file("b.pfm", float_map(2, 1, {1, -1}))), "column 1 = -1");
   EXPECT_ERROR(read_albedo_map(file("c.pfm", float_map(2, 1, {INFINITY, 1}))), "column 0 = inf");
+}
+
+/// Its mean would be of the one texel, and all others would be dark.
+TEST_F(ReadAlbedoMap, MustNotBeOfOneTexelsLight) {
+  std::vector<float> values(64 * 32, 0.3F);
+  values[700] = 5;
+  EXPECT_EQ(read_albedo_map(file("a.pfm", float_map(64, 32, values)))
+                .values()[700 % 64 + (31 - 700 / 64) * 64],
+            5)
+      << "0.8 % of the light: a bright crater";
+  values[700] = 1e5F;
+  EXPECT_ERROR(read_albedo_map(file("a.pfm", float_map(64, 32, values))),
+               "a.pfm: cannot be read: albedo at row 21, column 60 = 100000, and 99.9 % of the map "
+               "is at most 0.3: the few "
+               "beyond it give 99 % of its light, allowed 1 %");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "algebra/error.h"
+#include "baker/texture/fits_bytes.h"
 #include "baker/texture/scratch_folder.h"
 #include "support/within.h"
 #include "texture/write_image.h"
@@ -33,10 +34,19 @@ TEST(ClockIn, ReadsOffsetsAsCamerasWriteThem) {
   EXPECT_EQ(offset_in("+03:00"), "+03:00");
   EXPECT_EQ(offset_in("-5:00"), "-05:00");
   EXPECT_EQ(offset_in("+0530"), "+05:30");
-  EXPECT_EQ(offset_in("Z"), "+00:00");
-  for (const char* unknown : {"", "   :  ", "      "}) EXPECT_EQ(offset_in(unknown), std::nullopt);
-  for (const char* odd : {"05:00", "+99:00", "EST", "+5:0"})
-    EXPECT_THROW(offset_in(odd), algebra::Error) << odd;
+  EXPECT_EQ(offset_in("+15:59"), "+15:59");
+  for (const char* utc : {"Z", "UTC", "GMT", " gmt"}) EXPECT_EQ(offset_in(utc), "+00:00");
+  for (const char* unknown : {"", "   :  ", "      "}) {
+    EXPECT_EQ(offset_in(unknown), std::nullopt);
+    EXPECT_EQ(clock_in(date, unknown)->unread, "");
+  }
+}
+
+TEST(ClockIn, KeepsTheDateBesideAnOffsetThatIsNone) {
+  for (const std::string odd : {"05:00", "+99:00", "+16:00", "EST", "+5:0", "+14:60"})
+    EXPECT_EQ(clock_in(date, odd), (HeaderClock{local, {}, odd}));
+  EXPECT_EQ(clock_in(date + "+14:60"), (HeaderClock{local, {}, "+14:60"}));
+  EXPECT_EQ(clock_in(date + "+01:00", "EST"), (HeaderClock{local, "+01:00"}));
 }
 
 TEST(ClockIn, KnowsACameraWhoseClockWasNotSet) {
@@ -87,6 +97,96 @@ TEST_F(Settings, TakeTheTimeFromTheApexValue) {
   is(time_s(1.F / 40, 5.375), std::exp2(-16. / 3));  // as Canon writes a third
   is(time_s(1.F / 20, 4.5), std::exp2(-4.5));        // half a stop, not a third
   is(time_s(0.5F, 0), 0.5);                          // absent or wrong
+}
+
+TEST_F(Settings, AreApexValuesWhereThereAreNoOthers) {
+  for (const char* make : {"", "Canon"}) {
+    const auto found = of({{"Make", make},
+                           {"Exif:ShutterSpeedValue", 5.F},
+                           {"Exif:ApertureValue", 6.F},
+                           {"Exif:PhotographicSensitivity", std::vector<float>{800, 0}}});
+    EXPECT_WITHIN_RELATIVE(found.time_s.value(), 1. / 32, 1e-5, "EXIF 2.32, annex C: 2^-Tv");
+    EXPECT_WITHIN_RELATIVE(found.f_number.value(), 8, 1e-5, "EXIF 2.32, annex C: 2^(Av/2)");
+    EXPECT_WITHIN_RELATIVE(found.iso.value(), 800, 1e-5, "the first of the list");
+  }
+}
+
+/// Photographs in FITS files, of two pixels.
+class Fits : public ScratchFolder {
+ protected:
+  std::string of(const std::string& cards, const std::string& data = std::string(8, '\0')) const {
+    return file("a.fits",
+                fits_bytes(
+                    "SIMPLE  = T\nBITPIX  = -32\nNAXIS   = 2\nNAXIS1  = 2\nNAXIS2  = 1\n" + cards,
+                    data))
+        .string();
+  }
+};
+
+TEST_F(Fits, SayWhenTheyWereTakenInUtcOrInAnotherScale) {
+  const auto clock = [&](const std::string& scale) {
+    return clock_of(of("DATE-OBS= '2022-05-16T04:12:41.184'\n" + scale));
+  };
+  EXPECT_EQ(clock(""), (HeaderClock{"2022-05-16T04:12:41", "+00:00"})) << "FITS 4.0, 9.2.1: UTC";
+  EXPECT_EQ(clock("TIMESYS = 'UT1'\n"), clock(""));
+  EXPECT_EQ(clock("TIMESYS = 'TT(TAI)'\n").local, "2022-05-16T04:11:32") << "69.184 s behind";
+  EXPECT_EQ(clock("TIMESYS = 'TAI'\n").local, "2022-05-16T04:12:04") << "37 s behind";
+  EXPECT_EQ(clock("TIMESYS = 'GPS'\n").local, "2022-05-16T04:12:23") << "18 s behind";
+  EXPECT_EQ(clock("TIMESYS = 'LOCAL'\n"), (HeaderClock{"2022-05-16T04:12:41", {}}));
+  EXPECT_ERROR(clock("TIMESYS = 'TCB'\n"), "TIMESYS = TCB, allowed UTC");
+  EXPECT_ERROR(clock_of(of("")), "does not say when it was taken");
+}
+
+TEST_F(Fits, HaveExactExposuresAndAGain) {
+  const auto photo =
+      of("EXPTIME = 0.0333\nFOCRATIO= 5.6\nGAIN    = 120\nINSTRUME= 'ZWO ASI294MC'\n");
+  const auto found = settings_of(photo);
+  EXPECT_WITHIN_RELATIVE(found.time_s.value(), 0.0333, 1e-5, "headers are read as six digits");
+  EXPECT_WITHIN_RELATIVE(found.f_number.value(), 5.6, 1e-5, "headers are read as six digits");
+  EXPECT_EQ(found.iso, std::nullopt);
+  EXPECT_EQ(found.gain, "120");
+  EXPECT_EQ(camera_of(photo), "ZWO ASI294MC");
+}
+
+TEST_F(Fits, AreClippedAtDatamaxElseAtTheirGreatestNumber) {
+  const auto clipped = [&](const std::string& cards, const std::string& greatest) {
+    const auto photo = of(cards, std::string(4, '\0') + greatest);
+    return clipped_at(photo, photo_light(photo, texture::Coding::as_file_says, {}));
+  };
+  const std::string adu("\x47\x6a\x60\0", 4), one("\x3f\x80\0\0", 4);  // 60000 and 1
+  EXPECT_EQ(clipped("", adu)->light, 60000);
+  EXPECT_FALSE(clipped("", adu)->of_header);
+  EXPECT_EQ(clipped("DATAMAX = 65535.\n", adu)->light, 65535);
+  EXPECT_TRUE(clipped("DATAMAX = 65535.\n", adu)->of_header);
+  EXPECT_EQ(clipped("", one), std::nullopt) << "light ends at 1";
+}
+
+class Developer : public ScratchFolder {
+ protected:
+  std::string of(const texture::Attributes& header) const {
+    texture::write_png(in_folder("a.png"), texture::Image(4, 4, {"R", "G", "B"}), 8, header);
+    return in_folder("a.png").string();
+  }
+};
+
+TEST_F(Developer, OfACamerasPhotographSaysItsCoding) {
+  using enum texture::Coding;
+  for (const char* program :
+       {"darktable 4.2.1", "Adobe Photoshop Lightroom Classic 13.2 (Windows)", "Siril 1.2.0",
+        "RawTherapee 5.9", "Capture One 23", "DxO PhotoLab 7", "GIMP 2.10.34"}) {
+    const auto photo = of({{"Make", "Canon"}, {"Software", program}});
+    EXPECT_EQ(developer_of(photo), program);
+    EXPECT_EQ(coding_of(photo, as_file_says), as_file_says) << program;
+    EXPECT_EQ(coding_of(photo, camera), camera) << "as asked for";
+  }
+  for (const char* firmware :
+       {"", "Firmware Version 1.1.1", "ILCE-7M3 v3.10", "Ver.1.02", "Digital Photo Professional"}) {
+    const auto photo = of({{"Make", "Canon"}, {"Software", firmware}});
+    EXPECT_EQ(developer_of(photo), std::nullopt) << firmware;
+    EXPECT_EQ(coding_of(photo, as_file_says), camera) << firmware;
+  }
+  EXPECT_EQ(developer_of(of({{"Software", "darktable 4.2.1"}})), std::nullopt)
+      << "no camera is named";
 }
 
 TEST_F(Settings, OfOurOwnFilesStayAsTheyWereAskedFor) {
