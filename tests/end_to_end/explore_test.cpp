@@ -661,7 +661,7 @@ const Asked sayings(
     "noneShown,\n"
     "  nairobi, up, below: page.find('note').textContent, chicago: "
     "page.find('when').textContent,\n"
-    "  unnamed: (page.set({place: page.panel.places.named('São Paulo')}), "
+    "  unnamed: (page.set({place: page.panel.places.named('Buenos Aires')}), "
     "page.find('when').textContent),\n"
     "  title: page.root.querySelector('header').getBoundingClientRect().bottom > "
     "page.find('moon').getBoundingClientRect().top,\n"

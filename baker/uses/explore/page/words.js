@@ -56,7 +56,7 @@ export function localTime(ms, timeZone, {fromMs, zones}) {
   const offsetAt = (at) => format.formatToParts(at).find(({type}) => type === 'timeZoneName').value;
   const offset = offsetAt(ms), [first, last] = zones[timeZone || format.resolvedOptions().timeZone] ?? [];
   const name = offset === offsetAt(fromMs) ? first : last;
-  const shown = /^[A-Z]+$/i.test(name ?? '') ? name : offset.replace('GMT', 'UTC').replace('-', '−');
+  const shown = /^[A-Z]+$/i.test(name ?? '') ? name : offset.replace('GMT', 'UTC').replace('-', '−').replace(/\+0$/, '');
   return format.formatToParts(wholeSeconds(ms)).map(({type, value}) => (type === 'timeZoneName' ? shown : value)).join('');
 }
 
