@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
+#include <utility>
 
 #include "algebra/error.h"
 #include "colour/config_depth.h"
@@ -42,6 +44,9 @@ ocio::ConstConfigRcPtr built_in_config() {
 
 ocio::ConstConfigRcPtr config_at(const std::filesystem::path& path) try {
   if (path.empty()) return built_in_config();
+  if (path.string().starts_with("ocio://") && ocio::GetVersionHex() < 0x02020000)
+    throw Error(fmt::format("{}: OpenColorIO {} has no configurations of its own, allowed a file",
+                            path.string(), ocio::GetVersion()));
   require_readable(path);
   auto config = ocio::Config::CreateFromFile(path.c_str());
   require_regular_luts(*config);
@@ -90,22 +95,83 @@ std::string one_of(std::string_view what, const std::string& name,
   throw Error(fmt::format("{} = {}, allowed {}", what, name, fmt::join(allowed, ", ")));
 }
 
-/// The first of the space's names that the configuration knows.
-std::string known_name(const ocio::Config& config, WorkingSpace space) {
-  for (const auto alias : aliases(space))
-    if (config.getColorSpace(std::string(alias).c_str())) return std::string(alias);
-  throw Error(
-      fmt::format("the configuration names no colour space {}", fmt::join(aliases(space), " or ")));
+std::vector<std::string> spaces_of(const ocio::Config& config) {
+  std::vector<std::string> names;
+  for (int i = 0; i < config.getNumColorSpaces(); ++i)
+    names.emplace_back(config.getColorSpaceNameByIndex(i));
+  return names;
+}
+
+/// A colour space by its names in the built-in configuration and in another.
+struct Bridge {
+  std::string ours, theirs;
+};
+
+/// Common names of spaces, beside those that the built-in configuration has for them.
+const std::pair<std::string, std::vector<std::string>> common_names[] = {
+    {"lin_rec709",
+     {"Linear Rec.709", "Linear BT.709", "Linear sRGB", "Utility - Linear - sRGB",
+      "Utility - Linear - Rec.709", "scene-linear Rec.709-sRGB", "scene-linear Rec 709/sRGB"}},
+    {"acescg", {"ACES - ACEScg", "Linear ACEScg"}},
+    {"ACES2065-1", {"ACES - ACES2065-1"}},
+    {"lin_ciexyzd65_scene", {}}};
+
+/// Names by which another configuration may know a space: aliases, then common names; of each `space`'s first.
+std::vector<Bridge> known_names(std::string_view space) {
+  std::vector<Bridge> all, common;
+  for (const bool own : {true, false})
+    for (const auto& [ours, names] : common_names) {
+      if ((ours == space) != own) continue;
+      const auto built_in = built_in_config()->getColorSpace(ours.c_str());
+      all.push_back({ours, built_in->getName()});
+      for (std::size_t i = 0; i < built_in->getNumAliases(); ++i)
+        all.push_back({ours, built_in->getAlias(i)});
+      for (const auto& name : names) common.push_back({ours, name});
+    }
+  all.insert(all.end(), common.begin(), common.end());
+  return all;
+}
+
+/// Where a space of ours meets a configuration: what `developed` says. "Linear" comes last, for a configuration may call
+/// ACEScg so.
+Bridge bridge_to(const ocio::Config& config, const std::string& space) {
+  const auto of_scene = [&](const std::string& name) {
+    const auto found = config.getColorSpace(name.c_str());
+    const bool of_it = found && found->getReferenceSpaceType() == ocio::REFERENCE_SPACE_SCENE;
+    return of_it ? found : nullptr;
+  };
+  for (const auto& role : {Bridge{"ACES2065-1", "aces_interchange"},
+                           Bridge{"lin_ciexyzd65_scene", "cie_xyz_d65_interchange"}})
+    if (of_scene(role.theirs)) return role;
+  auto known = known_names(space);
+  if (const auto linear = of_scene("scene_linear"))
+    for (const auto& each : known)
+      if (of_scene(each.theirs) == linear) return each;
+  known.push_back({"lin_rec709", "Linear"});
+  for (const auto& each : known)
+    if (of_scene(each.theirs)) return each;
+  throw Error(fmt::format(
+      "neither roles nor names say which colour space is {}, allowed as config-space {}", space,
+      fmt::join(spaces_of(config), ", ")));
 }
 
 ocio::ConstProcessorRcPtr processor(WorkingSpace space, const DisplayTransform& development) try {
   const auto config = config_at(development.config);
   const auto display = display_named(development.display, development.config);
+  const std::string ours(name(space)), &theirs = development.config_space;
+  if (!theirs.empty() && !config->getColorSpace(theirs.c_str()))
+    one_of("config-space", theirs, spaces_of(*config));
+  const auto bridge = !theirs.empty()              ? Bridge{ours, theirs}
+                      : development.config.empty() ? Bridge{ours, ours}
+                                                   : bridge_to(*config, ours);
   const auto transform = ocio::DisplayViewTransform::Create();
-  transform->setSrc(known_name(*config, space).c_str());
+  transform->setSrc(bridge.theirs.c_str());
   transform->setDisplay(display.c_str());
   transform->setView(view_named(development.view, display, development.config).c_str());
-  auto processor = config->getProcessor(transform);
+  const auto all =
+      built_in_config()->getProcessor(ours.c_str(), bridge.ours.c_str())->createGroupTransform();
+  all->appendTransform(transform);
+  auto processor = config->getProcessor(all);
   require_finite_luts(*processor);
   return processor;
 } catch (const ocio::Exception& problem) {
@@ -133,6 +199,18 @@ std::string config_text_of_aces2() {
   for (auto at = text.find(mark); at != text.npos; at = text.find(mark, at))
     text.erase(at + 1, mark.size() - 1);
   return text.insert(text.find(version) + version.size(), ".4");
+}
+
+std::filesystem::path config_for(const std::string& view, const std::string& display,
+                                 const std::filesystem::path& config) {
+  const char* const told = std::getenv("OCIO");
+  if (!config.empty() || !told) return config;
+  try {
+    view_named(view, display);
+    return {};
+  } catch (const Error&) {
+    return told;
+  }
 }
 
 std::vector<std::string> displays(const std::filesystem::path& config) {

@@ -21,16 +21,23 @@ struct DisplayTransform {
   std::string view = "Un-tone-mapped";
   std::string display = "sRGB";
   std::filesystem::path config = {};  ///< an OpenColorIO configuration; empty: the built-in one
+  std::string config_space =
+      {};  ///< its colour space that the image is in; empty: found by roles and names
 };
 
 /// Scene-linear image transformed for a display.
+///
+/// A configuration of the user's need not know the image's colour space. The first of these that it has is taken, and
+/// a matrix leads there: the role aces_interchange; cie_xyz_d65_interchange, where that is scene-referred; scene_linear,
+/// where its name or an alias says which space it is; a space with one of `aliases`; one with a common name, as
+/// "ACES - ACEScg"; "Linear", which is Rec.709 in Blender.
 ///
 /// Returned  display-referred, nominally 0 to 1 and coded for the display. Not clamped: a view may
 ///           leave values below 0 or above 1, for whoever writes 8 or 16 bits to clip
 /// Accuracy  sRGB without tone mapping: 2e-5 of the coded value from IEC 61966-2-1
 /// Throws    Error  when a scaled channel is not finite (names the pixel), the scale is not above
 ///                  0, the configuration cannot be read, has no such view or display (names those it
-///                  has) or does not know the working space, or a look-up table of it has an entry
+///                  has), knows none of these spaces, or has no config_space, or a look-up table of it has an entry
 ///                  that is not finite (names file and line) or is no regular file, or names such a
 ///                  file; when what it describes is made of itself, or has no reasonable end
 Image developed(Image scene_linear, WorkingSpace space, const DisplayTransform& development = {});
@@ -42,7 +49,12 @@ Image developed(Image scene_linear, WorkingSpace space, const DisplayTransform& 
 /// Source  OpenColorIO's cache identifier of the processor, which holds the numbers of its tables
 std::string fingerprint(WorkingSpace space, const DisplayTransform& development);
 
-/// Displays of a configuration (empty: the built-in one), the default first.
+/// Configuration for a view and a display: `config`; where that is empty and the built-in one lacks either, $OCIO.
+std::filesystem::path config_for(const std::string& view, const std::string& display,
+                                 const std::filesystem::path& config);
+
+/// Displays of a configuration (empty: the built-in one; ocio://…: one of OpenColorIO's own, from 2.2 on), the default
+/// first.
 ///
 /// Throws  Error  when the configuration cannot be read
 std::vector<std::string> displays(const std::filesystem::path& config = {});

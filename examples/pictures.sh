@@ -98,7 +98,7 @@ addEventListener('load', () => setTimeout(() => {
   for (const part of page.querySelectorAll('details'))
     part.open = ['The Earth’s air', 'Light at a place'].includes(part.querySelector('summary').textContent);
   const moon = page.querySelector('canvas'), {left, top} = moon.getBoundingClientRect();
-  moon.dispatchEvent(new PointerEvent('pointermove', {clientX: left + 376, clientY: top + 357, bubbles: true}));
+  moon.dispatchEvent(new PointerEvent('pointermove', {clientX: left + 394, clientY: top + 292, bubbles: true}));
 }, 500));
 </script>
 END

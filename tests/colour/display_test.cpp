@@ -385,6 +385,123 @@ TEST_F(LookUpTable, ThatNamesItselfIsRefused) {
   EXPECT_EQ(refusal(), table().string() + ": 17 files that name one another, allowed to 16");
 }
 
+/// A configuration of roles and colour spaces whose one view shows the space `shown` as it is.
+class OtherConfiguration : public testing::Test {
+ protected:
+  OtherConfiguration() {
+    auto name = (std::filesystem::temp_directory_path() / "coppermoon_XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~OtherConfiguration() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path config() const { return folder_ / "config.ocio"; }
+  void write(const std::string& roles, const std::string& shown, const std::string& spaces,
+             int version = 2) const {
+    std::ofstream(config()) << "ocio_profile_version: " << version << "\nroles: {default: " << shown
+                            << ", " << roles
+                            << "}\ndisplays:\n  sRGB:\n    - !<View> {name: Plain, "
+                            << "colorspace: " << shown << "}\ncolorspaces:\n"
+                            << spaces;
+  }
+  Rgb shown(WorkingSpace space, const Rgb& colour, const std::string& config_space = {}) const {
+    return developed(image_of({colour}), space,
+                     {.view = "Plain", .config = config(), .config_space = config_space})(0, 0);
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+void expect_rgb(const Rgb& found, const Rgb& published) {
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_WITHIN(found[i], published[i], 1e-4, "published with four digits");
+}
+
+// AP1's red and Rec.709's in AP0, Rec.709's in AP1: SMPTE S-2014-004, ACES' aces-dev 1.3 with Bradford's adaptation.
+const Rgb red{1, 0, 0}, ap1_red_in_ap0{0.69545F, 0.04479F, -0.00553F},
+    rec709_red_in_ap0{0.43959F, 0.08978F, 0.01754F},
+    rec709_red_in_ap1{0.61310F, 0.07019F, 0.02062F};
+
+const std::string ap0_from_ap1 = "!<BuiltinTransform> {style: ACEScg_to_ACES2065-1}";
+
+TEST_F(OtherConfiguration, IsMetAtItsInterchangeRole) {
+  write("aces_interchange: a, scene_linear: Linear", "a",
+        "  - !<ColorSpace> {name: a}\n  - !<ColorSpace> {name: Linear}\n");
+  expect_rgb(shown(linear_rec709, red), rec709_red_in_ap0);
+  expect_rgb(shown(acescg, red), ap1_red_in_ap0);
+}
+
+TEST_F(OtherConfiguration, OfDisplaysAloneIsNotMetThere) {
+  const std::string spaces = "  - !<ColorSpace> {name: a}\n";
+  write("cie_xyz_d65_interchange: x", "a",
+        spaces +
+            "display_colorspaces:\n  - !<ColorSpace> {name: x}\n"
+            "view_transforms:\n  - !<ViewTransform> {name: v, from_scene_reference: "
+            "!<ExponentTransform> {value: 2}}\n");
+  EXPECT_NE(error_of([&] { shown(linear_rec709, red); }), "no error");
+  write("cie_xyz_d65_interchange: a", "a", spaces);
+  expect_rgb(shown(linear_rec709, red), {0.4124F, 0.2126F, 0.0193F});  // IEC 61966-2-1
+}
+
+TEST_F(OtherConfiguration, IsMetAtItsSceneLinearWhereThatIsKnown) {
+  write("scene_linear: ACES - ACEScg", "ACES - ACEScg",  // ACES 1.2
+        "  - !<ColorSpace> {name: ACES - ACES2065-1}\n"
+        "  - !<ColorSpace> {name: ACES - ACEScg, to_reference: !<MatrixTransform> {matrix: "
+        "[0.695452, 0.140679, 0.163869, 0, 0.0447946, 0.859671, 0.0955343, 0, -0.00552588, "
+        "0.00402521, 1.0015, 0, 0, 0, 0, 1]}}\n",
+        1);
+  expect_rgb(shown(acescg, red), red);
+  expect_rgb(shown(linear_rec709, red), rec709_red_in_ap1);
+}
+
+TEST_F(OtherConfiguration, IsMetAtASpaceOfAKnownName) {
+  for (const std::string name : {"Linear", "Linear Rec.709", "Linear BT.709", "lin_rec709_scene"})
+    for (const std::string roles : {"scene_linear: b", "data: b"}) {  // Blender's, sobotka/AgX's
+      write(roles, "b", "  - !<ColorSpace> {name: b, aliases: [" + name + "]}\n");
+      EXPECT_EQ(shown(linear_rec709, red), red) << name;
+      const auto shown_red = shown(acescg, red);
+      EXPECT_WITHIN(shown_red[0], 1.70505, 1e-4, "aces-dev, five digits: the reverse matrix");
+    }
+}
+
+TEST_F(OtherConfiguration, ThatCallsAnotherSpaceLinearIsMetByClearerNames) {
+  write("scene_linear: Linear", "Linear",
+        "  - !<ColorSpace> {name: Linear, aliases: [acescg], to_scene_reference: " + ap0_from_ap1 +
+            "}\n");
+  expect_rgb(shown(linear_rec709, red), rec709_red_in_ap1);
+  write("scene_linear: Linear", "ACES2065-1",
+        "  - !<ColorSpace> {name: ACES2065-1}\n  - !<ColorSpace> {name: Linear, "
+        "to_scene_reference: " +
+            ap0_from_ap1 + "}\n");
+  expect_rgb(shown(linear_rec709, red), rec709_red_in_ap0);
+}
+
+TEST_F(OtherConfiguration, OfNoKnownSpaceSaysHowItIsNamed) {
+  write("scene_linear: Studio", "Studio", "  - !<ColorSpace> {name: Studio}\n");
+  EXPECT_EQ(
+      error_of([&] { shown(acescg, red); }),
+      "neither roles nor names say which colour space is acescg, allowed as config-space Studio");
+  EXPECT_EQ(shown(acescg, red, "studio"), red);
+  EXPECT_EQ(error_of([&] { shown(acescg, red, "Stage"); }), "config-space = Stage, allowed Studio");
+}
+
+TEST_F(OtherConfiguration, OfTheSurroundingsIsForViewsThatTheBuiltInOneHasNot) {
+  write("scene_linear: lin_srgb", "lin_srgb", "  - !<ColorSpace> {name: lin_srgb}\n");
+  ::setenv("OCIO", config().c_str(), 1);
+  EXPECT_EQ(config_for("Plain", "sRGB", {}), config());
+  EXPECT_EQ(config_for("filmic", "sRGB", {}), "");
+  EXPECT_EQ(config_for("Plain", "sRGB", "other.ocio"), "other.ocio");
+  ::unsetenv("OCIO");
+  EXPECT_EQ(config_for("Plain", "sRGB", {}), "");
+}
+
+TEST(Configuration, OfOpenColorIosOwnNeedsANewerOne) {
+  const auto refusal = error_of([] { views("sRGB - Display", "ocio://default"); });
+  const std::regex of_2_1(
+      "ocio://default: OpenColorIO 2\\.1\\.\\d+ has no configurations of its own, allowed a file");
+  EXPECT_TRUE(refusal == "no error" || std::regex_match(refusal, of_2_1)) << refusal;
+}
+
 /// Error message for a configuration of some colour spaces and looks.
 std::string fault_of(const std::string& spaces, const std::string& more = "",
                      const std::string& views = "- !<View> {name: Un-tone-mapped, colorspace: a}") {

@@ -661,16 +661,24 @@ const Asked sayings(
     "noneShown,\n"
     "  nairobi, up, below: page.find('note').textContent, chicago: "
     "page.find('when').textContent,\n"
-    "  altitude: page.scene().view.altitude,\n"
+    "  unnamed: (page.set({place: page.panel.places.named('Buenos Aires')}), "
+    "page.find('when').textContent),\n"
+    "  title: page.root.querySelector('header').getBoundingClientRect().bottom > "
+    "page.find('moon').getBoundingClientRect().top,\n"
+    "  altitude: (page.set({place: page.panel.places.named('Chicago')}), "
+    "page.scene().view.altitude),\n"
     "  pair: page.panel.places.named('-1.3, 36.8').timeZone, none: "
     "page.panel.places.named('Nowhere at all')};");
 
 TEST_F(Explore, PlaceTimeAndAirAreSaidAsTheyAreSeen) {
   const auto said = sayings.answer();
-  EXPECT_NE(said["nairobi"].get<std::string>().find("23:21:45 GMT+3"), std::string::npos);
+  EXPECT_NE(said["nairobi"].get<std::string>().find("23:21:45 EAT"), std::string::npos);
   EXPECT_EQ(said["up"], "");
   EXPECT_EQ(said["below"], "The Moon is below the horizon there.");
-  EXPECT_NE(said["chicago"].get<std::string>().find("15:21:45 GMT-5"), std::string::npos);
+  EXPECT_NE(said["chicago"].get<std::string>().find("15:21:45 CDT"), std::string::npos);
+  EXPECT_NE(said["unnamed"].get<std::string>().find("17:21:45 UTC−3"), std::string::npos)
+      << "the zone's abbreviation is -03: " << said["unnamed"];
+  EXPECT_FALSE(said["title"].get<bool>()) << "the title lies over no Moon on a wide screen either";
   const auto chicago =
       almanac::view_from(almanac::city_named("Chicago")->place,
                          almanac::sky_at(almanac::instant_from_utc("2018-07-27T20:21:45Z")));
@@ -721,7 +729,29 @@ TEST_F(Explore, PagesAreOneFileNeedNoNetworkAndFitAPhone) {
       "const legend = page.find('legend'), steps = legend.querySelectorAll('li').length, shown = "
       "box(legend).height > 0;\n"
       "page.set({look: page.facts.views[0]});\n"
-      "return {wide, covered, width: slider.width, legend: shown && steps, hidden: "
+      "const copied = [], click = async (clipboard, execCommand, name) => {\n"
+      "  Object.defineProperty(navigator, 'clipboard', {value: clipboard, configurable: true});\n"
+      "  document.execCommand = execCommand;\n"
+      "  page.find(name).click();\n"
+      "  for (let i = 0; i < 3; ++i) await frame();\n"
+      "  const field = page.find('to-copy');\n"
+      "  copied.push([page.find('copied').textContent, field.hidden,\n"
+      "    field.value.slice(field.selectionStart, field.selectionEnd) === (name === 'copy' ?\n"
+      "      page.find('command').textContent : location.href)]);\n"
+      "};\n"
+      "page.root.querySelector('.make').open = true;\n"
+      "page.drawBeside();\n"
+      "await click({writeText: async () => {}}, () => false, 'copy');\n"
+      "await click({writeText: async () => { throw Error('denied'); }}, () => true, 'copy');\n"
+      "await click(undefined, () => true, 'link');\n"
+      "await click(undefined, () => false, 'link');\n"
+      "const silent = document.createElement('iframe');\n"
+      "silent.srcdoc = `<meta http-equiv=Content-Security-Policy content=\"script-src 'self'\">` "
+      "+\n"
+      "  page.root.host.parentElement.outerHTML;\n"
+      "await new Promise((loaded) => { silent.onload = loaded; document.body.append(silent); });\n"
+      "const word = silent.contentDocument.body.innerText;\n"
+      "return {copied, word, wide, covered, width: slider.width, legend: shown && steps, hidden: "
       "box(legend).height,\n"
       "  meeting: marks.filter((a, i) => marks.some((b, j) => j > i && meet(a, b))).length,\n"
       "  title: meet(box(page.root.querySelector('header')), box(page.find('moon'))),\n"
@@ -734,11 +764,23 @@ TEST_F(Explore, PagesAreOneFileNeedNoNetworkAndFitAPhone) {
   EXPECT_EQ(said["covered"], 0) << "all of the slider can be grabbed";
   EXPECT_EQ(said["meeting"], 0) << "the contacts stand beside each other";
   EXPECT_FALSE(said["title"].get<bool>()) << "the title lies over no Moon";
-  EXPECT_NE(said["when"].get<std::string>().find("GMT-10"), std::string::npos);
+  EXPECT_NE(said["when"].get<std::string>().find(" HST"), std::string::npos);
   EXPECT_EQ(said["lines"], json({1, 1})) << "no zone is broken";
   EXPECT_EQ(said["legend"], 10) << "false colours say what they are";
   EXPECT_EQ(said["hidden"], 0);
   EXPECT_EQ(said["options"], "");
+  const std::string selected =
+      "The browser does not let this page copy. The text is selected: copy it yourself.";
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(said["copied"][i][0], "Copied.") << i;
+    EXPECT_TRUE(said["copied"][i][1].get<bool>()) << i;
+  }
+  EXPECT_EQ(said["copied"][3], json({selected, false, true}));
+  EXPECT_TRUE(said["word"].get<std::string>().starts_with(
+      "Total eclipse of the Moon, 2018-07-27, drawn by this page's script. It has not begun"))
+      << "under a policy that forbids scripts: " << said["word"];
+  EXPECT_NE(page.find("<noscript><p>Scripts are switched off in this browser.</p></noscript>"),
+            std::string::npos);
 }
 
 using ExploreThoroughly = Explore;

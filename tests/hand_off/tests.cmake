@@ -117,3 +117,20 @@ endforeach()
 foreach(step files_are_made ${colour_checks})
   set_tests_properties(hand_off/colour/${step} PROPERTIES LABELS hand_off TIMEOUT 600 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 endforeach()
+
+# The Python package under NumPy 2: Debian's is NumPy 1, with which the package's own tests run.
+if(TARGET coppermoon_python)
+  set(venv ${PROJECT_BINARY_DIR}/hand_off/numpy2)
+  file(STRINGS ${pinned} numpy2 REGEX "^#numpy==")
+  string(REPLACE "#" "" numpy2 ${numpy2})
+  add_test(NAME hand_off/numpy2/is_installed
+           COMMAND sh -c "${COPPERMOON_PYTHON} -m venv ${venv} && ${venv}/bin/pip install --quiet ${numpy2}")
+  set_tests_properties(hand_off/numpy2/is_installed PROPERTIES FIXTURES_SETUP numpy2 LABELS hand_off TIMEOUT 300)
+  foreach(noun behaviour numbers)
+    add_test(NAME hand_off/numpy2/${noun}
+             COMMAND ${venv}/bin/python ${PROJECT_SOURCE_DIR}/tests/baker/wrappers/python/${noun}_test.py)
+    set_tests_properties(hand_off/numpy2/${noun} PROPERTIES FIXTURES_REQUIRED numpy2 LABELS hand_off TIMEOUT 600
+                         ENVIRONMENT
+                         "PYTHONPATH=${PROJECT_BINARY_DIR}/python;PYTHONDONTWRITEBYTECODE=1;COPPERMOON_TEST_DATA=${PROJECT_SOURCE_DIR}/tests;COPPERMOON_PROGRAM=$<TARGET_FILE:coppermoon_program>")
+  endforeach()
+endif()

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,7 @@
 #include "uses/light/photometer.h"
 #include "uses/light/photometric_bands.h"
 #include "uses/light/spectral_bands.h"
+#include "uses/picture/local_time.h"
 #include "uses/picture/view.h"
 
 namespace coppermoon::uses {
@@ -252,6 +254,20 @@ ordered_json danjon_steps(const atmosphere::Atmosphere& air, const almanac::SkyS
   return steps;
 }
 
+/// Abbreviations of the cities' time zones at two moments: {"America/Chicago": ["CDT", "CDT"]}; without those that the
+/// system does not know.
+ordered_json zones_at(const almanac::Instant& from, const almanac::Instant& to) {
+  std::set<std::string> names;
+  for (const auto& city : almanac::largest_cities(cities)) names.insert(city.time_zone);
+  ordered_json zones = ordered_json::object();
+  for (const auto& name : names) try {
+      zones[name] = {local_time(from, name).abbreviation, local_time(to, name).abbreviation};
+    } catch (const algebra::Error&) {
+      zones.erase(name);
+    }
+  return zones;
+}
+
 ordered_json place_of(const ExploreRequest& request) {
   if (!request.observer) return {};
   return {{"name", request.place},
@@ -300,6 +316,7 @@ Exploration exploration_of(const eclipse::Eclipse& eclipse, const ExploreRequest
                 {"umbralMagnitude", eclipse.umbral_magnitude},
                 {"penumbralMagnitude", eclipse.penumbral_magnitude},
                 {"fromMs", unix_ms(from)},
+                {"zones", zones_at(from, to)},
                 {"contacts", contacts_in_ms(eclipse)},
                 {"motion", motion},
                 {"moonRadiusKm", algebra::in_kilometres(almanac::lunar_radius)},

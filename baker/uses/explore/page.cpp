@@ -20,18 +20,25 @@ std::string escaped(const std::string& text, const std::map<char, const char*>& 
   return safe;
 }
 
-/// Page's own part. In its JSON "<" is escaped, so that it neither ends a script nor begins a comment.
+std::string in_html(const std::string& text) {
+  return escaped(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}});
+}
+
+/// Page's own part. It shows a word until its script has begun. In its JSON "<" is escaped, so that it neither ends a script nor begins a comment.
 std::string fragment_of(const Exploration& exploration, PageExtent extent) {
   auto facts = exploration.facts;
   facts["arrays"] = exploration.arrays.index();
   return fmt::format(
       "<div class=\"coppermoon\"{} style=\"height: 100%\">\n"
-      "<div class=\"shown\" style=\"height: 100%\"></div>\n"
+      "<div class=\"shown\" style=\"height: 100%\"><p>{}, drawn by this page's script. It has not "
+      "begun: it "
+      "is still loading, or the policy of this site forbids it.</p>\n"
+      "<noscript><p>Scripts are switched off in this browser.</p></noscript></div>\n"
       "<script type=\"application/json\" class=\"facts\">{}</script>\n"
       "<script type=\"text/plain\" class=\"arrays\">{}</script>\n"
       "<script>{}</script>\n"
       "</div>\n",
-      extent == PageExtent::fragment ? " data-embedded" : "",
+      extent == PageExtent::fragment ? " data-embedded" : "", in_html(exploration.title),
       escaped(facts.dump(), {{'<', "\\u003c"}}), exploration.arrays.text(),
       explore::tables::page());
 }
@@ -42,7 +49,7 @@ std::string whole_page(const std::string& title, const std::string& style,
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
-      escaped(title, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}}), style, body);
+      in_html(title), style, body);
 }
 
 }  // namespace
@@ -50,7 +57,8 @@ std::string whole_page(const std::string& title, const std::string& style,
 std::string page_of(const Exploration& exploration, PageExtent extent) {
   auto fragment = fragment_of(exploration, extent);
   if (extent == PageExtent::fragment) return fragment;
-  return whole_page(exploration.title, "html, body { height: 100%; margin: 0; background: #000; }",
+  return whole_page(exploration.title,
+                    "html, body { height: 100%; margin: 0; background: #000; color: #ddd; }",
                     fragment);
 }
 

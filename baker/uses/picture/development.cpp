@@ -32,13 +32,13 @@ const PictureFile& file_of(const std::filesystem::path& picture) {
 }
 
 /// Development with the display that a file's ending implies, where none is asked for; names spelt as in the
-/// configuration.
+/// configuration, which $OCIO may name.
 Development for_file(Development development, const std::filesystem::path& picture) {
-  const auto& config = development.config;
-  development.display = colour::display_named(
-      file_of(picture).high_range && development.display == usual_display ? high_range_display
-                                                                          : development.display,
-      config);
+  if (file_of(picture).high_range && development.display == usual_display)
+    development.display = high_range_display;
+  const auto config = colour::config_for(development.view, development.display, development.config);
+  development.config = config.string();
+  development.display = colour::display_named(development.display, config);
   development.view = colour::view_named(development.view, development.display, config);
   return development;
 }
@@ -276,11 +276,16 @@ colour::Image composite(const Development& development, const Exposures& exposur
   return all;
 }
 
+colour::DisplayTransform transform_of(const Development& development, double scale) {
+  const auto config = colour::config_for(development.view, development.display, development.config);
+  return {scale, development.view, development.display, config, development.config_space};
+}
+
 /// Picture of scaled light on a display, clamped to 0 to 1.
 texture::Image shown_of(const Development& development, double scale, colour::Image scene,
                         colour::WorkingSpace space) {
-  auto image = image_of(colour::developed(
-      std::move(scene), space, {scale, development.view, development.display, development.config}));
+  auto image =
+      image_of(colour::developed(std::move(scene), space, transform_of(development, scale)));
   for (float& value : image.values) value = std::clamp(value, 0.F, 1.F);
   return image;
 }
@@ -402,6 +407,9 @@ void require_sound(const Development& asked, const std::filesystem::path& pictur
     throw algebra::Error(fmt::format("display = {}, allowed for a picture that ends in {} {}",
                                      development.display, file_of(picture).ending,
                                      high_range_display));
+  if (!development.config_space.empty() && development.config.empty())
+    throw algebra::Error(
+        fmt::format("config-space = {}, allowed with a config", development.config_space));
   if (development.caption) texture::sheet_font();
   require_ending(development.camera.photograph, "a photograph", ".exr");
   if (development.time.rule == ExposureTime::Rule::composite &&
@@ -417,7 +425,7 @@ void require_sound(const Development& asked, const std::filesystem::path& pictur
 }
 
 std::string fingerprint(const Development& development, colour::WorkingSpace space) {
-  return colour::fingerprint(space, {1, development.view, development.display, development.config});
+  return colour::fingerprint(space, transform_of(development, 1));
 }
 
 texture::Image shown(const Development& development, double scale, const texture::Image& frame,

@@ -30,8 +30,12 @@ struct Development {
   ExposureTime time{};
   std::optional<double> f_number{};  ///< without: 12.1, or the camera's
   double iso = 800;
-  std::string view = "Un-tone-mapped", display = "sRGB",
-              config;      ///< of OpenColorIO; config: a file
+  std::string
+      view = "Un-tone-mapped",
+      display = "sRGB",
+      config;  ///< of OpenColorIO; config: a file, or ocio://…; empty: as colour::config_for
+  std::string
+      config_space{};      ///< colour space of the configuration that frames are in; empty: found
   int bits = 8;            ///< of a picture's number, 8 or 16
   bool caption = false;    ///< local time, place and contact are written into pictures
   CameraRequest camera{};  ///< of a frame that is seen; no texture has one

@@ -272,8 +272,12 @@ void describe_but_time(Parameters& is, Development& development) {
   is.add(parameter("view", development.view, "view of the OpenColorIO configuration"));
   is.add(parameter("display", development.display, "display of the OpenColorIO configuration"));
   is.add(parameter("config", development.config,
-                   "OpenColorIO configuration in place of the built-in one"))
+                   "OpenColorIO configuration in place of the built-in one, a file or ocio://…; "
+                   "without it $OCIO, for views and displays that the built-in one has not"))
       .as(request::Kind::file_read);
+  is.add(parameter("config-space", development.config_space,
+                   "colour space of --config that frames are in; default: found by roles and "
+                   "names"));
   is.add(
         choice("bits", development.bits, {{"8", 8}, {"16", 16}}, "bits of a number of the picture"))
       .as(request::Kind::whole);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "almanac/gazetteer.h"
 #include "eclipse/moment.h"
@@ -13,15 +14,26 @@ namespace {
 
 py::object utc() { return py::module_::import("datetime").attr("timezone").attr("utc"); }
 
-bool is_datetime(py::handle object) {
-  return py::isinstance(object, py::module_::import("datetime").attr("datetime"));
+bool is_of(py::handle object, const char* package, const char* type) {
+  return py::isinstance(object, py::module_::import(package).attr(type));
+}
+
+/// Text of a moment that is a text, a date, or NumPy's datetime64, which is UTC; nothing for others.
+std::optional<std::string> text_of_moment(py::handle moment) {
+  if (py::isinstance<py::str>(moment)) return moment.cast<std::string>();
+  if (is_of(moment, "datetime", "date") && !is_of(moment, "datetime", "datetime"))
+    return moment.attr("isoformat")().cast<std::string>();
+  if (!is_of(moment, "numpy", "datetime64")) return std::nullopt;
+  const auto text = py::str(moment).cast<std::string>();
+  return text.size() == std::size("2018-07-27T20") - 1 ? text + ":00" : text;  // of whole hours
 }
 
 almanac::Instant instant_of_datetime(py::handle moment) {
-  if (!is_datetime(moment))
-    throw py::type_error(fmt::format(
-        "{}: no moment, allowed a datetime with a time zone, or a text as 2018-07-27T20:21:45Z",
-        py::repr(moment).cast<std::string>()));
+  if (!is_of(moment, "datetime", "datetime"))
+    throw py::type_error(
+        fmt::format("{}: no moment, allowed a datetime with a time zone, a date, a datetime64 of "
+                    "NumPy, which is UTC, or a text as 2018-07-27T20:21:45Z",
+                    py::repr(moment).cast<std::string>()));
   if (moment.attr("utcoffset")().is_none())
     throw algebra::Error(
         fmt::format("{}: a datetime without a time zone, allowed one with, as "
@@ -36,13 +48,13 @@ almanac::Instant instant_of_datetime(py::handle moment) {
 almanac::Instant instant_of(py::handle moment) { return moment_of(moment).seen_from({}); }
 
 Moment moment_of(py::handle moment) {
-  if (py::isinstance<py::str>(moment)) return {moment.cast<std::string>()};
+  if (auto text = text_of_moment(moment)) return {std::move(*text)};
   return {"", instant_of_datetime(moment)};
 }
 
 almanac::Instant instant_of_date(py::handle date) {
-  const bool is_day = py::isinstance<py::str>(date) && eclipse::is_day(date.cast<std::string>());
-  return is_day ? almanac::instant_from_utc(date.cast<std::string>()) : instant_of(date);
+  const auto text = text_of_moment(date);
+  return text && eclipse::is_day(*text) ? almanac::instant_from_utc(*text) : instant_of(date);
 }
 
 py::object datetime_of(const almanac::Instant& instant) {
@@ -93,6 +105,17 @@ std::vector<double> numbers_of(const char* what, py::handle numbers) {
   if (array.ndim() != 1)
     throw algebra::Error(fmt::format("{}: an array of {} axes, allowed 1", what, array.ndim()));
   return {array.data(), array.data() + array.size()};
+}
+
+py::object converted(const py::object& array, const py::object& dtype, std::optional<bool> copy) {
+  using namespace py::literals;
+  const auto own = array.attr("dtype");
+  const auto asked = dtype.is_none() ? own : py::module_::import("numpy").attr("dtype")(dtype);
+  if (copy == false && !asked.equal(own))
+    throw algebra::Error(fmt::format("{} as {} is a copy, allowed copy=None",
+                                     py::str(own).cast<std::string>(),
+                                     py::str(asked).cast<std::string>()));
+  return array.attr("astype")(asked, "copy"_a = copy.value_or(false));
 }
 
 }  // namespace coppermoon::python

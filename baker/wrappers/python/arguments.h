@@ -27,8 +27,8 @@ namespace coppermoon::python {
 
 namespace py = pybind11;
 
-/// Moment of an eclipse: a datetime with a time zone, an ISO 8601 text, a day, which stands for its greatest eclipse,
-/// or a day and a contact, moonrise or moonset.
+/// Moment of an eclipse: a datetime with a time zone, an ISO 8601 text, NumPy's datetime64 (UTC), a day, which stands for
+/// its greatest eclipse, or a day and a contact, moonrise or moonset.
 struct Moment {
   std::string text;
   std::optional<almanac::Instant> instant{};  ///< of a datetime, which has no text
@@ -39,7 +39,7 @@ struct Moment {
   }
 };
 
-/// End of a search, or its middle: a datetime with a time zone, or an ISO 8601 text; a day alone is its midnight.
+/// End of a search, or its middle: as Moment; but a day alone is its midnight.
 struct Date {
   almanac::Instant instant;
 };
@@ -50,7 +50,7 @@ struct Place {
 };
 
 /// Throws  Error       when it is no such moment; datetimes without a time zone are none
-///         type_error  when it is neither a datetime nor a text
+///         type_error  when it is of another type
 almanac::Instant instant_of(py::handle moment);
 Moment moment_of(py::handle moment);
 almanac::Instant instant_of_date(py::handle date);
@@ -68,6 +68,13 @@ almanac::Observer observer_of(py::handle place);
 /// Throws  Error       when they have more axes or none
 ///         type_error  when they are no numbers
 std::vector<double> numbers_of(const char* what, py::handle numbers);
+
+/// An array by NumPy's protocol `__array__`.
+///
+/// Given   dtype  None: the array's own
+///         copy   true: always; none: where the dtype needs one
+/// Throws  Error  when copy is false and the dtype needs one
+py::object converted(const py::object& array, const py::object& dtype, std::optional<bool> copy);
 
 /// Words of an enumeration: those of the command's options.
 template <class Value>
@@ -148,7 +155,8 @@ namespace pybind11::detail {
 
 template <>
 struct type_caster<coppermoon::python::Moment> {
-  PYBIND11_TYPE_CASTER(coppermoon::python::Moment, const_name("datetime | str"));
+  PYBIND11_TYPE_CASTER(coppermoon::python::Moment,
+                       const_name("datetime | date | numpy.datetime64 | str"));
   bool load(handle source, bool) {
     value = coppermoon::python::moment_of(source);
     return true;
@@ -157,7 +165,8 @@ struct type_caster<coppermoon::python::Moment> {
 
 template <>
 struct type_caster<coppermoon::python::Date> {
-  PYBIND11_TYPE_CASTER(coppermoon::python::Date, const_name("datetime | str"));
+  PYBIND11_TYPE_CASTER(coppermoon::python::Date,
+                       const_name("datetime | date | numpy.datetime64 | str"));
   bool load(handle source, bool) {
     value = {coppermoon::python::instant_of_date(source)};
     return true;

@@ -105,10 +105,12 @@ void add_bake(py::module_& package) {
                     "header of its file, by name; 'coppermoon:recipe' bakes the texture again")
       .def_readonly("parts", &Texture::parts,
                     "all arrays by name: with passes also what the light is made of")
-      .def("__array__",
-           [](const Texture& texture, const py::args& more) {
-             return first_of(texture).attr("__array__")(*more);
-           })
+      .def(
+          "__array__",
+          [](const Texture& texture, const py::object& dtype, std::optional<bool> copy) {
+            return converted(first_of(texture), dtype, copy);
+          },
+          "dtype"_a = py::none(), "copy"_a = py::none())
       .def("__repr__", [](const Texture& texture) {
         const auto shape = first_of(texture).attr("shape");
         return fmt::format("<Texture {} of shape {}>", texture.space,

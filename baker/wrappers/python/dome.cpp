@@ -60,8 +60,12 @@ void add_dome(py::module_& package) {
                     "header of its file, by name; 'coppermoon:recipe' makes the dome again")
       .def_readonly("figures", &DomeArrays::figures,
                     "luminance, illuminances and places, by name with their units")
-      .def("__array__", [](const DomeArrays& dome,
-                           const py::args& more) { return dome.pixels.attr("__array__")(*more); })
+      .def(
+          "__array__",
+          [](const DomeArrays& dome, const py::object& dtype, std::optional<bool> copy) {
+            return converted(dome.pixels, dtype, copy);
+          },
+          "dtype"_a = py::none(), "copy"_a = py::none())
       .def("__repr__", [](const DomeArrays& dome) {
         return fmt::format("<Dome {} of shape {}>", dome.space,
                            py::str(dome.pixels.attr("shape")).cast<std::string>());

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <vector>
 
 #include "algebra/error.h"
@@ -61,6 +63,8 @@ std::string text_of(const Parameter& parameter, py::handle value) {
     case Kind::text:  // a number in place of a word
       if (!is_text(value)) return request::text_of(read_as<double>(parameter, value, "a text"));
       break;
+    case Kind::file_read:
+      return read_as<std::filesystem::path>(parameter, value, "a path").string();
     default:
       break;
   }
@@ -75,7 +79,8 @@ Texts texts_of(const Parameter& parameter, py::handle value) {
   }
   const bool presence = parameter.kind == Kind::presence;
   if (!presence && parameter.kind != Kind::on_off) return {text_of(parameter, value)};
-  if (!py::isinstance<py::bool_>(value)) refuse(parameter, value, "True or False");
+  const bool of_numpy = py::isinstance(value, py::module_::import("numpy").attr("bool_"));
+  if (!of_numpy && !py::isinstance<py::bool_>(value)) refuse(parameter, value, "True or False");
   const bool on = value.cast<bool>();
   if (presence) return on ? Texts{"true"} : Texts{};
   return {on ? "on" : "off"};

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "uses/fit/fit.h"
 
+#include <pybind11/stl/filesystem.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include "uses/light/photometric_bands.h"
@@ -130,11 +133,11 @@ when: the moment when it was taken
 coding: how its numbers stand for light, 'as-file-says', 'srgb', 'linear' or 'camera' (its own tone curve, which is then found)
 exposure_time_s, iso, f_number: without them as its header says
 )")
-      .def(py::init([](std::string file, const Moment& when, texture::Coding coding,
-                       std::optional<double> exposure_time_s, std::optional<double> iso,
-                       std::optional<double> f_number) {
-             return EclipsePhotograph{
-                 std::move(file), when.seen_from({}), coding, exposure_time_s, iso, f_number};
+      .def(py::init([](const std::filesystem::path& file, const Moment& when,
+                       texture::Coding coding, std::optional<double> exposure_time_s,
+                       std::optional<double> iso, std::optional<double> f_number) {
+             return EclipsePhotograph{file.string(),   when.seen_from({}), coding,
+                                      exposure_time_s, iso,                f_number};
            }),
            "file"_a, "when"_a, py::kw_only(), "coding"_a = texture::Coding::as_file_says,
            "exposure_time_s"_a = py::none(), "iso"_a = py::none(), "f_number"_a = py::none())

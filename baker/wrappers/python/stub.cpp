@@ -11,10 +11,21 @@
 namespace coppermoon::python {
 namespace {
 
+/// Annotation of an argument: NumPy's numbers and paths are taken too.
+std::string taken_type(const request::Parameter& parameter) {
+  auto type = type_of(parameter);
+  const auto end = type.find(" |");
+  const auto own = type.substr(0, end), none = end == type.npos ? "" : type.substr(end);
+  if (parameter.kind == request::Kind::file_read) return "File" + none;
+  if (own == "float") return "Number" + none;
+  if (own == "int") return "Whole" + none;
+  return own == "bool" ? "Switch" + none : type;
+}
+
 std::string keywords(const request::Parameters& parameters, const std::string& indent) {
   std::string text;
   for (const auto& parameter : parameters)
-    text += fmt::format("{}{}: {} = {},\n", indent, name_of(parameter), type_of(parameter),
+    text += fmt::format("{}{}: {} = {},\n", indent, name_of(parameter), taken_type(parameter),
                         literal_of(parameter));
   return text;
 }

@@ -120,7 +120,7 @@ export class Page {
   /** Shows moment, place and brightness in words. */
   say({sky, view}) {
     const {state, facts} = this, {place} = state;
-    const local = localTime(state.ms, place?.timeZone);
+    const local = localTime(state.ms, place?.timeZone, facts);
     const unbroken = (textContent) => Object.assign(document.createElement('span'), {textContent});
     this.find('when').replaceChildren(
       unbroken(utc(state.ms).replace('T', ' ').replace('Z', ' UTC')), ' · ', unbroken(local));
@@ -281,8 +281,8 @@ export class Page {
     this.find('nearer').addEventListener('click', () => this.nearer());
     this.find('farther').addEventListener('click', () => this.zoomTo(1));
     this.find('save').addEventListener('click', () => this.save());
-    this.find('copy').addEventListener('click', () => navigator.clipboard?.writeText(this.find('command').textContent));
-    this.find('link').addEventListener('click', () => navigator.clipboard?.writeText(
+    this.find('copy').addEventListener('click', () => this.copy(this.find('command').textContent));
+    this.find('link').addEventListener('click', () => this.copy(
       `${location.href.split('#')[0]}#${linkOf(this.state, this.facts)}`));
     this.find('place-in-shadow').addEventListener('toggle', () => this.drawPlace());
     (this.embedded ? this.root : document).addEventListener('keydown', (event) => this.key(event));
@@ -295,6 +295,24 @@ export class Page {
       this.changed('air');
       this.panel.show();
     });
+  }
+
+  /** Copies a text, and says so. Where a browser lets the page copy nothing, the text is shown, selected. */
+  async copy(text) {
+    const field = this.find('to-copy'), before = this.root.activeElement;
+    Object.assign(field, {value: text, hidden: true});
+    const copied = await navigator.clipboard?.writeText(text).then(() => true, () => false) || this.copySelected(field);
+    field.hidden = copied;
+    if (copied) before?.focus();
+    this.find('copied').textContent = copied ? 'Copied.'
+      : 'The browser does not let this page copy. The text is selected: copy it yourself.';
+  }
+
+  /** Copies a field's text as a browser of a page without https: lets it; false where not. */
+  copySelected(field) {
+    field.hidden = false;
+    field.select();
+    return document.execCommand('copy');
   }
 
   /** Name of a file of the picture shown. */

@@ -42,13 +42,22 @@ export function utc(ms) {
 /** Number with a minus sign in place of a hyphen: "−2.71". */
 export const signed = (value, decimals) => value.toFixed(decimals).replace('-', '−');
 
-/** Date and time in a time zone; without one, in the browser's. */
-export function localTime(ms, timeZone) {
-  const options = {
+/**
+ * Date and time in a time zone; without one, in the browser's: "27 Jul, 15:21:45 CDT", or "… UTC−5" where the zone has no
+ * abbreviation of letters.
+ *
+ * Given  facts  zones: the abbreviations of each when the page begins and when it ends
+ */
+export function localTime(ms, timeZone, {fromMs, zones}) {
+  const format = new Intl.DateTimeFormat('en-GB', {
     month: 'short', day: 'numeric', hour: '2-digit', minute: '2-digit', second: '2-digit',
-    hourCycle: 'h23', timeZoneName: 'short',
-  };
-  return new Intl.DateTimeFormat('en-GB', timeZone ? {...options, timeZone} : options).format(wholeSeconds(ms));
+    hourCycle: 'h23', timeZoneName: 'shortOffset', ...(timeZone && {timeZone}),
+  });
+  const offsetAt = (at) => format.formatToParts(at).find(({type}) => type === 'timeZoneName').value;
+  const offset = offsetAt(ms), [first, last] = zones[timeZone || format.resolvedOptions().timeZone] ?? [];
+  const name = offset === offsetAt(fromMs) ? first : last;
+  const shown = /^[A-Z]+$/i.test(name ?? '') ? name : offset.replace('GMT', 'UTC').replace('-', '−').replace(/\+0$/, '');
+  return format.formatToParts(wholeSeconds(ms)).map(({type, value}) => (type === 'timeZoneName' ? shown : value)).join('');
 }
 
 /** Angle with its hemisphere: "12.3° N". */

@@ -17,6 +17,7 @@ import threading
 import time
 import typing
 import unittest
+import warnings
 
 import coppermoon
 import numpy
@@ -152,6 +153,71 @@ class Places(unittest.TestCase):
         berlin = coppermoon.sky("2025-09-07 moonrise+20min", at="Berlin, Germany")
         self.assertTrue(1 < berlin.altitude_deg < 3)
         self.assertEqual(coppermoon.sky(when, at="51.5, -0.12").altitude_deg, coppermoon.sky(when, at=(51.5, -0.12)).altitude_deg)
+
+
+class OtherKinds(unittest.TestCase):
+    """Values of NumPy's and Python's own types stand for the plain ones."""
+
+    def test_textures_and_domes_are_arrays_of_numpys_protocol(self):
+        light = {"at": "Nairobi", "unshadowed": True, "width": 16, "air": clear, "light": draft, "albedo_map": "built-in"}
+        for made in (coppermoon.bake(when, **small), coppermoon.dome(when, **light)):
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")  # NumPy 2 warns of a protocol without copy
+                copied, doubled = numpy.array(made), numpy.asarray(made, dtype=numpy.float64)
+                shared = numpy.asarray(made)
+            numpy.testing.assert_array_equal(copied, made.pixels)
+            numpy.testing.assert_array_equal(doubled, made.pixels)
+            self.assertEqual((copied.dtype, doubled.dtype), (numpy.float32, numpy.float64))
+            self.assertFalse(numpy.shares_memory(copied, made.pixels))
+            self.assertTrue(numpy.shares_memory(shared, made.pixels))
+            self.assertTrue(numpy.shares_memory(made.__array__(copy=False), made.pixels))
+            self.assertFalse(numpy.shares_memory(made.__array__("float32", copy=True), made.pixels))
+            with self.assertRaisesRegex(ValueError, "float32 as float64 is a copy, allowed copy=None"):
+                made.__array__(numpy.float64, copy=False)
+            if numpy.lib.NumpyVersion(numpy.__version__) >= "2.0.0":
+                self.assertTrue(numpy.shares_memory(numpy.array(made, copy=False), made.pixels))
+
+    def test_moments(self):
+        instant = coppermoon.sky(when).when
+        for text in ("2018-07-27T20:21:45", "2018-07-27T20:21:45.000000000"):
+            self.assertEqual(coppermoon.sky(numpy.datetime64(text)).when, instant)
+        self.assertEqual(coppermoon.sky(numpy.datetime64("2018-07-27T20")).when, coppermoon.sky("2018-07-27T20:00Z").when)
+        greatest = coppermoon.sky("2018-07-27").when
+        for day in (datetime.date(2018, 7, 27), numpy.datetime64("2018-07-27")):
+            self.assertEqual(coppermoon.sky(day).when, greatest)
+            self.assertEqual(coppermoon.nearest_eclipse(day).greatest, coppermoon.nearest_eclipse("2018-07-27").greatest)
+            self.assertEqual(len(coppermoon.eclipses(datetime.date(2018, 1, 1), day)), 1, "midnight")
+        with self.assertRaisesRegex(coppermoon.Error, "NaT"):
+            coppermoon.sky(numpy.datetime64("NaT"))
+
+    def test_numbers_and_paths(self):
+        plain = coppermoon.bake(when, **small)
+        for width in (numpy.int64(64), numpy.uint16(64)):
+            light = coppermoon.Light(bands=numpy.int32(4), rays=numpy.int64(60))
+            made = coppermoon.bake(when, **{**small, "width": width, "light": light})
+            numpy.testing.assert_array_equal(made.pixels, plain.pixels)
+        self.assertEqual(coppermoon.Air(ozone_du=numpy.float32(250)), coppermoon.Air(ozone_du=250))
+        self.assertEqual(coppermoon.Air(stratospheric_aerosol=numpy.float64(0.25)), coppermoon.Air(stratospheric_aerosol=0.25))
+        for sun in (numpy.True_, numpy.False_):
+            self.assertEqual(coppermoon.Air(refraction=sun).refraction, bool(sun))
+        place = coppermoon.sky(when, at=(-1.25, 36.75)).altitude_deg
+        self.assertEqual(coppermoon.sky(when, at=numpy.array([-1.25, 36.75], numpy.float32)).altitude_deg, place)
+        self.assertEqual(coppermoon.sky(when, at=(numpy.float32(-1.25), numpy.float64(36.75))).altitude_deg, place)
+        with self.assertRaisesRegex(coppermoon.Error, "^/nowhere.png: "):
+            coppermoon.bake(when, albedo_map=pathlib.Path("/nowhere.png"))
+        shot = coppermoon.Photograph(pathlib.Path("a.jpg"), numpy.datetime64("2018-07-27T20:21:45"), iso=numpy.int64(800),
+                                     exposure_time_s=numpy.float32(0.5))
+        self.assertEqual((shot.file, shot.iso, shot.exposure_time_s), ("a.jpg", 800, 0.5))
+
+    def test_are_in_the_stub(self):
+        names = {"Number": numpy.float32(1), "Whole": numpy.int64(1), "Switch": numpy.True_, "File": pathlib.Path("a")}
+        module = {"np": numpy, "os": __import__("os"), "Any": typing.Any}
+        for node in Texts.stub.body:
+            if isinstance(node, ast.Assign) and node.targets[0].id in names:
+                kinds = typing.get_args(eval(ast.unparse(node.value), module))
+                value = names.pop(node.targets[0].id)
+                self.assertTrue(isinstance(value, tuple(typing.get_origin(kind) or kind for kind in kinds)))
+        self.assertEqual(names, {})
 
 
 class Errors(unittest.TestCase):
