@@ -289,6 +289,7 @@ void relate(Parameters& is) {
   for (const char* of_ozone : {"ozone-factor", "ozone-path"})
     is.find(of_ozone)->only_with(
         with({{"atmosphere", with_ozone}, {"ozone-du"}, {"ozone-profile", {"climatology"}}}));
+  is.find("ozone-profile")->not_beside({{"ozone-path", {"filter"}}}, {"us-1976"});
   is.find("king-factor")->not_beside({{"rayleigh", {"off"}}});
   for (auto& term : is)
     if (term.name != "atmosphere" && term.name != "earth")
