@@ -102,6 +102,11 @@ double exposure_lx_s(const Camera& camera, const Exposure& exposure) {
 std::vector<std::string> camera_names() { return first_column(cameras()); }
 
 Camera camera_named(std::string_view name) {
+  if (const auto known = camera_names(); std::ranges::find(known, name) == known.end())
+    throw algebra::Error(
+        fmt::format("camera = {}, allowed {}; of a maker's camera, response says the colours, "
+                    "focal-length and sensor-width the field",
+                    name, fmt::join(known, ", ")));
   const Row row(cameras(), "camera", name);
   Camera camera;
   camera.optics = {row["focal_length_mm"], row["aperture_mm"], row["obstruction"],

@@ -258,6 +258,7 @@ Plan plan_for(const Scene& scene, const Wish& wish, const Machine& machine, cons
     if (plan.error > asked) plan.misses_tolerance = true;
   }
   if (!wish.tolerance) plan.misses_tolerance = false;
+  plan.exceeds_budget = wish.budget_s && plan.seconds > *wish.budget_s;
   return plan;
 }
 

@@ -107,6 +107,7 @@ struct Plan {
   std::vector<LeftOut> left_out{};
   std::vector<Alternative> methods{};  ///< methods considered, best first
   bool misses_tolerance = false;       ///< at any cost, or within the budget
+  bool exceeds_budget = false;         ///< even by the coarsest work
 };
 
 /// Predicted seconds for light and texture.

@@ -46,6 +46,39 @@ std::string fault_of(const std::string& text) {
   return fmt::format("{}, allowed {}", text, number ? "whole numbers" : "a number");
 }
 
+/// "step [km]" of "step-km"; "cloud cover".
+std::string title_of(const Parameter& parameter) {
+  auto title = parameter.name;
+  const auto unit = unit_of(parameter);
+  for (const auto* ending : {"-km", "-du"})
+    if (!unit.empty() && title.ends_with(ending)) title.resize(title.size() - 3);
+  std::ranges::replace(title, '-', ' ');
+  return unit.empty() ? title : fmt::format("{} [{}]", title, unit);
+}
+
+bool is_part(const std::string& list, const std::string& value) {
+  std::istringstream parts(list);
+  for (std::string part; std::getline(parts, part, ',');)
+    if (part == value) return true;
+  return false;
+}
+
+bool holds(const Condition& condition, const Parameter& other) {
+  const auto texts = other.texts();
+  if (condition.values.empty()) return !texts.empty();
+  return std::ranges::any_of(texts, [&](const std::string& text) {
+    return std::ranges::any_of(condition.values, [&](const std::string& value) {
+      return value.starts_with('.') ? text.ends_with(value) : is_part(text, value);
+    });
+  });
+}
+
+/// "--trace each or marched"
+std::string in_words(const Condition& condition, const std::string& name) {
+  return condition.values.empty() ? name
+                                  : fmt::format("{} {}", name, fmt::join(condition.values, " or "));
+}
+
 }  // namespace
 
 std::string Parameter::text() const {
@@ -58,6 +91,9 @@ void Parameter::take(const Texts& texts) {
   for (const auto& text : texts) {
     const auto fault = respelt ? "" : fault_in(kind, text);
     if (!fault.empty()) throw algebra::Error(fmt::format("{} = {}", name, fault));
+    if (range && is_number(kind) && !respelt)
+      algebra::require_within(title_of(*this), algebra::number_in(text).value(), range->low,
+                              range->high);
     alike.push_back(respelt ? respelt(text) : spelt(kind, text));
   }
   write(alike);
@@ -67,6 +103,13 @@ void Parameter::take(const Texts& texts) {
 void Parameter::reset() {
   if (given) restore();
   given.reset();
+}
+
+std::string unit_of(const Parameter& parameter) {
+  const auto& text = parameter.meaning;
+  const auto begin = text.find('['), end = text.find(']');
+  if (!is_number(parameter.kind) || begin == std::string::npos || end < begin) return {};
+  return text.substr(begin + 1, end - begin - 1);
 }
 
 std::string fault_in(Kind kind, const std::string& text) {
@@ -139,6 +182,54 @@ Parameter* Parameters::find(std::string_view name) {
 const Parameter* Parameters::find(std::string_view name) const {
   const auto found = std::ranges::find(all_, name, &Parameter::name);
   return found == all_.end() ? nullptr : &*found;
+}
+
+namespace {
+
+/// "without --camera", "beside --unshadowed": why a parameter has no effect; empty where it has one.
+std::string reason_of(const Parameters& all, const Parameter& parameter,
+                      const std::function<std::string(const Parameter&)>& spelt) {
+  for (const auto& [needed, conditions, of] : parameter.relations) {
+    if (!of.empty() && std::ranges::find(of, parameter.text()) == of.end()) continue;
+    if (needed && conditions.empty()) return "in this command";
+    std::vector<std::string> missing;
+    bool met = false;
+    for (const auto& condition : conditions) {
+      const auto* other = all.find(condition.name);
+      if (other == nullptr) continue;
+      const auto words = in_words(condition, spelt(*other));
+      if (holds(condition, *other)) {
+        if (!needed) return "beside " + words;
+        met = true;
+      }
+      missing.push_back(words);
+    }
+    if (needed && !met && !missing.empty())
+      return fmt::format("without {}", fmt::join(missing, " or "));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> without_effect(const Parameters& parameters,
+                                        const std::function<std::string(const Parameter&)>& spelt,
+                                        const std::function<bool(const Parameter&)>& asked) {
+  std::vector<std::pair<std::string, std::string>> names;  // by reason
+  for (const auto& parameter : parameters) {
+    if (!parameter.given || !asked(parameter)) continue;
+    const auto reason = reason_of(parameters, parameter, spelt);
+    if (reason.empty()) continue;
+    auto known = std::ranges::find(names, reason, &std::pair<std::string, std::string>::first);
+    if (known == names.end())
+      names.emplace_back(reason, spelt(parameter));
+    else
+      known->second += ", " + spelt(parameter);
+  }
+  std::vector<std::string> lines;
+  for (const auto& [reason, which] : names)
+    lines.push_back(fmt::format("{}: no effect {}", which, reason));
+  return lines;
 }
 
 void take_parts(Parameters& parts, const std::string& text) {

@@ -57,6 +57,22 @@ struct UnknownWord : algebra::Error {
 
 class Parameters;
 
+/// What stands at another parameter of a request: any value, or one of some.
+struct Condition {
+  std::string name;  ///< of the other parameter
+  /// Values that count, of a list with commas any of its parts; ".png" is the ending of a file's name. Empty: any value.
+  Texts values{};
+};
+using Conditions = std::vector<Condition>;
+
+/// Dependence of a parameter's effect on other parameters. Those that a command has not are passed over.
+struct Relation {
+  bool
+      needed;  ///< an effect only with one of the conditions, never without any; else none beside any of them
+  Conditions conditions;
+  Texts of{};  ///< values of the parameter itself that depend so; empty: all
+};
+
 /// One parameter of a request, bound to the field that holds its value.
 ///
 /// Every door speaks text: a number is spelt so that it reads back as the same number.
@@ -78,6 +94,7 @@ struct Parameter {
   bool many = false;     ///< may be given again, and every value counts
   bool required = false;
   std::shared_ptr<Parameters> parts{};  ///< of a value "name=text,name=text"; else none
+  std::vector<Relation> relations{};    ///< that decide whether it has an effect
   std::optional<Texts> given{};         ///< texts that a door gave, as a recipe spells them
 
   std::function<Texts()> read{};  ///< texts of the field's value; empty: no value
@@ -98,7 +115,7 @@ struct Parameter {
 
   /// Takes texts of a door.
   ///
-  /// Throws  algebra::Error  when they are not allowed
+  /// Throws  algebra::Error  when they are not allowed: also for a number outside the range, or none
   void take(const Texts& texts);
 
   /// Forgets what was given.
@@ -112,6 +129,14 @@ struct Parameter {
   Parameter& as(Kind what) { return kind = what, *this; }
   Parameter& spelt_by(std::function<std::string(const std::string&)> how) {
     return respelt = std::move(how), *this;
+  }
+  /// Has an effect only where one of the conditions holds, never where there is none; `own`: of these values alone.
+  Parameter& only_with(Conditions any, Texts own = {}) {
+    return relations.push_back({true, std::move(any), std::move(own)}), *this;
+  }
+  /// Has no effect where one of the conditions holds; `own`: of these values alone.
+  Parameter& not_beside(Conditions any, Texts own = {}) {
+    return relations.push_back({false, std::move(any), std::move(own)}), *this;
   }
 };
 
@@ -127,6 +152,9 @@ inline bool is_number(Kind kind) {
 inline bool is_written(Kind kind) {
   return kind == Kind::file_written || kind == Kind::folder_written;
 }
+
+/// Unit that the meaning of a number tells, as "km" of "step of a path [km]"; empty: none.
+std::string unit_of(const Parameter& parameter);
 
 /// Why a text is no value of that kind, as "1.5, allowed whole numbers"; empty where it is one.
 std::string fault_in(Kind kind, const std::string& text);
@@ -314,6 +342,15 @@ class Parameters {
   std::string heading_, table_;
   Affects affects_ = Affects::ground;
 };
+
+/// Given parameters that have no effect beside the others, as "--sky, --glow: no effect without --camera"; one line for
+/// each reason.
+///
+/// Given  spelt  a parameter's name as the door spells it
+///        asked  those that are asked for by somebody, not by a recipe that holds all values
+std::vector<std::string> without_effect(const Parameters& parameters,
+                                        const std::function<std::string(const Parameter&)>& spelt,
+                                        const std::function<bool(const Parameter&)>& asked);
 
 /// Takes the parts of a value, as "from-latitude=-90,to-latitude=0"; all others are reset.
 ///

@@ -290,7 +290,7 @@ void add_almanac(CLI::App& program) {
              "with the standard error of a total eclipse, and Danjon's L by V");
   add_outputs(*verb, options->outputs, writers());
   add_run_switch(*verb, "--csv", options->csv, "prints the eclipses as CSV");
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document").not_beside({{"csv"}});
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

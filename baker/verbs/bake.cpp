@@ -389,7 +389,12 @@ void add_bake(CLI::App& program) {
   add_described(*verb, options->texture);
   add_described(*verb, options->moon.request.response, uses::describe_response);
   add_described(*verb, options->develop);
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
+  for (auto& parameter : parameters_of(*verb))
+    if (parameter.affects == request::Affects::picture)
+      parameter.only_with({{"output", {".png", ".glb", ".usdz", ".stellarium"}}});
+  parameters_of(*verb).find("type")->only_with({{"output", {".exr", ".tx", ".usda"}}, {"cache"}});
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document")
+      .not_beside({{"cache"}});
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

@@ -9,6 +9,7 @@
 #include "uses/light/header.h"
 #include "verbs/flags/known_words.h"
 #include "verbs/flags/moments.h"
+#include "verbs/flags/verb.h"
 #include "verbs/recipes/recipe.h"
 #include "verbs/reports/one_line.h"
 
@@ -46,11 +47,33 @@ void add_threads(CLI::App& program, std::unique_ptr<tbb::global_control>& contro
         ->check(CLI::Range(0, 512));
 }
 
+namespace {
+
+/// "help still" as "still --help", "version" as "--version".
+std::vector<std::string> with_words_as_flags(std::vector<std::string> arguments) {
+  const auto word = arguments.empty() ? "" : arguments.front();
+  if (word != "help" && word != "version") return arguments;
+  arguments.erase(arguments.begin());
+  arguments.push_back("--" + word);
+  return arguments;
+}
+
+std::vector<std::string> flags_named_in(const std::vector<std::string>& arguments) {
+  std::vector<std::string> names;
+  for (const auto& argument : arguments)
+    if (argument.starts_with("--")) names.push_back(argument.substr(2, argument.find('=') - 2));
+  return names;
+}
+
+}  // namespace
+
 void run(CLI::App& program, const std::vector<std::string>& typed) {
   for (const auto& argument : typed)
     if (!is_utf8(argument))
       throw WrongUsage(fmt::format("argument '{}', allowed is UTF-8", argument));
-  const auto arguments = with_moments_joined(typed);
+  const auto arguments = with_moments_joined(with_words_as_flags(typed));
+  for (auto* verb : program.get_subcommands({}))
+    dynamic_cast<Verb&>(*verb).typed = flags_named_in(arguments);
   auto all = with_recipes(program, arguments);
   if (const auto recipe = recipe_named_in(program, arguments); !recipe.empty())
     all.push_back("--recipe=" + recipe);  // a file like others that are read

@@ -337,7 +337,7 @@ void add_compare(CLI::App& program) {
   add_described(*verb, options->response, uses::describe_response);
   add_run_switch(*verb, "--csv", options->csv,
                  "prints the steps of distance, and the disc, as CSV");
-  add_run_switch(*verb, "--json", options->json, "prints one JSON document");
+  add_run_switch(*verb, "--json", options->json, "prints one JSON document").not_beside({{"csv"}});
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

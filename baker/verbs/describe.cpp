@@ -37,14 +37,6 @@ const char* name(Affects what) {
   return names[static_cast<std::size_t>(what)];
 }
 
-/// "km" of "height of the tropopause [km], 5 to 20"; empty where the value is no number, or has no unit.
-std::string unit_of(const Parameter& parameter) {
-  const auto& text = parameter.meaning;
-  const auto begin = text.find('['), end = text.find(']');
-  if (!is_number(parameter.kind) || begin == std::string::npos || end < begin) return {};
-  return text.substr(begin + 1, end - begin - 1);
-}
-
 /// A number as JSON; one without a fraction as a whole number.
 Json number(double value) {
   if (std::abs(value) < 1e15 && value == std::floor(value)) return static_cast<std::int64_t>(value);
@@ -54,6 +46,21 @@ Json number(double value) {
 Json usual_of(const Parameter& parameter) {
   const auto value = is_number(parameter.kind) ? algebra::number_in(parameter.usual) : std::nullopt;
   return value ? number(*value) : Json(parameter.usual);
+}
+
+Json as_json(const request::Condition& condition) {
+  Json json{{"name", condition.name}};
+  if (!condition.values.empty()) json["values"] = condition.values;
+  return json;
+}
+
+/// Dependence of an effect: {"only_with": [{"name": "trace", "values": ["each"]}]}.
+Json as_json(const request::Relation& relation) {
+  auto conditions = Json::array();
+  for (const auto& condition : relation.conditions) conditions.push_back(as_json(condition));
+  Json json{{relation.needed ? "only_with" : "not_beside", conditions}};
+  if (!relation.of.empty()) json["of"] = relation.of;
+  return json;
 }
 
 Json as_json(const Parameter& parameter) {
@@ -70,6 +77,7 @@ Json as_json(const Parameter& parameter) {
   if (!parameter.table.empty()) json["table"] = parameter.table;
   json["affects"] = name(parameter.affects);
   for (const auto& [ending, holds] : parameter.endings) json["endings"][ending] = holds;
+  for (const auto& relation : parameter.relations) json["effect"].push_back(as_json(relation));
   json["meaning"] = parameter.meaning;
   if (parameter.parts)
     for (const auto& part : *parameter.parts) json["parts"].push_back(as_json(part));

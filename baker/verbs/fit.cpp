@@ -434,7 +434,7 @@ void run(const Options& options) {
 void add_photograph_options(CLI::App& verb, Options& options) {
   const std::string group = "How the photographs were taken";
   const auto add = [&](const char* flag, auto& value, const char* text) {
-    return add_flag(verb, flag, value, text).in(group);
+    return add_flag(verb, flag, value, text).in(group).only_with({{"photos"}});
   };
   add("--instants", options.instants,
       "moments of the photographs in UTC, one for all or one for each, with commas between; "
@@ -445,7 +445,9 @@ void add_photograph_options(CLI::App& verb, Options& options) {
   add("--times", options.times,
       "exposure times [s], one for all or one for each; default: the header's");
   add("--isos", options.isos, "ISO speeds, one for all or one for each; default: the header's");
-  add("--f-number", options.f_number, "focal length over aperture; default: the header's");
+  add("--f-number", options.f_number,
+      "focal length over aperture, 0.5 to 512; default: the header's")
+      .within(0.5, 512);
   add("--camera", options.request.camera,
       "camera whose saturation is meant; default: that of ISO 12232");
   add("--exposure-error", options.request.exposure_error,
@@ -472,7 +474,8 @@ void add_photograph_options(CLI::App& verb, Options& options) {
                     "coding of the photographs' numbers: camera (its own tone curve, which is "
                     "found; so where the "
                     "header names a camera), srgb or linear")
-      .in(group);
+      .in(group)
+      .only_with({{"photos"}});
 }
 
 }  // namespace
@@ -516,7 +519,8 @@ void add_fit(CLI::App& program) {
              "answers although no air explains what was seen, with a warning");
   add_run_switch(*verb, "--misfits", options->misfits,
                  "prints how each photograph and channel differs from the air that was found; done "
-                 "in any case where no air explains them");
+                 "in any case where no air explains them")
+      .not_beside({{"json"}});
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });

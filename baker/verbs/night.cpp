@@ -303,12 +303,16 @@ void add_night(CLI::App& program) {
       "focal length of the telescope or lens [mm], 1 to 1e6: adds in what time the Moon trails "
       "by two pixels, the camera's or 4 um wide, where no mount follows it")
       .within(1, 1e6);
-  add_run_switch(*verb, "--csv", options->csv, "prints the moments as CSV");
+  add_run_switch(*verb, "--csv", options->csv, "prints the moments as CSV").not_beside({{"json"}});
   add_run_switch(*verb, "--json", options->json, "prints one JSON document");
   add_map_options(*verb, options->moon.request);
   add_light_options(*verb, options->moon.light);
   add_described(*verb, options->develop, uses::describe_but_time);
   add_described(*verb, options->develop.camera);
+  for (const char* of_a_picture :
+       {"view", "display", "config", "bits", "diffraction", "seeing", "glow", "sky", "read-noise",
+        "converter-noise", "black-level", "sensor-bits", "noise", "noise-seed", "response"})
+    parameters_of(*verb).find(of_a_picture)->only_with({});
   add_recipe_option(*verb);
   on_run(*verb, [options] { run(*options); });
 }

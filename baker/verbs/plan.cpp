@@ -86,6 +86,8 @@ void print(const Planned& all) {
   for (std::size_t i = 1; i < plan.methods.size(); ++i)
     fmt::print("or          {} by {}, {}\n", duration(plan.methods[i].seconds),
                name(plan.methods[i].method), within(plan.methods[i].error));
+  if (plan.exceeds_budget)
+    fmt::print("not reached budget: {} are predicted\n", duration(plan.seconds));
   if (plan.misses_tolerance)
     fmt::print("not reached tolerance: {} is predicted\n", in_percent(plan.error));
 }

@@ -236,9 +236,11 @@ void add_shadow(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   add_moment_options(*verb, options->moment, "; for the distances and the air of that moment");
   add_flag(*verb, "--wavelengths", options->wavelengths,
-           "wavelengths [nm], 380 to 780, with commas between");
+           "wavelengths [nm], 380 to 780, with commas between")
+      .not_beside({{"lookup"}});
   add_flag(*verb, "--axis-distances", options->axis_distances,
-           "distances from the shadow's axis [km], increasing, with commas between");
+           "distances from the shadow's axis [km], increasing, with commas between")
+      .not_beside({{"lookup"}});
   add_flag(*verb, "--moon-distance-km", options->moon_distance_km,
            "distance of the Moon from the Earth's centre along the shadow's axis [km], 1e5 to 1e6")
       .within(1e5, 1e6);
@@ -248,7 +250,8 @@ void add_shadow(CLI::App& program) {
   add_flag(*verb, "--position-angle", options->position_angle_deg,
            "position angle about the axis, from celestial north through east [degrees], 0 to 360; "
            "default: the mean over all angles")
-      .within(0, 360);
+      .within(0, 360)
+      .not_beside({{"lookup"}});
   add_flag(*verb, "-o,--output", options->outputs,
            "file in place of stdout: " + files::in_words(formats()) + ". May be given again")
       .writes_file(formats())
@@ -262,6 +265,13 @@ void add_shadow(CLI::App& program) {
   add_light_options(*verb, options->light);
   add_photon_file_options(*verb, options->light);
   add_described(*verb, options->response, uses::describe_response);
+  auto& all = parameters_of(*verb);
+  for (const char* of_a_moon : {"planes", "place-error", "budget"})
+    all.find(of_a_moon)->only_with({});
+  for (const char* of_photons :
+       {"trace", "photons", "seed", "step-km", "precision", "ring-km", "smoothing-km"})
+    all.find(of_photons)->only_with({{"solver", {"photons"}}, {"quality", {"paper"}}});
+  all.find("bands")->only_with({{"lookup"}});
   add_recipe_option(*verb);
   on_run(*verb, [verb, options] { run(*verb, *options); });
 }

@@ -108,8 +108,8 @@ TEST_F(BadInput, TermsOutsideTheirRangesAreRefusedWithTheirUnit) {
   };
   refused({"--cloud-cover", "70"}, "cloud cover = 70, allowed 0 to 1");
   refused({"--cloud-top-km", "10000"}, "cloud top [km] = 10000, allowed 0 to 30");
-  refused({"--tropospheric-aerosol", "-0.1"}, "tropospheric optical depth = -0.1, allowed 0 to 10");
-  refused({"--danjon", "5"}, "Danjon = 5, allowed 0 to 4");
+  refused({"--tropospheric-aerosol", "-0.1"}, "tropospheric aerosol = -0.1, allowed 0 to 10");
+  refused({"--danjon", "5"}, "danjon = 5, allowed 0 to 4");
   refused({"--dust-extinction", "4.7"}, "dust extinction [1/m] = 4.7, allowed 0 to 0.01");
   refused({"--dust-bottom-km", "30"}, "dust top [km] = 20, allowed 30 to 86");
   refused({"--ozone-du", "3450"}, "ozone [DU] = 3450, allowed 0 to 1000");

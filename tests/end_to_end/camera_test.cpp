@@ -194,13 +194,15 @@ TEST_F(CameraTest, IsATableOfARecipe) {
   };
   EXPECT_EQ(refusal_of("[camera]\nmodel = \"paper\"\nseing = 3\n"),
             "coppermoon: wrong.toml:11: seing: [camera] has no such key; the nearest is seeing\n");
-  EXPECT_EQ(refusal_of("[camera]\nmodel = \"brownie\"\n"),
-            "coppermoon: camera = brownie, allowed paper, 400mm, schmidt-cassegrain, refractor\n");
+  EXPECT_EQ(
+      refusal_of("[camera]\nmodel = \"brownie\"\n"),
+      "coppermoon: camera = brownie, allowed paper, 400mm, schmidt-cassegrain, refractor; of a "
+      "maker's camera, response says the colours, focal-length and sensor-width the field\n");
   EXPECT_EQ(refusal_of("seeing = 3\n"),
             "coppermoon: aperture, sensor, noise, sky and files of a camera need a camera: paper, "
             "400mm, schmidt-cassegrain, refractor\n");
   EXPECT_EQ(refusal_of("[camera]\nmodel = \"paper\"\nread-noise = -1\n"),
-            "coppermoon: read noise [e] = -1, allowed 0 to 10000\n");
+            "coppermoon: read noise [electrons] = -1, allowed 0 to 10000\n");
   EXPECT_EQ(refusal_of("[camera]\nmodel = \"paper\"\nsky = \"bright\"\n"),
             "coppermoon: sky [mag/arcsec2] = bright, allowed auto, off or 0 to 30\n");
 }

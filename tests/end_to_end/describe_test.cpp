@@ -77,6 +77,8 @@ TEST_F(Describe, SaysWhatAReaderOfTheFlagKnows) {
             json::parse(R"({"name": "ozone-du", "kind": "number", "unit": "DU", "range": [0, 1000],
                             "many": false, "required": false, "heading": "The Earth's air",
                             "recipe": true, "table": "atmosphere", "affects": "photons",
+                            "effect": [{"not_beside": [{"name": "atmosphere", "values": ["none"]}]},
+                                       {"not_beside": [{"name": "unshadowed"}]}],
                             "meaning": "vertical column of ozone [DU], 0 to 1000"})"));
   EXPECT_EQ(all.at("earth")["words"], json({"sphere", "ellipsoid"}));
   EXPECT_EQ(all.at("width")["default"], 1500);
@@ -151,6 +153,9 @@ class Ranges : public Describe {
         of_photons{"ring-km", "smoothing-km"},
         of_still{"albedo-exponent", "focal-length", "sensor-width"},
         of_shadow{"moon-distance-km", "sun-distance-km", "position-angle"};
+    if (name == "black-level")
+      return {"develop",       "frame.exr", "--camera", "refractor",
+              "--sensor-bits", "16",        "-o",       "picture.png"};
     if (name == "sensor-bits")
       return {"develop",       "frame.exr", "--camera", "refractor",
               "--black-level", "0",         "-o",       "picture.png"};

@@ -203,7 +203,7 @@ TEST_F(TextureFiles, RefuseWhatTheyCannotHold) {
   expect_refused({"bake", instant, "--spectral", "7", "-o", "moon.exr"},
                  "spectral band [nm] = 7, allowed whole numbers that go into 400 evenly, as 10");
   expect_refused({"bake", instant, "--spectral", "nan", "-o", "moon.exr"},
-                 "spectral band [nm] = nan, allowed 1 to 100");
+                 "spectral [nm] = nan, allowed 1 to 100");
   expect_refused({"bake", instant, "--passes", "-o", "moon.tx"},
                  "passes and spectra need an output that ends in .exr");
   expect_refused(

@@ -90,8 +90,13 @@ double budget_of(const std::string& text) {
       algebra::number_with_unit(text, {{"ms", 1e-3}, {"s", 1}, {"min", 60}, {"", 1}});
   if (!budget)
     throw algebra::Error(fmt::format("budget = {}, allowed a time as 500ms, 2s or 1min", text));
+  algebra::require_within("budget [s]", *budget, 1e-3, 1e7);
   return *budget;
 }
+
+/// Where photons make the light: a plan takes them where they are asked for.
+const request::Conditions as_the_paper{{"quality", {"paper"}}},
+    of_photons{{"solver", {"photons"}}, {"photons"}, {"quality", {"paper"}}};
 
 /// The tolerance that a quality stands for.
 double tolerance_named(const std::string& quality) {
@@ -258,11 +263,47 @@ void describe_terms(Parameters& is, Air& air) {
   is.add(on_off("nitrogen-dioxide", air.nitrogen_dioxide, "absorption by nitrogen dioxide"));
 }
 
+namespace {
+
+/// Relations among the terms of all air. Air of Danjon's scale, and regions, may have what the air around them lacks.
+void relate(Parameters& is) {
+  using request::Conditions;
+  const auto with = [](Conditions any) {
+    any.insert(any.end(), {{"region"}, {"danjon"}});
+    return any;
+  };
+  const request::Texts of_months{"standard", "calibrated"},
+      with_aerosol{"standard", "calibrated", "undated"},
+      with_ozone{"standard", "calibrated", "undated", "clear", "paper"};
+  for (const char* edge : {"dust-bottom-km", "dust-top-km"})
+    is.find(edge)->only_with(with({{"dust-extinction"}}));
+  is.find("stratospheric-factor")
+      ->only_with(with({{"atmosphere", with_aerosol}, {"stratospheric-aerosol"}}));
+  is.find("cloud-top-km")->only_with(with({{"atmosphere", with_aerosol}, {"cloud-cover"}}));
+  is.find("tropopause-km")
+      ->only_with(with({{"atmosphere", of_months},
+                        {"cloud-chance"},
+                        {"cirrus"},
+                        {"free-troposphere"},
+                        {"stratospheric-aerosol"}}));
+  for (const char* of_ozone : {"ozone-factor", "ozone-path"})
+    is.find(of_ozone)->only_with(
+        with({{"atmosphere", with_ozone}, {"ozone-du"}, {"ozone-profile", {"climatology"}}}));
+  is.find("ozone-profile")->not_beside({{"ozone-path", {"filter"}}}, {"us-1976"});
+  is.find("king-factor")->not_beside({{"rayleigh", {"off"}}});
+  for (auto& term : is)
+    if (term.name != "atmosphere" && term.name != "earth")
+      term.not_beside({{"atmosphere", {"none"}}});
+}
+
+}  // namespace
+
 void describe(Parameters& is, Air& air) {
   describe_terms(is, air);
   describe_sought(is, air.column);
   describe_layers(is, air.column);
   is.add(regions_of(air.regions));
+  relate(is);
 }
 
 void describe_sunlight(Parameters& is, LightRequest& light) {
@@ -274,7 +315,8 @@ void describe_sunlight(Parameters& is, LightRequest& light) {
                 {{"auto", ScatteredLight::automatic},
                  {"on", ScatteredLight::on},
                  {"off", ScatteredLight::off}},
-                "sunlight that the air scatters into the shadow; auto: where it counts"));
+                "sunlight that the air scatters into the shadow; auto: where it counts"))
+      .not_beside({{"leave-out"}}, {"auto", "on"});
   is.add(on_off("starlight", light.starlight, "light of the stars on the Moon"));
 }
 
@@ -286,7 +328,8 @@ void describe(Parameters& is, Effort& effort) {
                  {"reference", "reference"},
                  {"paper", "paper"}},
                 "error of luminance: draft (5 %), standard (1 %) or reference (0.05 %); paper: 1e7 "
-                "photons step by step, as Yapo & Cutler (2009)"));
+                "photons step by step, as Yapo & Cutler (2009)"))
+      .not_beside({{"tolerance"}, {"budget"}}, {"standard", "reference"});
   is.add(parameter("tolerance", effort.tolerance,
                    "largest error of luminance on the disc, 0.01% to 50%, in place of quality"))
       .replaced_by_plan();
@@ -323,6 +366,8 @@ void describe_knobs(Parameters& is, plan::ByHand& knobs) {
   is.add(parameter("sun-terms", knobs.sun_terms,
                    "number of terms of the Sun's limb darkening, 1 to 6; 6 is exact"))
       .within(1, 6)
+      .not_beside({{"limb-darkening", {"off"}}})
+      .not_beside(of_photons)
       .replaced_by_plan();
   is.add(parameter("planes", knobs.planes, "number of planes across the Moon's depth, 1 to 9"))
       .within(1, 9)
@@ -330,6 +375,7 @@ void describe_knobs(Parameters& is, plan::ByHand& knobs) {
   is.add(parameter("place-error", knobs.place_error,
                    "error of light between the places where it is computed, 1e-5 to 1"))
       .within(1e-5, 1)
+      .not_beside(of_photons)
       .replaced_by_plan();
   auto& chosen = knobs.terms;
   is.add(parsed(
@@ -348,36 +394,47 @@ void describe_solver(Parameters& is, LightRequest& light) {
                  {"photons", Solver::photons}},
                 "method: quadrature (without noise), photons (the paper's simulation), or auto "
                 "(the quicker; photons where photons is given)"))
+      .not_beside(as_the_paper)
       .replaced_by_plan();
   is.begin(light_heading, "", Affects::photons);
-  is.add(
-      choice("trace", light.trace,
+  is.add(choice(
+             "trace", light.trace,
              {{"each", Trace::step_by_step}, {"marched", Trace::marched}, {"table", Trace::table}},
              "tracing of photons: table (by a table of the limb's rays), marched (step by step, "
-             "all wavelengths together) or each (step by step, each alone, as in the paper)"));
+             "all wavelengths together) or each (step by step, each alone, as in the paper)"))
+      .not_beside(as_the_paper)
+      .only_with(of_photons);
   is.begin(light_heading, "", Affects::light);
   is.add(parameter("photons", light.photons,
                    "number of photons, 1 to 1e12; default: as many as the tolerance needs. 1e6 "
                    "take a second by the table, some seconds marched, minutes with trace each"))
       .within(1, 1e12)
+      .only_with({{"solver", {"auto", "photons"}}, {"quality", {"paper"}}})
       .replaced_by_plan();
   is.begin(light_heading, "", Affects::photons);
-  is.add(parameter("seed", light.seed, "seed of the photons"));
+  is.add(parameter("seed", light.seed, "seed of the photons")).only_with(of_photons);
   is.add(parameter("step-km", light.step_km,
                    "step of a photon's path [km], 0.001 to 100, with trace each or marched"))
-      .within(0.001, 100);
+      .within(0.001, 100)
+      .only_with(of_photons)
+      .only_with({{"trace", {"each", "marched"}}, {"quality", {"paper"}}});
   is.add(choice("precision", light.precision,
                 {{"single", Precision::single}, {"full", Precision::full}},
                 "precision of photons that are marched: single (7 digits, in two thirds of the "
-                "time) or full (16 digits)"));
+                "time) or full (16 digits)"))
+      .not_beside(as_the_paper)
+      .only_with(of_photons)
+      .only_with({{"trace", {"marched"}}});
   is.add(parameter("ring-km", light.ring_km,
                    "width of the rings that gather photons [km], 1 to 2000"))
-      .within(1, 2000);
+      .within(1, 2000)
+      .only_with(of_photons);
   is.begin(light_heading, "", Affects::light);
   is.add(parameter("smoothing-km", light.smoothing_km,
                    "standard deviation of the Gaussian that smooths photons [km], 0 to 2000; 0: "
                    "no smoothing"))
-      .within(0, 2000);
+      .within(0, 2000)
+      .only_with(of_photons);
 }
 
 AirRegion region_from(const std::string& text) {

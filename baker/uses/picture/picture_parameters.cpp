@@ -29,6 +29,7 @@ std::optional<double> field_from(const std::string& text) {
   if (!degrees)
     throw algebra::Error(
         fmt::format("field of view [degrees] = {}, allowed moon or 1e-8 to 179.9", text));
+  algebra::require_within("field of view [degrees]", *degrees, 1e-8, 179.9);
   return degrees;
 }
 
@@ -38,6 +39,7 @@ StarRequest stars_from(const std::string& text) {
   const auto faintest = algebra::number_in(text);
   if (!faintest)
     throw algebra::Error(fmt::format("stars = {}, allowed on, off or a magnitude, -5 to 20", text));
+  algebra::require_within("magnitude of the faintest star", *faintest, -5, 20);
   return {.shown = true, .faintest = faintest};
 }
 
@@ -68,6 +70,7 @@ std::optional<double> glow_from(const std::string& text) {
   if (text == "auto") return std::nullopt;
   const auto share = algebra::number_in(text);
   if (!share) throw algebra::Error(fmt::format("glow = {}, allowed auto or 0 to 0.5", text));
+  algebra::require_within("glow", *share, 0, 0.5);
   return share;
 }
 
@@ -81,7 +84,8 @@ std::string text_of(const ExposureTime& time) {
 void describe_optics(Parameters& is, CameraRequest& camera) {
   is.add(parameter("aperture", camera.aperture_mm,
                    "aperture of the telescope or lens [mm], 0.1 to 1e5"))
-      .within(0.1, 1e5);
+      .within(0.1, 1e5)
+      .not_beside({{"f-number"}});
   is.add(parameter("obstruction", camera.obstruction,
                    "diameter of the secondary mirror over the aperture, 0 to 0.9"))
       .within(0, 0.9);
@@ -116,16 +120,20 @@ void describe_sensor(Parameters& is, CameraRequest& camera) {
       .within(10, 1e9);
   is.add(
         parameter("read-noise", camera.read_noise_e, "read noise of a pixel [electrons], 0 to 1e4"))
-      .within(0, 1e4);
+      .within(0, 1e4)
+      .not_beside({{"noise", {"off"}}});
   is.add(parameter("converter-noise", camera.converter_noise_dn,
                    "noise of the converter, behind the gain [DN], 0 to 1e4"))
-      .within(0, 1e4);
+      .within(0, 1e4)
+      .not_beside({{"noise", {"off"}}});
   is.add(parameter("black-level", camera.black_level_dn,
-                   "black level of raw numbers [DN], 0 to half of what sensor-bits can hold"));
+                   "black level of raw numbers [DN], 0 to 32768: to half of what sensor-bits hold"))
+      .within(0, 32768);
   is.add(parameter("sensor-bits", camera.sensor_bits, "bits of a raw number, 1 to 16"))
       .within(1, 16);
   is.add(on_off("noise", camera.noise, "noise of photons and sensor"));
-  is.add(parameter("noise-seed", camera.noise_seed, "seed of the noise"));
+  is.add(parameter("noise-seed", camera.noise_seed, "seed of the noise"))
+      .not_beside({{"noise", {"off"}}});
 }
 
 constexpr const char* time_meaning =
@@ -137,6 +145,7 @@ constexpr const char* time_meaning =
 
 void describe_map(Parameters& is, MoonRequest& moon) {
   using enum surface::Photometry;
+  const request::Conditions own_map{{"albedo-map", {"built-in"}}};
   is.begin({}, "", Affects::ground);
   is.add(
         parameter("albedo-map", moon.albedo_map,
@@ -145,7 +154,8 @@ void describe_map(Parameters& is, MoonRequest& moon) {
       .as(request::Kind::file_read);
   is.add(choice("albedo-map-centre", moon.albedo_map_centre_deg, {{"0", 0}, {"180", 180}},
                 "longitude in the middle of the albedo map [degrees]: 0, or 180 for a map from 0 "
-                "to 360"));
+                "to 360"))
+      .not_beside(own_map);
   is.add(choice("photometry", moon.photometry,
                 {{"lommel-seeliger-rolo", lommel_seeliger_rolo}, {"yapo-cutler", yapo_cutler}},
                 "photometric function of the ground: lommel-seeliger-rolo (as telescopes measured, "
@@ -158,10 +168,12 @@ void describe_map(Parameters& is, MoonRequest& moon) {
     meanings += fmt::format("{}{} ({})", meanings.empty() ? "" : ", ", word, meaning);
   }
   is.add(choice("albedo-encoding", moon.albedo_encoding, encodings,
-                "how the numbers of a map's file stand for albedo: " + meanings));
+                "how the numbers of a map's file stand for albedo: " + meanings))
+      .not_beside(own_map);
   is.add(parameter("albedo-exponent", moon.albedo_exponent,
                    "exponent that undoes a tone curve of the map beyond its encoding, 0.1 to 10"))
-      .within(0.1, 10);
+      .within(0.1, 10)
+      .not_beside(own_map);
   is.add(choice("ground", moon.ground_by_place, {{"by-place", true}, {"mean", false}},
                 "colour and opposition surge of the ground: by-place (as a camera in lunar orbit "
                 "measured them) or mean (everywhere those of the whole Moon)"));
@@ -189,13 +201,16 @@ void describe_observer(Parameters& is, ViewRequest& view) {
       [&view](const std::string& text) { view.observer = observer_from(text); },
       "place of the observer: a city, as Chicago or Springfield/Illinois, or LAT,LON[,ELEV] "
       "[degrees north and east, metres]; default: the Earth's centre"));
-  is.add(on_off("reddening", view.reddening, "reddening and dimming by the observer's air"));
+  is.add(on_off("reddening", view.reddening, "reddening and dimming by the observer's air"))
+      .only_with({{"at"}});
   is.add(parameter("observer-ozone-du", view.observer_ozone_du,
                    "vertical column of ozone above the observer [DU], 0 to 1000"))
-      .within(0, 1000);
+      .within(0, 1000)
+      .only_with({{"at"}});
   is.add(parameter("observer-aerosol", view.observer_aerosol,
                    "vertical optical depth of the aerosol above the observer at 550 nm, 0 to 10"))
-      .within(0, 10);
+      .within(0, 10)
+      .only_with({{"at"}});
 }
 
 void describe(Parameters& is, ViewRequest& view) {
@@ -203,14 +218,17 @@ void describe(Parameters& is, ViewRequest& view) {
   describe_observer(is, view);
   is.begin(view_heading, "", Affects::frame);
   is.add(on_off("flattening", view.flattening,
-                "flattening of a low Moon by refraction in the observer's air"));
+                "flattening of a low Moon by refraction in the observer's air"))
+      .only_with({{"at"}});
   is.add(parameter("focal-length", view.focal_length_mm,
                    "focal length of the telescope or lens [mm], 1 to 1e6; without camera, lens or "
                    "field the frame holds the whole Moon"))
-      .within(1, 1e6);
+      .within(1, 1e6)
+      .only_with({{"field", {whole_moon}}, {"camera"}});
   is.add(parameter("sensor-width", view.sensor_width_mm,
                    "width of the sensor [mm], 0.1 to 1000; 22.7 unless the camera says another"))
-      .within(0.1, 1000);
+      .within(0.1, 1000)
+      .only_with({{"field", {whole_moon}}});
   is.add(parsed(
       "field", view.field_deg,
       [&view] { return view.field_deg ? fmt::format("{}", *view.field_deg) : whole_moon; },
@@ -225,7 +243,8 @@ void describe(Parameters& is, ViewRequest& view) {
                 {{"celestial-north", Up::celestial_north},
                  {"zenith", Up::zenith},
                  {"moon-north", Up::moon_north}},
-                "direction that is up in the frame"));
+                "direction that is up in the frame"))
+      .not_beside({{"mount", {"horizon", "fixed"}}});
   describe_stars(is, view);
 }
 
@@ -248,6 +267,10 @@ void describe(Parameters& is, CameraRequest& camera) {
   describe_optics(is, camera);
   describe_sensor(is, camera);
   describe_response(is, camera.response);
+  // all else is refused without a camera (camera_of)
+  for (const char* name : {"glow", "sky"}) is.find(name)->only_with({{"camera"}}, {"auto"});
+  is.find("noise-seed")->only_with({{"camera"}});
+  is.find("response")->only_with({{"camera"}}, {"colorimetric"});
 }
 
 void describe_response(Parameters& is, std::optional<std::string>& response) {
@@ -343,6 +366,7 @@ ExposureTime exposure_time_from(const std::string& text) {
     throw algebra::Error(fmt::format(
         "exposure time = {}, allowed auto, follow, composite, or 1e-6 to 1e6 s, as 2 or 1/30",
         text));
+  algebra::require_within("exposure time [s]", *seconds, 1e-6, 1e6);
   return {fixed, *seconds};
 }
 

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <utility>
 
+#include "verbs/flags/known_words.h"
 #include "verbs/flags/moments.h"
 #include "verbs/flags/named_files.h"
 #include "verbs/flags/verb.h"
@@ -139,6 +141,16 @@ Flag Flag::of(Affects what) const {
   return *this;
 }
 
+Flag Flag::only_with(request::Conditions any) const {
+  parameter_->only_with(std::move(any));
+  return *this;
+}
+
+Flag Flag::not_beside(request::Conditions any) const {
+  parameter_->not_beside(std::move(any));
+  return *this;
+}
+
 Flag add_flag(CLI::App& verb, request::Parameter parameter) {
   auto& all = parameters_of(verb);
   all.begin("", "", Affects::ground);
@@ -183,9 +195,20 @@ void on_run(CLI::App& verb, std::function<void()> run) {
     require_files_apart(verb);
     say_which_city(verb);
     say_what_is_utc(verb);
+    say_what_has_no_effect(verb);
     const AtWork at_work(verb.get_name());
     run();
   });
+}
+
+void say_what_has_no_effect(const CLI::App& verb) {
+  const auto& typed = dynamic_cast<const Verb&>(verb).typed;
+  for (const auto& line : without_effect(
+           parameters_of(verb), [](const auto& parameter) { return "--" + parameter.name; },
+           [&](const auto& parameter) {
+             return holds(typed, parameter.name) || parameter.text() != parameter.usual;
+           }))
+    fmt::print(stderr, "coppermoon: {}\n", line);
 }
 
 bool is_given(const CLI::App& verb, const std::string& name) {

@@ -34,7 +34,7 @@ class Flag {
 
   Flag in(const std::string& group) const;  ///< the heading that --help lists it under
   Flag one_of(std::vector<std::string> words) const;
-  Flag within(double low, double high) const;  ///< tells the range, which the command itself keeps
+  Flag within(double low, double high) const;
   Flag required() const;
   Flag excludes(const std::string& flag) const;
   Flag reads_file() const;   ///< the value names a file that is read
@@ -50,6 +50,8 @@ class Flag {
   Flag kept_each_time() const;       ///< may be given again; every value is kept
   Flag one_value_each_time() const;  ///< may be given again; what follows a value is no second one
   Flag of(request::Affects what) const;
+  Flag only_with(request::Conditions any) const;
+  Flag not_beside(request::Conditions any) const;
 
  private:
   CLI::Option* option_;
@@ -115,6 +117,10 @@ CLI::App* add_verb(CLI::App& program, const std::string& name, const std::string
 /// What a verb does, once its flags are read, and its files are known to be apart
 /// (require_files_apart).
 void on_run(CLI::App& verb, std::function<void()> run);
+
+/// Says on stderr which options have no effect beside the others. Of a recipe, which may hold all values, those that
+/// differ from the usual ones are.
+void say_what_has_no_effect(const CLI::App& verb);
 
 /// Whether the command line, or a recipe, gives that parameter.
 bool is_given(const CLI::App& verb, const std::string& name);

@@ -18,6 +18,11 @@ void add_light_options(CLI::App& verb, LightOptions& options) {
   add_described(verb, options.effort);
   add_described(verb, request.by_hand, uses::describe_knobs);
   add_described(verb, request, uses::describe_solver);
+  for (auto& parameter : parameters_of(verb))
+    if (parameter.name == "quality")  // a draft's texture is coarser too
+      parameter.not_beside({{"unshadowed"}}, {"standard", "reference", "paper"});
+    else if (parameter.heading == uses::air_heading || parameter.heading == uses::light_heading)
+      parameter.not_beside({{"unshadowed"}});
   options.key = [&verb] { return uses::photons_recipe(parameters_of(verb)); };
 }
 

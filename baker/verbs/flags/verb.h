@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "request/parameter.h"
 
@@ -16,6 +17,7 @@ struct Verb : CLI::App {
       : CLI::App(std::move(help), std::move(name), &program) {}
 
   request::Parameters parameters;
+  std::vector<std::string> typed;  ///< names of the flags on the command line itself
 };
 
 }  // namespace coppermoon::verbs

@@ -26,6 +26,7 @@ nlohmann::ordered_json as_json(const plan::Plan& plan) {
   for (const auto& [method, seconds, error] : plan.methods)
     all["methods"].push_back({{"method", name(method)}, {"seconds", seconds}, {"error", error}});
   if (plan.misses_tolerance) all["gave_way"] = "tolerance";
+  if (plan.exceeds_budget) all["gave_way"] = "budget";
   return all;
 }
 
@@ -55,7 +56,10 @@ void report(const Report& made, bool json) {
     for (const auto& file : made.files) names.push_back(one_line(file));
     fmt::print("{}: made in {}, {}\n", fmt::join(names, ", "), duration(made.seconds),
                within(made.relative_error));
-    if (made.plan.misses_tolerance)
+    if (made.plan.exceeds_budget)
+      fmt::print(stderr, "coppermoon: the budget is too short for any light: {} are predicted\n",
+                 duration(made.plan.seconds));
+    else if (made.plan.misses_tolerance)
       fmt::print(stderr, "coppermoon: the tolerance cannot be reached: {} is predicted\n",
                  in_percent(made.plan.error));
     return;

@@ -106,7 +106,8 @@ Parameters parameters_of(uses::LightRequest& light) {
       .within(1e-4, 0.5)
       .usual.clear();  // a budget alone has none
   all.add(request::parameter("--budget-s", light.wish.budget_s,
-                             "time that the light may take [s], 1e-3 or more"));
+                             "time that the light may take [s], 1e-3 to 1e7"))
+      .within(1e-3, 1e7);
   uses::describe_knobs(all, light.by_hand);
   uses::describe_sunlight(all, light);
   uses::describe_solver(all, light);

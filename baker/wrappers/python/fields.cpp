@@ -111,6 +111,9 @@ void take(Parameters parameters, const std::string& function, const py::kwargs& 
           fmt::format("{}() got an unexpected keyword argument '{}'", function, keyword));
     take_value(*named, value);
   }
+  for (const auto& line :
+       without_effect(parameters, name_of, [](const Parameter&) { return true; }))
+    if (PyErr_WarnEx(PyExc_UserWarning, line.c_str(), 1) != 0) throw py::error_already_set();
 }
 
 py::object value_of(const Parameter& parameter) {

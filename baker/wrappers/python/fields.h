@@ -14,7 +14,7 @@ namespace coppermoon::python {
 
 namespace py = pybind11;
 
-/// Has parameters take what keywords say of them.
+/// Has parameters take what keywords say of them; warns of those that have no effect beside the others.
 ///
 /// Given   function  for errors
 /// Throws  type_error  for a keyword that there is not, or a value of another kind

@@ -204,6 +204,7 @@ TEST(PlanFor, LetsTheToleranceGiveWayToTheBudgetAndSaysSo) {
   const double time = (fine.seconds + within(0.01, scene).seconds) / 2;
   const auto both = plan_for(scene, {.tolerance = 1e-3, .budget_s = time}, {});
   EXPECT_TRUE(both.misses_tolerance);
+  EXPECT_FALSE(both.exceeds_budget);
   EXPECT_LE(both.seconds, time);
   EXPECT_GT(both.error, 1e-3);
   EXPECT_GE(both.tolerance, both.error) << "the tolerance that was met in its place";
@@ -260,6 +261,7 @@ TEST(PlanFor, StopsAtTheToleranceThoughThereIsTime) {
 
 TEST(PlanFor, WithTooLittleTimeForAnythingIsTheCoarsest) {
   const auto plan = plan_for(ordinary(), {.tolerance = 0.01, .budget_s = 1e-3}, {});
+  EXPECT_TRUE(plan.exceeds_budget) << "even the coarsest light takes longer";
   EXPECT_TRUE(plan.misses_tolerance);
   EXPECT_GT(plan.seconds, 1e-3);
   EXPECT_LE(plan.seconds, within(0.4, ordinary()).seconds);

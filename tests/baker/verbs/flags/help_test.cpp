@@ -107,6 +107,32 @@ TEST(Suggestions, AreWhatIsMeantOrAlmostSpelt) {
   EXPECT_EQ(verb_suggested_for("develope", {"still", "ring"}), "");
 }
 
+TEST(Suggestions, LeadFromNaturalWordsToFlagsAndCommands) {
+  Program program;
+  const auto flags_of = [&](const char* verb) {
+    return long_flags(*program.app.get_subcommand(verb));
+  };
+  EXPECT_EQ(flag_suggested_for("width", flags_of("bake")), "; did you mean --texture-width?");
+  EXPECT_EQ(flag_suggested_for("resolution", flags_of("bake")), "; did you mean --texture-width?");
+  EXPECT_EQ(flag_suggested_for("resolution", flags_of("still")), "; did you mean --width?");
+  EXPECT_EQ(flag_suggested_for("latitude", flags_of("still")), "; did you mean --at?");
+  EXPECT_EQ(flag_suggested_for("date", flags_of("still")), "; did you mean --instant?");
+  EXPECT_EQ(flag_suggested_for("date", flags_of("animate")), "; did you mean --eclipse?");
+  EXPECT_EQ(flag_suggested_for("tz", flags_of("night")), "; did you mean --zone?");
+  EXPECT_EQ(verb_suggested_for("tonight", {"still", "night"}), "; did you mean night?");
+  EXPECT_EQ(verb_suggested_for("panorama", {"still", "dome"}), "; did you mean dome?");
+}
+
+TEST(Help, IsAWordOfTheProgramToo) {
+  Program program;
+  for (const auto& words :
+       std::vector<std::vector<std::string>>{{"help"}, {"help", "still"}, {"still", "--help"}})
+    EXPECT_THROW(run(program.app, words), CLI::CallForHelp);
+  EXPECT_EQ(program.app.get_subcommands().front()->get_name(), "still");
+  EXPECT_THROW(run(program.app, {"version"}), CLI::CallForVersion);
+  EXPECT_THROW(run(program.app, {"help", "stil"}), WrongUsage);
+}
+
 TEST(PlainError, SaysTheValueAndWhatIsAllowed) {
   EXPECT_EQ(plain_error("--quality: best not in {draft,standard}"),
             "--quality = best, allowed draft, standard");

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+coppermoon_tests(baker/request LINKS coppermoon::request QUICK parameter)
