@@ -5,8 +5,9 @@
 #
 #   tests/mutations.sh [--seed N] [STAGE …]    all stages; another seed each time, which is printed
 #
-# Not baker/files, whose tests write and end processes. Prints each mutation as caught or SURVIVES. Those that do not compile, or compile to the same object code, are not
-# counted, and others drawn. Exits 1 where fewer than 85 % are caught.
+# All but baker/files, whose tests write files and end processes. Prints each mutation as caught or SURVIVES. Those that do
+# not compile, or compile to the same object code, are not counted, and others drawn. Exits 1 where fewer than 85 % are
+# caught.
 set -eu
 cd "$(dirname "$0")/.."
 . tests/planting.sh

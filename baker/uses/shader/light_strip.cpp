@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 #include <numeric>
-#include <utility>
 
 #include "eclipse/shadow_axis.h"
 #include "uses/light/shadow_profile.h"
@@ -105,14 +103,16 @@ void fill(LightStrip& strip, const LightAtPlaces& light) {
   }
 }
 
-/// Light amid some texels: the mean of their roots, squared.
-Colour light_amid(const LightStrip& strip,
-                  std::initializer_list<std::pair<std::size_t, std::size_t>> texels) {
+/// Light between a texel and the next ones: straight lines between roots, squared.
+Colour light_between(const LightStrip& strip, std::size_t r, std::size_t c, double along,
+                     double across) {
+  const std::size_t right = along > 0 ? c + 1 : c, below = across > 0 ? r + 1 : r;
   Colour light;
   for (std::size_t k = 0; k < light.size(); ++k) {
-    double root = 0;
-    for (const auto& [r, c] : texels) root += strip.roots(r, c, k);
-    light[k] = std::pow(root / static_cast<double>(texels.size()), 2);
+    const auto root = [&](std::size_t row) {
+      return std::lerp(double{strip.roots(row, c, k)}, double{strip.roots(row, right, k)}, along);
+    };
+    light[k] = std::pow(std::lerp(root(r), root(below), across), 2);
   }
   return light;
 }
@@ -126,9 +126,7 @@ struct BetweenTexels {
 };
 
 BetweenTexels between_texels(const LightStrip& strip, const LightAtPlaces& light) {
-  using Texel = std::pair<std::size_t, std::size_t>;
   BetweenTexels worst;
-  const auto take = [](double& most, double error) { most = std::max(most, error); };
   for (std::size_t r = 0; r < strip.roots.height; ++r) {
     const std::size_t row = r % (strip.sectors + 1);
     const double depth_km = strip.depth_km(r / (strip.sectors + 1));
@@ -136,17 +134,19 @@ BetweenTexels between_texels(const LightStrip& strip, const LightAtPlaces& light
     std::size_t c = 0;
     for (std::size_t s = 0; s < strip.stretches.size(); ++s)
       for (int i = 0; i < strip.stretches[s]; ++i, ++c) {
-        const auto at = [&](double along, double across) {
-          const double middle_m = node_m(strip, static_cast<int>(c), along);
-          return light.at(shadow::sheared(middle_m, depth_km / strip.middle_km()),
-                          angle_rad(strip, static_cast<double>(row) + across), depth_km * 1e3);
-        };
-        const Texel here{r, c}, right{r, c + 1}, below{r + 1, c}, beyond{r + 1, c + 1};
         if (strip.roots(r, c, 0) == 0) continue;  // light begins from nothing
-        take(worst.columns[s], error_of(light_amid(strip, {here, right}), at(0.5, 0)));
+        const auto see = [&](double& most, double along, double across) {
+          const double middle_m = node_m(strip, static_cast<int>(c), along);
+          const auto exact =
+              light.at(shadow::sheared(middle_m, depth_km / strip.middle_km()),
+                       angle_rad(strip, static_cast<double>(row) + across), depth_km * 1e3);
+          most = std::max(most, error_of(light_between(strip, r, c, along, across), exact));
+        };
+        see(worst.columns[s], 0.5, 0);
+        see(worst.columns[s], 0.25, 0);  // where light rises suddenly the darker side errs most
         if (last_row) continue;
-        take(worst.rows, error_of(light_amid(strip, {here, below}), at(0, 0.5)));
-        take(worst.both, error_of(light_amid(strip, {here, right, below, beyond}), at(0.5, 0.5)));
+        see(worst.rows, 0, 0.5);
+        see(worst.both, 0.5, 0.5);
       }
   }
   return worst;
