@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Mutations of C++ sources: python3 mutations.py SEED COUNT INTO FOLDER …
 
-Draws COUNT places at random from the folders' own sources (*.cpp), and writes each mutated source, INTO/1, INTO/2, …
+Draws COUNT places at random from the folders' own sources (*.cpp), but for those whose own tests are HEAVY, and writes each
+mutated source, INTO/1, INTO/2, …
 Prints a line of each: its file, and what is other. One operator or one number is: + and −, · and /, && and || trade places,
 also with =; comparisons are turned round; min and max trade places; a number is doubled, and 0 becomes 1.
 """
@@ -37,8 +38,14 @@ def places_in(source):
             yield found.start(), found.end(), doubled(found["number"])
 
 
+def heavily_tested(folder):
+    kinds = re.split(r"\b(QUICK|HEAVY|SLOW|LINKS)\b", pathlib.Path("tests", folder, "tests.cmake").read_text())
+    return re.findall(r"\w+", " ".join(words for kind, words in zip(kinds, kinds[1:]) if kind == "HEAVY"))
+
+
 seed, count, into, *folders = sys.argv[1:]
-files = sorted(file for folder in folders for file in pathlib.Path(folder).glob("*.cpp"))
+files = sorted(file for folder in folders for file in pathlib.Path(folder).glob("*.cpp")
+               if file.stem not in heavily_tested(folder))
 places = [(file, *place) for file in files for place in places_in(file.read_text())]
 draw = random.Random(int(seed)).sample(places, min(int(count), len(places)))
 for number, (file, begin, end, new) in enumerate(draw, 1):

@@ -42,9 +42,10 @@ TEST(ChebyshevSeries, OfAPolynomialHasItsCoefficients) {
 
 TEST(PowerSeries, IsTheSamePolynomial) {
   EXPECT_EQ(power_series(std::vector<double>{7, 0, 5, -2}), (std::vector<double>{2, 6, 10, -8}));
-  const auto powers = power_series(chebyshev_series(at_nodes(9, [](double x) { return std::exp(x); })));
+  const auto powers =
+      power_series(chebyshev_series(at_nodes(9, [](double x) { return std::exp(x); })));
   for (const double x : {-1., -0.3, 0., 0.8, 1.})
-    EXPECT_WITHIN(polynomial(powers, x), std::exp(x), 1e-8, "1/(2^8 9!)");
+    EXPECT_WITHIN(polynomial(powers, x), std::exp(x), 3e-8, "e/(2^8 9!)");
 }
 
 }  // namespace

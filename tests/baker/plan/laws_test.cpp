@@ -170,6 +170,16 @@ TEST(PredictedSeconds, GrowWithTexelsTermsAndColumns) {
             predicted_seconds({}, scene, {}));
 }
 
+TEST(PredictedSeconds, OfTermsThatTheSceneHasNotAreNone) {
+  auto sphere = umbral();
+  sphere.ellipsoid = false;
+  for (const auto method : {Method::quadrature, Method::table})
+    EXPECT_EQ(
+        predicted_seconds({.method = method, .photons = 1e6}, sphere, {}),
+        predicted_seconds({.method = method, .photons = 1e6, .ellipsoid = false, .regions = false},
+                          sphere, {}));
+}
+
 TEST(PredictedSeconds, GoFromTableToMarchedToLiteralUpwards) {
   const auto seconds = [](Method method) {
     return predicted_seconds({.method = method, .photons = 1e6, .bands = 40}, umbral(), {});
