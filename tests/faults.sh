@@ -7,12 +7,11 @@
 #   tests/faults.sh --apply     whether each changes its line and has a name of its own, and no more
 #
 # A fault stands in the sources, above the line that it changes, where "old" first occurs: // FAULT name: old => new
-# Prints each fault as caught or SURVIVES; one at which the tests do not end in ten minutes is caught. Exits 1 where one
+# Prints each fault as caught or SURVIVES; one at which the tests do not end in two minutes is caught. Exits 1 where one
 # survives, no longer applies or does not compile. The copy stays in build/faults, for the next time.
 set -eu
 cd "$(dirname "$0")/.."
-copy=$PWD/build/faults/source
-build=$PWD/build/faults/build
+. tests/planting.sh
 
 # A fault in a line: its file, its name.
 listed() {
@@ -63,46 +62,12 @@ for folder; do
 done
 faults=$(listed "$@")
 
-# Files that did not change keep their time: what was built before stays built.
-mkdir -p "$copy"
-git ls-files --cached --others --exclude-standard | while read -r file; do
-  if [ ! -f "$file" ] || cmp -s "$file" "$copy/$file"; then continue; fi
-  mkdir -p "$copy/$(dirname "$file")"
-  cp "$file" "$copy/$file"
-done
+prepare $(printf '%s\n' "$faults" | sed 's|/[^/]* :: .*||' | sort -u)
 
-stages=$(printf '%s\n' "$faults" | sed 's|/[^/]* :: .*||' | sort -u)
-target_of() { printf '%s_quick_tests\n' "$1" | tr / _; }
-cmake -S "$copy" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCOPPERMOON_STRICT=OFF >"$build.log" 2>&1 || {
-  cat "$build.log" >&2
-  exit 1
-}
-ninja -C "$build" $(for stage in $stages; do target_of "$stage"; done) >"$build.log" 2>&1 || {
-  tail -n 30 "$build.log" >&2
-  exit 1
-}
-
-for stage in $stages; do
-  "$build/tests/$(target_of "$stage")" --gtest_brief=1 >"$build.log" 2>&1 || {
-    cat "$build.log" >&2
-    echo "tests/faults.sh $stage: its tests fail without a fault" >&2
-    exit 1
-  }
-done
-
-# verdict FILE NAME: prints what became of a fault.
-verdict() {
+# what_of FILE NAME: prints what became of a fault.
+what_of() {
   planted "$1" "$2" >"$copy/$1"
-  if cmp -s "$1" "$copy/$1"; then echo "DOES NOT APPLY"; return; fi
-  target=$(target_of "${1%/*}")
-  if ! ninja -C "$build" -j1 "$target" >"$build.log" 2>&1; then
-    echo "DOES NOT COMPILE"
-  elif GTEST_FAIL_FAST=1 GTEST_BRIEF=1 timeout 600 "$build/tests/$target" >"$build.log" 2>&1; then
-    echo SURVIVES
-  else
-    echo caught
-  fi
-  cp "$1" "$copy/$1"
+  if cmp -s "$1" "$copy/$1"; then echo "DOES NOT APPLY"; else verdict "$1"; fi
 }
 
 printf '%s\n' "$faults" | {
@@ -110,7 +75,7 @@ printf '%s\n' "$faults" | {
   while read -r fault; do
     file=$(file_of "$fault")
     name=$(name_of "$fault")
-    result=$(verdict "$file" "$name")
+    result=$(what_of "$file" "$name")
     printf '%-8s  %s: %s\n' "$result" "$file" "$name"
     count=$((count + 1))
     [ "$result" != caught ] || caught=$((caught + 1))

@@ -57,10 +57,9 @@ double venus(const Aspect& a) {
              : polynomial(phase, std::array{236.05828, -2.81914, 8.39034e-3});
 }
 
+/// Magnitude of Mars at phase angles up to 50 degrees: from the Earth it has 47 at most.
 double mars(const Aspect& a) {
-  const double phase = a.phase_deg();
-  return phase <= 50 ? polynomial(phase, std::array{-1.601, 2.267e-2, -1.302e-4})
-                     : polynomial(phase, std::array{-0.367, -0.02573, 3.445e-4});
+  return polynomial(a.phase_deg(), std::array{-1.601, 2.267e-2, -1.302e-4});
 }
 
 double jupiter(const Aspect& a) {

@@ -14,6 +14,7 @@
 #include "verbs/flags/light_options.h"
 #include "verbs/flags/moments.h"
 #include "verbs/recipes/recipe.h"
+#include "verbs/reports/in_words.h"
 #include "verbs/reports/one_line.h"
 #include "verbs/reports/progress_bar.h"
 #include "verbs/reports/report.h"
@@ -51,12 +52,14 @@ void run(const CLI::App& verb, Options options) {
   }();
   const auto files = uses::write_shader(folder, shader, options.request, recipe_of(verb));
   if (options.json)
-    fmt::print("{}\n",
-               nlohmann::ordered_json{
-                   {"folder", options.output}, {"files", files}, {"seconds", seconds_since(start)}}
-                   .dump(2));
+    fmt::print("{}\n", nlohmann::ordered_json{{"folder", options.output},
+                                              {"files", files},
+                                              {"seconds", seconds_since(start)},
+                                              {"error", shader.strip.error}}
+                           .dump(2));
   else
-    fmt::print("{}: {}\n", one_line(options.output), fmt::join(files, ", "));
+    fmt::print("{}: {}; {}\n", one_line(options.output), fmt::join(files, ", "),
+               within(shader.strip.error));
 }
 
 }  // namespace

@@ -52,6 +52,14 @@ TEST(Resampled, KeepsAPictureThatStaysWhereItIs) {
   for (std::size_t i = 0; i < 35; ++i) EXPECT_EQ(same.values()[i], image.values()[i]);
 }
 
+TEST(BetweenPixels, IsDarkOutside) {
+  const algebra::Grid<float> white(4, 6, 1);
+  EXPECT_EQ(between_pixels(white, {3, 2}), 1);
+  EXPECT_WITHIN(between_pixels(white, {0, 2}), 0.5, 1e-15, "on its edge: half of it is dark");
+  EXPECT_WITHIN(between_pixels(white, {6, 4}), 0.25, 1e-15, "at its corner");
+  EXPECT_EQ(between_pixels(white, {-0.6, 2}), 0);
+}
+
 TEST(Resampled, OfASlopeIsASlopeAtAnyScale) {
   // Bilinear values and means over pixels are both exact where light grows evenly.
   const auto image = ramp(60, 60);

@@ -16,6 +16,43 @@ TEST(PlannedRuns, KeepTheirPromises) {
   EXPECT_GE(count(results, &Result::told), 90);
 }
 
+/// Minutes from a contact, where part of the Moon is beside all shadow, with a knob or the tolerance at an end of its range.
+Run run_at_an_end(std::uint64_t index) {
+  auto run = random_run(index);
+  Random random(1633, index);
+  const auto contacts = contacts_of(random_eclipse(random));
+  const auto& contact =
+      contacts[static_cast<std::size_t>(random.uniform() * static_cast<double>(contacts.size()))];
+  const bool first = contact.first == "P1", last = contact.first == "P4";
+  run.when = almanac::later(contact.second, 60 * (first  ? between(random, 2, 10)
+                                                  : last ? between(random, -10, -2)
+                                                         : between(random, -10, 10)));
+  auto& hand = run.request.by_hand;
+  const std::array<std::function<void()>, 6> ends{[&] { hand.bands = 1; },
+                                                  [&] { hand.place_error = 1; },
+                                                  [&] { hand.planes = 1; },
+                                                  [&] { hand.sun_terms = 1; },
+                                                  [&] { run.request.wish.tolerance = 0.05; },
+                                                  [&] { run.request.wish.tolerance = 0.5; }};
+  ends[index % ends.size()]();
+  return run;
+}
+
+TEST(PlannedRuns, SayNoLessThanTheirErrorAtTheEndsOfRanges) {
+  constexpr std::uint64_t runs = 60;
+  int bounded = 0;
+  for (std::uint64_t i = 0; i < runs; ++i) {
+    const auto run = run_at_an_end(i);
+    const auto result = result_of(run, 3, 20, {}, i);
+    if (result.truth <= result.found + no_error)
+      ++bounded;
+    else
+      fmt::print("run {}: {:.2g} is said, {:.2g} true, knob {}\n  {}\n", i, result.found,
+                 result.truth, i % 6, described(run));
+  }
+  EXPECT_GE(bounded, 57);  // 95 of 100
+}
+
 TEST(TrueLuminance, IsThatOfThreeTimesTheRays) {
   for (std::uint64_t i = 0; i < 3; ++i) {
     const auto run = random_run(i);

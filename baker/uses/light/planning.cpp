@@ -372,6 +372,8 @@ class ExactLight {
     const auto disc = disc_of(moon);
     auto places =
         evenly({disc.from_m + off_nodes * lunar_radius_m, disc.to_m}, places_over(disc, 15));
+    // the darkest place of a Moon beside the axis, where direct light errs most
+    if (disc.from_m > 0) places.insert(places.begin(), disc.from_m);
     const shadow::Arrangement arrangement{moon.sun_distance_m, {depth_m}, moon.limb_darkening};
     add_edges_of_the_shadow(moon, arrangement, disc, places);
     const auto waves = wavelengths_nm(finer(work).bands);

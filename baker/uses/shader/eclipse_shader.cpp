@@ -31,6 +31,7 @@ nlohmann::ordered_json facts_of(const EclipseShader& shader, const ShaderHead& h
           {"strip", head.strip},
           {"columns", shader.strip.roots.width},
           {"rows", shader.strip.roots.height},
+          {"error", shader.strip.error},
           {"colour_space", head.colour_space},
           {"version", version()},
           {"steps", json_of(shader.formula)}};
@@ -114,7 +115,9 @@ EclipseShader eclipse_shader(const eclipse::Eclipse& eclipse, const ShaderReques
 
 void write_strip(const fs::path& file, const EclipseShader& shader, const ShaderRequest& request,
                  const std::string& recipe) {
-  texture::write_exr(file, shader.strip.roots, header_of(head_of(shader, request, ""), recipe));
+  auto header = header_of(head_of(shader, request, ""), recipe);
+  header["coppermoon:relative_error"] = static_cast<float>(shader.strip.error);
+  texture::write_exr(file, shader.strip.roots, header);
 }
 
 std::vector<std::string> write_shader(const fs::path& folder, const EclipseShader& shader,

@@ -22,8 +22,8 @@ struct EclipseShader {
 
 /// Shader of an eclipse.
 ///
-/// Accuracy  a sunlit Moon times the light is within 1 % of the brightest channel of a baked Moon, beside the errors of
-///           both lights; 2 % in the umbra where ground has another colour than the Moon's mean
+/// Accuracy  a sunlit Moon times the light is within the strip's error of the brightest channel of a baked Moon, beside
+///           that one's own error; where ground has another colour than the Moon's mean, 1 % more in the umbra
 /// Throws    Error  as light_strip
 EclipseShader eclipse_shader(const eclipse::Eclipse& eclipse, const ShaderRequest& request,
                              const algebra::Progress& progress = {});

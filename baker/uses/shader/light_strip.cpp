@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "eclipse/shadow_axis.h"
 #include "uses/light/shadow_profile.h"
@@ -12,9 +13,17 @@
 namespace coppermoon::uses {
 namespace {
 
-/// Numbers of nodes within the umbra, about the beginning of direct light, behind it, and beyond.
-constexpr std::array stretches{180, 240, 80, 90};
-constexpr int columns = stretches[0] + stretches[1] + stretches[2] + stretches[3] + 1;
+/// Numbers of nodes within the umbra, about the beginning of direct light, behind it, and beyond; where light is steep,
+/// up to `most_times` as many, and as many rows.
+constexpr std::array fewest_stretches{180, 240, 80, 90};
+constexpr int most_times = 4;
+
+/// Error of straight lines between texels, of the brightest channel, that needs no more of them; and that between columns
+/// or between rows above which these are doubled where there is more.
+constexpr double good_enough = 6e-3, between_nodes = 4e-3;
+
+constexpr double rounding = 5e-4;  ///< of squares of half floats
+constexpr int usual_bands = 100;
 
 /// Ends of the stretches from the beginning of direct light [m]: it begins within 30 km all around the Earth's figure.
 constexpr double before_m = 320e3, about_m = 60e3, behind_m = 480e3;
@@ -29,19 +38,186 @@ std::vector<double> distances_to(double reach_m, double begins_m) {
   return distances;
 }
 
+using Colour = std::array<double, 3>;
+
+/// Difference over the brightest channel of what is exact; 0 where that is dark.
+double error_of(const Colour& found, const Colour& exact) {
+  const double brightest = std::ranges::max(exact);
+  if (brightest <= shadow::darkness_ratio) return 0;
+  double worst = 0;
+  for (std::size_t k = 0; k < exact.size(); ++k)
+    worst = std::max(worst, std::abs(found[k] - exact[k]));
+  return worst / brightest;
+}
+
+/// Light over sunlight, from which strips are made.
+struct LightAtPlaces {
+  const shadow::Lookup& lookup;
+  Colour sunlight;
+
+  LightAtPlaces(const shadow::Lookup& all, double sunlit_m) : lookup(all), sunlight{1, 1, 1} {
+    sunlight = at(sunlit_m, 0, 4e8);
+  }
+
+  Colour at(double distance_m, double angle_rad, double depth_m) const {
+    Colour here;
+    lookup.read(
+        {algebra::metres(distance_m), algebra::radians(angle_rad), algebra::metres(depth_m)}, here);
+    for (std::size_t k = 0; k < here.size(); ++k) here[k] = std::max(0., here[k] / sunlight[k]);
+    return here;
+  }
+};
+
+/// Axis distance in the middle plane, `part` of the way from a node to the next.
+double node_m(const LightStrip& strip, int node, double part = 0) {
+  double from = 0;
+  for (std::size_t s = 0; s < strip.stretches.size(); ++s) {
+    const double to = strip.ends_km[s] * 1e3;
+    const int count = strip.stretches[s];
+    if (node < count || s + 1 == strip.stretches.size())
+      return std::lerp(from, to, (node + part) / count);
+    from = to;
+    node -= count;
+  }
+  return from;
+}
+
+double angle_rad(const LightStrip& strip, double row) {
+  return 2 * std::numbers::pi * row / static_cast<double>(strip.sectors);
+}
+
+/// Fills a strip's image.
+void fill(LightStrip& strip, const LightAtPlaces& light) {
+  const std::size_t rows = strip.sectors + 1;
+  const auto columns = std::reduce(strip.stretches.begin(), strip.stretches.end()) + 1;
+  strip.roots = {static_cast<std::size_t>(columns), strip.planes * rows, {"R", "G", "B"}};
+  for (std::size_t r = 0; r < strip.roots.height; ++r) {
+    const double depth_km = strip.depth_km(r / rows);
+    for (int c = 0; c < columns; ++c) {
+      const double at_m = shadow::sheared(node_m(strip, c), depth_km / strip.middle_km());
+      const auto here =
+          light.at(at_m, angle_rad(strip, static_cast<double>(r % rows)), depth_km * 1e3);
+      for (std::size_t k = 0; k < here.size(); ++k)
+        strip.roots(r, static_cast<std::size_t>(c), k) = static_cast<float>(std::sqrt(here[k]));
+    }
+  }
+}
+
+/// Light between a texel and the next ones: straight lines between roots, squared.
+Colour light_between(const LightStrip& strip, std::size_t r, std::size_t c, double along,
+                     double across) {
+  const std::size_t right = along > 0 ? c + 1 : c, below = across > 0 ? r + 1 : r;
+  Colour light;
+  for (std::size_t k = 0; k < light.size(); ++k) {
+    const auto root = [&](std::size_t row) {
+      return std::lerp(double{strip.roots(row, c, k)}, double{strip.roots(row, right, k)}, along);
+    };
+    light[k] = std::pow(std::lerp(root(r), root(below), across), 2);
+  }
+  return light;
+}
+
+/// Largest errors of straight lines between texels.
+struct BetweenTexels {
+  std::array<double, 4> columns{};  ///< by stretch
+  double rows = 0, both = 0;
+
+  double most() const { return std::max({std::ranges::max(columns), rows, both}); }
+};
+
+BetweenTexels between_texels(const LightStrip& strip, const LightAtPlaces& light) {
+  BetweenTexels worst;
+  for (std::size_t r = 0; r < strip.roots.height; ++r) {
+    const std::size_t row = r % (strip.sectors + 1);
+    const double depth_km = strip.depth_km(r / (strip.sectors + 1));
+    const bool last_row = row == strip.sectors || strip.sectors == 1;
+    std::size_t c = 0;
+    for (std::size_t s = 0; s < strip.stretches.size(); ++s)
+      for (int i = 0; i < strip.stretches[s]; ++i, ++c) {
+        if (strip.roots(r, c, 0) == 0) continue;  // light begins from nothing
+        const auto see = [&](double& most, double along, double across) {
+          const double middle_m = node_m(strip, static_cast<int>(c), along);
+          const auto exact =
+              light.at(shadow::sheared(middle_m, depth_km / strip.middle_km()),
+                       angle_rad(strip, static_cast<double>(row) + across), depth_km * 1e3);
+          most = std::max(most, error_of(light_between(strip, r, c, along, across), exact));
+        };
+        see(worst.columns[s], 0.5, 0);
+        see(worst.columns[s], 0.25, 0);  // where light rises suddenly the darker side errs most
+        if (last_row) continue;
+        see(worst.rows, 0, 0.5);
+        see(worst.both, 0.5, 0.5);
+      }
+  }
+  return worst;
+}
+
+/// Errors of the light that a strip is made of, at places between those where it was computed: against a finer quadrature
+/// of the same air, halfway between the planes.
+double error_found(const ShaderRequest& request, const almanac::SkyState& sky,
+                   const LightStrip& strip, const LightAtPlaces& light,
+                   const shadow::ChannelWeights& weights) {
+  constexpr std::array places{24, 24, 6, 4};  // in each stretch
+  constexpr double off_nodes = 0.381966;
+  LightRequest exact;
+  exact.air = request.light.air;
+  exact.limb_darkening = request.light.limb_darkening;
+  exact.scattered_light = request.light.scattered_light;
+  exact.starlight = request.light.starlight;
+  exact.wish.tolerance = 2e-4;
+  auto cut = shadow_at_the_moon(exact, sky);
+  const double depth_m = strip.middle_km() * 1e3;
+  cut.arrangement.depths_m = {depth_m};
+  std::vector<double> distances_m;
+  for (std::size_t s = 0; s < places.size(); ++s) {
+    const double from = s == 0 ? 0 : strip.ends_km[s - 1], to = strip.ends_km[s];
+    for (int i = 0; i < places[s]; ++i)
+      distances_m.push_back(1e3 * std::lerp(from, to, (i + off_nodes) / places[s]));
+  }
+  const int bands = request.light.by_hand.bands
+                        ? std::clamp(2 * *request.light.by_hand.bands, 64, 400)
+                        : usual_bands;
+  const auto waves = wavelengths_nm(bands);
+  const auto at_waves = at_wavelengths(weights, bands);
+  const std::size_t around = cut.air.regions.empty() ? 29 : 13;  // off the rows
+  const auto refracted =
+      refracted_light(exact, cut.air, cut.arrangement, {waves, distances_m, around});
+  const shadow::DirectLight direct(cut.air, cut.arrangement, waves);
+  std::vector<double> clear(waves.size());
+  double worst = 0;
+  for (std::size_t sector = 0; sector < refracted.sectors; ++sector) {
+    const double angle = shadow::Sectors{refracted.sectors}.angle_rad(sector);
+    for (std::size_t d = 0; d < distances_m.size(); ++d) {
+      direct.ratios(distances_m[d], angle, depth_m, clear);
+      const auto there = refracted.ratio[sector].row(d);
+      Colour colour{}, sunlit{};
+      for (std::size_t k = 0; k < colour.size(); ++k)
+        for (std::size_t w = 0; w < waves.size(); ++w) {
+          colour[k] += at_waves(k, w) * (there[w] + clear[w]);
+          sunlit[k] += at_waves(k, w);
+        }
+      into_gamut_or_black(request.space, colour);
+      for (std::size_t k = 0; k < colour.size(); ++k)
+        colour[k] = std::max(0., colour[k] / sunlit[k]);
+      worst = std::max(worst, error_of(light.at(distances_m[d], angle, depth_m), colour));
+    }
+  }
+  return worst;
+}
+
 }  // namespace
 
 LightStrip light_strip(const ShaderRequest& request, const almanac::SkyState& sky,
                        double nearest_km, double farthest_km, const algebra::Progress& progress) {
   auto cut = shadow_at_the_moon(request.light, sky);
   LightStrip strip;
-  strip.stretches = stretches;
+  strip.stretches = fewest_stretches;
   strip.nearest_km = nearest_km;
   strip.farthest_km = farthest_km;
   cut.arrangement.depths_m.clear();
   for (std::size_t p = 0; p < strip.planes; ++p)
     cut.arrangement.depths_m.push_back(strip.depth_km(p) * 1e3);
-  const int bands = request.light.by_hand.bands.value_or(100);
+  const int bands = request.light.by_hand.bands.value_or(usual_bands);
   const auto waves = wavelengths_nm(bands);
   const shadow::DirectLight direct(cut.air, cut.arrangement, waves);
   const double middle_m = strip.middle_km() * 1e3,
@@ -63,34 +239,17 @@ LightStrip light_strip(const ShaderRequest& request, const almanac::SkyState& sk
   shadow::Lookup lookup(refracted, direct, at_wavelengths(weights, bands));
   lookup.transform([&](std::span<double> colour) { into_gamut_or_black(request.space, colour); });
 
-  const std::size_t rows = strip.sectors + 1;
-  strip.roots = {static_cast<std::size_t>(columns), strip.planes * rows, {"R", "G", "B"}};
-  std::array<double, 3> here, sunlight;
-  lookup.read({algebra::metres(2 * end_m), {}, algebra::metres(middle_m)}, sunlight);
-  const auto distance_m = [&](int node) {
-    double from = 0;
-    for (std::size_t s = 0; s < stretches.size(); ++s) {
-      const double to = strip.ends_km[s] * 1e3;
-      const int count = stretches[s];
-      if (node <= count || s + 1 == stretches.size())
-        return std::lerp(from, to, double(node) / count);
-      from = to;
-      node -= count;
-    }
-    return from;
-  };
-  for (std::size_t r = 0; r < strip.roots.height; ++r) {
-    const double depth_m = strip.depth_km(r / rows) * 1e3;
-    const double angle =
-        2 * std::numbers::pi * static_cast<double>(r % rows) / static_cast<double>(strip.sectors);
-    for (int c = 0; c < columns; ++c) {
-      const double at_m = shadow::sheared(distance_m(c), depth_m / middle_m);
-      lookup.read({algebra::metres(at_m), algebra::radians(angle), algebra::metres(depth_m)}, here);
-      for (std::size_t k = 0; k < 3; ++k)
-        strip.roots(r, static_cast<std::size_t>(c), k) =
-            static_cast<float>(std::sqrt(std::max(0., here[k] / sunlight[k])));
-    }
+  const LightAtPlaces light(lookup, 2 * end_m);
+  fill(strip, light);
+  auto worst = between_texels(strip, light);
+  for (int times = 1; times < most_times && worst.most() > good_enough; times *= 2) {
+    if (worst.rows > between_nodes) strip.sectors *= 2;
+    for (std::size_t s = 0; s < strip.stretches.size(); ++s)
+      if (worst.columns[s] > between_nodes) strip.stretches[s] *= 2;
+    fill(strip, light);
+    worst = between_texels(strip, light);
   }
+  strip.error = worst.most() + error_found(request, sky, strip, light, weights) + rounding;
   return strip;
 }
 

@@ -39,6 +39,7 @@ struct LightStrip {
   std::size_t sectors = 1;                 ///< position angles
   std::size_t planes = 2;                  ///< at equal distances
   double nearest_km = 0, farthest_km = 0;  ///< depths of the first plane and the last
+  double error = 0;                        ///< found, of the brightest channel
 
   double middle_km() const { return (nearest_km + farthest_km) / 2; }
   double depth_km(std::size_t plane) const {
@@ -47,11 +48,14 @@ struct LightStrip {
   }
 };
 
-/// Strip of the light of a request.
+/// Strip of the light of a request. It has 591 columns and 97 rows a plane. Where straight lines between texels err by more
+/// than 0.6 % of the brightest channel, there are up to four times as many.
 ///
 /// Given     sky        of the greatest eclipse: air, and the Sun's distance
 ///           nearest_km, farthest_km  depths of the first plane and the last [km]
-/// Accuracy  0.5 % of the brightest channel, beside that of the light
+/// Accuracy  its `error` is told: the largest between all texels, and the largest of the light at some 1 700 places (750
+///           with regions) against a finer quadrature. It bounds the error at 95 of 100 places between them, also where
+///           it is above 1 %
 /// Throws    Error      as refracted_light
 LightStrip light_strip(const ShaderRequest& request, const almanac::SkyState& sky,
                        double nearest_km, double farthest_km,

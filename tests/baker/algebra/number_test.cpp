@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace coppermoon::algebra {
 namespace {
@@ -36,6 +37,14 @@ TEST(NumberWithUnit, IsInTheUnitWhoseEndingItHas) {
   EXPECT_EQ(number_with_unit("2", units), 7200);
   for (const char* text : {"", "min", "2 min", "2h"})
     EXPECT_EQ(number_with_unit(text, units), std::nullopt) << "'" << text << "'";
+}
+
+TEST(NumbersIn, AreThoseBetweenCommas) {
+  EXPECT_EQ(numbers_in("1.5"), std::vector<double>{1.5});
+  EXPECT_EQ(numbers_in("1.5,-2,3e2"), (std::vector<double>{1.5, -2, 300}));
+  EXPECT_EQ(numbers_in(""), std::vector<double>{});
+  for (const char* text : {",", "1,", ",1", "1,,2", "1, 2", "1;2"})
+    EXPECT_EQ(numbers_in(text), std::nullopt) << "'" << text << "'";
 }
 
 }  // namespace

@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: MIT
 coppermoon_tests(baker/algebra LINKS coppermoon::algebra
-  QUICK error grid interpolation low_discrepancy number quadrature quantity random table)
+  QUICK chebyshev error grid interpolation low_discrepancy number quadrature quantity random table)

@@ -51,6 +51,44 @@ TEST(Planets, MarsOf2018IsAsNearAndBrightAsPublished) {
                 "The Astronomical Almanac for 2018; how Mars is turned");
 }
 
+/// Mallama & Hilton (2018), the examples that come with their program: apparent magnitudes of Horizons' positions.
+TEST(Planets, AreAsBrightAsInPublishedExamples) {
+  struct Example {
+    const char *name, *date;
+    double magnitude, tolerance;
+  };
+  constexpr double omitted = 0.1;  // see the header's Omits
+  for (const auto& [name, date, magnitude, tolerance] :
+       {Example{"Mercury", "2006-05-19", -2.477, 0.01},
+        Example{"Mercury", "2006-06-15", 0.181, 0.01}, Example{"Venus", "2006-10-28", -3.917, 2e-3},
+        Example{"Venus", "2005-12-14", -4.916, 2e-3}, Example{"Venus", "2004-06-08", -3.090, 0.02},
+        Example{"Mars", "2003-08-28", -2.862, omitted},
+        Example{"Mars", "2004-07-19", 1.788, omitted},
+        Example{"Jupiter", "2004-09-21", -1.667, 2e-3},
+        Example{"Jupiter", "2010-09-21", -2.934, 2e-3},
+        Example{"Saturn", "2032-12-25", -0.552, 0.01},
+        Example{"Uranus", "1970-03-28", 5.381, omitted},
+        Example{"Uranus", "2008-03-08", 6.025, omitted},
+        Example{"Neptune", "1970-11-23", 7.997, 2e-3},
+        Example{"Neptune", "2009-08-17", 7.701, 2e-3}})
+    EXPECT_WITHIN(planet(name, instant_from_utc(date)).magnitude, magnitude, tolerance,
+                  "three digits printed; a planet's day")
+        << name << " " << date;
+}
+
+TEST(Planets, NeptuneOf1990IsHalfwayFromItsOldBrightnessToItsNew) {
+  const auto at_one_au = [](const char* date) {
+    const Instant when = instant_from_utc(date);
+    const auto neptune = planet("Neptune", when);
+    double heliocentric[2][3];
+    eraPlan94(when.tt_day, when.tt_fraction, 8, heliocentric);
+    const auto& [x, y, z] = heliocentric[0];
+    return neptune.magnitude - 5 * std::log10(std::hypot(x, y, z) * away_au(neptune));
+  };
+  EXPECT_WITHIN(at_one_au("1990-01-01"), (at_one_au("1975-01-01") + at_one_au("2005-01-01")) / 2,
+                1e-3, "mean elements' distances");
+}
+
 /// Where the planets stand by an independent, coarser theory.
 TEST(Planets, AgreeWithErfasMeanElements) {
   constexpr double worst_arcsec[] = {4, 5, 0, 17, 71, 81, 86, 11};  // stated by ERFA, 1800 to 2050

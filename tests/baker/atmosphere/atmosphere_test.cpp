@@ -317,6 +317,8 @@ TEST(Profiles, HoldEachAbsorbersOwn) {
     for (std::size_t k = 0; k < absorbers; ++k)
       EXPECT_EQ(profiles(some, h)[k], profile(some, static_cast<Absorber>(k), h));
   EXPECT_EQ(profile(some, ozone, 20e3), 0) << "the column has none";
+  EXPECT_EQ(profile({.ozone_du = 300}, ozone, 20e3), 0) << "its ozone is a filter";
+  EXPECT_EQ(profile({.ozone_path = OzonePath::bent}, ozone, 20e3), 0) << "the column has none";
 }
 
 TEST(Breaks, AreWhereTheProfilesBend) {

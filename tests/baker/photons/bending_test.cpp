@@ -171,6 +171,22 @@ TEST(LimbRay, LosesNothingOfASliverOfAirBelowABreak) {
   }
 }
 
+/// A ray that grazes d below a break differs from one that grazes the break by the other slope of the air in d, as √d.
+TEST(LimbPath, KnowsABreakSixRoundingsAboveIt) {
+  const Column column{.density = atmosphere::Density::us_1976};
+  const auto breaks = atmosphere::breaks_m(column);
+  const double break_m = *std::ranges::lower_bound(breaks, 11e3);  // the tropopause
+  const auto bending = [&](double h) {
+    return limb_path(h, radius_m, column, green.refractivity).bending_rad;
+  };
+  const auto over_root = [&](double below_m) {
+    const double h = break_m - below_m;
+    return (bending(h) - bending(break_m)) / std::sqrt(break_m - h);
+  };
+  for (const double below_m : {1.2e-11, 1e-9, 1e-7})
+    EXPECT_WITHIN_RELATIVE(over_root(below_m), over_root(1e-5), 0.1, "heights are rounded by d/6");
+}
+
 TEST(LimbRay, IsFiniteAndContinuousAtEveryBreakOfTheAir) {
   for (const double h : atmosphere::density_breaks_m())
     for (const double above_m : {-1e-3, -1e-6, -1e-9, -1e-11, 0.0, 1e-11, 1e-9, 1e-6, 1e-3}) {

@@ -32,6 +32,20 @@ std::vector<Optics> optics_of(std::initializer_list<double> wavelengths_nm) {
   return optics;
 }
 
+/// d(n r)/dr = n + r dn/dr, with (n − 1) as ρ/ρ₀.
+TEST(OpticalExcess, HasTheSlopeOfItsValue) {
+  constexpr double step_m = 1;
+  for (const auto& column : {Column{}, full})
+    for (const double h : {2e3, 8e3, 15e3, 25e3, 35e3}) {
+      const auto value = [&](double m) { return optical_excess_m(column, radius_m, m).value; };
+      EXPECT_WITHIN_RELATIVE(value(h), atmosphere::density_ratio(column, h).value * (radius_m + h),
+                             1e-14, "rounding");
+      EXPECT_WITHIN_RELATIVE(optical_excess_m(column, radius_m, h).slope_per_m,
+                             (value(h + step_m) - value(h - step_m)) / (2 * step_m), 1e-6,
+                             "its third derivative over a metre, and rounding");
+    }
+}
+
 void expect_accuracy(const Column& column, int rays, double of_depth) {
   const double error = 10. / rays / rays;
   const auto optics = optics_of({380, 425, 510, 655, 780});

@@ -135,6 +135,19 @@ TEST(PredictedSeconds, HalveOnAMachineTwiceAsFast) {
                          predicted_seconds({}, umbral(), {}) / 2, 1e-12, "rounding");
 }
 
+/// Of parts that nothing else depends on, by one core.
+TEST(PredictedSeconds, HaveAStartTexelsAndAMapAsMeasured) {
+  const auto seconds = [](double texels, bool map_file) {
+    auto scene = umbral();
+    scene.texels = texels;
+    scene.map_file = map_file;
+    return predicted_seconds({}, scene, {.cores = 1});
+  };
+  EXPECT_WITHIN(seconds(1, false) - seconds(0, false), 0.22, 1e-6, "start: one texel is 48 ns");
+  EXPECT_WITHIN(seconds(8e6, false) - seconds(1, false), 0.384, 1e-6, "48 ns each");
+  EXPECT_WITHIN(seconds(0, true) - seconds(0, false), 0.2, 1e-6, "rounding");
+}
+
 TEST(PredictedSeconds, AreFewerWithMoreCoresButNotInProportion) {
   const double one = predicted_seconds({}, umbral(), {.cores = 1}),
                four = predicted_seconds({}, umbral(), {.cores = 4});
@@ -155,6 +168,16 @@ TEST(PredictedSeconds, GrowWithTexelsTermsAndColumns) {
             predicted_seconds({.refracted = false}, scene, {}));
   EXPECT_GT(predicted_seconds({.scattered_light = true}, scene, {}),
             predicted_seconds({}, scene, {}));
+}
+
+TEST(PredictedSeconds, OfTermsThatTheSceneHasNotAreNone) {
+  auto sphere = umbral();
+  sphere.ellipsoid = false;
+  for (const auto method : {Method::quadrature, Method::table})
+    EXPECT_EQ(
+        predicted_seconds({.method = method, .photons = 1e6}, sphere, {}),
+        predicted_seconds({.method = method, .photons = 1e6, .ellipsoid = false, .regions = false},
+                          sphere, {}));
 }
 
 TEST(PredictedSeconds, GoFromTableToMarchedToLiteralUpwards) {

@@ -97,6 +97,27 @@ TEST_F(WriteGlb, ShinesByItselfWithAndWithoutTheExtension) {
   EXPECT_EQ(parts.document["samplers"][0]["minFilter"], 9987);
 }
 
+/// glTF 2.0, 3.6.2.5: the least and greatest of each coordinate, as floats.
+TEST_F(WriteGlb, SaysTheBoundsOfItsPoints) {
+  write_glb(in_folder("moon.glb"), picture(), generator);
+  const Parts parts(bytes_of(in_folder("moon.glb")));
+  const auto& document = parts.document;
+  const auto& accessor =
+      document["accessors"]
+              [document["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<std::size_t>()];
+  const auto bytes = parts.view(accessor["bufferView"]);
+  std::vector<float> points(bytes.size() / sizeof(float));
+  std::memcpy(points.data(), bytes.data(), bytes.size());
+  ASSERT_EQ(points.size(), 3 * accessor["count"].get<std::size_t>());
+  for (std::size_t k = 0; k < 3; ++k) {
+    float low = points[k], high = points[k];
+    for (std::size_t i = k; i < points.size(); i += 3)
+      low = std::min(low, points[i]), high = std::max(high, points[i]);
+    EXPECT_EQ(accessor["min"][k].get<float>(), low);
+    EXPECT_EQ(accessor["max"][k].get<float>(), high);
+  }
+}
+
 TEST_F(WriteGlb, EmitsItsLuminance) {
   Image moon(64, 32, {"R", "G", "B"});
   for (std::size_t i = 0; i < moon.values.size(); ++i)
