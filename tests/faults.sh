@@ -7,7 +7,7 @@
 #   tests/faults.sh --apply     whether each changes its line and has a name of its own, and no more
 #
 # A fault stands in the sources, above the line that it changes, where "old" first occurs: // FAULT name: old => new
-# Prints each fault as caught or SURVIVES; one at which the tests do not end in two minutes is caught. Exits 1 where one
+# Prints each fault as caught or SURVIVES; one at which the tests do not end in ten minutes is caught. Exits 1 where one
 # survives, no longer applies or does not compile. The copy stays in build/faults, for the next time.
 set -eu
 cd "$(dirname "$0")/.."

@@ -170,8 +170,9 @@ double found_error(const ShadowedMoon& moon, const Moonlight& light,
                    const std::optional<shadow::RefractedLight>& twilight) {
   const auto weights = at_wavelengths(luminance_weights(), light.plan.work.bands);
   const auto luminance = light.in_sums(weights, light.range);
-  const double found =
-      error_found(moon, light.plan.work, luminance, {twilight, leaves_scattered_light(light.plan)});
+  constexpr double between_places = 1.2;  // light errs by more than where it was looked at
+  const double found = between_places * error_found(moon, light.plan.work, luminance,
+                                                    {twilight, leaves_scattered_light(light.plan)});
   const auto distances = distances_over_the_disc(moon);
   return std::max(found, 2 * luminance.worst_relative_error(*light.refracted, weights,
                                                             distances.front(), distances.back()));

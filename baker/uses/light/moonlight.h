@@ -93,8 +93,8 @@ struct Moonlight {
   std::optional<shadow::DirectLight> direct;
   shadow::LookupRange range;
   plan::Plan plan;
-  double error_found =
-      0;  ///< largest relative error of luminance at some places of the disc; 0: not told
+  /// largest relative error of luminance on the disc, from that at some places, to which a fifth is added; 0: not told
+  double error_found = 0;
 
   /// Given  weights  (channel, band)
   shadow::Lookup in_channels(const shadow::ChannelWeights& weights) const;

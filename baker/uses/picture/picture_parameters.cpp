@@ -298,9 +298,10 @@ void describe_but_time(Parameters& is, Development& development) {
                    "OpenColorIO configuration in place of the built-in one, a file or ocio://…; "
                    "without it $OCIO, for views and displays that the built-in one has not"))
       .as(request::Kind::file_read);
-  is.add(parameter("config-space", development.config_space,
-                   "colour space of --config that frames are in; default: found by roles and "
-                   "names"));
+  is.add(parameter(
+      "config-space", development.config_space,
+      "colour space of the configuration that frames are in; default: found by its roles and "
+      "names"));
   is.add(
         choice("bits", development.bits, {{"8", 8}, {"16", 16}}, "bits of a number of the picture"))
       .as(request::Kind::whole);

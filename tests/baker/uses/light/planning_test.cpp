@@ -308,8 +308,10 @@ TEST(ErrorFound, SeesEveryCoarseKnob) {
 TEST(ErrorFound, OfABareEarthIsThatOfTheLookUpAlone) {
   EXPECT_LT(found_when([](LightRequest& request) { request.air.atmosphere = "none"; },
                        "2008-02-21T02:10:00Z"),
-            0.06)
-      << "straight lines over a kilometre, of the power of 3/2 that light begins with: 5 %";
+            1.2 * 0.06)
+      << "straight lines over a kilometre, of the power of 3/2 that light begins with: 5 %; a "
+         "fifth is "
+         "added";
 }
 
 TEST(ErrorFound, IsFoundWhereverTheDiscLiesAroundTheAxis) {
@@ -354,7 +356,7 @@ TEST(ErrorFound, SeesScatteredLightThatThePlanLeftOut) {
                        {.counts = scattered_counts});
   };
   ASSERT_FALSE(light.plan.work.scattered_light);
-  EXPECT_EQ(light.error_found, found(true));
+  EXPECT_WITHIN_RELATIVE(light.error_found, 1.2 * found(true), 1e-12, "a fifth is added");
   EXPECT_GT(found(true), found(false) + 3e-4) << "of 3e-3 that scattered light is at most";
 }
 

@@ -53,7 +53,7 @@ double times_reported(const Run& run, const Truth& truth, std::uint64_t index) {
 }
 
 /// At places that the report has not looked at, more may be wrong.
-constexpr double between_places = 1.5;
+constexpr double between_places = 1.25;
 
 TEST(Reached, BoundsTheErrorOfAnyKnobsInAirThatIsAlikeAllAround) {
   for (std::uint64_t i = 0; i < 8; ++i) {
