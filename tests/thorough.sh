@@ -17,7 +17,7 @@ export LSAN_OPTIONS="suppressions=$PWD/.cmake/leaks_of_others.txt:print_suppress
 
 steps="compiled_alone quick_in_release heavy_under_sanitizers races tidy fuzzers libraries_thoroughly program_thoroughly
 extremes_thoroughly films_and_convergence plans_kept plans_kept_with_regions air_recovered stills_recovered
-nights_recovered planted_faults planted_mutations planted_parameter other_programs packages measurements small_examples full_examples
+nights_recovered planted_faults planted_mutations planted_parameter natural_commands other_programs packages measurements small_examples full_examples
 full_film sweep_1 sweep_2 sweep_3 sweep_4 sweep_5 packages_debian_13 portable"
 
 released() { sh examples/build.sh "$1" packages.tests.debian; }
@@ -124,6 +124,11 @@ planted_mutations() {
 planted_parameter() {
   released coppermoon_program
   tests/planted_parameter.sh
+}
+
+natural_commands() {
+  released coppermoon_program
+  tests/natural_commands.sh
 }
 
 other_programs() { tests/hand_off.sh; }
