@@ -22,7 +22,7 @@ class BadInput : public ProgramTest {
     const auto outcome = coppermoon(words, around);
     EXPECT_EQ(outcome.status, status) << outcome.err;
     EXPECT_TRUE(outcome.err.starts_with("coppermoon: ")) << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(std::ranges::count(complaint_of(outcome), '\n'), 1) << outcome.err;
     EXPECT_EQ(outcome.out, "");
     for (const auto part : parts)
       EXPECT_NE(outcome.err.find(part), std::string::npos)
@@ -111,7 +111,8 @@ TEST_F(BadInput, TermsOutsideTheirRangesAreRefusedWithTheirUnit) {
   refused({"--tropospheric-aerosol", "-0.1"}, "tropospheric aerosol = -0.1, allowed 0 to 10");
   refused({"--danjon", "5"}, "danjon = 5, allowed 0 to 4");
   refused({"--dust-extinction", "4.7"}, "dust extinction [1/m] = 4.7, allowed 0 to 0.01");
-  refused({"--dust-bottom-km", "30"}, "dust top [km] = 20, allowed 30 to 86");
+  refused({"--dust-bottom-km", "30", "--dust-extinction", "1e-6"},
+          "dust top [km] = 20, allowed 30 to 86");
   refused({"--ozone-du", "3450"}, "ozone [DU] = 3450, allowed 0 to 1000");
   refused({"--albedo-exponent", "0", "--albedo-map", map()},
           "albedo exponent = 0, allowed 0.1 to 10");
@@ -320,7 +321,7 @@ TEST_F(BadInput, ASolverThatIsSetWrongIsRefused) {
   expect_refused(bake({"--smoothing-km", "-3"}), could_not, {"smoothing [km] = -3"});
   const Words photons{"--solver", "photons", "--photons", "10"};
   expect_refused(bake(photons + Words{"--step-km", "0"}), could_not, {"step [km] = 0"});
-  expect_refused(bake(photons + Words{"--ring-km", "nan"}), could_not, {"ring width [km] = nan"});
+  expect_refused(bake(photons + Words{"--ring-km", "nan"}), could_not, {"ring [km] = nan"});
 }
 
 TEST_F(BadInput, ATextureWidthThatIsNoneIsRefused) {

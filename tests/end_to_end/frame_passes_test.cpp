@@ -185,8 +185,12 @@ TEST_F(FramePasses, OfAFilmAddUpInItsSpaceAndAreKept) {
 }
 
 TEST_F(FramePasses, AreOfFramesAlone) {
-  expect_done(coppermoon(still({"--passes"})));
-  expect_done(coppermoon({"still", "moon.png", "-o", "again.png"}));  // a picture is its own recipe
+  for (const auto& words :
+       {still({"--passes"}), Words{"still", "moon.png", "-o", "again.png"}}) {  // its own recipe
+    const auto done = coppermoon(words);
+    EXPECT_EQ(done.status, 0);
+    EXPECT_EQ(done.err, "coppermoon: --passes: no effect without --frame\n");
+  }
   EXPECT_EQ(text_of(here("again.png")), text_of(here("moon.png")));
   const auto both = coppermoon(film({"--make", "textures,frames", "--passes"}));
   EXPECT_EQ(both.status, 1);

@@ -74,6 +74,7 @@ TEST_F(Plans, ThatAreNotToBeHadSaySo) {
   EXPECT_GT(plan["predicted"]["error"], 1e-4);
   EXPECT_EQ(plan["gave_way"], "tolerance");
   EXPECT_FALSE(this->plan({deep[0]}).contains("gave_way"));
+  EXPECT_EQ(this->plan({deep[0], "--budget", "1ms"})["gave_way"], "budget");
   const auto text = coppermoon({"plan", deep[0], "--tolerance", "0.01%"});
   EXPECT_NE(text.out.find("not reached tolerance: 0.0"), std::string::npos) << text.out;
 }

@@ -328,10 +328,9 @@ TEST_F(RecipesThoroughly, OfAVolcanoDarkensItsHalfOfTheShadow) {
 
 /// An eclipse by a few photons.
 Words by_photons(const char* seed, const char* threads, const char* output) {
-  return {"bake",      "--recipe", "eclipse.toml", "--solver",  "photons",
-          "--photons", "2000",     "--step-km",    "10",        "--smoothing-km",
-          "300",       "--seed",   seed,           "--threads", threads,
-          "-o",        output};
+  return {"bake",      "--recipe",  "eclipse.toml",   "--solver", "photons",
+          "--photons", "2000",      "--smoothing-km", "300",      "--seed",
+          seed,        "--threads", threads,          "-o",       output};
 }
 
 TEST_F(Recipes, PhotonsAreTheSameOnAnyNumberOfThreads) {
