@@ -236,20 +236,17 @@ const Writers<EclipseList>& writers() {
   using List = EclipseList;
   using File = std::filesystem::path;
   static const Writers<List> all{
-      {{".ics"},
-       "a calendar",
+      {{".ics", "calendar"},
        [](const List& list, const File& file) { files::write_whole(file, as_calendar(list)); }},
-      {{".csv"},
-       "a table",
+      {{".csv", "table"},
        [](const List& list, const File& file) { files::write_whole(file, as_csv(list)); }},
-      {{".json"}, "a JSON document", [](const List& list, const File& file) {
-         files::write_whole(file, as_json(list));
-       }}};
+      {{".json", "JSON document"},
+       [](const List& list, const File& file) { files::write_whole(file, as_json(list)); }}};
   return all;
 }
 
 void run(const Options& options) {
-  require_writers(options.outputs, writers());
+  require_writers(options.outputs, writers(), "an almanac");
   const auto list = listed(options);
   if (has_ending(options.outputs, ".ics")) uses::require_in_calendars(eclipses_of(list));
   write_files(list, options.outputs, writers());

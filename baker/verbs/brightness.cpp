@@ -89,12 +89,10 @@ std::string as_csv_of(const Json& all) {
 const Writers<Json>& writers() {
   using File = std::filesystem::path;
   static const Writers<Json> all{
-      {{".csv"},
-       "a table",
+      {{".csv", "table"},
        [](const Json& told, const File& file) { files::write_whole(file, as_csv_of(told)); }},
-      {{".json"}, "a JSON document", [](const Json& told, const File& file) {
-         files::write_whole(file, told.dump(2) + "\n");
-       }}};
+      {{".json", "JSON document"},
+       [](const Json& told, const File& file) { files::write_whole(file, told.dump(2) + "\n"); }}};
   return all;
 }
 
@@ -117,8 +115,8 @@ void print_seen(const nlohmann::ordered_json& seen) {
 void run(const Options& options) {
   if (has_ending(options.outputs, ".ics"))
     throw WrongUsage("--output: night and almanac write calendars (.ics); brightness writes " +
-                     kinds_of(writers()));
-  require_writers(options.outputs, writers());
+                     files::in_words(writers()));
+  require_writers(options.outputs, writers(), "a list of magnitudes");
   auto all = described(options);
   write_files(all, options.outputs, writers());
   if (options.json) {

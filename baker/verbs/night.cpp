@@ -199,26 +199,24 @@ std::string as_csv(const NightReport& night) {
 const Writers<NightReport>& writers() {
   using Night = NightReport;
   using File = std::filesystem::path;
+  constexpr auto map = [](const Night& night, const File& file) {
+    uses::write_visibility_map(file, night.circumstances.eclipse, night.circumstances.place);
+  };
   static const Writers<Night> all{
-      {{".ics"},
-       "a calendar",
+      {{".ics", "calendar"},
        [](const Night& night, const File& file) {
          const auto text = as_calendar(night.circumstances, place_name(night), now());
          files::write_whole(file, text);
        }},
-      {{".csv"},
-       "the moments",
+      {{".csv", "moments"},
        [](const Night& night, const File& file) { files::write_whole(file, as_csv(night)); }},
-      {{".json"},
-       "the moments and the exposures",
+      {{".json", "moments and exposures"},
        [](const Night& night, const File& file) {
          files::write_whole(file, as_json(night).dump(2) + "\n");
        }},
-      {{".png", ".svg", ".pdf"},
-       "a map of where the eclipse is seen",
-       [](const Night& night, const File& file) {
-         uses::write_visibility_map(file, night.circumstances.eclipse, night.circumstances.place);
-       }}};
+      {{".png", "map of where the eclipse is seen"}, map},
+      {{".svg", "the same"}, map},
+      {{".pdf", "the same"}, map}};
   return all;
 }
 
@@ -255,7 +253,7 @@ NightReport night_of(const Options& options) {
 
 void run(const Options& options) {
   if (!options.view.observer) throw WrongUsage("--at: missing; a place is needed, as Honolulu");
-  require_writers(options.outputs, writers());
+  require_writers(options.outputs, writers(), "a night");
   const auto night = night_of(options);
   say_unless_danjon_is_reached(options.moon.light.request.air,
                                almanac::sky_at(night.circumstances.eclipse.greatest));

@@ -184,7 +184,7 @@ TEST_F(Json, BrightnessHasMagnitudesLuminanceAndDanjon) {
   EXPECT_EQ(
       calendar.err,
       "coppermoon: --output: night and almanac write calendars (.ics); brightness writes .csv "
-      "for a table; .json for a JSON document\n");
+      "(table), .json (JSON document)\n");
 }
 
 TEST_F(JsonThoroughly, BrightnessOfTheFullMoonIsTheBooks) {

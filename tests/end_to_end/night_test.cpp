@@ -109,10 +109,10 @@ TEST_F(Night, BeforeTheFirstYearIsATableButNoCalendar) {
 TEST_F(Night, OfNoPlaceOrOfAnotherFileIsRefused) {
   EXPECT_EQ(coppermoon({"night", "2018-07-27"}).err,
             "coppermoon: --at: missing; a place is needed, as Honolulu\n");
-  EXPECT_EQ(coppermoon({"night", "2018-07-27", "--at", "London", "-o", "a.gif"}).err,
-            "coppermoon: a.gif: allowed .ics for a calendar; .csv for the moments; .json for the "
-            "moments and "
-            "the exposures; .png, .svg, .pdf for a map of where the eclipse is seen\n");
+  EXPECT_EQ(
+      coppermoon({"night", "2018-07-27", "--at", "London", "-o", "a.gif"}).err,
+      "coppermoon: a.gif: a night ends in .ics (calendar), .csv (moments), .json (moments and "
+      "exposures), .png (map of where the eclipse is seen), .svg (the same), .pdf (the same)\n");
   EXPECT_NE(coppermoon({"night", "2018-07-27", "--at", "London", "--zone", "Moon/Tycho"})
                 .err.find("time zone = Moon/Tycho: not in this system's zoneinfo"),
             std::string::npos);
@@ -159,8 +159,8 @@ TEST_F(AlmanacFiles, HoldWhatIsPrinted) {
 
 TEST_F(AlmanacFiles, AreRefusedWhereTheyCannotBe) {
   EXPECT_EQ(coppermoon({"almanac", "2018", "-o", "a.txt"}).err,
-            "coppermoon: a.txt: allowed .ics for a calendar; .csv for a table; .json for a JSON "
-            "document\n");
+            "coppermoon: a.txt: an almanac ends in .ics (calendar), .csv (table), .json (JSON "
+            "document)\n");
   EXPECT_NE(coppermoon({"almanac", "-600", "-o", "a.csv", "-o", "a.ics"})
                 .err.find("iCalendar has no years before 1"),
             std::string::npos);

@@ -13,17 +13,17 @@ TEST(Writers, AreChosenByTheEndingOfAFile) {
       written += fmt::format("{} {} {}. ", name, number, file.string());
     };
   };
-  const Writers<int> writers{{{".csv"}, "a table", into("table")},
-                             {{".png", ".svg"}, "a map", into("map")}};
-  EXPECT_EQ(kinds_of(writers), ".csv for a table; .png, .svg for a map");
+  const Writers<int> writers{{{".csv", "table"}, into("table")},
+                             {{".png", "map"}, into("map")},
+                             {{".svg", "map"}, into("map")}};
   write_files(7, {"a.svg", "b.csv", "c.png"}, writers);
   EXPECT_EQ(written, "map 7 a.svg. table 7 b.csv. map 7 c.png. ");
   const std::vector<std::string> names{"a.svg", "b.gif"};
   try {
-    require_writers(names, writers);
+    require_writers(names, writers, "a number");
     ADD_FAILURE() << "b.gif was taken";
   } catch (const algebra::Error& error) {
-    EXPECT_STREQ(error.what(), "b.gif: allowed .csv for a table; .png, .svg for a map");
+    EXPECT_STREQ(error.what(), "b.gif: a number ends in .csv (table), .png (map), .svg (map)");
   }
   EXPECT_TRUE(has_ending(names, ".gif"));
   EXPECT_FALSE(has_ending(names, ".ics"));
