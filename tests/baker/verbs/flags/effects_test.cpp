@@ -256,7 +256,7 @@ struct CameraSubject : Subject {
       constexpr auto space = colour::WorkingSpace::linear_rec709;
       constexpr double arcsec_rad = 4.85e-6;
       const uses::SeenFrame seen{.pixel_rad = arcsec_rad, .sky_cd_m2 = 0.02};
-      const auto [exposure, longer_s] = exposures_for(development, frame, space, seen);
+      const auto exposure = exposures_for(development, frame, space, seen).shorter;
       Numbers numbers{exposure.time_s, exposure.f_number, exposure.iso,
                       scale_of(development, exposure)};
       if (spectral_response(development.camera)) numbers.push_back(1);  // of the Moon's light
@@ -382,7 +382,7 @@ const std::set<std::string, std::less<>>& effective_by_themselves() {
       "movie", "hdr", "composite", "stage", "cache", "embed", "for", "list", "clean", "limit",
       "folder", "job", "dry-run", "replace", "shard", "keep", "add", "stars",
       // of a film: a run may make what a later one needs, and its folder keeps all of them
-      "frames", "fps", "time-scale", "duration", "moments", "make", "range", "mount", "aim",
+      "frames", "fps", "start-frame", "time-scale", "duration", "moments", "make", "range", "mount", "aim",
       "bracket", "caption", "space", "type", "spectral", "passes",
       // of textures, domes, strips and measurements
       "albedo-map", "photometry", "ground", "texture-width", "unshadowed", "width", "moon",
