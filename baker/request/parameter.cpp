@@ -91,10 +91,9 @@ void Parameter::take(const Texts& texts) {
   for (const auto& text : texts) {
     const auto fault = respelt ? "" : fault_in(kind, text);
     if (!fault.empty()) throw algebra::Error(fmt::format("{} = {}", name, fault));
-    if (range && is_number(kind) && !respelt)
-      algebra::require_within(title_of(*this), algebra::number_in(text).value(), range->low,
-                              range->high);
     alike.push_back(respelt ? respelt(text) : spelt(kind, text));
+    if (const auto number = algebra::number_in(alike.back()); range && number && is_number(kind))
+      algebra::require_within(title_of(*this), *number, range->low, range->high);
   }
   write(alike);
   given = std::move(alike);

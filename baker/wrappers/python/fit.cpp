@@ -136,8 +136,8 @@ exposure_time_s, iso, f_number: without them as its header says
       .def(py::init([](const std::filesystem::path& file, const Moment& when,
                        texture::Coding coding, std::optional<double> exposure_time_s,
                        std::optional<double> iso, std::optional<double> f_number) {
-             return EclipsePhotograph{file.string(),   when.seen_from({}), coding,
-                                      exposure_time_s, iso,                f_number};
+             return EclipsePhotograph{
+                 file.string(), when.seen_from({}), coding, exposure_time_s, iso, f_number};
            }),
            "file"_a, "when"_a, py::kw_only(), "coding"_a = texture::Coding::as_file_says,
            "exposure_time_s"_a = py::none(), "iso"_a = py::none(), "f_number"_a = py::none())

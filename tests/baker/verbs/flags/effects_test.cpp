@@ -244,7 +244,8 @@ struct CameraSubject : Subject {
   texture::Image frame{8, 8, {"R", "G", "B"}};
 
   CameraSubject() {
-    static const std::set<std::string> of_the_picture{"view", "display", "config", "bits"};
+    static const std::set<std::string> of_the_picture{"view", "display", "config", "config-space",
+                                                      "bits"};
     Parameters all;
     describe(all, development.camera);
     describe(all, development);
@@ -373,22 +374,23 @@ struct Program {
 const std::set<std::string, std::less<>>& effective_by_themselves() {
   static const std::set<std::string, std::less<>> all{
       // what is asked, when and where
-      "instant", "eclipse", "calendar", "from", "to", "at", "zone", "on", "feature", "instants",
-      "frame", "photo", "render", "photos", "photographs", "magnitudes", "recipe-in", "commands",
-      "shadow-convention", "brightness", "moon-distance-km", "sun-distance-km", "danjon-spread",
-      "unknowns", "despite-misfit", "only", "longest", "repeat", "quick",
+      "instant", "eclipse", "calendar", "year", "from", "to", "at", "focal-length", "zone", "on",
+      "feature", "instants", "frame", "photo", "render", "photos", "photographs", "magnitudes",
+      "recipe-in", "commands", "shadow-convention", "brightness", "moon-distance-km",
+      "sun-distance-km", "danjon-spread", "unknowns", "despite-misfit", "only", "longest", "repeat",
+      "quick",
       // what is written, and how; several are refused where they contradict others
       "output", "json", "csv", "recipe", "lookup", "raw", "photograph", "contact-sheet", "curve",
       "movie", "hdr", "composite", "stage", "cache", "embed", "for", "list", "clean", "limit",
       "folder", "job", "dry-run", "replace", "shard", "keep", "add", "stars",
       // of a film: a run may make what a later one needs, and its folder keeps all of them
-      "frames", "fps", "start-frame", "time-scale", "duration", "moments", "make", "range", "mount", "aim",
-      "bracket", "caption", "space", "type", "spectral", "passes",
+      "frames", "fps", "start-frame", "time-scale", "duration", "moments", "make", "range", "mount",
+      "aim", "bracket", "caption", "space", "type", "spectral", "passes",
       // of textures, domes, strips and measurements
       "albedo-map", "photometry", "ground", "texture-width", "unshadowed", "width", "moon",
       "ground-albedo", "scale", "exposure", "bins", "coding", "response", "time", "danjon",
       // of pictures
-      "view", "display", "config", "bits"};
+      "view", "display", "config", "config-space", "bits"};
   return all;
 }
 
