@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# How to add a term of the air, a camera's response, a city and a map's encoding, as worked examples that run: plants one of
-# each in a copy of the sources, builds the program, and shows that it has them without any other edit: the term,
+# How to add a term of the air, a camera's response, a city, a map's encoding and an output format, as worked examples that run:
+# plants one of each in a copy of the sources, builds the program, and shows that it has them without any other edit: the term,
 # `volcanic-glass`, in flags, help, completions, recipes, `describe`, random recipes, the fuzzers' words and docs/recipes.md.
 # Exits 1 where something lacks one, or where one needs more edits than are allowed here. The copy stays in build/planted,
 # for the next time.
@@ -73,7 +73,7 @@ counted 'term of the air' 9 8
 awk -F, '/^#/ { print; next } !named { named = 1; print $0 ",planted-camera_r,planted-camera_g,planted-camera_b"; next }
   { print $0 "," $2 "," $3 "," $4 }' "$new/colour/data/camera_spectra.csv" >"$scratch/edited"
 edited colour/data/camera_spectra.csv
-swap docs/cameras.md 'and `fujifilm-x-t3` (measured' '`fujifilm-x-t3` and `planted-camera` (measured'
+swap docs/cameras.md '`fujifilm-x-t3` (measured' '`fujifilm-x-t3` and `planted-camera` (measured'
 counted "camera's response" 2 2
 
 # A city: its row.
@@ -86,6 +86,15 @@ edit baker/uses/picture/moon.cpp 'std::vector<Decoding> decodings{' \
   '    {{"planted-map", AlbedoEncoding::planted_map, "sRGB"}, texture::Coding::srgb, as_it_is},'
 edit docs/textures.md '| `cgi-moon-kit-2025` |' '| `planted-map` | a planted one | sRGB is undone |'
 counted "map's encoding" 3 3
+
+# An output format of pictures: its function, and its row in the table.
+edit baker/uses/picture/picture_files.cpp 'namespace fs = std::filesystem;' '
+void write_as_ppm(const fs::path& file, const ShownPicture& picture) {
+  texture::write_picture(file, picture.layout, picture.rows, {"pnm", 8}, picture.attributes);
+}'
+swap baker/uses/picture/picture_files.cpp 'true, write_as_avif}};' \
+  'true, write_as_avif}, PictureFile{{".ppm", "planted"}, false, write_as_ppm}};'
+counted 'output format' 2 1
 
 (cd "$new" && find . -type f) | while read -r file; do
   if cmp -s "$new/$file" "$copy/$file"; then continue; fi
@@ -139,3 +148,6 @@ echo "camera's response"
 printf 'P5\n4 2\n255\n\377\377\377\377\377\377\377\177' >map.pgm
 bake 2018-07-27 $small --albedo-map map.pgm --albedo-encoding planted-map -o map.exr
 strings -n 8 map.exr | has "map's encoding" 'albedo-encoding = "planted-map"'
+"$program" develop clear.exr -o a.ppm >/dev/null
+[ "$(head -c 2 a.ppm)" = P6 ] || { echo "a.ppm is no picture" >&2; exit 1; }
+"$program" develop --help | has 'output format' '.ppm (planted)'
