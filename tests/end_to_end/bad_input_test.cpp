@@ -151,7 +151,7 @@ TEST_F(BadInput, ASceneInThePlaceOfAFileIsRefused) {
 }
 
 TEST_F(BadInput, ATextureOfAnotherEndingIsRefused) {
-  expect_refused(bake({"-o", "moon.jpg"}), could_not, {"moon.jpg", ".exr"});
+  expect_refused(bake({"-o", "moon.tif"}), could_not, {"moon.tif", ".exr"});
 }
 
 TEST_F(BadInput, AFullDiskIsAnErrorAndLeavesNothing) {

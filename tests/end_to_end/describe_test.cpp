@@ -203,6 +203,7 @@ TEST_F(Ranges, AreThoseThatTheLibraryKeeps) {
   /// Commands that take files or long, and where the ends of their own numbers are tested.
   static const std::map<std::string, const char*> elsewhere{
       {"frames", "uses/film/film_times"},
+      {"year", "end_to_end/night"},
       {"fps", "uses/film/film_times"},
       {"duration", "uses/film/film_times"},
       {"start-frame", "uses/film/film_times"},

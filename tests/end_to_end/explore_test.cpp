@@ -836,7 +836,7 @@ TEST_F(Explore, ACalendarListsItsPages) {
             (std::set<std::string>{"here/year", "here/year/index.html", "here/year/2025-03-14.html",
                                    "here/year/2025-09-07.html"}));
   const auto index = text_of(here("year/index.html"));
-  EXPECT_NE(index.find("<a href=\"2025-03-14.html\">2025-03-14</a></td><td>06:58</td><td>total"),
+  EXPECT_NE(index.find("<a href=\"2025-03-14.html\">2025-03-14</a></td><td>06:59</td><td>total"),
             std::string::npos)
       << index;
   file("year/2025-09-07.html", "<p>my own</p>\n");

@@ -196,8 +196,9 @@ TEST_F(HighRangeFilm, SaysWhatItHolds) {
 }
 
 TEST_F(HighRangeFilm, WithoutPicturesOrInAViewThatIsNotIsRefused) {
-  EXPECT_EQ(coppermoon(film + Words{"--make", "frames"}).err,
-            "coppermoon: --hdr is of pictures, allowed with pictures among --make\n");
+  EXPECT_EQ(
+      coppermoon(Words{"animate", "2018-07-27", "--make", "frames", "--hdr", "-o", "film"}).err,
+      "coppermoon: --hdr is of pictures, allowed with pictures among --make\n");
   EXPECT_NE(coppermoon(film + Words{"--view", "Dreamy"}).err.find("view = Dreamy, allowed"),
             std::string::npos);
   EXPECT_EQ(listing(), std::set<std::string>{});

@@ -120,6 +120,7 @@ SeenFrame seen_by(const std::filesystem::path& frame) {
   seen.pixel_rad = std::max(0., number_in(frame, pixel_attribute)) * arcsec_rad;
   if (const double sky = number_in(frame, sky_attribute); sky >= 0) seen.sky_cd_m2 = sky;
   seen.disc = outline_in(texture::read_attribute(frame, disc_attribute).value_or(""));
+  seen.of_another_program = !texture::read_attribute(frame, "coppermoon:version");
   return seen;
 }
 

@@ -51,6 +51,7 @@ struct SeenFrame {
   double pixel_rad = 0;  ///< angle across the middle pixel; 0: from the sensor's width
   std::optional<double> sky_cd_m2 = {};  ///< nothing: not known
   std::optional<DiscOutline> disc = {};  ///< the Moon's edge; nothing: not known
+  bool of_another_program = false;       ///< by its header
 };
 
 /// Facts of a frame of a view; twilight comes from the Sun below the observer's horizon.

@@ -382,7 +382,7 @@ double scale_of(const Development& development, const colour::Exposure& exposure
 }
 
 bool is_a_cameras(const Development& development, const SeenFrame& seen) {
-  return seen.pixel_rad > 0 || development.time.rule == ExposureTime::Rule::fixed ||
+  return !seen.of_another_program || development.time.rule == ExposureTime::Rule::fixed ||
          development.f_number || !development.camera.model.empty();
 }
 

@@ -104,7 +104,7 @@ std::string fingerprint(const Development& development, colour::WorkingSpace spa
 /// Factor from luminance [cd/m²] to the scale on which white is 1.
 double scale_of(const Development& development, const colour::Exposure& exposure);
 
-/// Whether an exposure is a camera's: of a frame of ours, which is seen through one, or of one whose time, f-number or
+/// Whether an exposure is a camera's: of a file of ours, which holds the Moon's light, or of one whose time, f-number or
 /// model is given. Another program's scene may be of any light.
 bool is_a_cameras(const Development& development, const SeenFrame& seen);
 
