@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <condition_variable>
 #include <cstdio>
 #include <system_error>
 
@@ -41,22 +40,32 @@ void ProgressBar::draw(double fraction) {
 }
 
 AtWork::AtWork(std::string command, std::chrono::milliseconds first,
-               std::chrono::milliseconds others) {
+               std::chrono::milliseconds others)
+    : command_(std::move(command)) {
   if (isatty(STDERR_FILENO) != 0) return;
-  const auto say = [command = std::move(command), first, others](const std::stop_token& end) {
-    std::mutex alone;
-    std::condition_variable_any ended;
-    std::unique_lock lock(alone);
-    auto passed = first;
-    for (auto wait = first; !ended.wait_for(lock, end, wait, [&] { return end.stop_requested(); });
-         wait = others, passed += others)
-      fmt::print(stderr, "coppermoon: {}: at work for {:.0f} s\n", command,
-                 std::chrono::duration<double>(passed).count());
-  };
   try {
-    saying_ = std::jthread(say);
+    saying_ = std::thread([this, first, others] { say(first, others); });
   } catch (const std::system_error&) {  // no thread: nothing is said
   }
+}
+
+AtWork::~AtWork() {
+  if (!saying_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  end_.notify_one();
+  saying_.join();
+}
+
+void AtWork::say(std::chrono::milliseconds first, std::chrono::milliseconds others) {
+  std::unique_lock lock(mutex_);
+  auto passed = first;
+  for (auto wait = first; !end_.wait_for(lock, wait, [this] { return ended_; });
+       wait = others, passed += others)
+    fmt::print(stderr, "coppermoon: {}: at work for {:.0f} s\n", command_,
+               std::chrono::duration<double>(passed).count());
 }
 
 }  // namespace coppermoon::verbs

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -37,9 +38,19 @@ class AtWork {
   /// Given  waits  before the first line and between others
   explicit AtWork(std::string command, std::chrono::milliseconds first = std::chrono::seconds(10),
                   std::chrono::milliseconds others = std::chrono::minutes(1));
+  ~AtWork();
+  AtWork(const AtWork&) = delete;
+  AtWork& operator=(const AtWork&) = delete;
 
  private:
-  std::jthread saying_;
+  /// Asks for no memory before there is something to say: a thread's first would take 64 MB of addresses.
+  void say(std::chrono::milliseconds first, std::chrono::milliseconds others);
+
+  std::string command_;
+  bool ended_ = false;
+  std::mutex mutex_;
+  std::condition_variable end_;
+  std::thread saying_;
 };
 
 }  // namespace coppermoon::verbs
