@@ -121,8 +121,9 @@ endforeach()
 # The Python package under NumPy 2: Debian's is NumPy 1, with which the package's own tests run.
 if(TARGET coppermoon_python)
   set(venv ${PROJECT_BINARY_DIR}/hand_off/numpy2)
-  file(STRINGS ${pinned} numpy2 REGEX "^#numpy==")
-  string(REPLACE "#" "" numpy2 ${numpy2})
+  file(STRINGS ${pinned} numpy2 REGEX "^(#numpy|OpenImageIO)==")  # Debian's OpenImageIO knows NumPy 1 alone
+  list(TRANSFORM numpy2 REPLACE "#" "")
+  list(JOIN numpy2 " " numpy2)
   add_test(NAME hand_off/numpy2/is_installed
            COMMAND sh -c "${COPPERMOON_PYTHON} -m venv ${venv} && ${venv}/bin/pip install --quiet ${numpy2}")
   set_tests_properties(hand_off/numpy2/is_installed PROPERTIES FIXTURES_SETUP numpy2 LABELS hand_off TIMEOUT 300)
