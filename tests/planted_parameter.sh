@@ -141,7 +141,7 @@ echo 'recipe of a region'
 "$program" bake 2018-07-27 $small --volcanic-glass 11 -o no.exr 2>refused && exit 1
 has 'refusal' 'volcanic glass = 11, allowed 0 to 10' <refused
 
-"$program" sky 2018-07-27 --at 'Planted City' | has 'city' 'Planted City'
+"$program" night 2018-07-27 --at 'Planted City' | has 'city' 'Planted City: '
 bake 2018-07-27 $small --response planted-camera -o camera.exr
 ! cmp -s clear.exr camera.exr || { echo "planted-camera changes no light" >&2; exit 1; }
 echo "camera's response"
