@@ -147,7 +147,7 @@ bake 2018-07-27 $small --response planted-camera -o camera.exr
 echo "camera's response"
 printf 'P5\n4 2\n255\n\377\377\377\377\377\377\377\177' >map.pgm
 bake 2018-07-27 $small --albedo-map map.pgm --albedo-encoding planted-map -o map.exr
-strings -n 8 map.exr | has "map's encoding" 'albedo-encoding = "planted-map"'
+strings -n 8 map.exr | has "map's encoding" "albedo-encoding = 'planted-map'"
 "$program" develop clear.exr -o a.ppm >/dev/null
 [ "$(head -c 2 a.ppm)" = P6 ] || { echo "a.ppm is no picture" >&2; exit 1; }
 "$program" develop --help | has 'output format' '.ppm (planted)'
