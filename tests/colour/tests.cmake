@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 coppermoon_tests(colour LINKS coppermoon::colour coppermoon::surface PkgConfig::OpenImageIO
-  QUICK bracket camera_spectra cie_observer difference display exposure glow limb photograph picture_part point_spread similarity tone_curve
+  QUICK bracket camera_spectra cie_observer circles difference disc_features display exposure glow limb photograph picture_part point_spread similarity tone_curve
         working_space
   HEAVY limb_in_jpeg registration)
 coppermoon_computing_tests(colour limb limb_in_jpeg registration)
