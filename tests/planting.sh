@@ -7,10 +7,10 @@ build=$PWD/build/faults/build
 
 target_of() { printf '%s_quick_tests\n' "$1" | tr / _; }
 
-# Runs the quick tests of a stage. Ten minutes are many times what any stage takes; changed programs may never end, or
+# Runs the quick tests of a stage. Three minutes are many times what any stage takes; changed programs may never end, or
 # fill the memory.
 passes() {
-  (ulimit -v 8000000 && GTEST_FAIL_FAST=1 GTEST_BRIEF=1 timeout 600 "$build/tests/$(target_of "$1")") >"$build.log" 2>&1
+  (ulimit -v 8000000 && GTEST_FAIL_FAST=1 GTEST_BRIEF=1 timeout 180 "$build/tests/$(target_of "$1")") >"$build.log" 2>&1
 }
 
 # prepare STAGE …: copies the sources and builds the quick tests of stages, which have to pass.

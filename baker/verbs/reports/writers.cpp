@@ -10,8 +10,9 @@
 namespace coppermoon::verbs {
 
 bool has_ending(const std::vector<std::string>& names, std::string_view ending) {
-  return std::ranges::any_of(
-      names, [&](const std::filesystem::path name) { return name.extension().string() == ending; });
+  return std::ranges::any_of(names, [&](const std::string& name) {
+    return std::filesystem::path(name).extension() == ending;
+  });
 }
 
 void print_names(const std::vector<std::string>& names) {

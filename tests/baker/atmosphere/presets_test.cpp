@@ -37,6 +37,15 @@ TEST(Preset, OfTheStandardIsTheAirOfAMonth) {
       << "Pinatubo";
 }
 
+TEST(Preset, CalibratedHasThreeFifthsOfTheStandardsCloud) {
+  const auto standard = preset("standard", {}, 2001.5),
+             calibrated = preset("calibrated", {}, 2001.5);
+  for (std::size_t belt = 0; belt < standard.belts.size(); ++belt)
+    EXPECT_EQ(calibrated.belts[belt].column.cloud_per_m,
+              0.6 * standard.belts[belt].column.cloud_per_m)
+        << "docs/air.md";
+}
+
 TEST(Preset, OfTheStandardStandsOverTheLatitudesOfTheLimb) {
   EXPECT_WITHIN(algebra::in_degrees(latitude_on_limb(0, algebra::degrees(20))), 70, 1e-9,
                 "90 - 20");
