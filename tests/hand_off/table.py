@@ -25,6 +25,7 @@ def debian(package):
 
 
 pinned = dict(re.findall(r"^([\w-]+)==(\S+)$", (root / "packages.hand_off.pypi").read_text(), re.M))
+numpy2 = re.search(r"^#numpy==(\S+)$", (root / "packages.hand_off.pypi").read_text(), re.M)[1]
 npm = json.loads((root / "tests/hand_off/gltf/package.json").read_text())["dependencies"]
 bpys = sorted(set(re.findall(r"hand_off/add_on_in_blender_([\d.]+)\b", log)))
 
@@ -43,6 +44,8 @@ ROWS = [
      ["colour/openimageio_finds_spaces"]),
     ("OpenColorIO", pinned["opencolorio"], "`config_aces2.ocio`", "`ociocheck` is silent; views as those of its own ACES",
      ["colour/opencolorio_shows_the_same", "colour/passes_ociocheck"]),
+    ("NumPy", numpy2, "`import coppermoon`", "all tests of the Python package",
+     ["numpy2/behaviour", "numpy2/numbers"]),
     ("OpenUSD", pinned["usd-core"], "`.usda`, `.usdz`", "validators find nothing; finds the colour space by itself",
      ["validators/find_nothing", "colour/usd_finds_spaces"]),
     ("OpenUSD", pinned["usd-core"], "`animate --stage`", "read, node by node: the film's textures within 2 %; light in lux; camera; "
