@@ -15,20 +15,6 @@ namespace coppermoon::atmosphere {
 /// Source  the literature's factor 1.08e5; the Sun's V = -26.76 and 1.28e5 lx confirm it to 3 %
 double luminance_of_magnitude_cd_m2(double mag_per_arcsec2);
 
-/// Luminance of a clear sky, added to everything seen through it: twilight, and the airglow of a moonless
-/// night, 21.9 mag/arcsec².
-///
-///     0.6 · 10^(a + b x + c x² + d x³) / π      x: the Sun's altitude over 90 degrees
-///
-/// Given     sun_altitude  of the Sun's centre, airless; -90 to 5 degrees
-/// Returned  [cd/m²] at the zenith, 0.6 of the sky's mean: 145 with the Sun on the horizon, 1.9e-4 at night
-/// Accuracy  a factor of two across the sky
-/// Omits     the light of Moon and towns, zodiacal light; the sky's colour
-/// Throws    Error         when the Sun's altitude is outside its range
-/// Source    illuminance: Janiczek & DeYoung (1987), USNO Circular 171; zenith: Patat, Ugolnikov &
-///           Postylyakov (2006), A&A 455, 385; night: Patat (2003), A&A 400, 1183
-double sky_luminance_cd_m2(algebra::Angle sun_altitude);
-
 /// Extinction of the air above an observer in V, at the zenith [mag].
 ///
 ///     k = 2.5 lg e · τ(550 nm)        τ: Rayleigh scattering, ozone and aerosol (vertical_depths)
@@ -92,33 +78,5 @@ ScatteringTerms scattering_terms(algebra::Angle from_lamp);
 ///           tenth
 /// Source    Krisciunas & Schaefer (1991), PASP 103, 1033
 double moonlit_sky_cd_m2(const SkyLamp& moon, const SkyDirection& towards, double extinction_mag);
-
-/// Twilight of a clear sky in every direction.
-///
-///     L = L₀ (1 + w (s/s₀ − 1))        s = 10^(0.4 z/(360° k)) (100°/θ) (1 − 10^(−0.4 k X))
-///
-/// L₀ and s₀ are those of the zenith, without airglow; z is the zenith distance, θ the angle from the Sun (held at 5
-/// degrees). Schaefer's pattern s alone gives the ground twice the almanac's illuminance: the share w of it, of 0 to 1,
-/// is the one with which the whole sky gives the illuminance that sky_luminance_cd_m2 is made of.
-///
-/// Given     sun_altitude    -90 to 5 degrees, airless
-///           extinction_mag  k, of visual_extinction_mag; held at 0.05
-/// Accuracy  a factor of two; the illuminance of level ground 4 %, in air with k from 0.1 to 0.5
-/// Omits     the Earth's shadow and the belt above it
-/// Throws    Error           when the Sun's altitude is outside its range
-/// Source    pattern: Schaefer (1993), Vistas in Astronomy 36, 311, as in "To the visual limits", Sky & Telescope (May
-///           1998) 57
-class Twilight {
- public:
-  Twilight(algebra::Angle sun_altitude, double extinction_mag);
-
-  /// [cd/m²]
-  double luminance_cd_m2(const SkyDirection& towards) const;
-
- private:
-  double pattern(const SkyDirection& towards) const;
-
-  double extinction_mag_, zenith_cd_m2_, of_zenith_, share_ = 0;
-};
 
 }  // namespace coppermoon::atmosphere

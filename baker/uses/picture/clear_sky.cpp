@@ -42,8 +42,7 @@ ClearSky::ClearSky(const almanac::Observer& place, const almanac::SkyState& sky,
       moon_{moon_magnitudes[V_band], almanac::view_from(place, sky).altitude},
       to_sun_(sun_in_sky(almanac::view_from(place, sky), sky)),
       sun_altitude_(altitude_of(to_sun_)),
-      twilight_(of_twilight(sun_altitude_), extinction_mag_),
-      of_sun_(air, sun_altitude_) {
+      twilight_(of_twilight(sun_altitude_), air) {
   const auto seen = apparent_place(place, sky);
   to_moon_ = in_sky(seen.altitude, seen.azimuth);
   const ColourIndices colour{moon_magnitudes[0] - moon_magnitudes[1],
@@ -61,14 +60,12 @@ ClearSky::ClearSky(const almanac::Observer& place, const almanac::SkyState& sky,
 
 Rgb ClearSky::light(const glm::dvec3& direction) const {
   static const auto night = colour_of(spectrum_of({1.03, 0.74}));
-  const auto terms = towards(direction);
   const auto altitude = altitude_of(direction);
-  const double aside = std::atan2(direction.x, direction.y) - algebra::in_radians(sun_azimuth());
-  const auto twilight = of_sun_.towards(altitude, algebra::radians(aside));
-  Rgb light{};
-  for (std::size_t k = 0; k < light.size(); ++k)
-    light[k] = terms.airglow * night[k] + terms.twilight * twilight[k];
-  if (!(terms.moonlight > 0) || of_moon_.empty()) return light;
+  auto light = twilight_towards(direction);
+  const double airglow = atmosphere::airglow_cd_m2(altitude, extinction_mag_),
+               moonlight = moonlight_towards(direction);
+  for (std::size_t k = 0; k < light.size(); ++k) light[k] += airglow * night[k];
+  if (!(moonlight > 0) || of_moon_.empty()) return light;
   const double up = std::clamp(algebra::in_degrees(altitude) / 90, 0., 1.) * altitude_steps;
   const auto below = std::min(static_cast<std::size_t>(up), altitude_steps - 1);
   const auto& lower = of_moon_[below];
@@ -80,15 +77,25 @@ Rgb ClearSky::light(const glm::dvec3& direction) const {
         std::lerp(molecules * lower.molecules[k] + aerosol * lower.aerosol[k],
                   molecules * upper.molecules[k] + aerosol * upper.aerosol[k], up - double(below));
   scattered = normalised(scattered);
-  for (std::size_t k = 0; k < light.size(); ++k) light[k] += terms.moonlight * scattered[k];
+  for (std::size_t k = 0; k < light.size(); ++k) light[k] += moonlight * scattered[k];
   return light;
 }
 
 SkyTerms ClearSky::towards(const glm::dvec3& direction) const {
   const auto altitude = altitude_of(direction);
   return {atmosphere::airglow_cd_m2(altitude, extinction_mag_),
-          twilight_.luminance_cd_m2({altitude, from_sun(direction)}),
-          atmosphere::moonlit_sky_cd_m2(moon_, {altitude, from_moon(direction)}, extinction_mag_)};
+          colour::luminance(picture_space, twilight_towards(direction)),
+          moonlight_towards(direction)};
+}
+
+Rgb ClearSky::twilight_towards(const glm::dvec3& direction) const {
+  const double azimuth = std::atan2(direction.x, direction.y);
+  return twilight_.towards(altitude_of(direction), algebra::radians(azimuth) - sun_azimuth());
+}
+
+double ClearSky::moonlight_towards(const glm::dvec3& direction) const {
+  return atmosphere::moonlit_sky_cd_m2(moon_, {altitude_of(direction), from_moon(direction)},
+                                       extinction_mag_);
 }
 
 algebra::Angle ClearSky::from_moon(const glm::dvec3& direction) const {

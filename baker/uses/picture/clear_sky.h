@@ -9,8 +9,8 @@
 #include "almanac/observer.h"
 #include "atmosphere/observer_air.h"
 #include "atmosphere/sky_luminance.h"
+#include "atmosphere/twilight_sky.h"
 #include "uses/picture/scattered_colour.h"
-#include "uses/picture/twilight_colour.h"
 
 namespace coppermoon::uses {
 
@@ -22,7 +22,7 @@ struct SkyTerms {
 };
 
 /// Clear sky over a place at one moment, in every direction: airglow, twilight, and moonlight that the air scatters
-/// (atmosphere/sky_luminance.h). Of a day it is that of bright twilight, with the Sun at 5 degrees.
+/// (atmosphere/twilight_sky.h, sky_luminance.h). Of a day it is that of bright twilight, with the Sun at 5 degrees.
 class ClearSky {
  public:
   /// Given   moon_magnitudes  of the Moon above the air: B, V, R; infinite ones of a dark Moon
@@ -34,7 +34,7 @@ class ClearSky {
            const atmosphere::ObserverAir& air, double moon_magnitude);
 
   /// Light of the sky [cd/m²], linear Rec.709; its luminance is that of `towards`. Moonlight as the air scatters it
-  /// (ScatteredColour); twilight as TwilightColour; airglow with B − V = 1.03 and V − R = 0.74.
+  /// (ScatteredColour); airglow with B − V = 1.03 and V − R = 0.74.
   ///
   /// Given   direction  as for `towards`
   /// Source  colour of airglow: Patat (2003), A&A 400, 1183
@@ -54,12 +54,14 @@ class ClearSky {
   double extinction_mag() const { return extinction_mag_; }  ///< in V, at the zenith
 
  private:
+  Rgb twilight_towards(const glm::dvec3& direction) const;
+  double moonlight_towards(const glm::dvec3& direction) const;
+
   double extinction_mag_;
   atmosphere::SkyLamp moon_;
   glm::dvec3 to_moon_, to_sun_;  ///< east, north, up
   algebra::Angle sun_altitude_;
-  atmosphere::Twilight twilight_;
-  TwilightColour of_sun_;
+  atmosphere::TwilightSky twilight_;
   std::vector<ScatteredColour::Pair>
       of_moon_;  ///< at even altitudes from 0 to 90 degrees; empty: it is dark
 };
