@@ -118,6 +118,14 @@ foreach(step files_are_made ${colour_checks})
   set_tests_properties(hand_off/colour/${step} PROPERTIES LABELS hand_off TIMEOUT 600 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 endforeach()
 
+# Light scattered into the shadow, as sasktran2 has it.
+add_executable(hand_off_write_twilight hand_off/scattered_light/write_twilight.cpp)
+target_link_libraries(hand_off_write_twilight PRIVATE coppermoon::shadow nlohmann_json::nlohmann_json)
+coppermoon_warnings(hand_off_write_twilight)
+add_test(NAME hand_off/scattered_light
+         COMMAND ${python}/bin/python ${CMAKE_CURRENT_LIST_DIR}/scattered_light/check_twilight.py $<TARGET_FILE:hand_off_write_twilight>)
+set_tests_properties(hand_off/scattered_light PROPERTIES FIXTURES_REQUIRED python LABELS hand_off TIMEOUT 300)
+
 # The Python package under NumPy 2: Debian's is NumPy 1, with which the package's own tests run.
 if(TARGET coppermoon_python)
   set(venv ${PROJECT_BINARY_DIR}/hand_off/numpy2)
