@@ -124,7 +124,7 @@ target_link_libraries(hand_off_write_twilight PRIVATE coppermoon::shadow nlohman
 coppermoon_warnings(hand_off_write_twilight)
 add_test(NAME hand_off/scattered_light
          COMMAND ${python}/bin/python ${CMAKE_CURRENT_LIST_DIR}/scattered_light/check_twilight.py $<TARGET_FILE:hand_off_write_twilight>)
-set_tests_properties(hand_off/scattered_light PROPERTIES FIXTURES_REQUIRED python LABELS hand_off TIMEOUT 300)
+set_tests_properties(hand_off/scattered_light PROPERTIES FIXTURES_REQUIRED python LABELS hand_off TIMEOUT 600)
 
 # The Python package under NumPy 2: Debian's is NumPy 1, with which the package's own tests run.
 if(TARGET coppermoon_python)
