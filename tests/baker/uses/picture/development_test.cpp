@@ -158,6 +158,39 @@ texture::Image warm_partial_eclipse(const DiscOutline& disc) {
   return frame;
 }
 
+TEST(Developed, EdgeOfTheMoonGoesOverIntoTheSkyItStandsIn) {
+  const DiscOutline disc{48.3, 31.8, 1 / 625., 0, 1 / 625.};
+  texture::Image frame(96, 64, {"R", "G", "B"});
+  for (const double ground : {0., 2., 1e4}) {  // beside the sky's light, of 1
+    for (std::size_t r = 0; r < frame.height; ++r)
+      for (std::size_t c = 0; c < frame.width; ++c)
+        for (std::size_t k = 0; k < 3; ++k)
+          frame(r, c, k) =
+              static_cast<float>(1 + ground * covered_share(disc, static_cast<double>(c) + 0.5,
+                                                            static_cast<double>(r) + 0.5));
+    Development development;
+    development.time = {ExposureTime::Rule::fixed, 60};
+    const auto picture = developed(development, exposures_for(development, frame, space),
+                                   {frame, space, {.sky_cd_m2 = 1, .disc = disc}});
+    const float sky = picture(0, 0, 0), moon = picture(32, 48, 0);
+    EXPECT_GT(sky, 0.1F);
+    if (ground == 0) {
+      EXPECT_EQ(sky, moon) << "a Moon without light does not show";
+    }
+    for (const float value : picture.values) {
+      EXPECT_GE(value, sky - 1e-6F);
+      EXPECT_LE(value, moon + 1e-6F);
+    }
+    for (const auto rule : {ExposureTime::Rule::composite}) {
+      development.time.rule = rule;
+      const SeenFrame seen{.pixel_rad = 1e-4, .sky_cd_m2 = 1, .disc = disc};
+      const auto both = developed(development, exposures_for(development, frame, space, seen),
+                                  {frame, space, seen});
+      for (const float value : both.values) EXPECT_GE(value, both(0, 0, 0) - 1e-6F);
+    }
+  }
+}
+
 TEST(Composite, ThroughACameraShowsWhatItShowsWithoutOne) {
   const DiscOutline disc{48.3, 31.8, 1 / 625., 0, 1 / 625.};  // a radius of 25 pixels
   const auto frame = warm_partial_eclipse(disc);
