@@ -59,7 +59,7 @@ std::optional<double> sky_luminance_from(const std::string& text) {
 }
 
 std::string sky_text(const std::optional<double>& luminance_cd_m2) {
-  if (!luminance_cd_m2) return {};
+  if (!luminance_cd_m2) return "auto";
   if (*luminance_cd_m2 == 0) return "off";
   return fmt::format(
       "{}", -2.5 * std::log10(*luminance_cd_m2 / atmosphere::luminance_of_magnitude_cd_m2(0)));
