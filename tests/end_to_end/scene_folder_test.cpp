@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "end_to_end/program.h"
+#include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
