@@ -40,6 +40,8 @@ def sky_texels(tree, place, scale):
     turned, texels = nodes.new("ShaderNodeMapping"), nodes.new("ShaderNodeTexEnvironment")
     turned.inputs["Rotation"].default_value = (0, 0, -math.pi / 2)  # the image's middle, +X, is north
     turned.inputs["Scale"].default_value = (scale, scale, scale)
+    # half a texel up: the lowest row of the sky reaches down to the horizon, without a dark edge of the ground's
+    turned.inputs["Location"].default_value = (0, 0, math.pi / WIDTH)
     turned.location, texels.location = (-300, -400), (0, -400)
     links.new(place, turned.inputs["Vector"])
     links.new(turned.outputs["Vector"], texels.inputs["Vector"])
