@@ -80,6 +80,8 @@ def film_words(wanted):
     """Command for the textures of a film, in little where a shader draws it, and for small frames that hold exposures."""
     words = ["animate", f"--eclipse={values.day_of(wanted)}", *values.options(wanted), *values.span(wanted),
              f"--frames={wanted.frames}", "--make=textures,frames", "--width=64", "--height=64", "--stars=off"]
+    if not (wanted.in_sky and wanted.night):  # a world without that night's sky
+        words.append("--sky=off")
     return [*words, f"--texture-width={min(wanted.texture_width, 2 * moonlight.ROWS)}"] if wanted.shader else words
 
 
