@@ -198,7 +198,7 @@ earth.node_tree.nodes['Principled BSDF'].inputs['Base Color'].default_value = (0
 earth.node_tree.nodes['Principled BSDF'].inputs['Specular'].default_value = 0
 plain.materials.append(earth)
 scene.collection.objects.link(bpy.data.objects.new('Plain', plain))
-scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = 'CYCLES', 32, False
+scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = 'CYCLES', 8, False
 scene.render.image_settings.file_format, scene.render.image_settings.color_depth = 'OPEN_EXR', '32'
 END
   in_blender blender -b --factory-startup --python-exit-code 3 --addons coppermoon -P sky.py -o "$scratch/sky.####" -f 1
