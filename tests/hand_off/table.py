@@ -48,6 +48,8 @@ ROWS = [
      ["numpy2/behaviour", "numpy2/numbers"]),
     ("OpenUSD", pinned["usd-core"], "`.usda`, `.usdz`", "validators find nothing; finds the colour space by itself",
      ["validators/find_nothing", "colour/usd_finds_spaces"]),
+    ("Blender (`bpy`)", pinned["bpy"], "`animate --stage`", "rendered: Moon and sky of the first frame where the program's own has them, and "
+     "as bright, by twilight and by night", ["stage/blender_renders_1840", "stage/blender_renders_2040"]),
     ("OpenUSD", pinned["usd-core"], "`animate --stage`", "read, node by node: the film's textures within 2 %; light in lux; camera; "
      "validators find nothing", ["stage/is_read", "stage/validators_find_nothing"]),
     ("tinyusdz", npm["tinyusdz"], "`.usda`", "read: mesh, material, places of texels",

@@ -51,6 +51,15 @@ add_test(NAME hand_off/stage/validators_find_nothing
 set_tests_properties(hand_off/stage/is_read hand_off/stage/validators_find_nothing
                      PROPERTIES FIXTURES_REQUIRED "python;stage" LABELS hand_off TIMEOUT 300 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 
+# Blender 5 renders a stage: by twilight, with the Moon low, and by night.
+foreach(moment 18:40 20:40)
+  string(REPLACE ":" "" folder ${moment})
+  add_test(NAME hand_off/stage/blender_renders_${folder}
+           COMMAND ${python}/bin/python ${CMAKE_CURRENT_LIST_DIR}/render_stage.py $<TARGET_FILE:coppermoon_program>
+                   ${PROJECT_BINARY_DIR}/hand_off/stage_${folder} Budapest 2018-07-27T${moment}Z)
+  set_tests_properties(hand_off/stage/blender_renders_${folder} PROPERTIES FIXTURES_REQUIRED python LABELS hand_off TIMEOUT 300)
+endforeach()
+
 # OpenUSD's and MaterialX's own validators.
 set(validated ${PROJECT_BINARY_DIR}/hand_off/validated)
 file(MAKE_DIRECTORY ${validated})
