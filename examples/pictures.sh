@@ -170,33 +170,41 @@ blender_sky() {
 import math
 
 import bpy
+from mathutils import Vector, noise
 
 for thing in list(bpy.data.objects):
     bpy.data.objects.remove(thing)
-bpy.ops.coppermoon.add_eclipse(date='2018-07-27', contact='U2', offset=-600, place='Budapest', own_scene=False, night=True)
 scene = bpy.context.scene
-plain = bpy.data.meshes.new('Plain')
-plain.from_pydata([(-1e5, -1e5, 0), (1e5, -1e5, 0), (1e5, 1e5, 0), (-1e5, 1e5, 0)], [], [(0, 1, 2, 3)])
-earth = bpy.data.materials.new('Earth')
-earth.use_nodes = True
-earth.node_tree.nodes['Principled BSDF'].inputs['Base Color'].default_value = (0.06, 0.05, 0.04, 1)
-earth.node_tree.nodes['Principled BSDF'].inputs['Specular'].default_value = 0
-plain.materials.append(earth)
-scene.collection.objects.link(bpy.data.objects.new('Plain', plain))
-towards = bpy.data.objects['Moon'].matrix_world.translation.normalized()
-towards.z = math.sin(math.radians(4))
+scene.render.resolution_x, scene.render.resolution_y = 3840, 2160
 eye = bpy.data.objects.new('Eye', bpy.data.cameras.new('Eye'))
 scene.collection.objects.link(eye)
 scene.camera, eye.location.z, eye.rotation_mode = eye, 2, 'QUATERNION'
+eye.data.angle = math.radians(19)  # before the stars, which are two pixels wide
+bpy.ops.coppermoon.add_eclipse(date='2018-07-27', contact='U2', offset=-600, place='Budapest', own_scene=False, night=True)
+towards = bpy.data.objects['Moon'].matrix_world.translation.normalized()
+towards.z = math.sin(math.radians(4.2))
 eye.rotation_quaternion = towards.to_track_quat('-Z', 'Y')
-eye.data.angle, eye.data.clip_end = math.radians(15), 1e6
-scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = 'CYCLES', 128, False
-scene.render.resolution_x, scene.render.resolution_y = 600, 400
+# a plain of 40 km with low hills
+steps = 400
+places = [(200 * (i - steps / 2), 200 * (j - steps / 2)) for j in range(steps) for i in range(steps)]
+heights = [200 * min(1, math.hypot(x, y) / 8000) * noise.fractal(Vector((x / 5000, y / 5000, 0)), 1, 2, 6) for x, y in places]
+plain = bpy.data.meshes.new('Plain')
+plain.from_pydata([(x, y, z) for (x, y), z in zip(places, heights)], [], [
+    (k, k + 1, k + steps + 1, k + steps) for k in range(steps * (steps - 1)) if k % steps < steps - 1])
+plain.polygons.foreach_set('use_smooth', [True] * len(plain.polygons))
+earth = bpy.data.materials.new('Earth')
+earth.use_nodes = True
+earth.node_tree.nodes['Principled BSDF'].inputs['Base Color'].default_value = (0.18, 0.16, 0.11, 1)
+earth.node_tree.nodes['Principled BSDF'].inputs['Specular'].default_value = 0
+plain.materials.append(earth)
+scene.collection.objects.link(bpy.data.objects.new('Plain', plain))
+scene.render.engine, scene.cycles.samples, scene.cycles.use_denoising = 'CYCLES', 8, False
 scene.render.image_settings.file_format, scene.render.image_settings.color_depth = 'OPEN_EXR', '32'
 END
   in_blender blender -b --factory-startup --python-exit-code 3 --addons coppermoon -P sky.py -o "$scratch/sky.####" -f 1
+  # the sunlit limb is a hundred times as bright as white: it has smooth edges where pixels are merged after white is cut
   coppermoon develop sky.0001.exr --time 1.5 --f-number 4 --iso 800 -o sky.png
-  picture blender_sky 600x400 sky.png
+  picture blender_sky 1920x1080 sky.png
 }
 
 names="telescope start_greatest start_partial animate_try chase_map chase_camera glow composite dome povray_lake umbra explore

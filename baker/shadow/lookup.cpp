@@ -16,7 +16,11 @@
 namespace coppermoon::shadow {
 namespace {
 
-constexpr double widest_spacing_m = 10e3, most_parts = 10;
+constexpr double widest_spacing_m = 10e3;
+
+/// Largest number of parts of a cell: more where the Sun is not limb-darkened, as its limb, which appears first, is
+/// then as bright as its middle.
+double most_parts(const Arrangement& arrangement) { return arrangement.limb_darkening ? 10 : 40; }
 
 /// Axis distance half a spacing beyond the last place, where photons' last ring ends: refracted light is held up
 /// to there.
@@ -200,13 +204,13 @@ std::vector<double> bends(const LookupTable& table, std::span<const char> known)
 /// but as its power 3/2 at the umbra's edge, as the Sun's uncovered area rises with that power there.
 double parts_for(double tolerance, double error) {
   if (error <= tolerance) return 1;
-  return std::min(most_parts, std::ceil(std::pow(error / (0.8 * tolerance), 2. / 3)));
+  return std::ceil(std::pow(error / (0.8 * tolerance), 2. / 3));
 }
 
 /// Number of parts for each cell, from the bends at its own and neighbouring nodes; limited to half a gigabyte
 /// in all.
 std::vector<double> parts_of_cells(const LookupTable& table, std::span<const double> bends,
-                                   double tolerance) {
+                                   double tolerance, double most) {
   constexpr double most_values = 5e8 / sizeof(float);
   const auto cells = table.nodes.parts.size();
   const auto most_nodes = most_values * static_cast<double>(table.nodes.count()) /
@@ -216,9 +220,9 @@ std::vector<double> parts_of_cells(const LookupTable& table, std::span<const dou
     const std::size_t from = std::max<std::size_t>(1, c) - 1, to = std::min(c + 3, bends.size());
     const double error = *std::max_element(bends.begin() + static_cast<std::ptrdiff_t>(from),
                                            bends.begin() + static_cast<std::ptrdiff_t>(to));
-    parts[c] = parts_for(tolerance, error);
+    parts[c] = std::min(most, parts_for(tolerance, error));
   }
-  for (double most = most_parts; most > 1 && std::reduce(parts.begin(), parts.end()) > most_nodes;)
+  while (most > 1 && std::reduce(parts.begin(), parts.end()) > most_nodes)
     for (--most; double& count : parts) count = std::min(count, most);
   return parts;
 }
@@ -283,7 +287,8 @@ Lookup::Lookup(const RefractedLight& light, const DirectLight& direct,
   table_.nodes = uneven_nodes(first_m, widest_spacing_m, parts);
   const Filling filling{light, direct, weights, part};
   const auto known = fill_table(table_, filling);
-  parts = parts_of_cells(table_, bends(table_, known), range.tolerance);
+  parts =
+      parts_of_cells(table_, bends(table_, known), range.tolerance, most_parts(light.arrangement));
   if (std::ranges::any_of(parts, [](double count) { return count > 1; })) {
     table_.nodes = uneven_nodes(first_m, widest_spacing_m, parts);
     fill_table(table_, filling);

@@ -73,8 +73,8 @@ class Lookup {
   ///           weights  (channel, wavelength)
   ///           range    outside of it the outermost values hold, up to the penumbra's end
   /// Accuracy  linear interpolation between nodes errs by less than the tolerance times the brightest channel
-  ///           (each relative to its unshaded sunlight), unless that takes nodes closer than 1 km or more than
-  ///           half a gigabyte
+  ///           (each relative to its unshaded sunlight), unless that takes nodes closer than 1 km (250 m where the
+  ///           Sun is not limb-darkened) or more than half a gigabyte
   /// Throws    Error    when the tolerance is outside its range
   Lookup(const RefractedLight& light, const DirectLight& direct, const ChannelWeights& weights,
          const LookupRange& range = {}, LightPart part = LightPart::all);

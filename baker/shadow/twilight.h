@@ -24,12 +24,15 @@ namespace coppermoon::shadow {
 ///           axis_distances_m  0 or more
 /// Returned  one sector for air without regions, else sectors_around; at 450 nm on the axis 1.6e-7
 ///           in clear air, 3.7e-7 in standard air, 1.0e-6 under a stratosphere full of ash
-/// Accuracy  1.5 % of this integral; every third belt alone, in 0.4 of the time: 2 % in 1982 and 1991, 4 % in 2022
-/// Omits     multiple scattering, by our estimate some tenths of this light in clear air, and as much as this
-///           light in ash; refraction, 20' of the 57' between sight and sunlight at 12 km; the Sun's radius,
-///           16'; the ellipsoid: a sphere of its mean limb, 0.2 %; depolarisation, 1 %; forward
-///           peaks sharper than Henyey and Greenstein's; dispersion of ω and g, which are for 550 nm, 5 %; light
-///           reflected by ground and cloud: within 6378 km of the axis only the night side is seen
+/// Accuracy  1.5 % of this integral, and of sasktran2's single scattering on the axis, clear air to ash; every third
+///           belt alone, in 0.4 of the time: 2 % in 1982 and 1991, 4 % in 2022
+/// Omits     multiple scattering, which adds to this light on the axis 9 % (420 nm) to 5 % (700 nm) in clear air, 1 %
+///           more over ground of albedo 0.3, 2 to 11 % with stratospheric aerosol, 2 to 4 % under ash (sasktran2's
+///           discrete ordinates and successive orders); refraction, 20' of the 57' between sight and sunlight at
+///           12 km, which loses no light: that of sights 1 %, of sunlight 1 %; the Sun's radius, 16'; the ellipsoid:
+///           a sphere of its mean limb, 0.2 %; depolarisation, 1 %; forward peaks sharper than Henyey and
+///           Greenstein's; dispersion of ω and g, which are for 550 nm, 5 %; light reflected by ground and cloud:
+///           within 6378 km of the axis only the night side is seen
 /// Throws    Error           when an argument is outside its range
 RefractedLight twilight(const atmosphere::Atmosphere& atmosphere, const Arrangement& arrangement,
                         std::span<const double> wavelengths_nm,

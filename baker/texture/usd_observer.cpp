@@ -19,14 +19,15 @@ std::string tuple(const glm::dvec3& v) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x + 0., v.y + 0., v.z + 0.);
 }
 
-/// Attribute with a value, or with samples where it changes.
+/// Attribute with a value, the first moment's; and with samples where it changes. Importers that read no samples, as
+/// Blender's of a texture's file, find the value.
 template <class Moment, class Value>
 std::string attribute(const std::string& declared, std::span<const Moment> moments,
                       const Value& value) {
   const std::string first = value(moments.front());
-  if (std::ranges::all_of(moments, [&](const Moment& m) { return value(m) == first; }))
-    return fmt::format("        {} = {}\n", declared, first);
-  auto text = fmt::format("        {}.timeSamples = {{\n", declared);
+  auto text = fmt::format("        {} = {}\n", declared, first);
+  if (std::ranges::all_of(moments, [&](const Moment& m) { return value(m) == first; })) return text;
+  text += fmt::format("        {}.timeSamples = {{\n", declared);
   for (const auto& moment : moments)
     text += fmt::format("            {:g}: {},\n", moment.time_code, value(moment));
   return text + "        }\n";

@@ -66,6 +66,8 @@ TEST_F(FilmStage, StandsAmongTheTexturesWithImagesOfItsOwn) {
     EXPECT_TRUE(std::filesystem::exists(here("film") / file)) << file;
     EXPECT_NE(text.find(std::string("@./") + file + "@"), text.npos) << file;
   }
+  // importers that read no samples of a file, as Blender's, show the first frame
+  EXPECT_NE(text.find("asset inputs:file = @./moon_lin_rec709.1001.exr@"), std::string::npos);
   EXPECT_EQ(number(text, "startTimeCode"), 1001);
   EXPECT_EQ(number(text, "endTimeCode"), 1005);
   EXPECT_EQ(number(text, "timeCodesPerSecond"), 24000. / 1001);
@@ -84,6 +86,7 @@ TEST_F(FilmStage, ItsMoonlightIsThatOfBrightness) {
   const auto text = stage();
   const auto light = samples(text, "float inputs:intensity");
   ASSERT_EQ(light.size(), 5U);
+  EXPECT_EQ(number(text, "float inputs:intensity"), light[0][0]) << "without a time: the first";
   const std::vector<std::string> files{"film/moon_lin_rec709.0001.exr",
                                        "film/moon_lin_rec709.0003.exr"};
   for (const std::size_t frame : {0U, 2U}) {

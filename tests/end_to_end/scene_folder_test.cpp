@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "end_to_end/program.h"
+#include "support/within.h"
 #include "texture/read_image.h"
 
 namespace coppermoon::end_to_end {
@@ -42,6 +43,7 @@ TEST_F(SceneFolder, HoldsSceneSettingsAndTexture) {
                                        "here/scene/coppermoon.inc",
                                        "here/scene/eclipse.ini",
                                        "here/scene/eclipse.pov",
+                                       "here/scene/eclipse_air.exr",
                                        "here/scene/eclipse_sky.exr",
                                        "here/scene/eclipse_stars.inc",
                                        "here/scene/moon.inc",
@@ -184,6 +186,49 @@ TEST_F(SceneFolder, MoonIncHasTheSkyTheRightWayRound) {
       << "air before the Moon adds its light; a texel of 0.35 degrees";
   EXPECT_GT(declared(include, "Sky_Luminance")[0], 1e-4);
   EXPECT_LT(declared(include, "Sun_Altitude")[0], -18);
+}
+
+TEST_F(SceneFolder, ShowsTheSkyThatAStillHas) {
+  const Words dusk{"2025-09-07T18:11Z",
+                   "--at",
+                   "Berlin",
+                   "--rays",
+                   "50",
+                   "--albedo-map",
+                   "built-in",
+                   "--atmosphere",
+                   "undated",
+                   "--texture-width",
+                   "64",
+                   "--width",
+                   "60",
+                   "--height",
+                   "40",
+                   "--up",
+                   "zenith",
+                   "--field",
+                   "9",
+                   "--stars",
+                   "off"};
+  expect_done(coppermoon(Words{"still"} + dusk + Words{"-o", "a.png", "--frame", "still.exr"}));
+  const auto still = texture::read_image(here("still.exr"));
+  for (const char* sky : {"auto", "off"}) {
+    expect_done(coppermoon(Words{"scene"} + dusk + Words{"--sky", sky, "-o", "scene"}));
+    const auto outcome = run({"povray", "eclipse.ini", "-D"}, {.folder = here("scene")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto scene = texture::read_image(here("scene/frame.exr"));
+    for (std::size_t r = 0; r < scene.height; ++r)
+      for (std::size_t c = 0; c < scene.width; ++c)
+        for (std::size_t k = 0; k < 3; ++k) {
+          if (std::string(sky) == "auto") {
+            EXPECT_WITHIN_RELATIVE(scene(r, c, k), still(r, c, k), 3e-3,
+                                   "half floats of air, Moon and frame; 0.1 % behind the pane")
+                << r << " " << c;
+          } else if (c < 20) {
+            EXPECT_EQ(scene(r, c, k), 0) << "beside the Moon";
+          }
+        }
+  }
 }
 
 TEST_F(SceneFolder, OfTheTutorialsLakeRenders) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "colour/exposure.h"
 #include "hand_off/agreement.h"
 #include "hand_off/blender.h"
 #include "hand_off/reference_projection.h"
@@ -488,6 +489,54 @@ TEST_F(BlenderAddOn, TurnsTheSkyOfALandscapeInAFilm) {
   EXPECT_GT(std::hypot(star[0] - before[0], star[1] - before[1]), 10) << "degrees, in 80 minutes";
 }
 
+TEST_F(BlenderAddOn, KeysTheFilmOfALandscape) {
+  const auto outcome = python(
+      "import os\n"
+      "bpy.ops.coppermoon.add_eclipse(date='2018-07-27', place='42.3,13.4', own_scene=False, "
+      "film=True, frames=5, start_frame=1001, night=True, " +
+      quick +
+      ")\n"
+      "scene = bpy.context.scene\n"
+      "print('range', scene.frame_start, scene.frame_end)\n"
+      "print('marks', *[f'{m.name}={m.frame}' for m in scene.timeline_markers])\n"
+      "stops = []\n"
+      "for frame in range(1001, 1006):\n"
+      "    scene.frame_set(frame)\n"
+      "    stops.append(scene.view_settings.exposure)\n"
+      "print('stops', *stops)\n"
+      "scene.frame_set(1005)\n"
+      "print('sky', bpy.path.abspath(scene.world.node_tree.nodes['Environment "
+      "Texture'].image.filepath))\n"
+      "values = bpy.data.objects['Moon'].coppermoon\n"
+      "values.film, values.night = False, False\n"
+      "bpy.ops.coppermoon.bake()\n"
+      "now = scene.view_settings.exposure\n"
+      "scene.frame_set(1002)\n"
+      "print('marked', len(scene.timeline_markers))\n"
+      "print('keyed', scene.view_settings.exposure != now)\n");
+  ASSERT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  // The Moon rises between 18:23 and 18:25 UTC; by the published contacts above, in four steps of 76 minutes.
+  EXPECT_EQ(line(outcome, "range"), "1001 1005");
+  EXPECT_TRUE(line(outcome, "marks").ends_with("U2=1002 U3=1003 U4=1004 P4=1005"));
+  EXPECT_EQ(line(outcome, "marked"), "0") << "one moment";
+  EXPECT_EQ(line(outcome, "keyed"), "False") << "one moment";
+  const auto film = std::filesystem::path(line(outcome, "sky")).parent_path().parent_path();
+  std::istringstream stops(line(outcome, "stops"));
+  for (int frame = 1; frame <= 5; ++frame) {
+    double keyed = std::nan("");
+    stops >> keyed;
+    const auto file = film / fmt::format("frame_lin_rec709.{:04}.exr", frame);
+    const auto shot = [&](const char* name) {
+      return std::stod(texture::read_attribute(file, name).value_or("nan"));
+    };
+    EXPECT_WITHIN(
+        keyed,
+        std::log2(colour::exposure_scale({shot("expTime"), shot("aperture"), shot("isoSpeed")})),
+        1e-4, "the program's exposure, of single precision")
+        << frame;
+  }
+}
+
 TEST_F(BlenderAddOn, ListsTheEclipsesOfSomeYears) {
   const auto outcome = python(
       "from types import SimpleNamespace\n"
@@ -620,8 +669,26 @@ TEST_F(BlenderAddOn, PutsTheNightSkyAroundALandscapeNorthToItsY) {
       "    scene.render.filepath = bpy.path.abspath(f'" +
       here().string() +
       "/{azimuth}.exr')\n"
+      "    bpy.ops.render.render(write_still=True)\n"
+      "moon = bpy.data.objects['Moon']\n"
+      "to = moon.matrix_world.translation\n"
+      "eye.rotation_quaternion, eye.data.clip_end = to.to_track_quat('-Z', 'Y'), 1e6\n"
+      "air = [n for n in moon.active_material.node_tree.nodes if n.type == 'EMISSION'][1]\n"
+      "for name, hidden, strength in (('behind', True, 1), ('both', False, 1), ('moon', False, "
+      "0)):\n"
+      "    moon.hide_render, air.inputs['Strength'].default_value = hidden, strength\n"
+      "    scene.render.filepath = r'" +
+      here().string() +
+      "/' + name + '.exr'\n"
       "    bpy.ops.render.render(write_still=True)\n");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto behind = texture::read_image(here("behind.exr")),
+             both = texture::read_image(here("both.exr")),
+             moon = texture::read_image(here("moon.exr"));
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_WITHIN(both(4, 4, k), moon(4, 4, k) + behind(4, 4, k),
+                  0.01 * behind(4, 4, k) + 1e-5 * moon(4, 4, k),
+                  "air before the Moon shines as that beside it: the same texels, other rays");
   const auto dome = texture::read_image(line(outcome, "dome"));
   for (const int azimuth : {45, 135, 225, 315}) {
     const auto seen = texture::read_image(here(fmt::format("{}.exr", azimuth)));

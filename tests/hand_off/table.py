@@ -48,6 +48,8 @@ ROWS = [
      ["numpy2/behaviour", "numpy2/numbers"]),
     ("OpenUSD", pinned["usd-core"], "`.usda`, `.usdz`", "validators find nothing; finds the colour space by itself",
      ["validators/find_nothing", "colour/usd_finds_spaces"]),
+    ("Blender (`bpy`)", pinned["bpy"], "`animate --stage`", "rendered: Moon and sky of the first frame where the program's own has them, and "
+     "as bright, by twilight and by night", ["stage/blender_renders_1840", "stage/blender_renders_2040"]),
     ("OpenUSD", pinned["usd-core"], "`animate --stage`", "read, node by node: the film's textures within 2 %; light in lux; camera; "
      "validators find nothing", ["stage/is_read", "stage/validators_find_nothing"]),
     ("tinyusdz", npm["tinyusdz"], "`.usda`", "read: mesh, material, places of texels",
@@ -63,6 +65,8 @@ ROWS = [
      ["gltf/glb_is_read", "gltf/glb_of_a_bake_is_read"]),
     ("OpenJobDescription's `openjd`", pinned["openjd-cli"], "`animate --job job.yaml`", "checked; run, with a task killed on "
      "the way: the bytes of the direct run", ["job"]),
+    ("sasktran2", pinned["sasktran2"], "ozone and aerosol of five airs", "light scattered once onto the shadow's axis: the same "
+     "within 1.5 %", ["scattered_light"]),
     ("LibRaw's `dcraw_emu`", debian("libraw-bin"), "`.dng`", "the same light", ["raw"]),
     ("darktable", debian("darktable"), "`.dng`", "the same light", ["raw"]),
     ("Stellarium", debian("stellarium"), "`.stellarium`", "shown: the texture as it is, where our camera has it",

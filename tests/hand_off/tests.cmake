@@ -51,6 +51,15 @@ add_test(NAME hand_off/stage/validators_find_nothing
 set_tests_properties(hand_off/stage/is_read hand_off/stage/validators_find_nothing
                      PROPERTIES FIXTURES_REQUIRED "python;stage" LABELS hand_off TIMEOUT 300 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 
+# Blender 5 renders a stage: by twilight, with the Moon low, and by night.
+foreach(moment 18:40 20:40)
+  string(REPLACE ":" "" folder ${moment})
+  add_test(NAME hand_off/stage/blender_renders_${folder}
+           COMMAND ${python}/bin/python ${CMAKE_CURRENT_LIST_DIR}/render_stage.py $<TARGET_FILE:coppermoon_program>
+                   ${PROJECT_BINARY_DIR}/hand_off/stage_${folder} Budapest 2018-07-27T${moment}Z)
+  set_tests_properties(hand_off/stage/blender_renders_${folder} PROPERTIES FIXTURES_REQUIRED python LABELS hand_off TIMEOUT 300)
+endforeach()
+
 # OpenUSD's and MaterialX's own validators.
 set(validated ${PROJECT_BINARY_DIR}/hand_off/validated)
 file(MAKE_DIRECTORY ${validated})
@@ -117,6 +126,14 @@ endforeach()
 foreach(step files_are_made ${colour_checks})
   set_tests_properties(hand_off/colour/${step} PROPERTIES LABELS hand_off TIMEOUT 600 ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
 endforeach()
+
+# Light scattered into the shadow, as sasktran2 has it.
+add_executable(hand_off_write_twilight hand_off/scattered_light/write_twilight.cpp)
+target_link_libraries(hand_off_write_twilight PRIVATE coppermoon::shadow nlohmann_json::nlohmann_json)
+coppermoon_warnings(hand_off_write_twilight)
+add_test(NAME hand_off/scattered_light
+         COMMAND ${python}/bin/python ${CMAKE_CURRENT_LIST_DIR}/scattered_light/check_twilight.py $<TARGET_FILE:hand_off_write_twilight>)
+set_tests_properties(hand_off/scattered_light PROPERTIES FIXTURES_REQUIRED python LABELS hand_off TIMEOUT 600)
 
 # The Python package under NumPy 2: Debian's is NumPy 1, with which the package's own tests run.
 if(TARGET coppermoon_python)

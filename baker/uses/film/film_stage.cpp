@@ -81,10 +81,11 @@ double share_of(const std::vector<StageFrame>& frames, std::size_t i) {
   return (frames[i].seconds - first) / (last - first);
 }
 
-/// Samples of an attribute, one a frame.
+/// Attribute with its first value and samples, one a frame.
 template <class Value>
-std::string samples(const std::vector<StageFrame>& frames, const Value& value) {
-  std::string text = "{\n";
+std::string samples(const char* declared, const std::vector<StageFrame>& frames,
+                    const Value& value) {
+  auto text = fmt::format("{0} = {1}\n                {0}.timeSamples = {{\n", declared, value(0));
   for (std::size_t i = 0; i < frames.size(); ++i)
     text += fmt::format("                    {:g}: {},\n", frames[i].moment.time_code, value(i));
   return text + "                }";
@@ -107,7 +108,7 @@ constexpr const char* nodes_of_film = R"(            def Shader "Scaled"
             {{
                 uniform token info:id = "ND_multiply_color3"
                 color3f inputs:in1.connect = </Moon/Looks/Moonlight/Lit.outputs:out>
-                color3f inputs:in2.timeSamples = {factors}
+                {factors}
                 color3f outputs:out
             }}
 
@@ -124,13 +125,13 @@ constexpr const char* nodes_of_film = R"(            def Shader "Scaled"
                 uniform token info:id = "ND_mix_color3"
                 color3f inputs:bg.connect = </Moon/Looks/Moonlight/First.outputs:out>
                 color3f inputs:fg.connect = </Moon/Looks/Moonlight/Last.outputs:out>
-                float inputs:mix.timeSamples = {shares}
+                {shares}
                 color3f outputs:out
             }}
 
 {images}            def NodeGraph "Shadow"
             {{
-                float inputs:time.timeSamples = {times}
+                {times}
                 color3f outputs:light.connect = <{light}>
 
 {nodes}            }}
@@ -152,27 +153,27 @@ std::string looks_of(const Film& film, const std::vector<StageFrame>& frames, co
   const auto image = [&](const char* name, const std::string& file) {
     return texture::usd_image(name, texture::usd_asset(file), space) + "\n";
   };
-  const auto textures = samples(frames, [&](std::size_t i) {
+  const auto textures = samples("asset inputs:file", frames, [&](std::size_t i) {
     return texture::usd_asset(film.texture(number(i)).filename().string());
   });
   const auto film_nodes = fmt::format(
       fmt::runtime(nodes_of_film),
-      fmt::arg("factors", samples(frames,
+      fmt::arg("factors", samples("color3f inputs:in2", frames,
                                   [&](std::size_t i) {
                                     return fmt::format("({:.6g}, {:.6g}, {:.6g})", factor(i, 0),
                                                        factor(i, 1), factor(i, 2));
                                   })),
       fmt::arg("shares",
-               samples(frames,
+               samples("float inputs:mix", frames,
                        [&](std::size_t i) { return fmt::format("{:.6g}", share_of(frames, i)); })),
-      fmt::arg(
-          "times",
-          samples(frames, [&](std::size_t i) { return fmt::format("{:.3f}", frames[i].seconds); })),
+      fmt::arg("times",
+               samples("float inputs:time", frames,
+                       [&](std::size_t i) { return fmt::format("{:.3f}", frames[i].seconds); })),
       fmt::arg("images", image("First", images.first) + image("Last", images.last)),
       fmt::arg("light", nodes.output), fmt::arg("nodes", nodes.prims));
   return texture::usd_looks(
       fmt::format("                asset inputs:file (\n                    colorSpace = \"{}\"\n"
-                  "                )\n                asset inputs:file.timeSamples = {}\n"
+                  "                )\n                {}\n"
                   "                token inputs:sourceColorSpace = \"raw\"\n",
                   space, textures),
       "/Moon/Looks/Moonlight/Scaled.outputs:out", film_nodes);

@@ -77,9 +77,11 @@ def film_folder(day, words):
 
 
 def film_words(wanted):
-    """Command for the textures of a film; in little where a shader draws it."""
+    """Command for the textures of a film, in little where a shader draws it, and for small frames that hold exposures."""
     words = ["animate", f"--eclipse={values.day_of(wanted)}", *values.options(wanted), *values.span(wanted),
-             f"--frames={wanted.frames}", "--make=textures"]
+             f"--frames={wanted.frames}", "--make=textures,frames", "--width=64", "--height=64", "--stars=off"]
+    if not (wanted.in_sky and wanted.night):  # a world without that night's sky
+        words.append("--sky=off")
     return [*words, f"--texture-width={min(wanted.texture_width, 2 * moonlight.ROWS)}"] if wanted.shader else words
 
 
@@ -94,7 +96,7 @@ def bake_film(wanted):
     measured = {}  # while textures come, so that the end takes no time
 
     def take(line):
-        for file in json.loads(line).get("files", ()):
+        for file in json.loads(line).get("files", ())[:1]:
             texture = Texture(os.path.join(folder, os.path.basename(file)))
             measured[texture.path] = light_of(texture)
 
@@ -143,9 +145,12 @@ def show(of_moon, baked):
         night.put_world(of_moon, baked.textures, baked.domes)
     if wanted.lamp:
         moonlight.place_lamp(wanted.lamp, baked.textures, baked.lights)
-    if wanted.scene:
-        film.set_exposure(wanted.scene, baked.textures, baked.lights)
-        film.set_time(wanted.scene, baked.textures, parts_of(baked.contacts, baked.textures), wanted)
+    scene = wanted.scene
+    if baked.skies and (len(baked.textures) > 1 or values.was_set(wanted, "frame_start")):
+        scene = of_moon.users_scene[0]
+    if scene:
+        film.set_exposure(scene, baked.textures, baked.lights)
+        film.set_time(scene, baked.textures, parts_of(baked.contacts, baked.textures), wanted)
     if wanted.camera:
         render = (wanted.scene or wanted.camera.users_scene[0]).render
         observer.place_camera(wanted.camera, baked.textures, wanted, render)

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Scene of an eclipse: black sky, time line, settings of rendering and view."""
 import math
+import os
 
 import bpy
 
 from . import values
 from .moon import first_known
+from .texture import header_of
 
 VIEWS = ("Un-tone-mapped", "Standard")  # without tone mapping: in our configuration, in Blender's
 MEAN = 0.25  # of the disc's strongest channel, after exposure: nothing clips
@@ -88,16 +90,29 @@ def remove_curve(owner, path):
             holder.fcurves.remove(curve)
 
 
+def exposure(texture, lux):
+    """Exposure of the view [stops] at a texture's moment: that of the film's frame beside it, which the program chose;
+    where there is none, by the disc's mean. None: the disc is dark.
+    """
+    folder, name = os.path.split(texture.path)
+    frame = os.path.join(folder, name.replace("moon_", "frame_", 1))
+    shot = header_of(frame) if name.startswith("moon_") and os.path.exists(frame) else {}
+    if "expTime" in shot:
+        return math.log2(0.65 * shot["expTime"] * shot["isoSpeed"] / (78 * shot["aperture"] ** 2))  # ISO 12232
+    strongest = max(lux) * texture.distance ** 2 / math.pi  # cd/m², over the disc
+    return math.log2(MEAN / strongest) if strongest > 0 else None
+
+
 def set_exposure(scene, textures, lights):
-    """Has the view's exposure follow the disc's mean brightness; a render in OpenEXR keeps cd/m².
+    """Has the view's exposure follow the light of each frame; a render in OpenEXR keeps cd/m².
 
     Given  lights  illuminance by channel [lux], of each texture
     """
     path = "view_settings.exposure"
     remove_curve(scene, path)
     for texture, lux in zip(textures, lights):
-        strongest = max(lux) * texture.distance ** 2 / math.pi  # cd/m², over the disc
-        if strongest > 0:
-            scene.view_settings.exposure = math.log2(MEAN / strongest)
+        stops = exposure(texture, lux)
+        if stops is not None:
+            scene.view_settings.exposure = stops
         if len(textures) > 1:
             scene.keyframe_insert(path, frame=texture.frame())

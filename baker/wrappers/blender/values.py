@@ -166,6 +166,10 @@ def put(wanted, owner, anew=False, **settings):
     return True
 
 
+def was_set(wanted, name):
+    return name in json.loads(wanted.last_set)
+
+
 def remember(wanted, name):
     """Makes the present value the one that `changed` compares with."""
     wanted.last_set = json.dumps(json.loads(wanted.last_set) | {name: getattr(wanted, name)})

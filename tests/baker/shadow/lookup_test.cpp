@@ -290,20 +290,21 @@ TEST(Lookup, KeepsTheToleranceWhereDirectLightBegins) {
   const double edge_m =
       (6.378e6 + 42e3) * (1 + 3.82e8 / 1.479e11) - projected_solar_radius_m(plane, 3.82e8);
   std::vector<double> known, between;
-  for (double m = -150e3; m <= 150e3; m += 1e3) known.push_back(edge_m + m);
+  for (double m = -150.4e3; m <= 150e3; m += 1e3) known.push_back(edge_m + m);
   for (double m = -30e3; m <= 30e3; m += 250) between.push_back(edge_m + m);
   const DirectLight clear(dusty, plane, waves);
   const auto exact = by_quadrature(dusty, plane, waves, between, {.rays = 2000});
-  const double tolerance = 1e-3;
-  const Lookup lookup(by_quadrature(dusty, plane, waves, known, {.rays = 2000}), clear,
-                      one_channel(1),
-                      {.from_m = known.front(), .to_m = known.back(), .tolerance = tolerance});
-  for (std::size_t i = 0; i < between.size(); ++i) {
-    double direct = NAN;
-    clear.ratios(between[i], 0, 3.82e8, {&direct, 1});
-    EXPECT_WITHIN_RELATIVE(read(lookup, place(between[i], 3.82e8)), exact.ratio[0](i, 0) + direct,
-                           1.5 * tolerance, "three nodes seldom stand where lines are worst")
-        << between[i] - edge_m;
+  const auto bent = by_quadrature(dusty, plane, waves, known, {.rays = 2000});
+  for (const double tolerance : {1e-3, 1e-4}) {
+    const Lookup lookup(bent, clear, one_channel(1),
+                        {.from_m = known.front(), .to_m = known.back(), .tolerance = tolerance});
+    for (std::size_t i = 0; i < between.size(); ++i) {
+      double direct = NAN;
+      clear.ratios(between[i], 0, 3.82e8, {&direct, 1});
+      EXPECT_WITHIN_RELATIVE(read(lookup, place(between[i], 3.82e8)), exact.ratio[0](i, 0) + direct,
+                             1.5 * tolerance, "three nodes seldom stand where lines are worst")
+          << tolerance << ", " << between[i] - edge_m;
+    }
   }
 }
 

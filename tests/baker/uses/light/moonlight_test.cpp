@@ -62,6 +62,7 @@ void expect_kept(const char* utc, const LightRequest& request) {
 
 TEST(LightOnTheMoon, ThroughThePapersDustyAirIsAsExactAsPlanned) {
   expect_kept("2034-09-28T02:55:57Z", dusty_air_of_the_paper(0.002));
+  expect_kept("1954-01-19T01:00:00Z", dusty_air_of_the_paper(0.001));
   expect_kept("1954-01-19T02:06:51Z", dusty_air_of_the_paper(0.01));
 }
 
