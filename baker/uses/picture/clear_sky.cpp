@@ -6,7 +6,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "colour/working_space.h"
 #include "uses/light/photometric_bands.h"
+#include "uses/light/spectral_bands.h"
 #include "uses/picture/view.h"
 
 namespace coppermoon::uses {
