@@ -43,16 +43,19 @@ Development for_file(Development development, const std::filesystem::path& pictu
   return development;
 }
 
-/// Luminances of lit pixels that the Moon covers wholly or partly, without the sky's [cd/m²].
-std::vector<double> luminances(const texture::Image& frame, colour::WorkingSpace space,
-                               const std::optional<DiscOutline>& disc) {
+/// Luminance of a colour, or its brightest channel [cd/m²].
+using Level = double(colour::WorkingSpace, std::span<const double>);
+
+/// Levels of lit pixels that the Moon covers wholly or partly, without the sky's [cd/m²].
+std::vector<double> levels(Level level, const texture::Image& frame, colour::WorkingSpace space,
+                           const std::optional<DiscOutline>& disc) {
   std::vector<double> lit;
   require_colours(frame);
   for (std::size_t r = 0; r < frame.height; ++r)
     for (std::size_t c = 0; c < frame.width; ++c) {
       const std::array<double, 3> pixel{frame(r, c, 0), frame(r, c, 1), frame(r, c, 2)};
       if (pixel == std::array{0., 0., 0.}) continue;
-      const double y = colour::luminance(space, pixel);
+      const double y = level(space, pixel);
       if (y > 0 && (!disc || covered_share(*disc, static_cast<double>(c) + 0.5,
                                            static_cast<double>(r) + 0.5) > 0))
         lit.push_back(y);
@@ -60,17 +63,17 @@ std::vector<double> luminances(const texture::Image& frame, colour::WorkingSpace
   return lit;
 }
 
-/// Luminances of lit pixels, with the sky's before a camera [cd/m²].
-std::vector<double> luminances(const Development& development, const texture::Image& frame,
-                               colour::WorkingSpace space, const SeenFrame& seen) {
-  auto lit = luminances(frame, space, seen.disc);
+/// Brightest channels of lit pixels, with the sky's before a camera [cd/m²].
+std::vector<double> brightest_channels(const Development& development, const texture::Image& frame,
+                                       colour::WorkingSpace space, const SeenFrame& seen) {
+  auto lit = levels(colour::brightest_channel, frame, space, seen.disc);
   const double sky = sky_before(development.camera, seen);
   for (double& y : lit) y += sky;
   return lit;
 }
 
-/// 99th percentile of the luminances.
-double bright_luminance(std::vector<double> lit) {
+/// 99th percentile.
+double bright_level_of(std::vector<double> lit) {
   const auto bright = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() * 99 / 100);
   std::nth_element(lit.begin(), bright, lit.end());
   return *bright;
@@ -81,8 +84,8 @@ class Brightest {
  public:
   explicit Brightest(std::size_t most) : kept_(most - most * 99 / 100) {}
 
-  void add(double luminance) {
-    greatest_.push_back(luminance);
+  void add(double level) {
+    greatest_.push_back(level);
     ++count_;
     if (greatest_.size() <= 2 * kept_) return;
     std::ranges::nth_element(greatest_, greatest_.begin() + std::ptrdiff_t(kept_), std::greater{});
@@ -114,11 +117,11 @@ void for_each_band(const LitTexture& texture,
   }
 }
 
-/// Leading bits of a luminance, which sort like it; and the middle of all luminances that share them.
+/// Leading bits of a level, which sort like it; and the middle of all levels that share them.
 constexpr unsigned dropped_bits = 12;
 
-std::size_t step_of(double luminance) {
-  return std::bit_cast<std::uint32_t>(static_cast<float>(luminance)) >> dropped_bits;
+std::size_t step_of(double level) {
+  return std::bit_cast<std::uint32_t>(static_cast<float>(level)) >> dropped_bits;
 }
 
 double middle_of(std::size_t step) {
@@ -148,7 +151,7 @@ double cubic_mean(const LitSums& sums) {
   return mean * mean * mean;
 }
 
-/// Mean weighted by the cube of luminance: near that of the bright part, however small.
+/// Mean weighted by the cube: near that of the bright part, however small.
 double bright_mean(const LitSums& sums) { return sums.fourth_powers / sums.cubes; }
 
 /// Harmonic mean: near that of the dark part as soon as it is a tenth of the disc.
@@ -159,9 +162,9 @@ colour::Exposure one_second(const Development& development) {
   return {1, f_number_of(development), development.iso};
 }
 
-/// Exposure time at which a luminance reaches a share of saturation.
-double time_for(const Development& development, double luminance, double level) {
-  const double scaled = level / luminance;
+/// Exposure time at which a brightest channel reaches a share of saturation.
+double time_for(const Development& development, double brightest, double level) {
+  const double scaled = level / brightest;
   return std::clamp(scaled / scale_of(development, one_second(development)), 1e-6, 1e5);
 }
 
@@ -172,7 +175,7 @@ Exposures exposed_for(const Development& development, double time_s) {
 }
 
 /// Shares of saturation at which the rules expose.
-constexpr double brightest_level = 0.8, followed_level = 0.25, bright_level = 0.5, dark_level = 0.4;
+constexpr double brightest_level = 0.8, followed_level = 0.25, bright_level = 0.5, dark_level = 0.6;
 
 /// Exposures by a rule over sums.
 Exposures exposed_for(const Development& development, const LitSums& sums) {
@@ -213,7 +216,7 @@ colour::Image taken(const Development& development, const colour::Exposure& expo
 /// (1 - exp(-x)) / x
 double rounded_off(double x) { return std::abs(x) < 1e-9 ? 1 : -std::expm1(-x) / x; }
 
-/// A frame whose luminances x, in units of saturation, are dimmed to 1 - exp(-x); a colour keeps its ratios.
+/// A frame whose brightest channels x, in units of saturation, are dimmed to 1 - exp(-x); a colour keeps its ratios.
 /// The sky's light is counted in x and left out again: what is dimmed of it alone is sky_cd_m2.
 struct Dimmed {
   texture::Image light;
@@ -226,7 +229,7 @@ Dimmed dimmed(texture::Image light, colour::WorkingSpace space, double sky_cd_m2
   const auto white = colour::white(space);
   for (std::size_t r = 0; r < light.height; ++r)
     for (std::size_t c = 0; c < light.width; ++c) {
-      const double y = colour::luminance(
+      const double y = colour::brightest_channel(
           space, std::array<double, 3>{light(r, c, 0), light(r, c, 1), light(r, c, 2)});
       const double share = rounded_off(scale * std::max(0., y + sky_cd_m2));
       for (std::size_t k = 0; k < 3; ++k) {
@@ -241,7 +244,6 @@ Dimmed dimmed(texture::Image light, colour::WorkingSpace space, double sky_cd_m2
 colour::Image shadow_taken(Development development, const colour::Exposure& exposure,
                            const Frame& frame) {
   constexpr auto other_noise = std::uint64_t{1} << 63;
-  constexpr double reddest = 4;  // red over luminance, of a deep shadow or a Moon that rises
   const bool through_camera = camera_of(development).has_value();
   const double scale = scale_of(development, exposure);
   const LimbPixels limb(through_camera ? frame.seen.disc : std::nullopt, frame.light);
@@ -249,10 +251,8 @@ colour::Image shadow_taken(Development development, const colour::Exposure& expo
                                    sky_before(development.camera, frame.seen), scale);
   if (through_camera) development.camera.sky_cd_m2 = sky;
   const auto covered = limb.covered(light);
-  auto slower = exposure;
-  slower.iso = std::max(1., exposure.iso / reddest);
   auto shadow =
-      taken(development, slower,
+      taken(development, exposure,
             {covered, frame.space, frame.seen, frame.number ^ other_noise, frame.attributes});
   for (auto& pixel : shadow.values())
     for (float& value : pixel) value = static_cast<float>(scale * value);
@@ -301,13 +301,13 @@ void write_shown(const std::filesystem::path& file, const Development& developme
 
 }  // namespace
 
-void LitSums::add(double luminance_cd_m2) {
-  const double cube = luminance_cd_m2 * luminance_cd_m2 * luminance_cd_m2;
+void LitSums::add(double brightest_cd_m2) {
+  const double cube = brightest_cd_m2 * brightest_cd_m2 * brightest_cd_m2;
   ++count;
-  inverses += 1 / luminance_cd_m2;
-  cube_roots += std::cbrt(luminance_cd_m2);
+  inverses += 1 / brightest_cd_m2;
+  cube_roots += std::cbrt(brightest_cd_m2);
   cubes += cube;
-  fourth_powers += cube * luminance_cd_m2;
+  fourth_powers += cube * brightest_cd_m2;
 }
 
 void LitSums::add(const LitSums& more) {
@@ -322,11 +322,11 @@ Exposures exposures_for(const Development& development, const texture::Image& fr
                         colour::WorkingSpace space, const SeenFrame& seen) {
   if (development.time.rule == ExposureTime::Rule::fixed)
     return exposed_for(development, development.time.seconds);
-  const auto lit = luminances(development, frame, space, seen);
+  const auto lit = brightest_channels(development, frame, space, seen);
   if (lit.empty()) return {one_second(development)};
   if (development.time.rule != ExposureTime::Rule::automatic)
     return exposed_for(development, sums_of(lit));
-  return exposed_for(development, time_for(development, bright_luminance(lit), brightest_level));
+  return exposed_for(development, time_for(development, bright_level_of(lit), brightest_level));
 }
 
 Exposures exposures_for(const Development& development, const LitTexture& texture) {
@@ -335,7 +335,7 @@ Exposures exposures_for(const Development& development, const LitTexture& textur
   Brightest brightest(texture.layout.width * texture.layout.height);
   LitSums sums;
   for_each_band(texture, [&](const texture::Image& band) {
-    for (const double y : luminances(band, texture.space, {}))
+    for (const double y : levels(colour::brightest_channel, band, texture.space, {}))
       rule == ExposureTime::Rule::automatic ? brightest.add(y) : sums.add(y);
   });
   if (brightest.count() + sums.count == 0) return {one_second(development)};
@@ -347,8 +347,8 @@ double sky_over_moon(const Development& development, const texture::Image& frame
                      colour::WorkingSpace space, const SeenFrame& seen) {
   const double sky = sky_before(development.camera, seen);
   if (sky == 0) return 0;
-  const auto lit = luminances(frame, space, seen.disc);
-  return lit.empty() ? 0 : sky / bright_luminance(lit);
+  const auto lit = levels(colour::luminance, frame, space, seen.disc);
+  return lit.empty() ? 0 : sky / bright_level_of(lit);
 }
 
 SharedExposure::SharedExposure(const Development& development) : development_(development) {
@@ -359,7 +359,7 @@ SharedExposure::SharedExposure(const Development& development) : development_(de
 void SharedExposure::add(const texture::Image& frame, colour::WorkingSpace space,
                          const SeenFrame& seen) {
   if (development_.time.rule == ExposureTime::Rule::fixed) return;
-  const auto lit = luminances(development_, frame, space, seen);
+  const auto lit = brightest_channels(development_, frame, space, seen);
   sums_.add(sums_of(lit));
   if (!counts_.empty())
     for (const double y : lit) ++counts_[step_of(y)];

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/matrix.hpp>
 
 #include "algebra/error.h"
 #include "colour/camera.h"
@@ -115,8 +116,31 @@ TEST(Exposures, AreThoseOfTheMoonAlone) {
     SharedExposure shared(development);
     shared.add(starry, space, {.disc = disc});
     EXPECT_WITHIN_RELATIVE(shared.exposures().shorter.time_s, alone.shorter.time_s, 5e-4,
-                           "luminances are counted in steps of 2^-11");
+                           "levels are counted in steps of 2^-11");
   }
+}
+
+TEST(Exposures, AreOfTheBrightestChannelInAnySpace) {
+  std::vector<std::array<float, 3>> copper;
+  for (int i = 1; i <= 200; ++i) {
+    const auto light = 1e-3F * static_cast<float>(i);
+    copper.push_back({light, light / 8, light / 60});
+  }
+  const auto frame = image_of(copper);
+  const auto exposures = exposures_for({}, frame, space);
+  EXPECT_WITHIN_RELATIVE(0.199 * scale_of({}, exposures.shorter), 0.8, 1e-6,
+                         "floats: red of the brightest 1 %, though luminance is a third of it");
+  auto in_acescg = frame;
+  const auto matrix = colour::channels_from_xyz(colour::WorkingSpace::acescg) *
+                      glm::inverse(colour::channels_from_xyz(space));
+  for (std::size_t i = 0; i < copper.size(); ++i) {
+    const auto c = matrix * glm::dvec3(copper[i][0], copper[i][1], copper[i][2]);
+    for (std::size_t k = 0; k < 3; ++k)
+      in_acescg.values[3 * i + k] = static_cast<float>(c[static_cast<int>(k)]);
+  }
+  EXPECT_WITHIN_RELATIVE(
+      exposures_for({}, in_acescg, colour::WorkingSpace::acescg).shorter.time_s,
+      exposures.shorter.time_s, 1e-6, "floats");
 }
 
 Development through(const std::string& camera, ExposureTime::Rule rule) {
@@ -139,7 +163,7 @@ TEST(Exposures, ThroughACameraCountTheSky) {
     SharedExposure shared(camera);
     shared.add(frame, space, seen);
     EXPECT_WITHIN_RELATIVE(shared.exposures().shorter.time_s, exposures.shorter.time_s, 5e-4,
-                           "luminances are counted in steps of 2^-11");
+                           "levels are counted in steps of 2^-11");
   }
 }
 
