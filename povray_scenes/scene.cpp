@@ -13,6 +13,7 @@
 #include "files/own_file.h"
 #include "files/whole_file.h"
 #include "povray_scenes/scene_text.h"
+#include "povray_scenes/sight.h"
 
 namespace coppermoon::povray_scenes {
 namespace {
@@ -37,7 +38,8 @@ void require_one_line(std::string_view caption) {
     throw algebra::Error(fmt::format("caption = '{}', allowed: one line of text", caption));
 }
 
-std::string left_handed(const glm::dvec3& v) { return fmt::format("<{}, {}, {}>", v.x, v.z, v.y); }
+std::string numbers(const glm::dvec3& v) { return fmt::format("{}, {}, {}", v.x, v.z, v.y); }
+std::string left_handed(const glm::dvec3& v) { return fmt::format("<{}>", numbers(v)); }
 
 /// The matrix is symmetric: its rows are its columns.
 std::string squash(const SceneCamera& camera) {
@@ -56,6 +58,32 @@ std::string spheres_text(const MoonScene& scene) {
         "emission 1 }} }}\n",
         left_handed(centre), radius, luminance[0], luminance[1], luminance[2]);
   return text;
+}
+
+/// Pane with the air's light. Texels are interpolated between their middles, so it reaches half a step beyond the frame.
+std::string pane_text(const MoonScene& scene) {
+  if (!scene.air) return {};
+  const auto& [image, columns, rows, step] = *scene.air;
+  const auto sight = sight_of(scene.camera);
+  const double unit = scene.moon_radius * static_cast<double>(step);
+  const auto across = unit * static_cast<double>(columns) * sight.across,
+             up = -unit * static_cast<double>(rows) * sight.down,
+             corner = scene.moon_radius * (sight.position + sight.corner) -
+                      unit / 2 * (sight.across + sight.down) - up;
+  return fmt::format(R"(// Light of the air, before Moon and stars.
+#declare Opacity = 0.001;  // of a pane that shines through it
+polygon {{
+  5, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 0>
+  pigment {{
+    average
+    pigment_map {{ [Opacity image_map {{ exr "{}" interpolate 2 once }}] [1 - Opacity rgbt <0, 0, 0, 1>] }}
+  }}
+  finish {{ ambient 0 diffuse 0 emission 1/(Opacity*Opacity) }}
+  matrix <{}, {}, {}, {}>
+}}
+)",
+                     image, numbers(across), numbers(up),
+                     numbers(scene.moon_radius * line_of_sight(scene.camera)), numbers(corner));
 }
 
 }  // namespace
@@ -88,6 +116,7 @@ std::vector<LightSphere> light_spheres(const MoonScene& scene) {
 void require_renderable(const MoonScene& scene) {
   require_sound(scene.camera);
   require_texture_name(scene.texture);
+  if (scene.air) require_texture_name(scene.air->image);
   require_one_line(scene.caption);
   algebra::require_within("moon_radius [units]", scene.moon_radius, 1e-2, 1e5);
   algebra::require_within("distance of the camera [units]",
@@ -193,7 +222,7 @@ std::string to_pov(const MoonScene& scene) {
                           .look_at = camera.look_at,
                           .texture = fmt::format("\"{}\"", scene.texture),
                           .flattened = flattened,
-                          .lights = spheres_text(scene)});
+                          .lights = spheres_text(scene) + pane_text(scene)});
 }
 
 std::string to_ini(const MoonScene& scene) {

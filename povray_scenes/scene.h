@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,13 @@ struct SkyLight {
   double radius_rad = 0;                  ///< of a planet's disc
 };
 
+/// Air that shines before the Moon and the stars: an .exr in the scene's folder whose texel in column c and row r shows the
+/// air before the frame's pixel (c step, r step), linear between texels.
+struct AirBefore {
+  std::string image;
+  std::size_t columns = 2, rows = 2, step = 1;
+};
+
 /// Textured Moon before a black sky. The texture is emission: the frame has its unit (cd/m²) and primaries,
 /// scene-linear.
 struct MoonScene {
@@ -35,6 +43,7 @@ struct MoonScene {
   /// Lights behind the Moon: emitting spheres with the radius of a pixel, or of the planet where that is larger. Of
   /// two closer than that one hides the other.
   std::vector<SkyLight> lights = {};
+  std::optional<AirBefore> air = {};  ///< for POV-Ray alone
   bool alpha = false;  ///< the frame has a channel A: the share of each pixel that the Moon covers
 };
 
@@ -42,6 +51,7 @@ struct MoonScene {
 ///
 /// Frames: the Moon-fixed X, Y, Z are POV-Ray's x, z, y, since its axes are left-handed.
 /// The camera's flattening compresses the textured sphere in the frame; the texture is left alone.
+/// The air is a pane near the camera, which takes 0.1 % of the light behind it.
 /// Accuracy  POV-Ray reads the texture and writes the frame as half floats: 5e-4 relative above
 ///           6.1e-5, 3e-8 below; infinite above 65504
 /// Throws    Error  when the camera is not sound; when the moon_radius is outside 1e-2 to 1e5, or

@@ -32,6 +32,7 @@ struct Options {
   uses::Development develop;
   std::vector<std::string> frames;
   std::string output, space;
+  std::optional<double> sky_cd_m2{};
   bool json = false;
 };
 
@@ -44,8 +45,8 @@ colour::WorkingSpace space_of(const Options& options, const std::string& frame) 
   return colour::space_in_name(stem).value_or(colour::WorkingSpace::linear_rec709);
 }
 
-texture::Image read_frame(const Options& options, const std::string& frame,
-                          colour::WorkingSpace space) {
+texture::Image light_of(const Options& options, const std::string& frame,
+                        colour::WorkingSpace space) {
   if (texture::is_raw_file(frame))
     return uses::raw_light(frame, space, options.develop.camera.response);
   if (space == colour::WorkingSpace::ciexyz_d65)
@@ -59,6 +60,26 @@ struct Job {
   fs::path picture;
   colour::WorkingSpace space;
 };
+
+/// Frame that was read, with the sky that is added to it.
+struct Read {
+  texture::Image light;
+  uses::SeenFrame seen;
+};
+
+Read read_frame(const Options& options, const Job& job) {
+  Read read{light_of(options, job.frame, job.space), uses::seen_by(fs::path(job.frame))};
+  auto& [light, seen] = read;
+  if (seen.sky_cd_m2 > 0 && options.sky_cd_m2)
+    throw algebra::Error(fmt::format("{}: holds a sky of {:.3g} cd/m², allowed sky = auto",
+                                     job.frame, seen.sky_cd_m2));
+  if (seen.sky_cd_m2 > 0) return read;
+  seen.sky_cd_m2 = options.sky_cd_m2.value_or(uses::sky_left_out(job.frame));
+  const auto white = colour::white(job.space);
+  for (std::size_t i = 0; seen.sky_cd_m2 > 0 && i < light.values.size(); ++i)
+    light.values[i] += static_cast<float>(seen.sky_cd_m2 * white[int(i % 3)]);
+  return read;
+}
 
 /// Jobs: one frame gets the name of --output, several get their own names in that folder.
 std::vector<Job> jobs_of(const Options& options) {
@@ -112,15 +133,15 @@ void require_place(const Options& options, const std::vector<Job>& jobs) {
 /// Exposure that all frames share, by its rule.
 uses::Exposures shared_exposures(const Options& options, const std::vector<Job>& jobs) {
   if (jobs.size() == 1) {
-    const auto& job = jobs.front();
-    return exposures_for(options.develop, read_frame(options, job.frame, job.space), job.space,
-                         uses::seen_by(fs::path(job.frame)));
+    const auto [light, seen] = read_frame(options, jobs.front());
+    return exposures_for(options.develop, light, jobs.front().space, seen);
   }
   uses::SharedExposure shared(options.develop);
   if (options.develop.time.rule != uses::ExposureTime::Rule::fixed)
-    for (const auto& job : jobs)
-      shared.add(read_frame(options, job.frame, job.space), job.space,
-                 uses::seen_by(fs::path(job.frame)));
+    for (const auto& job : jobs) {
+      const auto [light, seen] = read_frame(options, job);
+      shared.add(light, job.space, seen);
+    }
   return shared.exposures();
 }
 
@@ -151,10 +172,9 @@ std::string in_words(const Options& options, const uses::Exposures& exposures) {
 
 void develop(const Options& options, const Job& job, const uses::Exposures& exposures,
              std::size_t number) {
-  const auto frame = read_frame(options, job.frame, job.space);
-  const auto seen = uses::seen_by(fs::path(job.frame));
+  const auto [frame, seen] = read_frame(options, job);
   warn_of_another_camera(job.frame, options.develop.camera.response);
-  if (const double sky = sky_over_moon(options.develop, frame, job.space, seen); sky > 1)
+  if (const double sky = sky_over_moon(frame, job.space, seen); sky > 1)
     fmt::print(stderr, "coppermoon: {}: {}\n", one_line(job.frame), bright_sky_in_words(sky));
   write_picture(options.develop, exposures,
                 {frame, job.space, seen, number, uses::scene_attributes(job.frame)}, {},
@@ -216,6 +236,7 @@ void add_develop(CLI::App& program) {
       *verb, "--space", options->space,
       "colour space of the frame: lin_rec709, acescg or lin_ciexyzd65_scene; default: what the "
       "header or the name says");
+  add_described(*verb, options->sky_cd_m2, uses::describe_sky_of_frame);
   add_described(*verb, options->develop);
   add_described(*verb, options->develop.caption, uses::describe_caption);
   add_described(*verb, options->develop.camera);

@@ -308,7 +308,7 @@ void add_night(CLI::App& program) {
   add_described(*verb, options->develop, uses::describe_but_time);
   add_described(*verb, options->develop.camera);
   for (const char* of_a_picture :
-       {"view", "display", "config", "bits", "diffraction", "seeing", "glow", "sky", "read-noise",
+       {"view", "display", "config", "bits", "diffraction", "seeing", "glow", "read-noise",
         "converter-noise", "black-level", "sensor-bits", "noise", "noise-seed", "response"})
     parameters_of(*verb).find(of_a_picture)->only_with({});
   add_recipe_option(*verb);

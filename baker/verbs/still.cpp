@@ -69,10 +69,10 @@ void run(const CLI::App& verb, Options options) {
     ProgressBar bar("render");
     return uses::rendered(scene, options.passes && !options.frame.empty(), bar.progress());
   }();
-  const auto seen = uses::seen_by(scene.view, scene.moon.sky);
-  const auto exposures = exposures_for(options.develop, frame.whole, uses::picture_space, seen);
-  if (const double sky = sky_over_moon(options.develop, frame.whole, uses::picture_space, seen);
-      sky > 1)
+  const auto whole = frame.whole();
+  const auto seen = uses::seen_by(scene.view, scene.sky);
+  const auto exposures = exposures_for(options.develop, whole, uses::picture_space, seen);
+  if (const double sky = sky_over_moon(whole, uses::picture_space, seen); sky > 1)
     fmt::print(stderr, "coppermoon: {}\n", bright_sky_in_words(sky));
   if (!options.frame.empty()) {
     auto header = uses::frame_header(scene, exposures);
@@ -81,8 +81,7 @@ void run(const CLI::App& verb, Options options) {
                       scene.view.camera, header);
   }
   write_picture(
-      options.develop, exposures,
-      {frame.whole, uses::picture_space, seen, 0, scene.texture.attributes},
+      options.develop, exposures, {whole, uses::picture_space, seen, 0, scene.texture.attributes},
       {{"coppermoon:recipe", made.recipe}, {"coppermoon:version", std::string(uses::version())}},
       options.output);
   report(made, options.json);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "algebra/error.h"
 #include "algebra/number.h"
 #include "texture/read_image.h"
@@ -35,7 +37,11 @@ void expose(const Development& development, texture::Image& film, const fs::path
                                      frame.string(), image.width, image.height, film.width,
                                      film.height));
   const auto scale = static_cast<float>(exposure_scale_of(development, frame));
-  for (std::size_t i = 0; i < film.values.size(); ++i) film.values[i] += scale * image.values[i];
+  const bool sky = seen_by(frame).sky_cd_m2 > 0;
+  for (std::size_t i = 0; i < film.values.size(); ++i) {
+    float& value = film.values[i];
+    value = sky ? std::max(value, scale * image.values[i]) : value + scale * image.values[i];
+  }
 }
 
 }  // namespace

@@ -13,6 +13,9 @@ namespace coppermoon::uses {
 ///
 ///     value = Σ s L        s: exposure_scale of the frame
 ///
+/// Of frames that hold a sky it is the greatest s L in each pixel, as photographers blend by lightening: a sum would hold
+/// many skies.
+///
 /// Omits   occultation where Moons overlap
 /// Throws  Error  when a frame cannot be read, differs in size from the first, or has no exposure in its header
 void write_composite(const std::filesystem::path& path, const Film& film,

@@ -39,13 +39,15 @@ texture::Attributes header_of(const Film& film, std::size_t frame) {
   return header;
 }
 
-BakedMoon moon_of(const Film& film, const almanac::SkyState& sky, const View& view,
-                  std::size_t frame) {
+LitMoon lit_of(const Film& film, const almanac::SkyState& sky, const View& view) {
+  return {film.moon,     sky,           film.albedo,
+          film.ground,   film.light,    range_at(*film.light, sky),
+          view.observer, view.sightline};
+}
+
+BakedMoon moon_of(const Film& film, const LitMoon& lit, std::size_t frame) {
   const auto extent =
       film.products.textures ? texture::Extent::whole : texture::Extent::seen_from_earth;
-  const LitMoon lit{film.moon,     sky,           film.albedo,
-                    film.ground,   film.light,    range_at(*film.light, sky),
-                    view.observer, view.sightline};
   auto content = film.content;
   if (film.products.framed()) {  // textures are for POV-Ray
     content.space = picture_space;
@@ -120,7 +122,8 @@ void write_pictures(const Film& film, const Rendered& rendered, const texture::I
 ///
 /// Given  frame  in the film's space
 MadeFrame finished(const Film& film, const Rendered& rendered, const LinearFrame& frame) {
-  const auto exposures = exposures_of(film, rendered, frame.whole);
+  const auto whole = frame.whole();
+  const auto exposures = exposures_of(film, rendered, whole);
   auto attributes = rendered.attributes;
   add_exposure(attributes, exposures);
   add_seen(attributes, rendered.seen);
@@ -128,7 +131,7 @@ MadeFrame finished(const Film& film, const Rendered& rendered, const LinearFrame
     say_space(attributes, space);
   if (film.products.frames)
     write_frame(film.linear_frame(rendered.frame), frame, rendered.camera, attributes);
-  if (film.products.pictures) write_pictures(film, rendered, frame.whole, exposures);
+  if (film.products.pictures) write_pictures(film, rendered, whole, exposures);
   return {rendered.frame, exposures};
 }
 
@@ -145,10 +148,12 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
   std::vector<Rendered> batch;
   std::vector<std::vector<SkyLight>> lights;
   std::vector<View> views;
+  std::vector<FrameSky> skies;
   for (const std::size_t frame : frames) {
     const auto sky = film.sky(frame);
     const auto view = view_of(film, sky);
-    const auto moon = moon_of(film, sky, view, frame);
+    const auto lit = lit_of(film, sky, view);
+    const auto moon = moon_of(film, lit, frame);
     const auto path = texture_file(batch.size() + 1);
     if (film.products.textures) {
       write_texture(film, frame, moon);
@@ -157,14 +162,16 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
       texture::write_exr(path, moon.parts, moon.attributes, {.packed = false});
     }
     sequence.cameras.push_back(view.camera);
-    batch.push_back({frame, moon.attributes, seen_by(view, sky), view.camera});
+    skies.emplace_back(view, lit);
+    batch.push_back({frame, moon.attributes, seen_by(view, skies.back()), view.camera});
     lights.push_back(sky_lights(view, sky));
     views.push_back(view);
   }
   write_sequence(folder.path(), sequence);
   const auto in_film_space = [&](std::size_t number, const std::filesystem::path& rendered) {
-    const auto frame = completed(texture::read_image(rendered), views[number - 1],
-                                 film.sky(batch[number - 1].frame), lights[number - 1]);
+    const auto frame =
+        completed(texture::read_image(rendered), views[number - 1],
+                  film.sky(batch[number - 1].frame), lights[number - 1], skies[number - 1]);
     return in_space(frame, picture_space, space_of(film.content));
   };
   povray_scenes::render_sequence(
@@ -181,10 +188,11 @@ void render(const Film& film, Frames frames, int threads, const WhenMade& when_m
 void expose(const Film& film, std::size_t frame, const WhenMade& when_made) {
   const auto sky = film.sky(frame);
   const auto view = view_of(film, sky);
-  const auto moon = moon_of(film, sky, view, frame);
+  const auto lit = lit_of(film, sky, view);
+  const auto moon = moon_of(film, lit, frame);
   if (film.products.textures && !is_own(film, film.texture(frame), frame))
     write_texture(film, frame, moon);
-  auto made = finished(film, {frame, moon.attributes, seen_by(view, sky), view.camera},
+  auto made = finished(film, {frame, moon.attributes, seen_by(view, {view, lit}), view.camera},
                        {texture::read_image(film.linear_frame(frame))});
   made.developed_again = true;
   when_made(made);
@@ -192,7 +200,7 @@ void expose(const Film& film, std::size_t frame, const WhenMade& when_made) {
 
 void bake(const Film& film, std::size_t frame, const WhenMade& when_made) {
   const auto sky = film.sky(frame);
-  const auto moon = moon_of(film, sky, view_of(film, sky), frame);
+  const auto moon = moon_of(film, lit_of(film, sky, view_of(film, sky)), frame);
   write_texture(film, frame, moon);
   when_made({frame, std::nullopt});
 }

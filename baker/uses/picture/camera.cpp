@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "algebra/error.h"
 #include "algebra/number.h"
-#include "atmosphere/sky_luminance.h"
 #include "colour/camera_spectra.h"
 #include "texture/read_image.h"
 #include "uses/picture/pixels.h"
@@ -22,6 +20,7 @@ constexpr double arcsec_rad = std::numbers::pi / 180 / 3600;
 
 constexpr const char *pixel_attribute = "coppermoon:pixel_arcsec",
                      *sky_attribute = "coppermoon:sky_cd_m2",
+                     *sky_place_attribute = "coppermoon:sky", *sky_place = "in the frame",
                      *disc_attribute = "coppermoon:disc_outline";
 
 bool any_given(const CameraRequest& o) {
@@ -29,7 +28,7 @@ bool any_given(const CameraRequest& o) {
          o.full_well_e || o.read_noise_e || o.converter_noise_dn || o.black_level_dn ||
          o.seeing_arcsec || o.glow || o.sensor_bits ||
          (o.response && *o.response != "colorimetric" && !spectral_response(o)) || o.diffraction ||
-         o.noise || o.sky_cd_m2 || !o.raw.empty() || !o.photograph.empty();
+         o.noise || !o.raw.empty() || !o.photograph.empty();
 }
 
 template <typename Value>
@@ -52,12 +51,8 @@ double number_in(const std::filesystem::path& frame, const char* attribute) {
   return algebra::number_in(texture::read_attribute(frame, attribute).value_or("")).value_or(-1);
 }
 
-double sky_over(const almanac::Observer& observer, const almanac::SkyState& sky) {
-  const auto view = almanac::view_from(observer, sky);
-  const double sine = glm::dot(glm::normalize(sky.sun_m - view.position_m), view.zenith);
-  constexpr double day = 5;  // an eclipsed Moon is down by then
-  return atmosphere::sky_luminance_cd_m2(
-      algebra::degrees(std::min(std::asin(sine) * 180 / std::numbers::pi, day)));
+bool holds_its_sky(const std::filesystem::path& frame) {
+  return texture::read_attribute(frame, sky_place_attribute) == sky_place;
 }
 
 }  // namespace
@@ -68,7 +63,7 @@ std::optional<colour::Camera> camera_of(const CameraRequest& request,
   if (request.model.empty()) {
     if (any_given(request))
       throw algebra::Error(
-          fmt::format("aperture, sensor, noise, sky and files of a camera need a camera: {}",
+          fmt::format("aperture, sensor, noise and files of a camera need a camera: {}",
                       fmt::join(colour::camera_names(), ", ")));
     return std::nullopt;
   }
@@ -109,41 +104,46 @@ double pixel_rad_of(const povray_scenes::SceneCamera& camera) {
          static_cast<double>(camera.width);
 }
 
-SeenFrame seen_by(const View& view, const almanac::SkyState& sky) {
-  SeenFrame seen{pixel_rad_of(view.camera), {}, disc_outline(view.camera)};
-  if (view.observer) seen.sky_cd_m2 = sky_over(*view.observer, sky);
-  return seen;
+SeenFrame seen_by(const View& view, const FrameSky& sky) {
+  return {pixel_rad_of(view.camera), sky.at_moon_cd_m2(), disc_outline(view.camera)};
 }
 
 SeenFrame seen_by(const std::filesystem::path& frame) {
   SeenFrame seen;
   seen.pixel_rad = std::max(0., number_in(frame, pixel_attribute)) * arcsec_rad;
-  if (const double sky = number_in(frame, sky_attribute); sky >= 0) seen.sky_cd_m2 = sky;
+  if (const double sky = number_in(frame, sky_attribute); sky > 0 && holds_its_sky(frame))
+    seen.sky_cd_m2 = sky;
   seen.disc = outline_in(texture::read_attribute(frame, disc_attribute).value_or(""));
   seen.of_another_program = !texture::read_attribute(frame, "coppermoon:version");
   return seen;
 }
 
-void add_seen(texture::Attributes& attributes, const SeenFrame& seen) {
-  attributes[pixel_attribute] = static_cast<float>(seen.pixel_rad / arcsec_rad);
-  if (seen.sky_cd_m2) attributes[sky_attribute] = static_cast<float>(*seen.sky_cd_m2);
-  if (seen.disc) attributes[disc_attribute] = text_of(*seen.disc);
+double sky_left_out(const std::filesystem::path& frame) {
+  return holds_its_sky(frame) ? 0 : std::max(0., number_in(frame, sky_attribute));
 }
 
-double sky_before(const CameraRequest& request, const SeenFrame& seen) {
-  if (request.model.empty()) return 0;
-  return request.sky_cd_m2.value_or(seen.sky_cd_m2.value_or(0));
+void add_seen(texture::Attributes& attributes, const SeenFrame& seen) {
+  attributes[pixel_attribute] = static_cast<float>(seen.pixel_rad / arcsec_rad);
+  if (seen.sky_cd_m2 > 0) {
+    attributes[sky_attribute] = static_cast<float>(seen.sky_cd_m2);
+    attributes[sky_place_attribute] = std::string(sky_place);
+  }
+  if (seen.disc) attributes[disc_attribute] = text_of(*seen.disc);
 }
 
 colour::Photograph photographed(const CameraRequest& request, const colour::Camera& camera,
                                 const Frame& frame, const colour::Exposure& exposure) {
-  const auto pixels = pixels_of(frame.light);
+  auto pixels = pixels_of(frame.light);
   const auto& seen = frame.seen;
+  const auto white = colour::white(frame.space);
+  for (auto& pixel : pixels.values())
+    for (int k = 0; k < 3; ++k)
+      pixel[static_cast<std::size_t>(k)] -= static_cast<float>(seen.sky_cd_m2 * white[k]);
   const double across = static_cast<double>(pixels.columns()) * camera.optics.focal_length_mm;
   const colour::Shot shot{
       .exposure = exposure,
       .pixel_rad = seen.pixel_rad > 0 ? seen.pixel_rad : camera.sensor.width_mm / across,
-      .sky_cd_m2 = sky_before(request, seen),
+      .sky_cd_m2 = seen.sky_cd_m2,
       .seed = request.noise_seed,
       .frame = frame.number};
   return colour::photographed(pixels, frame.space, camera, shot);

@@ -10,6 +10,7 @@
 #include "colour/photograph.h"
 #include "texture/image.h"
 #include "uses/picture/disc_outline.h"
+#include "uses/picture/frame_sky.h"
 #include "uses/picture/view.h"
 
 namespace coppermoon::uses {
@@ -24,8 +25,6 @@ struct CameraRequest {
   std::optional<int> sensor_bits{};
   std::optional<std::string> response{};       ///< one of colour::response_names(), or a .csv file
   std::optional<bool> diffraction{}, noise{};  ///< without: on
-  /// luminance of the sky; 0: none; without: twilight and airglow where the frame was seen from
-  std::optional<double> sky_cd_m2{};
   std::uint64_t noise_seed = 1;
   std::filesystem::path raw{}, photograph{};  ///< files; empty: not written
 };
@@ -49,16 +48,22 @@ double pixel_rad_of(const povray_scenes::SceneCamera& camera);
 /// Facts of a frame that its development needs beside its light.
 struct SeenFrame {
   double pixel_rad = 0;  ///< angle across the middle pixel; 0: from the sensor's width
-  std::optional<double> sky_cd_m2 = {};  ///< nothing: not known
+  /// Luminance of the sky towards the Moon that the frame holds: the light of each pixel has it, on the Moon as beside
+  /// it; 0: none
+  double sky_cd_m2 = 0;
   std::optional<DiscOutline> disc = {};  ///< the Moon's edge; nothing: not known
   bool of_another_program = false;       ///< by its header
 };
 
-/// Facts of a frame of a view; twilight comes from the Sun below the observer's horizon.
-SeenFrame seen_by(const View& view, const almanac::SkyState& sky);
+/// Facts of a frame of a view, and of the sky in it.
+SeenFrame seen_by(const View& view, const FrameSky& sky);
 
 /// Facts of a frame by its header.
 SeenFrame seen_by(const std::filesystem::path& frame);
+
+/// Luminance of a sky [cd/m²] that a frame's header names, but the frame holds not: of one written before frames held
+/// theirs. 0: none.
+double sky_left_out(const std::filesystem::path& frame);
 
 /// Header attributes of such facts.
 void add_seen(texture::Attributes& attributes, const SeenFrame& seen);
@@ -72,10 +77,7 @@ struct Frame {
   texture::Attributes attributes = {};  ///< for the headers of files made from it
 };
 
-/// Luminance of the sky before a camera [cd/m²]: as asked for, or the frame's; 0 without a model.
-double sky_before(const CameraRequest& request, const SeenFrame& seen);
-
-/// Photograph of a scene-linear frame.
+/// Photograph of a scene-linear frame. Its sky goes on beyond the frame, for the glow.
 colour::Photograph photographed(const CameraRequest& request, const colour::Camera& camera,
                                 const Frame& frame, const colour::Exposure& exposure);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <glm/vec3.hpp>
 
@@ -28,6 +29,10 @@ class ClearSky {
 
   /// Given  direction  unit: east, north, up; as it is seen, refraction included
   SkyTerms towards(const glm::dvec3& direction) const;
+  std::array<double, 3> light(const glm::dvec3& direction) const {  // SHIM
+    const double l = towards(direction).sum();
+    return {0.8 * l, l, 1.5 * l};
+  }
 
   /// Angle from the Moon, as both are seen.
   algebra::Angle from_moon(const glm::dvec3& direction) const;

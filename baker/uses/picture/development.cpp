@@ -46,7 +46,7 @@ Development for_file(Development development, const std::filesystem::path& pictu
 /// Luminance of a colour, or its brightest channel [cd/m²].
 using Level = double(colour::WorkingSpace, std::span<const double>);
 
-/// Levels of lit pixels that the Moon covers wholly or partly, without the sky's [cd/m²].
+/// Levels of lit pixels that the Moon covers wholly or partly [cd/m²].
 std::vector<double> levels(Level level, const texture::Image& frame, colour::WorkingSpace space,
                            const std::optional<DiscOutline>& disc) {
   std::vector<double> lit;
@@ -60,15 +60,6 @@ std::vector<double> levels(Level level, const texture::Image& frame, colour::Wor
                                            static_cast<double>(r) + 0.5) > 0))
         lit.push_back(y);
     }
-  return lit;
-}
-
-/// Brightest channels of lit pixels, with the sky's before a camera [cd/m²].
-std::vector<double> brightest_channels(const Development& development, const texture::Image& frame,
-                                       colour::WorkingSpace space, const SeenFrame& seen) {
-  auto lit = levels(colour::brightest_channel, frame, space, seen.disc);
-  const double sky = sky_before(development.camera, seen);
-  for (double& y : lit) y += sky;
   return lit;
 }
 
@@ -217,43 +208,32 @@ colour::Image taken(const Development& development, const colour::Exposure& expo
 double rounded_off(double x) { return std::abs(x) < 1e-9 ? 1 : -std::expm1(-x) / x; }
 
 /// A frame whose brightest channels x, in units of saturation, are dimmed to 1 - exp(-x); a colour keeps its ratios.
-/// The sky's light is counted in x and left out again: what is dimmed of it alone is sky_cd_m2.
-struct Dimmed {
-  texture::Image light;
-  double sky_cd_m2;
-};
-
-Dimmed dimmed(texture::Image light, colour::WorkingSpace space, double sky_cd_m2, double scale) {
+texture::Image dimmed(texture::Image light, colour::WorkingSpace space, double scale) {
   require_colours(light);
-  const double sky = sky_cd_m2 * rounded_off(scale * sky_cd_m2);
-  const auto white = colour::white(space);
   for (std::size_t r = 0; r < light.height; ++r)
     for (std::size_t c = 0; c < light.width; ++c) {
       const double y = colour::brightest_channel(
           space, std::array<double, 3>{light(r, c, 0), light(r, c, 1), light(r, c, 2)});
-      const double share = rounded_off(scale * std::max(0., y + sky_cd_m2));
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double w = white[static_cast<int>(k)];
-        light(r, c, k) = static_cast<float>((light(r, c, k) + w * sky_cd_m2) * share - w * sky);
-      }
+      const double share = rounded_off(scale * std::max(0., y));
+      for (std::size_t k = 0; k < 3; ++k)
+        light(r, c, k) = static_cast<float>(light(r, c, k) * share);
     }
-  return {std::move(light), sky};
+  return light;
 }
 
 /// Longer exposure of a composite, in units of saturation.
-colour::Image shadow_taken(Development development, const colour::Exposure& exposure,
+colour::Image shadow_taken(const Development& development, const colour::Exposure& exposure,
                            const Frame& frame) {
   constexpr auto other_noise = std::uint64_t{1} << 63;
   const bool through_camera = camera_of(development).has_value();
   const double scale = scale_of(development, exposure);
-  const LimbPixels limb(through_camera ? frame.seen.disc : std::nullopt, frame.light);
-  const auto [light, sky] = dimmed(limb.with_ground(frame.light), frame.space,
-                                   sky_before(development.camera, frame.seen), scale);
-  if (through_camera) development.camera.sky_cd_m2 = sky;
-  const auto covered = limb.covered(light);
-  auto shadow =
-      taken(development, exposure,
-            {covered, frame.space, frame.seen, frame.number ^ other_noise, frame.attributes});
+  const LimbPixels limb(through_camera ? frame.seen.disc : std::nullopt, frame.light,
+                        frame.seen.sky_cd_m2 > 0);
+  const auto covered = limb.covered(dimmed(limb.with_ground(frame.light), frame.space, scale));
+  auto seen = frame.seen;
+  seen.sky_cd_m2 *= rounded_off(scale * seen.sky_cd_m2);
+  auto shadow = taken(development, exposure,
+                      {covered, frame.space, seen, frame.number ^ other_noise, frame.attributes});
   for (auto& pixel : shadow.values())
     for (float& value : pixel) value = static_cast<float>(scale * value);
   return shadow;
@@ -322,7 +302,7 @@ Exposures exposures_for(const Development& development, const texture::Image& fr
                         colour::WorkingSpace space, const SeenFrame& seen) {
   if (development.time.rule == ExposureTime::Rule::fixed)
     return exposed_for(development, development.time.seconds);
-  const auto lit = brightest_channels(development, frame, space, seen);
+  const auto lit = levels(colour::brightest_channel, frame, space, seen.disc);
   if (lit.empty()) return {one_second(development)};
   if (development.time.rule != ExposureTime::Rule::automatic)
     return exposed_for(development, sums_of(lit));
@@ -343,12 +323,13 @@ Exposures exposures_for(const Development& development, const LitTexture& textur
   return exposed_for(development, time_for(development, brightest.percentile(), brightest_level));
 }
 
-double sky_over_moon(const Development& development, const texture::Image& frame,
-                     colour::WorkingSpace space, const SeenFrame& seen) {
-  const double sky = sky_before(development.camera, seen);
+double sky_over_moon(const texture::Image& frame, colour::WorkingSpace space,
+                     const SeenFrame& seen) {
+  const double sky = seen.sky_cd_m2;
   if (sky == 0) return 0;
   const auto lit = levels(colour::luminance, frame, space, seen.disc);
-  return lit.empty() ? 0 : sky / bright_level_of(lit);
+  // half floats cannot tell a Moon of a thousandth of its sky
+  return lit.empty() ? 0 : sky / std::max(bright_level_of(lit) - sky, sky / 1000);
 }
 
 SharedExposure::SharedExposure(const Development& development) : development_(development) {
@@ -359,7 +340,7 @@ SharedExposure::SharedExposure(const Development& development) : development_(de
 void SharedExposure::add(const texture::Image& frame, colour::WorkingSpace space,
                          const SeenFrame& seen) {
   if (development_.time.rule == ExposureTime::Rule::fixed) return;
-  const auto lit = brightest_channels(development_, frame, space, seen);
+  const auto lit = levels(colour::brightest_channel, frame, space, seen.disc);
   sums_.add(sums_of(lit));
   if (!counts_.empty())
     for (const double y : lit) ++counts_[step_of(y)];
@@ -437,7 +418,8 @@ texture::Image developed(const Development& development, const Exposures& exposu
                          const Frame& frame) {
   const auto& [exposure, longer_s, a_cameras] = exposures;
   const bool through_camera = camera_of(development).has_value();  // which blurs the edge itself
-  const LimbPixels limb(through_camera ? std::nullopt : frame.seen.disc, frame.light);
+  const LimbPixels limb(through_camera ? std::nullopt : frame.seen.disc, frame.light,
+                        frame.seen.sky_cd_m2 > 0);
   const auto light = limb.with_ground(frame.light);
   const Frame whole{light, frame.space, frame.seen, frame.number, frame.attributes};
   auto picture =

@@ -51,8 +51,7 @@ struct Exposures {
 
 /// Exposure by the rule of a development; 1 s when nothing is lit.
 ///
-/// Given  seen  outline of the Moon: stars beside it are not counted; without: all pixels are. Light of the sky, which
-///              adds to the Moon's before a camera
+/// Given  seen  outline of the Moon: stars beside it are not counted; without: all pixels are
 /// Throws Error when a setting is outside its range, or the frame has fewer than three channels
 Exposures exposures_for(const Development& development, const texture::Image& frame,
                         colour::WorkingSpace space, const SeenFrame& seen = {});
@@ -67,11 +66,11 @@ struct LitTexture {
 /// Exposure of a texture, as of a frame of its texels without a camera; some rows are in memory at a time.
 Exposures exposures_for(const Development& development, const LitTexture& texture);
 
-/// Luminance of the sky over the 99th percentile of the Moon's; 0 without a camera or a lit Moon.
+/// Luminance of the sky that a frame holds over the 99th percentile of the Moon's own; 0 without a sky or a lit Moon.
 ///
 /// Throws Error when the frame has fewer than three channels
-double sky_over_moon(const Development& development, const texture::Image& frame,
-                     colour::WorkingSpace space, const SeenFrame& seen);
+double sky_over_moon(const texture::Image& frame, colour::WorkingSpace space,
+                     const SeenFrame& seen);
 
 /// Sums over the brightest channels of lit pixels [cd/m²], from which exposure times follow.
 struct LitSums {

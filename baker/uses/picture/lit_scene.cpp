@@ -24,7 +24,8 @@ namespace coppermoon::uses {
 namespace {
 
 constexpr const char *texture_file = "moon_lin_rec709.exr", *moon_file = "moon.inc",
-                     *stars_file = "eclipse_stars.inc", *macros_file = "coppermoon.inc";
+                     *stars_file = "eclipse_stars.inc", *macros_file = "coppermoon.inc",
+                     *air_file = "eclipse_air.exr";
 
 /// Diameter of the disc [pixels].
 double diameter(const povray_scenes::SceneCamera& camera) {
@@ -66,7 +67,8 @@ LitScene lit_scene(const MoonRequest& request, const ViewRequest& view,
   moon.observer = seen.observer;
   moon.sightline = seen.sightline;
   auto texture = baked(moon, {}, baking.texture);
-  return {std::move(moon), seen, std::move(texture)};
+  FrameSky air(seen, moon);
+  return {std::move(moon), seen, std::move(texture), std::move(air)};
 }
 
 void require_scene_folder(const std::filesystem::path& folder, const ViewRequest& view,
@@ -74,6 +76,7 @@ void require_scene_folder(const std::filesystem::path& folder, const ViewRequest
   texture::require_own_image(folder / texture_file);
   if (view.observer) texture::require_own_image(folder / povray_scenes::sky_file);
   if (renderer == Renderer::mitsuba) return povray_scenes::require_mitsuba_place(folder);
+  texture::require_own_image(folder / air_file);
   povray_scenes::require_scene_place(folder);
   if (!view.observer) return;
   for (const char* file : {moon_file, stars_file}) files::require_stamped(folder / file);
@@ -110,17 +113,20 @@ void write_moon_include(const std::filesystem::path& folder, const LitScene& sce
 
 void write_lit_scene(const std::filesystem::path& folder, const LitScene& scene,
                      const std::vector<povray_scenes::SkyLight>& lights, Renderer renderer) {
-  const povray_scenes::MoonScene moon{
+  povray_scenes::MoonScene moon{
       .camera = scene.view.camera, .texture = texture_file, .caption = {}, .lights = lights};
   std::error_code ignored;
   const bool made = std::filesystem::create_directory(folder, ignored);
   const files::FolderLock alone(folder);
   try {
     texture::write_exr(folder / texture_file, scene.texture.parts, scene.texture.attributes);
-    if (renderer == Renderer::mitsuba)
-      write_mitsuba_scene(folder, moon);
-    else
-      write_scene(folder, moon);
+    if (renderer == Renderer::mitsuba) return write_mitsuba_scene(folder, moon);
+    if (!scene.sky.black()) {
+      const auto [step, light] = scene.sky.nodes();
+      moon.air = {air_file, light.width, light.height, step};
+      texture::write_exr(folder / air_file, light, scene.texture.attributes);
+    }
+    write_scene(folder, moon);
   } catch (...) {
     if (made) std::filesystem::remove_all(folder, ignored);
     throw;

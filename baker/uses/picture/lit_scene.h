@@ -7,6 +7,7 @@
 
 #include "povray_scenes/scene.h"
 #include "uses/picture/baked_moon.h"
+#include "uses/picture/frame_sky.h"
 #include "uses/picture/view.h"
 
 namespace coppermoon::uses {
@@ -16,6 +17,7 @@ struct LitScene {
   LitMoon moon;
   View view;
   BakedMoon texture;
+  FrameSky sky;
 };
 
 /// View for a frame: flattening of the disc by less than a quarter of a pixel is left out.
@@ -60,7 +62,8 @@ void require_scene_folder(const std::filesystem::path& folder, const ViewRequest
 void write_moon_include(const std::filesystem::path& folder, const LitScene& scene,
                         const ViewRequest& request);
 
-/// Bakes the texture, and writes it, scene and settings into a folder, made when only its last part
+/// Bakes the texture, and writes it, the air's light (eclipse_air.exr, for POV-Ray alone, where the sky is not black), scene
+/// and settings into a folder, made when only its last part
 /// is missing; a folder made so is gone again when they cannot be written.
 ///
 /// Given  lights  stars and planets for the renderer (see scene_lights)

@@ -102,11 +102,6 @@ void describe_optics(Parameters& is, CameraRequest& camera) {
       [&camera](const std::string& text) { camera.glow = glow_from(text); },
       "glow about bright ground: share of the light that optics and air scatter, 0 to 0.5; auto: "
       "the camera's, 0.02 for lenses and 0.05 for mirrors"));
-  is.add(parsed(
-      "sky", camera.sky_cd_m2, [&camera] { return sky_text(camera.sky_cd_m2); },
-      [&camera](const std::string& text) { camera.sky_cd_m2 = sky_luminance_from(text); },
-      "brightness of the sky [mag/arcsec2]; auto: twilight and airglow at the observer's place; "
-      "off: a black sky"));
 }
 
 void describe_sensor(Parameters& is, CameraRequest& camera) {
@@ -247,6 +242,22 @@ void describe(Parameters& is, ViewRequest& view) {
                 "direction that is up in the frame"))
       .not_beside({{"mount", {"horizon", "fixed"}}});
   describe_stars(is, view);
+  is.add(parsed(
+             "sky", view.sky_cd_m2, [&view] { return sky_text(view.sky_cd_m2); },
+             [&view](const std::string& text) { view.sky_cd_m2 = sky_luminance_from(text); },
+             "sky before and behind the Moon: auto (twilight, moonlight that the air scatters and "
+             "airglow, over the observer), off (black), or the brightness of an even, white one "
+             "[mag/arcsec2], 0 to 30"))
+      .only_with({{"at"}}, {"auto", "off"});
+}
+
+void describe_sky_of_frame(Parameters& is, std::optional<double>& sky_cd_m2) {
+  is.begin(view_heading, "", Affects::picture);
+  is.add(parsed(
+      "sky", sky_cd_m2, [&sky_cd_m2] { return sky_text(sky_cd_m2); },
+      [&sky_cd_m2](const std::string& text) { sky_cd_m2 = sky_luminance_from(text); },
+      "even, white sky that is added to a frame without one [mag/arcsec2], 0 to 30; auto: none, to "
+      "a frame of an older version that of its header; off: none"));
 }
 
 void describe_stars(Parameters& is, ViewRequest& view) {
@@ -269,7 +280,7 @@ void describe(Parameters& is, CameraRequest& camera) {
   describe_sensor(is, camera);
   describe_response(is, camera.response);
   // all else is refused without a camera (camera_of)
-  for (const char* name : {"glow", "sky"}) is.find(name)->only_with({{"camera"}}, {"auto"});
+  is.find("glow")->only_with({{"camera"}}, {"auto"});
   is.find("noise-seed")->only_with({{"camera"}});
   is.find("response")->only_with({{"camera"}}, {"colorimetric"});
 }

@@ -31,10 +31,13 @@ void describe_observer(request::Parameters& is, ViewRequest& view);
 /// Stars and planets.
 void describe_stars(request::Parameters& is, ViewRequest& view);
 
-/// The observer, the air above, and the frame: its field, its size, which way is up.
+/// The observer, the air above, and the frame: its field, its size, which way is up, its stars and sky.
 void describe(request::Parameters& is, ViewRequest& view);
 
-/// The camera: its optics, sensor and sky.
+/// The sky that is added to a frame without one.
+void describe_sky_of_frame(request::Parameters& is, std::optional<double>& sky_cd_m2);
+
+/// The camera: its optics and sensor.
 void describe(request::Parameters& is, CameraRequest& camera);
 
 /// Exposure and development of a frame, without its time, and with it.

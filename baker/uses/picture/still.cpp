@@ -53,13 +53,22 @@ void clear_beside(Image& moon, const std::optional<povray_scenes::RenderWindow>&
 
 /// Difference of the stored numbers.
 Image stars_of(const LinearFrame& frame, ExrType type) {
-  auto stars = frame.whole;
+  auto stars = frame.light;
   for (std::size_t i = 0; i < stars.values.size(); ++i) {
     const float moon = frame.moon.values[i / colours * (colours + 1) + i % colours];
     float& value = stars.values[i];
     value = (type == ExrType::half ? as_half(value) : value) - as_half(moon);
   }
   return stars;
+}
+
+/// The frame, as its stored parts add up.
+Image sum_of(const LinearFrame& frame, const Image& stars) {
+  auto sum = stars;
+  for (std::size_t i = 0; i < sum.values.size(); ++i)
+    sum.values[i] +=
+        as_half(frame.moon.values[i / colours * (colours + 1) + i % colours]) + frame.sky.values[i];
+  return sum;
 }
 
 Image positions(const Image& moon, const povray_scenes::SceneCamera& camera) {
@@ -94,17 +103,33 @@ texture::Part part_of(const std::string& name, Image image, texture::ExrOptions 
 
 }  // namespace
 
+Image LinearFrame::whole() const {
+  auto sum = light;
+  for (std::size_t i = 0; i < sky.values.size(); ++i)
+    sum.values[i] = as_half(sum.values[i] + sky.values[i]);
+  return sum;
+}
+
 LinearFrame completed(Image rendered, const View& view, const almanac::SkyState& sky,
-                      std::span<const SkyLight> lights) {
+                      std::span<const SkyLight> lights, const FrameSky& air) {
   LinearFrame frame{std::move(rendered)};
-  if (frame.whole.channels.size() > colours) {
-    frame.moon = std::move(frame.whole);
-    frame.whole = image_of(pixels_of(frame.moon));
+  const bool passes = frame.light.channels.size() > colours;
+  if (passes) {
+    frame.moon = std::move(frame.light);
+    frame.light = image_of(pixels_of(frame.moon));
     clear_beside(frame.moon, disc_window({&view.camera, 1}));
     hide_below_horizon(frame.moon, view, sky);
+    if (!air.black()) {
+      frame.sky = {frame.light.width, frame.light.height, frame.light.channels};
+      air.add_to(frame.sky);
+      hide_below_horizon(frame.sky, view, sky);
+    }
   }
-  add_lights(frame.whole, view.camera, lights);
-  hide_below_horizon(frame.whole, view, sky);
+  add_lights(frame.light, view.camera, lights);
+  if (!passes) air.add_to(frame.light);
+  hide_below_horizon(frame.light, view, sky);
+  if (!passes && !air.black())
+    for (float& value : frame.light.values) value = as_half(value);
   return frame;
 }
 
@@ -123,7 +148,7 @@ LinearFrame rendered(const LitScene& scene, bool passes, const algebra::Progress
   povray_scenes::render_for([&](const auto& exr) { frame = texture::read_image(exr); },
                             folder.path(), {.window = window}, progress);
   beside.wait();
-  return completed(std::move(frame), scene.view, scene.moon.sky, lights);
+  return completed(std::move(frame), scene.view, scene.moon.sky, lights, scene.sky);
 }
 
 double frame_memory(std::size_t width, std::size_t height, bool through_camera) {
@@ -133,7 +158,8 @@ double frame_memory(std::size_t width, std::size_t height, bool through_camera) 
 
 LinearFrame in_space(const LinearFrame& frame, colour::WorkingSpace from, colour::WorkingSpace to) {
   if (from == to) return frame;
-  LinearFrame changed{in_space(frame.whole, from, to)};
+  LinearFrame changed{in_space(frame.light, from, to)};
+  if (!frame.sky.values.empty()) changed.sky = in_space(frame.sky, from, to);
   if (!frame.moon.values.empty())
     changed.moon = with_alpha(in_space(frame.moon, from, to), frame.moon);
   return changed;
@@ -142,19 +168,24 @@ LinearFrame in_space(const LinearFrame& frame, colour::WorkingSpace from, colour
 texture::Attributes frame_header(const LitScene& scene, const Exposures& exposures) {
   auto attributes = scene.texture.attributes;
   add_exposure(attributes, exposures);
-  add_seen(attributes, seen_by(scene.view, scene.moon.sky));
+  add_seen(attributes, seen_by(scene.view, scene.sky));
   return attributes;
 }
 
 void write_frame(const std::filesystem::path& file, const LinearFrame& frame,
                  const povray_scenes::SceneCamera& camera, const texture::Attributes& header) {
-  const texture::ExrOptions light{.type = type_of(frame.whole)};
-  if (frame.moon.values.empty()) return texture::write_exr(file, frame.whole, header, light);
+  const texture::ExrOptions light{.type = type_of(frame.light)}, floats{.type = ExrType::floating};
+  if (frame.moon.values.empty()) return texture::write_exr(file, frame.light, header, light);
+  const bool black = frame.sky.values.empty();
+  const auto stars = stars_of(frame, light.type);
   std::vector<texture::Part> parts{
-      part_of("rgba", with_alpha(frame.whole, frame.moon), light), part_of("moon", frame.moon, {}),
-      part_of("stars", stars_of(frame, light.type), {.type = ExrType::floating}),
-      part_of("position", positions(frame.moon, camera),
-              {.type = ExrType::floating, .allow_negative = true})};
+      part_of("rgba", with_alpha(black ? frame.light : sum_of(frame, stars), frame.moon),
+              black ? light : floats),
+      part_of("moon", frame.moon, {})};
+  if (!black) parts.push_back(part_of("sky", frame.sky, floats));
+  parts.push_back(part_of("stars", stars, floats));
+  parts.push_back(part_of("position", positions(frame.moon, camera),
+                          {.type = ExrType::floating, .allow_negative = true}));
   parts.back().left_out = {"whiteLuminance", "chromaticities"};
   parts.back().own = {{"colorInteropID", std::string("data")},
                       {"coppermoon:unit", std::string("lunar radii")}};

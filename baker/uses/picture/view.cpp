@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
 #include "algebra/error.h"
@@ -98,20 +99,22 @@ bool moon_is_up(const ViewRequest& request, const almanac::SkyState& sky) {
   return !request.observer || algebra::in_radians(above_horizon(*request.observer, sky)) > 0;
 }
 
+glm::dmat3 axes_as_seen(const View& view, const almanac::SkyState& sky) {
+  const auto seen = almanac::view_from(*view.observer, sky);
+  const auto level = glm::cross(sky.moon_m - seen.position_m, seen.zenith),
+             east = glm::normalize(glm::cross(seen.north, seen.zenith));
+  const double refraction = algebra::in_radians(atmosphere::apparent_altitude(seen.altitude) -
+                                                seen.altitude),
+               across = glm::length(level);
+  const glm::dmat3 axes{east, glm::cross(seen.zenith, east), seen.zenith};
+  if (across == 0) return sky.selenographic_from_gcrs * axes;
+  return sky.selenographic_from_gcrs * glm::mat3_cast(glm::angleAxis(-refraction, level / across)) *
+         axes;
+}
+
 void hide_below_horizon(texture::Image& frame, const View& view, const almanac::SkyState& sky) {
   if (!view.observer) return;
-  const auto seen = almanac::view_from(*view.observer, sky);
-  // The frame holds the Moon at its place without air. Its refraction is added to the altitude of every direction, by a
-  // zenith that is turned towards the Moon.
-  const auto moon = glm::normalize(sky.moon_m - seen.position_m);
-  const double sine = glm::dot(moon, seen.zenith),
-               refraction = algebra::in_radians(atmosphere::apparent_altitude(seen.altitude) -
-                                                seen.altitude);
-  const auto upward = moon - sine * seen.zenith;
-  const double cosine = glm::length(upward);
-  const auto zenith =
-      sky.selenographic_from_gcrs * (std::cos(refraction) * seen.zenith +
-                                     (cosine > 0 ? std::sin(refraction) / cosine : 0) * upward);
+  const auto zenith = axes_as_seen(view, sky)[2];
   const double horizon =
       algebra::in_radians(atmosphere::apparent_altitude(horizon_altitude(*view.observer)));
   const auto altitude = [&](const glm::dvec3& ray) {
@@ -148,15 +151,21 @@ View view_of(const ViewRequest& request, const almanac::SkyState& sky) {
   if (request.stars.faintest)
     algebra::require_within("magnitude of the faintest star", *request.stars.faintest, -5, 20);
   if (!request.observer)
-    return {povray_scenes::camera_at(sky, request.up, picture), {}, {}, request.stars};
+    return {.camera = povray_scenes::camera_at(sky, request.up, picture),
+            .observer = {},
+            .sightline = {},
+            .stars = request.stars,
+            .sky_cd_m2 = request.sky_cd_m2};
   const auto& observer = *request.observer;
   const auto seen = almanac::view_from(observer, sky);
   require_up(seen, observer);
   const auto camera = request.aim ? povray_scenes::camera_fixed(sky, seen, *request.aim, picture)
                                   : povray_scenes::camera_at(sky, seen, request.up, picture);
-  View view{camera, observer, {}, request.stars, request.flattening};
+  View view{camera,           observer,           {},
+            request.stars,    request.flattening, air_over(observer, request),
+            request.sky_cd_m2};
   if (request.flattening) view.camera.flattening = flattening_of(seen);
-  if (request.reddening) view.sightline = {air_over(observer, request), altitude_in_air(seen)};
+  if (request.reddening) view.sightline = {view.air, altitude_in_air(seen)};
   return view;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <glm/mat3x3.hpp>
 #include <optional>
 #include <string>
 
@@ -35,6 +36,8 @@ struct ViewRequest {
   /// Apparent place in the picture's middle, for a camera on a tripod; without: the Moon.
   std::optional<povray_scenes::HorizonPlace> aim = {};
   StarRequest stars = {};
+  /// Luminance of an even sky, 0: black; without: the clear sky over the observer (ClearSky), from space none
+  std::optional<double> sky_cd_m2 = {};
 };
 
 /// View of the Moon: camera, observer, and the Moon's place in the observer's sky.
@@ -43,7 +46,9 @@ struct View {
   std::optional<almanac::Observer> observer;
   std::optional<atmosphere::Sightline> sightline;  ///< through the air that reddens the Moon
   StarRequest stars = {};
-  bool refracted = false;     ///< by the observer's air, which flattens a disc and moves stars
+  bool refracted = false;  ///< by the observer's air, which flattens a disc and moves stars
+  atmosphere::ObserverAir air = {};      ///< over the observer, which shines
+  std::optional<double> sky_cd_m2 = {};  ///< as the request's
   std::string response = {};  ///< by which stars have their colours, as in colour::channel_weights
 };
 
@@ -68,6 +73,13 @@ algebra::Angle above_horizon(const almanac::Observer& observer, const almanac::S
 
 /// Whether some of the Moon is above the observer's horizon; true without an observer.
 bool moon_is_up(const ViewRequest& request, const almanac::SkyState& sky);
+
+/// Axes of an observer's sky in a frame: east, north and up as they are seen. The frame holds the Moon at its place
+/// without air, so the Moon's refraction is taken from every direction, along the Moon's vertical.
+///
+/// Given     view  with an observer
+/// Returned  columns, Moon-fixed
+glm::dmat3 axes_as_seen(const View& view, const almanac::SkyState& sky);
 
 /// Removes from a frame what the horizon hides: each pixel by its share below the horizon.
 ///

@@ -150,14 +150,14 @@ Development through(const std::string& camera, ExposureTime::Rule rule) {
   return development;
 }
 
-TEST(Exposures, ThroughACameraCountTheSky) {
-  const auto frame = image_of(std::vector<std::array<float, 3>>(100, {2, 2, 2}));
+TEST(Exposures, CountTheSkyThatAFrameHolds) {
+  const auto frame = image_of(std::vector<std::array<float, 3>>(100, {602, 602, 602}));
   const SeenFrame seen{.pixel_rad = 1e-5, .sky_cd_m2 = 600};
-  EXPECT_EQ(sky_over_moon({}, frame, space, seen), 0) << "without a camera there is no sky";
+  EXPECT_EQ(sky_over_moon(frame, space, {.pixel_rad = 1e-5}), 0) << "no sky";
+  EXPECT_WITHIN_RELATIVE(sky_over_moon(frame, space, seen), 300, 1e-6, "floats");
   for (const auto rule : {ExposureTime::Rule::automatic, ExposureTime::Rule::follow}) {
     const auto camera = through("400mm", rule);
     const double level = rule == ExposureTime::Rule::automatic ? 0.8 : 0.25;
-    EXPECT_WITHIN_RELATIVE(sky_over_moon(camera, frame, space, seen), 300, 1e-6, "floats");
     const auto exposures = exposures_for(camera, frame, space, seen);
     EXPECT_WITHIN_RELATIVE(602 * scale_of(camera, exposures.shorter), level, 1e-6, "floats");
     SharedExposure shared(camera);
@@ -180,6 +180,39 @@ texture::Image warm_partial_eclipse(const DiscOutline& disc) {
         frame(r, c, k) = static_cast<float>(share * 3000 * std::pow(10, -decades) * red[k]);
     }
   return frame;
+}
+
+TEST(Developed, EdgeOfTheMoonGoesOverIntoTheSkyItStandsIn) {
+  const DiscOutline disc{48.3, 31.8, 1 / 625., 0, 1 / 625.};
+  texture::Image frame(96, 64, {"R", "G", "B"});
+  for (const double ground : {0., 2., 1e4}) {  // beside the sky's light, of 1
+    for (std::size_t r = 0; r < frame.height; ++r)
+      for (std::size_t c = 0; c < frame.width; ++c)
+        for (std::size_t k = 0; k < 3; ++k)
+          frame(r, c, k) =
+              static_cast<float>(1 + ground * covered_share(disc, static_cast<double>(c) + 0.5,
+                                                            static_cast<double>(r) + 0.5));
+    Development development;
+    development.time = {ExposureTime::Rule::fixed, 60};
+    const auto picture = developed(development, exposures_for(development, frame, space),
+                                   {frame, space, {.sky_cd_m2 = 1, .disc = disc}});
+    const float sky = picture(0, 0, 0), moon = picture(32, 48, 0);
+    EXPECT_GT(sky, 0.1F);
+    if (ground == 0) {
+      EXPECT_EQ(sky, moon) << "a Moon without light does not show";
+    }
+    for (const float value : picture.values) {
+      EXPECT_GE(value, sky - 1e-6F);
+      EXPECT_LE(value, moon + 1e-6F);
+    }
+    for (const auto rule : {ExposureTime::Rule::composite}) {
+      development.time.rule = rule;
+      const SeenFrame seen{.pixel_rad = 1e-4, .sky_cd_m2 = 1, .disc = disc};
+      const auto both = developed(development, exposures_for(development, frame, space, seen),
+                                  {frame, space, seen});
+      for (const float value : both.values) EXPECT_GE(value, both(0, 0, 0) - 1e-6F);
+    }
+  }
 }
 
 TEST(Composite, ThroughACameraShowsWhatItShowsWithoutOne) {
