@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -153,10 +154,22 @@ colour::Exposure one_second(const Development& development) {
   return {1, f_number_of(development), development.iso};
 }
 
-/// Exposure time at which a brightest channel reaches a share of saturation.
-double time_for(const Development& development, double brightest, double level) {
-  const double scaled = level / brightest;
-  return std::clamp(scaled / scale_of(development, one_second(development)), 1e-6, 1e5);
+/// Share of saturation at which a sky is shown: dark at night, brighter as the eye adapts to more light, and
+/// never near white.
+///
+/// Source  Krawczyk, Myszkowski & Seidel (2005), Perceptual effects in real-time tone mapping, Proc. SCCG, eq. 11: the key
+///         of a scene by its luminance
+double sky_level(double sky_cd_m2) {
+  constexpr double least = 0.1, most = 0.4;  // else a Moon as dim as its sky were lost in the dark
+  return std::clamp(1.03 - 2 / (2 + std::log10(sky_cd_m2 + 1)), least, most);
+}
+
+/// Time in which the sky comes to its level, or a brightest channel to a share of saturation if that is sooner.
+double time_for(const Development& development, double sky_cd_m2,
+                const std::optional<double>& brightest = {}, double level = 0) {
+  double scale = brightest ? level / *brightest : std::numeric_limits<double>::max();
+  if (sky_cd_m2 > 0) scale = std::min(scale, sky_level(sky_cd_m2) / sky_cd_m2);
+  return std::clamp(scale / scale_of(development, one_second(development)), 1e-6, 1e5);
 }
 
 Exposures exposed_for(const Development& development, double time_s) {
@@ -166,15 +179,30 @@ Exposures exposed_for(const Development& development, double time_s) {
 }
 
 /// Shares of saturation at which the rules expose.
-constexpr double brightest_level = 0.8, followed_level = 0.25, bright_level = 0.5, dark_level = 0.6;
+constexpr double brightest_level = 0.8, followed_level = 0.25, composite_level = 0.6;
+
+/// Exposure of a frame in which nothing of the Moon is lit.
+Exposures exposed_for_sky(const Development& development, double sky_cd_m2) {
+  return sky_cd_m2 > 0 ? exposed_for(development, time_for(development, sky_cd_m2))
+                       : Exposures{one_second(development)};
+}
 
 /// Exposures by a rule over sums.
-Exposures exposed_for(const Development& development, const LitSums& sums) {
+Exposures exposed_for(const Development& development, const LitSums& sums, double sky_cd_m2) {
+  const auto time = [&](double brightest, double level) {
+    return time_for(development, sky_cd_m2, brightest, level);
+  };
   if (development.time.rule == ExposureTime::Rule::follow)
-    return exposed_for(development, time_for(development, cubic_mean(sums), followed_level));
-  auto all = exposed_for(development, time_for(development, bright_mean(sums), bright_level));
-  all.longer_s = std::max(all.shorter.time_s, time_for(development, dark_mean(sums), dark_level));
+    return exposed_for(development, time(cubic_mean(sums), followed_level));
+  auto all = exposed_for(development, time(bright_mean(sums), composite_level));
+  all.longer_s = std::max(all.shorter.time_s, time(dark_mean(sums), composite_level));
   return all;
+}
+
+/// Exposure by the brightest channel of a hundredth.
+Exposures exposed_for_brightest(const Development& development, double brightest,
+                                double sky_cd_m2) {
+  return exposed_for(development, time_for(development, sky_cd_m2, brightest, brightest_level));
 }
 
 void require_ending(const std::filesystem::path& file, const char* what, const char* ending) {
@@ -303,10 +331,10 @@ Exposures exposures_for(const Development& development, const texture::Image& fr
   if (development.time.rule == ExposureTime::Rule::fixed)
     return exposed_for(development, development.time.seconds);
   const auto lit = levels(colour::brightest_channel, frame, space, seen.disc);
-  if (lit.empty()) return {one_second(development)};
+  if (lit.empty()) return exposed_for_sky(development, seen.sky_cd_m2);
   if (development.time.rule != ExposureTime::Rule::automatic)
-    return exposed_for(development, sums_of(lit));
-  return exposed_for(development, time_for(development, bright_level_of(lit), brightest_level));
+    return exposed_for(development, sums_of(lit), seen.sky_cd_m2);
+  return exposed_for_brightest(development, bright_level_of(lit), seen.sky_cd_m2);
 }
 
 Exposures exposures_for(const Development& development, const LitTexture& texture) {
@@ -319,8 +347,8 @@ Exposures exposures_for(const Development& development, const LitTexture& textur
       rule == ExposureTime::Rule::automatic ? brightest.add(y) : sums.add(y);
   });
   if (brightest.count() + sums.count == 0) return {one_second(development)};
-  if (rule != ExposureTime::Rule::automatic) return exposed_for(development, sums);
-  return exposed_for(development, time_for(development, brightest.percentile(), brightest_level));
+  if (rule != ExposureTime::Rule::automatic) return exposed_for(development, sums, 0);
+  return exposed_for_brightest(development, brightest.percentile(), 0);
 }
 
 double sky_over_moon(const texture::Image& frame, colour::WorkingSpace space,
@@ -342,6 +370,7 @@ void SharedExposure::add(const texture::Image& frame, colour::WorkingSpace space
   if (development_.time.rule == ExposureTime::Rule::fixed) return;
   const auto lit = levels(colour::brightest_channel, frame, space, seen.disc);
   sums_.add(sums_of(lit));
+  sky_cd_m2_ = std::max(sky_cd_m2_, seen.sky_cd_m2);
   if (!counts_.empty())
     for (const double y : lit) ++counts_[step_of(y)];
 }
@@ -349,11 +378,11 @@ void SharedExposure::add(const texture::Image& frame, colour::WorkingSpace space
 Exposures SharedExposure::exposures() const {
   if (development_.time.rule == ExposureTime::Rule::fixed)
     return exposed_for(development_, development_.time.seconds);
-  if (sums_.count == 0) return {one_second(development_)};
-  if (counts_.empty()) return exposed_for(development_, sums_);
+  if (sums_.count == 0) return exposed_for_sky(development_, sky_cd_m2_);
+  if (counts_.empty()) return exposed_for(development_, sums_, sky_cd_m2_);
   std::size_t step = 0;
   for (std::size_t below = counts_[0]; below <= sums_.count * 99 / 100;) below += counts_[++step];
-  return exposed_for(development_, time_for(development_, middle_of(step), brightest_level));
+  return exposed_for_brightest(development_, middle_of(step), sky_cd_m2_);
 }
 
 double scale_of(const Development& development, const colour::Exposure& exposure) {

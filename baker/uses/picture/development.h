@@ -17,8 +17,8 @@ namespace coppermoon::uses {
 struct ExposureTime {
   enum class Rule {
     automatic,  ///< 99th percentile of lit ground at 0.8 of saturation, in its brightest channel
-    follow,     ///< cube of the mean cube root of brightest channels at 0.25: no step when totality begins
-    composite,  ///< two exposures in one picture: for the bright part and for the shadow
+    follow,  ///< cube of the mean cube root of brightest channels at 0.25: no step when totality begins
+    composite,  ///< two exposures in one picture, for the bright part and for the shadow: films
     fixed
   };
   Rule rule = Rule::automatic;
@@ -49,7 +49,9 @@ struct Exposures {
   bool a_cameras = true;                ///< else it only says which luminance is white
 };
 
-/// Exposure by the rule of a development; 1 s when nothing is lit.
+/// Exposure by the rule of a development, for Moon and sky: by the Moon's pixels, which hold the sky's light too, but no
+/// longer than brings the sky to its own level, 0.1 of saturation at night to 0.4 of a day. Of a frame in which nothing
+/// of the Moon is lit, that of the sky; 1 s where that is black.
 ///
 /// Given  seen  outline of the Moon: stars beside it are not counted; without: all pixels are
 /// Throws Error when a setting is outside its range, or the frame has fewer than three channels
@@ -84,7 +86,7 @@ struct LitSums {
 /// Exposure shared by a set of frames, by the rule for a single one applied to all their pixels. Only counts and
 /// sums are kept.
 ///
-/// Accuracy  automatic times to 1/2000: they are counted in steps of 2^-11
+/// Accuracy  automatic times to 1/2000: levels are counted in steps of 2^-11
 class SharedExposure {
  public:
   explicit SharedExposure(const Development& development);
@@ -95,6 +97,7 @@ class SharedExposure {
   Development development_;
   std::vector<std::size_t> counts_;  ///< of brightest channels above 0, by their leading bits
   LitSums sums_;
+  double sky_cd_m2_ = 0;  ///< the brightest
 };
 
 /// Identifier of the colour transform of view and display, whatever their configuration is called.
