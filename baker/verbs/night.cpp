@@ -134,7 +134,7 @@ std::vector<std::pair<const char*, double>> durations(const uses::Circumstances&
   add("total", c.U2, c.U3);
   double seen = 0;
   for (const auto& [first, last] : night.seen) seen += almanac::seconds_between(first, last);
-  all.emplace_back("seen", seen);
+  if (seen > 0) all.emplace_back("seen", seen);
   return all;
 }
 

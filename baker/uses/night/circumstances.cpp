@@ -42,7 +42,7 @@ std::vector<NightMoment> rises_and_sets(const Circumstances& night) {
   for (const auto& [when, rises] :
        horizon_crossings(night.place, almanac::later(greatest, -longest_night_s),
                          almanac::later(greatest, longest_night_s))) {
-    all.push_back(moment_at(night.place, rises ? "moonrise" : "moonset", when));
+    all.push_back(moment_at(night.place, rises ? "moonrise" : "moonset", almanac::sky_at(when)));
     all.back().up = true;
   }
   return all;
@@ -102,12 +102,12 @@ bool holds(const Span& span, const Instant& when) {
          almanac::seconds_between(when, span.second) >= 0;
 }
 
-NightMoment moment_at(const almanac::Observer& place, std::string name, const Instant& when) {
-  const auto sky = almanac::sky_at(when);
+NightMoment moment_at(const almanac::Observer& place, std::string name,
+                      const almanac::SkyState& sky) {
   const auto view = almanac::view_from(place, sky);
   const double sine = glm::dot(glm::normalize(sky.sun_m - view.position_m), view.zenith);
-  return {std::move(name), when, apparent_place(place, sky), algebra::radians(std::asin(sine)),
-          height(place, when) > 0};
+  return {std::move(name), sky.when, apparent_place(place, sky), algebra::radians(std::asin(sine)),
+          algebra::in_radians(above_horizon(place, sky)) > 0};
 }
 
 const char* twilight_name(algebra::Angle sun_altitude) {
@@ -126,9 +126,9 @@ bool is_seen(const Circumstances& night, const Instant& when) {
 Circumstances circumstances(const eclipse::Eclipse& eclipse, const almanac::Observer& place) {
   Circumstances night{eclipse, place, {}};
   for (const auto& [name, when] : contacts_of(eclipse)) {
-    night.moments.push_back(moment_at(place, name, when));
-    if (name != "greatest")
-      night.moments.back().position_angle = contact_angle(name, almanac::sky_at(when));
+    const auto sky = almanac::sky_at(when);
+    night.moments.push_back(moment_at(place, name, sky));
+    if (name != "greatest") night.moments.back().position_angle = contact_angle(name, sky);
   }
   for (auto& moment : rises_and_sets(night)) night.moments.push_back(std::move(moment));
   std::ranges::stable_sort(night.moments, [](const auto& a, const auto& b) {

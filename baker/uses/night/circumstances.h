@@ -47,7 +47,7 @@ Circumstances circumstances(const eclipse::Eclipse& eclipse, const almanac::Obse
 
 /// Moment of a night.
 NightMoment moment_at(const almanac::Observer& place, std::string name,
-                      const almanac::Instant& when);
+                      const almanac::SkyState& sky);
 
 /// Light of the sky by the Sun's altitude: "day" to −0.83 degrees, "civil", "nautical" or "astronomical twilight" to −6,
 /// −12 and −18, "night".

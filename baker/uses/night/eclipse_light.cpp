@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "uses/night/eclipse_light.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -19,7 +17,7 @@ namespace {
 
 using almanac::Instant;
 
-constexpr double between_skies_s = 240, between_looks_s = 120;
+constexpr double between_skies_s = 240, between_looks_s = 300;
 
 std::vector<almanac::SkyState> skies_of(const eclipse::Eclipse& eclipse) {
   const double seconds = almanac::seconds_between(*eclipse.contacts.P1, *eclipse.contacts.P4);
@@ -29,9 +27,9 @@ std::vector<almanac::SkyState> skies_of(const eclipse::Eclipse& eclipse) {
   return skies;
 }
 
-algebra::Grid<float> small_albedo(MoonRequest moon) {
-  moon.texture_width = 2 * EclipseLight::rows;
-  return texture::resized(normal_albedo(moon), EclipseLight::rows);
+algebra::Grid<float> small_albedo(MoonRequest moon, std::size_t rows) {
+  moon.texture_width = 2 * rows;
+  return texture::resized(normal_albedo(moon), rows);
 }
 
 /// Spans of a property between two moments, whose edges are found to 10 s.
@@ -56,36 +54,6 @@ std::vector<Span> spans_of(const Span& whole, const Property& holds) {
   return spans;
 }
 
-/// Brightness of an eclipsed disc at any moment, between those at which it is measured.
-class Course {
- public:
-  Course(const EclipseLight& light, const eclipse::Eclipse& eclipse)
-      : first_(*eclipse.contacts.P1), measured_(0) {
-    const auto skies = skies_of(eclipse);
-    measured_.resize(skies.size());
-    tbb::parallel_for(std::size_t{0}, skies.size(),
-                      [&](std::size_t i) { measured_[i] = light.brightness(skies[i]); });
-  }
-
-  DiscBrightness at(const Instant& when) const {
-    const double place =
-        std::clamp(almanac::seconds_between(first_, when) / between_skies_s, 0.,
-                   static_cast<double>(measured_.size()) - 1.001);
-    const auto n = static_cast<std::size_t>(place);
-    auto disc = measured_[n];
-    const double share = place - static_cast<double>(n);
-    const auto& next = measured_[n + 1];
-    disc.mean_luminance_cd_m2 *=
-        std::pow(next.mean_luminance_cd_m2 / disc.mean_luminance_cd_m2, share);
-    disc.magnitudes[V_band] = std::lerp(disc.magnitudes[V_band], next.magnitudes[V_band], share);
-    return disc;
-  }
-
- private:
-  Instant first_;
-  std::vector<DiscBrightness> measured_;
-};
-
 /// Adds moments at which the Moon is first and last seen.
 void add_edges(Circumstances& night) {
   const auto near = [&](const Instant& when) {
@@ -96,8 +64,8 @@ void add_edges(Circumstances& night) {
   };
   std::vector<NightMoment> edges;
   for (const auto& [first, last] : night.seen) {
-    if (!near(first)) edges.push_back(moment_at(night.place, "first seen", first));
-    if (!near(last)) edges.push_back(moment_at(night.place, "last seen", last));
+    if (!near(first)) edges.push_back(moment_at(night.place, "first seen", almanac::sky_at(first)));
+    if (!near(last)) edges.push_back(moment_at(night.place, "last seen", almanac::sky_at(last)));
   }
   night.moments.insert(night.moments.end(), edges.begin(), edges.end());
   std::ranges::stable_sort(night.moments, [](const auto& a, const auto& b) {
@@ -105,28 +73,12 @@ void add_edges(Circumstances& night) {
   });
 }
 
-/// Whether the Moon is up at some time without being high in a dark sky.
-bool asks_for_light(const Circumstances& night) {
-  constexpr double step_s = 600;
-  return std::ranges::any_of(night.up, [&](const Span& span) {
-    const double seconds = almanac::seconds_between(span.first, span.second);
-    for (double s = 0; s < seconds + step_s; s += step_s) {
-      const auto then =
-          moment_at(night.place, {}, almanac::later(span.first, std::min(s, seconds)));
-      if (algebra::in_degrees(then.moon.altitude) < 10 ||
-          algebra::in_degrees(then.sun_altitude) > -12)
-        return true;
-    }
-    return false;
-  });
-}
-
 }  // namespace
 
 EclipseLight::EclipseLight(const eclipse::Eclipse& eclipse, const MoonRequest& moon,
-                           const algebra::Progress& progress)
+                           const algebra::Progress& progress, std::size_t rows)
     : moon_(moon),
-      albedo_(small_albedo(moon)),
+      albedo_(small_albedo(moon, rows)),
       light_(light_on_the_way(moon.light, moon_on_its_way(moon.light, skies_of(eclipse)),
                               {.error_told = false}, progress)),
       survey_(moon, albedo_, light_) {}
@@ -160,13 +112,12 @@ MoonAndSky moon_and_sky(const DiscBrightness& above, const almanac::SkyState& sk
           atmosphere::contrast_threshold(behind, std::numbers::pi * radius * radius)};
 }
 
-Circumstances as_seen(Circumstances night, const EclipseLight& light, const ViewRequest& view) {
-  if (night.up.empty()) return night;
-  const Course course(light, night.eclipse);
+Circumstances as_seen(Circumstances night, const BrightnessAt& brightness, const ViewRequest& view) {
   night.seen.clear();
   for (const auto& up : night.up)
     for (const auto& span : spans_of(up, [&](const Instant& when) {
-           return moon_and_sky(course.at(when), almanac::sky_at(when), view).stands_out();
+           const auto sky = almanac::sky_at(when);
+           return moon_and_sky(brightness(sky), sky, view).stands_out();
          }))
       night.seen.push_back(span);
   add_edges(night);
@@ -174,11 +125,18 @@ Circumstances as_seen(Circumstances night, const EclipseLight& light, const View
 }
 
 Circumstances seen_circumstances(const eclipse::Eclipse& eclipse, const almanac::Observer& place) {
-  auto night = circumstances(eclipse, place);
-  if (!asks_for_light(night)) return night;
-  MoonRequest moon;
-  moon.light.wish.tolerance = 0.05;
-  return as_seen(std::move(night), EclipseLight(eclipse, moon), {.observer = place});
+  constexpr std::size_t few_rows = 60;
+  std::optional<EclipseLight> light;
+  const auto brightness = [&](const almanac::SkyState& sky) -> DiscBrightness {
+    const auto then = moment_at(place, {}, sky);
+    if (algebra::in_degrees(then.moon.altitude) > 12 && algebra::in_degrees(then.sun_altitude) < -14)
+      return {std::vector(photometric_bands().size(), 0.), 1., 0.};  // brighter than any such sky
+    MoonRequest moon;
+    moon.light.wish.tolerance = 0.05;
+    if (!light) light.emplace(eclipse, moon, algebra::Progress(), few_rows);
+    return light->brightness(sky);
+  };
+  return as_seen(circumstances(eclipse, place), brightness, {.observer = place});
 }
 
 }  // namespace coppermoon::uses

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "uses/night/circumstances.h"
 #include "uses/picture/moon_survey.h"
@@ -19,11 +18,10 @@ texture::Image colours_of(const MoonRequest& moon, const algebra::Grid<float>& a
 /// Moon throughout an eclipse, from one simulation.
 class EclipseLight {
  public:
+  /// Given   rows   of its textures
   /// Throws  Error  as light_on_the_way, normal_albedo
   EclipseLight(const eclipse::Eclipse& eclipse, const MoonRequest& moon,
-               const algebra::Progress& progress = {});
-
-  static constexpr std::size_t rows = 180;  ///< of its textures
+               const algebra::Progress& progress = {}, std::size_t rows = 180);
 
   const algebra::Grid<float>& albedo() const { return albedo_; }
   DiscBrightness brightness(const almanac::SkyState& sky) const { return survey_.brightness(sky); }
@@ -54,16 +52,19 @@ struct MoonAndSky {
 MoonAndSky moon_and_sky(const DiscBrightness& above, const almanac::SkyState& sky,
                         const ViewRequest& view);
 
+/// Brightness of the whole Moon at a moment, above the air.
+using BrightnessAt = std::function<DiscBrightness(const almanac::SkyState&)>;
+
 /// Night with the times in which the Moon is seen: up, and brighter than its sky by more than the eye's threshold of
 /// contrast (atmosphere/eye_contrast.h) for a uniform disc of its mean luminance. Moments "first seen" and "last seen" are
 /// added where they are neither moonrise, moonset, P1 nor P4.
 ///
 /// Accuracy  10 s of the rule. The threshold and the sky's light are each known to some tenths, which is 2 to 5 min of
 ///           twilight
-Circumstances as_seen(Circumstances night, const EclipseLight& light, const ViewRequest& view);
+Circumstances as_seen(Circumstances night, const BrightnessAt& brightness, const ViewRequest& view);
 
-/// The same for a place of usual air, with light that is computed where it may matter: in a dark sky, from 10 degrees
-/// above the horizon, an eclipsed Moon stands out.
+/// The same in usual air, with light that is computed where it may matter: in a dark sky, well above the horizon, an
+/// eclipsed Moon stands out.
 Circumstances seen_circumstances(const eclipse::Eclipse& eclipse, const almanac::Observer& place);
 
 }  // namespace coppermoon::uses

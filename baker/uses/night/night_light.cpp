@@ -26,7 +26,7 @@ using almanac::Instant;
 /// Level of the umbra's median over saturation, and the most that the sky may have.
 constexpr double umbra_level = 0.18, most_sky_level = 0.5;
 /// Brightness of the lit disc over that at which the umbra begins.
-constexpr double umbra_contrast = 500;
+constexpr double umbra_contrast = 200;
 /// Share of the disc that the umbra must take, to be exposed by itself.
 constexpr double least_umbra_share = 0.02;
 /// Between a contact and the exposure just before or after it.
@@ -62,6 +62,7 @@ struct Exposed {
   std::vector<Colour> disc;
   Colour sky;
   double spread;  ///< factor of light in the umbra by its standard error
+  bool total;     ///< all of the disc is in the umbra
 };
 
 /// Exposure times at a camera's f-number and speed.
@@ -88,7 +89,7 @@ class Exposer {
       if (std::ranges::max(colour) < brightest / umbra_contrast) dark.push_back(colour);
     const bool partial = static_cast<double>(dark.size()) >
                          least_umbra_share * static_cast<double>(seen.disc.size());
-    phase.lit = limited(phase, seen.sky, partial ? 1 : seen.spread, [&](double factor, Colour sky) {
+    phase.lit = limited(phase, seen.sky, seen.total ? seen.spread : 1, [&](double factor, Colour sky) {
       return lit_s(seen.disc, factor, sky);
     });
     if (!partial) return;
@@ -143,7 +144,7 @@ class Exposer {
 /// Exposure of a phase, of a Moon and its light seen at one moment.
 PhaseExposure exposure_of(const std::string& name, const Instant& when, const DiscBrightness& above,
                           const texture::Image& colours, const ViewRequest& view,
-                          const Exposer& exposer, double spread) {
+                          const Exposer& exposer, double spread, bool total) {
   const auto sky = almanac::sky_at(when);
   const auto seen = moon_and_sky(above, sky, view);
   PhaseExposure phase{name, when, seen.stands_out(), seen.sky_cd_m2 / seen.seen_cd_m2};
@@ -151,7 +152,7 @@ PhaseExposure exposure_of(const std::string& name, const Instant& when, const Di
   const auto place = apparent_place(*view.observer, sky);
   const auto light = ClearSky(*view.observer, sky, air_over(*view.observer, view), seen.V_magnitude)
                          .light(in_sky(place.altitude, place.azimuth));
-  exposer.expose(phase, {disc_of(colours, sky), {light[0], light[1], light[2]}, spread});
+  exposer.expose(phase, {disc_of(colours, sky), {light[0], light[1], light[2]}, spread, total});
   return phase;
 }
 
@@ -263,7 +264,7 @@ std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonR
         exposures[i] =
             exposure_of(fmt::format("middle of totality, L = {}", steps - 1 - i), greatest,
                         MoonSurvey(requests[i], light.albedo(), lit).brightness(sky),
-                        colours_of(requests[i], light.albedo(), lit, sky, through), view, exposer, 1);
+                        colours_of(requests[i], light.albedo(), lit, sky, through), view, exposer, 1, true);
         if (progress) progress(static_cast<double>(++done) / steps);
       },
       tbb::simple_partitioner());
@@ -290,7 +291,8 @@ NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
   const bool steps = danjon && eclipse.contacts.U2 && wholly_up(night.place, eclipse.greatest);
   const double done = steps ? 0.25 : 1;
   const EclipseLight light(eclipse, moon, part_of(progress, 0, done));
-  NightLights lights{as_seen(night, light, view)};
+  NightLights lights{
+      as_seen(night, [&](const auto& sky) { return light.brightness(sky); }, view)};
   lights.trailing_s = trailing_of(night, view, development);
   const Exposer exposer(
       development, lights.trailing_s,
@@ -306,9 +308,10 @@ NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
   const double spread = std::pow(10, 0.4 * lights.V_error.value_or(0));
   for (const auto& [phase, when] : phases_of(lights.night)) {
     const auto sky = almanac::sky_at(when);
+    const bool total = eclipse.contacts.U2 && holds({*eclipse.contacts.U2, *eclipse.contacts.U3}, when);
     lights.exposures.push_back(
         exposure_of(phase, when, light.brightness(sky),
-                    light.colours(sky, view_of(view, sky).sightline), view, exposer, spread));
+                    light.colours(sky, view_of(view, sky).sightline), view, exposer, spread, total));
     if (!steps || phase != "middle of totality") continue;
     for (auto& each : danjon_exposures(when, moon, light, view, exposer,
                                        part_of(progress, done, 1)))
