@@ -270,11 +270,11 @@ std::string as_csv(const NightReport& night) {
                  ? std::string()
                  : fmt::format(fmt::runtime(form), found->template get<double>());
     };
-    text += fmt::format(
-        ",{},{},{},{},{:.3f},{},{}\n", number("V_magnitude", "{:.3f}"),
-        number("mean_luminance_cd_m2", "{:.6g}"), number("faintest_star", "{:.2f}"),
-        row["seen"].get<bool>() ? "yes" : "no", row["sun_altitude_deg"].get<double>(),
-        row["twilight"].get<std::string>(), number("position_angle_deg", "{:.2f}"));
+    text +=
+        fmt::format(",{},{},{},{},{:.3f},{},{}\n", number("V_magnitude", "{:.3f}"),
+                    number("mean_luminance_cd_m2", "{:.6g}"), number("faintest_star", "{:.2f}"),
+                    row["seen"].get<bool>() ? "yes" : "no", row["sun_altitude_deg"].get<double>(),
+                    row["twilight"].get<std::string>(), number("position_angle_deg", "{:.2f}"));
   }
   return text;
 }

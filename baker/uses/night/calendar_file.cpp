@@ -100,8 +100,7 @@ std::string event(const Shared& shared, const Circumstances& night) {
     if (begins && holds({rise, set}, first)) from = rise;
     if (ends && holds({rise, set}, last)) to = set;
   }
-  return event(shared, name_of(night.eclipse), from, to, title(night.eclipse),
-               what_is_seen(night));
+  return event(shared, name_of(night.eclipse), from, to, title(night.eclipse), what_is_seen(night));
 }
 
 std::string beginning() {

@@ -142,8 +142,7 @@ std::string what_is_seen(const Circumstances& night) {
   const auto& c = night.eclipse.contacts;
   const auto whole = seen_between(night, *c.P1, *c.P4);
   if (whole.all) return "All of the eclipse is seen.";
-  if (night.up.empty())
-    return "Nothing of the eclipse is seen: the Moon is below the horizon.";
+  if (night.up.empty()) return "Nothing of the eclipse is seen: the Moon is below the horizon.";
   if (!whole.some)
     return "Nothing of the eclipse is seen: the Moon does not stand out from its sky.";
   std::vector<std::string> changes;

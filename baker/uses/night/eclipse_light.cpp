@@ -88,7 +88,8 @@ texture::Image colours_of(const MoonRequest& moon, const algebra::Grid<float>& a
                           const std::optional<atmosphere::Sightline>& through) {
   const auto response =
       colour::channel_weights(colour::WorkingSpace::linear_rec709, band_edges_nm());
-  return MoonSurvey(moon, albedo, light, {{"R", "G", "B"}, moonlight_weights(response, through), {}})
+  return MoonSurvey(moon, albedo, light,
+                    {{"R", "G", "B"}, moonlight_weights(response, through), {}})
       .texture(sky);
 }
 
@@ -99,20 +100,21 @@ MoonAndSky moon_and_sky(const DiscBrightness& above, const almanac::SkyState& sk
   const auto air = air_over(place, view);
   const auto seen = almanac::view_from(place, sky);
   const auto apparent = apparent_place(place, sky);
-  const double V = above.magnitudes[V_band],
-               radius = std::asin(almanac::lunar_radius / seen.moon_distance),
-               through = view.reddening ? atmosphere::transmittance_above(
-                                              air, std::max(seen.altitude, algebra::degrees(-1)),
-                                              most_sensitive)
-                                        : 1,
-               behind = ClearSky(place, sky, air, V)
-                            .towards(in_sky(apparent.altitude, apparent.azimuth))
-                            .sum();
+  const double
+      V = above.magnitudes[V_band],
+      radius = std::asin(almanac::lunar_radius / seen.moon_distance),
+      through = view.reddening
+                    ? atmosphere::transmittance_above(
+                          air, std::max(seen.altitude, algebra::degrees(-1)), most_sensitive)
+                    : 1,
+      behind =
+          ClearSky(place, sky, air, V).towards(in_sky(apparent.altitude, apparent.azimuth)).sum();
   return {V, above.mean_luminance_cd_m2, above.mean_luminance_cd_m2 * through, behind,
           atmosphere::contrast_threshold(behind, std::numbers::pi * radius * radius)};
 }
 
-Circumstances as_seen(Circumstances night, const BrightnessAt& brightness, const ViewRequest& view) {
+Circumstances as_seen(Circumstances night, const BrightnessAt& brightness,
+                      const ViewRequest& view) {
   night.seen.clear();
   for (const auto& up : night.up)
     for (const auto& span : spans_of(up, [&](const Instant& when) {
@@ -129,7 +131,8 @@ Circumstances seen_circumstances(const eclipse::Eclipse& eclipse, const almanac:
   std::optional<EclipseLight> light;
   const auto brightness = [&](const almanac::SkyState& sky) -> DiscBrightness {
     const auto then = moment_at(place, {}, sky);
-    if (algebra::in_degrees(then.moon.altitude) > 12 && algebra::in_degrees(then.sun_altitude) < -14)
+    if (algebra::in_degrees(then.moon.altitude) > 12 &&
+        algebra::in_degrees(then.sun_altitude) < -14)
       return {std::vector(photometric_bands().size(), 0.), 1., 0.};  // brighter than any such sky
     MoonRequest moon;
     moon.light.wish.tolerance = 0.05;

@@ -89,9 +89,8 @@ class Exposer {
       if (std::ranges::max(colour) < brightest / umbra_contrast) dark.push_back(colour);
     const bool partial = static_cast<double>(dark.size()) >
                          least_umbra_share * static_cast<double>(seen.disc.size());
-    phase.lit = limited(phase, seen.sky, seen.total ? seen.spread : 1, [&](double factor, Colour sky) {
-      return lit_s(seen.disc, factor, sky);
-    });
+    phase.lit = limited(phase, seen.sky, seen.total ? seen.spread : 1,
+                        [&](double factor, Colour sky) { return lit_s(seen.disc, factor, sky); });
     if (!partial) return;
     const double median = brightest_of(dark, 0.5);
     phase.shadow = limited(phase, seen.sky, seen.spread, [&](double factor, const Colour& sky) {
@@ -104,8 +103,8 @@ class Exposer {
   static double brightest_of(const std::vector<Colour>& colours, double share) {
     std::vector<double> levels;
     for (const auto& colour : colours) levels.push_back(std::ranges::max(colour));
-    const auto place = levels.begin() + static_cast<std::ptrdiff_t>(
-                                            share * static_cast<double>(levels.size()));
+    const auto place =
+        levels.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(levels.size()));
     std::ranges::nth_element(levels, place);
     return *place;
   }
@@ -159,9 +158,9 @@ PhaseExposure exposure_of(const std::string& name, const Instant& when, const Di
 NightLight light_at(const EclipseLight& light, const NightMoment& moment, const ViewRequest& view) {
   const auto sky = almanac::sky_at(moment.when);
   const auto seen = moon_and_sky(light.brightness(sky), sky, view);
-  const double star = faintest_star(
-      ClearSky(*view.observer, sky, air_over(*view.observer, view), seen.V_magnitude)
-          .zenith_cd_m2());
+  const double star =
+      faintest_star(ClearSky(*view.observer, sky, air_over(*view.observer, view), seen.V_magnitude)
+                        .zenith_cd_m2());
   return {moment.name,
           moment.when,
           seen.V_magnitude,
@@ -206,8 +205,8 @@ std::vector<std::pair<std::string, Instant>> phases_of(const Circumstances& nigh
   const auto beside = [](const Instant& contact, double side) {
     return almanac::later(contact, side * beside_contact_s);
   };
-  std::vector<std::pair<std::string, Instant>> phases{
-      {"full Moon, before P1", beside(*c.P1, -1)}, {"full Moon, after P4", beside(*c.P4, 1)}};
+  std::vector<std::pair<std::string, Instant>> phases{{"full Moon, before P1", beside(*c.P1, -1)},
+                                                      {"full Moon, after P4", beside(*c.P4, 1)}};
   phases.emplace_back(c.U2   ? "middle of totality"
                       : c.U1 ? "greatest, in the umbra"
                              : "greatest, in the penumbra",
@@ -261,10 +260,10 @@ std::vector<PhaseExposure> danjon_exposures(const Instant& greatest, const MoonR
       std::size_t{0}, steps,
       [&](std::size_t i) {
         const auto lit = light_on_the_way(requests[i].light, moons[i], {.error_told = false});
-        exposures[i] =
-            exposure_of(fmt::format("middle of totality, L = {}", steps - 1 - i), greatest,
-                        MoonSurvey(requests[i], light.albedo(), lit).brightness(sky),
-                        colours_of(requests[i], light.albedo(), lit, sky, through), view, exposer, 1, true);
+        exposures[i] = exposure_of(
+            fmt::format("middle of totality, L = {}", steps - 1 - i), greatest,
+            MoonSurvey(requests[i], light.albedo(), lit).brightness(sky),
+            colours_of(requests[i], light.albedo(), lit, sky, through), view, exposer, 1, true);
         if (progress) progress(static_cast<double>(++done) / steps);
       },
       tbb::simple_partitioner());
@@ -291,30 +290,29 @@ NightLights night_lights(const Circumstances& night, const MoonRequest& moon,
   const bool steps = danjon && eclipse.contacts.U2 && wholly_up(night.place, eclipse.greatest);
   const double done = steps ? 0.25 : 1;
   const EclipseLight light(eclipse, moon, part_of(progress, 0, done));
-  NightLights lights{
-      as_seen(night, [&](const auto& sky) { return light.brightness(sky); }, view)};
+  NightLights lights{as_seen(
+      night, [&](const auto& sky) { return light.brightness(sky); }, view)};
   lights.trailing_s = trailing_of(night, view, development);
-  const Exposer exposer(
-      development, lights.trailing_s,
-      almanac::seconds_between(*eclipse.contacts.P1, *eclipse.contacts.P4));
+  const Exposer exposer(development, lights.trailing_s,
+                        almanac::seconds_between(*eclipse.contacts.P1, *eclipse.contacts.P4));
   lights.f_number = exposer.f_number();
   lights.iso = development.iso;
   if (eclipse.contacts.U2)
     lights.V_error = totality_error_mag(moon.light.air, almanac::year_of(eclipse.greatest));
   for (const auto& moment : lights.night.moments)
-    if (!moment.name.starts_with("moon"))
-      lights.moments.push_back(light_at(light, moment, view));
+    if (!moment.name.starts_with("moon")) lights.moments.push_back(light_at(light, moment, view));
   if (lights.night.seen.empty()) return lights;
   const double spread = std::pow(10, 0.4 * lights.V_error.value_or(0));
   for (const auto& [phase, when] : phases_of(lights.night)) {
     const auto sky = almanac::sky_at(when);
-    const bool total = eclipse.contacts.U2 && holds({*eclipse.contacts.U2, *eclipse.contacts.U3}, when);
-    lights.exposures.push_back(
-        exposure_of(phase, when, light.brightness(sky),
-                    light.colours(sky, view_of(view, sky).sightline), view, exposer, spread, total));
+    const bool total =
+        eclipse.contacts.U2 && holds({*eclipse.contacts.U2, *eclipse.contacts.U3}, when);
+    lights.exposures.push_back(exposure_of(phase, when, light.brightness(sky),
+                                           light.colours(sky, view_of(view, sky).sightline), view,
+                                           exposer, spread, total));
     if (!steps || phase != "middle of totality") continue;
-    for (auto& each : danjon_exposures(when, moon, light, view, exposer,
-                                       part_of(progress, done, 1)))
+    for (auto& each :
+         danjon_exposures(when, moon, light, view, exposer, part_of(progress, done, 1)))
       lights.exposures.push_back(std::move(each));
   }
   return lights;

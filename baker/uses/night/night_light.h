@@ -14,10 +14,10 @@ namespace coppermoon::uses {
 struct NightLight {
   std::string name;  ///< of the moment
   almanac::Instant when;
-  double V_magnitude;                   ///< of the whole Moon, above the air
-  double mean_luminance_cd_m2;          ///< of the disc, above the air
-  std::optional<double> faintest_star;  ///< V magnitude, for the naked eye under the sky of the
-                                        ///< place; none where a star of magnitude 0 is not seen
+  double V_magnitude;                    ///< of the whole Moon, above the air
+  double mean_luminance_cd_m2;           ///< of the disc, above the air
+  std::optional<double> faintest_star;   ///< V magnitude, for the naked eye under the sky of the
+                                         ///< place; none where a star of magnitude 0 is not seen
   std::optional<double> sky_cd_m2 = {};  ///< at the Moon; none of a Moon that is not up
 };
 
@@ -41,8 +41,9 @@ struct PhaseExposure {
 
 /// Brightness and exposure times of an eclipse.
 struct NightLights {
-  Circumstances night;                   ///< with the times in which the Moon is seen
-  std::vector<NightLight> moments = {};  ///< of each contact, the greatest phase, first and last seen
+  Circumstances night;  ///< with the times in which the Moon is seen
+  std::vector<NightLight> moments =
+      {};  ///< of each contact, the greatest phase, first and last seen
   std::vector<PhaseExposure> exposures = {};
   double f_number = 0, iso = 0;           ///< of the exposures
   std::optional<double> V_error = {};     ///< standard error of V in totality (totality_error_mag)

@@ -90,7 +90,8 @@ double angle_deg(const char* day, const char* contact) {
 TEST(Circumstances, ContactsAreAtPublishedAnglesOnTheLimb) {
   // Astronomical Yearbook of the Institute of Applied Astronomy, St Petersburg: position angles of the umbra's first and
   // last contact, and of the penumbra's where the eclipse is penumbral
-  const char* reason = "degrees: their shadow is larger by 0.4 %, with which the Moon is met elsewhere";
+  const char* reason =
+      "degrees: their shadow is larger by 0.4 %, with which the Moon is met elsewhere";
   EXPECT_WITHIN(angle_deg("2011-06-15", "U1"), 92 + 15.2 / 60, 0.3, reason);
   EXPECT_WITHIN(angle_deg("2011-06-15", "U4"), 261 + 15.5 / 60, 0.3, reason);
   EXPECT_WITHIN(angle_deg("2015-04-04", "U1"), 133 + 45.7 / 60, 0.3, reason);
@@ -113,10 +114,11 @@ TEST(Circumstances, TwilightIsNamedByTheSunsAltitude) {
   EXPECT_STREQ(named(-18.1), "night");
   // U.S. Naval Observatory: the Sun set in London on 27 July 2018 at 20:55 BST
   auto london = almanac::city_named("London")->place;
-  EXPECT_WITHIN(algebra::in_degrees(moment_at(london, {}, almanac::sky_at(almanac::instant_from_utc(
-                                                              "2018-07-27T19:55Z")))
-                                        .sun_altitude),
-                -0.833, 0.3, "degrees: two minutes of the Sun's way, a minute and a city's size");
+  EXPECT_WITHIN(
+      algebra::in_degrees(
+          moment_at(london, {}, almanac::sky_at(almanac::instant_from_utc("2018-07-27T19:55Z")))
+              .sun_altitude),
+      -0.833, 0.3, "degrees: two minutes of the Sun's way, a minute and a city's size");
 }
 
 TEST(Circumstances, AreSummedUpInASentence) {
@@ -294,8 +296,7 @@ TEST(CalendarFile, OfSomeEclipsesHasAnEventEach) {
   EXPECT_EQ(values_of(seen, "UID")[0], values_of(of_a_night, "UID")[0])
       << "a night's file replaces the event of the list";
   EXPECT_TRUE(values_of(seen, "DTEND")[0].starts_with("20180727T2328")) << "Espenak: 23:28:37";
-  const auto nowhere =
-      calendar_or_refusal(eclipses);
+  const auto nowhere = calendar_or_refusal(eclipses);
   EXPECT_EQ(values_of(nowhere, "UID")[1], "2018-07-27-eclipse@coppermoon");
   EXPECT_EQ(values_of(nowhere, "DESCRIPTION")[1],
             "Greatest at 20:21:45 UTC\\, umbral magnitude 1.61.");
