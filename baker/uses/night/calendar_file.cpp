@@ -62,7 +62,7 @@ Shared shared_by(const std::optional<almanac::Observer>& place, const std::strin
           stamp(made)};
 }
 
-/// Event; without an end, of no length and without an alarm.
+/// Event; without an end, of no length. One of a place that has an end has an alarm.
 std::string event(const Shared& shared, const std::string& id, const almanac::Instant& from,
                   const std::optional<almanac::Instant>& to, const std::string& title,
                   const std::string& text) {
@@ -73,7 +73,7 @@ std::string event(const Shared& shared, const std::string& id, const almanac::In
          (to ? line("DTEND:" + stamp(*to)) : "") + line("SUMMARY:" + escaped(title)) +
          line("DESCRIPTION:" + escaped(text)) +
          (shared.place.empty() ? "" : line("LOCATION:" + escaped(shared.place))) +
-         (to ? alarm : "") + line("END:VEVENT");
+         (to && !shared.place.empty() ? alarm : "") + line("END:VEVENT");
 }
 
 const char* meaning(const std::string& name) {
